@@ -1,2 +1,15 @@
-//! The command line.
-fn main() {}
+//! The command line: parse, dispatch, exit code.
+
+mod cli;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match cli::run() {
+        Ok(outcome) => outcome.into(),
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            cli::exit_code(&error)
+        }
+    }
+}

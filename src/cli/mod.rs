@@ -1,0 +1,89 @@
+//! One file per command, and what they share.
+
+#[cfg(feature = "record")]
+mod demo;
+#[cfg(feature = "record")]
+mod description;
+mod output;
+mod progress;
+mod solve;
+mod solver;
+mod source;
+mod surface;
+
+use asperity::error::{FileError, GridError, ProblemError, SettingError, SurfaceError};
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Rough contact: press a rigid surface on an elastic half-space and watch it relax.
+///
+/// Exit codes: 0 converged, 2 bad input, 3 not converged (outputs are written all the same), 1 any other failure.
+#[derive(Parser)]
+#[command(version, max_term_width = 110)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
+    #[cfg(feature = "record")]
+    Demo(demo::Demo),
+    /// Solve one contact
+    Solve(Box<solve::Solve>),
+    /// Make a surface, or describe one
+    Surface(surface::Describe),
+}
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// All is well.
+    Done,
+    /// What was asked for is written, but a solver did not converge.
+    NotConverged,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Done => Self::SUCCESS,
+            Outcome::NotConverged => Self::from(3),
+        }
+    }
+}
+
+/// Options that do not go together, in one sentence.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct Usage(pub String);
+
+/// A [`Usage`] error.
+pub fn usage<T>(sentence: impl Into<String>) -> anyhow::Result<T> {
+    Err(Usage(sentence.into()).into())
+}
+
+/// Parses the command line and runs the command.
+pub fn run() -> anyhow::Result<Outcome> {
+    match Cli::parse().command {
+        #[cfg(feature = "record")]
+        Command::Demo(demo) => demo.run(),
+        Command::Solve(solve) => solve.run(),
+        Command::Surface(describe) => describe.run(),
+    }
+}
+
+/// 2 for what the person at the keyboard can mend, 1 for the rest.
+pub fn exit_code(error: &anyhow::Error) -> ExitCode {
+    let is_input = error.is::<Usage>()
+        || error.is::<GridError>()
+        || error.is::<SurfaceError>()
+        || error.is::<ProblemError>()
+        || error.is::<SettingError>()
+        || matches!(
+            error.downcast_ref(),
+            Some(FileError::Read { .. } | FileError::Format { .. } | FileError::Target { .. })
+        );
+    ExitCode::from(if is_input { 2 } else { 1 })
+}

@@ -1,0 +1,171 @@
+//! `asperity solve`: one contact.
+
+use super::output::{ExactSummary, Summary, write_fields};
+use super::progress::Progress;
+use super::solver::SolverArgs;
+use super::source::{Made, Source};
+use super::{Outcome, usage};
+use anyhow::Result;
+use asperity::contact::{Contact, Problem, Solver, Stop};
+use asperity::surface::check_target;
+use asperity::theory::Exact;
+use clap::Args;
+use std::io::stdout;
+use std::path::PathBuf;
+
+/// Presses one surface on the solid and reports the contact.
+#[derive(Args)]
+pub struct Solve {
+    #[command(flatten)]
+    source: Source,
+    #[command(flatten)]
+    load: Load,
+    #[command(flatten)]
+    solver: SolverArgs,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Load (one of --pressure, --reduced-pressure)")]
+struct Load {
+    /// Mean pressure, in the units of the modulus
+    #[arg(long, value_name = "P", allow_negative_numbers = true)]
+    pressure: Option<f64>,
+    /// Reduced pressure p* = p / (rms gradient x modulus)
+    #[arg(long, value_name = "P*", allow_negative_numbers = true)]
+    reduced_pressure: Option<f64>,
+    /// Contact modulus E* = E / (1 - nu^2)
+    #[arg(long, value_name = "E*", default_value_t = 1.0, allow_negative_numbers = true)]
+    modulus: f64,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Output")]
+struct Output {
+    /// Record every relaxation step for the Rerun viewer
+    #[cfg(feature = "record")]
+    #[arg(long, value_name = "FILE.rrd")]
+    record: Option<PathBuf>,
+    /// Record the fields of every N-th step, instead of all early steps and then ever fewer
+    #[cfg(feature = "record")]
+    #[arg(long, value_name = "N", requires = "record")]
+    record_every: Option<usize>,
+    /// Unit of lengths in the recording; metres are shown as mm, um or nm
+    #[cfg(feature = "record")]
+    #[arg(long, value_name = "UNIT", default_value = "m")]
+    length_unit: String,
+    /// Write height, pressure, gap, displacement and contact, shaped as the input
+    #[arg(long, value_name = "FILE.npz")]
+    out: Option<PathBuf>,
+    /// Print one JSON object instead of a summary
+    #[arg(long)]
+    json: bool,
+}
+
+impl Solve {
+    /// Runs the command.
+    pub fn run(&self) -> Result<Outcome> {
+        let solver = self.solver.solver()?;
+        let stop = self.solver.stop()?;
+        let made = self.source.surface()?;
+        let problem = self.load.problem(&made)?;
+        if let Some(path) = &self.output.out {
+            check_target(path)?;
+        }
+        let exact = made.indenter.as_ref().and_then(|indenter| {
+            let grid = problem.surface().grid();
+            Exact::of(indenter, grid, problem.contact_modulus(), problem.mean_pressure())
+        });
+        let summary_of_exact = exact.as_ref().map(|e| ExactSummary {
+            name: e.name,
+            relative_area: e.relative_area,
+            kappa_r: e.kappa_r,
+            mean_gap: e.mean_gap,
+            max_pressure: e.max_pressure,
+        });
+        let (contact, outcome) = self.watch(&problem, &made, solver.as_ref(), &stop, exact)?;
+        if let Some(path) = &self.output.out {
+            write_fields(path, &problem, &contact, made.rank)?;
+        }
+        let summary = Summary::of(&problem, &contact, made.rank, summary_of_exact);
+        if self.output.json {
+            summary.write_json(&mut stdout())?;
+        } else {
+            summary.write_text(&mut stdout())?;
+        }
+        Ok(outcome)
+    }
+
+    #[cfg(feature = "record")]
+    fn watch(
+        &self,
+        problem: &Problem,
+        made: &Made,
+        solver: &dyn Solver,
+        stop: &Stop,
+        exact: Option<Exact>,
+    ) -> Result<(Contact, Outcome)> {
+        use super::description::describe;
+        use asperity::record::{Options, Recording, Scene};
+        if self.output.record_every == Some(0) {
+            return usage("--record-every is 0: give a positive number of steps");
+        }
+        let Some(path) = &self.output.record else { return watch_progress(problem, solver, stop) };
+        let scene = Scene {
+            name: "contact".into(),
+            title: made.description.clone(),
+            problem,
+            description: describe(&made.description, problem, &self.output.length_unit, solver, stop, exact.as_ref()),
+            exact,
+        };
+        let options = Options { every: self.output.record_every, length_unit: self.output.length_unit.clone() };
+        let recording = Recording::create(path, &[scene], options)?;
+        let mut recorder = recording.recorder(0);
+        let mut progress = Progress::new(stop.tolerance(), solver.name());
+        let solved = settle(solver.solve(problem, stop, &mut (&mut recorder, &mut progress)));
+        recorder.close(&solved.0)?;
+        recording.finish()?;
+        Ok(solved)
+    }
+
+    #[cfg(not(feature = "record"))]
+    fn watch(
+        &self,
+        problem: &Problem,
+        _: &Made,
+        solver: &dyn Solver,
+        stop: &Stop,
+        _: Option<Exact>,
+    ) -> Result<(Contact, Outcome)> {
+        watch_progress(problem, solver, stop)
+    }
+}
+
+fn watch_progress(problem: &Problem, solver: &dyn Solver, stop: &Stop) -> Result<(Contact, Outcome)> {
+    let mut progress = Progress::new(stop.tolerance(), solver.name());
+    Ok(settle(solver.solve(problem, stop, &mut progress)))
+}
+
+/// The contact, converged or not; what stands in the way of convergence is said on standard error.
+pub fn settle(solved: Result<Contact, asperity::error::SolveError>) -> (Contact, Outcome) {
+    match solved {
+        Ok(contact) => (contact, Outcome::Done),
+        Err(error) => {
+            eprintln!("warning: {error}");
+            (error.into_contact(), Outcome::NotConverged)
+        }
+    }
+}
+
+impl Load {
+    fn problem(&self, made: &Made) -> Result<Problem> {
+        let surface = made.surface.clone();
+        match (self.pressure, self.reduced_pressure) {
+            (Some(pressure), None) => Ok(Problem::new(surface, self.modulus, pressure)?),
+            (None, Some(reduced)) => Ok(Problem::at_reduced_pressure(surface, self.modulus, reduced)?),
+            (None, None) => usage("no load is given: use --pressure or --reduced-pressure"),
+            (Some(_), Some(_)) => usage("two loads are given: use only one of --pressure and --reduced-pressure"),
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! Where the surface comes from: a file, an indenter or a spectrum.
+
+use super::usage;
+use anyhow::Result;
+use asperity::surface::{Field, Indenter, Spectrum, read_heights};
+use asperity::{Grid, Surface};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// The surface: exactly one of a height file, an indenter or a random spectrum.
+#[derive(Args)]
+#[command(next_help_heading = "Surface (exactly one of --height, --indenter, --hurst)")]
+pub struct Source {
+    /// Heights from a .npy file, of rank 1 (line) or 2 (surface); peaks towards the solid are positive
+    #[arg(long, value_name = "FILE.npy")]
+    height: Option<PathBuf>,
+    /// A smooth indenter, centred in the cell
+    #[arg(long, value_enum, value_name = "KIND")]
+    indenter: Option<Kind>,
+    /// Self-affine random roughness with this Hurst exponent, in (0, 1]
+    #[arg(long, value_name = "H", allow_negative_numbers = true)]
+    hurst: Option<f64>,
+    /// Lengths of the cell along the array's axes, in their order; one value serves all axes
+    #[arg(long, value_name = "L[,L]", value_delimiter = ',', allow_negative_numbers = true)]
+    size: Vec<f64>,
+    /// Points along the array's axes, in their order: one makes a line, two a surface
+    #[arg(long, value_name = "N[,N]", value_delimiter = ',')]
+    points: Vec<usize>,
+    #[command(flatten)]
+    shape: Shape,
+    #[command(flatten)]
+    roughness: Roughness,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Kind {
+    /// -x^2 / (2 radius), a line
+    Cylinder,
+    /// -r^2 / (2 radius), a surface
+    Sphere,
+    /// amplitude cos(2 pi x / L), a line
+    Sine,
+    /// amplitude cos(2 pi x / Lx) cos(2 pi y / Ly), a surface
+    CrossedSine,
+    /// -slope |x|, a line
+    Wedge,
+    /// -slope r, a surface
+    Cone,
+    /// -coefficient r^exponent
+    PowerLaw,
+    /// flat within half-width, lower by depth outside
+    Punch,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Shape of the indenter")]
+struct Shape {
+    /// Radius of the cylinder or sphere
+    #[arg(long, value_name = "R", allow_negative_numbers = true)]
+    radius: Option<f64>,
+    /// Amplitude of the sine or crossed sine (half of its peak-to-valley height)
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    amplitude: Option<f64>,
+    /// Slope of the wedge or cone
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    slope: Option<f64>,
+    /// Coefficient A of the power law A r^n
+    #[arg(long, value_name = "A", allow_negative_numbers = true)]
+    coefficient: Option<f64>,
+    /// Exponent n of the power law A r^n
+    #[arg(long, value_name = "n", allow_negative_numbers = true)]
+    exponent: Option<f64>,
+    /// Half-width or radius of the flat punch
+    #[arg(long, value_name = "B", allow_negative_numbers = true)]
+    half_width: Option<f64>,
+    /// Depth of the ground around the flat punch
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    depth: Option<f64>,
+}
+
+#[derive(Args)]
+#[command(next_help_heading = "Roughness")]
+struct Roughness {
+    /// Wavelength above which the spectrum is constant
+    #[arg(long, value_name = "LAMBDA", allow_negative_numbers = true)]
+    rolloff: Option<f64>,
+    /// Wavelength below which the spectrum is zero
+    #[arg(long, value_name = "LAMBDA", allow_negative_numbers = true)]
+    short_cutoff: Option<f64>,
+    /// Root-mean-square gradient, made exact for the realisation
+    #[arg(long, value_name = "G", allow_negative_numbers = true)]
+    rms_gradient: Option<f64>,
+    /// Seed of the realisation
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+/// A surface, the indenter it is if it is one, and the rank of the arrays it came from or goes to.
+pub struct Made {
+    pub surface: Surface,
+    pub indenter: Option<Indenter>,
+    pub rank: usize,
+    /// What it is, in words.
+    pub description: String,
+}
+
+impl Source {
+    /// Reads or makes the surface.
+    pub fn surface(&self) -> Result<Made> {
+        match (&self.height, self.indenter, self.hurst) {
+            (Some(path), None, None) => self.read(path),
+            (None, Some(kind), None) => self.press(kind),
+            (None, None, Some(hurst)) => self.roughen(hurst),
+            (None, None, None) => usage("no surface is given: use one of --height, --indenter or --hurst"),
+            _ => usage("more than one surface is given: use only one of --height, --indenter and --hurst"),
+        }
+    }
+
+    fn read(&self, path: &PathBuf) -> Result<Made> {
+        if !self.points.is_empty() {
+            return usage("--points does not go with --height: the file has its own");
+        }
+        let height = read_heights(path)?;
+        let rank = height.ndim();
+        let shape = match *height.shape() {
+            [n] => [1, n],
+            [ny, nx] => [ny, nx],
+            _ => return usage(format!("{} holds an array of rank {rank}: give rank 1 or 2", path.display())),
+        };
+        let size = self.sizes(if shape[0] == 1 { 1 } else { 2 })?;
+        let height: Field = height.to_shape(shape)?.into_owned();
+        let surface = Surface::new(grid(&shape, &size)?, height)?;
+        Ok(Made { surface, indenter: None, rank, description: format!("heights from {}", path.display()) })
+    }
+
+    fn press(&self, kind: Kind) -> Result<Made> {
+        let grid = self.grid()?;
+        let indenter = self.shape.indenter(kind)?;
+        let rank = self.points.len();
+        let description = self.shape.describe(&indenter);
+        Ok(Made { surface: indenter.surface(grid)?, indenter: Some(indenter), rank, description })
+    }
+
+    fn roughen(&self, hurst: f64) -> Result<Made> {
+        let grid = self.grid()?;
+        let rough = &self.roughness;
+        let needs = |value: Option<f64>, name: &str| match value {
+            Some(value) => Ok(value),
+            None => usage(format!("--hurst needs {name} as well")),
+        };
+        let spectrum = Spectrum {
+            hurst,
+            rolloff_wavelength: needs(rough.rolloff, "--rolloff")?,
+            short_cutoff: needs(rough.short_cutoff, "--short-cutoff")?,
+            rms_gradient: needs(rough.rms_gradient, "--rms-gradient")?,
+        };
+        let surface = Surface::rough(grid, &spectrum, rough.seed)?;
+        let description = format!(
+            "self-affine roughness, H = {hurst}, roll-off {}, short cut-off {}, rms gradient {}, seed {}",
+            spectrum.rolloff_wavelength, spectrum.short_cutoff, spectrum.rms_gradient, rough.seed
+        );
+        Ok(Made { surface, indenter: None, rank: self.points.len(), description })
+    }
+
+    fn grid(&self) -> Result<Grid> {
+        match self.points.as_slice() {
+            [] => usage("--points is missing: one number makes a line, two make a surface"),
+            [n] => grid(&[1, *n], &self.sizes(1)?),
+            [ny, nx] => grid(&[*ny, *nx], &self.sizes(2)?),
+            more => usage(format!("--points has {} numbers: give one for a line, two for a surface", more.len())),
+        }
+    }
+
+    /// The lengths along `axes` axes.
+    fn sizes(&self, axes: usize) -> Result<Vec<f64>> {
+        match self.size.as_slice() {
+            [] => usage("--size is missing: give the length of the cell"),
+            [one] => Ok(vec![*one; axes]),
+            given if given.len() == axes => Ok(given.to_vec()),
+            given => usage(format!("--size has {} lengths, but the surface has {axes} axes", given.len())),
+        }
+    }
+}
+
+fn grid(shape: &[usize; 2], size: &[f64]) -> Result<Grid> {
+    Ok(match *size {
+        [length] => Grid::line(shape[1], length)?,
+        [ly, lx] => Grid::surface(*shape, [ly, lx])?,
+        _ => return usage("a grid has one or two axes"),
+    })
+}
+
+impl Shape {
+    fn indenter(&self, kind: Kind) -> Result<Indenter> {
+        let needs = |value: Option<f64>, name: &str| match value {
+            Some(value) => Ok(value),
+            None => usage(format!("this indenter needs {name}")),
+        };
+        Ok(match kind {
+            Kind::Cylinder => Indenter::Cylinder { radius: needs(self.radius, "--radius")? },
+            Kind::Sphere => Indenter::Sphere { radius: needs(self.radius, "--radius")? },
+            Kind::Sine => Indenter::Sine { amplitude: needs(self.amplitude, "--amplitude")? },
+            Kind::CrossedSine => Indenter::CrossedSine { amplitude: needs(self.amplitude, "--amplitude")? },
+            Kind::Wedge => Indenter::Wedge { slope: needs(self.slope, "--slope")? },
+            Kind::Cone => Indenter::Cone { slope: needs(self.slope, "--slope")? },
+            Kind::PowerLaw => Indenter::PowerLaw {
+                coefficient: needs(self.coefficient, "--coefficient")?,
+                exponent: needs(self.exponent, "--exponent")?,
+            },
+            Kind::Punch => Indenter::Punch {
+                half_width: needs(self.half_width, "--half-width")?,
+                depth: needs(self.depth, "--depth")?,
+            },
+        })
+    }
+
+    fn describe(&self, indenter: &Indenter) -> String {
+        let given = [
+            ("radius", self.radius),
+            ("amplitude", self.amplitude),
+            ("slope", self.slope),
+            ("coefficient", self.coefficient),
+            ("exponent", self.exponent),
+            ("half-width", self.half_width),
+            ("depth", self.depth),
+        ];
+        let given = given.iter().filter_map(|(name, value)| value.map(|v| format!(", {name} {v}")));
+        format!("{}{}", indenter.name(), given.collect::<String>())
+    }
+}

@@ -1,0 +1,41 @@
+//! Loops over long vectors, in parallel where it pays, with sums that do not depend on the number of threads.
+//!
+//! A vector is cut into chunks of fixed length; results of chunks are combined in their order. A vector of one chunk is
+//! handled on the spot, since waking another core would cost more than the loop.
+
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Values per chunk: 128 KiB, about a sixteenth of the second-level cache, and long against the cost of a task.
+const CHUNK: usize = 1 << 14;
+
+/// Results of `visit` on each chunk of `0..len`, in order.
+pub(super) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    if len <= CHUNK {
+        return vec![visit(0..len)];
+    }
+    (0..len.div_ceil(CHUNK)).into_par_iter().map(|c| visit(c * CHUNK..len.min((c + 1) * CHUNK))).collect()
+}
+
+/// Sum of `term(i)` over `0..len`.
+pub(super) fn sum(len: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
+    visit(len, |range| range.map(&term).sum::<f64>()).into_iter().sum()
+}
+
+/// Results of `update` on each chunk of `values` and the range it covers, in order.
+pub(super) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, &mut [f64]) -> T + Sync) -> Vec<T> {
+    if values.len() <= CHUNK {
+        return vec![update(0..values.len(), values)];
+    }
+    let with_range = |(c, chunk): (usize, &mut [f64])| update(c * CHUNK..c * CHUNK + chunk.len(), chunk);
+    values.par_chunks_mut(CHUNK).enumerate().map(with_range).collect()
+}
+
+/// [`update`] of two vectors at once.
+pub(super) fn update_both(a: &mut [f64], b: &mut [f64], update: impl Fn(Range<usize>, &mut [f64], &mut [f64]) + Sync) {
+    if a.len() <= CHUNK {
+        return update(0..a.len(), a, b);
+    }
+    let pairs = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).enumerate();
+    pairs.for_each(|(c, (a, b))| update(c * CHUNK..c * CHUNK + a.len(), a, b));
+}

@@ -1,0 +1,116 @@
+//! The surface in motion.
+
+use super::Masses;
+use super::pace::{Pace, Push};
+use crate::contact::observe::State;
+use crate::contact::solver::Run;
+use crate::contact::{Problem, Status, Step, chunks};
+use crate::elastic::HalfSpace;
+
+/// Place `w`, last advance `dw`, net force `f`, advance under it `a`, and the wall's constraint forces `p`.
+pub(super) struct Moving<'a> {
+    problem: &'a Problem,
+    half_space: HalfSpace,
+    masses: Masses,
+    softest: f64,
+    w: Vec<f64>,
+    dw: Vec<f64>,
+    f: Vec<f64>,
+    a: Vec<f64>,
+    p: Vec<f64>,
+}
+
+impl<'a> Moving<'a> {
+    /// The undeformed surface at rest, touching the highest peak.
+    pub fn new(problem: &'a Problem, masses: Masses) -> Self {
+        let n = problem.nodes();
+        let peak = problem.height().iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let softest = half_space.stiffness().iter().copied().filter(|&k| k > 0.0).fold(f64::INFINITY, f64::min);
+        let zeros = || vec![0.0; n];
+        Self { problem, half_space, masses, softest, w: vec![peak; n], dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
+    }
+
+    pub fn stiffness(&self) -> &[f64] {
+        self.half_space.stiffness()
+    }
+
+    pub fn transforms(&self) -> u64 {
+        self.half_space.transforms()
+    }
+
+    pub fn pressure(&self) -> &[f64] {
+        &self.p
+    }
+
+    /// Finds the forces: elasticity and load; what the wall needs to hold the nodes that touch it and push; and what is left
+    /// as net force, which is zero on those nodes.
+    pub fn pull(&mut self) {
+        self.half_space.respond(&self.w, &mut self.f, |k| -k);
+        let (w, h, load) = (&self.w, self.problem.height(), self.problem.mean_pressure());
+        chunks::update_both(&mut self.f, &mut self.p, |range, f, p| {
+            for ((i, f), p) in range.zip(f).zip(p) {
+                *f -= load;
+                *p = if w[i] <= h[i] { (-*f).max(0.0) } else { 0.0 };
+                *f += *p;
+            }
+        });
+    }
+
+    /// Shows this state to the observer; the potential energy is `<w (k w)> / 2 + <p> <w>`, where `k w = p - f - <p>`.
+    pub fn show(&self, run: &mut Run<'_>, transforms: u64, certificate: Option<f64>) -> Option<Status> {
+        let (w, f, p, load) = (&self.w, &self.f, &self.p, self.problem.mean_pressure());
+        let scale = load * self.problem.rms_height() * w.len() as f64;
+        let energy = || chunks::sum(w.len(), |i| 0.5 * w[i] * (load + p[i] - f[i])) / scale;
+        let step = Step::new(State {
+            problem: self.problem,
+            work: run.work(transforms),
+            pressure: p,
+            displacement: w,
+            datum: 0.0,
+            certificate,
+            energy: &energy,
+        });
+        run.show(&step)
+    }
+
+    /// One step of the dynamics, and back onto the wall where it was passed.
+    pub fn advance(&mut self, pace: &mut Pace) {
+        self.accelerate();
+        let Push { keep, add } = pace.push(&self.f, &self.dw, &self.a);
+        let (h, a, p) = (self.problem.height(), &self.a, &self.p);
+        chunks::update_both(&mut self.w, &mut self.dw, |range, w, dw| {
+            for ((i, w), dw) in range.zip(w).zip(dw) {
+                let free = if p[i] > 0.0 { 0.0 } else { keep * *dw + add * a[i] };
+                let placed = (*w + free).max(h[i]);
+                *dw = placed - *w;
+                *w = placed;
+            }
+        });
+    }
+
+    /// Stiffness `E* q / 2` of the wave that is as long as contact segments are apart along rows: longer waves are pinned by
+    /// the wall and as stiff as this one.
+    fn pinning_stiffness(&self) -> f64 {
+        let [ny, nx] = self.problem.surface().grid().shape();
+        let p = &self.p;
+        let starts =
+            chunks::visit(ny * nx, |range| range.filter(|&i| p[i] > 0.0 && (i % nx == 0 || p[i - 1] <= 0.0)).count());
+        let per_row = starts.into_iter().sum::<usize>() as f64 / ny as f64;
+        self.softest * per_row.max(1.0)
+    }
+
+    /// `a <- f / m` on the nodes that the wall does not hold, for masses 1 or `m_q = k_q`.
+    fn accelerate(&mut self) {
+        if self.masses == Masses::Uniform {
+            self.a.copy_from_slice(&self.f);
+            return;
+        }
+        let floor = self.pinning_stiffness();
+        self.half_space.respond(&self.f, &mut self.a, |k| 1.0 / k.max(floor));
+        let p = &self.p;
+        chunks::update(&mut self.a, |range, a| {
+            range.zip(a).for_each(|(i, a)| *a = if p[i] > 0.0 { 0.0 } else { *a });
+        });
+    }
+}

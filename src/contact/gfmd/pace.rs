@@ -1,0 +1,84 @@
+//! The pace of the motion: time step and damping.
+
+use super::{Dynamics, Gfmd, Masses};
+use crate::contact::chunks;
+
+/// Constants of FIRE (Bitzek et al. 2006, Table I): steps of falling energy before the time step grows, its growth and its
+/// cut, and the share of the velocity that turns towards the force, with its decay.
+const PATIENCE: usize = 5;
+const GROWTH: f64 = 1.1;
+const CUT: f64 = 0.5;
+const TURN: f64 = 0.1;
+const TURN_DECAY: f64 = 0.99;
+
+/// With masses proportional to stiffness, the slowest motion is that of the mean on few contacts: this much softer than the
+/// modes themselves, from trials on rough lines and surfaces between `p* = 1e-3` and full contact.
+const SLACK: f64 = 16.0;
+
+/// The next advance is `keep * dw + add * a`.
+pub(super) struct Push {
+    pub keep: f64,
+    pub add: f64,
+}
+
+/// Chooses each step's share of old velocity and new force.
+pub(super) struct Pace {
+    /// `dt^2 / m` at the largest stable time step allowed.
+    step: f64,
+    kind: Kind,
+}
+
+enum Kind {
+    Damped { keep: f64 },
+    Fire { dt: f64, turn: f64, falling: usize },
+}
+
+impl Pace {
+    /// Limits the step by the stiffest mode and sets the friction by the softest, for the modes' `stiffness`.
+    pub fn new(settings: &Gfmd, stiffness: &[f64]) -> Self {
+        let positive = || stiffness.iter().copied().filter(|&k| k > 0.0);
+        let stiffest = positive().fold(0.0, f64::max);
+        let softest = positive().fold(f64::INFINITY, f64::min);
+        let fraction = 4.0 * settings.time_step.powi(2);
+        let (step, slowest) = match settings.masses {
+            Masses::Uniform => (fraction / stiffest, fraction * softest / stiffest),
+            Masses::Stiffness => {
+                let count = stiffness.len() as f64;
+                let lone = positive().sum::<f64>() / count * positive().map(|k| 1.0 / k).sum::<f64>() / count;
+                let step = fraction / (2.0 * lone).max(1.0);
+                (step, step / SLACK)
+            }
+        };
+        let kind = match settings.dynamics {
+            Dynamics::Damped => Kind::Damped { keep: (1.0 - 2.0 * settings.damping * slowest.sqrt()).max(0.0) },
+            Dynamics::Fire => Kind::Fire { dt: 1.0, turn: TURN, falling: 0 },
+        };
+        Self { step, kind }
+    }
+
+    /// The push after an advance `dw`, under the net force `f` and the acceleration `a`.
+    pub fn push(&mut self, f: &[f64], dw: &[f64], a: &[f64]) -> Push {
+        let step = self.step;
+        match &mut self.kind {
+            Kind::Damped { keep } => Push { keep: *keep, add: step },
+            Kind::Fire { dt, turn, falling } => {
+                let power = chunks::sum(f.len(), |i| f[i] * dw[i]);
+                let before = *dt;
+                if power < 0.0 {
+                    (*dt, *turn, *falling) = (*dt * CUT, TURN, 0);
+                    return Push { keep: 0.0, add: step * dt.powi(2) };
+                }
+                *falling += 1;
+                let share = *turn;
+                if *falling > PATIENCE {
+                    (*dt, *turn) = ((*dt * GROWTH).min(1.0), *turn * TURN_DECAY);
+                }
+                let speed = chunks::sum(dw.len(), |i| dw[i].powi(2)).sqrt();
+                let pull = chunks::sum(a.len(), |i| a[i].powi(2)).sqrt();
+                let turned = if pull > 0.0 { share * speed / pull } else { 0.0 };
+                let stretch = *dt / before;
+                Push { keep: stretch * (1.0 - share), add: stretch * turned + step * dt.powi(2) }
+            }
+        }
+    }
+}

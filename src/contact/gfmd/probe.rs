@@ -1,0 +1,48 @@
+//! The certificate of constraint forces.
+
+use crate::contact::solver::Run;
+use crate::contact::{Certificate, Problem, chunks};
+use crate::elastic::HalfSpace;
+
+/// Checks are this many times rarer than the steps made so far: a run passes its end by at most two per cent.
+const RARITY: usize = 50;
+
+/// Scales the constraint forces to the load and certifies them as a pressure, at a thinning share of the steps.
+pub(super) struct Probe {
+    half_space: HalfSpace,
+    pressure: Vec<f64>,
+    displacement: Vec<f64>,
+    next: usize,
+}
+
+impl Probe {
+    pub fn new(problem: &Problem) -> Self {
+        let n = problem.nodes();
+        let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        Self { half_space, pressure: vec![0.0; n], displacement: vec![0.0; n], next: 0 }
+    }
+
+    pub fn transforms(&self) -> u64 {
+        self.half_space.transforms()
+    }
+
+    pub fn half_space(&mut self) -> &mut HalfSpace {
+        &mut self.half_space
+    }
+
+    /// The certificate, if a check is due and anything is in contact.
+    pub fn certify(&mut self, problem: &Problem, forces: &[f64], run: &mut Run<'_>) -> Option<f64> {
+        let iteration = run.iterations();
+        let load = if iteration < self.next { 0.0 } else { chunks::sum(forces.len(), |i| forces[i]) };
+        if load <= 0.0 {
+            return None;
+        }
+        self.next = iteration + 1 + iteration / RARITY;
+        let scale = problem.mean_pressure() * forces.len() as f64 / load;
+        chunks::update(&mut self.pressure, |range, p| range.zip(p).for_each(|(i, p)| *p = scale * forces[i]));
+        self.half_space.displacement(&self.pressure, &mut self.displacement);
+        let eta = Certificate::of(problem, &self.pressure, &self.displacement).eta;
+        run.best.offer(eta, &self.pressure, iteration);
+        Some(eta)
+    }
+}

@@ -1,0 +1,32 @@
+//! Contact problems, their solvers, and what is measured on their solutions.
+//!
+//! ```text
+//! Problem --> Solver::solve --(Step)--> Observer
+//!                  |
+//!                  v
+//!               Contact { pressure, displacement, gap, Certificate, Work, Status } --> Measures, Patches
+//! ```
+
+mod best;
+mod certificate;
+mod chunks;
+mod gfmd;
+mod measure;
+mod observe;
+mod patches;
+mod polonsky_keer;
+mod problem;
+mod result;
+mod solver;
+mod stop;
+
+pub use certificate::Certificate;
+pub use gfmd::{Dynamics, Gfmd, Masses};
+pub use measure::{Measures, NODE_EXCESS_PER_SWITCH_LINE, NODE_EXCESS_PER_SWITCH_SURFACE};
+pub use observe::{Observer, Step};
+pub use patches::Patches;
+pub use polonsky_keer::PolonskyKeer;
+pub use problem::Problem;
+pub use result::{Contact, Status, Work};
+pub use solver::Solver;
+pub use stop::Stop;

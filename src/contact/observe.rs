@@ -1,0 +1,130 @@
+//! Watching a solver, step by step.
+
+use crate::contact::{Measures, Patches, Problem, Work};
+use std::cell::OnceCell;
+use std::ops::ControlFlow;
+
+/// Watches a solver. Solvers know this interface and never who watches.
+///
+/// A closure will do; `&mut ()` watches nothing.
+pub trait Observer {
+    /// Sees one relaxation step; `Break` ends the run with what it has found.
+    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()>;
+}
+
+impl<F: FnMut(&Step<'_>) -> ControlFlow<()>> Observer for F {
+    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()> {
+        self(step)
+    }
+}
+
+impl Observer for () {
+    fn step(&mut self, _: &Step<'_>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// Two observers of one run; it ends when either wishes.
+impl<A: Observer + ?Sized, B: Observer + ?Sized> Observer for (&mut A, &mut B) {
+    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()> {
+        let (a, b) = (self.0.step(step), self.1.step(step));
+        if a.is_break() { a } else { b }
+    }
+}
+
+/// The state of a solver at one step. What is not asked for is not computed, and what is asked for is computed once.
+pub struct Step<'a> {
+    state: State<'a>,
+    gap: OnceCell<Vec<f64>>,
+    measures: OnceCell<Measures>,
+    patches: OnceCell<Patches>,
+}
+
+/// What a solver hands over at a step.
+pub(super) struct State<'a> {
+    pub problem: &'a Problem,
+    pub work: Work,
+    pub pressure: &'a [f64],
+    pub displacement: &'a [f64],
+    /// `d` of the gap `u - h + d`.
+    pub datum: f64,
+    /// `eta`, where the solver knows it.
+    pub certificate: Option<f64>,
+    /// The energy that the method lowers, over `mean_pressure h_rms`, when asked for.
+    pub energy: &'a dyn Fn() -> f64,
+}
+
+impl<'a> Step<'a> {
+    pub(super) fn new(state: State<'a>) -> Self {
+        Self { state, gap: OnceCell::new(), measures: OnceCell::new(), patches: OnceCell::new() }
+    }
+
+    /// The problem being solved.
+    pub fn problem(&self) -> &'a Problem {
+        self.state.problem
+    }
+
+    /// Number of this step, from 0, the state at the start.
+    pub fn index(&self) -> usize {
+        self.state.work.iterations
+    }
+
+    /// Work of the solver so far; observers are not counted.
+    pub fn work(&self) -> Work {
+        self.state.work
+    }
+
+    /// Transforms so far.
+    pub fn transforms(&self) -> u64 {
+        self.state.work.transforms
+    }
+
+    /// Seconds so far, without those spent in observers.
+    pub fn seconds(&self) -> f64 {
+        self.state.work.seconds
+    }
+
+    /// Pressure `p >= 0`, row by row. Before convergence its mean may differ from the load (GFMD).
+    pub fn pressure(&self) -> &'a [f64] {
+        self.state.pressure
+    }
+
+    /// Displacement of the solid's surface into the solid, row by row; its datum is free.
+    pub fn displacement(&self) -> &'a [f64] {
+        self.state.displacement
+    }
+
+    /// Gap `g = u - h + d`, row by row; negative where the surfaces still penetrate.
+    pub fn gap(&self) -> &[f64] {
+        let State { problem, displacement, datum, .. } = &self.state;
+        self.gap.get_or_init(|| displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect())
+    }
+
+    /// Mean gap.
+    pub fn mean_gap(&self) -> f64 {
+        let sum: f64 = self.state.displacement.iter().sum();
+        sum / self.state.displacement.len() as f64 + self.state.datum
+    }
+
+    /// The certificate `eta` of this state, where the solver knows it without further work.
+    pub fn certificate(&self) -> Option<f64> {
+        self.state.certificate
+    }
+
+    /// The energy that the method lowers, over `mean_pressure h_rms`: for methods that move the pressure the complementary
+    /// energy `<p u> / 2 - <p h>`, for methods that move the surface the potential energy `<w k w> / 2 + <p> <w>`. They end
+    /// at the same magnitude with opposite signs.
+    pub fn energy(&self) -> f64 {
+        (self.state.energy)()
+    }
+
+    /// Area, gradients and proportionality factors.
+    pub fn measures(&self) -> &Measures {
+        self.measures.get_or_init(|| Measures::of(self.state.problem, self.state.pressure))
+    }
+
+    /// Contact patches.
+    pub fn patches(&self) -> &Patches {
+        self.patches.get_or_init(|| Patches::of(self.state.pressure, self.state.problem.surface().grid().shape()))
+    }
+}

@@ -1,0 +1,130 @@
+//! What a solver returns.
+
+use crate::contact::{Certificate, Measures, Patches, Problem, certificate};
+use crate::elastic::HalfSpace;
+use crate::surface::Field;
+use ndarray::ArrayView2;
+
+/// A solved (or best found) contact.
+///
+/// | field          | shape      | unit     | meaning                                        |
+/// |----------------|------------|----------|------------------------------------------------|
+/// | `pressure`     | `(ny, nx)` | pressure | `p >= 0`, `<p>` the load                       |
+/// | `displacement` | `(ny, nx)` | length   | `u(p)` into the solid, zero mean               |
+/// | `gap`          | `(ny, nx)` | length   | `u - h + d`, `d` such that `<p g> = 0`         |
+#[derive(Debug, Clone)]
+pub struct Contact {
+    /// Pressure.
+    pub pressure: Field,
+    /// Displacement of the solid's surface.
+    pub displacement: Field,
+    /// Gap between the surfaces.
+    pub gap: Field,
+    /// Error bounds of this very pressure, from a fresh transform pair.
+    pub certificate: Certificate,
+    /// Work done.
+    pub work: Work,
+    /// How the solver stopped.
+    pub status: Status,
+    /// Name of the solver.
+    pub solver: &'static str,
+    /// Seed of a random surface.
+    pub seed: Option<u64>,
+}
+
+/// Work of a solver.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Work {
+    /// Relaxation steps.
+    pub iterations: usize,
+    /// Fourier transforms, forward and inverse counted alike.
+    pub transforms: u64,
+    /// Seconds, without those spent in observers.
+    pub seconds: f64,
+}
+
+/// How a solver stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Status {
+    /// The certificate met the tolerance.
+    Converged,
+    /// The iteration cap was reached.
+    IterationCap,
+    /// Nothing improved any more: the tolerance lies below what rounding, or the method, attains.
+    Stalled,
+    /// The observer wished to stop.
+    StoppedByObserver,
+}
+
+impl std::fmt::Display for Status {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Converged => "converged",
+            Self::IterationCap => "iteration cap reached",
+            Self::Stalled => "no further progress",
+            Self::StoppedByObserver => "stopped by the observer",
+        })
+    }
+}
+
+impl Contact {
+    /// The contact with `pressure`, its displacement and certificate recomputed.
+    pub(super) fn of(problem: &Problem, pressure: Vec<f64>, half_space: &mut HalfSpace, ended: Ended) -> Self {
+        let mut displacement = vec![0.0; pressure.len()];
+        half_space.displacement(&pressure, &mut displacement);
+        let certificate = Certificate::of(problem, &pressure, &displacement);
+        let datum = certificate::datum(problem, &pressure, &displacement);
+        let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
+        let shape = problem.surface().grid().shape();
+        let field = |values: Vec<f64>| Field::from_shape_vec(shape, values).expect("one value per node");
+        Self {
+            pressure: field(pressure),
+            displacement: field(displacement),
+            gap: field(gap),
+            certificate,
+            work: ended.work,
+            status: ended.status,
+            solver: ended.solver,
+            seed: problem.surface().seed(),
+        }
+    }
+
+    /// Area, gradients and proportionality factors.
+    pub fn measures(&self, problem: &Problem) -> Measures {
+        Measures::of(problem, values(self.pressure.view()))
+    }
+
+    /// Contact patches.
+    pub fn patches(&self) -> Patches {
+        let [ny, nx] = self.pressure.dim().into();
+        Patches::of(values(self.pressure.view()), [ny, nx])
+    }
+
+    /// Mean gap.
+    pub fn mean_gap(&self) -> f64 {
+        self.gap.mean().unwrap_or(0.0)
+    }
+
+    /// Largest pressure.
+    pub fn max_pressure(&self) -> f64 {
+        self.pressure.fold(0.0, |max: f64, &p| max.max(p))
+    }
+
+    /// The active set: nodes with `p > 0`.
+    pub fn mask(&self) -> ndarray::Array2<bool> {
+        self.pressure.mapv(|p| p > 0.0)
+    }
+}
+
+/// How, where and after what work a run ended.
+#[derive(Clone, Copy)]
+pub(super) struct Ended {
+    pub work: Work,
+    pub status: Status,
+    pub solver: &'static str,
+}
+
+fn values<'a>(field: ArrayView2<'a, f64>) -> &'a [f64] {
+    field.to_slice().expect("results are made in standard layout")
+}

@@ -1,0 +1,94 @@
+//! What all solvers have in common.
+
+use crate::contact::best::Best;
+use crate::contact::result::Ended;
+use crate::contact::{Contact, Observer, Problem, Status, Step, Stop, Work};
+use crate::elastic::HalfSpace;
+use crate::error::SolveError;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// A solver of contact problems.
+pub trait Solver {
+    /// Its name, as on the command line.
+    fn name(&self) -> &'static str;
+
+    /// Its settings, in words.
+    fn settings(&self) -> String;
+
+    /// Solves `problem` until `stop`, showing every step to `observer`.
+    ///
+    /// # Errors
+    /// [`SolveError::NotConverged`] with the best state found, when the cap is reached or nothing improves any more. A run that
+    /// the observer ends is no error; its status says so.
+    fn solve(&self, problem: &Problem, stop: &Stop, observer: &mut dyn Observer) -> Result<Contact, SolveError>;
+}
+
+/// The bookkeeping of a run: iterations, the clock that halts for observers, the best state, and the reasons to stop.
+pub(super) struct Run<'a> {
+    observer: &'a mut dyn Observer,
+    stop: Stop,
+    clock: Instant,
+    observed_secs: f64,
+    iterations: usize,
+    /// The best state found.
+    pub best: Best,
+}
+
+impl<'a> Run<'a> {
+    pub fn new(problem: &Problem, stop: &Stop, observer: &'a mut dyn Observer) -> Self {
+        let best = Best::new(problem);
+        Self { observer, stop: *stop, clock: Instant::now(), observed_secs: 0.0, iterations: 0, best }
+    }
+
+    pub fn iterations(&self) -> usize {
+        self.iterations
+    }
+
+    pub fn work(&self, transforms: u64) -> Work {
+        let seconds = self.clock.elapsed().as_secs_f64() - self.observed_secs;
+        Work { iterations: self.iterations, transforms, seconds }
+    }
+
+    /// Whether a certificate meets the tolerance.
+    pub fn is_converged(&self, eta: f64) -> bool {
+        eta <= self.stop.tolerance()
+    }
+
+    /// Shows a step to the observer and says why to stop, if so.
+    pub fn show(&mut self, step: &Step<'_>) -> Option<Status> {
+        let before = Instant::now();
+        let wish = self.observer.step(step);
+        self.observed_secs += before.elapsed().as_secs_f64();
+        match step.certificate() {
+            Some(eta) if self.is_converged(eta) => Some(Status::Converged),
+            _ if wish == ControlFlow::Break(()) => Some(Status::StoppedByObserver),
+            _ if self.iterations >= self.stop.max_iterations() => Some(Status::IterationCap),
+            _ if self.best.is_stale(self.iterations) => Some(Status::Stalled),
+            _ => None,
+        }
+    }
+
+    /// Goes on to the next iteration.
+    pub fn advance(&mut self) {
+        self.iterations += 1;
+    }
+
+    /// The contact with the best state.
+    pub fn finish(
+        self,
+        problem: &Problem,
+        half_space: &mut HalfSpace,
+        solver: &'static str,
+        status: Status,
+        transforms: u64,
+    ) -> Result<Contact, SolveError> {
+        let Work { iterations, seconds, .. } = self.work(transforms);
+        let work = Work { iterations, transforms: transforms + 2, seconds };
+        let contact = Contact::of(problem, self.best.pressure, half_space, Ended { work, status, solver });
+        match status {
+            Status::Converged | Status::StoppedByObserver => Ok(contact),
+            Status::IterationCap | Status::Stalled => Err(SolveError::NotConverged(Box::new(contact))),
+        }
+    }
+}

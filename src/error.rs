@@ -1,0 +1,224 @@
+//! What can go wrong: one enum per concern, every variant with the offending numbers and what to do.
+
+use crate::contact::Contact;
+use std::path::PathBuf;
+
+/// A grid that cannot be.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum GridError {
+    /// Fewer than [`crate::Grid::MIN_POINTS`] points along an axis.
+    #[error("{points} points along {axis} are too few: give at least 4")]
+    TooFewPoints {
+        /// The axis, `x` or `y`.
+        axis: &'static str,
+        /// Points asked for.
+        points: usize,
+    },
+    /// More points than memory can address.
+    #[error("a grid of {} x {} points does not fit in memory: give fewer points", shape[0], shape[1])]
+    TooManyPoints {
+        /// Points along y and x.
+        shape: [usize; 2],
+    },
+    /// A period that is not positive and finite.
+    #[error("the length along {axis} is {length}: give a positive, finite length")]
+    Length {
+        /// The axis, `x` or `y`.
+        axis: &'static str,
+        /// Length asked for.
+        length: f64,
+    },
+}
+
+/// A surface that cannot be made or used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SurfaceError {
+    /// The grid under the surface is wrong.
+    #[error(transparent)]
+    Grid(#[from] GridError),
+    /// The heights do not have the shape of the grid.
+    #[error("heights of shape {found:?} do not fit a grid of {} x {} points", expected[0], expected[1])]
+    Shape {
+        /// Shape of the array.
+        found: Vec<usize>,
+        /// Shape of the grid.
+        expected: [usize; 2],
+    },
+    /// A height is NaN or infinite.
+    #[error("the height at row {}, column {} is {value}: all heights must be finite", index[0], index[1])]
+    NonFinite {
+        /// Row and column.
+        index: [usize; 2],
+        /// The height.
+        value: f64,
+    },
+    /// A parameter that must be positive and finite is not.
+    #[error("{name} is {value}: give a positive, finite value")]
+    NotPositive {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A Hurst exponent outside `(0, 1]`.
+    #[error("the Hurst exponent is {value}: it must lie above 0 and at most at 1")]
+    Hurst {
+        /// The exponent.
+        value: f64,
+    },
+    /// The wavelengths of a spectrum are out of order.
+    #[error("the short cut-off {short_cutoff} is longer than the roll-off wavelength {rolloff}: it must be shorter")]
+    CutoffOrder {
+        /// Roll-off wavelength.
+        rolloff: f64,
+        /// Short cut-off wavelength.
+        short_cutoff: f64,
+    },
+    /// The roll-off is longer than the period.
+    #[error("the roll-off wavelength {rolloff} is longer than the period {period}: make it shorter or the cell larger")]
+    RolloffTooLong {
+        /// Roll-off wavelength.
+        rolloff: f64,
+        /// The longest period.
+        period: f64,
+    },
+    /// The grid cannot carry the shortest wavelength.
+    #[error(
+        "the short cut-off {short_cutoff} is finer than the grid, whose shortest wavelength is {shortest}: raise it or take more points"
+    )]
+    CutoffTooFine {
+        /// Short cut-off wavelength.
+        short_cutoff: f64,
+        /// Two spacings.
+        shortest: f64,
+    },
+    /// An indenter that only makes sense on the other kind of grid.
+    #[error("a {indenter} needs a {needs}, but the grid is a {has}")]
+    WrongDimension {
+        /// The indenter.
+        indenter: &'static str,
+        /// `line` or `surface`.
+        needs: &'static str,
+        /// `line` or `surface`.
+        has: &'static str,
+    },
+    /// An indenter wider than the cell.
+    #[error(
+        "a {indenter} of half-width {half_width} does not fit the shortest period {period}: make it narrower than half of it"
+    )]
+    TooWide {
+        /// The indenter.
+        indenter: &'static str,
+        /// Half-width or radius.
+        half_width: f64,
+        /// The shortest period.
+        period: f64,
+    },
+    /// No wavelength of the grid lies in the band of the spectrum.
+    #[error("no wavelength of the cell lies between its period {period} and the short cut-off {short_cutoff}")]
+    EmptySpectrum {
+        /// The longest period.
+        period: f64,
+        /// Short cut-off wavelength.
+        short_cutoff: f64,
+    },
+}
+
+/// A contact problem that cannot be posed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ProblemError {
+    /// A quantity that must be positive and finite is not.
+    #[error("the {name} is {value}: give a positive, finite value")]
+    NotPositive {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// All heights are the same: the contact area of a flat is its whole area at any load.
+    #[error("the surface is flat (all heights are {height}): its contact is undefined, give a surface with relief")]
+    Flat {
+        /// The height of every point.
+        height: f64,
+    },
+    /// Values so large or small that sums of their squares leave the range of doubles.
+    #[error("the {name} of {value} is out of range: choose units in which it lies between 1e-100 and 1e100")]
+    OutOfRange {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+}
+
+/// A setting of a solver or of its stop that cannot be.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SettingError {
+    /// A setting outside its range.
+    #[error("{name} is {value}: it must lie in {range}")]
+    Range {
+        /// The setting.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// The range allowed.
+        range: &'static str,
+    },
+}
+
+/// A solve that did not reach its tolerance. The best state found is inside; nothing is lost.
+#[derive(Debug, thiserror::Error)]
+pub enum SolveError {
+    /// The iterations or the attainable accuracy ran out.
+    #[error(
+        "not converged: {} stopped after {} iterations ({}) at a certificate of {:.3e}",
+        .0.solver, .0.work.iterations, .0.status, .0.certificate.eta
+    )]
+    NotConverged(Box<Contact>),
+}
+
+impl SolveError {
+    /// The best state found.
+    pub fn into_contact(self) -> Contact {
+        match self {
+            Self::NotConverged(contact) => *contact,
+        }
+    }
+}
+
+/// A file that cannot be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum FileError {
+    /// The file is missing or unreadable.
+    #[error("cannot read {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// The file is not what it should be.
+    #[error("{} is not a usable height file: {reason}", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// The output cannot be made at that place.
+    #[error("cannot write {}: {reason}", path.display())]
+    Target {
+        /// The file.
+        path: PathBuf,
+        /// Why, and what to do.
+        reason: String,
+    },
+    /// Writing failed on the way.
+    #[error("writing {} failed: {source}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+}

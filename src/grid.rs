@@ -1,0 +1,157 @@
+//! The periodic grid that lines and surfaces share.
+
+use crate::error::GridError;
+
+/// A periodic, equidistant grid of `ny` rows and `nx` columns over a cell of `ly` by `lx`.
+///
+/// A line is the grid of shape `(1, n)`: its single row has no extent, and nothing varies along it. A solver never asks
+/// which of the two it works on; only spectral exponents, statistics and pictures do.
+///
+/// | field   | meaning                            | unit   |
+/// |---------|------------------------------------|--------|
+/// | `shape` | `(ny, nx)`, points along y and x   | -      |
+/// | `size`  | `(ly, lx)`, periods along y and x  | length |
+///
+/// ```
+/// use asperity::Grid;
+/// let grid = Grid::surface([64, 128], [1.0, 4.0])?;
+/// assert_eq!(grid.spacing(), [1.0 / 64.0, 4.0 / 128.0]);
+/// assert!(Grid::line(3, 1.0).is_err());
+/// # Ok::<(), asperity::error::GridError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    shape: [usize; 2],
+    size: [f64; 2],
+}
+
+impl Grid {
+    /// The fewest points along an axis: below it a central difference and its neighbours coincide.
+    pub const MIN_POINTS: usize = 4;
+
+    /// A line of `points` points and period `length`.
+    ///
+    /// # Errors
+    /// [`GridError`] for fewer than [`Grid::MIN_POINTS`] points or a length that is not positive and finite.
+    pub fn line(points: usize, length: f64) -> Result<Self, GridError> {
+        check_points(points, "x")?;
+        check_length(length, "x")?;
+        Ok(Self { shape: [1, points], size: [1.0, length] })
+    }
+
+    /// A surface of `[ny, nx]` points and periods `[ly, lx]`.
+    ///
+    /// # Errors
+    /// As [`Grid::line`], for either axis; and for a surface with more points than memory can address.
+    pub fn surface(shape: [usize; 2], size: [f64; 2]) -> Result<Self, GridError> {
+        for (axis, (&n, &length)) in ["y", "x"].iter().zip(shape.iter().zip(&size)) {
+            check_points(n, axis)?;
+            check_length(length, axis)?;
+        }
+        shape[0]
+            .checked_mul(shape[1])
+            .filter(|n| n.checked_mul(16).is_some_and(|bytes| bytes < isize::MAX as usize))
+            .ok_or(GridError::TooManyPoints { shape })?;
+        Ok(Self { shape, size })
+    }
+
+    /// Points along y and x.
+    pub fn shape(&self) -> [usize; 2] {
+        self.shape
+    }
+
+    /// Periods along y and x. That of a line along y is nominal: 1.
+    pub fn size(&self) -> [f64; 2] {
+        self.size
+    }
+
+    /// Whether this is a line, the grid of shape `(1, n)`.
+    pub fn is_line(&self) -> bool {
+        self.shape[0] == 1
+    }
+
+    /// Number of points.
+    #[expect(clippy::len_without_is_empty, reason = "a grid has at least four points")]
+    pub fn len(&self) -> usize {
+        self.shape[0] * self.shape[1]
+    }
+
+    /// Distances between neighbours along y and x.
+    pub fn spacing(&self) -> [f64; 2] {
+        [self.size[0] / self.shape[0] as f64, self.size[1] / self.shape[1] as f64]
+    }
+
+    /// Positions `x` of the columns, from 0.
+    pub fn x(&self) -> impl ExactSizeIterator<Item = f64> + use<> {
+        let dx = self.spacing()[1];
+        (0..self.shape[1]).map(move |i| i as f64 * dx)
+    }
+
+    /// The shortest period, over which one wavelength just fits.
+    pub fn longest_wavelength(&self) -> f64 {
+        if self.is_line() { self.size[1] } else { self.size[0].max(self.size[1]) }
+    }
+
+    /// The coarsest spacing doubled: the shortest wavelength that is resolved along every axis.
+    pub fn shortest_wavelength(&self) -> f64 {
+        let [dy, dx] = self.spacing();
+        2.0 * if self.is_line() { dx } else { dy.max(dx) }
+    }
+
+    /// Number of Fourier coefficients of a real field, see [`crate::fourier`].
+    pub fn modes(&self) -> usize {
+        (self.shape[1] / 2 + 1) * self.shape[0]
+    }
+
+    /// Magnitudes `|q|` of the wave vectors (`q = 2 pi / wavelength`), in the order of the coefficients in
+    /// [`crate::fourier`]: `q_x` from 0 to Nyquist outside, all `q_y` inside.
+    pub fn wavenumbers(&self) -> impl Iterator<Item = f64> + use<> {
+        let [ny, nx] = self.shape;
+        let [ly, lx] = self.size;
+        (0..=nx / 2).flat_map(move |kx| {
+            let qx = std::f64::consts::TAU * kx as f64 / lx;
+            (0..ny).map(move |ky| qx.hypot(std::f64::consts::TAU * ky.min(ny - ky) as f64 / ly))
+        })
+    }
+
+    /// How many modes of the full spectrum each stored coefficient stands for (2, or 1 where it is its own mirror image):
+    /// the weights of Parseval's sum, in the order of [`Grid::wavenumbers`].
+    pub fn multiplicities(&self) -> impl Iterator<Item = f64> + use<> {
+        let [ny, nx] = self.shape;
+        (0..=nx / 2).flat_map(move |kx| {
+            let weight = if kx == 0 || 2 * kx == nx { 1.0 } else { 2.0 };
+            (0..ny).map(move |_| weight)
+        })
+    }
+}
+
+fn check_points(points: usize, axis: &'static str) -> Result<(), GridError> {
+    if points < Grid::MIN_POINTS { Err(GridError::TooFewPoints { axis, points }) } else { Ok(()) }
+}
+
+fn check_length(length: f64, axis: &'static str) -> Result<(), GridError> {
+    if length.is_finite() && length > 0.0 { Ok(()) } else { Err(GridError::Length { axis, length }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wavenumbers_mirror_at_nyquist() {
+        let grid = Grid::surface([5, 4], [std::f64::consts::TAU, std::f64::consts::TAU]).unwrap();
+        let q: Vec<f64> = grid.wavenumbers().collect();
+        assert_eq!(q.len(), grid.modes());
+        assert_eq!(&q[..5], &[0.0, 1.0, 2.0, 2.0, 1.0]);
+        assert_eq!(q[10], 2.0);
+        assert_eq!(grid.multiplicities().sum::<f64>(), grid.len() as f64);
+    }
+
+    #[test]
+    fn bad_grids_are_refused() {
+        assert!(Grid::line(3, 1.0).is_err());
+        assert!(Grid::line(4, f64::NAN).is_err());
+        assert!(Grid::surface([4, 4], [1.0, -1.0]).is_err());
+        assert!(Grid::surface([usize::MAX / 2, 4], [1.0, 1.0]).is_err());
+    }
+}

@@ -1,0 +1,174 @@
+//! Fewer values than nodes without losing an extreme: what is drawn never skips a node.
+
+use std::ops::Range;
+
+/// Nodes of cell `cell` when `nodes` of them are shared out over `cells`; with more cells than nodes they repeat.
+pub fn share(nodes: usize, cells: usize, cell: usize) -> Range<usize> {
+    let start = cell * nodes / cells;
+    start..((cell + 1) * nodes / cells).max(start + 1)
+}
+
+/// A run of nodes of a line, shared out over at most [`Columns::MOST`] columns.
+#[derive(Debug, Clone)]
+pub struct Columns {
+    nodes: Range<usize>,
+    count: usize,
+}
+
+impl Columns {
+    /// About as many columns as a large picture has pixels; two points each.
+    pub const MOST: usize = 1024;
+
+    /// The columns of `nodes`; a run that is short enough keeps one column per node.
+    pub fn new(nodes: Range<usize>) -> Self {
+        let count = if nodes.len() <= 2 * Self::MOST { nodes.len() } else { Self::MOST };
+        Self { nodes, count }
+    }
+
+    /// Number of columns.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Nodes of each column, from left to right.
+    pub fn ranges(&self) -> impl Iterator<Item = Range<usize>> + use<'_> {
+        (0..self.count).map(|column| {
+            let Range { start, end } = share(self.nodes.len(), self.count, column);
+            self.nodes.start + start..self.nodes.start + end
+        })
+    }
+
+    /// The nodes that hold the smallest and the largest value of each column, in the order in which they lie on the line.
+    pub fn extremes(&self, value: impl Fn(usize) -> f32) -> Vec<(usize, f32)> {
+        let mut points = Vec::with_capacity(2 * self.count);
+        for range in self.ranges() {
+            let (low, high) = extremes(range, &value);
+            let (first, second) = if low.0 <= high.0 { (low, high) } else { (high, low) };
+            points.push(first);
+            if second.0 != first.0 {
+                points.push(second);
+            }
+        }
+        points
+    }
+
+    /// Runs of columns in which any node holds, first and last column of each.
+    pub fn runs(&self, holds: impl Fn(usize) -> bool) -> Vec<[usize; 2]> {
+        let mut runs: Vec<[usize; 2]> = Vec::new();
+        for (column, _) in self.ranges().enumerate().filter(|(_, range)| range.clone().any(&holds)) {
+            match runs.last_mut() {
+                Some([_, last]) if *last + 1 == column => *last = column,
+                _ => runs.push([column, column]),
+            }
+        }
+        runs
+    }
+}
+
+/// First node and value of the smallest and of the largest value in `range`.
+fn extremes(range: Range<usize>, value: impl Fn(usize) -> f32) -> ((usize, f32), (usize, f32)) {
+    let first = (range.start, value(range.start));
+    let (mut low, mut high) = (first, first);
+    for i in range {
+        let v = value(i);
+        if v < low.1 {
+            low = (i, v);
+        } else if v > high.1 {
+            high = (i, v);
+        }
+    }
+    (low, high)
+}
+
+/// A field of `shape`, seen as `cells` blocks.
+#[derive(Debug, Clone, Copy)]
+pub struct Blocks {
+    /// Nodes along y and x.
+    pub shape: [usize; 2],
+    /// Blocks along y and x.
+    pub cells: [usize; 2],
+}
+
+impl Blocks {
+    /// Blocks over a field of `shape` whose sides measure `size`: at most `most` along the longer side, square in space.
+    pub fn square(shape: [usize; 2], size: [f64; 2], most: usize) -> Self {
+        let longest = size[0].max(size[1]);
+        let finest = (0..2).map(|axis| shape[axis] as f64 * longest / size[axis]).fold(0.0, f64::max);
+        let along = (finest.round() as usize).min(most) as f64;
+        Self { shape, cells: size.map(|length| ((along * length / longest).round() as usize).max(2)) }
+    }
+
+    /// Number of blocks.
+    pub fn len(&self) -> usize {
+        self.cells[0] * self.cells[1]
+    }
+
+    /// What `fold` makes of all nodes of each block, starting from `start`, row by row.
+    pub fn fold(&self, values: &[f64], start: f64, fold: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+        let [rows, columns] = self.cells;
+        let mut blocks = Vec::with_capacity(self.len());
+        for row in 0..rows {
+            for column in 0..columns {
+                blocks.push(self.nodes(row, column).fold(start, |sum, node| fold(sum, values[node])));
+            }
+        }
+        blocks
+    }
+
+    /// The mean of each block.
+    pub fn mean(&self, values: &[f64]) -> Vec<f64> {
+        let [_, columns] = self.cells;
+        let mut sums = self.fold(values, 0.0, |sum, value| sum + value);
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum /= self.nodes(i / columns, i % columns).count() as f64;
+        }
+        sums
+    }
+
+    fn nodes(&self, row: usize, column: usize) -> impl Iterator<Item = usize> + use<> {
+        let [ny, nx] = self.shape;
+        let columns = share(nx, self.cells[1], column);
+        share(ny, self.cells[0], row).flat_map(move |y| columns.clone().map(move |x| y * nx + x))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spike_of_one_node_survives_on_a_line() {
+        for spike in [0, 1, 4_999, 99_998, 99_999] {
+            let value = |i: usize| if i == spike { 7.0 } else { (i % 3) as f32 };
+            let points = Columns::new(0..100_000).extremes(value);
+            assert!(points.len() <= 2 * Columns::MOST);
+            assert!(points.contains(&(spike, 7.0)));
+            assert!(points.is_sorted_by_key(|p| p.0));
+            assert_eq!(Columns::new(0..100_000).runs(|i| i == spike).len(), 1);
+        }
+    }
+
+    #[test]
+    fn short_lines_are_kept_as_they_are() {
+        let points = Columns::new(10..30).extremes(|i| i as f32);
+        assert_eq!(points, (10..30).map(|i| (i, i as f32)).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn a_spike_of_one_node_survives_in_blocks() {
+        let blocks = Blocks { shape: [37, 53], cells: [8, 11] };
+        for spike in [0, 52, 53, 1000, 37 * 53 - 1] {
+            let mut values = vec![0.0; 37 * 53];
+            values[spike] = 1.0;
+            assert_eq!(blocks.fold(&values, 0.0, f64::max).iter().filter(|&&v| v == 1.0).count(), 1);
+        }
+        assert!(blocks.mean(&vec![2.0; 37 * 53]).iter().all(|&m| m == 2.0));
+    }
+
+    #[test]
+    fn blocks_are_square_in_space() {
+        assert_eq!(Blocks::square([64, 64], [1.0, 1.0], 512).cells, [64, 64]);
+        assert_eq!(Blocks::square([1024, 1024], [1.0, 2.0], 512).cells, [256, 512]);
+        assert_eq!(Blocks::square([64, 32], [1.0, 1.0], 512).cells, [64, 64]);
+    }
+}

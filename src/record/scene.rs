@@ -1,0 +1,73 @@
+//! What is recorded, and the quantities and ranges of its axes.
+
+use super::axes::{Axis, Quantity};
+use crate::contact::Problem;
+use crate::theory::Exact;
+
+/// One contact problem of a recording.
+pub struct Scene<'a> {
+    /// Root of its entities, such as `hertz_line`; characters other than letters, digits, `_` and `-` become `_`.
+    pub name: String,
+    /// Title of its tab and pictures.
+    pub title: String,
+    /// The problem whose steps will be recorded.
+    pub problem: &'a Problem,
+    /// Parameters, units, seed, solver and settings, in Markdown.
+    pub description: String,
+    /// The exact solution, where there is one; its pressure is drawn beside the computed one. A line is then shown around
+    /// its contact only.
+    pub exact: Option<Exact>,
+}
+
+/// The fields of a frame, row by row.
+#[derive(Clone, Copy)]
+pub struct Fields<'a> {
+    /// Pressure.
+    pub pressure: &'a [f64],
+    /// Gap.
+    pub gap: &'a [f64],
+}
+
+/// Largest pressure expected on rough surfaces over `E* gbar`: pressures in contact follow a Rayleigh law of width 1/2 (from
+/// Persson's theory), and one in a few thousand independent points exceeds four widths.
+const ROUGH_PRESSURE: f64 = 2.0;
+
+/// Pressure over `E*`, from 0 to what is expected before solving.
+pub fn pressure_axis(scene: &Scene<'_>) -> Axis {
+    let quantity = Quantity { symbol: "p / E*", unit: String::new() };
+    Axis::new(quantity, 0.0, headroom(expected_pressure(scene) / scene.problem.contact_modulus()))
+}
+
+/// Gap over the rms height, from 0 to `highest`.
+pub fn gap_axis(highest: f64) -> Axis {
+    Axis::new(Quantity { symbol: "gap / h_rms", unit: String::new() }, 0.0, headroom(highest))
+}
+
+/// A length.
+pub fn length_axis(symbol: &'static str, unit: &str, low: f64, high: f64) -> Axis {
+    Axis::new(Quantity { symbol, unit: unit.into() }, low, high)
+}
+
+/// A little more than `highest`.
+pub fn headroom(highest: f64) -> f64 {
+    1.08 * highest
+}
+
+/// Share of the area in contact, known or expected from `a_rel = kappa p*` with the `kappa` of rough surfaces.
+pub fn expected_area(scene: &Scene<'_>) -> f64 {
+    let problem = scene.problem;
+    let rough = || 2.2 * problem.mean_pressure() / (problem.rms_gradient() * problem.contact_modulus());
+    scene.exact.as_ref().map_or_else(rough, |exact| exact.relative_area).min(1.0)
+}
+
+fn expected_pressure(scene: &Scene<'_>) -> f64 {
+    let problem = scene.problem;
+    let rough = || problem.mean_pressure() + ROUGH_PRESSURE * problem.contact_modulus() * problem.rms_gradient();
+    scene.exact.as_ref().and_then(|exact| exact.max_pressure).filter(|p| p.is_finite()).unwrap_or_else(rough)
+}
+
+/// Smallest and largest finite value.
+pub fn range(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let finite = values.into_iter().filter(|v| v.is_finite());
+    finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+}

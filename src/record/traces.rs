@@ -1,0 +1,152 @@
+//! Numbers of every step, sent column by column.
+
+use super::palette::{self, colour};
+use crate::contact::{Step, Work};
+use crate::theory::Exact;
+use rerun::{EntityPath, RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
+
+/// Timeline of relaxation steps.
+pub const STEP: &str = "step";
+/// Timeline of seconds spent by the solver.
+pub const SECONDS: &str = "seconds";
+/// Timeline of transforms made by the solver.
+pub const TRANSFORMS: &str = "transforms";
+
+/// Entities under `trace` and the names of their curves.
+const SERIES: [(&str, &str); 9] = [
+    ("kappa_r", "kappa_r"),
+    ("kappa", "kappa"),
+    ("exact_kappa_r", "exact kappa_r"),
+    ("relative_area", "relative area"),
+    ("exact_relative_area", "exact relative area"),
+    ("certificate", "log10 certificate eta"),
+    ("mean_gap", "mean gap / h_rms"),
+    ("energy", "energy / (p_mean h_rms)"),
+    ("patches", "contact patches"),
+];
+
+/// Where the certificate stands among the series.
+const CERTIFICATE: usize = 5;
+
+/// The curves of one scene, collected until they are flushed.
+pub struct Traces {
+    series: Vec<Series>,
+    exact_kappa_r: Option<f64>,
+    exact_area: Option<f64>,
+}
+
+struct Series {
+    entity: EntityPath,
+    steps: Vec<i64>,
+    seconds: Vec<f64>,
+    transforms: Vec<i64>,
+    values: Vec<f64>,
+}
+
+/// Exact values that stand beside computed ones.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Reference {
+    /// Exact `kappa_r`.
+    pub kappa_r: Option<f64>,
+    /// Exact relative area.
+    pub relative_area: Option<f64>,
+}
+
+impl Reference {
+    /// The values of `exact`.
+    pub fn of(exact: Option<&Exact>) -> Self {
+        Self { kappa_r: exact.and_then(|e| e.kappa_r), relative_area: exact.map(|e| e.relative_area) }
+    }
+}
+
+impl Traces {
+    /// Empty curves under `root`.
+    pub fn new(root: &str, reference: Reference) -> Self {
+        let series = |(name, _): &(&str, &str)| Series::new(format!("{root}/trace/{name}").into());
+        Self {
+            series: SERIES.iter().map(series).collect(),
+            exact_kappa_r: reference.kappa_r,
+            exact_area: reference.relative_area,
+        }
+    }
+
+    /// Adds the numbers of a step.
+    pub fn add(&mut self, step: &Step<'_>) {
+        let measures = step.measures();
+        let values = [
+            Some(measures.kappa_r),
+            Some(measures.kappa),
+            self.exact_kappa_r,
+            Some(measures.relative_area),
+            self.exact_area,
+            step.certificate().map(f64::log10),
+            Some(step.mean_gap() / step.problem().rms_height()),
+            Some(step.energy()),
+            Some(step.patches().count() as f64),
+        ];
+        for (series, value) in self.series.iter_mut().zip(values) {
+            series.add(step.work(), value);
+        }
+    }
+
+    /// Adds the certificate of the final state.
+    pub fn add_certificate(&mut self, work: Work, eta: f64) {
+        self.series[CERTIFICATE].add(work, Some(eta.log10()));
+    }
+
+    /// Sends what was collected.
+    pub fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        self.series.iter_mut().filter(|series| !series.values.is_empty()).try_for_each(|series| series.flush(to))
+    }
+}
+
+impl Series {
+    fn new(entity: EntityPath) -> Self {
+        Self { entity, steps: Vec::new(), seconds: Vec::new(), transforms: Vec::new(), values: Vec::new() }
+    }
+
+    /// Adds a value; one that cannot be drawn is left out.
+    fn add(&mut self, work: Work, value: Option<f64>) {
+        let Some(value) = value.filter(|v| v.is_finite()) else { return };
+        self.steps.push(work.iterations as i64);
+        self.seconds.push(work.seconds);
+        self.transforms.push(work.transforms as i64);
+        self.values.push(value);
+    }
+
+    fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        let times = [
+            TimeColumn::new_sequence(STEP, self.steps.drain(..)),
+            TimeColumn::new_duration_secs(SECONDS, self.seconds.drain(..)),
+            TimeColumn::new_sequence(TRANSFORMS, self.transforms.drain(..)),
+        ];
+        to.send_columns(self.entity.clone(), times, Scalars::new(self.values.drain(..)).columns_of_unit_batches()?)
+    }
+}
+
+/// Records names and colours of the curves under `root`. Beside other scenes, `scene` tells them apart.
+pub fn log_styles(to: &RecordingStream, root: &str, scene: Option<(usize, &str)>) -> RecordingStreamResult<()> {
+    for (i, (entity, name)) in SERIES.iter().enumerate() {
+        let exact = entity.starts_with("exact");
+        let rgb = if exact { palette::EXACT } else { series_colour(entity, i, scene) };
+        let name = scene.map_or_else(|| (*name).to_owned(), |(_, title)| format!("{name}, {title}"));
+        let style = SeriesLines::new().with_names([name]).with_colors([colour(rgb)]);
+        let width = if exact { 1.0 } else { 1.8 };
+        to.log_static(format!("{root}/trace/{entity}"), &style.with_widths([width]))?;
+    }
+    Ok(())
+}
+
+/// Curves that are compared between scenes take the colour of their scene.
+fn series_colour(entity: &str, i: usize, scene: Option<(usize, &str)>) -> u32 {
+    let [first, second, rest @ ..] = palette::SERIES;
+    match (entity, scene) {
+        ("kappa_r" | "certificate" | "relative_area", Some((scene, _))) => {
+            palette::SERIES[scene % palette::SERIES.len()]
+        }
+        ("kappa", Some(_)) => palette::FAINT,
+        ("kappa_r", None) => first,
+        ("kappa", None) => second,
+        _ => rest[i % rest.len()],
+    }
+}

@@ -1,0 +1,237 @@
+//! Smooth indenters of one asperity per cell.
+
+use super::{Field, Surface};
+use crate::error::SurfaceError;
+use crate::grid::Grid;
+use std::f64::consts::TAU;
+
+/// A smooth indenter, one per periodic cell, with its highest point at height 0 (waves: at their amplitude).
+///
+/// The peak lies on the node of row `ny/2` and column `nx/2` (integer division; row 0 for a line). `r` is the distance
+/// to it over the periodic cell, `x` that along a line.
+///
+/// | indenter      | height                             | grid    |
+/// |---------------|------------------------------------|---------|
+/// | `Cylinder`    | `-x^2/(2R)`                        | line    |
+/// | `Sphere`      | `-r^2/(2R)`                        | surface |
+/// | `Sine`        | `D cos(2 pi x/L)`                  | line    |
+/// | `CrossedSine` | `D cos(2 pi x/Lx) cos(2 pi y/Ly)`  | surface |
+/// | `Wedge`       | `-m \|x\|`                         | line    |
+/// | `Cone`        | `-m r`                             | surface |
+/// | `PowerLaw`    | `-A r^n`                           | both    |
+/// | `Punch`       | `0` where `r <= b`, else `-depth`  | both    |
+///
+/// Source: Eq. 2 and Fig. 1 of the paper for the parabolas; K. L. Johnson, *Contact Mechanics* (1985), chapters 4, 5,
+/// 13.
+///
+/// ```
+/// use asperity::Grid;
+/// use asperity::surface::Indenter;
+/// let surface = Indenter::Cylinder { radius: 0.25 }.surface(Grid::line(8, 1.0)?)?;
+/// assert_eq!(surface.heights()[4], 0.0);
+/// assert_eq!(surface.heights()[0], -0.5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Indenter {
+    /// A parabolic cylinder on a line.
+    Cylinder {
+        /// Radius of curvature `R`, a length.
+        radius: f64,
+    },
+    /// A paraboloid on a surface.
+    Sphere {
+        /// Radius of curvature `R`, a length.
+        radius: f64,
+    },
+    /// One period of a cosine on a line.
+    Sine {
+        /// Amplitude `D`, a length: half the height from valley to peak.
+        amplitude: f64,
+    },
+    /// One period of a product of two cosines on a surface.
+    CrossedSine {
+        /// Amplitude `D`, a length: half the height from valley to peak.
+        amplitude: f64,
+    },
+    /// A wedge on a line.
+    Wedge {
+        /// Slope `m` of its flanks, a length per length.
+        slope: f64,
+    },
+    /// A cone on a surface.
+    Cone {
+        /// Slope `m` of its flank, a length per length.
+        slope: f64,
+    },
+    /// A power of the distance.
+    PowerLaw {
+        /// Coefficient `A`, a length to the power `1 - n`.
+        coefficient: f64,
+        /// Exponent `n`, any positive number; 1 is the wedge and the cone, 2 the cylinder and the sphere.
+        exponent: f64,
+    },
+    /// A flat punch: a strip on a line, a disc on a surface.
+    Punch {
+        /// Half-width or radius `b`, a length below half the shortest period.
+        half_width: f64,
+        /// Height of the step, a length.
+        depth: f64,
+    },
+}
+
+impl Indenter {
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Cylinder { .. } => "cylinder",
+            Self::Sphere { .. } => "sphere",
+            Self::Sine { .. } => "sine",
+            Self::CrossedSine { .. } => "crossed sine",
+            Self::Wedge { .. } => "wedge",
+            Self::Cone { .. } => "cone",
+            Self::PowerLaw { .. } => "power-law indenter",
+            Self::Punch { .. } => "flat punch",
+        }
+    }
+
+    /// The surface with this indenter in the middle of each cell.
+    ///
+    /// # Errors
+    /// - [`SurfaceError::NotPositive`] for a parameter that is not positive and finite;
+    /// - [`SurfaceError::WrongDimension`] for an indenter of lines on a surface or the reverse;
+    /// - [`SurfaceError::TooWide`] for a punch whose half-width is not below half the shortest period;
+    /// - [`SurfaceError::NonFinite`] for heights beyond the range of doubles.
+    pub fn surface(&self, grid: Grid) -> Result<Surface, SurfaceError> {
+        self.check(&grid)?;
+        let height = offsets(&grid).map(|offset| self.height(offset, grid.size())).collect();
+        let [ny, nx] = grid.shape();
+        let height = Field::from_shape_vec((ny, nx), height).expect("one height per node");
+        Surface::new(grid, height)
+    }
+
+    /// Whether the parameters make sense on `grid`, see [`Indenter::surface`].
+    pub(crate) fn check(&self, grid: &Grid) -> Result<(), SurfaceError> {
+        let positive = self.parameters();
+        if let Some(&(name, value)) = positive.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
+            return Err(SurfaceError::NotPositive { name, value });
+        }
+        self.check_dimension(grid)?;
+        match *self {
+            Self::Punch { half_width, .. } if half_width >= 0.5 * shortest_period(grid) => {
+                Err(SurfaceError::TooWide { indenter: self.name(), half_width, period: shortest_period(grid) })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn check_dimension(&self, grid: &Grid) -> Result<(), SurfaceError> {
+        let needs = match self {
+            Self::Cylinder { .. } | Self::Sine { .. } | Self::Wedge { .. } => "line",
+            Self::Sphere { .. } | Self::CrossedSine { .. } | Self::Cone { .. } => "surface",
+            Self::PowerLaw { .. } | Self::Punch { .. } => return Ok(()),
+        };
+        let has = if grid.is_line() { "line" } else { "surface" };
+        if needs == has { Ok(()) } else { Err(SurfaceError::WrongDimension { indenter: self.name(), needs, has }) }
+    }
+
+    fn parameters(&self) -> Vec<(&'static str, f64)> {
+        match *self {
+            Self::Cylinder { radius } | Self::Sphere { radius } => vec![("radius", radius)],
+            Self::Sine { amplitude } | Self::CrossedSine { amplitude } => vec![("amplitude", amplitude)],
+            Self::Wedge { slope } | Self::Cone { slope } => vec![("slope", slope)],
+            Self::PowerLaw { coefficient, exponent } => vec![("coefficient", coefficient), ("exponent", exponent)],
+            Self::Punch { half_width, depth } => vec![("half_width", half_width), ("depth", depth)],
+        }
+    }
+
+    /// Height at the offset `[y, x]` from the peak in a cell of the periods `[ly, lx]`.
+    fn height(&self, [y, x]: [f64; 2], [ly, lx]: [f64; 2]) -> f64 {
+        let r = x.hypot(y);
+        match *self {
+            Self::Cylinder { radius } | Self::Sphere { radius } => -0.5 * r * (r / radius),
+            Self::Sine { amplitude } => amplitude * (TAU * (x / lx)).cos(),
+            Self::CrossedSine { amplitude } => amplitude * (TAU * (x / lx)).cos() * (TAU * (y / ly)).cos(),
+            Self::Wedge { slope } | Self::Cone { slope } => -slope * r,
+            Self::PowerLaw { coefficient, exponent } => -coefficient * r.powf(exponent),
+            Self::Punch { half_width, .. } if r <= half_width => 0.0,
+            Self::Punch { depth, .. } => -depth,
+        }
+    }
+}
+
+/// Offsets `[y, x]` of all nodes, row by row, from the nearest image of the node in the middle of the cell (row `ny/2`,
+/// column `nx/2`), where indenters have their peak.
+pub(crate) fn offsets(grid: &Grid) -> impl Iterator<Item = [f64; 2]> + use<> {
+    let [ny, nx] = grid.shape();
+    let [dy, dx] = grid.spacing();
+    let offset = |i: usize, n: usize, spacing: f64| (i as f64 - (n / 2) as f64) * spacing;
+    (0..ny).flat_map(move |i| (0..nx).map(move |j| [offset(i, ny, dy), offset(j, nx, dx)]))
+}
+
+/// The shortest period of the cell along which anything varies.
+pub(crate) fn shortest_period(grid: &Grid) -> f64 {
+    let [ly, lx] = grid.size();
+    if grid.is_line() { lx } else { ly.min(lx) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn heights(indenter: Indenter, grid: Grid) -> Vec<f64> {
+        indenter.surface(grid).unwrap().heights().to_vec()
+    }
+
+    #[test]
+    fn peak_is_on_the_middle_node_of_even_and_odd_grids() {
+        for n in [8, 9, 31] {
+            let line = heights(Indenter::Wedge { slope: 2.0 }, Grid::line(n, 3.0).unwrap());
+            assert_eq!(line[n / 2], 0.0);
+            assert!((line[n / 2 + 1] - line[n / 2 - 1]).abs() < 1e-15);
+            assert!(line.iter().all(|&h| h >= -3.0));
+            let cone = heights(Indenter::Cone { slope: 1.0 }, Grid::surface([n, 6], [3.0, 2.0]).unwrap());
+            assert_eq!(cone[n / 2 * 6 + 3], 0.0);
+            assert!((cone[n / 2 * 6] + 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn power_law_of_two_is_the_parabola() {
+        let grid = Grid::surface([7, 12], [1.0, 2.0]).unwrap();
+        let power = heights(Indenter::PowerLaw { coefficient: 0.5, exponent: 2.0 }, grid);
+        for (a, b) in power.iter().zip(heights(Indenter::Sphere { radius: 1.0 }, grid)) {
+            assert!((a - b).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn waves_have_their_amplitude_at_peak_and_valley() {
+        let line = heights(Indenter::Sine { amplitude: 0.3 }, Grid::line(8, 5.0).unwrap());
+        assert_eq!((line[4], line[0]), (0.3, -0.3));
+        let crossed = heights(Indenter::CrossedSine { amplitude: 0.3 }, Grid::surface([4, 8], [1.0, 1.0]).unwrap());
+        assert_eq!((crossed[2 * 8 + 4], crossed[2 * 8], crossed[0]), (0.3, -0.3, 0.3));
+    }
+
+    #[test]
+    fn punch_is_flat_within_its_half_width() {
+        let punch = heights(Indenter::Punch { half_width: 0.25, depth: 2.0 }, Grid::line(8, 1.0).unwrap());
+        assert_eq!(punch, [-2.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, -2.0]);
+    }
+
+    #[test]
+    fn bad_indenters_are_refused() {
+        let (line, surface) = (Grid::line(8, 1.0).unwrap(), Grid::surface([8, 8], [1.0, 1.0]).unwrap());
+        for radius in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let refused = Indenter::Sphere { radius }.surface(surface);
+            assert!(matches!(refused, Err(SurfaceError::NotPositive { name: "radius", .. })));
+        }
+        let refused = Indenter::Cone { slope: 1.0 }.surface(line);
+        assert!(matches!(refused, Err(SurfaceError::WrongDimension { needs: "surface", has: "line", .. })));
+        assert!(matches!(Indenter::Sine { amplitude: 1.0 }.surface(surface), Err(SurfaceError::WrongDimension { .. })));
+        let refused = Indenter::Punch { half_width: 0.5, depth: 1.0 }.surface(line);
+        assert!(matches!(refused, Err(SurfaceError::TooWide { .. })));
+        let refused = Indenter::Cylinder { radius: 1e-320 }.surface(line);
+        assert!(matches!(refused, Err(SurfaceError::NonFinite { .. })));
+    }
+}

@@ -1,0 +1,297 @@
+//! Statistics of a surface, and its power spectrum.
+
+use super::Surface;
+use crate::fourier::{Complex, Fourier};
+use crate::grid::Grid;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Local mean-square gradient at each node, row by row (Eq. 8).
+///
+/// Per direction `g_i^2 = 1/2 [((h_i - h_{i+1})/l)^2 + ((h_i - h_{i-1})/l)^2]` with the spacing `l`, periodic; a
+/// surface has the sum over both directions.
+pub fn square_gradients(surface: &Surface) -> Vec<f64> {
+    per_node(surface, |height, [before, after], spacing| {
+        let (a, b) = ((height - after) / spacing, (height - before) / spacing);
+        0.5 * (a * a + b * b)
+    })
+}
+
+/// Sum over the directions of `local(height, [before, after], spacing)` at each node, row by row.
+fn per_node(surface: &Surface, local: impl Fn(f64, [f64; 2], f64) -> f64 + Sync) -> Vec<f64> {
+    let ([ny, nx], [dy, dx]) = (surface.grid().shape(), surface.grid().spacing());
+    let row = |i: usize| &surface.heights()[i * nx..(i + 1) * nx];
+    let mut values = vec![0.0; ny * nx];
+    values.par_chunks_exact_mut(nx).enumerate().for_each(|(i, values)| {
+        let (here, above, below) = (row(i), row((i + ny - 1) % ny), row((i + 1) % ny));
+        along_row(here, values, |height, sides| local(height, sides, dx));
+        if ny > 1 {
+            for (j, value) in values.iter_mut().enumerate() {
+                *value += local(here[j], [above[j], below[j]], dy);
+            }
+        }
+    });
+    values
+}
+
+/// Writes `local(height, [before, after])` along a periodic row of at least two points.
+fn along_row(row: &[f64], values: &mut [f64], local: impl Fn(f64, [f64; 2]) -> f64) {
+    let last = row.len() - 1;
+    values[0] = local(row[0], [row[last], row[1]]);
+    for (value, w) in values[1..last].iter_mut().zip(row.windows(3)) {
+        *value = local(w[1], [w[0], w[2]]);
+    }
+    values[last] = local(row[last], [row[last - 1], row[0]]);
+}
+
+/// Statistics of the heights of a surface.
+///
+/// With `z = h - <h>`, averages over all nodes and finite differences over nearest neighbours, periodic:
+///
+/// ```
+/// use asperity::Grid;
+/// use asperity::surface::{Indenter, Roughness};
+/// let surface = Indenter::Sine { amplitude: 2.0 }.surface(Grid::line(4096, 1.0)?)?;
+/// let roughness = Roughness::of(&surface);
+/// assert!((roughness.rms_height - 2f64.sqrt()).abs() < 1e-12);
+/// assert!((roughness.kurtosis - 1.5).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roughness {
+    /// `sqrt <z^2>`, a length.
+    pub rms_height: f64,
+    /// `gbar = sqrt <g^2>`, see [`square_gradients`].
+    pub rms_gradient: f64,
+    /// Root mean square of the second difference for lines, of half the sum of both (the mean curvature) for surfaces;
+    /// 1/length.
+    pub rms_curvature: f64,
+    /// Largest `z`, a length.
+    pub peak: f64,
+    /// Largest `-z`, a length.
+    pub valley: f64,
+    /// `<z^3> / <z^2>^(3/2)`; 0 for a flat.
+    pub skewness: f64,
+    /// `<z^4> / <z^2>^2`, which is 3 for Gaussian heights; 0 for a flat.
+    pub kurtosis: f64,
+}
+
+impl Roughness {
+    /// The statistics of `surface`.
+    pub fn of(surface: &Surface) -> Self {
+        let z = deviations(surface.heights());
+        let peak = z.iter().fold(0.0_f64, |m, &z| m.max(z));
+        let valley = z.iter().fold(0.0_f64, |m, &z| m.max(-z));
+        let largest = peak.max(valley);
+        let unit = if largest > 0.0 { largest } else { 1.0 };
+        let [second, third, fourth] = [2, 3, 4].map(|power| moment(&z, unit, power));
+        let standardised = |moment: f64, power: f64| if second > 0.0 { moment / second.powf(power) } else { 0.0 };
+        Self {
+            rms_height: unit * second.sqrt(),
+            rms_gradient: mean(&square_gradients(surface)).sqrt(),
+            rms_curvature: rms_curvature(surface),
+            peak,
+            valley,
+            skewness: standardised(third, 1.5),
+            kurtosis: standardised(fourth, 2.0),
+        }
+    }
+}
+
+/// Deviations from the mean, found relative to the first height so that a large offset costs no digits.
+fn deviations(heights: &[f64]) -> Vec<f64> {
+    let datum = heights[0];
+    let mut z: Vec<f64> = heights.par_iter().map(|h| h - datum).collect();
+    let mean = mean(&z);
+    z.par_iter_mut().for_each(|z| *z -= mean);
+    z
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.par_chunks(1 << 14).map(|chunk| chunk.iter().sum::<f64>()).collect::<Vec<_>>().iter().sum::<f64>()
+        / values.len() as f64
+}
+
+/// `<(z/unit)^power>`.
+fn moment(z: &[f64], unit: f64, power: i32) -> f64 {
+    mean(&z.par_iter().map(|z| (z / unit).powi(power)).collect::<Vec<_>>())
+}
+
+fn rms_curvature(surface: &Surface) -> f64 {
+    let directions = if surface.grid().is_line() { 1.0 } else { 2.0 };
+    let mut curvatures = per_node(surface, |height, [before, after], spacing| {
+        ((after - height) - (height - before)) / spacing / spacing
+    });
+    curvatures.par_iter_mut().for_each(|c| *c *= *c);
+    mean(&curvatures).sqrt() / directions
+}
+
+/// The power spectral density of a surface, averaged over directions.
+///
+/// Both signs of `q` (and all directions) are counted, with `h_q` as in [`crate::fourier`]:
+///
+/// ```text
+/// line     C(q) = (L/2 pi) |h_q|^2          <z^2> = int C dq, q from -infinity to infinity
+/// surface  C(q) = (Lx Ly/4 pi^2) |h_q|^2    <z^2> = int C d^2q = int C(q) 2 pi q dq, q from 0 to infinity
+/// ```
+///
+/// A line has one value per wave. A surface has one per ring `|q| = (i +- 1/2) dq` that holds waves, `dq = 2 pi` over
+/// the shortest period: the averages over its waves of `C` and of `|q|`.
+///
+/// | field        | meaning                                | unit                               |
+/// |--------------|----------------------------------------|------------------------------------|
+/// | `wavenumber` | `q = 2 pi / wavelength`, ascending     | 1/length                           |
+/// | `density`    | `C(q)`                                 | length^3 (line), length^4 (surface) |
+#[derive(Debug, Clone, PartialEq)]
+pub struct PowerSpectrum {
+    /// `q = 2 pi / wavelength`, ascending, without `q = 0`; 1/length.
+    pub wavenumber: Vec<f64>,
+    /// `C(q)`; length^3 for lines, length^4 for surfaces.
+    pub density: Vec<f64>,
+}
+
+impl PowerSpectrum {
+    /// The spectrum of `surface`.
+    pub fn of(surface: &Surface) -> Self {
+        let rings = rings(surface);
+        Self {
+            wavenumber: rings.iter().map(|ring| ring.wavenumber / ring.waves).collect(),
+            density: rings.iter().map(|ring| ring.density / ring.waves).collect(),
+        }
+    }
+}
+
+/// Sums over the waves of one ring.
+#[derive(Clone, Default)]
+struct Ring {
+    waves: f64,
+    wavenumber: f64,
+    density: f64,
+}
+
+fn rings(surface: &Surface) -> Vec<Ring> {
+    let grid = surface.grid();
+    let mut spectrum = vec![Complex::default(); grid.modes()];
+    Fourier::new(grid).forward(&deviations(surface.heights()), &mut spectrum);
+    let ([ly, lx], is_line) = (grid.size(), grid.is_line());
+    let (step, cell) = if is_line { (TAU / lx, lx / TAU) } else { (TAU / lx.min(ly), lx / TAU * (ly / TAU)) };
+    let mut rings = vec![Ring::default(); ring_of(largest_wavenumber(grid), step) + 1];
+    let waves = grid.wavenumbers().zip(grid.multiplicities()).zip(&spectrum).skip(1);
+    for ((q, multiplicity), coefficient) in waves {
+        let ring = &mut rings[ring_of(q, step)];
+        ring.waves += multiplicity;
+        ring.wavenumber += multiplicity * q;
+        ring.density += multiplicity * cell * coefficient.norm_sqr();
+    }
+    rings.retain(|ring| ring.waves > 0.0);
+    rings
+}
+
+fn ring_of(q: f64, step: f64) -> usize {
+    (q / step).round() as usize
+}
+
+fn largest_wavenumber(grid: &Grid) -> f64 {
+    grid.wavenumbers().fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::{Field, Indenter, Spectrum};
+
+    const SPECTRUM: Spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.2, short_cutoff: 0.03, rms_gradient: 0.1 };
+
+    fn noise(grid: Grid, offset: f64) -> Surface {
+        let [_, nx] = grid.shape();
+        let height = |(i, j): (usize, usize)| offset + (((i * nx + j) as f64).powi(2) * 0.7).sin();
+        Surface::new(grid, Field::from_shape_fn(grid.shape(), height)).unwrap()
+    }
+
+    fn grids() -> [Grid; 4] {
+        [
+            Grid::line(64, 2.0).unwrap(),
+            Grid::line(31, 0.1).unwrap(),
+            Grid::surface([12, 16], [1.0, 3.0]).unwrap(),
+            Grid::surface([9, 7], [2.0, 1.0]).unwrap(),
+        ]
+    }
+
+    #[test]
+    fn square_gradients_are_equation_8() {
+        let surface = noise(Grid::surface([5, 4], [1.0, 2.0]).unwrap(), 0.0);
+        let (h, gradients) = (surface.height(), square_gradients(&surface));
+        for (n, ((i, j), &z)) in h.indexed_iter().enumerate() {
+            let square = |neighbour: f64, spacing: f64| 0.5 * ((z - neighbour) / spacing).powi(2);
+            let expected = square(h[[(i + 1) % 5, j]], 0.2)
+                + square(h[[(i + 4) % 5, j]], 0.2)
+                + square(h[[i, (j + 1) % 4]], 0.5)
+                + square(h[[i, (j + 3) % 4]], 0.5);
+            assert!((gradients[n] - expected).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_sine_has_its_textbook_roughness() {
+        let surface = Indenter::Sine { amplitude: 0.5 }.surface(Grid::line(1 << 14, 2.0).unwrap()).unwrap();
+        let roughness = Roughness::of(&surface);
+        let q = TAU / 2.0;
+        assert!((roughness.rms_height - 0.5 / 2f64.sqrt()).abs() < 1e-13);
+        assert!((roughness.rms_gradient / (0.5 * q / 2f64.sqrt()) - 1.0).abs() < 1e-7);
+        assert!((roughness.rms_curvature / (0.5 * q * q / 2f64.sqrt()) - 1.0).abs() < 1e-7);
+        assert!((roughness.peak - 0.5).abs() < 1e-13 && (roughness.valley - 0.5).abs() < 1e-13);
+        assert!(roughness.skewness.abs() < 1e-12 && (roughness.kurtosis - 1.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn curvature_of_crossed_sines_is_the_mean_curvature() {
+        let grid = Grid::surface([256, 128], [2.0, 1.0]).unwrap();
+        let surface = Indenter::CrossedSine { amplitude: 1.0 }.surface(grid).unwrap();
+        let expected = 0.5 * 0.5 * (TAU * TAU + TAU * TAU / 4.0);
+        assert!((Roughness::of(&surface).rms_curvature / expected - 1.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_large_offset_changes_nothing() {
+        for grid in grids() {
+            let (near, far) = (Roughness::of(&noise(grid, 0.0)), Roughness::of(&noise(grid, 1e6)));
+            assert!((near.rms_height / far.rms_height - 1.0).abs() < 1e-9);
+            assert!((near.rms_gradient / far.rms_gradient - 1.0).abs() < 1e-9);
+            assert!((near.skewness - far.skewness).abs() < 1e-9 && (near.kurtosis - far.kurtosis).abs() < 1e-8);
+        }
+    }
+
+    #[test]
+    fn a_flat_has_no_roughness() {
+        let grid = Grid::line(16, 1.0).unwrap();
+        let flat = Roughness::of(&Surface::new(grid, Field::from_elem((1, 16), 0.1)).unwrap());
+        assert_eq!((flat.rms_height, flat.rms_gradient, flat.rms_curvature), (0.0, 0.0, 0.0));
+        assert_eq!((flat.peak, flat.valley, flat.skewness, flat.kurtosis), (0.0, 0.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn parseval_over_all_waves() {
+        for grid in grids() {
+            let surface = noise(grid, 5.0);
+            let [ly, lx] = grid.size();
+            let cell = if grid.is_line() { lx / TAU } else { lx * ly / (TAU * TAU) };
+            let sum: f64 = rings(&surface).iter().map(|ring| ring.density / cell).sum();
+            let square = Roughness::of(&surface).rms_height.powi(2);
+            assert!((sum / square - 1.0).abs() < 1e-12, "{:?}: {sum} against {square}", grid.shape());
+        }
+    }
+
+    #[test]
+    fn the_spectrum_integrates_to_the_mean_square_height() {
+        let line = Surface::rough(Grid::line(1024, 1.0).unwrap(), &SPECTRUM, 1).unwrap();
+        let surface = Surface::rough(Grid::surface([256, 256], [1.0, 1.0]).unwrap(), &SPECTRUM, 1).unwrap();
+        for (surface, tolerance) in [(line, 1e-12), (surface, 0.05)] {
+            let (spectrum, is_line) = (PowerSpectrum::of(&surface), surface.grid().is_line());
+            let waves = spectrum.wavenumber.iter().zip(&spectrum.density);
+            let integral: f64 = waves.map(|(q, c)| c * TAU * if is_line { 2.0 } else { TAU * q }).sum();
+            let ratio = integral / Roughness::of(&surface).rms_height.powi(2);
+            assert!((ratio - 1.0).abs() < tolerance, "{ratio}");
+            assert!(spectrum.wavenumber.is_sorted());
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! Closed forms and quadratures to compare with: what the solvers must reproduce, and what theories predict.
+//!
+//! Conventions: compression is positive, `E*` is the contact modulus, lengths and moduli are in any one set of units. A
+//! line contact has a load per unit length (pressure times length), a surface contact a load (pressure times area).
+
+mod exact;
+mod greenwood_williamson;
+pub mod hertz;
+pub mod periodic;
+pub mod persson;
+mod power_law;
+mod quadrature;
+mod westergaard;
+
+pub use exact::Exact;
+pub use greenwood_williamson::{GreenwoodWilliamson, SummitHeights};
+pub use periodic::Periodic;
+pub use power_law::{Geometry, PowerLaw};
+pub use westergaard::{Westergaard, crossed_full_pressure};

@@ -1,0 +1,325 @@
+//! Any symmetric, periodic single contact of a line, by superposition of strip punches.
+//!
+//! The map `tan(pi b/L) = sinh tau` takes the half-widths `0 < b < L/2` to `tau > 0` and turns the kernels of the
+//! periodic problem into those of the isolated one; all integrals below are taken in it.
+
+use super::quadrature::integral;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Largest `tau`: there the gap between two contacts is `1e-14` of the period.
+const LARGEST: f64 = 32.0;
+
+/// The periodic contact of a line with one symmetric asperity per period.
+///
+/// The asperity is given by its slope, as a depth: `slope(s) = -dh/ds > 0` at the distance `s` from the peak, for
+/// `0 < s < L/2`; `slope` must be smooth there but may be any power of `s` at the peak. With the contact half-width
+/// `a`,
+///
+/// ```text
+/// P(a)   = (E*/2) int_-a^a slope(s) sin(pi s/L) / sqrt(sin^2(pi a/L) - sin^2(pi s/L)) ds
+/// p(x)   = int_|x|^a P'(b) cos(pi x/L) / (L sqrt(sin^2(pi b/L) - sin^2(pi x/L))) db
+/// <g>(a) = <g>(0) - int_0^a c(b) P'(b)/L db,     c(b) = -(2L/(pi E*)) ln sin(pi b/L)
+/// ```
+///
+/// where `c` is the mean gap that a strip punch of half-width `b` closes per unit of mean pressure.
+///
+/// | field             | meaning                  | unit     |
+/// |-------------------|--------------------------|----------|
+/// | `slope`           | `-dh/ds`                 | -        |
+/// | `period`          | `L`                      | length   |
+/// | `contact_modulus` | `E*`                     | pressure |
+///
+/// Source: superposition after W. T. Koiter (1959) and M. Ciavarella et al., J. Mech. Phys. Solids 46, 2271 (1998).
+///
+/// ```
+/// use asperity::theory::Periodic;
+/// let parabola = Periodic { slope: |s| s / 0.25, period: 1.0, contact_modulus: 1.0 };
+/// let hertz = std::f64::consts::PI * 0.1 * 0.1 / (4.0 * 0.25);
+/// assert!((parabola.load(0.1) / hertz - 1.016896).abs() < 5e-7);
+/// assert!((parabola.kappa_r(0.1) - 1.44578).abs() < 5e-6);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Periodic<S> {
+    /// Slope `-dh/ds` at the distance `s` from the peak.
+    pub slope: S,
+    /// Period `L`, a length.
+    pub period: f64,
+    /// Contact modulus `E*`, a pressure.
+    pub contact_modulus: f64,
+}
+
+impl<S: Fn(f64) -> f64> Periodic<S> {
+    /// Load per unit length at the contact half-width `a`; pressure times length.
+    pub fn load(&self, a: f64) -> f64 {
+        self.load_at(self.tau(a))
+    }
+
+    /// Contact half-width under the load `load` per unit length, a length; `None` where the contact is full but for
+    /// `1e-14` of the period, or the load is not positive.
+    pub fn half_width(&self, load: f64) -> Option<f64> {
+        let (mut low, mut high) = (LARGEST, LARGEST);
+        while load > 0.0 && self.load_at(low) > load {
+            (low, high) = (0.5 * low, low);
+        }
+        (low < high).then(|| self.width(bisect(low, high, |tau| self.load_at(tau) > load)))
+    }
+
+    /// Root-mean-square slope over a contact of half-width `a`, the `gbar_r` of Eq. 6.
+    pub fn rms_gradient_contact(&self, a: f64) -> f64 {
+        integral(0.0, 1.0, |w| 2.0 * w * (self.slope)(a * w * w).powi(2)).sqrt()
+    }
+
+    /// `kappa_r = a_rel gbar_r E* / p_mean` (Eq. 3) at the contact half-width `a`.
+    pub fn kappa_r(&self, a: f64) -> f64 {
+        2.0 * a * self.rms_gradient_contact(a) * self.contact_modulus / self.load(a)
+    }
+
+    /// Gap averaged over the period at the contact half-width `a`, a length.
+    pub fn mean_gap(&self, a: f64) -> f64 {
+        let (half, end) = (0.5 * self.period, self.tau(a));
+        let open = integral(0.0, 1.0, |w| 2.0 * w * (self.slope)(half * w * w) * half * (1.0 - w * w));
+        let compliance = -2.0 / (PI * self.contact_modulus) * end.tanh().ln();
+        let by_parts = integral(0.0, 1.0, |w| {
+            let tau = end * w * w;
+            2.0 * w * end * self.load_at(tau) / (0.5 * (2.0 * tau).sinh())
+        });
+        open - compliance * self.load_at(end) - 2.0 / (PI * self.contact_modulus) * by_parts
+    }
+
+    /// The pressure of a contact of half-width `a`, as a function of the distance from its middle.
+    pub fn pressure(&self, a: f64) -> Profile<'_, S> {
+        Profile::new(self, self.tau(a))
+    }
+
+    /// `tau` at the half-width `a`.
+    fn tau(&self, a: f64) -> f64 {
+        (PI * a / self.period).tan().asinh()
+    }
+
+    /// Half-width at `tau`.
+    fn width(&self, tau: f64) -> f64 {
+        self.period / PI * tau.sinh().atan()
+    }
+
+    /// Load as a function of `tau`: `(E* L/pi) int_0^tau slope(s(t)) dt` with `cos(pi s/L) = cosh(t)/cosh(tau)`, taken
+    /// in `t = tau cos(beta)`.
+    fn load_at(&self, tau: f64) -> f64 {
+        let factor = self.contact_modulus * self.period / PI * tau;
+        factor * integral(0.0, FRAC_PI_2, |beta| (self.slope)(self.distance(tau, beta)) * beta.sin())
+    }
+
+    /// The distance `s` in [`Periodic::load_at`], from half-angles so that it keeps all digits near the peak.
+    fn distance(&self, tau: f64, beta: f64) -> f64 {
+        let (sin, cos) = (0.5 * beta).sin_cos();
+        let square = (tau * cos * cos).sinh() * (tau * sin * sin).sinh() / tau.cosh();
+        2.0 * self.period / PI * square.sqrt().asin()
+    }
+
+    /// `dP/dtau`, by the central difference of sixth order: its step of 1 % leaves 1e-12.
+    fn load_rate(&self, tau: f64) -> f64 {
+        let difference = |k: f64| self.load_at(tau * (1.0 + 0.01 * k)) - self.load_at(tau * (1.0 - 0.01 * k));
+        (45.0 * difference(1.0) - 9.0 * difference(2.0) + difference(3.0)) / (0.6 * tau)
+    }
+}
+
+/// The root of a predicate that turns from false at `low` to true at `high`.
+fn bisect(mut low: f64, mut high: f64, is_above: impl Fn(f64) -> bool) -> f64 {
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return middle;
+        }
+        if is_above(middle) { high = middle } else { low = middle }
+    }
+}
+
+/// The pressure of a periodic contact, made by [`Periodic::pressure`].
+///
+/// The density of punches `P'(b)` is tabulated once: relative to the slope at `b` it is a smooth function of `tau`, for
+/// any power law at the peak, and so a short Chebyshev series.
+#[derive(Debug, Clone)]
+pub struct Profile<'a, S> {
+    contact: &'a Periodic<S>,
+    end: f64,
+    series: Vec<f64>,
+}
+
+/// Terms of the Chebyshev series.
+const TERMS: usize = 48;
+
+impl<'a, S: Fn(f64) -> f64> Profile<'a, S> {
+    fn new(contact: &'a Periodic<S>, end: f64) -> Self {
+        let angle = |k: usize| PI * (k as f64 + 0.5) / TERMS as f64;
+        let ratio = |k: usize| {
+            let tau = 0.5 * end * (1.0 + angle(k).cos());
+            contact.load_rate(tau) / (contact.slope)(contact.width(tau))
+        };
+        let values: Vec<f64> = (0..TERMS).map(ratio).collect();
+        let term = |j: usize| {
+            let sum: f64 = values.iter().enumerate().map(|(k, value)| value * (j as f64 * angle(k)).cos()).sum();
+            sum * if j == 0 { 1.0 } else { 2.0 } / TERMS as f64
+        };
+        Self { contact, end, series: (0..TERMS).map(term).collect() }
+    }
+
+    /// Pressure at the distance `x` from the middle of the contact; in the middle itself infinite for a wedge.
+    pub fn at(&self, x: f64) -> f64 {
+        let inner = (PI * x / self.contact.period).tan().abs();
+        let ratio = self.end.sinh() / inner;
+        if ratio.is_infinite() {
+            return self.in_the_middle();
+        }
+        if ratio <= 1.0 {
+            return 0.0;
+        }
+        integral(0.0, ratio.acosh(), |v| self.density((inner * v.cosh()).asinh())) / self.contact.period
+    }
+
+    /// `(1/L) int dP/dtau dS/S` over `S = sinh tau`, whose part below a millionth of the whole is that of a power law.
+    fn in_the_middle(&self) -> f64 {
+        let (largest, range) = (self.end.sinh(), 1e6_f64.ln());
+        let density = |v: f64| self.density((largest * (v - range).exp()).asinh());
+        let growth = (density(1.0) / density(0.0)).ln();
+        if growth < 1e-6 {
+            return f64::INFINITY;
+        }
+        (density(0.0) / growth + integral(0.0, range, density)) / self.contact.period
+    }
+
+    /// `dP/dtau` from the table (Clenshaw's recurrence).
+    fn density(&self, tau: f64) -> f64 {
+        let x = 2.0 * tau / self.end - 1.0;
+        let sums = self.series[1..].iter().rev().fold((0.0, 0.0), |(b1, b2), c| (c + 2.0 * x * b1 - b2, b1));
+        (self.series[0] + x * sums.0 - sums.1) * (self.contact.slope)(self.contact.width(tau))
+    }
+}
+
+/// Pressure under a flat strip punch of half-width `b` per period `L`, at the distance `x` from its middle (Koiter):
+/// `p_mean cos(pi x/L) / sqrt(sin^2(pi b/L) - sin^2(pi x/L))`, infinite at its edges and zero beyond.
+pub fn strip_pressure(mean_pressure: f64, half_width: f64, period: f64, x: f64) -> f64 {
+    let [inner, outer] = [x, half_width].map(|s| (PI * s / period).sin());
+    let square = outer * outer - inner * inner;
+    if square < 0.0 { 0.0 } else { mean_pressure * (PI * x / period).cos().abs() / square.sqrt() }
+}
+
+/// Share of the load of a strip punch that lies between its middle and the distance `x` on one side, from -1/2 to 1/2:
+/// `asin(sin(pi x/L) / sin(pi b/L)) / pi`.
+pub fn strip_load(half_width: f64, period: f64, x: f64) -> f64 {
+    let within = x.clamp(-half_width, half_width);
+    ((PI * within / period).sin() / (PI * half_width / period).sin()).clamp(-1.0, 1.0).asin() / PI
+}
+
+/// Depth of the middle of the gap between two strip punches below their faces, a length:
+/// `(2 L p_mean/(pi E*)) acosh(1/sin(pi b/L))`.
+pub fn strip_penetration(mean_pressure: f64, half_width: f64, period: f64, contact_modulus: f64) -> f64 {
+    strip_length(mean_pressure, period, contact_modulus) * (PI * half_width / period).sin().recip().acosh()
+}
+
+/// Mean depth of the solid's surface below the faces of strip punches, a length: `-(2 L p_mean/(pi E*)) ln sin(pi
+/// b/L)`.
+pub fn strip_mean_penetration(mean_pressure: f64, half_width: f64, period: f64, contact_modulus: f64) -> f64 {
+    -strip_length(mean_pressure, period, contact_modulus) * (PI * half_width / period).sin().ln()
+}
+
+/// `2 L p_mean/(pi E*)`.
+fn strip_length(mean_pressure: f64, period: f64, contact_modulus: f64) -> f64 {
+    2.0 * period * mean_pressure / (PI * contact_modulus)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::theory::{Westergaard, hertz};
+    use std::f64::consts::TAU;
+
+    const PARABOLA: Periodic<fn(f64) -> f64> = Periodic { slope: |s| s / 0.5, period: 2.0, contact_modulus: 3.0 };
+
+    fn sine() -> (Westergaard, Periodic<impl Fn(f64) -> f64>) {
+        let sine = Westergaard { amplitude: 0.3, period: 1.7, contact_modulus: 2.0 };
+        let slope = move |s: f64| TAU * 0.3 / 1.7 * (TAU * s / 1.7).sin();
+        (sine, Periodic { slope, period: 1.7, contact_modulus: 2.0 })
+    }
+
+    #[test]
+    fn parabola_at_four_widths() {
+        let digits = [
+            (0.01, 1.000165, 1.46997),
+            (0.05, 1.004140, 1.46415),
+            (0.10, 1.016896, 1.44578),
+            (0.25, 1.123688, 1.30838),
+        ];
+        for (relative, load, kappa_r) in digits {
+            let a = relative * PARABOLA.period;
+            let isolated = hertz::cylinder(0.5, 3.0).load(a);
+            assert!((PARABOLA.load(a) / isolated - load).abs() < 5e-7, "{}", PARABOLA.load(a) / isolated);
+            assert!((PARABOLA.kappa_r(a) - kappa_r).abs() < 5e-6, "{}", PARABOLA.kappa_r(a));
+        }
+    }
+
+    #[test]
+    fn sine_is_westergaard() {
+        let (exact, sine) = sine();
+        for relative in [0.001, 0.05, 0.125, 0.25, 0.375, 0.45, 0.499] {
+            let a = relative * 1.7;
+            let mean = exact.mean_pressure(a);
+            assert!((sine.load(a) / (1.7 * mean) - 1.0).abs() < 1e-12, "load at {relative}");
+            assert!((sine.kappa_r(a) / exact.kappa_r(mean) - 1.0).abs() < 1e-11, "kappa_r at {relative}");
+            assert!((sine.mean_gap(a) - exact.mean_gap(mean)).abs() < 1e-13, "gap at {relative}");
+            let profile = sine.pressure(a);
+            for s in [0.0, 1e-6, 0.1, 0.5, 0.9, 0.9999] {
+                let (found, expected) = (profile.at(s * a), exact.pressure(mean, s * a));
+                assert!((found - expected).abs() < 1e-7 * expected, "{relative}, {s}: {found} {expected}");
+            }
+            assert_eq!(profile.at(1.001 * a), 0.0);
+        }
+    }
+
+    #[test]
+    fn narrow_contacts_are_isolated() {
+        for n in [1.0, 1.5, 2.0, 3.0, 4.5] {
+            let contact = Periodic { slope: |s: f64| 0.2 * n * s.powf(n - 1.0), period: 1.0, contact_modulus: 1.0 };
+            let geometry = crate::theory::Geometry::Line;
+            let isolated = crate::theory::PowerLaw { geometry, coefficient: 0.2, exponent: n, contact_modulus: 1.0 };
+            let (a, profile) = (1e-4, contact.pressure(1e-4));
+            assert!((contact.load(a) / isolated.load(a) - 1.0).abs() < 1e-6, "{n}");
+            assert!((contact.kappa_r(a) / isolated.kappa_r() - 1.0).abs() < 1e-6, "{n}");
+            for x in [0.0, 1e-7, 3e-5, 9.9e-5] {
+                let (found, expected) = (profile.at(x), isolated.pressure(a, x));
+                assert!(found == expected || (found / expected - 1.0).abs() < 1e-6, "{n}, {x}: {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn pressure_carries_the_load() {
+        for relative in [0.01, 0.2, 0.4, 0.49] {
+            let a = relative * PARABOLA.period;
+            let profile = PARABOLA.pressure(a);
+            let load = 2.0 * integral(0.0, FRAC_PI_2, |t| profile.at(a * t.sin()) * a * t.cos());
+            assert!((load / PARABOLA.load(a) - 1.0).abs() < 1e-8, "{relative}: {load}");
+        }
+    }
+
+    #[test]
+    fn half_width_inverts_the_load() {
+        for relative in [1e-9, 1e-3, 0.1, 0.3, 0.49] {
+            let a = relative * PARABOLA.period;
+            assert!((PARABOLA.half_width(PARABOLA.load(a)).unwrap() / a - 1.0).abs() < 1e-12);
+        }
+        for load in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(PARABOLA.half_width(load), None);
+        }
+    }
+
+    #[test]
+    fn strip_punch() {
+        let load =
+            integral(-FRAC_PI_2, FRAC_PI_2, |t: f64| strip_pressure(0.7, 0.3, 2.0, 0.3 * t.sin()) * 0.3 * t.cos());
+        assert!((load / (0.7 * 2.0) - 1.0).abs() < 1e-10, "{load}");
+        let half = integral(0.0, 0.2, |x| strip_pressure(0.7, 0.3, 2.0, x));
+        assert!((strip_load(0.3, 2.0, 0.2) - half / 1.4).abs() < 1e-12);
+        assert_eq!((strip_load(0.3, 2.0, 0.4), strip_load(0.3, 2.0, -0.3)), (0.5, -0.5));
+        assert_eq!(strip_pressure(0.7, 0.3, 2.0, 0.31), 0.0);
+        assert!(strip_penetration(1.0, 0.5, 1.0, 1.0).abs() < 1e-7);
+    }
+}

@@ -1,0 +1,181 @@
+//! The sine pressed on a half-space.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// The periodic contact with `h = D cos(2 pi x/L)`, exact at any load (Westergaard).
+///
+/// With the contact half-width `a`, `psi = pi a/L`, `t = pi x/L` and `p_full = pi E* D/L`,
+///
+/// ```text
+/// p_mean = p_full sin^2 psi
+/// p(x)   = 2 p_full cos t sqrt(sin^2 psi - sin^2 t)        |x| <= a
+/// <g>    = D cos^2 psi + 2 D sin^2 psi ln sin psi
+/// ```
+///
+/// and from `p_mean = p_full` on the contact is full: `p = p_mean + p_full cos(2 pi x/L)`, `<g> = 0`.
+///
+/// | field             | meaning                             | unit     |
+/// |-------------------|-------------------------------------|----------|
+/// | `amplitude`       | `D`, half the height                | length   |
+/// | `period`          | `L`                                 | length   |
+/// | `contact_modulus` | `E*`                                | pressure |
+///
+/// Source: H. M. Westergaard, J. Appl. Mech. 6, 49 (1939); Johnson (1985), section 13.2. The mean gap is the integral
+/// of the compliance of the strip punch, see [`super::periodic`].
+///
+/// ```
+/// use asperity::theory::Westergaard;
+/// let sine = Westergaard { amplitude: 0.01, period: 1.0, contact_modulus: 1.0 };
+/// let half = 0.5 * sine.full_pressure();
+/// assert!((sine.relative_area(half) - 0.5).abs() < 1e-15);
+/// assert!((sine.mean_gap(half) / 0.02 - 0.076713).abs() < 5e-7);
+/// assert!((sine.kappa_r(half) - 2f64.sqrt()).abs() < 1e-12);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Westergaard {
+    /// Amplitude `D`, a length.
+    pub amplitude: f64,
+    /// Period `L`, a length.
+    pub period: f64,
+    /// Contact modulus `E*`, a pressure.
+    pub contact_modulus: f64,
+}
+
+impl Westergaard {
+    /// Mean pressure that just makes the contact full, `pi E* D/L`.
+    pub fn full_pressure(&self) -> f64 {
+        PI * self.contact_modulus * self.amplitude / self.period
+    }
+
+    /// Mean pressure at the contact half-width `a` (up to half the period).
+    pub fn mean_pressure(&self, a: f64) -> f64 {
+        self.full_pressure() * (PI * a / self.period).sin().powi(2)
+    }
+
+    /// `psi = pi a/L` at the mean pressure `mean_pressure`.
+    fn angle(&self, mean_pressure: f64) -> f64 {
+        (mean_pressure / self.full_pressure()).clamp(0.0, 1.0).sqrt().asin()
+    }
+
+    /// Contact half-width at the mean pressure `mean_pressure`, a length.
+    pub fn half_width(&self, mean_pressure: f64) -> f64 {
+        self.angle(mean_pressure) / PI * self.period
+    }
+
+    /// Relative contact area.
+    pub fn relative_area(&self, mean_pressure: f64) -> f64 {
+        self.angle(mean_pressure) / FRAC_PI_2
+    }
+
+    /// Pressure at the distance `x` from a peak.
+    pub fn pressure(&self, mean_pressure: f64, x: f64) -> f64 {
+        let (full, t) = (self.full_pressure(), PI * x / self.period);
+        if mean_pressure >= full {
+            return mean_pressure + full * (2.0 * t).cos();
+        }
+        let square = self.angle(mean_pressure).sin().powi(2) - t.sin().powi(2);
+        2.0 * full * t.cos().abs() * square.max(0.0).sqrt()
+    }
+
+    /// Gap averaged over the period, a length.
+    pub fn mean_gap(&self, mean_pressure: f64) -> f64 {
+        let psi = self.angle(mean_pressure);
+        if psi == 0.0 || psi == FRAC_PI_2 {
+            return self.amplitude * psi.cos().round();
+        }
+        self.amplitude * (psi.cos().powi(2) + 2.0 * psi.sin().powi(2) * psi.sin().ln())
+    }
+
+    /// Root-mean-square gradient over the contact, `gbar_r^2 = (2 pi D/L)^2 (1 - sin(4 psi)/(4 psi))/2`.
+    pub fn rms_gradient_contact(&self, mean_pressure: f64) -> f64 {
+        let slope = TAU * self.amplitude / self.period;
+        slope * (0.5 * one_less_sinc(4.0 * self.angle(mean_pressure))).sqrt()
+    }
+
+    /// `kappa_r = a_rel gbar_r E* / p_mean` (Eq. 3): `8/(pi sqrt 3)` at small loads, less at larger ones.
+    pub fn kappa_r(&self, mean_pressure: f64) -> f64 {
+        self.relative_area(mean_pressure) * self.rms_gradient_contact(mean_pressure) * self.contact_modulus
+            / mean_pressure
+    }
+}
+
+/// `1 - sin(y)/y`, by its series where the difference would lose digits.
+fn one_less_sinc(y: f64) -> f64 {
+    let z = y * y;
+    if z > 0.01 {
+        return 1.0 - y.sin() / y;
+    }
+    z / 6.0 * (1.0 - z / 20.0 * (1.0 - z / 42.0 * (1.0 - z / 72.0)))
+}
+
+/// Mean pressure that just makes the contact with `h = D cos(2 pi x/Lx) cos(2 pi y/Ly)` full,
+/// `pi E* D sqrt(1/Lx^2 + 1/Ly^2)`: `sqrt2 pi E* D/L` in a square cell.
+///
+/// From there on `p = p_mean + p_full cos(2 pi x/Lx) cos(2 pi y/Ly)`. Below it no closed form is known.
+///
+/// Source: K. L. Johnson, J. A. Greenwood, J. G. Higginson, Int. J. Mech. Sci. 27, 383 (1985).
+pub fn crossed_full_pressure(amplitude: f64, [ly, lx]: [f64; 2], contact_modulus: f64) -> f64 {
+    PI * contact_modulus * amplitude * lx.recip().hypot(ly.recip())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::theory::hertz;
+    use crate::theory::quadrature::integral;
+    use std::f64::consts::SQRT_2;
+
+    const SINE: Westergaard = Westergaard { amplitude: 0.3, period: 1.7, contact_modulus: 2.0 };
+
+    fn at(relative_area: f64) -> f64 {
+        SINE.mean_pressure(0.5 * relative_area * SINE.period)
+    }
+
+    #[test]
+    fn kappa_r_at_four_areas() {
+        for (area, kappa_r) in [(0.10, 1.46780), (0.25, 1.45531), (0.50, SQRT_2), (0.75, 1.36815)] {
+            assert!((SINE.relative_area(at(area)) - area).abs() < 1e-14);
+            assert!((SINE.kappa_r(at(area)) - kappa_r).abs() < 5e-6);
+        }
+        assert!((SINE.kappa_r(at(1e-6)) - hertz::KAPPA_R_LINE).abs() < 1e-10);
+        assert!((SINE.kappa_r(SINE.full_pressure()) - 2f64.sqrt()).abs() < 1e-14);
+    }
+
+    #[test]
+    fn mean_gap_at_three_areas() {
+        for (area, gap) in [(0.25, 0.286108), (0.50, 0.076713), (0.75, 0.005644)] {
+            assert!((SINE.mean_gap(at(area)) / (2.0 * SINE.amplitude) - gap).abs() < 5e-7);
+        }
+        assert_eq!((SINE.mean_gap(0.0), SINE.mean_gap(2.0 * SINE.full_pressure())), (SINE.amplitude, 0.0));
+    }
+
+    #[test]
+    fn area_is_the_formula_in_reduced_pressure() {
+        let gradient = TAU * SINE.amplitude / SINE.period / 2f64.sqrt();
+        for pressure in [1e-6, 0.01, 0.2, 0.9].map(|p| p * SINE.full_pressure()) {
+            let reduced = pressure / (gradient * SINE.contact_modulus);
+            let expected = 2.0 / PI * (2f64.sqrt() * reduced).sqrt().asin();
+            assert!((SINE.relative_area(pressure) - expected).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn pressure_carries_the_load_and_joins_full_contact() {
+        for area in [0.1, 0.5, 0.9] {
+            let (pressure, a) = (at(area), 0.5 * area * SINE.period);
+            let load = 2.0 * integral(0.0, FRAC_PI_2, |t| SINE.pressure(pressure, a * t.sin()) * a * t.cos());
+            assert!((load / (pressure * SINE.period) - 1.0).abs() < 1e-12);
+        }
+        let full = SINE.full_pressure();
+        for x in [0.0, 0.3, 0.8, -1.5] {
+            let (below, above) = (SINE.pressure(full * (1.0 - 1e-15), x), SINE.pressure(full, x));
+            assert!((below - above).abs() < 1e-6 * full);
+        }
+    }
+
+    #[test]
+    fn crossed_sines() {
+        let expected = 2f64.sqrt() * PI * 2.0 * 0.3 / 1.7;
+        assert!((crossed_full_pressure(0.3, [1.7, 1.7], 2.0) - expected).abs() < 1e-14);
+    }
+}
