@@ -5,7 +5,7 @@ use super::description::describe;
 use super::progress::Progress;
 use super::solve::settle;
 use anyhow::Result;
-use asperity::contact::{Contact, Gfmd, Problem, Solver, Stop};
+use asperity::contact::{Contact, Dynamics, Gfmd, Masses, Problem, Solver, Stop};
 use asperity::record::{Options, Recording, Scene};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::theory::Exact;
@@ -33,11 +33,16 @@ pub struct Demo {
 
 /// One contact of the demo.
 struct Case {
-    name: &'static str,
-    title: &'static str,
+    label: Label,
     what: String,
     problem: Problem,
+    solver: Gfmd,
     exact: Option<Exact>,
+}
+
+struct Label {
+    name: &'static str,
+    title: &'static str,
     /// `kappa_r` that van Dokkum et al. (2018) report for such contacts.
     paper: f64,
 }
@@ -45,16 +50,16 @@ struct Case {
 impl Demo {
     /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
-        let cases = [hertz_line()?, rough_line()?, hertz_point()?, rough_surface()?];
-        let (solver, stop) = (Gfmd::default(), Stop::default());
-        let scenes: Vec<Scene<'_>> = cases.iter().map(|case| case.scene(&solver, &stop)).collect();
+        let cases = cases()?;
+        let stop = Stop::default();
+        let scenes: Vec<Scene<'_>> = cases.iter().map(|case| case.scene(&stop)).collect();
         let recording = Recording::create(&self.out, &scenes, Options::default())?;
         let mut contacts = Vec::new();
         let mut outcome = Outcome::Done;
         for (i, case) in cases.iter().enumerate() {
             let mut recorder = recording.recorder(i);
-            let mut progress = Progress::new(stop.tolerance(), case.title);
-            let solved = solver.solve(&case.problem, &stop, &mut (&mut recorder, &mut progress));
+            let mut progress = Progress::new(stop.tolerance(), case.label.title);
+            let solved = case.solver.solve(&case.problem, &stop, &mut (&mut recorder, &mut progress));
             let (contact, ended) = settle(solved);
             recorder.close(&contact)?;
             contacts.push(contact);
@@ -68,64 +73,58 @@ impl Demo {
 }
 
 impl Case {
-    fn scene(&self, solver: &Gfmd, stop: &Stop) -> Scene<'_> {
+    fn scene(&self, stop: &Stop) -> Scene<'_> {
         Scene {
-            name: self.name.into(),
-            title: self.title.into(),
+            name: self.label.name.into(),
+            title: self.label.title.into(),
             problem: &self.problem,
-            description: describe(&self.what, &self.problem, "m", solver, stop, self.exact.as_ref()),
+            description: describe(&self.what, &self.problem, "m", &self.solver, stop, self.exact.as_ref()),
             exact: self.exact.clone(),
         }
     }
 
-    /// A smooth indenter at the load under which the contact of its Hertz solution has the relative area `area`.
-    fn smooth(
-        name: &'static str,
-        title: &'static str,
-        indenter: Indenter,
-        grid: Grid,
-        strain: f64,
-        paper: f64,
-    ) -> Result<Self> {
+    /// A smooth indenter under a mean pressure of `strain E*`, at a friction of `damping` of the critical one of the longest
+    /// wave: a single contact holds the mean more softly than that.
+    fn smooth(label: Label, indenter: Indenter, grid: Grid, strain: f64, damping: f64) -> Result<Self> {
         let problem = Problem::new(indenter.surface(grid)?, MODULUS, strain * MODULUS)?;
         let exact = Exact::of(&indenter, &grid, MODULUS, problem.mean_pressure());
         let what = format!("{}, radius {RADIUS:.1e} m", indenter.name());
-        Ok(Self { name, title, what, problem, exact, paper })
+        let solver = Gfmd::new(Masses::Uniform, Dynamics::Damped, 0.5, damping)?;
+        Ok(Self { label, what, problem, solver, exact })
     }
 
-    fn rough(name: &'static str, title: &'static str, grid: Grid, spectrum: Spectrum, paper: f64) -> Result<Self> {
+    /// Self-affine roughness with a roll-off at `1/waves` of the cell and 32 points per shortest wavelength of a line, 8 of a
+    /// surface.
+    fn rough(label: Label, grid: Grid, waves: f64) -> Result<Self> {
+        let points_per_wave = if grid.is_line() { 32.0 } else { 8.0 };
+        let spectrum = Spectrum {
+            hurst: 0.8,
+            rolloff_wavelength: CELL / waves,
+            short_cutoff: grid.spacing()[1] * points_per_wave,
+            rms_gradient: 1e-3,
+        };
         let surface = Surface::rough(grid, &spectrum, SEED)?;
         let problem = Problem::at_reduced_pressure(surface, MODULUS, REDUCED_PRESSURE)?;
         let what = format!(
             "self-affine, H = {}, roll-off {:.1e} m, short cut-off {:.2e} m",
             spectrum.hurst, spectrum.rolloff_wavelength, spectrum.short_cutoff
         );
-        Ok(Self { name, title, what, problem, exact: None, paper })
+        Ok(Self { label, what, problem, solver: Gfmd::default(), exact: None })
     }
 }
 
-fn hertz_line() -> Result<Case> {
-    let grid = Grid::line(1 << 12, CELL)?;
-    Case::smooth("hertz_line", "Hertz line", Indenter::Cylinder { radius: RADIUS }, grid, 8e-3, 1.47)
-}
-
-fn hertz_point() -> Result<Case> {
-    let grid = Grid::surface([256, 256], [CELL, CELL])?;
-    Case::smooth("hertz_point", "Hertz point", Indenter::Sphere { radius: RADIUS }, grid, 5e-3, 1.66)
-}
-
-fn rough_line() -> Result<Case> {
-    let grid = Grid::line(1 << 12, CELL)?;
-    let spectrum =
-        Spectrum { hurst: 0.8, rolloff_wavelength: CELL / 8.0, short_cutoff: CELL / 128.0, rms_gradient: 1e-3 };
-    Case::rough("rough_line", "Rough line", grid, spectrum, 1.75)
-}
-
-fn rough_surface() -> Result<Case> {
-    let grid = Grid::surface([256, 256], [CELL, CELL])?;
-    let spectrum =
-        Spectrum { hurst: 0.8, rolloff_wavelength: CELL / 4.0, short_cutoff: CELL / 32.0, rms_gradient: 1e-3 };
-    Case::rough("rough_surface", "Rough surface", grid, spectrum, 1.88)
+/// The four contacts: smooth and rough, line and surface.
+fn cases() -> Result<[Case; 4]> {
+    let line = |points| Grid::line(points, CELL);
+    let surface = || Grid::surface([256, 256], [CELL, CELL]);
+    let label = |name, title, paper| Label { name, title, paper };
+    let (cylinder, sphere) = (Indenter::Cylinder { radius: RADIUS }, Indenter::Sphere { radius: RADIUS });
+    Ok([
+        Case::smooth(label("hertz_line", "Hertz line", 1.47), cylinder, line(1 << 11)?, 8e-3, 0.35)?,
+        Case::rough(label("rough_line", "Rough line", 1.75), line(1 << 13)?, 8.0)?,
+        Case::smooth(label("hertz_point", "Hertz point", 1.66), sphere, surface()?, 5e-3, 0.2)?,
+        Case::rough(label("rough_surface", "Rough surface", 1.88), surface()?, 4.0)?,
+    ])
 }
 
 fn write_table(cases: &[Case], contacts: &[Contact]) -> Result<()> {
@@ -141,13 +140,13 @@ fn write_table(cases: &[Case], contacts: &[Contact]) -> Result<()> {
         writeln!(
             out,
             "{:<14} {:>6} {:>8.4} {:>8.4} {:>8.4} {:>10.4} {exact:>8} {:>6} {:>11.1e}",
-            case.title,
+            case.label.title,
             contact.work.iterations,
             measures.relative_area,
             measures.kappa,
             measures.kappa_r,
             measures.kappa_r_corrected,
-            case.paper,
+            case.label.paper,
             contact.certificate.eta
         )?;
     }

@@ -33,7 +33,7 @@ enum Command {
     /// Solve one contact
     Solve(Box<solve::Solve>),
     /// Make a surface, or describe one
-    Surface(surface::Describe),
+    Surface(Box<surface::Describe>),
 }
 
 /// How a command ended.

@@ -1,6 +1,7 @@
 //! The pictures of a surface: pressure, gap and contact as images in the plane, the solid as a relief.
 
 use super::axes::{self, Axis, Frame};
+use super::forecast::Forecast;
 use super::palette::{self, Map, colour};
 use super::reduce::Blocks;
 use super::relief::Relief;
@@ -45,7 +46,7 @@ struct Image {
 
 impl SurfacePicture {
     /// The picture of `scene`, with lengths in `unit`.
-    pub fn new(scene: &Scene<'_>, root: &str, unit: &str) -> Self {
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
         let problem = scene.problem;
         let grid = problem.surface().grid();
         let blocks = Blocks::square(grid.shape(), grid.size(), PIXELS);
@@ -56,12 +57,13 @@ impl SurfacePicture {
         let (low, high) = range(problem.height().iter().copied());
         let image =
             |name: &str, scale, map, unit| Image::new(frame.clone(), scale, map, unit, format!("{root}/{name}"));
+        let pressure_scale = scene::pressure_axis(forecast.max_pressure / problem.contact_modulus());
         let gap_scale = scene::gap_axis((high - low) / problem.rms_height());
         Self {
             blocks,
-            pressure: image("pressure", scene::pressure_axis(scene), Map::inferno(), problem.contact_modulus()),
+            pressure: image("pressure", pressure_scale, Map::inferno(), problem.contact_modulus()),
             gap: image("gap", gap_scale, Map::viridis(), problem.rms_height()),
-            relief: Relief::new(scene, root, unit),
+            relief: Relief::new(scene, forecast, root, unit),
             contact: format!("{root}/contact").into(),
         }
     }
@@ -94,8 +96,8 @@ impl SurfacePicture {
 
     /// Fits colour scales and the height of the relief to the final state, for all times.
     pub fn settle(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
-        self.pressure.settle(to, fields.pressure)?;
-        self.gap.settle(to, fields.gap)?;
+        self.pressure.settle(to, fields.pressure, 0.0)?;
+        self.gap.settle(to, fields.gap, scene::LEAST_GAP)?;
         self.relief.settle(to, fields)
     }
 
@@ -139,8 +141,8 @@ impl Image {
         to.log(self.pixels.clone(), &DepthImage::update_fields().with_buffer(bytes))
     }
 
-    fn settle(&self, to: &RecordingStream, values: &[f64]) -> RecordingStreamResult<()> {
-        let highest = range(values.iter().copied()).1 / self.unit;
+    fn settle(&self, to: &RecordingStream, values: &[f64], least: f64) -> RecordingStreamResult<()> {
+        let highest = (range(values.iter().copied()).1 / self.unit).max(least);
         self.log_scale(to, &self.scale.up_to(scene::headroom(highest)))
     }
 

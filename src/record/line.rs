@@ -2,6 +2,7 @@
 
 use super::axes::{Axis, Frame};
 use super::field::CONTACT_CLASS;
+use super::forecast::Forecast;
 use super::palette::{self, colour};
 use super::reduce::Columns;
 use super::scene::{self, Fields, Scene, range};
@@ -86,15 +87,20 @@ impl Window {
         [start * spacing, (start + self.shown as f64) * spacing]
     }
 
+    /// Points of a curve over the window; one over the whole period ends on its first node again.
+    fn points(&self) -> usize {
+        self.shown + usize::from(self.shown == self.nodes)
+    }
+
     /// The values of the window, in its order.
     fn of<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-        (0..self.shown).map(|i| values[self.node(i)])
+        (0..self.points()).map(|i| values[self.node(i)])
     }
 }
 
 impl LinePicture {
     /// The picture of `scene`, with lengths in `unit`.
-    pub fn new(scene: &Scene<'_>, root: &str, unit: &str) -> Self {
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
         let problem = scene.problem;
         let window = Window::around(scene);
         let spacing = problem.surface().grid().spacing()[1];
@@ -105,11 +111,11 @@ impl LinePicture {
         let room = ROOM * (high - low);
         let profile = frame(scene::length_axis("z", unit, -high - 2.0 * room, -low + room));
         Self {
-            columns: Columns::new(0..window.shown),
+            columns: Columns::new(window.points()),
             indenter: window.of(problem.height()).map(|h| profile.place_y(-h)).collect(),
             window,
             profile,
-            pressure: frame(scene::pressure_axis(scene)),
+            pressure: frame(scene::pressure_axis(forecast.max_pressure / problem.contact_modulus())),
             gap: frame(scene::gap_axis((high - low) / problem.rms_height())),
             contact_modulus: problem.contact_modulus(),
             rms_height: problem.rms_height(),
@@ -150,7 +156,7 @@ impl LinePicture {
     /// Fits the axes of pressure and gap to the final state, for all times.
     pub fn settle(&self, to: &RecordingStream, root: &str, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let pressure = range(self.window.of(fields.pressure)).1 / self.contact_modulus;
-        let gap = range(self.window.of(fields.gap)).1 / self.rms_height;
+        let gap = (range(self.window.of(fields.gap)).1 / self.rms_height).max(scene::LEAST_GAP);
         self.log_scaled(to, root, [scene::headroom(pressure), scene::headroom(gap)])
     }
 
@@ -212,34 +218,38 @@ impl LinePicture {
         i * BOX[0] / self.window.shown as f32
     }
 
-    fn bar_count(&self) -> usize {
-        self.columns.count().min(BARS)
-    }
-
-    fn bar_radius(&self) -> Radius {
-        Radius::new_scene_units(0.9 * BOX[0] / self.bar_count() as f32)
-    }
-
     /// Bars between `curve` and `edge`, as one strip that runs up and down; `outer` picks the end nearer to the edge.
     fn bars(&self, curve: &[[f32; 2]], edge: f32, outer: fn(f32, f32) -> f32) -> Points {
-        let width = BOX[0] / self.bar_count() as f32;
-        let mut bars = Points::with_capacity(2 * self.bar_count() + 2);
-        for bar in curve.chunk_by(|a, b| (a[0] / width) as usize == (b[0] / width) as usize) {
-            let x = ((bar[0][0] / width).floor() + 0.5) * width;
-            let tip = bar.iter().map(|point| point[1]).fold(bar[0][1], outer);
-            let ends = if bars.len() % 4 == 0 { [tip, edge] } else { [edge, tip] };
-            bars.extend(ends.map(|y| [x, y]));
+        let mut bars = Points::with_capacity(2 * BARS);
+        let mut rest = curve;
+        for bar in 0..BARS {
+            let (left, right) = (bar as f32 * BAR, (bar + 1) as f32 * BAR);
+            let mut tip = height_at(rest, left + 0.5 * BAR);
+            while let [point, later @ ..] = rest && point[0] < right && !later.is_empty() {
+                tip = if point[0] >= left { outer(tip, point[1]) } else { tip };
+                rest = if later[0][0] < right { later } else { break };
+            }
+            let ends = if bar % 2 == 0 { [tip, edge] } else { [edge, tip] };
+            bars.extend(ends.map(|y| [left + 0.5 * BAR, y]));
         }
         bars
     }
 
-    /// The contact, as segments along the lower edge of the box.
+    /// The contact, as segments along the lower edge of the box; a node in contact is half a spacing long to either side.
     fn segments(&self, pressure: &[f64]) -> Vec<[[f32; 2]; 2]> {
-        let width = BOX[0] / self.columns.count() as f32;
         let runs = self.columns.runs(|i| pressure[self.window.node(i)] > 0.0);
-        runs.into_iter()
-            .map(|run| [(run[0], 0.0), (run[1], 1.0)].map(|(c, s)| [(c as f32 + s) * width, BOX[1]]))
-            .collect()
+        let end = |i: usize| [self.place_x(i as f32 - 0.5).clamp(0.0, BOX[0]), BOX[1]];
+        runs.into_iter().map(|run| [end(run.start), end(run.end)]).collect()
+    }
+}
+
+/// Height of a curve at `x`, between its first points.
+fn height_at(curve: &[[f32; 2]], x: f32) -> f32 {
+    let mut pieces = curve.windows(2).take(3);
+    let piece = pieces.find(|piece| piece[1][0] >= x).or(curve.windows(2).next());
+    match piece {
+        Some([a, b]) if b[0] > a[0] => a[1] + (b[1] - a[1]) * ((x - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0),
+        _ => curve.first().map_or(0.0, |point| point[1]),
     }
 }
 

@@ -124,10 +124,11 @@ impl Recording {
     }
 
     fn flush(&self) -> Result<(), FileError> {
-        self.stream.flush_blocking().map_err(|failure| self.write_error(failure))
+        let hint = |failure| self.write_error(format!("{failure} (is the disk full?)"));
+        self.stream.flush_blocking().map_err(hint)
     }
 
-    fn write_error(&self, failure: impl std::error::Error + Send + Sync + 'static) -> FileError {
+    fn write_error(&self, failure: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> FileError {
         FileError::Write { path: self.path.clone(), source: std::io::Error::other(failure) }
     }
 }

@@ -1,5 +1,6 @@
 //! The solid under the indenter as a relief in three dimensions, coloured by the pressure.
 
+use super::forecast::Forecast;
 use super::palette::{self, Map, colour};
 use super::reduce::Blocks;
 use super::scene::{self, Fields, Scene, range};
@@ -31,7 +32,7 @@ pub struct Relief {
 
 impl Relief {
     /// The relief of `scene`, with lengths in `unit`.
-    pub fn new(scene: &Scene<'_>, root: &str, unit: &str) -> Self {
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
         let problem = scene.problem;
         let grid = problem.surface().grid();
         let blocks = Blocks::square(grid.shape(), grid.size(), VERTICES);
@@ -44,7 +45,7 @@ impl Relief {
             exaggeration: RELIEF / (high - low).max(f64::MIN_POSITIVE),
             height,
             size: grid.size().map(|length| (LENGTH * length / longest) as f32),
-            highest_pressure: scene::pressure_axis(scene).high() * problem.contact_modulus(),
+            highest_pressure: forecast.max_pressure,
             map: Map::inferno(),
             titles: [title("y", grid.size()[0]), title("x", grid.size()[1])],
             mesh: format!("{root}/relief/solid").into(),

@@ -28,14 +28,12 @@ pub struct Fields<'a> {
     pub gap: &'a [f64],
 }
 
-/// Largest pressure expected on rough surfaces over `E* gbar`: pressures in contact follow a Rayleigh law of width 1/2 (from
-/// Persson's theory), and one in a few thousand independent points exceeds four widths.
-const ROUGH_PRESSURE: f64 = 2.0;
+/// The smallest gap, over the rms height, that an axis is fitted to: below it a full contact would show its rounding errors.
+pub const LEAST_GAP: f64 = 1e-3;
 
-/// Pressure over `E*`, from 0 to what is expected before solving.
-pub fn pressure_axis(scene: &Scene<'_>) -> Axis {
-    let quantity = Quantity { symbol: "p / E*", unit: String::new() };
-    Axis::new(quantity, 0.0, headroom(expected_pressure(scene) / scene.problem.contact_modulus()))
+/// Pressure over `E*`, from 0 to `highest`.
+pub fn pressure_axis(highest: f64) -> Axis {
+    Axis::new(Quantity { symbol: "p / E*", unit: String::new() }, 0.0, headroom(highest))
 }
 
 /// Gap over the rms height, from 0 to `highest`.
@@ -51,19 +49,6 @@ pub fn length_axis(symbol: &'static str, unit: &str, low: f64, high: f64) -> Axi
 /// A little more than `highest`.
 pub fn headroom(highest: f64) -> f64 {
     1.08 * highest
-}
-
-/// Share of the area in contact, known or expected from `a_rel = kappa p*` with the `kappa` of rough surfaces.
-pub fn expected_area(scene: &Scene<'_>) -> f64 {
-    let problem = scene.problem;
-    let rough = || 2.2 * problem.mean_pressure() / (problem.rms_gradient() * problem.contact_modulus());
-    scene.exact.as_ref().map_or_else(rough, |exact| exact.relative_area).min(1.0)
-}
-
-fn expected_pressure(scene: &Scene<'_>) -> f64 {
-    let problem = scene.problem;
-    let rough = || problem.mean_pressure() + ROUGH_PRESSURE * problem.contact_modulus() * problem.rms_gradient();
-    scene.exact.as_ref().and_then(|exact| exact.max_pressure).filter(|p| p.is_finite()).unwrap_or_else(rough)
 }
 
 /// Smallest and largest finite value.

@@ -1,8 +1,9 @@
 //! A scene, prepared for recording.
 
 use super::field::{self, SurfacePicture};
+use super::forecast::Forecast;
 use super::line::LinePicture;
-use super::scene::{self, Fields, Scene};
+use super::scene::{Fields, Scene};
 use super::thinning::Pace;
 use super::traces::{self, Reference};
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
@@ -30,10 +31,9 @@ pub struct Ranges {
 }
 
 impl Ranges {
-    fn of(scene: &Scene<'_>) -> Self {
-        let area = scene::expected_area(scene);
+    fn of(scene: &Scene<'_>, forecast: Forecast) -> Self {
         let exact = scene.exact.as_ref().and_then(|exact| exact.kappa_r);
-        Self { kappa: exact.map_or(4.0, |kappa_r| 1.8 * kappa_r), area: (2.5 * area).min(1.05) }
+        Self { kappa: exact.map_or(4.0, |kappa_r| 1.8 * kappa_r), area: (2.5 * forecast.relative_area).min(1.05) }
     }
 }
 
@@ -46,11 +46,11 @@ pub enum Picture {
 }
 
 impl Picture {
-    fn new(scene: &Scene<'_>, root: &str, unit: &str) -> Self {
+    fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
         if scene.problem.surface().grid().is_line() {
-            Self::Line(LinePicture::new(scene, root, unit))
+            Self::Line(LinePicture::new(scene, forecast, root, unit))
         } else {
-            Self::Surface(Box::new(SurfacePicture::new(scene, root, unit)))
+            Self::Surface(Box::new(SurfacePicture::new(scene, forecast, root, unit)))
         }
     }
 
@@ -74,11 +74,12 @@ impl Picture {
 impl Stage {
     /// Prepares `scene` under `root`, with lengths in `unit`.
     pub fn new(scene: &Scene<'_>, root: String, unit: &str) -> Self {
+        let forecast = Forecast::of(scene);
         Self {
             title: scene.title.clone(),
             reference: Reference::of(scene.exact.as_ref()),
-            ranges: Ranges::of(scene),
-            picture: Picture::new(scene, &root, unit),
+            ranges: Ranges::of(scene, forecast),
+            picture: Picture::new(scene, forecast, &root, unit),
             root,
         }
     }
