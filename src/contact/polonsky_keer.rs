@@ -103,16 +103,18 @@ impl<'a> Iterate<'a> {
     fn certify(&mut self, run: &mut Run<'_>) -> Certificate {
         let mut certificate = Certificate::of(self.problem, &self.p, &self.u);
         if run.is_converged(certificate.eta) && !self.fresh {
-            self.refresh();
+            self.restart();
             certificate = Certificate::of(self.problem, &self.p, &self.u);
         }
         run.best.offer(certificate.eta, &self.p, run.iterations());
         certificate
     }
 
-    fn refresh(&mut self) {
+    /// Takes the displacement from a transform of the pressure, and the next direction from the gradient.
+    fn restart(&mut self) {
         self.half_space.displacement(&self.p, &mut self.u);
         self.fresh = true;
+        self.previous_square = None;
     }
 
     fn show(&self, run: &mut Run<'_>, certificate: Certificate, datum: f64) -> Option<Status> {
@@ -185,15 +187,15 @@ impl<'a> Iterate<'a> {
         let parts = chunks::update(&mut self.p, |range, p| {
             let (mut load, mut changed) = (0.0, false);
             for (i, p) in range.zip(p) {
-                let was_in_contact = *p > 0.0;
-                if was_in_contact {
+                if *p > 0.0 {
                     *p = (*p - tau * t[i]).max(0.0);
+                    changed |= *p <= 0.0;
                 }
                 let gap = u[i] - h[i] - mean_v;
                 if *p <= 0.0 && gap < 0.0 {
                     *p = -tau * gap;
+                    changed = true;
                 }
-                changed |= was_in_contact != (*p > 0.0);
                 load += *p;
             }
             (load, changed)
@@ -203,8 +205,7 @@ impl<'a> Iterate<'a> {
         let scale = self.problem.mean_pressure() * self.p.len() as f64 / load;
         chunks::update(&mut self.p, |_, p| p.iter_mut().for_each(|p| *p *= scale));
         if changed {
-            self.previous_square = None;
-            self.refresh();
+            self.restart();
         } else {
             let r = &self.r;
             chunks::update(&mut self.u, |range, u| {

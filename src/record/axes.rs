@@ -93,16 +93,16 @@ impl Axis {
     }
 }
 
-/// The largest of 1, 2 or 5 times a power of ten that is not above `span` by more than a half.
+/// 1, 2 or 5 times a power of ten, about as large as `span`.
 fn round_step(span: f64) -> f64 {
     let power = 10f64.powf(span.log10().floor());
     let rest = span / power;
     power
         * if rest < 1.5 {
             1.0
-        } else if rest < 3.5 {
+        } else if rest < 3.1 {
             2.0
-        } else if rest < 7.5 {
+        } else if rest < 7.1 {
             5.0
         } else {
             10.0
@@ -239,6 +239,6 @@ mod tests {
         assert_eq!(axis(0.0, 2e-3, "").title(), "x [1e-3]");
         assert_eq!(axis(0.0, 2e7, "mm").title(), "x [1e6 mm]");
         assert_eq!(axis(0.0, 5.0, "").title(), "x");
-        assert_eq!(axis(2.0, 2.0, "R").ticks().len(), 6);
+        assert_eq!(axis(2.0, 2.0, "R").ticks().len(), 5);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::axes::{Axis, Frame};
 use super::field::CONTACT_CLASS;
+use super::fill;
 use super::forecast::Forecast;
 use super::palette::{self, colour};
 use super::reduce::Columns;
@@ -16,8 +17,6 @@ const TEXT: f32 = 20.0;
 const WINDOW: f64 = 2.5;
 /// Room above and below the profile, in heights of the profile.
 const ROOM: f64 = 0.06;
-/// Bars that fill an area.
-const BARS: usize = 512;
 
 type Points = Vec<[f32; 2]>;
 
@@ -87,9 +86,9 @@ impl Window {
         [start * spacing, (start + self.shown as f64) * spacing]
     }
 
-    /// Points of a curve over the window; one over the whole period ends on its first node again.
+    /// Points of a curve over the window, which ends on the first node beyond it.
     fn points(&self) -> usize {
-        self.shown + usize::from(self.shown == self.nodes)
+        self.shown + 1
     }
 
     /// The values of the window, in its order.
@@ -145,7 +144,7 @@ impl LinePicture {
     /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let solid = self.placed(&self.solid_points(fields.gap));
-        to.log(self.entities.solid_fill.clone(), &strip(self.bars(&solid, self.profile.height, f32::max)))?;
+        to.log(self.entities.solid_fill.clone(), &strip(fill::bars(&solid, BOX[0], BOX[1], f32::max)))?;
         to.log(self.entities.solid.clone(), &strip(solid))?;
         to.log(self.entities.pressure.clone(), &strip(self.placed(&self.pressure_points(fields.pressure))))?;
         to.log(self.entities.gap.clone(), &strip(self.placed(&self.gap_points(fields.gap))))?;
@@ -161,9 +160,10 @@ impl LinePicture {
     }
 
     fn log_styles(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        let fill_radius = Radius::new_scene_units(fill::radius(BOX[0]));
         let Entities { solid, solid_fill, contact, pressure, gap } = &self.entities;
         to.log_static(solid.clone(), &style(palette::SOLID, Radius::new_ui_points(1.0), 32.0))?;
-        to.log_static(solid_fill.clone(), &style(palette::SOLID_FILL, self.bar_radius(), 10.0))?;
+        to.log_static(solid_fill.clone(), &style(palette::SOLID_FILL, fill_radius, 10.0))?;
         to.log_static(pressure.clone(), &style(palette::PRESSURE, Radius::new_ui_points(1.4), 32.0))?;
         to.log_static(gap.clone(), &style(palette::GAP, Radius::new_ui_points(1.0), 32.0))?;
         let contact_style = style(palette::CONTACT, Radius::new_ui_points(2.5), 34.0);
@@ -172,10 +172,11 @@ impl LinePicture {
 
     fn log_indenter(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
         let curve = self.placed(&self.columns.extremes(|i| self.indenter[i]));
-        let fill = style(palette::INDENTER_FILL, self.bar_radius(), 8.0);
+        let radius = Radius::new_scene_units(fill::radius(BOX[0]));
+        let body = style(palette::INDENTER_FILL, radius, 8.0);
         let line = style(palette::INDENTER, Radius::new_ui_points(0.8), 30.0);
-        let bars = LineStrip2D::from_iter(self.bars(&curve, 0.0, f32::min));
-        to.log_static(format!("{root}/profile/indenter_fill"), &fill.with_strips([bars]))?;
+        let bars = LineStrip2D::from_iter(fill::bars(&curve, BOX[0], 0.0, f32::min));
+        to.log_static(format!("{root}/profile/indenter_fill"), &body.with_strips([bars]))?;
         to.log_static(format!("{root}/profile/indenter"), &line.with_strips([LineStrip2D::from_iter(curve)]))
     }
 
@@ -218,38 +219,11 @@ impl LinePicture {
         i * BOX[0] / self.window.shown as f32
     }
 
-    /// Bars between `curve` and `edge`, as one strip that runs up and down; `outer` picks the end nearer to the edge.
-    fn bars(&self, curve: &[[f32; 2]], edge: f32, outer: fn(f32, f32) -> f32) -> Points {
-        let mut bars = Points::with_capacity(2 * BARS);
-        let mut rest = curve;
-        for bar in 0..BARS {
-            let (left, right) = (bar as f32 * BAR, (bar + 1) as f32 * BAR);
-            let mut tip = height_at(rest, left + 0.5 * BAR);
-            while let [point, later @ ..] = rest && point[0] < right && !later.is_empty() {
-                tip = if point[0] >= left { outer(tip, point[1]) } else { tip };
-                rest = if later[0][0] < right { later } else { break };
-            }
-            let ends = if bar % 2 == 0 { [tip, edge] } else { [edge, tip] };
-            bars.extend(ends.map(|y| [left + 0.5 * BAR, y]));
-        }
-        bars
-    }
-
     /// The contact, as segments along the lower edge of the box; a node in contact is half a spacing long to either side.
     fn segments(&self, pressure: &[f64]) -> Vec<[[f32; 2]; 2]> {
         let runs = self.columns.runs(|i| pressure[self.window.node(i)] > 0.0);
         let end = |i: usize| [self.place_x(i as f32 - 0.5).clamp(0.0, BOX[0]), BOX[1]];
         runs.into_iter().map(|run| [end(run.start), end(run.end)]).collect()
-    }
-}
-
-/// Height of a curve at `x`, between its first points.
-fn height_at(curve: &[[f32; 2]], x: f32) -> f32 {
-    let mut pieces = curve.windows(2).take(3);
-    let piece = pieces.find(|piece| piece[1][0] >= x).or(curve.windows(2).next());
-    match piece {
-        Some([a, b]) if b[0] > a[0] => a[1] + (b[1] - a[1]) * ((x - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0),
-        _ => curve.first().map_or(0.0, |point| point[1]),
     }
 }
 

@@ -36,8 +36,11 @@
 mod axes;
 mod blueprint;
 mod field;
+mod fill;
+mod forecast;
 mod layout;
 mod line;
+mod output;
 mod palette;
 mod recorder;
 mod reduce;
@@ -52,8 +55,10 @@ pub use scene::Scene;
 
 use crate::error::FileError;
 use crate::surface::check_target;
+use output::Output;
 use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 use stage::Stage;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Application under which the viewer keeps layouts apart.
@@ -79,6 +84,7 @@ impl Default for Options {
 /// A recording on its way into a file, which can be opened at any moment.
 pub struct Recording {
     stream: RecordingStream,
+    output: Output,
     path: PathBuf,
     stages: Vec<Stage>,
     options: Options,
@@ -94,8 +100,11 @@ impl Recording {
         let roots = roots(scenes);
         let stage = |(scene, root)| Stage::new(scene, root, &options.length_unit);
         let stages: Vec<Stage> = scenes.iter().zip(roots).map(stage).collect();
-        let recording = Self { stream: open(path, scenes)?, path: path.into(), stages, options };
-        recording.log_static(scenes).map_err(|failure| recording.write_error(failure))?;
+        let target_error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
+        let output = Output::create(path).map_err(target_error)?;
+        let stream = open(output.clone(), scenes).map_err(|failure| target_error(io::Error::other(failure)))?;
+        let recording = Self { stream, output, path: path.into(), stages, options };
+        recording.log_static(scenes).map_err(|failure| recording.write_error(io::Error::other(failure)))?;
         recording.flush()?;
         Ok(recording)
     }
@@ -108,12 +117,13 @@ impl Recording {
         Recorder::new(self, &self.stages[scene], &self.options)
     }
 
-    /// Writes what is left.
+    /// Writes what is left, and the index of the file.
     ///
     /// # Errors
     /// [`FileError::Write`] if that fails.
     pub fn finish(self) -> Result<(), FileError> {
-        self.flush()
+        self.flush()?;
+        self.output.finish().map_err(|failure| self.write_error(failure))
     }
 
     fn log_static(&self, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
@@ -124,21 +134,21 @@ impl Recording {
     }
 
     fn flush(&self) -> Result<(), FileError> {
-        let hint = |failure| self.write_error(format!("{failure} (is the disk full?)"));
-        self.stream.flush_blocking().map_err(hint)
+        let flushed = self.stream.flush_blocking().map_err(io::Error::other);
+        self.output.check().and(flushed).map_err(|failure| self.write_error(failure))
     }
 
-    fn write_error(&self, failure: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> FileError {
-        FileError::Write { path: self.path.clone(), source: std::io::Error::other(failure) }
+    fn write_error(&self, source: io::Error) -> FileError {
+        FileError::Write { path: self.path.clone(), source }
     }
 }
 
-fn open(path: &Path, scenes: &[Scene<'_>]) -> Result<RecordingStream, FileError> {
+/// A stream into `output` whose times are ours alone.
+fn open(output: Output, scenes: &[Scene<'_>]) -> RecordingStreamResult<RecordingStream> {
     let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
     let builder = RecordingStreamBuilder::new(APPLICATION).recording_name(titles.join(", ")).enabled(true);
-    let target_error =
-        |failure: rerun::RecordingStreamError| FileError::Target { path: path.into(), reason: failure.to_string() };
-    let stream = builder.save(path).map_err(target_error)?;
+    let stream = builder.buffered()?;
+    stream.set_sink(Box::new(output));
     stream.set_log_time_enabled(false);
     stream.set_log_tick_enabled(false);
     Ok(stream)
@@ -154,4 +164,74 @@ fn roots(scenes: &[Scene<'_>]) -> Vec<String> {
         roots.push(if taken { format!("{root}_{}", roots.len()) } else { root });
     }
     roots
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{PolonskyKeer, Solver, Stop};
+    use crate::grid::Grid;
+    use crate::surface::Indenter;
+    use crate::{Contact, Problem};
+    use std::collections::BTreeMap;
+
+    fn cylinder() -> Problem {
+        let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();
+        Problem::new(cylinder, 1.0, 1e-2).unwrap()
+    }
+
+    fn scene<'a>(name: &str, problem: &'a Problem) -> Scene<'a> {
+        Scene { name: name.into(), title: name.into(), problem, description: String::new(), exact: None }
+    }
+
+    fn record(path: &Path) -> Contact {
+        let problem = cylinder();
+        let recording = Recording::create(path, &[scene("cylinder", &problem)], Options::default()).unwrap();
+        let mut recorder = recording.recorder(0);
+        let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut recorder).unwrap();
+        recorder.close(&contact).unwrap();
+        recording.finish().unwrap();
+        contact
+    }
+
+    /// Rows of each temporal entity.
+    fn rows(path: &Path) -> BTreeMap<String, usize> {
+        let mut file = std::fs::File::open(path).unwrap();
+        let stores = rerun::ChunkStore::from_rrd_reader(&rerun::ChunkStoreConfig::ALL_DISABLED, &mut file).unwrap();
+        let mut rows = BTreeMap::new();
+        let recordings = stores.iter().filter(|(id, _)| id.kind() == rerun::StoreKind::Recording);
+        for chunk in recordings.flat_map(|(_, store)| store.iter_physical_chunks()).filter(|chunk| !chunk.is_static()) {
+            *rows.entry(chunk.entity_path().to_string()).or_default() += chunk.num_rows();
+        }
+        rows
+    }
+
+    #[test]
+    fn every_step_has_numbers_and_the_last_state_is_drawn() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cylinder.rrd");
+        let steps = record(&path).work.iterations + 1;
+        let rows = rows(&path);
+        assert_eq!(rows["/cylinder/trace/kappa_r"], steps);
+        assert_eq!(rows["/cylinder/profile/solid"], steps.min(33) + 1);
+        assert!(!rows.contains_key("/cylinder/trace/exact_kappa_r"));
+        assert!(!rows.keys().any(|entity| entity.contains("relief")));
+    }
+
+    #[test]
+    fn places_that_cannot_be_written_are_refused_at_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let problem = cylinder();
+        for path in [folder.path().to_path_buf(), folder.path().join("missing/a.rrd")] {
+            let created = Recording::create(&path, &[scene("a", &problem)], Options::default());
+            assert!(matches!(created, Err(FileError::Target { .. })));
+        }
+    }
+
+    #[test]
+    fn roots_are_safe_and_differ() {
+        let problem = cylinder();
+        let scenes = ["a", "a", "b/c d", ""].map(|name| scene(name, &problem));
+        assert_eq!(roots(&scenes), ["/a", "/a_1", "/b_c_d", "/_3"]);
+    }
 }

@@ -47,7 +47,7 @@ impl<'r> Recorder<'r> {
             Some(failure) => Err(failure),
             None => self.log_last(contact),
         };
-        recorded.map_err(|failure| self.recording.write_error(failure))?;
+        recorded.map_err(|failure| self.recording.write_error(std::io::Error::other(failure)))?;
         self.recording.flush()
     }
 
@@ -69,6 +69,7 @@ impl<'r> Recorder<'r> {
         if self.flushed.elapsed() >= FLUSH_INTERVAL {
             self.flushed = Instant::now();
             self.traces.flush(&self.recording.stream)?;
+            self.recording.stream.flush_async().ok(); // a failure shows when the recorder is closed
         }
         Ok(())
     }

@@ -3,43 +3,34 @@
 use std::ops::Range;
 
 /// Nodes of cell `cell` when `nodes` of them are shared out over `cells`; with more cells than nodes they repeat.
-pub fn share(nodes: usize, cells: usize, cell: usize) -> Range<usize> {
+fn share(nodes: usize, cells: usize, cell: usize) -> Range<usize> {
     let start = cell * nodes / cells;
     start..((cell + 1) * nodes / cells).max(start + 1)
 }
 
-/// A run of nodes of a line, shared out over at most [`Columns::MOST`] columns.
-#[derive(Debug, Clone)]
+/// The points of a curve, shared out over columns.
+#[derive(Debug, Clone, Copy)]
 pub struct Columns {
-    nodes: Range<usize>,
+    points: usize,
     count: usize,
 }
 
 impl Columns {
-    /// About as many columns as a large picture has pixels; two points each.
+    /// About as many columns as a large picture has pixels; a curve keeps two points of each.
     pub const MOST: usize = 1024;
 
-    /// The columns of `nodes`; a run that is short enough keeps one column per node.
-    pub fn new(nodes: Range<usize>) -> Self {
-        let count = if nodes.len() <= 2 * Self::MOST { nodes.len() } else { Self::MOST };
-        Self { nodes, count }
+    /// The columns of a curve of `points`; a short one keeps one column per point.
+    pub fn new(points: usize) -> Self {
+        Self { points, count: if points <= 2 * Self::MOST { points } else { Self::MOST } }
     }
 
-    /// Number of columns.
-    pub fn count(&self) -> usize {
-        self.count
+    /// The points of each column, from left to right.
+    fn ranges(self) -> impl Iterator<Item = Range<usize>> {
+        (0..self.count).map(move |column| share(self.points, self.count, column))
     }
 
-    /// Nodes of each column, from left to right.
-    pub fn ranges(&self) -> impl Iterator<Item = Range<usize>> + use<'_> {
-        (0..self.count).map(|column| {
-            let Range { start, end } = share(self.nodes.len(), self.count, column);
-            self.nodes.start + start..self.nodes.start + end
-        })
-    }
-
-    /// The nodes that hold the smallest and the largest value of each column, in the order in which they lie on the line.
-    pub fn extremes(&self, value: impl Fn(usize) -> f32) -> Vec<(usize, f32)> {
+    /// The points that hold the smallest and the largest value of each column, in the order in which they lie on the curve.
+    pub fn extremes(self, value: impl Fn(usize) -> f32) -> Vec<(usize, f32)> {
         let mut points = Vec::with_capacity(2 * self.count);
         for range in self.ranges() {
             let (low, high) = extremes(range, &value);
@@ -52,13 +43,13 @@ impl Columns {
         points
     }
 
-    /// Runs of columns in which any node holds, first and last column of each.
-    pub fn runs(&self, holds: impl Fn(usize) -> bool) -> Vec<[usize; 2]> {
-        let mut runs: Vec<[usize; 2]> = Vec::new();
-        for (column, _) in self.ranges().enumerate().filter(|(_, range)| range.clone().any(&holds)) {
+    /// Runs of columns in which any point holds, as runs of their points.
+    pub fn runs(self, holds: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
+        let mut runs: Vec<Range<usize>> = Vec::new();
+        for column in self.ranges().filter(|column| column.clone().any(&holds)) {
             match runs.last_mut() {
-                Some([_, last]) if *last + 1 == column => *last = column,
-                _ => runs.push([column, column]),
+                Some(run) if run.end == column.start => run.end = column.end,
+                _ => runs.push(column),
             }
         }
         runs
@@ -140,18 +131,19 @@ mod tests {
     fn a_spike_of_one_node_survives_on_a_line() {
         for spike in [0, 1, 4_999, 99_998, 99_999] {
             let value = |i: usize| if i == spike { 7.0 } else { (i % 3) as f32 };
-            let points = Columns::new(0..100_000).extremes(value);
+            let points = Columns::new(100_000).extremes(value);
             assert!(points.len() <= 2 * Columns::MOST);
             assert!(points.contains(&(spike, 7.0)));
             assert!(points.is_sorted_by_key(|p| p.0));
-            assert_eq!(Columns::new(0..100_000).runs(|i| i == spike).len(), 1);
+            let runs = Columns::new(100_000).runs(|i| i == spike);
+            assert!(runs.len() == 1 && runs[0].contains(&spike));
         }
     }
 
     #[test]
     fn short_lines_are_kept_as_they_are() {
-        let points = Columns::new(10..30).extremes(|i| i as f32);
-        assert_eq!(points, (10..30).map(|i| (i, i as f32)).collect::<Vec<_>>());
+        let points = Columns::new(20).extremes(|i| i as f32);
+        assert_eq!(points, (0..20).map(|i| (i, i as f32)).collect::<Vec<_>>());
     }
 
     #[test]

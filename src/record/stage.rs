@@ -40,7 +40,7 @@ impl Ranges {
 /// The fields of a line or a surface.
 pub enum Picture {
     /// Curves.
-    Line(LinePicture),
+    Line(Box<LinePicture>),
     /// Images and a relief.
     Surface(Box<SurfacePicture>),
 }
@@ -48,7 +48,7 @@ pub enum Picture {
 impl Picture {
     fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
         if scene.problem.surface().grid().is_line() {
-            Self::Line(LinePicture::new(scene, forecast, root, unit))
+            Self::Line(Box::new(LinePicture::new(scene, forecast, root, unit)))
         } else {
             Self::Surface(Box::new(SurfacePicture::new(scene, forecast, root, unit)))
         }
