@@ -6,7 +6,8 @@ use crate::contact::Problem;
 /// long enough for the plateaus of conjugate gradients and damped dynamics.
 const PATIENCE: usize = 2000;
 
-/// The pressure with the smallest certificate so far. It starts as the uniform pressure, which is always feasible.
+/// The pressure with the smallest certificate so far. It starts as the uniform pressure, which is always feasible and, since it
+/// displaces nothing, has the certificate `max(h) / h_rms`.
 pub(super) struct Best {
     pub eta: f64,
     pub pressure: Vec<f64>,
@@ -15,7 +16,8 @@ pub(super) struct Best {
 
 impl Best {
     pub fn new(problem: &Problem) -> Self {
-        Self { eta: f64::INFINITY, pressure: vec![problem.mean_pressure(); problem.nodes()], found_at: 0 }
+        let eta = problem.peak() / problem.rms_height();
+        Self { eta, pressure: vec![problem.mean_pressure(); problem.nodes()], found_at: 0 }
     }
 
     /// Keeps `pressure` if `eta` is smaller than before.

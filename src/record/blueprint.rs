@@ -17,7 +17,7 @@ const PLAYBACK: f64 = 30.0;
 pub struct Blueprint {
     store: RecordingStream,
     storage: MemorySinkStorage,
-    panes: u8,
+    panes: u16,
 }
 
 /// A view: what it shows and how.
@@ -150,7 +150,7 @@ impl Blueprint {
     fn next_id(&mut self) -> Uuid {
         self.panes += 1;
         let mut bytes = *b"asperity\x80pane\0\0\0";
-        bytes[15] = self.panes;
+        bytes[14..].copy_from_slice(&self.panes.to_be_bytes());
         Uuid { bytes }
     }
 }

@@ -96,9 +96,9 @@ fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
         below.push((blueprint.view(View::curves(title, traces(&[name]), None))?, 1.0));
     }
     let mut rows = Vec::new();
-    for (view, share) in [(kappa, 1.3), (area, 1.0), (certificate, 1.0)] {
+    for (view, share) in [(kappa, 1.3), (area, 0.9), (certificate, 1.2)] {
         rows.push((blueprint.view(view)?, share));
     }
-    rows.push((blueprint.container(Kind::Tabs, "more", below)?, 1.3));
+    rows.push((blueprint.container(Kind::Tabs, "more", below)?, 1.2));
     blueprint.container(Kind::Vertical, "curves", rows)
 }
