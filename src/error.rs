@@ -14,14 +14,14 @@ pub enum GridError {
         /// Points asked for.
         points: usize,
     },
-    /// More points than memory can address.
+    /// More than [`crate::Grid::MAX_POINTS`] points, or more than this machine has memory for.
     #[error("a grid of {} x {} points does not fit in memory: give fewer points", shape[0], shape[1])]
     TooManyPoints {
         /// Points along y and x.
         shape: [usize; 2],
     },
     /// A period that is not positive and finite.
-    #[error("the length along {axis} is {length}: give a positive, finite length")]
+    #[error("the length along {axis} is {length:?}: give a positive, finite length")]
     Length {
         /// The axis, `x` or `y`.
         axis: &'static str,
@@ -45,7 +45,7 @@ pub enum SurfaceError {
         expected: [usize; 2],
     },
     /// A height is NaN or infinite.
-    #[error("the height at row {}, column {} is {value}: all heights must be finite", index[0], index[1])]
+    #[error("the height at row {}, column {} is {value:?}: all heights must be finite", index[0], index[1])]
     NonFinite {
         /// Row and column.
         index: [usize; 2],
@@ -53,7 +53,7 @@ pub enum SurfaceError {
         value: f64,
     },
     /// A parameter that must be positive and finite is not.
-    #[error("{name} is {value}: give a positive, finite value")]
+    #[error("{name} is {value:?}: give a positive, finite value")]
     NotPositive {
         /// The parameter.
         name: &'static str,
@@ -61,13 +61,15 @@ pub enum SurfaceError {
         value: f64,
     },
     /// A Hurst exponent outside `(0, 1]`.
-    #[error("the Hurst exponent is {value}: it must lie above 0 and at most at 1")]
+    #[error("the Hurst exponent is {value:?}: it must lie above 0 and at most at 1")]
     Hurst {
         /// The exponent.
         value: f64,
     },
     /// The wavelengths of a spectrum are out of order.
-    #[error("the short cut-off {short_cutoff} is longer than the roll-off wavelength {rolloff}: it must be shorter")]
+    #[error(
+        "the short cut-off {short_cutoff:?} is not shorter than the roll-off wavelength {rolloff:?}: make it shorter"
+    )]
     CutoffOrder {
         /// Roll-off wavelength.
         rolloff: f64,
@@ -75,7 +77,9 @@ pub enum SurfaceError {
         short_cutoff: f64,
     },
     /// The roll-off is longer than the period.
-    #[error("the roll-off wavelength {rolloff} is longer than the period {period}: make it shorter or the cell larger")]
+    #[error(
+        "the roll-off wavelength {rolloff:?} is longer than the period {period:?}: make it shorter or the cell larger"
+    )]
     RolloffTooLong {
         /// Roll-off wavelength.
         rolloff: f64,
@@ -84,7 +88,7 @@ pub enum SurfaceError {
     },
     /// The grid cannot carry the shortest wavelength.
     #[error(
-        "the short cut-off {short_cutoff} is finer than the grid, whose shortest wavelength is {shortest}: raise it or take more points"
+        "the short cut-off {short_cutoff:?} is finer than the grid, whose shortest wavelength is {shortest:?}: raise it or take more points"
     )]
     CutoffTooFine {
         /// Short cut-off wavelength.
@@ -104,7 +108,7 @@ pub enum SurfaceError {
     },
     /// An indenter wider than the cell.
     #[error(
-        "a {indenter} of half-width {half_width} does not fit the shortest period {period}: make it narrower than half of it"
+        "a {indenter} of half-width {half_width:?} does not fit the shortest period {period:?}: make it narrower than half of it"
     )]
     TooWide {
         /// The indenter.
@@ -115,7 +119,7 @@ pub enum SurfaceError {
         period: f64,
     },
     /// No wavelength of the grid lies in the band of the spectrum.
-    #[error("no wavelength of the cell lies between its period {period} and the short cut-off {short_cutoff}")]
+    #[error("no wavelength of the cell lies between its period {period:?} and the short cut-off {short_cutoff:?}")]
     EmptySpectrum {
         /// The longest period.
         period: f64,
@@ -128,7 +132,7 @@ pub enum SurfaceError {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ProblemError {
     /// A quantity that must be positive and finite is not.
-    #[error("the {name} is {value}: give a positive, finite value")]
+    #[error("the {name} is {value:?}: give a positive, finite value")]
     NotPositive {
         /// The quantity.
         name: &'static str,
@@ -136,13 +140,13 @@ pub enum ProblemError {
         value: f64,
     },
     /// All heights are the same: the contact area of a flat is its whole area at any load.
-    #[error("the surface is flat (all heights are {height}): its contact is undefined, give a surface with relief")]
+    #[error("the surface is flat (all heights are {height:?}): its contact is undefined, give a surface with relief")]
     Flat {
         /// The height of every point.
         height: f64,
     },
     /// Values so large or small that sums of their squares leave the range of doubles.
-    #[error("the {name} of {value} is out of range: choose units in which it lies between 1e-100 and 1e100")]
+    #[error("the {name} of {value:?} is out of range: choose units in which it lies between 1e-100 and 1e100")]
     OutOfRange {
         /// The quantity.
         name: &'static str,

@@ -29,12 +29,17 @@ impl Grid {
     /// The fewest points along an axis: below it a central difference and its neighbours coincide.
     pub const MIN_POINTS: usize = 4;
 
+    /// The most points of a grid: one field of doubles on it takes 128 GiB.
+    pub const MAX_POINTS: usize = 1 << 34;
+
     /// A line of `points` points and period `length`.
     ///
     /// # Errors
-    /// [`GridError`] for fewer than [`Grid::MIN_POINTS`] points or a length that is not positive and finite.
+    /// [`GridError`] for fewer than [`Grid::MIN_POINTS`] points, for more than [`Grid::MAX_POINTS`], or for a length that
+    /// is not positive and finite.
     pub fn line(points: usize, length: f64) -> Result<Self, GridError> {
         check_points(points, "x")?;
+        check_total([1, points])?;
         check_length(length, "x")?;
         Ok(Self { shape: [1, points], size: [1.0, length] })
     }
@@ -42,16 +47,13 @@ impl Grid {
     /// A surface of `[ny, nx]` points and periods `[ly, lx]`.
     ///
     /// # Errors
-    /// As [`Grid::line`], for either axis; and for a surface with more points than memory can address.
+    /// As [`Grid::line`], for either axis.
     pub fn surface(shape: [usize; 2], size: [f64; 2]) -> Result<Self, GridError> {
         for (axis, (&n, &length)) in ["y", "x"].iter().zip(shape.iter().zip(&size)) {
             check_points(n, axis)?;
             check_length(length, axis)?;
         }
-        shape[0]
-            .checked_mul(shape[1])
-            .filter(|n| n.checked_mul(16).is_some_and(|bytes| bytes < isize::MAX as usize))
-            .ok_or(GridError::TooManyPoints { shape })?;
+        check_total(shape)?;
         Ok(Self { shape, size })
     }
 
@@ -129,6 +131,13 @@ fn check_points(points: usize, axis: &'static str) -> Result<(), GridError> {
     if points < Grid::MIN_POINTS { Err(GridError::TooFewPoints { axis, points }) } else { Ok(()) }
 }
 
+fn check_total(shape: [usize; 2]) -> Result<(), GridError> {
+    match shape[0].checked_mul(shape[1]) {
+        Some(points) if points <= Grid::MAX_POINTS => Ok(()),
+        _ => Err(GridError::TooManyPoints { shape }),
+    }
+}
+
 fn check_length(length: f64, axis: &'static str) -> Result<(), GridError> {
     if length.is_finite() && length > 0.0 { Ok(()) } else { Err(GridError::Length { axis, length }) }
 }
@@ -152,6 +161,10 @@ mod tests {
         assert!(Grid::line(3, 1.0).is_err());
         assert!(Grid::line(4, f64::NAN).is_err());
         assert!(Grid::surface([4, 4], [1.0, -1.0]).is_err());
-        assert!(Grid::surface([usize::MAX / 2, 4], [1.0, 1.0]).is_err());
+        for shape in [[usize::MAX / 2, 4], [1 << 17, (1 << 17) + 1]] {
+            assert_eq!(Grid::surface(shape, [1.0, 1.0]), Err(GridError::TooManyPoints { shape }));
+        }
+        assert!(Grid::line(Grid::MAX_POINTS + 1, 1.0).is_err());
+        assert!(Grid::surface([1 << 17, 1 << 17], [1.0, 1.0]).is_ok());
     }
 }

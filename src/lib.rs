@@ -63,3 +63,8 @@ pub mod theory;
 pub use contact::{Contact, Problem, Stop};
 pub use grid::Grid;
 pub use surface::{Indenter, Surface};
+
+/// The code of the README, tested.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -2,13 +2,14 @@
 
 mod cli;
 
+use std::io::{Write, stderr};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     match cli::run() {
         Ok(outcome) => outcome.into(),
         Err(error) => {
-            eprintln!("error: {error:#}");
+            writeln!(stderr(), "error: {error}").ok();
             cli::exit_code(&error)
         }
     }

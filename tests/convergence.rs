@@ -39,6 +39,11 @@ impl Errors {
         }
     }
 
+    fn row(&self, head: &str) -> String {
+        let Self { pressure, area, area_corrected, kappa_r, mean_gap } = self;
+        format!("{head:>18} {pressure:>9.2e} {area:>8.2e} {area_corrected:>9.2e} {kappa_r:>9.2e} {mean_gap:>9.2e}\n")
+    }
+
     /// Over loads from `mean_pressure` to twice that.
     fn averaged(indenter: &Indenter, grid: Grid, mean_pressure: f64) -> Self {
         let loads = (0..LOADS).map(|i| mean_pressure * 2f64.powf(i as f64 / LOADS as f64));
@@ -62,18 +67,7 @@ struct Ladder {
 
 impl Ladder {
     fn of(indenter: Indenter, grids: &[Grid], mean_pressure: f64) -> Self {
-        println!("\n{:<13} pressure      area corrected kappa_r,c  mean gap", indenter.name());
-        let print = |head: String, e: &Errors| {
-            let Errors { pressure, area, area_corrected, kappa_r, mean_gap } = e;
-            println!(
-                "{head:>12} {pressure:>9.2e} {area:>9.2e} {area_corrected:>9.2e} {kappa_r:>9.2e} {mean_gap:>9.2e}"
-            );
-        };
-        let mut all: Vec<Errors> = Vec::new();
-        for grid in grids {
-            all.push(Errors::averaged(&indenter, *grid, mean_pressure));
-            print(grid.shape()[1].to_string(), &all[all.len() - 1]);
-        }
+        let all: Vec<Errors> = grids.iter().map(|&grid| Errors::averaged(&indenter, grid, mean_pressure)).collect();
         let octaves = (grids.len() - 1) as f64;
         let order = |error: fn(&Errors) -> f64| (error(&all[0]) / error(&all[all.len() - 1])).log2() / octaves;
         let order = Errors {
@@ -83,8 +77,10 @@ impl Ladder {
             kappa_r: order(|e| e.kappa_r),
             mean_gap: order(|e| e.mean_gap),
         };
-        print("order".into(), &order);
-        Self { finest: all.pop().unwrap(), order }
+        let heads = grids.iter().map(|grid| grid.shape()[1].to_string()).chain(["order".into()]);
+        let rows: String = heads.zip(all.iter().chain([&order])).map(|(head, errors)| errors.row(&head)).collect();
+        println!("\n{:<19} pressure     area corrected kappa_r,c  mean gap\n{rows}", indenter.name());
+        Self { finest: all.into_iter().next_back().unwrap_or_default(), order }
     }
 }
 

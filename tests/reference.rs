@@ -1,4 +1,6 @@
 //! Pressures computed by another code: Tamaas 2.9.0, Polonsky-Keer-Rey, to a tolerance of 1e-12, with the same kernel.
+//!
+//! The differences are printed with `cargo test --release --test reference -- --nocapture`.
 
 #[allow(dead_code, reason = "not every test file uses every helper")]
 mod common;
@@ -62,6 +64,7 @@ impl Case {
     fn assert_agrees(&self, solver: &dyn Solver, contact: &Contact) {
         let who = format!("{}, {}", self.name, solver.settings());
         let error = relative_l2(&contact.pressure, &self.pressure);
+        println!("{error:.1e}  {who}");
         assert!(error < 1e-6, "{who}: pressures differ by {error}");
         let faint = 1e-9 * self.problem.mean_pressure();
         let differ = |(a, b): (&f64, &f64)| (*a > 0.0) != (*b > 0.0) && a.max(*b) > faint;

@@ -4,9 +4,10 @@ use anyhow::Result;
 use asperity::contact::{Contact, Problem, Status};
 use asperity::error::FileError;
 use asperity::surface::{Field, write_beside};
-use ndarray_npy::{NpzWriter, WritableElement};
+use ndarray::{Array2, arr0};
+use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use serde::Serialize;
-use std::io::{self, Write};
+use std::io::{self, Cursor, Write};
 use std::path::Path;
 
 /// One object with everything that a script may want to know about a contact.
@@ -144,31 +145,32 @@ impl Summary {
 /// Writes the fields of a contact as `.npz`, of the rank that the heights came in: `height`, `pressure`, `gap`,
 /// `displacement`, `contact` (bool), and the scalars `converged` (bool) and `certificate`.
 pub fn write_fields(path: &Path, problem: &Problem, contact: &Contact, rank: usize) -> Result<(), FileError> {
-    write_beside(path, |file| {
-        let mut npz = NpzWriter::new(file);
-        let mut fields: Vec<(&str, &Field)> = vec![("height", problem.surface().height())];
-        fields.extend([
-            ("pressure", &contact.pressure),
-            ("gap", &contact.gap),
-            ("displacement", &contact.displacement),
-        ]);
-        for (name, field) in fields {
-            add(&mut npz, name, field, rank)?;
-        }
-        add(&mut npz, "contact", &contact.mask(), rank)?;
-        let converged = ndarray::arr0(contact.status == Status::Converged);
-        npz.add_array("converged", &converged).map_err(io::Error::other)?;
-        npz.add_array("certificate", &ndarray::arr0(contact.certificate.eta)).map_err(io::Error::other)?;
-        npz.finish().map(|_| ()).map_err(io::Error::other)
-    })
+    write_beside(path, |file| file.write_all(&archive(problem, contact, rank).map_err(io::Error::other)?))
 }
 
-fn add<T: WritableElement, W: Write + io::Seek>(
-    npz: &mut NpzWriter<W>,
+/// The archive, made in memory: a `ZipWriter` that meets a full disk complains on standard error by itself.
+fn archive(problem: &Problem, contact: &Contact, rank: usize) -> Result<Vec<u8>, WriteNpzError> {
+    let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
+    let fields: [(&str, &Field); 4] = [
+        ("height", problem.surface().height()),
+        ("pressure", &contact.pressure),
+        ("gap", &contact.gap),
+        ("displacement", &contact.displacement),
+    ];
+    for (name, field) in fields {
+        add(&mut npz, name, field, rank)?;
+    }
+    add(&mut npz, "contact", &contact.mask(), rank)?;
+    npz.add_array("converged", &arr0(contact.status == Status::Converged))?;
+    npz.add_array("certificate", &arr0(contact.certificate.eta))?;
+    Ok(npz.finish()?.into_inner())
+}
+
+fn add<T: WritableElement>(
+    npz: &mut NpzWriter<Cursor<Vec<u8>>>,
     name: &str,
-    field: &ndarray::Array2<T>,
+    field: &Array2<T>,
     rank: usize,
-) -> io::Result<()> {
-    let written = if rank == 1 { npz.add_array(name, &field.row(0)) } else { npz.add_array(name, field) };
-    written.map_err(io::Error::other)
+) -> Result<(), WriteNpzError> {
+    if rank == 1 { npz.add_array(name, &field.row(0)) } else { npz.add_array(name, field) }
 }

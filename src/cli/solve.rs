@@ -10,7 +10,7 @@ use asperity::contact::{Contact, Problem, Solver, Stop};
 use asperity::surface::check_target;
 use asperity::theory::Exact;
 use clap::Args;
-use std::io::stdout;
+use std::io::{Write, stderr, stdout};
 use std::path::PathBuf;
 
 /// Presses one surface on the solid and reports the contact.
@@ -114,7 +114,7 @@ impl Solve {
         let Some(path) = &self.output.record else { return watch_progress(problem, solver, stop) };
         let scene = Scene {
             name: "contact".into(),
-            title: made.description.clone(),
+            title: made.title.clone(),
             problem,
             description: describe(&made.description, problem, &self.output.length_unit, solver, stop, exact.as_ref()),
             exact,
@@ -152,7 +152,7 @@ pub fn settle(solved: Result<Contact, asperity::error::SolveError>) -> (Contact,
     match solved {
         Ok(contact) => (contact, Outcome::Done),
         Err(error) => {
-            eprintln!("warning: {error}");
+            writeln!(stderr(), "warning: {error}").ok();
             (error.into_contact(), Outcome::NotConverged)
         }
     }

@@ -2,10 +2,14 @@
 
 use super::usage;
 use anyhow::Result;
+use asperity::error::GridError;
 use asperity::surface::{Field, Indenter, Spectrum, read_heights};
 use asperity::{Grid, Surface};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+
+/// Fields of doubles that a command holds at once, at the least.
+const FIELDS: usize = 8;
 
 /// The surface: exactly one of a height file, an indenter or a random spectrum.
 #[derive(Args)]
@@ -100,6 +104,8 @@ pub struct Made {
     pub surface: Surface,
     pub indenter: Option<Indenter>,
     pub rank: usize,
+    /// Its name.
+    pub title: String,
     /// What it is, in words.
     pub description: String,
 }
@@ -130,15 +136,17 @@ impl Source {
         let size = self.sizes(if shape[0] == 1 { 1 } else { 2 })?;
         let height: Field = height.to_shape(shape)?.into_owned();
         let surface = Surface::new(grid(&shape, &size)?, height)?;
-        Ok(Made { surface, indenter: None, rank, description: format!("heights from {}", path.display()) })
+        let title = path.file_stem().map_or("surface".into(), |stem| stem.to_string_lossy().into_owned());
+        let description = format!("heights from {}", path.display());
+        Ok(Made { surface, indenter: None, rank, title, description })
     }
 
     fn press(&self, kind: Kind) -> Result<Made> {
         let grid = self.grid()?;
         let indenter = self.shape.indenter(kind)?;
         let rank = self.points.len();
-        let description = self.shape.describe(&indenter);
-        Ok(Made { surface: indenter.surface(grid)?, indenter: Some(indenter), rank, description })
+        let (title, description) = (capitalised(indenter.name()), self.shape.describe(&indenter));
+        Ok(Made { surface: indenter.surface(grid)?, indenter: Some(indenter), rank, title, description })
     }
 
     fn roughen(&self, hurst: f64) -> Result<Made> {
@@ -156,10 +164,11 @@ impl Source {
         };
         let surface = Surface::rough(grid, &spectrum, rough.seed)?;
         let description = format!(
-            "self-affine roughness, H = {hurst}, roll-off {}, short cut-off {}, rms gradient {}, seed {}",
+            "self-affine roughness, H = {hurst}, roll-off {:e}, short cut-off {:e}, rms gradient {:e}, seed {}",
             spectrum.rolloff_wavelength, spectrum.short_cutoff, spectrum.rms_gradient, rough.seed
         );
-        Ok(Made { surface, indenter: None, rank: self.points.len(), description })
+        let title = if grid.is_line() { "Rough line" } else { "Rough surface" }.into();
+        Ok(Made { surface, indenter: None, rank: self.points.len(), title, description })
     }
 
     fn grid(&self) -> Result<Grid> {
@@ -177,17 +186,27 @@ impl Source {
             [] => usage("--size is missing: give the length of the cell"),
             [one] => Ok(vec![*one; axes]),
             given if given.len() == axes => Ok(given.to_vec()),
-            given => usage(format!("--size has {} lengths, but the surface has {axes} axes", given.len())),
+            more => usage(format!("--size has {} lengths: give one for a line, one or two for a surface", more.len())),
         }
     }
 }
 
+fn capitalised(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect()
+}
+
+/// The grid, if the system grants the memory that goes with it.
 fn grid(shape: &[usize; 2], size: &[f64]) -> Result<Grid> {
-    Ok(match *size {
+    let grid = match *size {
         [length] => Grid::line(shape[1], length)?,
         [ly, lx] => Grid::surface(*shape, [ly, lx])?,
         _ => return usage("a grid has one or two axes"),
-    })
+    };
+    let mut fields = Vec::<f64>::new();
+    let granted = fields.try_reserve_exact(FIELDS * grid.len());
+    std::hint::black_box(fields);
+    Ok(granted.map(|()| grid).map_err(|_| GridError::TooManyPoints { shape: *shape })?)
 }
 
 impl Shape {

@@ -16,7 +16,7 @@ use crate::error::SolveError;
 /// to the load. Conjugacy is lost whenever the contact set changes; then the direction restarts from the gradient.
 ///
 /// One transform pair per iteration while the set stays (the displacement follows the step by linearity), two otherwise.
-/// Memory: 6 fields of n doubles besides the [`HalfSpace`].
+/// Memory: 5 fields of n doubles besides the [`HalfSpace`].
 ///
 /// # Why it is stable
 /// On a fixed contact set the step is that of conjugate gradients for a symmetric positive semi-definite operator, and the step

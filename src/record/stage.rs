@@ -94,7 +94,7 @@ impl Stage {
         let Self { root, title, .. } = self;
         to.log_static(format!("{root}/description"), &TextDocument::from_markdown(scene.description.as_str()))?;
         to.log_static(root.as_str(), &field::classes())?;
-        traces::log_styles(to, root, place.map(|place| (place, title.as_str())))?;
+        traces::log_styles(to, root, self.reference, place.map(|place| (place, title.as_str())))?;
         match &self.picture {
             Picture::Line(line) => line.log_static(to, root, scene),
             Picture::Surface(surface) => surface.log_static(to, root),

@@ -124,9 +124,20 @@ impl Series {
     }
 }
 
-/// Records names and colours of the curves under `root`. Beside other scenes, `scene` tells them apart.
-pub fn log_styles(to: &RecordingStream, root: &str, scene: Option<(usize, &str)>) -> RecordingStreamResult<()> {
-    for (i, (entity, name)) in SERIES.iter().enumerate() {
+/// Records names and colours of the curves under `root`, those of exact values where `reference` has them. Beside other
+/// scenes, `scene` tells them apart.
+pub fn log_styles(
+    to: &RecordingStream,
+    root: &str,
+    reference: Reference,
+    scene: Option<(usize, &str)>,
+) -> RecordingStreamResult<()> {
+    let is_drawn = |entity: &str| match entity {
+        "exact_kappa_r" => reference.kappa_r.is_some(),
+        "exact_relative_area" => reference.relative_area.is_some(),
+        _ => true,
+    };
+    for (i, (entity, name)) in SERIES.iter().enumerate().filter(|(_, (entity, _))| is_drawn(entity)) {
         let exact = entity.starts_with("exact");
         let rgb = if exact { palette::EXACT } else { series_colour(entity, i, scene) };
         let name = scene.map_or_else(|| (*name).to_owned(), |(_, title)| format!("{name}, {title}"));

@@ -21,8 +21,8 @@ use probe::Probe;
 pub enum Masses {
     /// The same mass for every mode, as in the paper: long waves are `n/2` times softer than short ones and relax last.
     Uniform,
-    /// Masses proportional to the stiffness of the mode, so that all modes swing alike; the mean moves with the mass of the
-    /// longest wave.
+    /// Masses proportional to the stiffness of the mode, so that all modes swing alike; but waves longer than the distance of
+    /// contact segments, and the mean, are held by the contacts and get the mass of the wave that is just as long.
     Stiffness,
 }
 
@@ -41,24 +41,25 @@ pub enum Dynamics {
 /// Integrates `m_q w_q'' = -k_q w_q - <p> delta_q0 + p_q - friction` with the hard wall `w >= h` in real space, where the wall's
 /// constraint forces `p >= 0` are the contact pressure, until they balance.
 ///
-/// With uniform masses the wall simply puts penetrating nodes back, which is the projection that belongs to equal masses. With
-/// masses proportional to stiffness, putting a node back would move the others: then nodes held by the wall take no part in the
-/// motion, and the inertia acts among the free ones; the state of rest is the same.
+/// Nodes at the wall that are pushed onto it are held: the wall's force balances theirs, and they take no part in the motion.
+/// With uniform masses that is the projection of the step onto `w >= h`, as in the paper. With masses proportional to stiffness
+/// the inertia acts among the free nodes only; the state of rest is the same.
 ///
 /// A step costs one transform pair with uniform masses and two with masses proportional to stiffness; the certificate is
 /// computed at a share of the steps that falls to one in fifty, for one pair more. Memory: 8 fields of n doubles and two
 /// [`crate::elastic::HalfSpace`]s.
 ///
 /// # Why it is stable
-/// Verlet's scheme follows a mode of frequency `omega` up to `omega dt = 2`; the step is a fraction of that limit for the
-/// stiffest mode, and putting nodes back onto the wall is not expansive. With masses proportional to stiffness all modes
-/// have one frequency, but holding nodes at the wall couples them and raises it: by about `ln(n) / 2` where single nodes
-/// come free in a line. The step is reduced by that factor.
+/// Verlet's scheme follows a mode of frequency `omega` up to `omega dt = 2`. With uniform masses the stiffest mode sets the limit,
+/// and putting nodes back onto the wall is not expansive. With masses proportional to stiffness every free wave has the
+/// same frequency, but holding nodes couples waves and raises it: for a single free node among held ones to
+/// `<k> <1/k>` (about `ln(n) / 2` on a line), of which twice is allowed for; for long waves that would have to move
+/// against the contacts, which is why their masses have a floor.
 ///
 /// # Source
 /// Campana & Mueser, Phys. Rev. B 74, 075420 (2006); Prodanov, Dapp & Mueser, Tribol. Lett. 53, 433 (2014); FIRE: Bitzek et
 /// al., Phys. Rev. Lett. 97, 170201 (2006), and for contacts Zhou, Moseler & Mueser, Phys. Rev. B 99, 144103 (2019).
-/// Deviations: the hard wall with masses proportional to stiffness, as said; the stop by [`crate::contact::Certificate`].
+/// Deviations: held nodes and the floor of the masses, as said; the stop by [`crate::contact::Certificate`].
 ///
 /// ```
 /// use asperity::{Grid, Problem, Stop, surface::Indenter, contact::{Gfmd, Solver}};

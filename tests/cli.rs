@@ -1,0 +1,501 @@
+//! What a user does at the command line, run for real on small contacts.
+
+mod command;
+
+use assert_cmd::Command;
+use command::{Folder, text};
+use ndarray::{Array2, ArrayD, Axis, ShapeBuilder, Zip};
+use ndarray_npy::{NpzReader, read_npy, write_npy};
+use serde_json::Value;
+use std::fs::File;
+use std::process::Output;
+
+const CYLINDER: &str = "--indenter cylinder --radius 1 --points 64 --size 4";
+const SPHERE: &str = "--indenter sphere --radius 1 --points 24,32 --size 3,4";
+const ROUGH_LINE: &str =
+    "--hurst 0.8 --rolloff 0.25 --short-cutoff 0.02 --rms-gradient 0.1 --seed 7 --points 255 --size 1";
+const ROUGH_SURFACE: &str =
+    "--hurst 0.5 --rolloff 0.5 --short-cutoff 0.1 --rms-gradient 0.1 --points 40,36 --size 1,1.2";
+
+/// Every kind of surface that is made rather than read, and its shape.
+const SURFACES: [(&str, &[usize]); 13] = [
+    (CYLINDER, &[64]),
+    ("--indenter sine --amplitude 0.1 --points 61 --size 1", &[61]),
+    ("--indenter wedge --slope 0.2 --points 64 --size 1", &[64]),
+    ("--indenter power-law --coefficient 2 --exponent 4 --points 50 --size 1", &[50]),
+    ("--indenter punch --half-width 0.2 --depth 1 --points 64 --size 1", &[64]),
+    (SPHERE, &[24, 32]),
+    ("--indenter crossed-sine --amplitude 0.1 --points 16,25 --size 1,1.5", &[16, 25]),
+    ("--indenter cone --slope 0.2 --points 31,32 --size 1", &[31, 32]),
+    ("--indenter power-law --coefficient 2 --exponent 4 --points 20,20 --size 1,1.2", &[20, 20]),
+    ("--indenter punch --half-width 0.2 --depth 1 --points 24,24 --size 1", &[24, 24]),
+    (ROUGH_LINE, &[255]),
+    (ROUGH_SURFACE, &[40, 36]),
+    ("--hurst 1 --rolloff 1 --short-cutoff 0.5 --rms-gradient 1e-3 --seed 0 --points 4,4 --size 1", &[4, 4]),
+];
+
+const SOLVERS: [&str; 5] = [
+    "polonsky-keer",
+    "gfmd --masses uniform --dynamics damped",
+    "gfmd --masses uniform --dynamics fire",
+    "gfmd --masses stiffness --dynamics damped",
+    "gfmd --masses stiffness --dynamics fire --time-step 0.6 --damping 0.8",
+];
+
+/// Numbers that every summary has.
+const NUMBERS: [&str; 17] = [
+    "relative_area",
+    "relative_area_corrected",
+    "rms_gradient",
+    "rms_gradient_contact",
+    "reduced_pressure",
+    "kappa",
+    "kappa_r",
+    "kappa_r_corrected",
+    "mean_gap",
+    "mean_pressure",
+    "max_pressure",
+    "certificate",
+    "penetration",
+    "iterations",
+    "transforms",
+    "seconds",
+    "rms_height",
+];
+
+/// The arrays of an `.npz`.
+struct Fields {
+    height: ArrayD<f64>,
+    pressure: ArrayD<f64>,
+    gap: ArrayD<f64>,
+    displacement: ArrayD<f64>,
+    contact: ArrayD<bool>,
+    converged: bool,
+    certificate: f64,
+}
+
+impl Fields {
+    fn read(file: File) -> Self {
+        let mut npz = NpzReader::new(file).unwrap();
+        let mut field = |name| -> ArrayD<f64> { npz.by_name(name).unwrap() };
+        let (height, pressure, gap) = (field("height"), field("pressure"), field("gap"));
+        let (displacement, certificate) = (field("displacement"), field("certificate").sum());
+        let contact = npz.by_name("contact").unwrap();
+        let converged: ArrayD<bool> = npz.by_name("converged").unwrap();
+        let converged = converged[[]];
+        Self { height, pressure, gap, displacement, contact, converged, certificate }
+    }
+}
+
+/// Solves, and returns the JSON object and the arrays.
+fn solve(folder: &Folder, arguments: &str) -> (Value, Fields) {
+    let output = folder.run(&format!("solve {arguments} --json --out contact.npz"));
+    assert!(output.status.success(), "{arguments}: {}", text(&output.stderr));
+    assert_eq!(text(&output.stderr), "", "{arguments}");
+    (json(&output), Fields::read(File::open(folder.join("contact.npz")).unwrap()))
+}
+
+/// The one JSON object on standard output.
+fn json(output: &Output) -> Value {
+    let out = text(&output.stdout);
+    assert_eq!(out.lines().count(), 1, "{out}");
+    serde_json::from_str(out).unwrap()
+}
+
+fn number(summary: &Value, key: &str) -> f64 {
+    summary[key].as_f64().unwrap_or_else(|| panic!("{key} is {} in {summary}", summary[key]))
+}
+
+fn assert_close(found: f64, expected: f64, tolerance: f64, what: &str) {
+    assert!((found - expected).abs() <= tolerance * expected.abs(), "{what}: {found:e} against {expected:e}");
+}
+
+/// The summary without its seconds, which no two runs share.
+fn timeless(mut summary: Value) -> Value {
+    summary.as_object_mut().unwrap().remove("seconds").unwrap();
+    summary
+}
+
+/// What holds for the summary of any converged contact under the pressure `load`.
+fn check_summary(summary: &Value, load: f64) {
+    let n = |key| number(summary, key);
+    assert!(NUMBERS.iter().all(|key| n(key).is_finite()), "{summary}");
+    assert!(NUMBERS.iter().all(|&key| n(key) >= 0.0 || key == "mean_gap"), "{summary}");
+    assert!(n("mean_gap") >= -n("penetration") * n("rms_height"), "{summary}");
+    assert_eq!(summary["status"], "converged");
+    assert_close(n("mean_pressure"), load, 1e-12, "mean pressure");
+    assert_close(n("reduced_pressure"), load / (n("rms_gradient") * n("contact_modulus")), 1e-12, "p*");
+    assert_close(n("kappa"), n("relative_area") / n("reduced_pressure"), 1e-12, "kappa");
+    let per_area = n("rms_gradient_contact") * n("contact_modulus") / load;
+    assert_close(n("kappa_r"), n("relative_area") * per_area, 1e-12, "kappa_r");
+    assert_close(n("kappa_r_corrected"), n("relative_area_corrected") * per_area, 1e-12, "corrected kappa_r");
+    assert!(n("certificate") <= 1e-8 && n("penetration") <= 1e-8, "{summary}");
+    assert!(n("relative_area") > 0.0 && n("relative_area") <= 1.0);
+    assert!(n("relative_area_corrected") <= n("relative_area"));
+    assert!(n("max_pressure") >= n("mean_pressure") && n("transforms") > n("iterations"));
+}
+
+/// What holds for the arrays of any contact, whose summary is given.
+fn check_fields(fields: &Fields, summary: &Value, shape: &[usize]) {
+    let Fields { height, pressure, gap, displacement, contact, .. } = fields;
+    for field in [height, pressure, gap, displacement] {
+        assert_eq!(field.shape(), shape);
+    }
+    assert_eq!(summary["points"], serde_json::json!(shape));
+    assert_eq!(*contact, pressure.mapv(|p| p > 0.0));
+    assert!(pressure.iter().all(|&p| p >= 0.0));
+    let n = |key| number(summary, key);
+    let (length, points) = (n("rms_height"), pressure.len() as f64);
+    assert_close(pressure.sum() / points, n("mean_pressure"), 1e-12, "mean pressure of the array");
+    assert_close(
+        contact.iter().filter(|c| **c).count() as f64 / points,
+        n("relative_area"),
+        1e-12,
+        "area of the array",
+    );
+    assert_close(gap.sum() / points, n("mean_gap"), 1e-10, "mean gap of the array");
+    assert_close(fields.certificate, n("certificate"), 1e-15, "certificate");
+    // <p g> = 0 and g >= -eta h_rms leave at most twice eta of |p g|
+    let eta = n("certificate") * 1.001 + 1e-15;
+    assert!(gap.iter().all(|&g| g >= -eta * length), "penetration");
+    let product = Zip::from(gap).and(pressure).fold(0.0, |sum, g, p| sum + (g * p).abs()) / points;
+    assert!(product <= 2.0 * eta * n("mean_pressure") * length, "gap under pressure: {product:e}");
+    let datum = gap - displacement + height;
+    assert!(datum.iter().all(|d| (d - datum[vec![0; shape.len()].as_slice()]).abs() < 1e-12 * length), "g = u - h + d");
+    assert!((displacement.sum() / points).abs() < 1e-12 * length, "mean displacement");
+}
+
+/// Heights without symmetry.
+fn hills(shape: [usize; 2]) -> Array2<f64> {
+    let [ny, nx] = shape.map(|n| n as f64 / std::f64::consts::TAU);
+    Array2::from_shape_fn(shape, |(i, j)| {
+        (j as f64 / nx).cos() + 0.4 * (3.0 * j as f64 / nx + 1.0).sin() + 0.5 * (i as f64 / ny + 0.5).cos()
+    })
+}
+
+/// Root-mean-square gradient over all axes (Eq. 8), straight from its definition.
+fn rms_gradient(height: &ArrayD<f64>, size: &[f64]) -> f64 {
+    let mean_square = |(axis, length): (usize, &f64)| {
+        let points = height.len_of(Axis(axis));
+        let spacing = length / points as f64;
+        let slope =
+            |i: usize| (&height.index_axis(Axis(axis), (i + 1) % points) - &height.index_axis(Axis(axis), i)) / spacing;
+        (0..points).map(|i| slope(i).mapv(|s| s * s).mean().unwrap()).sum::<f64>() / points as f64
+    };
+    size.iter().enumerate().map(mean_square).sum::<f64>().sqrt()
+}
+
+#[test]
+fn every_surface_that_can_be_made_is_solved() {
+    let folder = Folder::new();
+    for (surface, shape) in SURFACES {
+        let (summary, fields) = solve(&folder, &format!("{surface} --pressure 0.004"));
+        check_summary(&summary, 0.004);
+        check_fields(&fields, &summary, shape);
+        assert!(fields.converged);
+        assert_eq!(summary.get("seed").is_some(), surface.contains("--hurst"), "only a random surface has a seed");
+        assert!(folder.run(&format!("surface {surface} --out surface.npy")).status.success());
+        assert_eq!(read_npy::<_, ArrayD<f64>>(folder.join("surface.npy")).unwrap(), fields.height, "{surface}");
+    }
+}
+
+#[test]
+fn every_solver_finds_the_same_contact() {
+    let folder = Folder::new();
+    for (surface, shape) in
+        [(CYLINDER, &[64][..]), (SPHERE, &[24, 32]), (ROUGH_LINE, &[255]), (ROUGH_SURFACE, &[40, 36])]
+    {
+        let found = SOLVERS.map(|solver| {
+            let (summary, fields) = solve(&folder, &format!("{surface} --pressure 0.004 --solver {solver}"));
+            check_summary(&summary, 0.004);
+            check_fields(&fields, &summary, shape);
+            assert_eq!(summary["solver"], solver.split(' ').next().unwrap());
+            number(&summary, "mean_gap")
+        });
+        assert!(found.iter().all(|gap| (gap / found[0] - 1.0).abs() < 1e-6), "{surface}: {found:?}");
+    }
+}
+
+#[test]
+fn a_smooth_contact_comes_with_its_exact_solution() {
+    let (summary, _) = solve(&Folder::new(), &format!("{} --pressure 0.01", CYLINDER.replace("64", "1024")));
+    let exact = &summary["exact"];
+    assert_close(number(&summary, "relative_area_corrected"), number(exact, "relative_area"), 0.01, "area");
+    assert_close(number(&summary, "kappa_r_corrected"), number(exact, "kappa_r"), 0.01, "kappa_r");
+    assert_close(number(&summary, "mean_gap"), number(exact, "mean_gap"), 1e-3, "mean gap");
+    assert_close(number(&summary, "max_pressure"), number(exact, "max_pressure"), 1e-3, "peak pressure");
+}
+
+#[test]
+fn heights_from_a_file_come_back_as_they_were() {
+    let folder = Folder::new();
+    for (shape, size) in [(vec![60], "2"), (vec![12, 20], "3,2"), (vec![20, 12], "3"), (vec![1, 30], "2")] {
+        let rows = if shape.len() == 1 { 1 } else { shape[0] };
+        let height = hills([rows, *shape.last().unwrap()]).into_shape_with_order(shape.clone()).unwrap();
+        write_npy(folder.join("h.npy"), &height).unwrap();
+        let (summary, fields) = solve(&folder, &format!("--height h.npy --size {size} --pressure 0.3"));
+        check_summary(&summary, 0.3);
+        check_fields(&fields, &summary, &shape);
+        assert_eq!(fields.height, height);
+        assert!(summary.get("seed").is_none());
+    }
+}
+
+#[test]
+fn lengths_are_along_the_axes_of_the_array() {
+    let folder = Folder::new();
+    let height = hills([12, 20]).into_dyn();
+    write_npy(folder.join("h.npy"), &height).unwrap();
+    for (size, lengths) in [("3,2", [3.0, 2.0]), ("2,3", [2.0, 3.0]), ("2.5", [2.5, 2.5])] {
+        let (summary, _) = solve(&folder, &format!("--height h.npy --size {size} --pressure 0.3"));
+        assert_close(number(&summary, "rms_gradient"), rms_gradient(&height, &lengths), 1e-12, size);
+    }
+}
+
+#[test]
+fn singles_and_fortran_order_are_read() {
+    let folder = Folder::new();
+    let load = "--height h.npy --size 3,2 --pressure 0.3";
+    let height = hills([12, 20]);
+    write_npy(folder.join("h.npy"), &height).unwrap();
+    let (plain, _) = solve(&folder, load);
+    let mut fortran = Array2::zeros(height.dim().f());
+    fortran.assign(&height);
+    write_npy(folder.join("h.npy"), &fortran).unwrap();
+    let (summary, fields) = solve(&folder, load);
+    assert_eq!(fields.height, height.clone().into_dyn());
+    assert_eq!(timeless(summary), timeless(plain));
+    let single = height.mapv(|h| h as f32);
+    write_npy(folder.join("h.npy"), &single).unwrap();
+    let (summary, fields) = solve(&folder, load);
+    check_summary(&summary, 0.3);
+    assert_eq!(fields.height, single.mapv(f64::from).into_dyn());
+}
+
+#[test]
+fn one_row_is_a_line() {
+    let folder = Folder::new();
+    let row = hills([1, 30]);
+    write_npy(folder.join("row.npy"), &row).unwrap();
+    write_npy(folder.join("line.npy"), &row.row(0)).unwrap();
+    let of = |name: &str| {
+        let (mut summary, _) = solve(&folder, &format!("--height {name} --size 2 --pressure 0.3"));
+        summary.as_object_mut().unwrap().remove("points");
+        timeless(summary)
+    };
+    assert_eq!(of("row.npy"), of("line.npy"));
+}
+
+#[test]
+fn a_reduced_pressure_is_a_pressure_over_gradient_and_modulus() {
+    let (summary, _) = solve(&Folder::new(), &format!("{ROUGH_LINE} --reduced-pressure 0.03 --modulus 5e9"));
+    let load = 0.03 * number(&summary, "rms_gradient") * 5e9;
+    check_summary(&summary, load);
+    assert_close(number(&summary, "reduced_pressure"), 0.03, 1e-12, "p*");
+}
+
+#[test]
+fn the_modulus_only_scales_pressures() {
+    let folder = Folder::new();
+    for surface in [CYLINDER, ROUGH_SURFACE] {
+        let (soft, _) = solve(&folder, &format!("{surface} --pressure 0.004"));
+        let (stiff, _) = solve(&folder, &format!("{surface} --pressure 1.2e7 --modulus 3e9"));
+        check_summary(&stiff, 1.2e7);
+        assert_eq!(number(&stiff, "relative_area"), number(&soft, "relative_area"));
+        assert_close(number(&stiff, "kappa_r"), number(&soft, "kappa_r"), 1e-10, "kappa_r");
+        assert_close(number(&stiff, "mean_gap"), number(&soft, "mean_gap"), 1e-7, "mean gap");
+        assert_close(number(&stiff, "max_pressure"), 3e9 * number(&soft, "max_pressure"), 1e-6, "peak pressure");
+    }
+}
+
+#[test]
+fn the_tolerance_is_reached_but_not_far_exceeded() {
+    let folder = Folder::new();
+    for tolerance in [1e-3, 1e-6, 1e-12] {
+        let (summary, _) = solve(&folder, &format!("{ROUGH_LINE} --pressure 0.004 --tolerance {tolerance}"));
+        let certificate = number(&summary, "certificate");
+        assert!(certificate <= tolerance && certificate > 1e-3 * tolerance, "{certificate:e} for {tolerance:e}");
+    }
+}
+
+#[test]
+fn a_seed_gives_the_same_numbers_on_any_number_of_threads() {
+    let folder = Folder::new();
+    let line = "--hurst 0.8 --rolloff 0.1 --short-cutoff 0.001 --rms-gradient 0.1 --seed 3 --points 40000 --size 1";
+    let surface = "--hurst 0.8 --rolloff 0.5 --short-cutoff 0.05 --rms-gradient 0.1 --seed 3 --points 180,192 --size 1";
+    for (surface, solver) in
+        [(line, "polonsky-keer"), (surface, "polonsky-keer"), (surface, "gfmd --max-iterations 40")]
+    {
+        let on = |threads: &str| {
+            let arguments = format!("solve {surface} --pressure 0.004 --solver {solver} --json --out {threads}.npz");
+            let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+            command.args(arguments.split(' ')).env("RAYON_NUM_THREADS", threads);
+            let summary = timeless(json(&folder.finish(&mut command)));
+            (summary, Fields::read(File::open(folder.join(&format!("{threads}.npz"))).unwrap()).pressure)
+        };
+        let one = on("1");
+        assert_eq!(one.0["seed"], 3);
+        assert_eq!(one, on("2"));
+        assert_eq!(one, on("3"));
+    }
+}
+
+#[test]
+fn another_seed_is_another_surface() {
+    let folder = Folder::new();
+    let gap = |surface: &str| number(&solve(&folder, &format!("{surface} --pressure 0.004")).0, "mean_gap");
+    assert_ne!(gap(ROUGH_LINE), gap(&ROUGH_LINE.replace("--seed 7", "--seed 8")));
+}
+
+#[test]
+fn a_contact_that_does_not_converge_is_written_all_the_same_and_says_so() {
+    let folder = Folder::new();
+    for solver in SOLVERS {
+        let recorded = if cfg!(feature = "record") { "--record contact.rrd" } else { "" };
+        let run = format!("solve {ROUGH_LINE} --pressure 0.004 --max-iterations 3 --solver {solver} {recorded}");
+        let output = folder.run(&format!("{run} --json --out contact.npz"));
+        assert_eq!(output.status.code(), Some(3));
+        let warning = text(&output.stderr);
+        assert!(warning.starts_with("warning: not converged") && warning.lines().count() == 1, "{warning}");
+        let summary = json(&output);
+        assert_eq!(summary["status"], "iteration-cap");
+        assert_eq!(summary["iterations"], 3);
+        assert_close(number(&summary, "mean_pressure"), 0.004, 1e-12, "mean pressure");
+        assert!(number(&summary, "certificate") > 1e-8);
+        let fields = Fields::read(File::open(folder.join("contact.npz")).unwrap());
+        assert!(!fields.converged);
+        check_fields(&fields, &summary, &[255]);
+        let output = folder.run(&run);
+        assert_eq!(output.status.code(), Some(3));
+        assert!(text(&output.stdout).contains("iteration cap"), "{}", text(&output.stdout));
+        #[cfg(feature = "record")]
+        assert_is_recording(&folder, "contact.rrd");
+    }
+}
+
+#[test]
+fn a_tolerance_below_rounding_ends_without_convergence() {
+    let output = Folder::new().run(&format!("solve {ROUGH_SURFACE} --pressure 0.004 --tolerance 1e-30 --json"));
+    assert_eq!(output.status.code(), Some(3));
+    assert_eq!(json(&output)["status"], "stalled");
+}
+
+#[test]
+fn the_summary_reads_well() {
+    let output = Folder::new().run(&format!("solve {CYLINDER} --pressure 0.01"));
+    let out = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(out.starts_with("64 by polonsky-keer: converged\n"), "{out}");
+    for line in ["reduced pressure", "relative area", "rms gradient", "kappa ", "kappa_r", "mean gap", "certificate"] {
+        assert_eq!(out.matches(line).count(), 1, "{line} in {out}");
+    }
+    assert!(text(&output.stderr).is_empty());
+}
+
+#[test]
+fn a_surface_that_was_written_is_solved_as_if_just_made() {
+    let folder = Folder::new();
+    for (surface, size) in [(ROUGH_LINE, "1"), (ROUGH_SURFACE, "1,1.2")] {
+        assert!(folder.run(&format!("surface {surface} --out h.npy")).status.success());
+        let (mut made, _) = solve(&folder, &format!("{surface} --pressure 0.004"));
+        let (read, _) = solve(&folder, &format!("--height h.npy --size {size} --pressure 0.004"));
+        assert!(made.as_object_mut().unwrap().remove("seed").is_some());
+        assert_eq!(timeless(made), timeless(read));
+    }
+}
+
+#[test]
+fn the_statistics_of_a_surface_are_those_of_its_heights() {
+    let folder = Folder::new();
+    for (surface, size) in [(ROUGH_LINE, &[1.0][..]), (ROUGH_SURFACE, &[1.0, 1.2])] {
+        let made = json(&folder.run(&format!("surface {surface} --out h.npy --json")));
+        let height: ArrayD<f64> = read_npy(folder.join("h.npy")).unwrap();
+        assert_eq!(made["points"], serde_json::json!(height.shape()));
+        assert_eq!(made["size"], serde_json::json!(size));
+        assert_close(number(&made, "rms_gradient"), 0.1, 1e-12, "the gradient asked for");
+        assert_close(number(&made, "rms_gradient"), rms_gradient(&height, size), 1e-12, "gradient");
+        let centred = &height - height.mean().unwrap();
+        assert_close(number(&made, "rms_height"), centred.mapv(|z| z * z).mean().unwrap().sqrt(), 1e-12, "height");
+        assert_close(number(&made, "peak"), centred.fold(0.0, |m: f64, &z| m.max(z)), 1e-12, "peak");
+        assert_close(number(&made, "valley"), centred.fold(0.0, |m: f64, &z| m.max(-z)), 1e-12, "valley");
+        let size = size.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+        let read = json(&folder.run(&format!("surface --height h.npy --size {size} --json")));
+        for (key, value) in read.as_object().unwrap() {
+            assert_eq!(&made[key], value, "{key}");
+        }
+        assert!(made.get("seed").is_some() && read.get("seed").is_none());
+    }
+}
+
+#[test]
+fn the_statistics_of_a_surface_read_well() {
+    let output = Folder::new().run(&format!("surface {ROUGH_SURFACE}"));
+    let out = text(&output.stdout);
+    assert!(output.status.success() && text(&output.stderr).is_empty());
+    for words in ["H = 0.5", "seed 1", "40 x 36", "1 x 1.2", "rms height", "rms gradient   1.000000e-1", "kurtosis"] {
+        assert!(out.contains(words), "{words} in {out}");
+    }
+}
+
+#[test]
+fn an_output_replaces_an_older_one() {
+    let folder = Folder::new();
+    std::fs::write(folder.join("contact.npz"), "old").unwrap();
+    let (summary, fields) = solve(&folder, &format!("{CYLINDER} --pressure 0.01"));
+    check_fields(&fields, &summary, &[64]);
+}
+
+#[test]
+fn help_and_version_are_no_errors() {
+    let folder = Folder::new();
+    for line in ["--help", "--version", "solve --help", "surface --help"] {
+        let output = folder.run(line);
+        assert!(output.status.success() && !output.stdout.is_empty() && output.stderr.is_empty(), "{line}");
+    }
+}
+
+#[cfg(feature = "record")]
+fn assert_is_recording(folder: &Folder, name: &str) -> usize {
+    let bytes = std::fs::read(folder.join(name)).unwrap();
+    assert!(bytes.starts_with(b"RRF2"), "{:?}", &bytes[..4.min(bytes.len())]);
+    bytes.len()
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn a_recording_does_not_change_the_result() {
+    let folder = Folder::new();
+    for surface in [CYLINDER, ROUGH_SURFACE] {
+        let run = format!("{surface} --pressure 0.004 --solver gfmd");
+        let (recorded, _) = solve(&folder, &format!("{run} --record contact.rrd --length-unit mm"));
+        assert_is_recording(&folder, "contact.rrd");
+        let (alone, _) = solve(&folder, &run);
+        assert_eq!(timeless(recorded), timeless(alone));
+    }
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn fewer_recorded_steps_make_a_smaller_file() {
+    let folder = Folder::new();
+    let size = |every: &str| {
+        solve(&folder, &format!("{ROUGH_LINE} --pressure 0.004 --solver gfmd --record contact.rrd {every}"));
+        assert_is_recording(&folder, "contact.rrd")
+    };
+    let (all, some, few) = (size("--record-every 1"), size(""), size("--record-every 100000"));
+    assert!(all > some && some > few, "{all}, {some}, {few}");
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn the_demo_records_four_contacts_in_less_than_40_megabytes() {
+    let folder = Folder::new();
+    let output = folder.run("demo --out demo.rrd");
+    let out = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    for words in ["kappa_r", "Hertz line", "Rough line", "Hertz point", "Rough surface", "rerun demo.rrd"] {
+        assert!(out.contains(words), "{words} in {out}");
+    }
+    let size = assert_is_recording(&folder, "demo.rrd");
+    assert!(size < 40_000_000, "{size}");
+}

@@ -1,0 +1,534 @@
+//! Bad input: exit code 2, one sentence with what is wrong, nothing on standard output, no file made or touched.
+
+mod command;
+
+use assert_cmd::Command;
+use command::{Folder, text};
+use ndarray::{Array1, Array2, Array3, arr0};
+use ndarray_npy::write_npy;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Output;
+
+const LOAD: &str = "--pressure 0.01";
+const CYLINDER: &str = "--indenter cylinder --radius 1 --points 64 --size 4";
+const ROUGH: &str = "--hurst 0.8 --rolloff 0.25 --short-cutoff 0.1 --rms-gradient 0.1 --points 64 --size 1";
+const OLD: &str = "an older result";
+
+/// Every output that a solve can write.
+const OUTPUTS: &str =
+    if cfg!(feature = "record") { "--json --out new.npz --record new.rrd" } else { "--json --out new.npz" };
+
+/// A folder with an older result and a sub-folder.
+fn folder() -> Folder {
+    let folder = Folder::new();
+    std::fs::write(folder.join("old"), OLD).unwrap();
+    std::fs::create_dir(folder.join("sub")).unwrap();
+    folder
+}
+
+/// All files below a folder, with what they hold.
+fn snapshot(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files.extend(snapshot(&path));
+        }
+        files.insert(path.to_str().unwrap().to_owned(), std::fs::read(&path).unwrap_or_default());
+    }
+    files
+}
+
+/// Runs `line`, which must be refused for bad input without a trace.
+fn refuse(folder: &Folder, line: &str) -> String {
+    let before = snapshot(&folder.join("."));
+    let output = folder.run(line);
+    let complaint = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{line}: {complaint}");
+    assert!(output.stdout.is_empty(), "{line}: {}", text(&output.stdout));
+    assert!(complaint.starts_with("error: ") && !complaint.contains("panicked"), "{line}: {complaint}");
+    assert_eq!(snapshot(&folder.join(".")), before, "{line}: {complaint}");
+    complaint.to_owned()
+}
+
+/// [`refuse`], with one sentence that contains `offence`.
+fn refuse_in_one_sentence(folder: &Folder, line: &str, offence: &str) {
+    let complaint = refuse(folder, line);
+    assert!(complaint.contains(offence), "{line}: {offence} is not in {complaint}");
+    assert_one_sentence(&complaint);
+}
+
+fn assert_one_sentence(complaint: &str) {
+    assert!(complaint.starts_with("error: ") && complaint.ends_with('\n'), "{complaint}");
+    assert_eq!(complaint.lines().count(), 1, "{complaint}");
+    let said_twice = complaint.split(": ").zip(complaint.split(": ").skip(1)).any(|(a, b)| a.trim() == b.trim());
+    assert!(!said_twice, "{complaint}");
+}
+
+/// Refuses `solve` with each of `cases`: arguments, and what the sentence must contain.
+fn refuse_all(cases: &[(&str, &str)]) {
+    let folder = folder();
+    for (arguments, offence) in cases {
+        refuse_in_one_sentence(&folder, &format!("solve {arguments} {OUTPUTS}"), offence);
+    }
+}
+
+/// Refuses each of `values` at the place of `{}` in `solve` and the arguments; the sentence must contain the value.
+fn refuse_values(arguments: &str, values: &[&str]) {
+    let cases: Vec<(String, &str)> = values.iter().map(|value| (arguments.replace("{}", value), *value)).collect();
+    refuse_all(&cases.iter().map(|(arguments, value)| (arguments.as_str(), *value)).collect::<Vec<_>>());
+}
+
+const NOT_POSITIVE: [&str; 4] = ["0", "-1", "inf", "NaN"];
+
+#[test]
+fn loads_that_are_not_positive_and_finite_are_refused() {
+    refuse_values(&format!("{CYLINDER} --pressure {{}}"), &NOT_POSITIVE);
+    refuse_values(&format!("{CYLINDER} --pressure={{}}"), &["-inf", "-0", "-1e-9", "1e101", "1e-101", "1e-320"]);
+    refuse_values(&format!("{CYLINDER} --reduced-pressure {{}}"), &NOT_POSITIVE);
+    refuse_values(&format!("{CYLINDER} {LOAD} --modulus {{}}"), &NOT_POSITIVE);
+}
+
+#[test]
+fn lengths_that_are_not_positive_and_finite_are_refused() {
+    refuse_values(&format!("--indenter cylinder --radius 1 --points 64 --size {{}} {LOAD}"), &NOT_POSITIVE);
+    refuse_values(&format!("--indenter sphere --radius 1 --points 8,8 --size=1,{{}} {LOAD}"), &NOT_POSITIVE);
+    refuse_values(&format!("--indenter sphere --radius 1 --points 8,8 --size={{}},1 {LOAD}"), &NOT_POSITIVE);
+}
+
+#[test]
+fn indenters_that_are_not_positive_and_finite_are_refused() {
+    for shape in [
+        "cylinder --radius {}",
+        "sine --amplitude {}",
+        "wedge --slope {}",
+        "power-law --coefficient {} --exponent 2",
+        "power-law --coefficient 1 --exponent {}",
+        "punch --half-width {} --depth 1",
+        "punch --half-width 0.1 --depth {}",
+    ] {
+        refuse_values(&format!("--indenter {shape} --points 64 --size 1 {LOAD}"), &NOT_POSITIVE);
+    }
+    for shape in ["sphere --radius {}", "crossed-sine --amplitude {}", "cone --slope {}"] {
+        refuse_values(&format!("--indenter {shape} --points 8,8 --size 1 {LOAD}"), &NOT_POSITIVE);
+    }
+    refuse_values(
+        &format!("--indenter punch --half-width {{}} --depth 1 --points 64 --size 1 {LOAD}"),
+        &["0.5", "7.25"],
+    );
+}
+
+#[test]
+fn indenters_beyond_the_range_of_numbers_are_refused() {
+    refuse_all(&[
+        ("--indenter cylinder --radius 1e-320 --points 64 --size 1 --pressure 0.01", "inf"),
+        ("--indenter cylinder --radius 1e300 --points 64 --size 1 --pressure 0.01", "rms height"),
+        ("--indenter cylinder --radius 1 --points 64 --size 1e200 --pressure 0.01", "inf"),
+        ("--indenter cylinder --radius 1 --points 64 --size 1e-320 --pressure 0.01", "flat"),
+        ("--indenter power-law --coefficient 1 --exponent 1000 --points 64 --size 1 --pressure 0.01", "rms height"),
+    ]);
+}
+
+#[test]
+fn indenters_on_the_wrong_kind_of_grid_are_refused() {
+    for (indenter, name) in [
+        ("cylinder --radius 1 --points 8,8", "cylinder"),
+        ("sine --amplitude 1 --points 8,8", "sine"),
+        ("wedge --slope 1 --points 8,8", "wedge"),
+        ("sphere --radius 1 --points 8", "sphere"),
+        ("crossed-sine --amplitude 1 --points 8", "crossed sine"),
+        ("cone --slope 1 --points 8", "cone"),
+    ] {
+        refuse_all(&[(&format!("--indenter {indenter} --size 1 {LOAD}"), name)]);
+    }
+}
+
+#[test]
+fn indenters_without_their_parameters_are_refused() {
+    for (indenter, missing) in [
+        ("cylinder --points 8", "--radius"),
+        ("sphere --points 8,8", "--radius"),
+        ("sine --points 8", "--amplitude"),
+        ("crossed-sine --points 8,8", "--amplitude"),
+        ("wedge --points 8", "--slope"),
+        ("cone --points 8,8", "--slope"),
+        ("power-law --points 8 --exponent 2", "--coefficient"),
+        ("power-law --points 8 --coefficient 2", "--exponent"),
+        ("punch --points 8 --depth 2", "--half-width"),
+        ("punch --points 8 --half-width 0.1", "--depth"),
+    ] {
+        refuse_all(&[(&format!("--indenter {indenter} --size 1 {LOAD}"), missing)]);
+    }
+}
+
+#[test]
+fn spectra_that_cannot_be_are_refused() {
+    let with = |hurst, rolloff, short_cutoff, gradient| {
+        format!(
+            "--hurst {hurst} --rolloff {rolloff} --short-cutoff {short_cutoff} --rms-gradient {gradient} \
+             --points 64 --size 1 {LOAD}"
+        )
+    };
+    refuse_values(&with("{}", "0.25", "0.1", "0.1"), &["0", "1.5", "NaN", "-0.5", "inf"]);
+    refuse_values(&with("0.8", "{}", "0.1", "0.1"), &NOT_POSITIVE);
+    refuse_values(&with("0.8", "0.25", "{}", "0.1"), &NOT_POSITIVE);
+    refuse_values(&with("0.8", "0.25", "0.1", "{}"), &NOT_POSITIVE);
+    refuse_all(&[
+        (&with("0.8", "0.1", "0.25", "0.1"), "0.25"),
+        (&with("0.8", "0.1", "0.1", "0.1"), "0.1"),
+        (&with("0.8", "0.25", "0.03", "0.1"), "0.03"),
+        (&with("0.8", "1.25", "0.1", "0.1"), "1.25"),
+        (&with("0.8", "1", "0.1", "1e200"), "rms height"),
+    ]);
+}
+
+#[test]
+fn spectra_that_are_not_whole_are_refused() {
+    refuse_all(&[
+        ("--hurst 0.8 --short-cutoff 0.1 --rms-gradient 0.1 --points 64 --size 1 --pressure 1", "--rolloff"),
+        ("--hurst 0.8 --rolloff 0.5 --rms-gradient 0.1 --points 64 --size 1 --pressure 1", "--short-cutoff"),
+        ("--hurst 0.8 --rolloff 0.5 --short-cutoff 0.1 --points 64 --size 1 --pressure 1", "--rms-gradient"),
+    ]);
+}
+
+#[test]
+fn exactly_one_surface_and_one_load_are_needed() {
+    refuse_all(&[
+        ("--points 64 --size 1 --pressure 1", "no surface"),
+        ("--points 64 --size 1", "no surface"),
+        ("--height old --indenter cylinder --radius 1 --size 1 --pressure 1", "more than one surface"),
+        ("--height old --hurst 0.8 --size 1 --pressure 1", "more than one surface"),
+        (&format!("{CYLINDER} --hurst 0.8 {LOAD}"), "more than one surface"),
+        (CYLINDER, "no load"),
+        (&format!("{CYLINDER} --pressure 1 --reduced-pressure 1"), "two loads"),
+    ]);
+}
+
+#[test]
+fn grids_that_cannot_be_are_refused() {
+    let with = |grid: &str| format!("--indenter power-law --coefficient 1 --exponent 2 {grid} {LOAD}");
+    for (grid, offence) in [
+        ("--points 0 --size 1", "0 points"),
+        ("--points 3 --size 1", "3 points"),
+        ("--points 3,8 --size 1", "3 points along y"),
+        ("--points 8,1 --size 1", "1 points along x"),
+        ("--points 8,8,8 --size 1", "3 numbers"),
+        ("--points 8 --size 1,1", "2 lengths"),
+        ("--points 8,8 --size 1,1,1", "3 lengths"),
+        ("--size 1", "--points"),
+        ("--points 8", "--size"),
+        ("--height old --points 8 --size 1", "surface"),
+    ] {
+        refuse_all(&[(&with(grid), offence)]);
+    }
+}
+
+#[test]
+fn grids_beyond_memory_are_refused() {
+    for points in ["99999999999,99999999999", "4000000,4000000", "18446744073709551615", "9999999999999"] {
+        let offence = points.split(',').next().unwrap();
+        refuse_all(&[
+            (&format!("--indenter power-law --coefficient 1 --exponent 2 --points {points} --size 1 {LOAD}"), offence),
+            (&ROUGH.replace("64", points).replace("--size", "--pressure 1 --size"), offence),
+        ]);
+        refuse_in_one_sentence(&folder(), &format!("surface {}", ROUGH.replace("64", points)), offence);
+    }
+}
+
+#[test]
+fn settings_out_of_range_are_refused() {
+    let with = |setting: &str| format!("{CYLINDER} {LOAD} --solver gfmd {setting}");
+    refuse_values(&with("--tolerance {}"), &NOT_POSITIVE);
+    refuse_values(&with("--time-step {}"), &["0", "1", "1.5", "-0.5", "inf", "NaN"]);
+    refuse_values(&with("--damping {}"), &NOT_POSITIVE);
+    refuse_values(&with("--max-iterations {}"), &["0"]);
+    #[cfg(feature = "record")]
+    refuse_values(&with("--record-every {}"), &["0"]);
+}
+
+#[test]
+fn words_that_are_no_arguments_are_refused() {
+    let folder = folder();
+    let solve = format!("solve {CYLINDER} {LOAD} {OUTPUTS}");
+    for (line, offence) in [
+        ("squeeze".to_owned(), "squeeze"),
+        (format!("{solve} --solver newton"), "newton"),
+        (format!("{solve} --masses heavy"), "heavy"),
+        (format!("{solve} --dynamics wild"), "wild"),
+        (format!("{solve} --max-iterations -1"), "-1"),
+        (format!("{solve} --max-iterations 1e3"), "1e3"),
+        (format!("{solve} --tolerance small"), "small"),
+        (format!("{solve} --seed 1.5"), "1.5"),
+        (format!("{solve} --no-such-option"), "--no-such-option"),
+        (format!("{solve} --pressure 2"), "--pressure"),
+        (format!("{solve} stray"), "stray"),
+        (solve.replace("64", "64.5"), "64.5"),
+        (solve.replace("64", "64,"), "''"),
+        (solve.replace(" 64", "=-64"), "-64"),
+        (solve.replace("64", "99999999999999999999999"), "99999999999999999999999"),
+        (solve.replace("--size 4", "--size 4,x"), "x"),
+        (solve.replace("cylinder", "banana"), "banana"),
+        ("surface --json --out".to_owned(), "--out"),
+    ] {
+        assert!(refuse(&folder, &line).contains(offence), "{line}");
+    }
+}
+
+/// Height files of every unusable kind, and what is to be said of them.
+fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
+    let good = Array2::from_shape_fn((8, 6), |(i, j)| (i * j) as f64);
+    let with = |value: f64| {
+        let mut height = good.clone();
+        height[[5, 3]] = value;
+        height
+    };
+    let save = |name: &str, height: Array2<f64>| write_npy(folder.join(name), &height).unwrap();
+    save("nan.npy", with(f64::NAN));
+    save("inf.npy", with(f64::INFINITY));
+    save("minus_inf.npy", with(f64::NEG_INFINITY));
+    save("huge.npy", with(1e200));
+    save("flat.npy", Array2::from_elem((8, 6), 2.5));
+    save("narrow.npy", Array2::eye(3));
+    save("column.npy", Array2::from_shape_fn((8, 1), |(i, _)| i as f64));
+    save("no_rows.npy", Array2::zeros((0, 8)));
+    write_npy(folder.join("short.npy"), &Array1::from_vec(vec![0.0, 1.0, 0.5])).unwrap();
+    write_npy(folder.join("empty.npy"), &Array1::<f64>::zeros(0)).unwrap();
+    write_npy(folder.join("scalar.npy"), &arr0(1.0)).unwrap();
+    write_npy(folder.join("cube.npy"), &Array3::<f64>::zeros((4, 5, 6))).unwrap();
+    write_npy(folder.join("integers.npy"), &Array1::<i64>::from_iter(0..8)).unwrap();
+    write_npy(folder.join("truths.npy"), &Array1::from_elem(8, true)).unwrap();
+    save("truncated.npy", good);
+    let whole = std::fs::read(folder.join("truncated.npy")).unwrap();
+    std::fs::write(folder.join("truncated.npy"), &whole[..whole.len() - 1]).unwrap();
+    std::fs::write(folder.join("head.npy"), &whole[..40]).unwrap();
+    std::fs::write(folder.join("long.npy"), [&whole[..], &[0]].concat()).unwrap();
+    std::fs::write(folder.join("nothing.npy"), "").unwrap();
+    std::fs::write(folder.join("table.csv"), "0.1,0.2\n0.3,0.4\n").unwrap();
+    std::fs::write(folder.join("noise.npy"), (0..=255).cycle().take(5000).collect::<Vec<u8>>()).unwrap();
+    vec![
+        ("nan.npy", "row 5, column 3 is NaN"),
+        ("inf.npy", "row 5, column 3 is inf"),
+        ("minus_inf.npy", "row 5, column 3 is -inf"),
+        ("huge.npy", "rms height"),
+        ("flat.npy", "2.5"),
+        ("narrow.npy", "3 points"),
+        ("column.npy", "1 points"),
+        ("no_rows.npy", "0 points"),
+        ("short.npy", "3 points"),
+        ("empty.npy", "0 points"),
+        ("scalar.npy", "scalar.npy is not a usable height file: its array has rank 0"),
+        ("cube.npy", "cube.npy is not a usable height file: its array has rank 3"),
+        ("integers.npy", "i8"),
+        ("truths.npy", "b1"),
+        ("truncated.npy", "truncated.npy is not a usable height file: it holds"),
+        ("head.npy", "head.npy is not a usable height file"),
+        ("long.npy", "long.npy is not a usable height file: it holds"),
+        ("nothing.npy", "nothing.npy is not a usable height file"),
+        ("table.csv", "table.csv is not a usable height file"),
+        ("noise.npy", "noise.npy is not a usable height file"),
+        ("sub", "sub is not a usable height file: it is a directory"),
+        ("missing.npy", "cannot read missing.npy"),
+        ("nowhere/h.npy", "cannot read nowhere/h.npy"),
+        ("table.csv/h.npy", "cannot read table.csv/h.npy"),
+    ]
+}
+
+#[test]
+fn height_files_that_cannot_be_used_are_refused() {
+    let folder = folder();
+    for (name, offence) in write_bad_heights(&folder) {
+        let solve = format!("solve --height {name} --size 1 {LOAD} {OUTPUTS}");
+        refuse_in_one_sentence(&folder, &solve, offence);
+    }
+}
+
+#[test]
+fn height_files_that_are_no_surface_are_not_described() {
+    let folder = folder();
+    for (name, offence) in write_bad_heights(&folder) {
+        if !["flat.npy", "huge.npy"].contains(&name) {
+            refuse_in_one_sentence(&folder, &format!("surface --height {name} --size 1 --json --out new.npy"), offence);
+        }
+    }
+    refuse_in_one_sentence(&folder, "surface", "no surface");
+    refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "more than one surface");
+}
+
+#[test]
+fn places_that_no_file_can_take_are_refused() {
+    let folder = folder();
+    let commands = [
+        format!("solve {CYLINDER} {LOAD} --json --out"),
+        format!("surface {CYLINDER} --json --out"),
+        #[cfg(feature = "record")]
+        format!("solve {CYLINDER} {LOAD} --out new.npz --record"),
+        #[cfg(feature = "record")]
+        "demo --out".to_owned(),
+    ];
+    let places = ["sub", "sub/", ".", "new/", "nowhere/new", "old/new", "/"];
+    let devices: &[&str] = if cfg!(unix) { &["/dev/full", "/dev/null"] } else { &[] };
+    for command in &commands {
+        for place in places.iter().chain(devices) {
+            refuse_in_one_sentence(&folder, &format!("{command} {place}"), &format!("cannot write {place}: "));
+        }
+    }
+}
+
+#[test]
+fn bad_input_leaves_an_older_result_alone() {
+    let folder = folder();
+    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} --pressure -2 --out old"), "-2");
+    refuse_in_one_sentence(&folder, "surface --height missing.npy --size 1 --out old", "missing.npy");
+    #[cfg(feature = "record")]
+    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} --pressure -2 --record old"), "-2");
+    #[cfg(feature = "record")]
+    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {LOAD} --record old --out sub"), "sub");
+}
+
+#[test]
+fn extreme_but_possible_contacts_end_with_numbers() {
+    let folder = folder();
+    let cases = [
+        format!("{CYLINDER} --pressure 1e99"),
+        format!("{CYLINDER} --pressure 1e-99"),
+        format!("{CYLINDER} --pressure 1 --modulus 1e99"),
+        format!("{CYLINDER} --pressure 1 --modulus 1e-99"),
+        format!("{CYLINDER} --reduced-pressure 1e-30"),
+        format!("{CYLINDER} {LOAD} --tolerance 1e-320"),
+        format!("{CYLINDER} {LOAD} --tolerance 1e300"),
+        format!("--indenter cylinder --radius 1 --points 4 --size 1 {LOAD}"),
+        format!("--indenter sphere --radius 1 --points 4,5 --size 1e-9,1e9 {LOAD}"),
+        format!("--indenter power-law --coefficient 1 --exponent 1e-20 --points 64 --size 1 {LOAD}"),
+        format!("--indenter power-law --coefficient 1 --exponent 90 --points 64 --size 1 {LOAD}"),
+        format!("--indenter punch --half-width 1e-9 --depth 1e-90 --points 64 --size 1 {LOAD}"),
+    ];
+    for case in cases {
+        for solver in ["polonsky-keer", "gfmd"] {
+            let line = format!("solve {case} --solver {solver} --max-iterations 2000 --json");
+            let output = folder.run(&line);
+            assert!(matches!(output.status.code(), Some(0 | 3)), "{line}: {}", text(&output.stderr));
+            let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+            let mut values = summary.as_object().unwrap().values();
+            assert!(!values.any(|value| value.is_null()), "{line}: {summary}");
+        }
+    }
+}
+
+/// Runs `script` in a shell, where `"$@"` is `asperity` with the words of `line`.
+#[cfg(unix)]
+fn shell(folder: &Folder, script: &str, line: &str) -> Output {
+    let mut command = Command::new("sh");
+    command.args(["-c", script, "sh", env!("CARGO_BIN_EXE_asperity")]).args(line.split(' '));
+    folder.finish(&mut command)
+}
+
+/// Commands that write more than 32 kB, and what they write.
+#[cfg(unix)]
+fn writers() -> Vec<(String, &'static str)> {
+    let fine = CYLINDER.replace("64", "16384");
+    vec![
+        (format!("solve {fine} {LOAD} --out new.npz"), "new.npz"),
+        (format!("surface {fine} --out new.npy"), "new.npy"),
+        #[cfg(feature = "record")]
+        (format!("solve {fine} {LOAD} --record new.rrd --record-every 1"), "new.rrd"),
+        #[cfg(feature = "record")]
+        ("demo --out new.rrd".to_owned(), "new.rrd"),
+    ]
+}
+
+/// A write that failed on the way: exit code 1, one sentence that names the file.
+#[cfg(unix)]
+fn assert_write_failed(output: &Output, file: &str) {
+    let complaint = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{file}: {complaint}");
+    assert!(complaint.contains(file) && output.stdout.is_empty(), "{complaint}");
+    assert_one_sentence(complaint);
+}
+
+#[cfg(unix)]
+#[test]
+fn files_that_cannot_grow_are_reported_and_not_left_half_written() {
+    for (line, file) in writers() {
+        let folder = folder();
+        let limited = r#"trap "" XFSZ; ulimit -f 16; exec "$@""#;
+        assert_write_failed(&shell(&folder, limited, &line), file);
+        // a recording is valid at any moment, so what there is of it stays
+        let left = snapshot(&folder.join(".")).into_keys().filter(|name| !name.ends_with("new.rrd"));
+        assert_eq!(left.count(), 2, "{line}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_older_result_survives_a_write_that_fails() {
+    for (line, file) in writers().into_iter().take(2) {
+        let folder = folder();
+        let line = line.replace(file, "old");
+        assert_write_failed(&shell(&folder, r#"trap "" XFSZ; ulimit -f 16; exec "$@""#, &line), "old");
+        assert_eq!(std::fs::read_to_string(folder.join("old")).unwrap(), OLD);
+    }
+}
+
+/// On a real file system of 64 kB, in a name space of its own; where the system has none to give, nothing is tested.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_reported() {
+    let on_small_disk = |script: &str, line: &str| {
+        let folder = folder();
+        let mount = r#"unshare -Urm sh -c 'mount -t tmpfs -o size=64k none sub && cd sub || exit 77"#;
+        let output = shell(&folder, &format!("{mount}; {script}' sh \"$@\""), line);
+        (folder, output)
+    };
+    let (_folder, trial) = on_small_disk("exit 0", "--version");
+    if !trial.status.success() {
+        eprintln!("skipped: no file system of its own ({})", text(&trial.stderr).trim());
+        return;
+    }
+    for (line, file) in writers() {
+        let (_folder, output) = on_small_disk(r#"exec "$@""#, &line);
+        assert_write_failed(&output, file);
+        let (_folder, left) = on_small_disk(r#""$@" 2>/dev/null; ls -A"#, &line);
+        assert!(["", "new.rrd\n"].contains(&text(&left.stdout)), "{line} left {}", text(&left.stdout));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn standard_streams_that_are_full_or_closed_do_not_panic() {
+    let folder = folder();
+    let solve = format!("solve {CYLINDER} {LOAD} --out new.npz");
+    let surface = format!("surface {ROUGH}");
+    for line in [&solve, &surface] {
+        let full = shell(&folder, r#"exec "$@" >/dev/full"#, line);
+        assert_eq!(full.status.code(), Some(1));
+        assert_one_sentence(text(&full.stderr));
+        for script in [r#"exec "$@" >&-"#, r#"exec "$@" 2>&-"#, r#"exec "$@" 2>/dev/full"#, r#"exec "$@" <&-"#] {
+            assert_eq!(shell(&folder, script, line).status.code(), Some(0), "{script}");
+        }
+        let cut = shell(&folder, r#"("$@"; echo "code $?" >&2) | true"#, line);
+        let complaint = text(&cut.stderr);
+        assert!(complaint.ends_with("code 0\n") || complaint.ends_with("code 1\n"), "{complaint}");
+    }
+    let bad = format!("{solve} --size -1");
+    for script in [r#"exec "$@" 2>&-"#, r#"exec "$@" 2>/dev/full"#] {
+        let code = |line: &str| shell(&folder, script, line).status.code();
+        assert_eq!(code(&bad.replace("--size 4", "")), Some(2), "{script}");
+        assert_eq!(code(&format!("{solve} --max-iterations 1")), Some(3), "{script}");
+    }
+}
+
+/// With the address space limited to 4 GB.
+#[cfg(target_os = "linux")]
+#[test]
+fn grids_beyond_the_memory_of_the_machine_are_refused() {
+    let folder = folder();
+    for surface in [CYLINDER.replace("64", "400000000"), ROUGH.replace("64", "20000,20000")] {
+        for line in [format!("solve {surface} {LOAD} {OUTPUTS}"), format!("surface {surface}")] {
+            let output = shell(&folder, r#"ulimit -v 4000000; exec "$@""#, &line);
+            assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+            assert_one_sentence(text(&output.stderr));
+            assert!(text(&output.stderr).contains("0000 points does not fit in memory"), "{}", text(&output.stderr));
+        }
+    }
+}
