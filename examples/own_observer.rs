@@ -20,7 +20,7 @@ impl Observer for SettledArea {
         if nodes != self.nodes {
             (self.nodes, self.since) = (nodes, step.index());
         }
-        if step.index() % 100 == 0 {
+        if step.index().is_multiple_of(100) {
             println!("step {:>4}: {nodes:>3} nodes in contact, mean gap {:.6}", step.index(), step.mean_gap());
         }
         let settled = nodes > 0 && step.index() - self.since >= self.patience;

@@ -93,10 +93,10 @@ impl Summary {
         Ok(writeln!(out, "{}", serde_json::to_string(self)?)?)
     }
 
-    /// Writes it for reading.
-    pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
+    /// Writes it for reading, under the title of the surface.
+    pub fn write_text(&self, title: &str, out: &mut impl Write) -> io::Result<()> {
         let points: Vec<String> = self.points.iter().map(usize::to_string).collect();
-        writeln!(out, "{} by {}: {}", points.join(" x "), self.solver, self.status)?;
+        writeln!(out, "{title}, {} points, by {}: {}", points.join(" x "), self.solver, self.status)?;
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {v:.6}"));
         let area = exact(self.exact.as_ref().map(|e| e.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|e| e.kappa_r));

@@ -92,7 +92,7 @@ impl Solve {
         if self.output.json {
             summary.write_json(&mut stdout())?;
         } else {
-            summary.write_text(&mut stdout())?;
+            summary.write_text(&made.title, &mut stdout())?;
         }
         Ok(outcome)
     }
