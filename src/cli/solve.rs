@@ -7,6 +7,7 @@ use super::source::{Made, Source};
 use super::{Outcome, usage};
 use anyhow::Result;
 use asperity::contact::{Contact, Problem, Solver, Stop};
+use asperity::error::{FileError, SolveError};
 use asperity::surface::check_target;
 use asperity::theory::Exact;
 use clap::Args;
@@ -84,7 +85,7 @@ impl Solve {
             mean_gap: e.mean_gap,
             max_pressure: e.max_pressure,
         });
-        let (contact, outcome) = self.watch(&problem, &made, solver.as_ref(), &stop, exact)?;
+        let Watched { contact, outcome, recorded } = self.watch(&problem, &made, solver.as_ref(), &stop, exact)?;
         if let Some(path) = &self.output.out {
             write_fields(path, &problem, &contact, made.rank)?;
         }
@@ -94,6 +95,7 @@ impl Solve {
         } else {
             summary.write_text(&made.title, &mut stdout())?;
         }
+        recorded?;
         Ok(outcome)
     }
 
@@ -105,13 +107,16 @@ impl Solve {
         solver: &dyn Solver,
         stop: &Stop,
         exact: Option<Exact>,
-    ) -> Result<(Contact, Outcome)> {
+    ) -> Result<Watched> {
         use super::description::describe;
         use asperity::record::{Options, Recording, Scene};
         if self.output.record_every == Some(0) {
             return usage("--record-every is 0: give a positive number of steps");
         }
-        let Some(path) = &self.output.record else { return watch_progress(problem, solver, stop) };
+        let Some(path) = &self.output.record else { return Ok(watch_progress(problem, solver, stop)) };
+        if Some(path) == self.output.out.as_ref() {
+            return usage(format!("--record and --out both name {}: give two files", path.display()));
+        }
         let scene = Scene {
             name: "contact".into(),
             title: made.title.clone(),
@@ -123,10 +128,9 @@ impl Solve {
         let recording = Recording::create(path, &[scene], options)?;
         let mut recorder = recording.recorder(0);
         let mut progress = Progress::new(stop.tolerance(), solver.name());
-        let solved = settle(solver.solve(problem, stop, &mut (&mut recorder, &mut progress)));
-        recorder.close(&solved.0)?;
-        recording.finish()?;
-        Ok(solved)
+        let (contact, outcome) = settle(solver.solve(problem, stop, &mut (&mut recorder, &mut progress)));
+        let recorded = recorder.close(&contact).and_then(|()| recording.finish());
+        Ok(Watched { contact, outcome, recorded })
     }
 
     #[cfg(not(feature = "record"))]
@@ -137,18 +141,26 @@ impl Solve {
         solver: &dyn Solver,
         stop: &Stop,
         _: Option<Exact>,
-    ) -> Result<(Contact, Outcome)> {
-        watch_progress(problem, solver, stop)
+    ) -> Result<Watched> {
+        Ok(watch_progress(problem, solver, stop))
     }
 }
 
-fn watch_progress(problem: &Problem, solver: &dyn Solver, stop: &Stop) -> Result<(Contact, Outcome)> {
+/// A contact, and what became of its recording, which must not stand in the way of the other outputs.
+struct Watched {
+    contact: Contact,
+    outcome: Outcome,
+    recorded: Result<(), FileError>,
+}
+
+fn watch_progress(problem: &Problem, solver: &dyn Solver, stop: &Stop) -> Watched {
     let mut progress = Progress::new(stop.tolerance(), solver.name());
-    Ok(settle(solver.solve(problem, stop, &mut progress)))
+    let (contact, outcome) = settle(solver.solve(problem, stop, &mut progress));
+    Watched { contact, outcome, recorded: Ok(()) }
 }
 
 /// The contact, converged or not; what stands in the way of convergence is said on standard error.
-pub fn settle(solved: Result<Contact, asperity::error::SolveError>) -> (Contact, Outcome) {
+pub fn settle(solved: Result<Contact, SolveError>) -> (Contact, Outcome) {
     match solved {
         Ok(contact) => (contact, Outcome::Done),
         Err(error) => {

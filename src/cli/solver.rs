@@ -1,8 +1,9 @@
 //! The solver and its settings.
 
+use super::usage;
 use anyhow::Result;
 use asperity::Stop;
-use asperity::contact::{Dynamics, Gfmd, Masses, PolonskyKeer, Solver};
+use asperity::contact::{Dynamics, Gfmd, Masses, Multilevel, PolonskyKeer, Solver};
 use clap::{Args, ValueEnum};
 
 /// The solver.
@@ -10,7 +11,7 @@ use clap::{Args, ValueEnum};
 #[command(next_help_heading = "Solver")]
 pub struct SolverArgs {
     /// The method
-    #[arg(long, value_enum, default_value = "polonsky-keer")]
+    #[arg(long, value_enum, default_value = "multilevel")]
     solver: Method,
     /// Certificate eta to reach: error in energy over load times rms height
     #[arg(long, value_name = "ETA", default_value_t = 1e-8, allow_negative_numbers = true)]
@@ -18,22 +19,24 @@ pub struct SolverArgs {
     /// Iterations at the most
     #[arg(long, value_name = "N", default_value_t = 100_000)]
     max_iterations: usize,
-    /// GFMD: masses of the surface modes
-    #[arg(long, value_enum, default_value = "uniform")]
-    masses: MassesArg,
-    /// GFMD: damping of the motion
-    #[arg(long, value_enum, default_value = "damped")]
-    dynamics: DynamicsArg,
-    /// GFMD: time step over the stability limit, in (0, 1)
-    #[arg(long, value_name = "DT", default_value_t = 0.5, allow_negative_numbers = true)]
-    time_step: f64,
-    /// GFMD: friction over the critical one of the slowest mode
-    #[arg(long, value_name = "C", default_value_t = 1.0, allow_negative_numbers = true)]
-    damping: f64,
+    /// GFMD: masses of the surface modes [default: uniform]
+    #[arg(long, value_enum)]
+    masses: Option<MassesArg>,
+    /// GFMD: damping of the motion [default: damped]
+    #[arg(long, value_enum)]
+    dynamics: Option<DynamicsArg>,
+    /// GFMD: time step over the stability limit, in (0, 1) [default: 0.5]
+    #[arg(long, value_name = "DT", allow_negative_numbers = true)]
+    time_step: Option<f64>,
+    /// GFMD: friction over the critical one of the slowest mode [default: 1]
+    #[arg(long, value_name = "C", allow_negative_numbers = true)]
+    damping: Option<f64>,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Method {
+    /// Whole-set updates on nested grids, the fast one
+    Multilevel,
     /// Green's function molecular dynamics, the paper's method
     Gfmd,
     /// Constrained conjugate gradients
@@ -64,18 +67,31 @@ impl SolverArgs {
 
     /// The solver.
     pub fn solver(&self) -> Result<Box<dyn Solver>> {
+        match self.solver {
+            Method::Gfmd => self.gfmd(),
+            _ if self.has_gfmd_settings() => {
+                usage("--masses, --dynamics, --time-step and --damping go with --solver gfmd only")
+            }
+            Method::Multilevel => Ok(Box::new(Multilevel)),
+            Method::PolonskyKeer => Ok(Box::new(PolonskyKeer)),
+        }
+    }
+
+    fn has_gfmd_settings(&self) -> bool {
+        let Self { masses, dynamics, time_step, damping, .. } = self;
+        masses.is_some() || dynamics.is_some() || time_step.is_some() || damping.is_some()
+    }
+
+    fn gfmd(&self) -> Result<Box<dyn Solver>> {
         let masses = match self.masses {
-            MassesArg::Uniform => Masses::Uniform,
-            MassesArg::Stiffness => Masses::Stiffness,
+            None | Some(MassesArg::Uniform) => Masses::Uniform,
+            Some(MassesArg::Stiffness) => Masses::Stiffness,
         };
         let dynamics = match self.dynamics {
-            DynamicsArg::Damped => Dynamics::Damped,
-            DynamicsArg::Fire => Dynamics::Fire,
+            None | Some(DynamicsArg::Damped) => Dynamics::Damped,
+            Some(DynamicsArg::Fire) => Dynamics::Fire,
         };
-        let gfmd = Gfmd::new(masses, dynamics, self.time_step, self.damping)?;
-        Ok(match self.solver {
-            Method::Gfmd => Box::new(gfmd),
-            Method::PolonskyKeer => Box::new(PolonskyKeer),
-        })
+        let (time_step, damping) = (self.time_step.unwrap_or(0.5), self.damping.unwrap_or(1.0));
+        Ok(Box::new(Gfmd::new(masses, dynamics, time_step, damping)?))
     }
 }

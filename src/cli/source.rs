@@ -60,25 +60,25 @@ enum Kind {
 #[command(next_help_heading = "Shape of the indenter")]
 struct Shape {
     /// Radius of the cylinder or sphere
-    #[arg(long, value_name = "R", allow_negative_numbers = true)]
+    #[arg(long, value_name = "R", allow_negative_numbers = true, requires = "indenter")]
     radius: Option<f64>,
     /// Amplitude of the sine or crossed sine (half of its peak-to-valley height)
-    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    #[arg(long, value_name = "D", allow_negative_numbers = true, requires = "indenter")]
     amplitude: Option<f64>,
     /// Slope of the wedge or cone
-    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", allow_negative_numbers = true, requires = "indenter")]
     slope: Option<f64>,
     /// Coefficient A of the power law A r^n
-    #[arg(long, value_name = "A", allow_negative_numbers = true)]
+    #[arg(long, value_name = "A", allow_negative_numbers = true, requires = "indenter")]
     coefficient: Option<f64>,
     /// Exponent n of the power law A r^n
-    #[arg(long, value_name = "n", allow_negative_numbers = true)]
+    #[arg(long, value_name = "n", allow_negative_numbers = true, requires = "indenter")]
     exponent: Option<f64>,
     /// Half-width or radius of the flat punch
-    #[arg(long, value_name = "B", allow_negative_numbers = true)]
+    #[arg(long, value_name = "B", allow_negative_numbers = true, requires = "indenter")]
     half_width: Option<f64>,
     /// Depth of the ground around the flat punch
-    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    #[arg(long, value_name = "D", allow_negative_numbers = true, requires = "indenter")]
     depth: Option<f64>,
 }
 
@@ -86,17 +86,17 @@ struct Shape {
 #[command(next_help_heading = "Roughness")]
 struct Roughness {
     /// Wavelength above which the spectrum is constant
-    #[arg(long, value_name = "LAMBDA", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LAMBDA", allow_negative_numbers = true, requires = "hurst")]
     rolloff: Option<f64>,
     /// Wavelength below which the spectrum is zero
-    #[arg(long, value_name = "LAMBDA", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LAMBDA", allow_negative_numbers = true, requires = "hurst")]
     short_cutoff: Option<f64>,
     /// Root-mean-square gradient, made exact for the realisation
-    #[arg(long, value_name = "G", allow_negative_numbers = true)]
+    #[arg(long, value_name = "G", allow_negative_numbers = true, requires = "hurst")]
     rms_gradient: Option<f64>,
-    /// Seed of the realisation
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
+    /// Seed of the realisation; 1 if none is given
+    #[arg(long, requires = "hurst")]
+    seed: Option<u64>,
 }
 
 /// A surface, the indenter it is if it is one, and the rank of the arrays it came from or goes to.
@@ -133,9 +133,9 @@ impl Source {
             [ny, nx] => [ny, nx],
             _ => return usage(format!("{} holds an array of rank {rank}: give rank 1 or 2", path.display())),
         };
-        let size = self.sizes(if shape[0] == 1 { 1 } else { 2 })?;
+        let sizes = self.sizes(rank)?;
         let height: Field = height.to_shape(shape)?.into_owned();
-        let surface = Surface::new(grid(&shape, &size)?, height)?;
+        let surface = Surface::new(grid(&shape, if shape[0] == 1 { &sizes[rank - 1..] } else { &sizes })?, height)?;
         let title = path.file_stem().map_or("surface".into(), |stem| stem.to_string_lossy().into_owned());
         let description = format!("heights from {}", path.display());
         Ok(Made { surface, indenter: None, rank, title, description })
@@ -162,10 +162,11 @@ impl Source {
             short_cutoff: needs(rough.short_cutoff, "--short-cutoff")?,
             rms_gradient: needs(rough.rms_gradient, "--rms-gradient")?,
         };
-        let surface = Surface::rough(grid, &spectrum, rough.seed)?;
+        let seed = rough.seed.unwrap_or(1);
+        let surface = Surface::rough(grid, &spectrum, seed)?;
         let description = format!(
-            "self-affine roughness, H = {hurst}, roll-off {:e}, short cut-off {:e}, rms gradient {:e}, seed {}",
-            spectrum.rolloff_wavelength, spectrum.short_cutoff, spectrum.rms_gradient, rough.seed
+            "self-affine roughness, H = {hurst}, roll-off {:e}, short cut-off {:e}, rms gradient {:e}, seed {seed}",
+            spectrum.rolloff_wavelength, spectrum.short_cutoff, spectrum.rms_gradient
         );
         let title = if grid.is_line() { "Rough line" } else { "Rough surface" }.into();
         Ok(Made { surface, indenter: None, rank: self.points.len(), title, description })
@@ -209,41 +210,57 @@ fn grid(shape: &[usize; 2], size: &[f64]) -> Result<Grid> {
     Ok(granted.map(|()| grid).map_err(|_| GridError::TooManyPoints { shape: *shape })?)
 }
 
+impl Kind {
+    /// Its parameters.
+    fn parameters(self) -> &'static [&'static str] {
+        match self {
+            Self::Cylinder | Self::Sphere => &["--radius"],
+            Self::Sine | Self::CrossedSine => &["--amplitude"],
+            Self::Wedge | Self::Cone => &["--slope"],
+            Self::PowerLaw => &["--coefficient", "--exponent"],
+            Self::Punch => &["--half-width", "--depth"],
+        }
+    }
+}
+
 impl Shape {
+    /// The indenter, if exactly its own parameters are given.
     fn indenter(&self, kind: Kind) -> Result<Indenter> {
-        let needs = |value: Option<f64>, name: &str| match value {
-            Some(value) => Ok(value),
-            None => usage(format!("this indenter needs {name}")),
+        let own = kind.parameters();
+        if let Some((name, _)) = self.given().find(|(name, _)| !own.contains(name)) {
+            return usage(format!("{name} does not go with this indenter, which has {}", own.join(" and ")));
+        }
+        let value = |i: usize| match self.given().find(|(name, _)| *name == own[i]) {
+            Some((_, value)) => Ok(value),
+            None => usage(format!("this indenter needs {}", own[i])),
         };
         Ok(match kind {
-            Kind::Cylinder => Indenter::Cylinder { radius: needs(self.radius, "--radius")? },
-            Kind::Sphere => Indenter::Sphere { radius: needs(self.radius, "--radius")? },
-            Kind::Sine => Indenter::Sine { amplitude: needs(self.amplitude, "--amplitude")? },
-            Kind::CrossedSine => Indenter::CrossedSine { amplitude: needs(self.amplitude, "--amplitude")? },
-            Kind::Wedge => Indenter::Wedge { slope: needs(self.slope, "--slope")? },
-            Kind::Cone => Indenter::Cone { slope: needs(self.slope, "--slope")? },
-            Kind::PowerLaw => Indenter::PowerLaw {
-                coefficient: needs(self.coefficient, "--coefficient")?,
-                exponent: needs(self.exponent, "--exponent")?,
-            },
-            Kind::Punch => Indenter::Punch {
-                half_width: needs(self.half_width, "--half-width")?,
-                depth: needs(self.depth, "--depth")?,
-            },
+            Kind::Cylinder => Indenter::Cylinder { radius: value(0)? },
+            Kind::Sphere => Indenter::Sphere { radius: value(0)? },
+            Kind::Sine => Indenter::Sine { amplitude: value(0)? },
+            Kind::CrossedSine => Indenter::CrossedSine { amplitude: value(0)? },
+            Kind::Wedge => Indenter::Wedge { slope: value(0)? },
+            Kind::Cone => Indenter::Cone { slope: value(0)? },
+            Kind::PowerLaw => Indenter::PowerLaw { coefficient: value(0)?, exponent: value(1)? },
+            Kind::Punch => Indenter::Punch { half_width: value(0)?, depth: value(1)? },
         })
     }
 
     fn describe(&self, indenter: &Indenter) -> String {
-        let given = [
-            ("radius", self.radius),
-            ("amplitude", self.amplitude),
-            ("slope", self.slope),
-            ("coefficient", self.coefficient),
-            ("exponent", self.exponent),
-            ("half-width", self.half_width),
-            ("depth", self.depth),
-        ];
-        let given = given.iter().filter_map(|(name, value)| value.map(|v| format!(", {name} {v}")));
+        let given = self.given().map(|(name, value)| format!(", {} {value:?}", name.trim_start_matches('-')));
         format!("{}{}", indenter.name(), given.collect::<String>())
+    }
+
+    fn given(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let all = [
+            ("--radius", self.radius),
+            ("--amplitude", self.amplitude),
+            ("--slope", self.slope),
+            ("--coefficient", self.coefficient),
+            ("--exponent", self.exponent),
+            ("--half-width", self.half_width),
+            ("--depth", self.depth),
+        ];
+        all.into_iter().filter_map(|(name, value)| value.map(|value| (name, value)))
     }
 }

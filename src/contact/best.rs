@@ -2,10 +2,6 @@
 
 use crate::contact::Problem;
 
-/// Iterations without a better state after which a run is stale, besides as many again as it took to find the best one:
-/// long enough for the plateaus of conjugate gradients and damped dynamics.
-const PATIENCE: usize = 2000;
-
 /// The pressure with the smallest certificate so far. It starts as the uniform pressure, which is always feasible and, since it
 /// displaces nothing, has the certificate `max(h) / h_rms`.
 pub(super) struct Best {
@@ -29,8 +25,8 @@ impl Best {
         }
     }
 
-    /// Whether nothing better has been found for a long time.
-    pub fn is_stale(&self, iteration: usize) -> bool {
-        iteration > 2 * self.found_at + PATIENCE
+    /// Whether nothing better has been found for `patience` iterations, besides as many again as it took to find this.
+    pub fn is_stale(&self, iteration: usize, patience: usize) -> bool {
+        iteration > 2 * self.found_at + patience
     }
 }

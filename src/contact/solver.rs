@@ -8,6 +8,10 @@ use crate::error::SolveError;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
+/// Iterations without a better state after which a run is given up, see [`Best::is_stale`]: long enough for the plateaus of
+/// conjugate gradients and damped dynamics.
+const PATIENCE: usize = 2000;
+
 /// A solver of contact problems.
 pub trait Solver {
     /// Its name, as on the command line.
@@ -31,6 +35,7 @@ pub(super) struct Run<'a> {
     clock: Instant,
     observed_secs: f64,
     iterations: usize,
+    patience: usize,
     /// The best state found.
     pub best: Best,
 }
@@ -38,7 +43,13 @@ pub(super) struct Run<'a> {
 impl<'a> Run<'a> {
     pub fn new(problem: &Problem, stop: &Stop, observer: &'a mut dyn Observer) -> Self {
         let best = Best::new(problem);
-        Self { observer, stop: *stop, clock: Instant::now(), observed_secs: 0.0, iterations: 0, best }
+        let clock = Instant::now();
+        Self { observer, stop: *stop, clock, observed_secs: 0.0, iterations: 0, patience: PATIENCE, best }
+    }
+
+    /// The same with another patience.
+    pub fn with_patience(self, patience: usize) -> Self {
+        Self { patience, ..self }
     }
 
     pub fn iterations(&self) -> usize {
@@ -64,7 +75,7 @@ impl<'a> Run<'a> {
             Some(eta) if self.is_converged(eta) => Some(Status::Converged),
             _ if wish == ControlFlow::Break(()) => Some(Status::StoppedByObserver),
             _ if self.iterations >= self.stop.max_iterations() => Some(Status::IterationCap),
-            _ if self.best.is_stale(self.iterations) => Some(Status::Stalled),
+            _ if self.best.is_stale(self.iterations, self.patience) => Some(Status::Stalled),
             _ => None,
         }
     }

@@ -74,6 +74,22 @@ impl HalfSpace {
         self.respond(displacement, pressure, |k| k);
     }
 
+    /// [`HalfSpace::displacement`] in place.
+    pub(crate) fn comply(&mut self, field: &mut [f64]) {
+        self.respond_in_place(field, |k| if k > 0.0 { 1.0 / k } else { 0.0 });
+    }
+
+    /// [`HalfSpace::pressure`] in place.
+    pub(crate) fn stiffen(&mut self, field: &mut [f64]) {
+        self.respond_in_place(field, |k| k);
+    }
+
+    fn respond_in_place(&mut self, field: &mut [f64], factor: impl Fn(f64) -> f64 + Sync) {
+        self.fourier.forward(field, &mut self.spectrum);
+        self.scale_modes(factor);
+        self.fourier.inverse(&mut self.spectrum, field);
+    }
+
     /// Multiplies each mode of `cause` by `factor(stiffness)`.
     pub(crate) fn respond(&mut self, cause: &[f64], effect: &mut [f64], factor: impl Fn(f64) -> f64 + Sync) {
         self.fourier.forward(cause, &mut self.spectrum);

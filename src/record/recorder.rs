@@ -38,7 +38,7 @@ impl<'r> Recorder<'r> {
         }
     }
 
-    /// Records the returned state as the last frame, fits the axes to it and flushes.
+    /// Records the returned state as the last frame and how the run ended, fits the axes to it and flushes.
     ///
     /// # Errors
     /// [`FileError::Write`] if a step could not be recorded or the file not be written.
@@ -58,6 +58,7 @@ impl<'r> Recorder<'r> {
         self.traces.add_certificate(contact.work, contact.certificate.eta);
         self.log_frame(contact.work, &fields)?;
         self.stage.settle(&self.recording.stream, &fields)?;
+        self.stage.log_result(&self.recording.stream, contact)?;
         self.traces.flush(&self.recording.stream)
     }
 

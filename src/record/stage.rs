@@ -6,6 +6,7 @@ use super::line::LinePicture;
 use super::scene::{Fields, Scene};
 use super::thinning::Pace;
 use super::traces::{self, Reference};
+use crate::contact::Contact;
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 
 /// Everything about a scene that its recorder and its layout need, without the problem itself.
@@ -14,6 +15,8 @@ pub struct Stage {
     pub root: String,
     /// Title.
     pub title: String,
+    /// What the caller says of it.
+    description: String,
     /// Exact values of the curves.
     pub reference: Reference,
     /// Upper ends of the axes of curves.
@@ -77,6 +80,7 @@ impl Stage {
         let forecast = Forecast::of(scene);
         Self {
             title: scene.title.clone(),
+            description: scene.description.clone(),
             reference: Reference::of(scene.exact.as_ref()),
             ranges: Ranges::of(scene, forecast),
             picture: Picture::new(scene, forecast, &root, unit),
@@ -92,13 +96,28 @@ impl Stage {
         place: Option<usize>,
     ) -> RecordingStreamResult<()> {
         let Self { root, title, .. } = self;
-        to.log_static(format!("{root}/description"), &TextDocument::from_markdown(scene.description.as_str()))?;
+        self.log_description(to, "still running, or ended by force")?;
         to.log_static(root.as_str(), &field::classes())?;
         traces::log_styles(to, root, self.reference, place.map(|place| (place, title.as_str())))?;
         match &self.picture {
             Picture::Line(line) => line.log_static(to, root, scene),
             Picture::Surface(surface) => surface.log_static(to, root),
         }
+    }
+
+    /// Records the description with how the run ended.
+    pub fn log_result(&self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<()> {
+        let Contact { status, certificate, work, .. } = contact;
+        let result = format!(
+            "{status} at a certificate of {:.2e}, after {} steps, {} transforms and {:.3} s",
+            certificate.eta, work.iterations, work.transforms, work.seconds
+        );
+        self.log_description(to, &result)
+    }
+
+    fn log_description(&self, to: &RecordingStream, result: &str) -> RecordingStreamResult<()> {
+        let text = format!("**Result**: {result}\n\n{}", self.description);
+        to.log_static(format!("{}/description", self.root), &TextDocument::from_markdown(text))
     }
 
     /// Records a state at the current time.

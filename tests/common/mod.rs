@@ -1,6 +1,6 @@
 //! What the physics tests share.
 
-use asperity::contact::{Contact, Dynamics, Gfmd, Masses, PolonskyKeer, Problem, Solver, Stop};
+use asperity::contact::{Contact, Dynamics, Gfmd, Masses, Multilevel, PolonskyKeer, Problem, Solver, Stop};
 
 /// Solves to a certificate of `tolerance`.
 pub fn solve(solver: &dyn Solver, problem: &Problem, tolerance: f64) -> Contact {
@@ -13,6 +13,7 @@ pub fn solvers() -> Vec<Box<dyn Solver>> {
     let gfmd = |masses, dynamics| Box::new(Gfmd::new(masses, dynamics, 0.5, 1.0).unwrap()) as Box<dyn Solver>;
     vec![
         Box::new(PolonskyKeer),
+        Box::new(Multilevel),
         gfmd(Masses::Uniform, Dynamics::Damped),
         gfmd(Masses::Uniform, Dynamics::Fire),
         gfmd(Masses::Stiffness, Dynamics::Damped),
