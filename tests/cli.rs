@@ -34,7 +34,8 @@ const SURFACES: [(&str, &[usize]); 13] = [
     ("--hurst 1 --rolloff 1 --short-cutoff 0.5 --rms-gradient 1e-3 --seed 0 --points 4,4 --size 1", &[4, 4]),
 ];
 
-const SOLVERS: [&str; 5] = [
+const SOLVERS: [&str; 6] = [
+    "multilevel",
     "polonsky-keer",
     "gfmd --masses uniform --dynamics damped",
     "gfmd --masses uniform --dynamics fire",
@@ -386,10 +387,7 @@ fn the_summary_reads_well() {
     let out = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0));
     let title = out.lines().next().unwrap();
-    assert!(
-        ["Cylinder", "64 points", "multilevel", ": converged"].iter().all(|words| title.contains(words)),
-        "{out}"
-    );
+    assert!(["Cylinder", "64 points", "multilevel", ": converged"].iter().all(|words| title.contains(words)), "{out}");
     for line in ["reduced pressure", "relative area", "rms gradient", "kappa ", "kappa_r", "mean gap", "certificate"] {
         assert_eq!(out.matches(line).count(), 1, "{line} in {out}");
     }

@@ -248,6 +248,23 @@ fn settings_out_of_range_are_refused() {
 }
 
 #[test]
+fn arguments_that_do_not_belong_are_refused() {
+    refuse_all(&[
+        (&format!("{CYLINDER} --amplitude 3 {LOAD}"), "--amplitude does not go with this indenter"),
+        (&format!("{CYLINDER} --solver polonsky-keer --masses stiffness {LOAD}"), "--masses"),
+        (&format!("{CYLINDER} --damping 0.5 {LOAD}"), "--solver gfmd only"),
+    ]);
+    let folder = folder();
+    for arguments in ["--rolloff 0.1", "--seed 3"] {
+        assert!(refuse(&folder, &format!("solve {CYLINDER} {arguments} {LOAD}")).contains("--hurst"));
+    }
+    assert!(refuse(&folder, &format!("solve {ROUGH} --radius 1 {LOAD}")).contains("--indenter"));
+    if cfg!(feature = "record") {
+        refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {LOAD} --record same --out same"), "same");
+    }
+}
+
+#[test]
 fn words_that_are_no_arguments_are_refused() {
     let folder = folder();
     let solve = format!("solve {CYLINDER} {LOAD} {OUTPUTS}");

@@ -3,8 +3,6 @@
 use crate::contact::chunks;
 use crate::elastic::HalfSpace;
 
-/// Reduction of the residual, in the norm of the preconditioner: less lets the sets cycle, more is lost with the next set.
-const REDUCTION: f64 = 0.02;
 /// Conjugate gradient steps at the most.
 const MOST_STEPS: usize = 100;
 
@@ -26,16 +24,17 @@ impl Correction {
         Self { delta: zeros.clone(), direction: zeros, nodes, residual }
     }
 
-    /// Solves `(A delta)(x) + v(x) = const` on the set with `sum delta = 0`, where `A` is the compliance, and adds `A delta` to the
-    /// `displacement` of all nodes; `field` is scratch.
-    pub fn solve(&mut self, half_space: &mut HalfSpace, displacement: &mut [f64], field: &mut [f64]) {
+    /// Solves `(A delta)(x) + v(x) = const` on the set with `sum delta = 0`, where `A` is the compliance, until the norm of the
+    /// residual (that of the preconditioner) has fallen by `reduction`, and adds `A delta` to the `displacement` of all nodes;
+    /// `field` is scratch.
+    pub fn solve(&mut self, reduction: f64, half_space: &mut HalfSpace, displacement: &mut [f64], field: &mut [f64]) {
         let mut previous = None;
         let mut first = 0.0;
         for _ in 0..MOST_STEPS {
             let z = self.apply(&self.residual, field, |field| half_space.stiffen(field));
             let square = dot(&self.residual, &z);
             first = if previous.is_none() { square } else { first };
-            if square.is_nan() || square <= REDUCTION * REDUCTION * first && previous.is_some() || square <= 0.0 {
+            if square.is_nan() || square <= reduction * reduction * first && previous.is_some() || square <= 0.0 {
                 return;
             }
             let beta = previous.map_or(0.0, |previous| square / previous);

@@ -12,6 +12,12 @@ const STALE: usize = 5;
 /// The part to which guarded steps bring the best certificate before updates are free again.
 const RELEASE: f64 = 0.5;
 
+/// Reduction of the residual in a whole-set update, its part after an update that was no better, and the least. Loose
+/// corrections cost less, but may let the sets cycle; tight ones have not been seen to.
+const REDUCTION: f64 = 0.05;
+const TIGHTENING: f64 = 0.5;
+const TIGHTEST: f64 = 1e-3;
+
 /// Pressure, its displacement, and the contact set on one grid.
 pub(super) struct Level<'a> {
     pub problem: &'a Problem,
@@ -20,6 +26,7 @@ pub(super) struct Level<'a> {
     pub u: Vec<f64>,
     set: Vec<bool>,
     field: Vec<f64>,
+    reduction: f64,
     pace: Pace,
 }
 
@@ -41,6 +48,7 @@ impl<'a> Level<'a> {
             p,
             u: vec![0.0; n],
             field: vec![0.0; n],
+            reduction: REDUCTION,
             pace: Pace::Free { mark: f64::INFINITY, stale: 0 },
         }
     }
@@ -68,7 +76,10 @@ impl<'a> Level<'a> {
     fn choose_pace(&mut self, eta: f64, best: &Best) {
         self.pace = match self.pace {
             Pace::Free { mark, .. } if eta <= BETTER * mark => Pace::Free { mark: eta, stale: 0 },
-            Pace::Free { mark, stale } if stale < STALE => Pace::Free { mark, stale: stale + 1 },
+            Pace::Free { mark, stale } if stale < STALE => {
+                self.reduction = (TIGHTENING * self.reduction).max(TIGHTEST);
+                Pace::Free { mark, stale: stale + 1 }
+            }
             Pace::Free { .. } => {
                 self.return_to(best);
                 Pace::Guarded { release: RELEASE * best.eta }
@@ -97,7 +108,7 @@ impl<'a> Level<'a> {
     /// displacement is that of the signed pressure afterwards.
     fn update(&mut self) {
         let mut correction = Correction::new(&self.set, &self.u, self.problem.height());
-        correction.solve(&mut self.half_space, &mut self.u, &mut self.field);
+        correction.solve(self.reduction, &mut self.half_space, &mut self.u, &mut self.field);
         let (u, h) = (&self.u, self.problem.height());
         let v_of_set: f64 = correction.nodes.iter().map(|&i| u[i] - h[i]).sum();
         let lambda = v_of_set / correction.nodes.len() as f64;

@@ -30,8 +30,11 @@ use crate::error::SolveError;
 use hierarchy::{coarser, prolong};
 use level::Level;
 
-/// Certificate to which coarse grids are solved, and updates they get for it: a start needs no more.
+/// Coarse grids are solved to this certificate, or to this part of that at their own start, if that is less: the next start is
+/// not better than the step between the grids, of which the own start is a measure.
 const COARSE_TOLERANCE: f64 = 1e-2;
+const COARSE_REDUCTION: f64 = 0.1;
+/// Updates that a coarse grid gets at the most.
 const COARSE_UPDATES: usize = 12;
 
 /// Updates of the finest grid without a better state after which a run is given up, besides as many again as it took to find
@@ -107,10 +110,14 @@ fn coarse_start(problem: &Problem) -> (Option<Vec<f64>>, u64) {
     let (start, work) = coarse_start(&coarse);
     let mut level = Level::new(&coarse, start);
     let mut best = Best::new(&coarse);
+    let mut tolerance = COARSE_TOLERANCE;
     for update in 0..=COARSE_UPDATES {
         let eta = level.certify();
         best.offer(eta, &level.p, update);
-        if eta <= COARSE_TOLERANCE || update == COARSE_UPDATES {
+        if update == 0 {
+            tolerance = tolerance.min(COARSE_REDUCTION * eta);
+        }
+        if eta <= tolerance || update == COARSE_UPDATES {
             break;
         }
         level.advance(eta, &best);
