@@ -30,10 +30,11 @@ pub(super) struct Level<'a> {
     pace: Pace,
 }
 
-/// Free updates, of which the last `stale` were no better than `mark`; or guarded steps until the certificate is `release`.
+/// Free updates, of which the last `stale` were no better than `mark`; or guarded steps, `steps` so far, until the certificate is
+/// `release`.
 enum Pace {
     Free { mark: f64, stale: usize },
-    Guarded { release: f64 },
+    Guarded { release: f64, steps: usize },
 }
 
 impl<'a> Level<'a> {
@@ -69,7 +70,7 @@ impl<'a> Level<'a> {
         self.choose_pace(eta, best);
         match self.pace {
             Pace::Free { .. } => self.update(),
-            Pace::Guarded { .. } => self.descend(),
+            Pace::Guarded { steps, .. } => self.descend(steps.is_multiple_of(2)),
         }
     }
 
@@ -82,13 +83,13 @@ impl<'a> Level<'a> {
             }
             Pace::Free { .. } => {
                 self.return_to(best);
-                Pace::Guarded { release: RELEASE * best.eta }
+                Pace::Guarded { release: RELEASE * best.eta, steps: 0 }
             }
-            Pace::Guarded { release } if eta <= release => {
+            Pace::Guarded { release, .. } if eta <= release => {
                 self.admit();
                 Pace::Free { mark: eta, stale: 0 }
             }
-            Pace::Guarded { release } => Pace::Guarded { release },
+            Pace::Guarded { release, steps } => Pace::Guarded { release, steps: steps + 1 },
         };
     }
 
@@ -127,18 +128,22 @@ impl<'a> Level<'a> {
         chunks::update(&mut self.p, |_, p| p.iter_mut().for_each(|p| *p *= scale));
     }
 
-    /// The guarded step: towards the pressure of an update if `f` falls on that way, else towards a projected gradient step.
-    fn descend(&mut self) {
+    /// The guarded step: towards the pressure of a whole-set update if that is wished for and `f` falls on that way, else towards
+    /// that of a projected gradient step.
+    fn descend(&mut self, by_set: bool) {
         self.admit();
-        let from = self.p.clone();
-        self.update();
-        let towards = std::mem::replace(&mut self.p, from);
-        self.half_space.displacement(&self.p, &mut self.u);
-        if !self.approach(&towards) {
+        if by_set {
+            let from = self.p.clone();
+            self.update();
+            let towards = std::mem::replace(&mut self.p, from);
+            self.half_space.displacement(&self.p, &mut self.u);
+            if self.approach(&towards) {
+                return;
+            }
             self.admit();
-            let downhill = self.gradient_step();
-            self.approach(&downhill);
         }
+        let downhill = self.gradient_step();
+        self.approach(&downhill);
     }
 
     /// Moves to the minimum of `f` between the pressure and `towards`, if `f` falls on that way.
@@ -224,7 +229,7 @@ mod tests {
     fn guarded_steps_alone_lower_the_energy_and_reach_the_solution() {
         for problem in hard() {
             let mut level = Level::new(&problem, None);
-            level.pace = Pace::Guarded { release: 0.0 };
+            level.pace = Pace::Guarded { release: 0.0, steps: 0 };
             let best = Best::new(&problem);
             let mut before = f64::INFINITY;
             let mut eta = level.certify();
@@ -250,9 +255,7 @@ mod tests {
             let first = energy(&level);
             for _ in 0..50 {
                 let before = energy(&level);
-                level.admit();
-                let downhill = level.gradient_step();
-                level.approach(&downhill);
+                level.descend(false);
                 level.certify();
                 assert!(energy(&level) <= before + 1e-12 * before.abs());
             }
@@ -270,7 +273,7 @@ mod tests {
         for _ in 0..=STALE + 1 {
             level.choose_pace(eta, &best);
         }
-        assert!(matches!(level.pace, Pace::Guarded { release } if release == RELEASE * best.eta));
+        assert!(matches!(level.pace, Pace::Guarded { release, .. } if release == RELEASE * best.eta));
         level.choose_pace(0.4 * best.eta, &best);
         assert!(matches!(level.pace, Pace::Free { .. }));
     }

@@ -8,15 +8,17 @@
 //! [`Multilevel`]) go on as long as one of every few is better. If none is, the best state is taken up again and *guarded
 //! steps* follow until the certificate has halved:
 //!
-//! - **What falls.** A guarded step moves along `d = q - p` for a feasible `q`, so that every point of the way is feasible, by the
-//!   exact minimiser of the convex `f` on that way; it is taken only if `<d v> < 0`, so `f` falls strictly. The change of `f` is never
-//!   formed as a difference of two sums. If the corrected set offers no such `q`, it is the projection of a gradient step
-//!   onto `{p >= 0, <p> fixed}`, for which `<d v> < 0` unless `p` is the solution.
-//! - **Why it cannot cycle.** `f` falls strictly along guarded steps, and projected gradient steps with exact minimisation
-//!   converge to the minimum of a convex function; there the certificate is zero, so it halves after finitely many of them.
-//!   Between two guarded phases, and between two better states, there are at most a few free updates. Hence the
-//!   certificate falls by a fixed factor again and again and reaches every tolerance above rounding.
-//! - **What it costs.** Free updates alone need no guard on most surfaces; the tests force it by sines, parabolas, combs and noise.
+//! - **What falls.** A guarded step moves along `d = q - p` for a feasible `q`, so that every point of the way is feasible, to the
+//!   exact minimum of the convex `f` on that way; it is taken only if `<d v> < 0`, so `f` falls strictly. The change of `f` is never
+//!   formed as a difference of two sums. Every other `q` is the projection of a gradient step onto `{p >= 0, <p> fixed}`, for
+//!   which `<d v> < 0` unless `p` is the solution; the others come from whole-set updates, which are better when they work.
+//! - **Why it cannot cycle.** `f` falls strictly along guarded steps. Projected gradient steps with exact minimisation converge
+//!   to the minimum of a convex function, and steps between them that lower `f` do not change that; at the minimum the
+//!   certificate is zero, so it halves after finitely many of them. Between two guarded phases, and between two better states,
+//!   there are at most a few free updates. Hence the certificate falls by a fixed factor again and again and reaches every
+//!   tolerance above rounding.
+//! - **What it costs.** Whole-set updates cycle when their corrections are loose. So a correction is tightened whenever an update
+//!   was no better, and with that the guard has hardly been needed; the tests force it.
 
 mod correction;
 mod hierarchy;
@@ -53,8 +55,8 @@ const PATIENCE: usize = 200;
 /// short; on any other grid the method works without them.
 ///
 /// Iterations are updates of the finest grid; only they are shown to the observer. Transforms of coarse grids count by their
-/// share of points. Memory: 5 fields of n doubles, 1 of bytes and 5 vectors on the contact set, besides the
-/// [`crate::elastic::HalfSpace`], and a third to a half of all that for the coarser grids while they are solved.
+/// share of points. Memory: 4 fields of n doubles (6 in guarded steps), 1 of bytes and 6 vectors on the contact set, besides the
+/// [`crate::elastic::HalfSpace`]; coarse grids are freed before the finest one is set up.
 ///
 /// # Why it is stable
 /// No step length is chosen: corrections are exact minimisers on their set, and guarded steps are exact minimisers on their way.
