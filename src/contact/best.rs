@@ -2,8 +2,8 @@
 
 use crate::contact::Problem;
 
-/// The pressure with the smallest certificate so far. It starts as the uniform pressure, which is always feasible and, since it
-/// displaces nothing, has the certificate `max(h) / h_rms`.
+/// The pressure with the smallest certificate among those that the method has made. Until there is one, the uniform pressure,
+/// which is always feasible.
 pub(super) struct Best {
     pub eta: f64,
     pub pressure: Vec<f64>,
@@ -12,8 +12,7 @@ pub(super) struct Best {
 
 impl Best {
     pub fn new(problem: &Problem) -> Self {
-        let eta = problem.peak() / problem.rms_height();
-        Self { eta, pressure: vec![problem.mean_pressure(); problem.nodes()], found_at: 0 }
+        Self { eta: f64::INFINITY, pressure: vec![problem.mean_pressure(); problem.nodes()], found_at: 0 }
     }
 
     /// Keeps `pressure` if `eta` is smaller than before.

@@ -125,11 +125,6 @@ impl Problem {
         })
     }
 
-    /// Height of the highest peak over the mean.
-    pub(crate) fn peak(&self) -> f64 {
-        self.height.iter().copied().fold(f64::NEG_INFINITY, f64::max)
-    }
-
     /// Number of nodes.
     pub(crate) fn nodes(&self) -> usize {
         self.height.len()

@@ -6,7 +6,7 @@ use super::line::LinePicture;
 use super::scene::{Fields, Scene};
 use super::thinning::Pace;
 use super::traces::{self, Reference};
-use crate::contact::Contact;
+use crate::contact::{Contact, Status};
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 
 /// Everything about a scene that its recorder and its layout need, without the problem itself.
@@ -108,8 +108,9 @@ impl Stage {
     /// Records the description with how the run ended.
     pub fn log_result(&self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<()> {
         let Contact { status, certificate, work, .. } = contact;
+        let how = if *status == Status::Converged { status.to_string() } else { format!("not converged ({status})") };
         let result = format!(
-            "{status} at a certificate of {:.2e}, after {} steps, {} transforms and {:.3} s",
+            "{how} at a certificate of {:.2e}, after {} steps, {} transforms and {:.3} s",
             certificate.eta, work.iterations, work.transforms, work.seconds
         );
         self.log_description(to, &result)

@@ -24,20 +24,11 @@ impl<'a> Moving<'a> {
     /// The undeformed surface at rest, touching the highest peak.
     pub fn new(problem: &'a Problem, masses: Masses) -> Self {
         let n = problem.nodes();
+        let peak = problem.height().iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
         let softest = half_space.stiffness().iter().copied().filter(|&k| k > 0.0).fold(f64::INFINITY, f64::min);
         let zeros = || vec![0.0; n];
-        Self {
-            problem,
-            half_space,
-            masses,
-            softest,
-            w: vec![problem.peak(); n],
-            dw: zeros(),
-            f: zeros(),
-            a: zeros(),
-            p: zeros(),
-        }
+        Self { problem, half_space, masses, softest, w: vec![peak; n], dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
     }
 
     pub fn stiffness(&self) -> &[f64] {
