@@ -1,6 +1,6 @@
 //! Watching a solver, step by step.
 
-use crate::contact::{Measures, Patches, Problem, Work};
+use crate::contact::{Measures, Patches, Problem, Work, chunks};
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
@@ -50,8 +50,15 @@ pub(super) struct State<'a> {
     pub datum: f64,
     /// `eta`, where the solver knows it.
     pub certificate: Option<f64>,
-    /// The energy that the method lowers, over `mean_pressure h_rms`, when asked for.
-    pub energy: &'a dyn Fn() -> f64,
+    pub energy: Energy<'a>,
+}
+
+/// The energy that the method lowers.
+pub(super) enum Energy<'a> {
+    /// `<p u> / 2 - <p h>`, of methods that move the pressure.
+    Complementary,
+    /// `<w k w> / 2 + <p_mean> <w>`, of methods that move the surface `w`, where `k w = p - f - p_mean` with the net `force` `f`.
+    Potential { force: &'a [f64] },
 }
 
 impl<'a> Step<'a> {
@@ -115,7 +122,13 @@ impl<'a> Step<'a> {
     /// energy `<p u> / 2 - <p h>`, for methods that move the surface the potential energy `<w k w> / 2 + <p> <w>`. They end
     /// at the same magnitude with opposite signs.
     pub fn energy(&self) -> f64 {
-        (self.state.energy)()
+        let State { problem, pressure: p, displacement: u, .. } = self.state;
+        let (h, load) = (problem.height(), problem.mean_pressure());
+        let sum = match self.state.energy {
+            Energy::Complementary => chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i])),
+            Energy::Potential { force } => chunks::sum(p.len(), |i| 0.5 * u[i] * (load + p[i] - force[i])),
+        };
+        sum / (p.len() as f64 * load * problem.rms_height())
     }
 
     /// Area, gradients and proportionality factors.

@@ -3,7 +3,7 @@
 //! Letters of this file: `p` pressure, `u` its displacement, `v = u - h`, `g` the gap `v` less its mean over the contact,
 //! `t` the conjugate direction, `r` the displacement under `t`, `tau` the step length.
 
-use crate::contact::observe::State;
+use crate::contact::observe::{Energy, State};
 use crate::contact::solver::Run;
 use crate::contact::{Certificate, Contact, Observer, Problem, Solver, Status, Step, Stop, chunks};
 use crate::elastic::HalfSpace;
@@ -118,17 +118,14 @@ impl<'a> Iterate<'a> {
     }
 
     fn show(&self, run: &mut Run<'_>, certificate: Certificate, datum: f64) -> Option<Status> {
-        let (p, u, h) = (&self.p, &self.u, self.problem.height());
-        let load = self.problem.mean_pressure() * self.problem.rms_height() * p.len() as f64;
-        let energy = || chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i])) / load;
         let step = Step::new(State {
             problem: self.problem,
             work: run.work(self.half_space.transforms()),
-            pressure: p,
-            displacement: u,
+            pressure: &self.p,
+            displacement: &self.u,
             datum,
             certificate: Some(certificate.eta),
-            energy: &energy,
+            energy: Energy::Complementary,
         });
         run.show(&step)
     }

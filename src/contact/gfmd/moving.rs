@@ -2,7 +2,7 @@
 
 use super::Masses;
 use super::pace::{Pace, Push};
-use crate::contact::observe::State;
+use crate::contact::observe::{Energy, State};
 use crate::contact::solver::Run;
 use crate::contact::{Problem, Status, Step, chunks};
 use crate::elastic::HalfSpace;
@@ -57,19 +57,16 @@ impl<'a> Moving<'a> {
         });
     }
 
-    /// Shows this state to the observer; the potential energy is `<w (k w)> / 2 + <p> <w>`, where `k w = p - f - <p>`.
+    /// Shows this state to the observer.
     pub fn show(&self, run: &mut Run<'_>, transforms: u64, certificate: Option<f64>) -> Option<Status> {
-        let (w, f, p, load) = (&self.w, &self.f, &self.p, self.problem.mean_pressure());
-        let scale = load * self.problem.rms_height() * w.len() as f64;
-        let energy = || chunks::sum(w.len(), |i| 0.5 * w[i] * (load + p[i] - f[i])) / scale;
         let step = Step::new(State {
             problem: self.problem,
             work: run.work(transforms),
-            pressure: p,
-            displacement: w,
+            pressure: &self.p,
+            displacement: &self.w,
             datum: 0.0,
             certificate,
-            energy: &energy,
+            energy: Energy::Potential { force: &self.f },
         });
         run.show(&step)
     }

@@ -25,9 +25,9 @@ mod hierarchy;
 mod level;
 
 use crate::contact::best::Best;
-use crate::contact::observe::State;
+use crate::contact::observe::{Energy, State};
 use crate::contact::solver::Run;
-use crate::contact::{Contact, Observer, Problem, Solver, Status, Step, Stop, chunks};
+use crate::contact::{Contact, Observer, Problem, Solver, Status, Step, Stop};
 use crate::error::SolveError;
 use hierarchy::{coarser, prolong};
 use level::Level;
@@ -130,17 +130,14 @@ fn coarse_start(problem: &Problem) -> (Option<Vec<f64>>, u64) {
 }
 
 fn show(level: &Level<'_>, run: &mut Run<'_>, coarse_work: u64, eta: f64) -> Option<Status> {
-    let (p, u, h) = (&level.p, &level.u, level.problem.height());
-    let load = level.problem.mean_pressure() * level.problem.rms_height() * p.len() as f64;
-    let energy = || chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i])) / load;
     let step = Step::new(State {
         problem: level.problem,
         work: run.work(coarse_work + level.half_space.transforms()),
-        pressure: p,
-        displacement: u,
+        pressure: &level.p,
+        displacement: &level.u,
         datum: -level.lambda(),
         certificate: Some(eta),
-        energy: &energy,
+        energy: Energy::Complementary,
     });
     run.show(&step)
 }
