@@ -1,0 +1,51 @@
+//! Green's function molecular dynamics: its energy, and the steps that its masses cost.
+
+#[allow(dead_code, reason = "not every test file uses every helper")]
+mod common;
+
+use asperity::contact::{Dynamics, Gfmd, Masses, Problem, Solver, Step, Stop};
+use asperity::surface::Spectrum;
+use asperity::{Grid, Indenter, Surface};
+use common::solve;
+use std::ops::ControlFlow;
+
+fn rough_line(points: usize) -> Problem {
+    let spectrum =
+        Spectrum { hurst: 0.2, rolloff_wavelength: 0.125, short_cutoff: 32.0 / points as f64, rms_gradient: 1e-3 };
+    let surface = Surface::rough(Grid::line(points, 1.0).unwrap(), &spectrum, 1).unwrap();
+    Problem::at_reduced_pressure(surface, 1.0, 0.1).unwrap()
+}
+
+fn steps(masses: Masses, dynamics: Dynamics, points: usize) -> usize {
+    solve(&Gfmd::new(masses, dynamics, 0.5, 1.0).unwrap(), &rough_line(points), 1e-8).work.iterations
+}
+
+#[test]
+fn uniform_masses_crawl_on_long_lines_and_masses_proportional_to_stiffness_do_not() {
+    for dynamics in [Dynamics::Damped, Dynamics::Fire] {
+        let steps = |masses| [1 << 10, 1 << 14].map(|points| steps(masses, dynamics, points));
+        let [short, long] = steps(Masses::Stiffness);
+        assert!(long < 2 * short && long < 600, "{dynamics:?}: {short} to {long} steps");
+        if dynamics == Dynamics::Damped {
+            let [short, long] = steps(Masses::Uniform);
+            assert!(long > 3 * short, "{short} to {long} steps");
+        }
+    }
+}
+
+/// Before it moves the surface is flat and touches the highest peak: its potential energy is `<p> max(h)`.
+#[test]
+fn potential_energy_starts_at_the_peak_and_falls() {
+    let surface = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(128, 1.0).unwrap()).unwrap();
+    let problem = Problem::new(surface, 1.0, 0.01).unwrap();
+    let mut energies = Vec::new();
+    let mut watch = |step: &Step<'_>| {
+        energies.push(step.energy());
+        ControlFlow::Continue(())
+    };
+    let contact = Gfmd::default().solve(&problem, &Stop::default(), &mut watch).unwrap();
+    assert!((energies[0] - 0.01 / problem.rms_height()).abs() < 1e-12, "{}", energies[0]);
+    let last = energies[contact.work.iterations];
+    assert!(energies.iter().all(|&energy| energy >= last - 1e-7) && last < energies[0]);
+    assert!(energies.windows(2).take(50).all(|pair| pair[1] < pair[0]));
+}
