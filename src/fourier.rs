@@ -19,7 +19,7 @@ use std::sync::Arc;
 pub type Complex = rustfft::num_complex::Complex<f64>;
 
 /// Columns (forward) or rows (inverse) that are transposed and transformed together: eight complex numbers span two cache
-/// lines, so each gather reads whole lines, and eight columns of 16384 points still fit the second-level cache.
+/// lines, so each gather reads whole lines; more would leave the second-level cache sooner.
 const BAND: usize = 8;
 
 /// A planned transform pair for one grid, with its scratch.

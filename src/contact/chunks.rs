@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Values per chunk: 128 KiB, about a sixteenth of the second-level cache, and long against the cost of a task.
+/// Values per chunk: 128 KiB, of which a few fit the second-level cache, and long against the cost of a task.
 const CHUNK: usize = 1 << 14;
 
 /// Results of `visit` on each chunk of `0..len`, in order.

@@ -10,7 +10,7 @@ use crate::contact::chunks;
 pub const NODE_EXCESS_PER_SWITCH_LINE: f64 = 0.185;
 
 /// Excess of counted nodes of a surface per switch along rows and columns: `(pi - 1 + ln 2) / 24` (Yastrebov, Anciaux &
-/// Molinari, Tribol. Int. 114, 161 (2017), Eq. 6).
+/// Molinari, Tribol. Int. 2017, arXiv:1701.02727).
 pub const NODE_EXCESS_PER_SWITCH_SURFACE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
 /// Area, gradients and proportionality factors of a contact, as Eqs. 1, 3, 8 and 9 of van Dokkum et al. (2018) define them.

@@ -22,7 +22,6 @@ pub struct Problem {
     surface: Surface,
     contact_modulus: f64,
     mean_pressure: f64,
-    mean_height: f64,
     height: Vec<f64>,
     rms_height: f64,
     square_gradients: OnceLock<Vec<f64>>,
@@ -38,7 +37,7 @@ impl Problem {
     pub fn new(surface: Surface, contact_modulus: f64, mean_pressure: f64) -> Result<Self, ProblemError> {
         check_magnitude("contact modulus", contact_modulus)?;
         check_magnitude("mean pressure", mean_pressure)?;
-        let (mean_height, height) = centred(surface.heights());
+        let height = centred(surface.heights());
         let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
         let first = surface.heights()[0];
         if surface.heights().iter().all(|&h| h == first) {
@@ -50,7 +49,6 @@ impl Problem {
             surface,
             contact_modulus,
             mean_pressure,
-            mean_height,
             height,
             rms_height,
             square_gradients: OnceLock::new(),
@@ -97,11 +95,6 @@ impl Problem {
         self.mean_pressure
     }
 
-    /// Mean of the heights, which [`Problem::height`] leaves out.
-    pub fn mean_height(&self) -> f64 {
-        self.mean_height
-    }
-
     /// Heights about their mean, row by row.
     pub fn height(&self) -> &[f64] {
         &self.height
@@ -131,11 +124,11 @@ impl Problem {
     }
 }
 
-/// Mean and heights about it. The mean is taken relative to the first height, so that a large offset costs no digits.
-fn centred(height: &[f64]) -> (f64, Vec<f64>) {
+/// Heights about their mean, which is taken relative to the first height, so that a large offset costs no digits.
+fn centred(height: &[f64]) -> Vec<f64> {
     let first = height[0];
     let mean = chunks::sum(height.len(), |i| height[i] - first) / height.len() as f64;
-    (first + mean, height.iter().map(|h| (h - first) - mean).collect())
+    height.iter().map(|h| (h - first) - mean).collect()
 }
 
 fn check_magnitude(name: &'static str, value: f64) -> Result<(), ProblemError> {

@@ -29,7 +29,7 @@ const LARGEST: f64 = 32.0;
 /// | `period`          | `L`                      | length   |
 /// | `contact_modulus` | `E*`                     | pressure |
 ///
-/// Source: superposition after W. T. Koiter (1959) and M. Ciavarella et al., J. Mech. Phys. Solids 46, 2271 (1998).
+/// Source: superposition of the strip punches of Koiter; it reproduces Westergaard's load, mean gap and pressure (tests).
 ///
 /// ```
 /// use asperity::theory::Periodic;

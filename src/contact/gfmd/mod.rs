@@ -16,8 +16,7 @@ use pace::Pace;
 use probe::Probe;
 
 /// Masses of the surface modes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Masses {
     /// The same mass for every mode, as in the paper: long waves are `n/2` times softer than short ones and relax last.
     Uniform,
@@ -27,8 +26,7 @@ pub enum Masses {
 }
 
 /// How the motion is damped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dynamics {
     /// A constant friction, given in units of the critical damping of the slowest mode.
     Damped,

@@ -3,7 +3,7 @@
 use super::{Dynamics, Gfmd, Masses};
 use crate::contact::chunks;
 
-/// Constants of FIRE (Bitzek et al. 2006, Table I): steps of falling energy before the time step grows, its growth and its
+/// Constants of FIRE (Bitzek et al. 2006): steps of falling energy before the time step grows, its growth and its
 /// cut, and the share of the velocity that turns towards the force, with its decay.
 const PATIENCE: usize = 5;
 const GROWTH: f64 = 1.1;
