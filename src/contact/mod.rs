@@ -25,7 +25,7 @@ pub use certificate::Certificate;
 pub use gfmd::{Dynamics, Gfmd, Masses};
 pub use measure::{Measures, NODE_EXCESS_PER_SWITCH_LINE, NODE_EXCESS_PER_SWITCH_SURFACE};
 pub use multilevel::Multilevel;
-pub use observe::{Observer, Step};
+pub use observe::{Observer, Phase, Step};
 pub use patches::Patches;
 pub use polonsky_keer::PolonskyKeer;
 pub use problem::Problem;

@@ -50,7 +50,26 @@ pub(super) struct State<'a> {
     pub datum: f64,
     /// `eta`, where the solver knows it.
     pub certificate: Option<f64>,
+    pub phase: Phase,
     pub energy: Energy<'a>,
+}
+
+/// Where in its scheme a solver stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Phase {
+    /// Grid level: 0 is the finest, each further one has half as many points along a side.
+    pub level: usize,
+    /// Outer steps on this level so far: those that change the contact set.
+    pub outer: usize,
+    /// Inner steps within the outer one so far; 0 at the outer step itself.
+    pub inner: usize,
+}
+
+impl Phase {
+    /// That of a solver on one grid, without inner steps.
+    pub(super) fn finest(outer: usize) -> Self {
+        Self { level: 0, outer, inner: 0 }
+    }
 }
 
 /// The energy that the method lowers.
@@ -66,7 +85,7 @@ impl<'a> Step<'a> {
         Self { state, gap: OnceCell::new(), measures: OnceCell::new(), patches: OnceCell::new() }
     }
 
-    /// The problem being solved.
+    /// The problem being solved; on a coarse level that of its grid, with as many nodes as there are values of each field.
     pub fn problem(&self) -> &'a Problem {
         self.state.problem
     }
@@ -74,6 +93,11 @@ impl<'a> Step<'a> {
     /// Number of this step, from 0, the state at the start.
     pub fn index(&self) -> usize {
         self.state.work.iterations
+    }
+
+    /// Grid level, outer and inner step.
+    pub fn phase(&self) -> Phase {
+        self.state.phase
     }
 
     /// Work of the solver so far; observers are not counted.

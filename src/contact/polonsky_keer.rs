@@ -3,11 +3,12 @@
 //! Letters of this file: `p` pressure, `u` its displacement, `v = u - h`, `g` the gap `v` less its mean over the contact,
 //! `t` the conjugate direction, `r` the displacement under `t`, `tau` the step length.
 
-use crate::contact::observe::{Energy, State};
-use crate::contact::solver::Run;
+use crate::contact::observe::{Energy, Phase, State};
+use crate::contact::solver::{Run, first_pressure};
 use crate::contact::{Certificate, Contact, Observer, Problem, Solver, Status, Step, Stop, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
+use crate::surface::Field;
 
 /// Constrained conjugate gradients (Polonsky & Keer 1999).
 ///
@@ -49,9 +50,15 @@ impl Solver for PolonskyKeer {
         "constrained conjugate gradients, restarted when the contact set changes".into()
     }
 
-    fn solve(&self, problem: &Problem, stop: &Stop, observer: &mut dyn Observer) -> Result<Contact, SolveError> {
+    fn solve_from(
+        &self,
+        start: Option<&Field>,
+        problem: &Problem,
+        stop: &Stop,
+        observer: &mut dyn Observer,
+    ) -> Result<Contact, SolveError> {
         let mut run = Run::new(problem, stop, observer);
-        let mut state = Iterate::new(problem);
+        let mut state = Iterate::new(start, problem);
         let status = loop {
             let certificate = state.certify(&mut run);
             let mean_v = state.mean_over_contact();
@@ -84,19 +91,16 @@ struct Iterate<'a> {
 }
 
 impl<'a> Iterate<'a> {
-    /// Starts from the uniform pressure, under which nothing is displaced.
-    fn new(problem: &'a Problem) -> Self {
+    /// Starts from the pressure `start`, or from the uniform one, under which nothing is displaced.
+    fn new(start: Option<&Field>, problem: &'a Problem) -> Self {
         let n = problem.nodes();
-        Self {
-            problem,
-            half_space: HalfSpace::new(problem.surface().grid(), problem.contact_modulus()),
-            p: vec![problem.mean_pressure(); n],
-            u: vec![0.0; n],
-            t: vec![0.0; n],
-            r: vec![0.0; n],
-            previous_square: None,
-            fresh: true,
+        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let p = first_pressure(start, problem);
+        let mut u = vec![0.0; n];
+        if start.is_some() {
+            half_space.displacement(&p, &mut u);
         }
+        Self { problem, half_space, p, u, t: vec![0.0; n], r: vec![0.0; n], previous_square: None, fresh: true }
     }
 
     /// The certificate of this iterate; one that would end the run is taken from a fresh displacement.
@@ -125,6 +129,7 @@ impl<'a> Iterate<'a> {
             displacement: &self.u,
             datum,
             certificate: Some(certificate.eta),
+            phase: Phase::finest(run.iterations()),
             energy: Energy::Complementary,
         });
         run.show(&step)

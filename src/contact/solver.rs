@@ -2,9 +2,10 @@
 
 use crate::contact::best::Best;
 use crate::contact::result::Ended;
-use crate::contact::{Contact, Observer, Problem, Status, Step, Stop, Work};
+use crate::contact::{Contact, Observer, Problem, Status, Step, Stop, Work, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
+use crate::surface::Field;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -20,12 +21,45 @@ pub trait Solver {
     /// Its settings, in words.
     fn settings(&self) -> String;
 
-    /// Solves `problem` until `stop`, showing every step to `observer`.
+    /// Solves `problem` from the flat start, until `stop`, showing every step to `observer`.
     ///
     /// # Errors
     /// [`SolveError::NotConverged`] with the best state found, when the cap is reached or nothing improves any more. A run that
     /// the observer ends is no error; its status says so.
-    fn solve(&self, problem: &Problem, stop: &Stop, observer: &mut dyn Observer) -> Result<Contact, SolveError>;
+    fn solve(&self, problem: &Problem, stop: &Stop, observer: &mut dyn Observer) -> Result<Contact, SolveError> {
+        self.solve_from(None, problem, stop, observer)
+    }
+
+    /// Solves `problem` from the pressure `start`, such as the solution at a neighbouring load. Any values will do: those that are
+    /// no pressures (negative, not finite) count as none, and what is left is scaled to the load.
+    ///
+    /// # Errors
+    /// As [`Solver::solve`].
+    ///
+    /// # Panics
+    /// If the shape of `start` is not that of the grid.
+    fn solve_from(
+        &self,
+        start: Option<&Field>,
+        problem: &Problem,
+        stop: &Stop,
+        observer: &mut dyn Observer,
+    ) -> Result<Contact, SolveError>;
+}
+
+/// The pressure to start from: what `start` holds of one, scaled to the load, or the uniform pressure.
+pub(super) fn first_pressure(start: Option<&Field>, problem: &Problem) -> Vec<f64> {
+    let load = problem.mean_pressure();
+    let Some(start) = start else { return vec![load; problem.nodes()] };
+    assert_eq!(start.shape(), problem.surface().grid().shape(), "the start must fit the grid");
+    let pressure: Vec<f64> = start.iter().map(|&p| if p.is_finite() { p.max(0.0) } else { 0.0 }).collect();
+    let highest = chunks::visit(pressure.len(), |range| range.fold(0.0, |high: f64, i| high.max(pressure[i])));
+    let highest = highest.into_iter().fold(0.0, f64::max);
+    let mean = chunks::sum(pressure.len(), |i| pressure[i] / highest) / pressure.len() as f64;
+    if highest <= 0.0 {
+        return vec![load; pressure.len()];
+    }
+    pressure.into_iter().map(|p| p / highest * (load / mean)).collect()
 }
 
 /// The bookkeeping of a run: iterations, the clock that halts for observers, the best state, and the reasons to stop.

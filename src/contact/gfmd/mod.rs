@@ -11,6 +11,7 @@ mod probe;
 use crate::contact::solver::Run;
 use crate::contact::{Contact, Observer, Problem, Solver, Stop};
 use crate::error::{SettingError, SolveError};
+use crate::surface::Field;
 use moving::Moving;
 use pace::Pace;
 use probe::Probe;
@@ -124,9 +125,15 @@ impl Solver for Gfmd {
         format!("{masses}, {dynamics}, time step {} of the stability limit", self.time_step)
     }
 
-    fn solve(&self, problem: &Problem, stop: &Stop, observer: &mut dyn Observer) -> Result<Contact, SolveError> {
+    fn solve_from(
+        &self,
+        start: Option<&Field>,
+        problem: &Problem,
+        stop: &Stop,
+        observer: &mut dyn Observer,
+    ) -> Result<Contact, SolveError> {
         let mut run = Run::new(problem, stop, observer);
-        let mut surface = Moving::new(problem, self.masses);
+        let mut surface = Moving::new(start, problem, self.masses);
         let mut probe = Probe::new(problem);
         let mut pace = Pace::new(self, surface.stiffness());
         let status = loop {

@@ -2,10 +2,11 @@
 
 use super::Masses;
 use super::pace::{Pace, Push};
-use crate::contact::observe::{Energy, State};
-use crate::contact::solver::Run;
+use crate::contact::observe::{Energy, Phase, State};
+use crate::contact::solver::{Run, first_pressure};
 use crate::contact::{Problem, Status, Step, chunks};
 use crate::elastic::HalfSpace;
+use crate::surface::Field;
 
 /// Place `w`, last advance `dw`, net force `f`, advance under it `a`, and the wall's constraint forces `p`.
 pub(super) struct Moving<'a> {
@@ -21,14 +22,20 @@ pub(super) struct Moving<'a> {
 }
 
 impl<'a> Moving<'a> {
-    /// The undeformed surface at rest, touching the highest peak.
-    pub fn new(problem: &'a Problem, masses: Masses) -> Self {
+    /// The surface at rest under the pressure `start`, or undeformed, touching the indenter.
+    pub fn new(start: Option<&Field>, problem: &'a Problem, masses: Masses) -> Self {
         let n = problem.nodes();
-        let peak = problem.height().iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let h = problem.height();
+        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let mut w = vec![0.0; n];
+        if start.is_some() {
+            half_space.displacement(&first_pressure(start, problem), &mut w);
+        }
+        let deepest = (0..n).fold(f64::NEG_INFINITY, |deepest, i| deepest.max(h[i] - w[i]));
+        w.iter_mut().for_each(|w| *w += deepest);
         let softest = half_space.stiffness().iter().copied().filter(|&k| k > 0.0).fold(f64::INFINITY, f64::min);
         let zeros = || vec![0.0; n];
-        Self { problem, half_space, masses, softest, w: vec![peak; n], dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
+        Self { problem, half_space, masses, softest, w, dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
     }
 
     pub fn stiffness(&self) -> &[f64] {
@@ -66,6 +73,7 @@ impl<'a> Moving<'a> {
             displacement: &self.w,
             datum: 0.0,
             certificate,
+            phase: Phase::finest(run.iterations()),
             energy: Energy::Potential { force: &self.f },
         });
         run.show(&step)

@@ -25,10 +25,11 @@ mod hierarchy;
 mod level;
 
 use crate::contact::best::Best;
-use crate::contact::observe::{Energy, State};
-use crate::contact::solver::Run;
+use crate::contact::observe::{Energy, Phase, State};
+use crate::contact::solver::{Run, first_pressure};
 use crate::contact::{Contact, Observer, Problem, Solver, Status, Step, Stop};
 use crate::error::SolveError;
+use crate::surface::Field;
 use hierarchy::{coarser, prolong};
 use level::Level;
 
@@ -88,9 +89,18 @@ impl Solver for Multilevel {
         "whole-set updates on nested grids, guarded".into()
     }
 
-    fn solve(&self, problem: &Problem, stop: &Stop, observer: &mut dyn Observer) -> Result<Contact, SolveError> {
+    fn solve_from(
+        &self,
+        start: Option<&Field>,
+        problem: &Problem,
+        stop: &Stop,
+        observer: &mut dyn Observer,
+    ) -> Result<Contact, SolveError> {
         let mut run = Run::new(problem, stop, observer).with_patience(PATIENCE);
-        let (start, coarse_work) = coarse_start(problem);
+        let (start, coarse_work) = match start {
+            Some(_) => (Some(first_pressure(start, problem)), 0),
+            None => coarse_start(problem),
+        };
         let mut level = Level::new(problem, start);
         let status = loop {
             let eta = level.certify();
@@ -137,6 +147,7 @@ fn show(level: &Level<'_>, run: &mut Run<'_>, coarse_work: u64, eta: f64) -> Opt
         displacement: &level.u,
         datum: -level.lambda(),
         certificate: Some(eta),
+        phase: Phase::finest(run.iterations()),
         energy: Energy::Complementary,
     });
     run.show(&step)
