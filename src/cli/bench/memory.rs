@@ -2,8 +2,8 @@
 
 /// Runs `run`, and says how much memory was resident at its peak, in MiB, where the system tells.
 ///
-/// That is the high-water mark of the whole process (`VmHWM`), set back to what is resident at the start. What the allocator
-/// keeps of earlier runs counts, so that only the first run of a process shows its own.
+/// That is the high-water mark of the whole process (`VmHWM`), set back to what is resident at the start: what the
+/// allocator keeps of earlier runs counts.
 #[cfg(target_os = "linux")]
 pub fn peak_of<T>(run: impl FnOnce() -> T) -> (T, Option<f64>) {
     use procfs::process::{ClearRefs, Process};

@@ -32,7 +32,8 @@ Each row is one case solved by one solver:
   area        relative contact area
   kappa_r     corrected for counting nodes
   MiB         peak of resident memory while the surface was made and solved (Linux; else -);
-              what the allocator kept of earlier rows counts: run a case first to know its own
+              what the allocator kept of earlier rows counts; with glibc, the environment
+              MALLOC_MMAP_THRESHOLD_=131072 has it keep next to nothing
   ratio       solve s over that of the case's first solver (- for a case with one solver)";
 
 /// Solves chosen cases one after the other and reports what that took.
