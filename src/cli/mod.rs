@@ -1,5 +1,6 @@
 //! One file per command, and what they share.
 
+mod bench;
 #[cfg(feature = "record")]
 mod demo;
 #[cfg(feature = "record")]
@@ -27,6 +28,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Time the solvers on chosen cases
+    Bench(bench::Bench),
     /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
     #[cfg(feature = "record")]
     Demo(demo::Demo),
@@ -67,6 +70,7 @@ pub fn usage<T>(sentence: impl Into<String>) -> anyhow::Result<T> {
 /// Parses the command line and runs the command.
 pub fn run() -> anyhow::Result<Outcome> {
     match Cli::parse().command {
+        Command::Bench(bench) => bench.run(),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
         Command::Solve(solve) => solve.run(),

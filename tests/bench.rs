@@ -1,0 +1,99 @@
+//! `asperity bench`, run for real on shrunk cases.
+
+mod command;
+
+use command::{Folder, text};
+use std::collections::HashMap;
+use std::process::Output;
+
+type Row = HashMap<String, String>;
+
+fn rows(folder: &Folder, name: &str) -> Vec<Row> {
+    csv::Reader::from_path(folder.join(name)).unwrap().deserialize().map(Result::unwrap).collect()
+}
+
+fn number(row: &Row, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column} is {:?} in {row:?}", row[column]))
+}
+
+fn assert_refused(output: &Output, words: &[&str]) {
+    let error = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{error}");
+    assert!(output.stdout.is_empty(), "something ran: {}", text(&output.stdout));
+    assert!(words.iter().all(|word| error.contains(word)), "{error}");
+}
+
+#[test]
+fn work_hardly_grows_with_the_grid_at_a_fixed_spectrum() {
+    let folder = Folder::new();
+    let output = folder.run("bench --quick growth --out x.csv");
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let rows = rows(&folder, "x.csv");
+    assert_eq!(rows.len(), 6);
+    for row in &rows {
+        assert_eq!((row["group"].as_str(), row["status"].as_str()), ("growth", "converged"));
+        assert!(number(row, "certificate") <= 1e-8 && number(row, "solve_seconds") > 0.0, "{row:?}");
+        assert!(row["ratio"].is_empty(), "{row:?}");
+        assert_eq!(row["peak_mib"].is_empty(), !cfg!(target_os = "linux"), "{row:?}");
+    }
+    for case in ["H 0.8 p* 0.01", "H 0.2 p* 0.01"] {
+        let line: Vec<&Row> = rows.iter().filter(|row| row["case"] == case && row["ny"] == "1").collect();
+        assert_eq!(line.iter().map(|row| row["nx"].as_str()).collect::<Vec<_>>(), ["4096", "16384"]);
+        let growth = number(line[1], "transforms") / number(line[0], "transforms");
+        assert!(growth < 2.0, "{case}: {growth}");
+    }
+}
+
+#[test]
+fn several_solvers_are_held_against_the_first() {
+    let folder = Folder::new();
+    let output = folder.run("bench --quick peers --repeats 3 --tolerance 1e-4 --seed 2 --out x.csv");
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let rows = rows(&folder, "x.csv");
+    let solvers: Vec<&str> = rows.iter().map(|row| row["solver"].as_str()).collect();
+    assert_eq!(solvers, ["multilevel", "polonsky-keer"].repeat(2));
+    for pair in rows.chunks(2) {
+        let ratio = number(&pair[1], "solve_seconds") / number(&pair[0], "solve_seconds");
+        assert_eq!((number(&pair[0], "ratio"), number(&pair[1], "ratio")), (1.0, ratio));
+    }
+}
+
+#[test]
+fn a_run_that_does_not_converge_says_so_and_the_others_follow() {
+    let folder = Folder::new();
+    let output = folder.run("bench --quick lines --solver polonsky-keer --max-iterations 3 --out x.csv");
+    assert_eq!(output.status.code(), Some(3));
+    assert_eq!(text(&output.stdout).matches("iteration cap").count(), 9);
+    let rows = rows(&folder, "x.csv");
+    assert_eq!(rows.len(), 9);
+    assert!(rows.iter().all(|row| row["status"] == "iteration-cap" && row["iterations"] == "3"), "{rows:?}");
+}
+
+#[test]
+fn rows_fit_in_120_columns() {
+    let output = Folder::new().run("bench --quick smooth --solver multilevel,polonsky-keer");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).lines().all(|line| line.len() <= 120), "{}", text(&output.stdout));
+}
+
+#[test]
+fn cases_are_listed_and_not_run() {
+    let output = Folder::new().run("bench --list");
+    let out = text(&output.stdout);
+    assert!(output.status.success() && output.stderr.is_empty());
+    for words in ["smooth: ", "fourth power", "2048x2048", "262144", "H 0.2 p* 0.001", "multilevel, polonsky-keer"] {
+        assert!(out.contains(words), "{words} in {out}");
+    }
+    assert!(!out.contains("16384x16384") && !out.contains("converged"), "{out}");
+}
+
+#[test]
+fn what_cannot_be_is_refused_before_anything_runs() {
+    let folder = Folder::new();
+    let groups = ["tiny", "smooth", "surfaces", "lines", "growth", "peers", "large"];
+    assert_refused(&folder.run("bench tiny"), &groups);
+    assert_refused(&folder.run("bench --solver newton"), &["newton", "multilevel", "polonsky-keer", "gfmd"]);
+    assert_refused(&folder.run("bench --quick growth --out missing/x.csv"), &["there is no folder missing"]);
+    assert_refused(&folder.run("bench --quick growth --repeats 0"), &["--repeats is 0"]);
+    assert_refused(&folder.run("bench --quick growth --tolerance -1"), &["the tolerance is -1"]);
+}
