@@ -26,13 +26,13 @@ impl<'a> Moving<'a> {
         let n = problem.nodes();
         let peak = problem.height().iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
-        let softest = half_space.stiffness().iter().copied().filter(|&k| k > 0.0).fold(f64::INFINITY, f64::min);
+        let softest = half_space.softest_stiffness();
         let zeros = || vec![0.0; n];
         Self { problem, half_space, masses, softest, w: vec![peak; n], dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
     }
 
-    pub fn stiffness(&self) -> &[f64] {
-        self.half_space.stiffness()
+    pub fn stiffnesses(&self) -> Vec<f64> {
+        self.half_space.stiffnesses().collect()
     }
 
     pub fn transforms(&self) -> u64 {
