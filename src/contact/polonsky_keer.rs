@@ -176,11 +176,7 @@ impl<'a> Iterate<'a> {
         });
         let slope = chunks::sum(p.len(), |i| if p[i] > 0.0 { (u[i] - h[i] - mean_v) * t[i] } else { 0.0 });
         let curvature = sum_rt - sum_r * sum_t / n;
-        if slope > 0.0 && curvature > 0.0 { slope / curvature } else { self.softest_stiffness() }
-    }
-
-    fn softest_stiffness(&self) -> f64 {
-        self.half_space.stiffness().iter().copied().filter(|&k| k > 0.0).fold(f64::INFINITY, f64::min)
+        if slope > 0.0 && curvature > 0.0 { slope / curvature } else { self.half_space.softest_stiffness() }
     }
 
     /// `p <- max(p - tau t, 0)` on the contact, `-tau g` on nodes without pressure that penetrate; then the load, then `u`.

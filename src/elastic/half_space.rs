@@ -1,11 +1,7 @@
 //! The half-space in Fourier space.
 
-use crate::fourier::{Complex, Fourier};
+use crate::fourier::Filter;
 use crate::grid::Grid;
-use rayon::prelude::*;
-
-/// Coefficients per task: below it a second core costs more than it gives.
-const TASK: usize = 1 << 15;
 
 /// A flat, frictionless, linearly elastic half-space, periodic over a grid.
 ///
@@ -17,7 +13,7 @@ const TASK: usize = 1 << 15;
 /// modulus `E* = E / (1 - nu^2)`. The mean of `u` is a free datum and is returned as zero; a uniform pressure displaces
 /// nothing.
 ///
-/// Memory: one half spectrum and half a field, besides those of [`Fourier`].
+/// Memory: one half spectrum, which is about one real field, and scratch for some rows and columns per thread.
 ///
 /// # Source
 /// Johnson, *Contact Mechanics* (1985), section 13.2; Stanley & Kato, J. Tribol. 119, 481 (1997).
@@ -33,29 +29,40 @@ const TASK: usize = 1 << 15;
 /// # Ok::<(), asperity::error::GridError>(())
 /// ```
 pub struct HalfSpace {
-    fourier: Fourier,
-    stiffness: Vec<f64>,
-    spectrum: Vec<Complex>,
+    grid: Grid,
+    contact_modulus: f64,
+    filter: Filter,
+    transforms: u64,
 }
 
 impl HalfSpace {
     /// Plans the response of a solid of contact modulus `E*` over `grid`.
     pub fn new(grid: &Grid, contact_modulus: f64) -> Self {
-        Self {
-            fourier: Fourier::new(grid),
-            stiffness: grid.wavenumbers().map(|q| 0.5 * contact_modulus * q).collect(),
-            spectrum: vec![Complex::default(); grid.modes()],
-        }
+        Self { grid: *grid, contact_modulus, filter: Filter::new(grid), transforms: 0 }
     }
 
-    /// Stiffness `E* |q| / 2` of each mode, in the order of [`Grid::wavenumbers`]; zero for the mean.
-    pub fn stiffness(&self) -> &[f64] {
-        &self.stiffness
+    /// Stiffness `k = E* |q| / 2` of each mode, in the order of [`Grid::wavenumbers`]; zero for the mean.
+    pub fn stiffnesses(&self) -> impl Iterator<Item = f64> + use<> {
+        let modulus = self.contact_modulus;
+        self.grid.wavenumbers().map(move |q| 0.5 * modulus * q)
     }
 
-    /// Transforms made so far, see [`Fourier::transforms`].
+    /// Stiffness of the longest wave.
+    pub fn softest_stiffness(&self) -> f64 {
+        0.5 * self.contact_modulus * std::f64::consts::TAU / self.grid.longest_wavelength()
+    }
+
+    /// Transforms made so far, forward and inverse counted alike: the unit of work of this crate.
     pub fn transforms(&self) -> u64 {
-        self.fourier.transforms()
+        self.transforms
+    }
+
+    /// What `work` makes of this half-space, with transforms that do not count.
+    pub(crate) fn uncounted<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> T {
+        let transforms = self.transforms;
+        let result = work(self);
+        self.transforms = transforms;
+        result
     }
 
     /// Writes the displacement under `pressure`, with zero mean: one transform pair.
@@ -63,7 +70,7 @@ impl HalfSpace {
     /// # Panics
     /// If a length does not fit the grid.
     pub fn displacement(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        self.respond(pressure, displacement, |k| if k > 0.0 { 1.0 / k } else { 0.0 });
+        self.respond(pressure, displacement, Self::compliance);
     }
 
     /// Writes the pressure that makes `displacement`, with zero mean: one transform pair.
@@ -71,42 +78,80 @@ impl HalfSpace {
     /// # Panics
     /// If a length does not fit the grid.
     pub fn pressure(&mut self, displacement: &[f64], pressure: &mut [f64]) {
-        self.respond(displacement, pressure, |k| k);
+        self.respond(displacement, pressure, Self::stiffness);
+    }
+
+    /// Displacement over pressure of a mode of stiffness `k`: a factor for the responses below.
+    pub(crate) fn compliance(k: f64) -> f64 {
+        if k > 0.0 { 1.0 / k } else { 0.0 }
+    }
+
+    /// Pressure over displacement of a mode of stiffness `k`: a factor for the responses below.
+    pub(crate) fn stiffness(k: f64) -> f64 {
+        k
     }
 
     /// [`HalfSpace::displacement`] in place.
     pub(crate) fn comply(&mut self, field: &mut [f64]) {
-        self.respond_in_place(field, |k| if k > 0.0 { 1.0 / k } else { 0.0 });
+        self.respond_in_place(field, Self::compliance);
     }
 
     /// [`HalfSpace::pressure`] in place.
     pub(crate) fn stiffen(&mut self, field: &mut [f64]) {
-        self.respond_in_place(field, |k| k);
+        self.respond_in_place(field, Self::stiffness);
     }
 
-    fn respond_in_place(&mut self, field: &mut [f64], factor: impl Fn(f64) -> f64 + Sync) {
-        self.fourier.forward(field, &mut self.spectrum);
-        self.scale_modes(factor);
-        self.fourier.inverse(&mut self.spectrum, field);
+    fn respond_in_place(&mut self, field: &mut [f64], factor: impl Fn(f64) -> f64 + Sync + Send) {
+        self.load(field);
+        self.scale(factor);
+        self.store(field);
     }
 
-    /// Multiplies each mode of `cause` by `factor(stiffness)`.
-    pub(crate) fn respond(&mut self, cause: &[f64], effect: &mut [f64], factor: impl Fn(f64) -> f64 + Sync) {
-        self.fourier.forward(cause, &mut self.spectrum);
-        self.scale_modes(factor);
-        self.fourier.inverse(&mut self.spectrum, effect);
+    /// Multiplies each mode of `cause` by `factor(k)`.
+    pub(crate) fn respond(&mut self, cause: &[f64], effect: &mut [f64], factor: impl Fn(f64) -> f64 + Sync + Send) {
+        self.load(cause);
+        self.scale(factor);
+        self.store(effect);
     }
 
-    fn scale_modes(&mut self, factor: impl Fn(f64) -> f64 + Sync) {
-        let scale = |(modes, stiffness): (&mut [Complex], &[f64])| {
-            for (mode, &k) in modes.iter_mut().zip(stiffness) {
-                *mode *= factor(k);
-            }
-        };
-        if self.spectrum.len() <= TASK {
-            scale((&mut self.spectrum, &self.stiffness));
-        } else {
-            self.spectrum.par_chunks_mut(TASK).zip(self.stiffness.par_chunks(TASK)).for_each(scale);
-        }
+    /// The number of rows in which [`HalfSpace::respond_by_rows`] takes and gives fields, and their length: the rows of a
+    /// surface, or pieces of a line that follow each other.
+    pub(crate) fn rows(&self) -> [usize; 2] {
+        self.filter.rows()
+    }
+
+    /// Multiplies each mode of the cause by `factor(k)`, for fields that need not exist as a whole.
+    ///
+    /// `fill(r, row)` writes row `r` of the cause to `row`, whose content is undefined before; `store(r, row, sink)` takes row
+    /// `r` of the effect with the sink of that row, one of [`HalfSpace::rows`].
+    pub(crate) fn respond_by_rows<S: Send>(
+        &mut self,
+        factor: impl Fn(f64) -> f64 + Sync + Send,
+        fill: impl Fn(usize, &mut [f64]) + Sync + Send,
+        sinks: &mut [S],
+        store: impl Fn(usize, &[f64], &mut S) + Sync + Send,
+    ) {
+        self.filter.load(fill);
+        self.scale(factor);
+        self.filter.store(sinks, store);
+    }
+
+    fn load(&mut self, cause: &[f64]) {
+        assert_eq!(cause.len(), self.grid.len(), "fields must fit the grid");
+        let width = self.rows()[1];
+        self.filter.load(|r, row| row.copy_from_slice(&cause[r * width..][..width]));
+    }
+
+    fn store(&mut self, effect: &mut [f64]) {
+        assert_eq!(effect.len(), self.grid.len(), "fields must fit the grid");
+        let width = self.rows()[1];
+        let mut rows: Vec<_> = effect.chunks_exact_mut(width).collect();
+        self.filter.store(&mut rows, |_, row, sink| sink.copy_from_slice(row));
+    }
+
+    fn scale(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
+        let modulus = self.contact_modulus;
+        self.filter.scale(|q| factor(0.5 * modulus * q));
+        self.transforms += 2;
     }
 }

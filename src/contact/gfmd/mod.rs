@@ -135,7 +135,7 @@ impl Solver for Gfmd {
         let mut run = Run::new(problem, stop, observer);
         let mut surface = Moving::new(start, problem, self.masses);
         let mut probe = Probe::new(problem);
-        let mut pace = Pace::new(self, surface.stiffness());
+        let mut pace = Pace::new(self, &surface.stiffnesses());
         let status = loop {
             surface.pull();
             let certificate = probe.certify(problem, surface.pressure(), &mut run);

@@ -33,13 +33,13 @@ impl<'a> Moving<'a> {
         }
         let deepest = (0..n).fold(f64::NEG_INFINITY, |deepest, i| deepest.max(h[i] - w[i]));
         w.iter_mut().for_each(|w| *w += deepest);
-        let softest = half_space.stiffness().iter().copied().filter(|&k| k > 0.0).fold(f64::INFINITY, f64::min);
+        let softest = half_space.softest_stiffness();
         let zeros = || vec![0.0; n];
         Self { problem, half_space, masses, softest, w, dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
     }
 
-    pub fn stiffness(&self) -> &[f64] {
-        self.half_space.stiffness()
+    pub fn stiffnesses(&self) -> Vec<f64> {
+        self.half_space.stiffnesses().collect()
     }
 
     pub fn transforms(&self) -> u64 {

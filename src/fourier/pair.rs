@@ -1,0 +1,165 @@
+//! The plain transform pair.
+
+use super::Complex;
+use super::worker::{Worker, share};
+use crate::grid::Grid;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::{Fft, FftPlanner};
+use std::sync::Arc;
+
+/// Columns (forward) or rows (inverse) that are gathered and transformed together: eight complex numbers span two cache
+/// lines, so each gather reads whole lines.
+const BAND: usize = 8;
+
+/// A planned transform pair for one grid, with its scratch.
+///
+/// Memory: some rows and columns per thread; [`Fourier::forward`] takes one half spectrum more while it runs.
+pub struct Fourier {
+    shape: [usize; 2],
+    forward_rows: Arc<dyn RealToComplex<f64>>,
+    inverse_rows: Arc<dyn ComplexToReal<f64>>,
+    forward_columns: Arc<dyn Fft<f64>>,
+    inverse_columns: Arc<dyn Fft<f64>>,
+    workers: Vec<Worker>,
+}
+
+impl Fourier {
+    /// Plans the transforms of fields on `grid`.
+    pub fn new(grid: &Grid) -> Self {
+        let [ny, nx] = grid.shape();
+        let (mut rows, mut columns) = (RealFftPlanner::new(), FftPlanner::new());
+        let (forward_rows, inverse_rows) = (rows.plan_fft_forward(nx), rows.plan_fft_inverse(nx));
+        let (forward_columns, inverse_columns) = (columns.plan_fft_forward(ny), columns.plan_fft_inverse(ny));
+        let scratch = [
+            forward_rows.get_scratch_len(),
+            inverse_rows.get_scratch_len(),
+            forward_columns.get_inplace_scratch_len(),
+            inverse_columns.get_inplace_scratch_len(),
+        ];
+        let scratch = scratch.into_iter().fold(0, usize::max);
+        let workers = Worker::crew(grid.len(), ny, [nx, BAND.min(ny) * (nx / 2 + 1), scratch]);
+        Self { shape: [ny, nx], forward_rows, inverse_rows, forward_columns, inverse_columns, workers }
+    }
+
+    /// Writes the coefficients of `field` (`ny * nx` values, row by row) to `spectrum`.
+    ///
+    /// # Panics
+    /// If a length does not fit the grid.
+    pub fn forward(&mut self, field: &[f64], spectrum: &mut [Complex]) {
+        let [ny, nx] = self.shape;
+        let half = nx / 2 + 1;
+        assert_eq!((field.len(), spectrum.len()), (ny * nx, ny * half), "field and spectrum must fit the grid");
+        let mut by_rows = vec![Complex::default(); ny * half];
+        let per_worker = ny.div_ceil(self.workers.len());
+        let tasks = field.chunks(per_worker * nx).zip(by_rows.chunks_mut(per_worker * half)).zip(&mut self.workers);
+        share(tasks, |((field, spectra), Worker { row, scratch, .. })| {
+            for (values, spectrum) in field.chunks_exact(nx).zip(spectra.chunks_exact_mut(half)) {
+                row.copy_from_slice(values);
+                self.forward_rows.process_with_scratch(row, spectrum, scratch).expect("lengths were planned together");
+            }
+        });
+        let scale = 1.0 / (ny * nx) as f64;
+        let per_worker = half.div_ceil(self.workers.len());
+        let tasks = spectrum.chunks_mut(per_worker * ny).zip(&mut self.workers).enumerate();
+        share(tasks, |(task, (spectrum, worker))| {
+            for (band, columns) in spectrum.chunks_mut(BAND * ny).enumerate() {
+                gather(&by_rows, half, task * per_worker + band * BAND, columns, ny, scale);
+                self.forward_columns.process_with_scratch(columns, &mut worker.scratch);
+            }
+        });
+    }
+
+    /// Writes the field with the coefficients `spectrum` to `field`; `spectrum` serves as scratch and is lost.
+    ///
+    /// # Panics
+    /// If a length does not fit the grid.
+    pub fn inverse(&mut self, spectrum: &mut [Complex], field: &mut [f64]) {
+        let [ny, nx] = self.shape;
+        let half = nx / 2 + 1;
+        assert_eq!((field.len(), spectrum.len()), (ny * nx, ny * half), "field and spectrum must fit the grid");
+        let per_worker = half.div_ceil(self.workers.len());
+        share(spectrum.chunks_mut(per_worker * ny).zip(&mut self.workers), |(spectrum, worker)| {
+            self.inverse_columns.process_with_scratch(spectrum, &mut worker.scratch);
+        });
+        let spectrum = &*spectrum;
+        let per_worker = ny.div_ceil(self.workers.len());
+        let tasks = field.chunks_mut(per_worker * nx).zip(&mut self.workers).enumerate();
+        share(tasks, |(task, (field, Worker { band, scratch, .. }))| {
+            for (i, rows) in field.chunks_mut(BAND * nx).enumerate() {
+                let band = &mut band[..rows.len() / nx * half];
+                gather(spectrum, ny, task * per_worker + i * BAND, band, half, 1.0);
+                for (spectrum, row) in band.chunks_exact_mut(half).zip(rows.chunks_exact_mut(nx)) {
+                    drop_rounding(spectrum, nx);
+                    self.inverse_rows
+                        .process_with_scratch(spectrum, row, scratch)
+                        .expect("lengths were planned together");
+                }
+            }
+        });
+    }
+}
+
+/// `to[c][r] = scale * from[r][first + c]`, for `from` with rows of `width` and `to` with rows of `length`.
+fn gather(from: &[Complex], width: usize, first: usize, to: &mut [Complex], length: usize, scale: f64) {
+    let count = to.len() / length;
+    for (r, row) in from.chunks_exact(width).enumerate() {
+        for (c, &value) in row[first..first + count].iter().enumerate() {
+            to[c * length + r] = value * scale;
+        }
+    }
+}
+
+/// The coefficients at 0 and Nyquist of a row of `nx` real numbers are real; drops what rounding left of their imaginary parts.
+pub(super) fn drop_rounding(spectrum: &mut [Complex], nx: usize) {
+    spectrum[0].im = 0.0;
+    if nx.is_multiple_of(2) {
+        spectrum[nx / 2].im = 0.0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    fn noise(n: usize) -> Vec<f64> {
+        (0..n).map(|i| ((i * i) as f64 * 0.7).sin()).collect()
+    }
+
+    /// The definition, term by term.
+    fn direct(field: &[f64], [ny, nx]: [usize; 2]) -> Vec<Complex> {
+        let coefficient = |kx: usize, ky: usize| {
+            let mut sum = Complex::default();
+            for (i, &f) in field.iter().enumerate() {
+                let phase = TAU * ((kx * (i % nx)) as f64 / nx as f64 + (ky * (i / nx)) as f64 / ny as f64);
+                sum += Complex::from_polar(f, -phase);
+            }
+            sum / (nx * ny) as f64
+        };
+        (0..=nx / 2).flat_map(|kx| (0..ny).map(move |ky| coefficient(kx, ky))).collect()
+    }
+
+    #[test]
+    fn forward_is_the_definition_and_inverse_undoes_it_on_awkward_grids() {
+        let grids = [[1, 4], [1, 5], [1, 31], [4, 4], [7, 5], [12, 16], [5, 12], [17, 9], [33, 4], [4, 37]];
+        for shape in grids {
+            let grid = if shape[0] == 1 {
+                Grid::line(shape[1], 1.0).unwrap()
+            } else {
+                Grid::surface(shape, [1.0, 2.0]).unwrap()
+            };
+            let field = noise(grid.len());
+            let mut fourier = Fourier::new(&grid);
+            let mut spectrum = vec![Complex::default(); grid.modes()];
+            fourier.forward(&field, &mut spectrum);
+            for (fast, slow) in spectrum.iter().zip(direct(&field, shape)) {
+                assert!((fast - slow).norm() < 1e-14, "{shape:?}: {fast} against {slow}");
+            }
+            let mut back = vec![0.0; grid.len()];
+            fourier.inverse(&mut spectrum, &mut back);
+            for (a, b) in field.iter().zip(&back) {
+                assert!((a - b).abs() < 1e-14, "{shape:?}: {a} against {b}");
+            }
+        }
+    }
+}
