@@ -227,6 +227,13 @@ fn a_smooth_contact_comes_with_its_exact_solution() {
     assert_close(number(&summary, "max_pressure"), number(exact, "max_pressure"), 1e-3, "peak pressure");
 }
 
+/// The same heights, but for the rounding of taking their mean off and adding it back.
+fn assert_same(found: &ArrayD<f64>, given: &ArrayD<f64>) {
+    assert_eq!(found.shape(), given.shape());
+    let largest = given.fold(0.0, |m: f64, h| m.max(h.abs()));
+    assert!(found.iter().zip(given).all(|(f, g)| (f - g).abs() <= 4.0 * f64::EPSILON * largest));
+}
+
 #[test]
 fn heights_from_a_file_come_back_as_they_were() {
     let folder = Folder::new();
@@ -237,7 +244,7 @@ fn heights_from_a_file_come_back_as_they_were() {
         let (summary, fields) = solve(&folder, &format!("--height h.npy --size {size} --pressure 0.3"));
         check_summary(&summary, 0.3);
         check_fields(&fields, &summary, &shape);
-        assert_eq!(fields.height, height);
+        assert_same(&fields.height, &height);
         assert!(summary.get("seed").is_none());
     }
 }
@@ -264,13 +271,13 @@ fn singles_and_fortran_order_are_read() {
     fortran.assign(&height);
     write_npy(folder.join("h.npy"), &fortran).unwrap();
     let (summary, fields) = solve(&folder, load);
-    assert_eq!(fields.height, height.clone().into_dyn());
+    assert_same(&fields.height, &height.clone().into_dyn());
     assert_eq!(timeless(summary), timeless(plain));
     let single = height.mapv(|h| h as f32);
     write_npy(folder.join("h.npy"), &single).unwrap();
     let (summary, fields) = solve(&folder, load);
     check_summary(&summary, 0.3);
-    assert_eq!(fields.height, single.mapv(f64::from).into_dyn());
+    assert_same(&fields.height, &single.mapv(f64::from).into_dyn());
 }
 
 #[test]

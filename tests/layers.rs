@@ -4,8 +4,9 @@
 use std::path::{Path, PathBuf};
 
 /// Layers by module; the names that the crate root re-exports have the layer of their module.
-const LAYERS: [(&str, u8); 17] = [
+const LAYERS: [(&str, u8); 18] = [
     ("error", 0),
+    ("chunks", 0),
     ("grid", 0),
     ("Grid", 0),
     ("fourier", 0),

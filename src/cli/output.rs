@@ -152,7 +152,7 @@ pub fn write_fields(path: &Path, problem: &Problem, contact: &Contact, rank: usi
 fn archive(problem: &Problem, contact: &Contact, rank: usize) -> Result<Vec<u8>, WriteNpzError> {
     let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
     let fields: [(&str, &Field); 4] = [
-        ("height", problem.surface().height()),
+        ("height", &problem.surface().heights_as_given()),
         ("pressure", &contact.pressure),
         ("gap", &contact.gap),
         ("displacement", &contact.displacement),

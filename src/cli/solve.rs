@@ -6,6 +6,7 @@ use super::solver::SolverArgs;
 use super::source::{Made, Source};
 use super::{Outcome, usage};
 use anyhow::Result;
+use asperity::Surface;
 use asperity::contact::{Contact, Problem, Solver, Stop};
 use asperity::error::{FileError, SolveError};
 use asperity::surface::check_target;
@@ -69,8 +70,8 @@ impl Solve {
     pub fn run(&self) -> Result<Outcome> {
         let solver = self.solver.solver()?;
         let stop = self.solver.stop()?;
-        let made = self.source.surface()?;
-        let problem = self.load.problem(&made)?;
+        let (surface, made) = self.source.surface()?;
+        let problem = self.load.problem(surface)?;
         if let Some(path) = &self.output.out {
             check_target(path)?;
         }
@@ -171,8 +172,7 @@ pub fn settle(solved: Result<Contact, SolveError>) -> (Contact, Outcome) {
 }
 
 impl Load {
-    fn problem(&self, made: &Made) -> Result<Problem> {
-        let surface = made.surface.clone();
+    fn problem(&self, surface: Surface) -> Result<Problem> {
         match (self.pressure, self.reduced_pressure) {
             (Some(pressure), None) => Ok(Problem::new(surface, self.modulus, pressure)?),
             (None, Some(reduced)) => Ok(Problem::at_reduced_pressure(surface, self.modulus, reduced)?),

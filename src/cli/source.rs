@@ -6,10 +6,11 @@ use asperity::error::GridError;
 use asperity::surface::{Field, Indenter, Spectrum, read_heights};
 use asperity::{Grid, Surface};
 use clap::{Args, ValueEnum};
+use ndarray::Axis;
 use std::path::PathBuf;
 
-/// Fields of doubles that a command holds at once, at the least.
-const FIELDS: usize = 8;
+/// Fields of doubles that a solve holds at once, at the least.
+const FIELDS: usize = 5;
 
 /// The surface: exactly one of a height file, an indenter or a random spectrum.
 #[derive(Args)]
@@ -99,9 +100,8 @@ struct Roughness {
     seed: Option<u64>,
 }
 
-/// A surface, the indenter it is if it is one, and the rank of the arrays it came from or goes to.
+/// How a surface was made: the indenter it is if it is one, and the rank of the arrays it came from or goes to.
 pub struct Made {
-    pub surface: Surface,
     pub indenter: Option<Indenter>,
     pub rank: usize,
     /// Its name.
@@ -111,8 +111,8 @@ pub struct Made {
 }
 
 impl Source {
-    /// Reads or makes the surface.
-    pub fn surface(&self) -> Result<Made> {
+    /// Reads or makes the surface, and says how.
+    pub fn surface(&self) -> Result<(Surface, Made)> {
         match (&self.height, self.indenter, self.hurst) {
             (Some(path), None, None) => self.read(path),
             (None, Some(kind), None) => self.press(kind),
@@ -122,7 +122,7 @@ impl Source {
         }
     }
 
-    fn read(&self, path: &PathBuf) -> Result<Made> {
+    fn read(&self, path: &PathBuf) -> Result<(Surface, Made)> {
         if !self.points.is_empty() {
             return usage("--points does not go with --height: the file has its own");
         }
@@ -134,22 +134,23 @@ impl Source {
             _ => return usage(format!("{} holds an array of rank {rank}: give rank 1 or 2", path.display())),
         };
         let sizes = self.sizes(rank)?;
-        let height: Field = height.to_shape(shape)?.into_owned();
+        let height = if rank == 1 { height.insert_axis(Axis(0)) } else { height };
+        let height: Field = height.into_dimensionality()?;
         let surface = Surface::new(grid(&shape, if shape[0] == 1 { &sizes[rank - 1..] } else { &sizes })?, height)?;
         let title = path.file_stem().map_or("surface".into(), |stem| stem.to_string_lossy().into_owned());
         let description = format!("heights from {}", path.display());
-        Ok(Made { surface, indenter: None, rank, title, description })
+        Ok((surface, Made { indenter: None, rank, title, description }))
     }
 
-    fn press(&self, kind: Kind) -> Result<Made> {
+    fn press(&self, kind: Kind) -> Result<(Surface, Made)> {
         let grid = self.grid()?;
         let indenter = self.shape.indenter(kind)?;
         let rank = self.points.len();
         let (title, description) = (capitalised(indenter.name()), self.shape.describe(&indenter));
-        Ok(Made { surface: indenter.surface(grid)?, indenter: Some(indenter), rank, title, description })
+        Ok((indenter.surface(grid)?, Made { indenter: Some(indenter), rank, title, description }))
     }
 
-    fn roughen(&self, hurst: f64) -> Result<Made> {
+    fn roughen(&self, hurst: f64) -> Result<(Surface, Made)> {
         let grid = self.grid()?;
         let rough = &self.roughness;
         let needs = |value: Option<f64>, name: &str| match value {
@@ -169,7 +170,7 @@ impl Source {
             spectrum.rolloff_wavelength, spectrum.short_cutoff, spectrum.rms_gradient
         );
         let title = if grid.is_line() { "Rough line" } else { "Rough surface" }.into();
-        Ok(Made { surface, indenter: None, rank: self.points.len(), title, description })
+        Ok((surface, Made { indenter: None, rank: self.points.len(), title, description }))
     }
 
     fn grid(&self) -> Result<Grid> {

@@ -3,6 +3,7 @@
 use super::Outcome;
 use super::source::{Made, Source};
 use anyhow::Result;
+use asperity::Surface;
 use asperity::surface::{Roughness, check_target, write_heights};
 use clap::Args;
 use serde::Serialize;
@@ -43,16 +44,16 @@ impl Describe {
         if let Some(path) = &self.out {
             check_target(path)?;
         }
-        let made = self.source.surface()?;
+        let (surface, made) = self.source.surface()?;
         if let Some(path) = &self.out {
-            let height = made.surface.height();
+            let height = surface.heights_as_given();
             if made.rank == 1 {
                 write_heights(path, height.row(0).into_dyn())?;
             } else {
                 write_heights(path, height.view().into_dyn())?;
             }
         }
-        let statistics = Statistics::of(&made);
+        let statistics = Statistics::of(&surface, &made);
         let mut out = stdout();
         if self.json {
             writeln!(out, "{}", serde_json::to_string(&statistics)?)?;
@@ -64,15 +65,15 @@ impl Describe {
 }
 
 impl Statistics {
-    fn of(made: &Made) -> Self {
-        let grid = made.surface.grid();
+    fn of(surface: &Surface, made: &Made) -> Self {
+        let grid = surface.grid();
         let outer = if made.rank == 1 { 1 } else { 0 };
         let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } =
-            Roughness::of(&made.surface);
+            Roughness::of(surface);
         Self {
             points: grid.shape()[outer..].to_vec(),
             size: grid.size()[outer..].to_vec(),
-            seed: made.surface.seed(),
+            seed: surface.seed(),
             rms_height,
             rms_gradient,
             rms_curvature,

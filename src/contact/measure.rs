@@ -2,6 +2,7 @@
 
 use crate::contact::Problem;
 use crate::contact::chunks;
+use crate::surface::Surface;
 
 /// Excess of counted nodes over the true contact of a line, per switch between contact and gap, in nodes.
 ///
@@ -51,7 +52,7 @@ impl Measures {
     pub fn of(problem: &Problem, pressure: &[f64]) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
-        let (contact_nodes, sum_squares) = contact_sums(pressure, problem.square_gradients());
+        let (contact_nodes, sum_squares) = contact_sums(pressure, problem.surface());
         let switches = switches(pressure, grid.shape());
         let excess = if grid.is_line() { NODE_EXCESS_PER_SWITCH_LINE } else { NODE_EXCESS_PER_SWITCH_SURFACE };
         let nodes = grid.len() as f64;
@@ -77,30 +78,39 @@ impl Measures {
 }
 
 /// Nodes in contact and the sum of their square gradients.
-fn contact_sums(pressure: &[f64], square_gradients: &[f64]) -> (usize, f64) {
+fn contact_sums(pressure: &[f64], surface: &Surface) -> (usize, f64) {
+    let square_gradient = surface.square_gradient();
     let parts = chunks::visit(pressure.len(), |range| {
         let (mut nodes, mut squares) = (0, 0.0);
         for i in range {
-            let contact = pressure[i] > 0.0;
-            nodes += usize::from(contact);
-            squares += if contact { square_gradients[i] } else { 0.0 };
+            if pressure[i] > 0.0 {
+                nodes += 1;
+                squares += square_gradient(i);
+            }
         }
         (nodes, squares)
     });
     parts.into_iter().fold((0, 0.0), |(n, s), (nodes, squares)| (n + nodes, s + squares))
 }
 
-/// Switches between contact and gap along rows, and along columns where there is more than one row; periodic.
+/// Switches between contact and gap along rows and columns; periodic.
 fn switches(pressure: &[f64], [ny, nx]: [usize; 2]) -> usize {
-    let along_row = |row: &[f64]| {
-        let inside = row.windows(2).filter(|w| (w[0] > 0.0) != (w[1] > 0.0)).count();
-        inside + usize::from((row[0] > 0.0) != (row[nx - 1] > 0.0))
-    };
-    let between = |a: &[f64], b: &[f64]| a.iter().zip(b).filter(|(a, b)| (**a > 0.0) != (**b > 0.0)).count();
-    let row = |y: usize| &pressure[y * nx..(y + 1) * nx];
-    let rows: usize = (0..ny).map(|y| along_row(row(y))).sum();
-    let columns: usize = if ny > 1 { (0..ny).map(|y| between(row(y), row((y + 1) % ny))).sum() } else { 0 };
-    rows + columns
+    let last = pressure.len() - nx;
+    let is_switch = |a: usize, b: usize| (pressure[a] > 0.0) != (pressure[b] > 0.0);
+    let in_order = differences(&pressure[1..], &pressure[..pressure.len() - 1]);
+    let across_rows = (1..ny).filter(|y| is_switch(y * nx - 1, y * nx)).count();
+    let across_period = (0..ny).filter(|y| is_switch(y * nx, (y + 1) * nx - 1)).count();
+    let columns = differences(&pressure[nx..], &pressure[..last]) + differences(&pressure[..nx], &pressure[last..]);
+    in_order - across_rows + across_period + columns
+}
+
+/// Nodes that are in contact in one of two fields only.
+fn differences(a: &[f64], b: &[f64]) -> usize {
+    let parts = chunks::visit(a.len(), |range| {
+        let pairs = a[range.clone()].iter().zip(&b[range]);
+        pairs.filter(|(a, b)| (**a > 0.0) != (**b > 0.0)).count()
+    });
+    parts.into_iter().sum()
 }
 
 #[cfg(test)]

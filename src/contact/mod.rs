@@ -9,7 +9,6 @@
 
 mod best;
 mod certificate;
-mod chunks;
 mod gfmd;
 mod measure;
 mod multilevel;
@@ -20,6 +19,8 @@ mod problem;
 mod result;
 mod solver;
 mod stop;
+
+use crate::chunks;
 
 pub use certificate::Certificate;
 pub use gfmd::{Dynamics, Gfmd, Masses};

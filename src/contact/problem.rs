@@ -2,7 +2,7 @@
 
 use crate::contact::chunks;
 use crate::error::ProblemError;
-use crate::surface::{Surface, square_gradients};
+use crate::surface::Surface;
 use std::sync::OnceLock;
 
 /// A rigid surface pressed on an elastic half-space by a given mean pressure, frictionless and without adhesion.
@@ -22,9 +22,7 @@ pub struct Problem {
     surface: Surface,
     contact_modulus: f64,
     mean_pressure: f64,
-    height: Vec<f64>,
     rms_height: f64,
-    square_gradients: OnceLock<Vec<f64>>,
     rms_gradient: OnceLock<f64>,
 }
 
@@ -37,23 +35,14 @@ impl Problem {
     pub fn new(surface: Surface, contact_modulus: f64, mean_pressure: f64) -> Result<Self, ProblemError> {
         check_magnitude("contact modulus", contact_modulus)?;
         check_magnitude("mean pressure", mean_pressure)?;
-        let height = centred(surface.heights());
-        let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
-        let first = surface.heights()[0];
-        if surface.heights().iter().all(|&h| h == first) {
-            return Err(ProblemError::Flat { height: first });
+        let height = surface.heights();
+        if height.iter().all(|&h| h == height[0]) {
+            return Err(ProblemError::Flat { height: height[0] + surface.mean_height() });
         }
+        let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
         check_magnitude("rms height", rms_height)?;
         check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
-        Ok(Self {
-            surface,
-            contact_modulus,
-            mean_pressure,
-            height,
-            rms_height,
-            square_gradients: OnceLock::new(),
-            rms_gradient: OnceLock::new(),
-        })
+        Ok(Self { surface, contact_modulus, mean_pressure, rms_height, rms_gradient: OnceLock::new() })
     }
 
     /// Poses the problem at the reduced pressure `p* = <p> / (gbar E*)`, with `gbar` of this surface.
@@ -95,9 +84,9 @@ impl Problem {
         self.mean_pressure
     }
 
-    /// Heights about their mean, row by row.
+    /// Heights about their mean, row by row: those of the surface.
     pub fn height(&self) -> &[f64] {
-        &self.height
+        self.surface.heights()
     }
 
     /// Root mean square of the heights about their mean.
@@ -105,30 +94,15 @@ impl Problem {
         self.rms_height
     }
 
-    /// Local mean-square gradients (Eq. 8), row by row; computed when first asked for.
-    pub fn square_gradients(&self) -> &[f64] {
-        self.square_gradients.get_or_init(|| square_gradients(&self.surface))
-    }
-
-    /// Root-mean-square gradient `gbar` of the whole surface.
+    /// Root-mean-square gradient `gbar` of the whole surface; computed when first asked for.
     pub fn rms_gradient(&self) -> f64 {
-        *self.rms_gradient.get_or_init(|| {
-            let squares = self.square_gradients();
-            (chunks::sum(squares.len(), |i| squares[i]) / squares.len() as f64).sqrt()
-        })
+        *self.rms_gradient.get_or_init(|| self.surface.rms_gradient())
     }
 
     /// Number of nodes.
     pub(crate) fn nodes(&self) -> usize {
-        self.height.len()
+        self.surface.grid().len()
     }
-}
-
-/// Heights about their mean, which is taken relative to the first height, so that a large offset costs no digits.
-fn centred(height: &[f64]) -> Vec<f64> {
-    let first = height[0];
-    let mean = chunks::sum(height.len(), |i| height[i] - first) / height.len() as f64;
-    height.iter().map(|h| (h - first) - mean).collect()
 }
 
 fn check_magnitude(name: &'static str, value: f64) -> Result<(), ProblemError> {

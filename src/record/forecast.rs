@@ -50,10 +50,10 @@ impl Forecast {
 
 /// Square gradients of a sample of nodes, those of the highest first.
 fn highest_first(problem: &Problem) -> Vec<f64> {
-    let (height, squares) = (problem.height(), problem.square_gradients());
+    let (height, square_gradient) = (problem.height(), problem.surface().square_gradient());
     let mut nodes: Vec<usize> = (0..height.len()).step_by((height.len() / SAMPLES) | 1).collect();
     nodes.sort_unstable_by(|&a, &b| height[b].total_cmp(&height[a]));
-    nodes.into_iter().map(|node| squares[node]).collect()
+    nodes.into_iter().map(square_gradient).collect()
 }
 
 #[cfg(test)]

@@ -9,9 +9,10 @@ mod synthesis;
 pub use files::{check_target, read_heights, write_beside, write_heights};
 pub use indenter::Indenter;
 pub(crate) use indenter::{offsets, shortest_period};
-pub use roughness::{PowerSpectrum, Roughness, square_gradients};
+pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
 
+use crate::chunks;
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use ndarray::{Array2, ArrayView1};
@@ -19,15 +20,23 @@ use ndarray::{Array2, ArrayView1};
 /// Values on a grid, shape `(ny, nx)`, row by row.
 pub type Field = Array2<f64>;
 
+/// A mean below this part of the largest deviation is rounding: such heights are kept as they are, to the last bit.
+const ROUNDING: f64 = 1e-12;
+
 /// The height profile of a rigid surface. Peaks that point at the solid are positive.
 ///
-/// | field    | shape      | unit   |
-/// |----------|------------|--------|
-/// | `height` | `(ny, nx)` | length |
+/// Heights are kept about their mean: only differences matter to a contact. The mean is taken relative to the first height,
+/// so that an offset of a billion rms heights costs no digits beyond those that the heights came without.
+///
+/// | field         | shape      | unit   | meaning                        |
+/// |---------------|------------|--------|--------------------------------|
+/// | `height`      | `(ny, nx)` | length | heights about their mean       |
+/// | `mean_height` | -          | length | the mean that was taken off    |
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     grid: Grid,
     height: Field,
+    mean_height: f64,
     seed: Option<u64>,
 }
 
@@ -43,8 +52,9 @@ impl Surface {
         if let Some(((row, column), &value)) = height.indexed_iter().find(|(_, h)| !h.is_finite()) {
             return Err(SurfaceError::NonFinite { index: [row, column], value });
         }
-        let height = height.as_standard_layout().into_owned();
-        Ok(Self { grid, height, seed: None })
+        let mut height = if height.is_standard_layout() { height } else { height.as_standard_layout().into_owned() };
+        let mean_height = centre(height.as_slice_mut().expect("standard layout"));
+        Ok(Self { grid, height, mean_height, seed: None })
     }
 
     /// A line of given heights and period.
@@ -66,18 +76,111 @@ impl Surface {
         &self.grid
     }
 
-    /// The heights.
+    /// The heights about their mean.
     pub fn height(&self) -> &Field {
         &self.height
     }
 
-    /// The heights, row by row.
+    /// The heights about their mean, row by row.
     pub fn heights(&self) -> &[f64] {
         self.height.as_slice().expect("standard layout by construction")
+    }
+
+    /// The mean of the heights as they were given.
+    pub fn mean_height(&self) -> f64 {
+        self.mean_height
+    }
+
+    /// The heights as they were given, but for rounding: a field made anew.
+    pub fn heights_as_given(&self) -> Field {
+        &self.height + self.mean_height
+    }
+
+    /// Local mean-square gradient (Eq. 8) as a function of the node, counted row by row.
+    ///
+    /// Per direction `g_i^2 = 1/2 [((h_i - h_{i+1})/l)^2 + ((h_i - h_{i-1})/l)^2]` with the spacing `l`, periodic; a
+    /// surface has the sum over both directions. The function panics where there is no node.
+    pub fn square_gradient(&self) -> impl Fn(usize) -> f64 + Sync {
+        let (h, nx) = (self.heights(), self.grid.shape()[1]);
+        let [per_dy, per_dx] = self.grid.spacing().map(f64::recip);
+        move |node| {
+            let x = node % nx;
+            let left = if x > 0 { node - 1 } else { node + nx - 1 };
+            let right = if x + 1 < nx { node + 1 } else { node - x };
+            let above = if node >= nx { node - nx } else { node + h.len() - nx };
+            let below = if node + nx < h.len() { node + nx } else { x };
+            let square = |neighbour: usize, per_spacing: f64| ((h[node] - h[neighbour]) * per_spacing).powi(2);
+            0.5 * (square(left, per_dx) + square(right, per_dx) + square(above, per_dy) + square(below, per_dy))
+        }
+    }
+
+    /// Root-mean-square gradient `gbar`: that of all nodes, see [`Surface::square_gradient`].
+    pub fn rms_gradient(&self) -> f64 {
+        let n = self.height.len();
+        (chunks::sum(n, self.square_gradient()) / n as f64).sqrt()
     }
 
     /// The seed of a random surface.
     pub fn seed(&self) -> Option<u64> {
         self.seed
+    }
+}
+
+/// Takes the mean off the heights, unless it is rounding, and returns it.
+fn centre(height: &mut [f64]) -> f64 {
+    let (n, first) = (height.len(), height[0]);
+    let offset = chunks::sum(n, |i| height[i] - first) / n as f64;
+    let mean = first + offset;
+    let largest = chunks::visit(n, |range| range.fold(0.0, |most: f64, i| most.max((height[i] - first).abs())));
+    if mean.abs() <= ROUNDING * largest.into_iter().fold(0.0, f64::max) {
+        return 0.0;
+    }
+    chunks::update(height, |_, height| height.iter_mut().for_each(|h| *h = (*h - first) - offset));
+    mean
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(height: impl Fn(f64) -> f64) -> Surface {
+        Surface::line(ndarray::Array1::from_shape_fn(64, |i| height(i as f64)).view(), 1.0).unwrap()
+    }
+
+    #[test]
+    fn heights_are_about_their_mean_and_come_back_as_given() {
+        for offset in [0.0, 0.3, -7.0, 1e9] {
+            let surface = line(|i| offset + (i * i).sin());
+            let mean = (0..64).map(|i| ((i * i) as f64).sin()).sum::<f64>() / 64.0;
+            assert!((surface.mean_height() - (offset + mean)).abs() <= 1e-15 * offset.abs().max(1.0));
+            assert!(surface.heights().iter().sum::<f64>().abs() < 1e-12, "{offset}");
+            for (i, &given) in surface.heights_as_given().iter().enumerate() {
+                let expected = offset + ((i * i) as f64).sin();
+                assert!((given - expected).abs() <= 4.0 * f64::EPSILON * offset.abs().max(1.0), "{given} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn heights_about_their_mean_are_kept_to_the_last_bit() {
+        let once = line(|i| 0.3 + (i * i).sin());
+        let twice = Surface::new(once.grid, once.height.clone()).unwrap();
+        assert_eq!((twice.heights(), twice.mean_height()), (once.heights(), 0.0));
+    }
+
+    #[test]
+    fn square_gradients_are_equation_8() {
+        let noise = |(i, j): (usize, usize)| ((4 * i + j) as f64).powi(2).sin();
+        let surface = Surface::new(Grid::surface([5, 4], [1.0, 2.0]).unwrap(), Field::from_shape_fn((5, 4), noise));
+        let surface = surface.unwrap();
+        let (h, found) = (surface.height(), surface.square_gradient());
+        for (n, ((i, j), &z)) in h.indexed_iter().enumerate() {
+            let square = |neighbour: f64, spacing: f64| 0.5 * ((z - neighbour) / spacing).powi(2);
+            let expected = square(h[[(i + 1) % 5, j]], 0.2)
+                + square(h[[(i + 4) % 5, j]], 0.2)
+                + square(h[[i, (j + 1) % 4]], 0.5)
+                + square(h[[i, (j + 3) % 4]], 0.5);
+            assert!((found(n) - expected).abs() < 1e-12);
+        }
     }
 }

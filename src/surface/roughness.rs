@@ -1,48 +1,10 @@
 //! Statistics of a surface, and its power spectrum.
 
 use super::Surface;
+use crate::chunks;
 use crate::fourier::{Complex, Fourier};
 use crate::grid::Grid;
-use rayon::prelude::*;
 use std::f64::consts::TAU;
-
-/// Local mean-square gradient at each node, row by row (Eq. 8).
-///
-/// Per direction `g_i^2 = 1/2 [((h_i - h_{i+1})/l)^2 + ((h_i - h_{i-1})/l)^2]` with the spacing `l`, periodic; a
-/// surface has the sum over both directions.
-pub fn square_gradients(surface: &Surface) -> Vec<f64> {
-    per_node(surface, |height, [before, after], spacing| {
-        let (a, b) = ((height - after) / spacing, (height - before) / spacing);
-        0.5 * (a * a + b * b)
-    })
-}
-
-/// Sum over the directions of `local(height, [before, after], spacing)` at each node, row by row.
-fn per_node(surface: &Surface, local: impl Fn(f64, [f64; 2], f64) -> f64 + Sync) -> Vec<f64> {
-    let ([ny, nx], [dy, dx]) = (surface.grid().shape(), surface.grid().spacing());
-    let row = |i: usize| &surface.heights()[i * nx..(i + 1) * nx];
-    let mut values = vec![0.0; ny * nx];
-    values.par_chunks_exact_mut(nx).enumerate().for_each(|(i, values)| {
-        let (here, above, below) = (row(i), row((i + ny - 1) % ny), row((i + 1) % ny));
-        along_row(here, values, |height, sides| local(height, sides, dx));
-        if ny > 1 {
-            for (j, value) in values.iter_mut().enumerate() {
-                *value += local(here[j], [above[j], below[j]], dy);
-            }
-        }
-    });
-    values
-}
-
-/// Writes `local(height, [before, after])` along a periodic row of at least two points.
-fn along_row(row: &[f64], values: &mut [f64], local: impl Fn(f64, [f64; 2]) -> f64) {
-    let last = row.len() - 1;
-    values[0] = local(row[0], [row[last], row[1]]);
-    for (value, w) in values[1..last].iter_mut().zip(row.windows(3)) {
-        *value = local(w[1], [w[0], w[2]]);
-    }
-    values[last] = local(row[last], [row[last - 1], row[0]]);
-}
 
 /// Statistics of the heights of a surface.
 ///
@@ -61,7 +23,7 @@ fn along_row(row: &[f64], values: &mut [f64], local: impl Fn(f64, [f64; 2]) -> f
 pub struct Roughness {
     /// `sqrt <z^2>`, a length.
     pub rms_height: f64,
-    /// `gbar = sqrt <g^2>`, see [`square_gradients`].
+    /// `gbar = sqrt <g^2>`, see [`Surface::square_gradient`].
     pub rms_gradient: f64,
     /// Root mean square of the second difference for lines, of half the sum of both (the mean curvature) for surfaces;
     /// 1/length.
@@ -79,16 +41,16 @@ pub struct Roughness {
 impl Roughness {
     /// The statistics of `surface`.
     pub fn of(surface: &Surface) -> Self {
-        let z = deviations(surface.heights());
+        let z = surface.heights();
         let peak = z.iter().fold(0.0_f64, |m, &z| m.max(z));
         let valley = z.iter().fold(0.0_f64, |m, &z| m.max(-z));
         let largest = peak.max(valley);
         let unit = if largest > 0.0 { largest } else { 1.0 };
-        let [second, third, fourth] = [2, 3, 4].map(|power| moment(&z, unit, power));
+        let [second, third, fourth] = [2, 3, 4].map(|power| mean(z.len(), |i| (z[i] / unit).powi(power)));
         let standardised = |moment: f64, power: f64| if second > 0.0 { moment / second.powf(power) } else { 0.0 };
         Self {
             rms_height: unit * second.sqrt(),
-            rms_gradient: mean(&square_gradients(surface)).sqrt(),
+            rms_gradient: surface.rms_gradient(),
             rms_curvature: rms_curvature(surface),
             peak,
             valley,
@@ -98,32 +60,23 @@ impl Roughness {
     }
 }
 
-/// Deviations from the mean, found relative to the first height so that a large offset costs no digits.
-fn deviations(heights: &[f64]) -> Vec<f64> {
-    let datum = heights[0];
-    let mut z: Vec<f64> = heights.par_iter().map(|h| h - datum).collect();
-    let mean = mean(&z);
-    z.par_iter_mut().for_each(|z| *z -= mean);
-    z
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.par_chunks(1 << 14).map(|chunk| chunk.iter().sum::<f64>()).collect::<Vec<_>>().iter().sum::<f64>()
-        / values.len() as f64
-}
-
-/// `<(z/unit)^power>`.
-fn moment(z: &[f64], unit: f64, power: i32) -> f64 {
-    mean(&z.par_iter().map(|z| (z / unit).powi(power)).collect::<Vec<_>>())
+/// Mean of `term(node)` over `n` nodes.
+fn mean(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
+    chunks::sum(n, term) / n as f64
 }
 
 fn rms_curvature(surface: &Surface) -> f64 {
-    let directions = if surface.grid().is_line() { 1.0 } else { 2.0 };
-    let mut curvatures = per_node(surface, |height, [before, after], spacing| {
-        ((after - height) - (height - before)) / spacing / spacing
-    });
-    curvatures.par_iter_mut().for_each(|c| *c *= *c);
-    mean(&curvatures).sqrt() / directions
+    let (h, [ny, nx], [dy, dx]) = (surface.heights(), surface.grid().shape(), surface.grid().spacing());
+    let second =
+        |before: f64, height: f64, after: f64, spacing: f64| ((after - height) - (height - before)) / spacing / spacing;
+    let curvature = |node: usize| {
+        let (y, x) = (node / nx, node % nx);
+        let at = |y: usize, x: usize| h[(y % ny) * nx + x % nx];
+        let along_x = second(at(y, x + nx - 1), h[node], at(y, x + 1), dx);
+        let along_y = second(at(y + ny - 1, x), h[node], at(y + 1, x), dy);
+        if ny > 1 { 0.5 * (along_x + along_y) } else { along_x }
+    };
+    mean(h.len(), |node| curvature(node).powi(2)).sqrt()
 }
 
 /// The power spectral density of a surface, averaged over directions.
@@ -172,7 +125,7 @@ struct Ring {
 fn rings(surface: &Surface) -> Vec<Ring> {
     let grid = surface.grid();
     let mut spectrum = vec![Complex::default(); grid.modes()];
-    Fourier::new(grid).forward(&deviations(surface.heights()), &mut spectrum);
+    Fourier::new(grid).forward(surface.heights(), &mut spectrum);
     let ([ly, lx], is_line) = (grid.size(), grid.is_line());
     let (step, cell) = if is_line { (TAU / lx, lx / TAU) } else { (TAU / lx.min(ly), lx / TAU * (ly / TAU)) };
     let mut rings = vec![Ring::default(); ring_of(largest_wavenumber(grid), step) + 1];
@@ -215,20 +168,6 @@ mod tests {
             Grid::surface([12, 16], [1.0, 3.0]).unwrap(),
             Grid::surface([9, 7], [2.0, 1.0]).unwrap(),
         ]
-    }
-
-    #[test]
-    fn square_gradients_are_equation_8() {
-        let surface = noise(Grid::surface([5, 4], [1.0, 2.0]).unwrap(), 0.0);
-        let (h, gradients) = (surface.height(), square_gradients(&surface));
-        for (n, ((i, j), &z)) in h.indexed_iter().enumerate() {
-            let square = |neighbour: f64, spacing: f64| 0.5 * ((z - neighbour) / spacing).powi(2);
-            let expected = square(h[[(i + 1) % 5, j]], 0.2)
-                + square(h[[(i + 4) % 5, j]], 0.2)
-                + square(h[[i, (j + 1) % 4]], 0.5)
-                + square(h[[i, (j + 3) % 4]], 0.5);
-            assert!((gradients[n] - expected).abs() < 1e-12);
-        }
     }
 
     #[test]

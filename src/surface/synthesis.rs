@@ -1,6 +1,5 @@
 //! Random surfaces of a given power spectrum.
 
-use super::roughness::square_gradients;
 use super::{Field, Spectrum, Surface};
 use crate::error::SurfaceError;
 use crate::fourier::{Complex, Fourier};
@@ -43,17 +42,18 @@ impl Surface {
     /// ```
     pub fn rough(grid: Grid, spectrum: &Spectrum, seed: u64) -> Result<Self, SurfaceError> {
         spectrum.validate(&grid)?;
-        let mut coefficients = amplitudes(&grid, spectrum, seed);
-        let [ny, nx] = grid.shape();
-        let mut height = Field::zeros((ny, nx));
-        let values = height.as_slice_mut().expect("standard layout by construction");
-        Fourier::new(&grid).inverse(&mut coefficients, values);
-        let unscaled = Self::new(grid, height)?;
-        let gradients = square_gradients(&unscaled);
-        let rms_gradient = (gradients.iter().sum::<f64>() / gradients.len() as f64).sqrt();
-        let scale = spectrum.rms_gradient / rms_gradient;
+        let unscaled = Self::new(grid, unscaled(&grid, spectrum, seed))?;
+        let scale = spectrum.rms_gradient / unscaled.rms_gradient();
         Ok(Self::new(grid, unscaled.height * scale)?.with_seed(seed))
     }
+}
+
+/// Heights of the right spectrum up to a factor. Coefficients and plans are gone when this returns.
+fn unscaled(grid: &Grid, spectrum: &Spectrum, seed: u64) -> Field {
+    let mut coefficients = amplitudes(grid, spectrum, seed);
+    let mut height = Field::zeros(grid.shape());
+    Fourier::new(grid).inverse(&mut coefficients, height.as_slice_mut().expect("standard layout by construction"));
+    height
 }
 
 /// Random Fourier coefficients up to a factor, in the order of [`crate::fourier`]; in units of the roll-off wavelength,

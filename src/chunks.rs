@@ -10,7 +10,7 @@ use std::ops::Range;
 const CHUNK: usize = 1 << 14;
 
 /// Results of `visit` on each chunk of `0..len`, in order.
-pub(super) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+pub(crate) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     if len <= CHUNK {
         return vec![visit(0..len)];
     }
@@ -18,12 +18,12 @@ pub(super) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Syn
 }
 
 /// Sum of `term(i)` over `0..len`.
-pub(super) fn sum(len: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
+pub(crate) fn sum(len: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     visit(len, |range| range.map(&term).sum::<f64>()).into_iter().sum()
 }
 
 /// Results of `update` on each chunk of `values` and the range it covers, in order.
-pub(super) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, &mut [f64]) -> T + Sync) -> Vec<T> {
+pub(crate) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, &mut [f64]) -> T + Sync) -> Vec<T> {
     if values.len() <= CHUNK {
         return vec![update(0..values.len(), values)];
     }
@@ -32,7 +32,7 @@ pub(super) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, 
 }
 
 /// [`update`] of two vectors at once.
-pub(super) fn update_both(a: &mut [f64], b: &mut [f64], update: impl Fn(Range<usize>, &mut [f64], &mut [f64]) + Sync) {
+pub(crate) fn update_both(a: &mut [f64], b: &mut [f64], update: impl Fn(Range<usize>, &mut [f64], &mut [f64]) + Sync) {
     if a.len() <= CHUNK {
         return update(0..a.len(), a, b);
     }
