@@ -39,3 +39,29 @@ pub(crate) fn update_both(a: &mut [f64], b: &mut [f64], update: impl Fn(Range<us
     let pairs = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).enumerate();
     pairs.for_each(|(c, (a, b))| update(c * CHUNK..c * CHUNK + a.len(), a, b));
 }
+
+/// Results of `make` for each of `count` rows of `width` values, in order.
+pub(crate) fn rows<T: Send>(count: usize, width: usize, make: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    if count * width <= CHUNK {
+        return (0..count).map(make).collect();
+    }
+    (0..count).into_par_iter().map(|row| make(row)).collect()
+}
+
+/// Visits the rows of `width` values of a field.
+pub(crate) fn rows_mut(field: &mut [f64], width: usize, visit: impl Fn(usize, &mut [f64]) + Sync) {
+    if field.len() <= CHUNK {
+        field.chunks_mut(width).enumerate().for_each(|(row, values)| visit(row, values));
+    } else {
+        field.par_chunks_mut(width).enumerate().for_each(|(row, values)| visit(row, values));
+    }
+}
+
+/// Visits items, each of about `width` values.
+pub(crate) fn each<T: Send>(items: &mut [T], width: usize, visit: impl Fn(usize, &mut T) + Sync) {
+    if items.len() * width <= CHUNK {
+        items.iter_mut().enumerate().for_each(|(i, item)| visit(i, item));
+    } else {
+        items.par_iter_mut().enumerate().for_each(|(i, item)| visit(i, item));
+    }
+}

@@ -1,26 +1,27 @@
 //! The best state of a run.
 
-use crate::contact::Problem;
-
-/// The pressure with the smallest certificate among those that the method has made. Until there is one, the uniform pressure,
-/// which is always feasible.
-pub(super) struct Best {
+/// The pressure with the smallest certificate among those that the method has made.
+pub(super) struct Best<P = Vec<f64>> {
     pub eta: f64,
-    pub pressure: Vec<f64>,
+    pub pressure: Option<P>,
     found_at: usize,
 }
 
-impl Best {
-    pub fn new(problem: &Problem) -> Self {
-        Self { eta: f64::INFINITY, pressure: vec![problem.mean_pressure(); problem.nodes()], found_at: 0 }
+impl<P: Clone> Best<P> {
+    /// Nothing yet, at the given iteration.
+    pub fn none(iteration: usize) -> Self {
+        Self { eta: f64::INFINITY, pressure: None, found_at: iteration }
     }
 
     /// Keeps `pressure` if `eta` is smaller than before.
-    pub fn offer(&mut self, eta: f64, pressure: &[f64], iteration: usize) {
+    pub fn offer(&mut self, eta: f64, pressure: &P, iteration: usize) {
         if eta < self.eta {
             self.eta = eta;
-            self.pressure.copy_from_slice(pressure);
             self.found_at = iteration;
+            match &mut self.pressure {
+                Some(best) => best.clone_from(pressure),
+                None => self.pressure = Some(pressure.clone()),
+            }
         }
     }
 

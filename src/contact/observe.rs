@@ -1,8 +1,8 @@
 //! Watching a solver, step by step.
 
-use crate::contact::{Measures, Patches, Problem, Work, chunks};
-use std::cell::OnceCell;
-use std::ops::ControlFlow;
+use crate::contact::{Measures, Patches, Problem, Work, certificate, chunks};
+use std::cell::{LazyCell, OnceCell};
+use std::ops::{ControlFlow, Deref};
 
 /// Watches a solver. Solvers know this interface and never who watches.
 ///
@@ -44,14 +44,40 @@ pub struct Step<'a> {
 pub(super) struct State<'a> {
     pub problem: &'a Problem,
     pub work: Work,
-    pub pressure: &'a [f64],
-    pub displacement: &'a [f64],
-    /// `d` of the gap `u - h + d`.
-    pub datum: f64,
+    pub pressure: Values<'a>,
+    pub displacement: Values<'a>,
+    /// `d` of the gap `u - h + d`, where the solver knows it.
+    pub datum: Option<f64>,
     /// `eta`, where the solver knows it.
     pub certificate: Option<f64>,
     pub phase: Phase,
     pub energy: Energy<'a>,
+}
+
+/// A field of a state, at hand or made when it is asked for.
+pub(super) enum Values<'a> {
+    Given(&'a [f64]),
+    Made(Made<'a>),
+}
+
+type Made<'a> = LazyCell<Vec<f64>, Box<dyn FnOnce() -> Vec<f64> + 'a>>;
+
+impl<'a> Values<'a> {
+    /// What `make` will make.
+    pub fn made(make: impl FnOnce() -> Vec<f64> + 'a) -> Self {
+        Self::Made(LazyCell::new(Box::new(make)))
+    }
+}
+
+impl Deref for Values<'_> {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        match self {
+            Self::Given(values) => values,
+            Self::Made(values) => values,
+        }
+    }
 }
 
 /// Where in its scheme a solver stands.
@@ -116,25 +142,31 @@ impl<'a> Step<'a> {
     }
 
     /// Pressure `p >= 0`, row by row. Before convergence its mean may differ from the load (GFMD).
-    pub fn pressure(&self) -> &'a [f64] {
-        self.state.pressure
+    pub fn pressure(&self) -> &[f64] {
+        &self.state.pressure
     }
 
     /// Displacement of the solid's surface into the solid, row by row; its datum is free.
-    pub fn displacement(&self) -> &'a [f64] {
-        self.state.displacement
+    pub fn displacement(&self) -> &[f64] {
+        &self.state.displacement
     }
 
     /// Gap `g = u - h + d`, row by row; negative where the surfaces still penetrate.
     pub fn gap(&self) -> &[f64] {
-        let State { problem, displacement, datum, .. } = &self.state;
+        let datum = self.datum();
+        let State { problem, displacement, .. } = &self.state;
         self.gap.get_or_init(|| displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect())
     }
 
     /// Mean gap.
     pub fn mean_gap(&self) -> f64 {
         let sum: f64 = self.state.displacement.iter().sum();
-        sum / self.state.displacement.len() as f64 + self.state.datum
+        sum / self.state.displacement.len() as f64 + self.datum()
+    }
+
+    fn datum(&self) -> f64 {
+        let State { problem, pressure, displacement, datum, .. } = &self.state;
+        datum.unwrap_or_else(|| certificate::datum(problem, pressure, displacement))
     }
 
     /// The certificate `eta` of this state, where the solver knows it without further work.
@@ -146,7 +178,8 @@ impl<'a> Step<'a> {
     /// energy `<p u> / 2 - <p h>`, for methods that move the surface the potential energy `<w k w> / 2 + <p> <w>`. They end
     /// at the same magnitude with opposite signs.
     pub fn energy(&self) -> f64 {
-        let State { problem, pressure: p, displacement: u, .. } = self.state;
+        let State { problem, pressure, displacement, .. } = &self.state;
+        let (p, u): (&[f64], &[f64]) = (pressure, displacement);
         let (h, load) = (problem.height(), problem.mean_pressure());
         let sum = match self.state.energy {
             Energy::Complementary => chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i])),
@@ -157,11 +190,11 @@ impl<'a> Step<'a> {
 
     /// Area, gradients and proportionality factors.
     pub fn measures(&self) -> &Measures {
-        self.measures.get_or_init(|| Measures::of(self.state.problem, self.state.pressure))
+        self.measures.get_or_init(|| Measures::of(self.state.problem, &self.state.pressure))
     }
 
     /// Contact patches.
     pub fn patches(&self) -> &Patches {
-        self.patches.get_or_init(|| Patches::of(self.state.pressure, self.state.problem.surface().grid().shape()))
+        self.patches.get_or_init(|| Patches::of(&self.state.pressure, self.state.problem.surface().grid().shape()))
     }
 }

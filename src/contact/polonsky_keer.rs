@@ -3,7 +3,8 @@
 //! Letters of this file: `p` pressure, `u` its displacement, `v = u - h`, `g` the gap `v` less its mean over the contact,
 //! `t` the conjugate direction, `r` the displacement under `t`, `tau` the step length.
 
-use crate::contact::observe::{Energy, Phase, State};
+use crate::contact::observe::{Energy, Phase, State, Values};
+use crate::contact::result::Ended;
 use crate::contact::solver::{Run, first_pressure};
 use crate::contact::{Certificate, Contact, Observer, Problem, Solver, Status, Step, Stop, chunks};
 use crate::elastic::HalfSpace;
@@ -57,7 +58,7 @@ impl Solver for PolonskyKeer {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
-        let mut run = Run::new(problem, stop, observer);
+        let mut run = Run::new(stop, observer);
         let mut state = Iterate::new(start, problem);
         let status = loop {
             let certificate = state.certify(&mut run);
@@ -71,8 +72,10 @@ impl Solver for PolonskyKeer {
             state.update(mean_v, tau);
             run.advance();
         };
-        let transforms = state.half_space.transforms();
-        run.finish(problem, &mut state.half_space, self.name(), status, transforms)
+        let Iterate { half_space, .. } = state;
+        let ended = Ended { work: run.work(half_space.transforms()), status, solver: self.name() };
+        let pressure = run.best.pressure.take();
+        run.finish(problem, pressure, half_space, ended)
     }
 }
 
@@ -125,9 +128,9 @@ impl<'a> Iterate<'a> {
         let step = Step::new(State {
             problem: self.problem,
             work: run.work(self.half_space.transforms()),
-            pressure: &self.p,
-            displacement: &self.u,
-            datum,
+            pressure: Values::Given(&self.p),
+            displacement: Values::Given(&self.u),
+            datum: Some(datum),
             certificate: Some(certificate.eta),
             phase: Phase::finest(run.iterations()),
             energy: Energy::Complementary,

@@ -69,10 +69,12 @@ impl std::fmt::Display for Status {
 }
 
 impl Contact {
-    /// The contact with `pressure`, its displacement and certificate recomputed.
-    pub(super) fn of(problem: &Problem, pressure: Vec<f64>, half_space: &mut HalfSpace, ended: Ended) -> Self {
+    /// The contact with `pressure`, its displacement and certificate recomputed. No more than two fields are made besides it at
+    /// a time, that of the half-space included.
+    pub(super) fn of(problem: &Problem, pressure: Vec<f64>, mut half_space: HalfSpace, ended: Ended) -> Self {
         let mut displacement = vec![0.0; pressure.len()];
         half_space.displacement(&pressure, &mut displacement);
+        drop(half_space);
         let certificate = Certificate::of(problem, &pressure, &displacement);
         let datum = certificate::datum(problem, &pressure, &displacement);
         let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
@@ -83,7 +85,7 @@ impl Contact {
             displacement: field(displacement),
             gap: field(gap),
             certificate,
-            work: ended.work,
+            work: Work { transforms: ended.work.transforms + 2, ..ended.work },
             status: ended.status,
             solver: ended.solver,
             seed: problem.surface().seed(),

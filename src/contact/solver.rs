@@ -63,7 +63,7 @@ pub(super) fn first_pressure(start: Option<&Field>, problem: &Problem) -> Vec<f6
 }
 
 /// The bookkeeping of a run: iterations, the clock that halts for observers, the best state, and the reasons to stop.
-pub(super) struct Run<'a> {
+pub(super) struct Run<'a, P = Vec<f64>> {
     observer: &'a mut dyn Observer,
     stop: Stop,
     clock: Instant,
@@ -71,12 +71,12 @@ pub(super) struct Run<'a> {
     iterations: usize,
     patience: usize,
     /// The best state found.
-    pub best: Best,
+    pub best: Best<P>,
 }
 
-impl<'a> Run<'a> {
-    pub fn new(problem: &Problem, stop: &Stop, observer: &'a mut dyn Observer) -> Self {
-        let best = Best::new(problem);
+impl<'a, P: Clone> Run<'a, P> {
+    pub fn new(stop: &Stop, observer: &'a mut dyn Observer) -> Self {
+        let best = Best::none(0);
         let clock = Instant::now();
         Self { observer, stop: *stop, clock, observed_secs: 0.0, iterations: 0, patience: PATIENCE, best }
     }
@@ -102,15 +102,25 @@ impl<'a> Run<'a> {
 
     /// Shows a step to the observer and says why to stop, if so.
     pub fn show(&mut self, step: &Step<'_>) -> Option<Status> {
+        let ended = self.pass(step);
+        match step.certificate() {
+            Some(eta) if self.is_converged(eta) => Some(Status::Converged),
+            _ if ended.is_some() => ended,
+            _ if self.best.is_stale(self.iterations, self.patience) => Some(Status::Stalled),
+            _ => None,
+        }
+    }
+
+    /// Shows a step on the way to one that counts, and says why to stop, if so.
+    pub fn pass(&mut self, step: &Step<'_>) -> Option<Status> {
         let before = Instant::now();
         let wish = self.observer.step(step);
         self.observed_secs += before.elapsed().as_secs_f64();
-        match step.certificate() {
-            Some(eta) if self.is_converged(eta) => Some(Status::Converged),
-            _ if wish == ControlFlow::Break(()) => Some(Status::StoppedByObserver),
-            _ if self.iterations >= self.stop.max_iterations() => Some(Status::IterationCap),
-            _ if self.best.is_stale(self.iterations, self.patience) => Some(Status::Stalled),
-            _ => None,
+        match wish {
+            ControlFlow::Break(()) => Some(Status::StoppedByObserver),
+            ControlFlow::Continue(()) => {
+                (self.iterations >= self.stop.max_iterations()).then_some(Status::IterationCap)
+            }
         }
     }
 
@@ -119,18 +129,17 @@ impl<'a> Run<'a> {
         self.iterations += 1;
     }
 
-    /// The contact with the best state.
+    /// The contact with `pressure`, that of the best state, or with the uniform one, which is always feasible.
     pub fn finish(
         self,
         problem: &Problem,
-        half_space: &mut HalfSpace,
-        solver: &'static str,
-        status: Status,
-        transforms: u64,
+        pressure: Option<Vec<f64>>,
+        half_space: HalfSpace,
+        ended: Ended,
     ) -> Result<Contact, SolveError> {
-        let Work { iterations, seconds, .. } = self.work(transforms);
-        let work = Work { iterations, transforms: transforms + 2, seconds };
-        let contact = Contact::of(problem, self.best.pressure, half_space, Ended { work, status, solver });
+        let status = ended.status;
+        let pressure = pressure.unwrap_or_else(|| vec![problem.mean_pressure(); problem.nodes()]);
+        let contact = Contact::of(problem, pressure, half_space, ended);
         match status {
             Status::Converged | Status::StoppedByObserver => Ok(contact),
             Status::IterationCap | Status::Stalled => Err(SolveError::NotConverged(Box::new(contact))),

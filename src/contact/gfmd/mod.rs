@@ -8,6 +8,7 @@ mod moving;
 mod pace;
 mod probe;
 
+use crate::contact::result::Ended;
 use crate::contact::solver::Run;
 use crate::contact::{Contact, Observer, Problem, Solver, Stop};
 use crate::error::{SettingError, SolveError};
@@ -132,7 +133,7 @@ impl Solver for Gfmd {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
-        let mut run = Run::new(problem, stop, observer);
+        let mut run = Run::new(stop, observer);
         let mut surface = Moving::new(start, problem, self.masses);
         let mut probe = Probe::new(problem);
         let mut pace = Pace::new(self, &surface.stiffnesses());
@@ -146,7 +147,10 @@ impl Solver for Gfmd {
             surface.advance(&mut pace);
             run.advance();
         };
-        let transforms = surface.transforms() + probe.transforms();
-        run.finish(problem, probe.half_space(), self.name(), status, transforms)
+        let work = run.work(surface.transforms() + probe.transforms());
+        let half_space = probe.into_half_space();
+        drop(surface);
+        let pressure = run.best.pressure.take();
+        run.finish(problem, pressure, half_space, Ended { work, status, solver: self.name() })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Masses;
 use super::pace::{Pace, Push};
-use crate::contact::observe::{Energy, Phase, State};
+use crate::contact::observe::{Energy, Phase, State, Values};
 use crate::contact::solver::{Run, first_pressure};
 use crate::contact::{Problem, Status, Step, chunks};
 use crate::elastic::HalfSpace;
@@ -69,9 +69,9 @@ impl<'a> Moving<'a> {
         let step = Step::new(State {
             problem: self.problem,
             work: run.work(transforms),
-            pressure: &self.p,
-            displacement: &self.w,
-            datum: 0.0,
+            pressure: Values::Given(&self.p),
+            displacement: Values::Given(&self.w),
+            datum: Some(0.0),
             certificate,
             phase: Phase::finest(run.iterations()),
             energy: Energy::Potential { force: &self.f },

@@ -26,8 +26,9 @@ impl Probe {
         self.half_space.transforms()
     }
 
-    pub fn half_space(&mut self) -> &mut HalfSpace {
-        &mut self.half_space
+    /// Its half-space, when all is done.
+    pub fn into_half_space(self) -> HalfSpace {
+        self.half_space
     }
 
     /// The certificate, if a check is due and anything is in contact.

@@ -1,84 +1,156 @@
 //! The correction of the pressure on a fixed contact set.
 
-use crate::contact::chunks;
+use super::extension::Extension;
+use super::support::Support;
+use crate::chunks;
+use crate::contact::Status;
 use crate::elastic::HalfSpace;
 
 /// Conjugate gradient steps at the most.
 const MOST_STEPS: usize = 100;
 
 /// The correction `delta` on the nodes of a set, found by conjugate gradients; vectors live on the set.
-pub(super) struct Correction {
-    pub nodes: Vec<usize>,
+///
+/// Solves `(A delta)(x) + v(x) = lambda` on the set, with the compliance `A`. Either the load stays, `sum delta = 0` with
+/// `lambda` to be found, or `lambda` is given. The preconditioner is `E' K E` with the stiffness `K`, the inverse of `A` on
+/// the whole plane, and the [`Extension`] `E`: restricted to the set, the inverse of `A` is `E' K E` for the extension of least
+/// energy (the Schur complement of `K`). A given `lambda` needs the mean as well, which `K` does not see; it gets the
+/// stiffness `1 / a` of the uniform pressure on the set.
+pub(super) struct Correction<'a> {
+    support: &'a Support,
     pub delta: Vec<f64>,
     residual: Vec<f64>,
     direction: Vec<f64>,
+    load: Load,
 }
 
-impl Correction {
-    /// A correction of nothing yet, for the residual `lambda - v` on the nodes with `is_in`.
-    pub fn new(is_in: &[bool], displacement: &[f64], height: &[f64]) -> Self {
-        let nodes: Vec<usize> = (0..is_in.len()).filter(|&i| is_in[i]).collect();
-        let mut residual: Vec<f64> = nodes.iter().map(|&i| height[i] - displacement[i]).collect();
-        remove_mean(&mut residual);
-        let zeros = vec![0.0; nodes.len()];
-        Self { delta: zeros.clone(), direction: zeros, nodes, residual }
+/// Whether the load stays, or else `1 / a`.
+#[derive(Clone, Copy)]
+pub(super) enum Load {
+    Stays,
+    Free { stiffness: f64 },
+}
+
+impl<'a> Correction<'a> {
+    /// A correction of nothing yet, for the `residual` `lambda - v` on `support`.
+    pub fn new(support: &'a Support, residual: Vec<f64>, keeps_load: bool, half_space: &mut HalfSpace) -> Self {
+        let zeros = || vec![0.0; residual.len()];
+        let (delta, direction) = (zeros(), zeros());
+        let mut correction = Self { support, delta, direction, residual, load: Load::Stays };
+        if !keeps_load {
+            let ones = vec![1.0; correction.residual.len()];
+            let stiffness = ones.len() as f64 / dot(&ones, &correction.comply(&ones, half_space));
+            correction.load = Load::Free { stiffness };
+        }
+        correction.project_residual();
+        correction
     }
 
-    /// Solves `(A delta)(x) + v(x) = const` on the set with `sum delta = 0`, where `A` is the compliance, until the norm of the
-    /// residual (that of the preconditioner) has fallen by `reduction`, and adds `A delta` to the `displacement` of all nodes;
+    /// Iterates until the norm of the residual has fallen by `reduction`, showing each step to `watch`, which may end it;
     /// `field` is scratch.
-    pub fn solve(&mut self, reduction: f64, half_space: &mut HalfSpace, displacement: &mut [f64], field: &mut [f64]) {
+    pub fn solve(
+        &mut self,
+        reduction: f64,
+        extension: &mut Extension,
+        half_space: &mut HalfSpace,
+        field: &mut [f64],
+        watch: &mut dyn FnMut(&Self, &mut HalfSpace) -> Option<Status>,
+    ) -> Option<Status> {
+        let goal = reduction * reduction * dot(&self.residual, &self.residual);
         let mut previous = None;
-        let mut first = 0.0;
         for _ in 0..MOST_STEPS {
-            let z = self.apply(&self.residual, field, |field| half_space.stiffen(field));
+            let z = self.precondition(extension, half_space, field);
             let square = dot(&self.residual, &z);
-            first = if previous.is_none() { square } else { first };
-            if square.is_nan() || square <= reduction * reduction * first && previous.is_some() || square <= 0.0 {
-                return;
-            }
             let beta = previous.map_or(0.0, |previous| square / previous);
             previous = Some(square);
-            self.direction.iter_mut().zip(&z).for_each(|(d, z)| *d = z + beta * *d);
-            let q = self.apply(&self.direction, field, |field| half_space.comply(field));
+            chunks::update(&mut self.direction, |range, d| range.zip(d).for_each(|(i, d)| *d = z[i] + beta * *d));
+            let q = self.comply(&self.direction, half_space);
             let curvature = dot(&self.direction, &q);
-            if curvature.is_nan() || curvature <= 0.0 {
-                return;
+            if !(square > 0.0 && curvature > 0.0) {
+                return None;
             }
             self.step(square / curvature, &q);
-            let (alpha, field) = (square / curvature, &*field);
-            chunks::update(displacement, |range, u| range.zip(u).for_each(|(i, u)| *u += alpha * field[i]));
+            if let Some(status) = watch(self, half_space) {
+                return Some(status);
+            }
+            if dot(&self.residual, &self.residual) <= goal {
+                return None;
+            }
         }
-    }
-
-    /// Length of the step against the gradient on the set that minimises `f`, or 0 where there is no gradient.
-    pub fn cauchy_length(&self, half_space: &mut HalfSpace, field: &mut [f64]) -> f64 {
-        let q = self.apply(&self.residual, field, |field| half_space.comply(field));
-        let (square, curvature) = (dot(&self.residual, &self.residual), dot(&self.residual, &q));
-        if curvature > 0.0 { square / curvature } else { 0.0 }
+        None
     }
 
     fn step(&mut self, alpha: f64, q: &[f64]) {
-        self.delta.iter_mut().zip(&self.direction).for_each(|(delta, d)| *delta += alpha * d);
-        self.residual.iter_mut().zip(q).for_each(|(r, q)| *r -= alpha * q);
+        let Self { delta, residual, direction, .. } = self;
+        chunks::update_both(delta, residual, |range, delta, residual| {
+            for ((i, delta), residual) in range.zip(delta).zip(residual) {
+                *delta += alpha * direction[i];
+                *residual -= alpha * q[i];
+            }
+        });
+        self.project_residual();
     }
 
-    /// What `operator` makes of the field that is `values` on the set and zero elsewhere: on the set, less its mean.
-    fn apply(&self, values: &[f64], field: &mut [f64], operator: impl FnOnce(&mut [f64])) -> Vec<f64> {
-        chunks::update(field, |_, field| field.fill(0.0));
-        self.nodes.iter().zip(values).for_each(|(&i, &value)| field[i] = value);
-        operator(field);
-        let mut on_set: Vec<f64> = self.nodes.iter().map(|&i| field[i]).collect();
-        remove_mean(&mut on_set);
-        on_set
+    /// The compliance on the set; what is uniform of the effect is for [`Correction::project_residual`] to remove.
+    fn comply(&self, values: &[f64], half_space: &mut HalfSpace) -> Vec<f64> {
+        let mut effect = vec![0.0; values.len()];
+        half_space.respond_by_rows(
+            HalfSpace::compliance,
+            |row, cause| {
+                cause.fill(0.0);
+                self.support.scatter(row, values, cause);
+            },
+            &mut self.support.pieces(&mut effect),
+            |row, effect, piece| self.support.gather(row, effect, piece),
+        );
+        effect
+    }
+
+    /// The preconditioner applied to the residual.
+    fn precondition(&self, extension: &mut Extension, half_space: &mut HalfSpace, field: &mut [f64]) -> Vec<f64> {
+        let Self { support, residual, .. } = self;
+        extension.extend(support, residual);
+        let mut z = vec![0.0; residual.len()];
+        let width = support.shape()[1];
+        let mut sinks: Vec<_> = field.chunks_exact_mut(width).zip(support.pieces(&mut z)).collect();
+        half_space.respond_by_rows(
+            HalfSpace::stiffness,
+            |row, cause| {
+                extension.fill(row, cause);
+                support.scatter(row, residual, cause);
+            },
+            &mut sinks,
+            |row, effect, (off_set, on_set)| {
+                support.gather(row, effect, on_set);
+                off_set.copy_from_slice(effect);
+                support.runs(row).for_each(|(run, _)| off_set[run].fill(0.0));
+            },
+        );
+        extension.restrict(field, support, &mut z);
+        remove_mean(&mut z);
+        if let Load::Free { stiffness } = self.load {
+            let uniform = stiffness * mean(residual);
+            chunks::update(&mut z, |_, z| z.iter_mut().for_each(|z| *z += uniform));
+        }
+        z
+    }
+
+    fn project_residual(&mut self) {
+        if matches!(self.load, Load::Stays) {
+            remove_mean(&mut self.residual);
+        }
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     chunks::sum(a.len(), |i| a[i] * b[i])
 }
 
-fn remove_mean(values: &mut [f64]) {
-    let mean = chunks::sum(values.len(), |i| values[i]) / values.len() as f64;
+fn mean(values: &[f64]) -> f64 {
+    chunks::sum(values.len(), |i| values[i]) / values.len() as f64
+}
+
+pub(super) fn remove_mean(values: &mut [f64]) {
+    let mean = mean(values);
     chunks::update(values, |_, values| values.iter_mut().for_each(|value| *value -= mean));
 }

@@ -1,6 +1,7 @@
 //! Nested grids.
 
-use crate::contact::{Problem, chunks};
+use super::support::{Pressure, Support};
+use crate::contact::Problem;
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
 
@@ -23,24 +24,22 @@ pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
     Problem::new(surface, problem.contact_modulus(), problem.mean_pressure()).ok()
 }
 
-/// The pressure on the nodes of `problem`, interpolated linearly from `coarse` and scaled to the load.
-pub(super) fn prolong(pressure: &[f64], coarse: &Grid, problem: &Problem) -> Vec<f64> {
-    let [fine_rows, fine_columns] = problem.surface().grid().shape();
-    let [rows, columns] = coarse.shape();
-    let around =
-        |i: usize, coarse: usize, fine: usize| if coarse == fine { [i, i] } else { [i / 2, i.div_ceil(2) % coarse] };
-    let at = |node: usize| {
-        let [y0, y1] = around(node / fine_columns, rows, fine_rows);
-        let [x0, x1] = around(node % fine_columns, columns, fine_columns);
-        let p = |y: usize, x: usize| pressure[y * columns + x];
-        0.25 * (p(y0, x0) + p(y0, x1) + p(y1, x0) + p(y1, x1))
+/// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly.
+pub(super) fn prolong(coarse: &[f64], [ny, nx]: [usize; 2], fine: [usize; 2], rows: [usize; 2]) -> Pressure {
+    let around = |i: usize, coarse: usize, fine: usize| {
+        if coarse == fine { [i, i] } else { [i / 2, i.div_ceil(2) % coarse] }
     };
-    let mut fine = vec![0.0; problem.nodes()];
-    let loads = chunks::update(&mut fine, |range, fine| {
-        range.zip(fine.iter_mut()).for_each(|(node, p)| *p = at(node));
-        fine.iter().sum::<f64>()
+    let (support, values) = Support::choose(rows, |row, nodes| {
+        let first = row * rows[1];
+        let [y0, y1] = around(first / fine[1], ny, fine[0]);
+        let sum = |x: usize| coarse[y0 * nx + x] + coarse[y1 * nx + x];
+        for column in 0..rows[1] {
+            let [x0, x1] = around(first % fine[1] + column, nx, fine[1]);
+            let pressure = 0.25 * (sum(x0) + sum(x1));
+            if pressure > 0.0 {
+                nodes.push(column, pressure);
+            }
+        }
     });
-    let scale = problem.mean_pressure() * problem.nodes() as f64 / loads.iter().sum::<f64>();
-    chunks::update(&mut fine, |_, fine| fine.iter_mut().for_each(|p| *p *= scale));
-    fine
+    Pressure { support, values }
 }

@@ -1,20 +1,24 @@
 //! The iteration on one grid.
 
 use super::correction::Correction;
+use super::extension::Extension;
+use super::support::{Pressure, RowOfNodes, Support};
+use crate::chunks;
 use crate::contact::best::Best;
-use crate::contact::{Certificate, Problem, certificate, chunks};
+use crate::contact::{Problem, Status};
 use crate::elastic::HalfSpace;
+use std::ops::Range;
 
 /// A state is better when its certificate is this part of that of the last better one.
 const BETTER: f64 = 0.9;
 /// Free updates without a better state after which the guard takes over.
-const STALE: usize = 5;
+pub(super) const STALE: usize = 5;
 /// The part to which guarded steps bring the best certificate before updates are free again.
-const RELEASE: f64 = 0.5;
+pub(super) const RELEASE: f64 = 0.5;
 
 /// Reduction of the residual in a whole-set update, its part after an update that was no better, and the least. Loose
 /// corrections cost less, but may let the sets cycle; tight ones have not been seen to.
-const REDUCTION: f64 = 0.05;
+const REDUCTION: f64 = 0.02;
 const TIGHTENING: f64 = 0.5;
 const TIGHTEST: f64 = 1e-3;
 
@@ -22,59 +26,73 @@ const TIGHTEST: f64 = 1e-3;
 pub(super) struct Level<'a> {
     pub problem: &'a Problem,
     pub half_space: HalfSpace,
-    pub p: Vec<f64>,
+    pub pressure: Pressure,
     pub u: Vec<f64>,
-    set: Vec<bool>,
-    field: Vec<f64>,
+    /// Whether `u` is the displacement of the pressure.
+    pub is_fresh: bool,
     reduction: f64,
-    pace: Pace,
+    pub pace: Pace,
 }
 
 /// Free updates, of which the last `stale` were no better than `mark`; or guarded steps, `steps` so far, until the certificate is
 /// `release`.
-enum Pace {
+#[derive(Clone, Copy)]
+pub(super) enum Pace {
     Free { mark: f64, stale: usize },
     Guarded { release: f64, steps: usize },
 }
 
+/// The mean of `v` weighted by the pressure, and its lowest value, both relative to `v` at the first node of the set, so that
+/// their difference near the solution keeps its digits.
+struct Extremes {
+    reference: f64,
+    mean: f64,
+    lowest: f64,
+}
+
+/// What the inner steps of a correction are shown to: the set, the signed pressure on it, and the half-space. It may end the run.
+pub(super) type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, &mut HalfSpace) -> Option<Status> + 'w;
+
 impl<'a> Level<'a> {
-    /// Starts from the pressure `start`, or from the uniform one.
-    pub fn new(problem: &'a Problem, start: Option<Vec<f64>>) -> Self {
-        let n = problem.nodes();
-        let p = start.unwrap_or_else(|| vec![problem.mean_pressure(); n]);
+    /// Starts from a pressure, or from the uniform one, made for the rows of the half-space.
+    pub fn new(problem: &'a Problem, start: impl FnOnce([usize; 2]) -> Pressure) -> Self {
+        let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let mut pressure = start(half_space.rows());
+        pressure.carry(problem);
         Self {
             problem,
-            half_space: HalfSpace::new(problem.surface().grid(), problem.contact_modulus()),
-            set: p.iter().map(|&p| p > 0.0).collect(),
-            p,
-            u: vec![0.0; n],
-            field: vec![0.0; n],
+            pressure,
+            half_space,
+            u: vec![0.0; problem.nodes()],
+            is_fresh: false,
             reduction: REDUCTION,
             pace: Pace::Free { mark: f64::INFINITY, stale: 0 },
         }
     }
 
-    /// Takes the displacement from a transform of the pressure, and returns the certificate of both.
+    /// Sees to it that the displacement is that of the pressure, and returns the certificate of both.
     pub fn certify(&mut self) -> f64 {
-        self.half_space.displacement(&self.p, &mut self.u);
-        Certificate::of(self.problem, &self.p, &self.u).eta
+        self.refresh();
+        let v = self.extremes_of_v();
+        (v.mean - v.lowest).max(0.0) / self.problem.rms_height()
     }
 
-    /// The mean of `v` weighted by the pressure.
+    /// `lambda` of this state: the mean of `v` weighted by the pressure.
     pub fn lambda(&self) -> f64 {
-        -certificate::datum(self.problem, &self.p, &self.u)
+        let v = self.extremes_of_v();
+        v.reference + v.mean
     }
 
-    /// One free update or guarded step from a state with the certificate `eta`.
-    pub fn advance(&mut self, eta: f64, best: &Best) {
-        self.choose_pace(eta, best);
+    /// One free update or guarded step, as [`Level::choose_pace`] has it.
+    pub fn advance(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
         match self.pace {
-            Pace::Free { .. } => self.update(),
-            Pace::Guarded { steps, .. } => self.descend(steps.is_multiple_of(2)),
+            Pace::Free { .. } => self.update(watch),
+            Pace::Guarded { steps, .. } => self.descend(steps.is_multiple_of(2), watch),
         }
     }
 
-    fn choose_pace(&mut self, eta: f64, best: &Best) {
+    /// Decides how to go on from a state with the certificate `eta`.
+    pub fn choose_pace(&mut self, eta: f64, best: &Best<Pressure>) {
         self.pace = match self.pace {
             Pace::Free { mark, .. } if eta <= BETTER * mark => Pace::Free { mark: eta, stale: 0 },
             Pace::Free { mark, stale } if stale < STALE => {
@@ -93,196 +111,135 @@ impl<'a> Level<'a> {
         };
     }
 
-    fn return_to(&mut self, best: &Best) {
-        self.p.copy_from_slice(&best.pressure);
-        self.half_space.displacement(&self.p, &mut self.u);
+    fn return_to(&mut self, best: &Best<Pressure>) {
+        if let Some(pressure) = &best.pressure {
+            self.pressure.clone_from(pressure);
+            self.is_fresh = false;
+            self.refresh();
+        }
+    }
+
+    /// Takes the displacement from a transform of the pressure.
+    pub fn refresh(&mut self) {
+        if !self.is_fresh {
+            displace(&self.pressure, &mut self.half_space, &mut self.u);
+            self.is_fresh = true;
+        }
+    }
+
+    fn extremes_of_v(&self) -> Extremes {
+        let (u, h, Pressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
+        let [count, width] = support.shape();
+        let reference = support.first().map_or(0.0, |node| u[node] - h[node]);
+        let parts = chunks::rows(count, width, |row| {
+            let at = row * width;
+            let (u, h) = (&u[at..at + width], &h[at..at + width]);
+            let v = |x: usize| u[x] - h[x] - reference;
+            let (mut load, mut weighted) = (0.0, 0.0);
+            for (run, nodes) in support.runs(row) {
+                for (x, node) in run.zip(nodes) {
+                    load += values[node];
+                    weighted += values[node] * v(x);
+                }
+            }
+            (load, weighted, (0..width).fold(f64::INFINITY, |lowest, x| lowest.min(v(x))))
+        });
+        let none = (0.0, 0.0, f64::INFINITY);
+        let (load, weighted, lowest) =
+            parts.into_iter().fold(none, |sum, part| (sum.0 + part.0, sum.1 + part.1, sum.2.min(part.2)));
+        Extremes { reference, mean: weighted / load, lowest }
     }
 
     /// Makes the set that of the pressure, and of the nodes where `v < lambda`.
-    fn admit(&mut self) {
+    pub fn admit(&mut self) {
         let lambda = self.lambda();
-        let (p, u, h) = (&self.p, &self.u, self.problem.height());
-        self.set.iter_mut().enumerate().for_each(|(i, is_in)| *is_in = p[i] > 0.0 || u[i] - h[i] < lambda);
+        self.exchange(lambda);
     }
 
-    /// The whole-set update: corrects on the set, exchanges nodes by the signs of pressure and gap, clips and scales. The
-    /// displacement is that of the signed pressure afterwards.
-    fn update(&mut self) {
-        let mut correction = Correction::new(&self.set, &self.u, self.problem.height());
-        correction.solve(self.reduction, &mut self.half_space, &mut self.u, &mut self.field);
-        let (u, h) = (&self.u, self.problem.height());
-        let v_of_set: f64 = correction.nodes.iter().map(|&i| u[i] - h[i]).sum();
-        let lambda = v_of_set / correction.nodes.len() as f64;
-        self.set.iter_mut().enumerate().for_each(|(i, is_in)| *is_in |= u[i] - h[i] < lambda);
-        for (&i, delta) in correction.nodes.iter().zip(&correction.delta) {
-            self.p[i] += delta;
-            self.set[i] = self.p[i] > 0.0;
-            self.p[i] = self.p[i].max(0.0);
-        }
-        self.restore_load();
-    }
-
-    fn restore_load(&mut self) {
-        let load = chunks::sum(self.p.len(), |i| self.p[i]);
-        let scale = self.problem.mean_pressure() * self.p.len() as f64 / load;
-        chunks::update(&mut self.p, |_, p| p.iter_mut().for_each(|p| *p *= scale));
-    }
-
-    /// The guarded step: towards the pressure of a whole-set update if that is wished for and `f` falls on that way, else towards
-    /// that of a projected gradient step.
-    fn descend(&mut self, by_set: bool) {
-        self.admit();
-        if by_set {
-            let from = self.p.clone();
-            self.update();
-            let towards = std::mem::replace(&mut self.p, from);
-            self.half_space.displacement(&self.p, &mut self.u);
-            if self.approach(&towards) {
-                return;
-            }
-            self.admit();
-        }
-        let downhill = self.gradient_step();
-        self.approach(&downhill);
-    }
-
-    /// Moves to the minimum of `f` between the pressure and `towards`, if `f` falls on that way.
-    fn approach(&mut self, towards: &[f64]) -> bool {
-        let (p, u, h) = (&self.p, &self.u, self.problem.height());
-        let way: Vec<f64> = towards.iter().zip(p).map(|(to, from)| to - from).collect();
-        let lambda = self.lambda();
-        let slope = chunks::sum(way.len(), |i| way[i] * (u[i] - h[i] - lambda));
-        if slope.is_nan() || slope >= 0.0 {
-            return false;
-        }
-        self.half_space.displacement(&way, &mut self.field);
-        let field = &self.field;
-        let curvature = chunks::sum(way.len(), |i| way[i] * field[i]);
-        let share = if curvature > 0.0 { (-slope / curvature).min(1.0) } else { 1.0 };
-        chunks::update(&mut self.p, |range, p| range.zip(p).for_each(|(i, p)| *p += share * way[i]));
-        true
-    }
-
-    /// The projection onto `{p >= 0, <p> fixed}` of a step against the gradient, as long as the curvature of `f` along the
-    /// gradient on the set suggests.
-    fn gradient_step(&mut self) -> Vec<f64> {
-        let lambda = self.lambda();
-        let correction = Correction::new(&self.set, &self.u, self.problem.height());
-        let length = correction.cauchy_length(&mut self.half_space, &mut self.field);
-        let (p, u, h) = (&self.p, &self.u, self.problem.height());
-        let stepped: Vec<f64> = (0..p.len()).map(|i| p[i] - length * (u[i] - h[i] - lambda)).collect();
-        onto_load(stepped, self.problem.mean_pressure())
-    }
-}
-
-/// The nearest values `>= 0` with the given mean: `max(value - theta, 0)`, with `theta` by Michelot's iteration, which drops ever
-/// more nodes and so ends.
-fn onto_load(mut values: Vec<f64>, mean: f64) -> Vec<f64> {
-    let load = mean * values.len() as f64;
-    let mut theta = f64::NEG_INFINITY;
-    loop {
-        let (sum, count) =
-            values.iter().filter(|&&v| v > theta).fold((0.0, 0usize), |(sum, count), v| (sum + v, count + 1));
-        let next = (sum - load) / count as f64;
-        if count == 0 || next <= theta {
-            break;
-        }
-        theta = next;
-    }
-    values.iter_mut().for_each(|v| *v = (*v - theta).max(0.0));
-    values
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::grid::Grid;
-    use crate::surface::{Indenter, Surface};
-    use ndarray::Array1;
-    use std::f64::consts::PI;
-
-    fn problem(height: Array1<f64>, mean_pressure: f64) -> Problem {
-        Problem::new(Surface::line(height.view(), 1.0).unwrap(), 1.0, mean_pressure).unwrap()
-    }
-
-    /// Surfaces on which whole-set updates are known to stall, collapse or cycle when left alone.
-    fn hard() -> Vec<Problem> {
-        let indenter = |indenter: Indenter, mean_pressure| {
-            let surface = indenter.surface(Grid::line(256, 1.0).unwrap()).unwrap();
-            Problem::new(surface, 1.0, mean_pressure).unwrap()
-        };
-        let noise = |i: usize| ((i * i % 251) as f64 * 12.9898).sin() * 43758.5453 % 1.0;
-        vec![
-            indenter(Indenter::Sine { amplitude: 0.01 }, 0.01 * PI * (0.05 * PI).sin().powi(2)),
-            indenter(Indenter::Cylinder { radius: 0.25 }, 0.22),
-            problem(Array1::from_shape_fn(256, |i| if i / 16 % 2 == 0 { 0.0 } else { -0.01 }), 0.01),
-            problem(Array1::from_shape_fn(256, noise), 1.0),
-            problem(Array1::from_shape_fn(256, |i| if i == 100 { 1.0 } else { 0.0 }), 0.01),
-        ]
-    }
-
-    fn energy(level: &Level<'_>) -> f64 {
-        (0..level.p.len()).map(|i| level.p[i] * (0.5 * level.u[i] - level.problem.height()[i])).sum()
-    }
-
-    #[test]
-    fn guarded_steps_alone_lower_the_energy_and_reach_the_solution() {
-        for problem in hard() {
-            let mut level = Level::new(&problem, None);
-            level.pace = Pace::Guarded { release: 0.0, steps: 0 };
-            let best = Best::new(&problem);
-            let mut before = f64::INFINITY;
-            let mut eta = level.certify();
-            for _ in 0..2000 {
-                let now = energy(&level);
-                assert!(now <= before + 1e-12 * before.abs(), "{before} to {now}");
-                if eta <= 1e-9 {
-                    break;
+    /// Takes nodes out of the set that have no pressure and in that have `v < lambda`. Returns whether the set changed.
+    fn exchange(&mut self, lambda: f64) -> bool {
+        let (u, h, Pressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
+        let [count, width] = support.shape();
+        let (support, values) = Support::choose([count, width], |row, nodes| {
+            let at = row * width;
+            let (u, h) = (&u[at..at + width], &h[at..at + width]);
+            let mut column = 0;
+            let enter = |columns: Range<usize>, nodes: &mut RowOfNodes| {
+                columns.filter(|&x| u[x] - h[x] < lambda).for_each(|x| nodes.push(x, 0.0));
+            };
+            for (run, at) in support.runs(row) {
+                enter(column..run.start, nodes);
+                column = run.end;
+                for (x, &p) in run.zip(&values[at]) {
+                    if p > 0.0 || p == 0.0 && u[x] - h[x] < lambda {
+                        nodes.push(x, p);
+                    }
                 }
-                before = now;
-                level.advance(eta, &best);
-                eta = level.certify();
             }
-            assert!(eta <= 1e-9, "{eta} with {} nodes in contact", level.p.iter().filter(|&&p| p > 0.0).count());
-        }
+            enter(column..width, nodes);
+        });
+        let changed = support != self.pressure.support;
+        self.pressure = Pressure { support, values };
+        changed
     }
 
-    #[test]
-    fn gradient_steps_alone_lower_the_energy() {
-        for problem in hard() {
-            let mut level = Level::new(&problem, None);
-            level.certify();
-            let first = energy(&level);
-            for _ in 0..50 {
-                let before = energy(&level);
-                level.descend(false);
-                level.certify();
-                assert!(energy(&level) <= before + 1e-12 * before.abs());
-            }
-            assert!(energy(&level) < first);
+    /// The whole-set update: corrects on the set, exchanges nodes by the signs of pressure and gap, clips and scales.
+    pub fn update(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
+        let mut extension = Extension::new(&self.pressure.support, self.problem.surface().grid().shape());
+        let residual = self.on_set(|v| -v);
+        let Self { half_space, u, pressure: Pressure { support, values }, .. } = self;
+        let mut correction = Correction::new(support, residual, true, half_space);
+        let status = correction.solve(self.reduction, &mut extension, half_space, u, &mut |correction, half_space| {
+            let signed = || values.iter().zip(&correction.delta).map(|(p, delta)| p + delta).collect();
+            watch(support, &signed, half_space)
+        });
+        let delta = correction.delta;
+        values.iter_mut().zip(&delta).for_each(|(p, delta)| *p += delta);
+        drop(extension);
+        self.is_fresh = false;
+        self.refresh();
+        let lambda = self.mean_v_of_set();
+        if self.exchange(lambda) {
+            self.pressure.carry(self.problem);
+            self.is_fresh = false;
         }
+        status
     }
 
-    #[test]
-    fn a_state_that_gets_no_better_is_given_up_for_the_best_one() {
-        let problem = &hard()[0];
-        let mut level = Level::new(problem, None);
-        let mut best = Best::new(problem);
-        let eta = level.certify();
-        best.offer(eta, &level.p, 0);
-        for _ in 0..=STALE + 1 {
-            level.choose_pace(eta, &best);
-        }
-        assert!(matches!(level.pace, Pace::Guarded { release, .. } if release == RELEASE * best.eta));
-        level.choose_pace(0.4 * best.eta, &best);
-        assert!(matches!(level.pace, Pace::Free { .. }));
+    /// `of(v)` on the set.
+    pub fn on_set(&self, of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
+        let (u, h, Pressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
+        let mut result = vec![0.0; values.len()];
+        let width = support.shape()[1];
+        chunks::each(&mut support.pieces(&mut result), width, |row, piece| {
+            let nodes = support.runs(row).flat_map(|(run, _)| run);
+            piece.iter_mut().zip(nodes).for_each(|(value, x)| *value = of(u[row * width + x] - h[row * width + x]));
+        });
+        result
     }
 
-    #[test]
-    fn projection_is_the_nearest_pressure_with_the_load() {
-        let projected = onto_load(vec![3.0, -1.0, 0.5, 1.0], 0.5);
-        assert_eq!(projected, [2.0, 0.0, 0.0, 0.0]);
-        let projected = onto_load(vec![1.0, 2.0, 3.0, 4.0], 1.5);
-        assert_eq!(projected, [0.0, 1.0, 2.0, 3.0]);
+    fn mean_v_of_set(&self) -> f64 {
+        let v = self.on_set(|v| v);
+        chunks::sum(v.len(), |i| v[i]) / v.len() as f64
     }
+
+    /// The half-space; the rest is dropped.
+    pub fn into_half_space(self) -> HalfSpace {
+        self.half_space
+    }
+}
+
+/// Writes the displacement under a pressure.
+pub(super) fn displace(pressure: &Pressure, half_space: &mut HalfSpace, u: &mut [f64]) {
+    let Pressure { support, values } = pressure;
+    let mut rows: Vec<_> = u.chunks_exact_mut(support.shape()[1]).collect();
+    half_space.respond_by_rows(
+        HalfSpace::compliance,
+        |row, cause| {
+            cause.fill(0.0);
+            support.scatter(row, values, cause);
+        },
+        &mut rows,
+        |_, effect, row| row.copy_from_slice(effect),
+    );
 }

@@ -21,17 +21,22 @@
 //!   was no better, and with that the guard has hardly been needed; the tests force it.
 
 mod correction;
+mod extension;
+mod guard;
 mod hierarchy;
 mod level;
+mod support;
 
 use crate::contact::best::Best;
-use crate::contact::observe::{Energy, Phase, State};
+use crate::contact::observe::{Energy, Phase, State, Values};
+use crate::contact::result::Ended;
 use crate::contact::solver::{Run, first_pressure};
 use crate::contact::{Contact, Observer, Problem, Solver, Status, Step, Stop};
 use crate::error::SolveError;
 use crate::surface::Field;
 use hierarchy::{coarser, prolong};
-use level::Level;
+use level::{Level, displace};
+use support::{Pressure, Support};
 
 /// Coarse grids are solved to this certificate, or to this part of that at their own start, if that is less: the next start is
 /// not better than the step between the grids, of which the own start is a measure.
@@ -40,9 +45,9 @@ const COARSE_REDUCTION: f64 = 0.1;
 /// Updates that a coarse grid gets at the most.
 const COARSE_UPDATES: usize = 12;
 
-/// Updates of the finest grid without a better state after which a run is given up, besides as many again as it took to find
-/// the best one. Only rounding makes it so.
-const PATIENCE: usize = 200;
+/// Steps of a grid without a better state after which a run is given up, besides as many again as it took to find the best
+/// one. Only rounding makes it so.
+const PATIENCE: usize = 600;
 
 /// Nested grids of whole-set updates: the fast solver.
 ///
@@ -96,59 +101,131 @@ impl Solver for Multilevel {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
-        let mut run = Run::new(problem, stop, observer).with_patience(PATIENCE);
-        let (start, coarse_work) = match start {
-            Some(_) => (Some(first_pressure(start, problem)), 0),
-            None => coarse_start(problem),
+        let run = Run::new(stop, observer).with_patience(PATIENCE);
+        let mut cascade = Cascade { run, finest: problem.nodes(), spent: 0.0 };
+        let (mut level, ended) = match start {
+            Some(_) => (Level::new(problem, |rows| Pressure::of(&first_pressure(start, problem), rows)), None),
+            None => cascade.level_on(problem, 0),
         };
-        let mut level = Level::new(problem, start);
-        let status = loop {
+        let status = cascade.relax(&mut level, 0, ended).unwrap_or(Status::Stalled);
+        let work = cascade.run.work(cascade.transforms(&level));
+        let half_space = level.into_half_space();
+        let mut run = cascade.run;
+        let pressure = run.best.pressure.take().map(|best| best.spread());
+        run.finish(problem, pressure, half_space, Ended { work, status, solver: self.name() })
+    }
+}
+
+/// The run through all grids.
+struct Cascade<'a> {
+    run: Run<'a, Pressure>,
+    /// Nodes of the finest grid.
+    finest: usize,
+    /// Work on grids that are done with, in transforms of the finest grid.
+    spent: f64,
+}
+
+impl Cascade<'_> {
+    /// The grid of `problem`, `depth` below the finest, with the pressure of coarser grids, if there are any; and why the run
+    /// ended there, if it did.
+    fn level_on<'p>(&mut self, problem: &'p Problem, depth: usize) -> (Level<'p>, Option<Status>) {
+        let Some(coarse) = coarser(problem) else {
+            return (Level::new(problem, |rows| Pressure::of(&first_pressure(None, problem), rows)), None);
+        };
+        let (mut level, ended) = self.level_on(&coarse, depth + 1);
+        let ended = self.relax(&mut level, depth + 1, ended);
+        self.spent += self.share(&level) * level.half_space.transforms() as f64;
+        let pressure = self.run.best.pressure.take().map(|best| best.spread());
+        drop(level);
+        self.run.best = Best::none(self.run.iterations());
+        let pressure = pressure.unwrap_or_else(|| first_pressure(None, &coarse));
+        let [from, to] = [&coarse, problem].map(|problem| problem.surface().grid().shape());
+        (Level::new(problem, |rows| prolong(&pressure, from, to, rows)), ended)
+    }
+
+    /// Iterates on one grid, and says why the run ends, unless it goes on to a finer grid. A run that has `ended` gets no more
+    /// than a certificate.
+    fn relax(&mut self, level: &mut Level<'_>, depth: usize, mut ended: Option<Status>) -> Option<Status> {
+        let mut tolerance = COARSE_TOLERANCE;
+        for outer in 0.. {
             let eta = level.certify();
-            run.best.offer(eta, &level.p, run.iterations());
-            if let Some(status) = show(&level, &mut run, coarse_work, eta) {
-                break status;
+            self.run.best.offer(eta, &level.pressure, self.run.iterations());
+            if ended.is_some() {
+                break;
             }
-            level.advance(eta, &run.best);
+            let phase = Phase { level: depth, outer, inner: 0 };
+            ended = self.show(level, phase, eta);
+            if depth > 0 {
+                tolerance = if outer == 0 { tolerance.min(COARSE_REDUCTION * eta) } else { tolerance };
+            }
+            if ended.is_some() || depth > 0 && (eta <= tolerance || outer == COARSE_UPDATES) {
+                break;
+            }
+            level.choose_pace(eta, &self.run.best);
+            ended = self.advance(level, phase);
+        }
+        ended
+    }
+
+    fn show(&mut self, level: &Level<'_>, phase: Phase, eta: f64) -> Option<Status> {
+        let step = Step::new(State {
+            problem: level.problem,
+            work: self.run.work(self.transforms(level)),
+            pressure: Values::made(|| level.pressure.spread()),
+            displacement: Values::Given(&level.u),
+            datum: Some(-level.lambda()),
+            certificate: Some(eta),
+            phase,
+            energy: Energy::Complementary,
+        });
+        let ended = if phase.level == 0 { self.run.show(&step) } else { self.run.pass(&step) };
+        self.run.advance();
+        ended
+    }
+
+    /// An outer step, whose inner ones are shown as the feasible states next to them.
+    fn advance(&mut self, level: &mut Level<'_>, mut phase: Phase) -> Option<Status> {
+        let (spent, share, problem) = (self.spent, self.share(level), level.problem);
+        let run = &mut self.run;
+        level.advance(&mut |support, signed, half_space| {
+            phase.inner += 1;
+            let transforms = (spent + share * half_space.transforms() as f64).ceil() as u64;
+            let feasible = || feasible(support, signed(), problem);
+            let step = Step::new(State {
+                problem,
+                work: run.work(transforms),
+                pressure: Values::made(|| feasible().spread()),
+                displacement: Values::made(|| {
+                    let mut u = vec![0.0; problem.nodes()];
+                    half_space.uncounted(|half_space| displace(&feasible(), half_space, &mut u));
+                    u
+                }),
+                datum: None,
+                certificate: None,
+                phase,
+                energy: Energy::Complementary,
+            });
+            let ended = run.pass(&step);
+            drop(step);
             run.advance();
-        };
-        let transforms = coarse_work + level.half_space.transforms();
-        run.finish(problem, &mut level.half_space, self.name(), status, transforms)
+            ended
+        })
+    }
+
+    /// A transform of this grid in those of the finest.
+    fn share(&self, level: &Level<'_>) -> f64 {
+        level.problem.nodes() as f64 / self.finest as f64
+    }
+
+    fn transforms(&self, level: &Level<'_>) -> u64 {
+        (self.spent + self.share(level) * level.half_space.transforms() as f64).ceil() as u64
     }
 }
 
-/// A start from coarser grids, where there are any, and its cost in transforms of the grid of `problem`.
-fn coarse_start(problem: &Problem) -> (Option<Vec<f64>>, u64) {
-    let Some(coarse) = coarser(problem) else { return (None, 0) };
-    let (start, work) = coarse_start(&coarse);
-    let mut level = Level::new(&coarse, start);
-    let mut best = Best::new(&coarse);
-    let mut tolerance = COARSE_TOLERANCE;
-    for update in 0..=COARSE_UPDATES {
-        let eta = level.certify();
-        best.offer(eta, &level.p, update);
-        if update == 0 {
-            tolerance = tolerance.min(COARSE_REDUCTION * eta);
-        }
-        if eta <= tolerance || update == COARSE_UPDATES {
-            break;
-        }
-        level.advance(eta, &best);
-    }
-    let fine_per_coarse = (problem.nodes() / coarse.nodes()) as u64;
-    let work = (work + level.half_space.transforms()).div_ceil(fine_per_coarse);
-    (Some(prolong(&best.pressure, coarse.surface().grid(), problem)), work)
-}
-
-fn show(level: &Level<'_>, run: &mut Run<'_>, coarse_work: u64, eta: f64) -> Option<Status> {
-    let step = Step::new(State {
-        problem: level.problem,
-        work: run.work(coarse_work + level.half_space.transforms()),
-        pressure: &level.p,
-        displacement: &level.u,
-        datum: -level.lambda(),
-        certificate: Some(eta),
-        phase: Phase::finest(run.iterations()),
-        energy: Energy::Complementary,
-    });
-    run.show(&step)
+/// The signed pressure on `support`, clipped and scaled to the load.
+fn feasible(support: &Support, mut values: Vec<f64>, problem: &Problem) -> Pressure {
+    values.iter_mut().for_each(|p| *p = p.max(0.0));
+    let mut pressure = Pressure { support: support.clone(), values };
+    pressure.carry(problem);
+    pressure
 }

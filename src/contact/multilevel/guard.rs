@@ -1,0 +1,190 @@
+//! Guarded steps, which lower the energy for certain.
+
+use super::correction::{dot, remove_mean};
+use super::level::{Level, Watch};
+use super::support::Pressure;
+use crate::chunks;
+use crate::contact::Status;
+
+impl Level<'_> {
+    /// A guarded step: towards the pressure of a whole-set update if that is wished for and `f` falls on that way, else towards
+    /// that of a projected gradient step.
+    pub fn descend(&mut self, by_set: bool, watch: &mut Watch<'_>) -> Option<Status> {
+        self.admit();
+        if by_set {
+            let from = self.pressure.clone();
+            let status = self.update(watch);
+            let towards = std::mem::replace(&mut self.pressure, from).spread();
+            self.is_fresh = false;
+            self.refresh();
+            if status.is_some() || self.approach(&towards) {
+                return status;
+            }
+        }
+        let downhill = self.gradient_step();
+        self.approach(&downhill);
+        None
+    }
+
+    /// Moves to the minimum of `f` between the pressure and `towards`, if `f` falls on that way.
+    fn approach(&mut self, towards: &[f64]) -> bool {
+        let (mut p, u, h) = (self.pressure.spread(), &self.u, self.problem.height());
+        let way: Vec<f64> = towards.iter().zip(&p).map(|(to, from)| to - from).collect();
+        let lambda = self.lambda();
+        let slope = chunks::sum(way.len(), |i| way[i] * (u[i] - h[i] - lambda));
+        if slope.is_nan() || slope >= 0.0 {
+            return false;
+        }
+        let mut response = vec![0.0; way.len()];
+        self.half_space.displacement(&way, &mut response);
+        let curvature = dot(&way, &response);
+        let share = if curvature > 0.0 { (-slope / curvature).min(1.0) } else { 1.0 };
+        chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p += share * way[i]));
+        self.pressure = Pressure::of(&p, self.half_space.rows());
+        self.is_fresh = false;
+        true
+    }
+
+    /// The projection onto `{p >= 0, <p> fixed}` of a step against the gradient, as long as the curvature of `f` along the
+    /// gradient on the set suggests.
+    fn gradient_step(&mut self) -> Vec<f64> {
+        let lambda = self.lambda();
+        let length = self.cauchy_length();
+        let (mut p, u, h) = (self.pressure.spread(), &self.u, self.problem.height());
+        chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p -= length * (u[i] - h[i] - lambda)));
+        onto_load(p, self.problem.mean_pressure())
+    }
+
+    /// Length of the step against the gradient on the set that minimises `f`, or 0 where there is no gradient.
+    fn cauchy_length(&mut self) -> f64 {
+        let mut gradient = self.on_set(|v| v);
+        remove_mean(&mut gradient);
+        let field = self.pressure.support.spread(&gradient);
+        let mut response = vec![0.0; field.len()];
+        self.half_space.displacement(&field, &mut response);
+        let curvature = dot(&field, &response);
+        if curvature > 0.0 { dot(&gradient, &gradient) / curvature } else { 0.0 }
+    }
+}
+
+/// The nearest values `>= 0` with the given mean: `max(value - theta, 0)`, with `theta` by Michelot's iteration, which drops ever
+/// more nodes and so ends.
+fn onto_load(mut values: Vec<f64>, mean: f64) -> Vec<f64> {
+    let load = mean * values.len() as f64;
+    let mut theta = f64::NEG_INFINITY;
+    loop {
+        let (sum, count) =
+            values.iter().filter(|&&v| v > theta).fold((0.0, 0usize), |(sum, count), v| (sum + v, count + 1));
+        let next = (sum - load) / count as f64;
+        if count == 0 || next <= theta {
+            break;
+        }
+        theta = next;
+    }
+    values.iter_mut().for_each(|v| *v = (*v - theta).max(0.0));
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::level::{Pace, RELEASE, STALE};
+    use super::*;
+    use crate::contact::Problem;
+    use crate::contact::best::Best;
+    use crate::contact::solver::first_pressure;
+    use crate::grid::Grid;
+    use crate::surface::{Indenter, Surface};
+    use ndarray::Array1;
+    use std::f64::consts::PI;
+
+    fn problem(height: Array1<f64>, mean_pressure: f64) -> Problem {
+        Problem::new(Surface::line(height.view(), 1.0).unwrap(), 1.0, mean_pressure).unwrap()
+    }
+
+    /// Surfaces on which whole-set updates are known to stall, collapse or cycle when left alone.
+    fn hard() -> Vec<Problem> {
+        let indenter = |indenter: Indenter, mean_pressure| {
+            let surface = indenter.surface(Grid::line(256, 1.0).unwrap()).unwrap();
+            Problem::new(surface, 1.0, mean_pressure).unwrap()
+        };
+        let noise = |i: usize| ((i * i % 251) as f64 * 12.9898).sin() * 43758.5453 % 1.0;
+        vec![
+            indenter(Indenter::Sine { amplitude: 0.01 }, 0.01 * PI * (0.05 * PI).sin().powi(2)),
+            indenter(Indenter::Cylinder { radius: 0.25 }, 0.22),
+            problem(Array1::from_shape_fn(256, |i| if i / 16 % 2 == 0 { 0.0 } else { -0.01 }), 0.01),
+            problem(Array1::from_shape_fn(256, noise), 1.0),
+            problem(Array1::from_shape_fn(256, |i| if i == 100 { 1.0 } else { 0.0 }), 0.01),
+        ]
+    }
+
+    fn uniform(problem: &Problem) -> Level<'_> {
+        Level::new(problem, |rows| Pressure::of(&first_pressure(None, problem), rows))
+    }
+
+    fn energy(level: &Level<'_>) -> f64 {
+        let p = level.pressure.spread();
+        (0..p.len()).map(|i| p[i] * (0.5 * level.u[i] - level.problem.height()[i])).sum()
+    }
+
+    #[test]
+    fn guarded_steps_alone_lower_the_energy_and_reach_the_solution() {
+        for problem in hard() {
+            let mut level = uniform(&problem);
+            level.pace = Pace::Guarded { release: 0.0, steps: 0 };
+            let best = Best::none(0);
+            let mut before = f64::INFINITY;
+            let mut eta = level.certify();
+            for _ in 0..2000 {
+                let now = energy(&level);
+                assert!(now <= before + 1e-12 * before.abs(), "{before} to {now}");
+                if eta <= 1e-9 {
+                    break;
+                }
+                before = now;
+                level.choose_pace(eta, &best);
+                level.advance(&mut |_, _, _| None);
+                eta = level.certify();
+            }
+            assert!(eta <= 1e-9, "{eta} with {} nodes in contact", level.pressure.values.len());
+        }
+    }
+
+    #[test]
+    fn gradient_steps_alone_lower_the_energy() {
+        for problem in hard() {
+            let mut level = uniform(&problem);
+            level.certify();
+            let first = energy(&level);
+            for _ in 0..50 {
+                let before = energy(&level);
+                level.descend(false, &mut |_, _, _| None);
+                level.certify();
+                assert!(energy(&level) <= before + 1e-12 * before.abs());
+            }
+            assert!(energy(&level) < first);
+        }
+    }
+
+    #[test]
+    fn a_state_that_gets_no_better_is_given_up_for_the_best_one() {
+        let problem = &hard()[0];
+        let mut level = uniform(problem);
+        let mut best = Best::none(0);
+        let eta = level.certify();
+        best.offer(eta, &level.pressure, 0);
+        for _ in 0..=STALE + 1 {
+            level.choose_pace(eta, &best);
+        }
+        assert!(matches!(level.pace, Pace::Guarded { release, .. } if release == RELEASE * best.eta));
+        level.choose_pace(0.4 * best.eta, &best);
+        assert!(matches!(level.pace, Pace::Free { .. }));
+    }
+
+    #[test]
+    fn projection_is_the_nearest_pressure_with_the_load() {
+        let projected = onto_load(vec![3.0, -1.0, 0.5, 1.0], 0.5);
+        assert_eq!(projected, [2.0, 0.0, 0.0, 0.0]);
+        let projected = onto_load(vec![1.0, 2.0, 3.0, 4.0], 1.5);
+        assert_eq!(projected, [0.0, 1.0, 2.0, 3.0]);
+    }
+}

@@ -1,0 +1,149 @@
+//! Vectors that live on the contact set.
+
+use crate::chunks;
+use crate::contact::Problem;
+use std::ops::Range;
+
+/// A set of nodes, as runs along the rows in which a half-space takes its fields. Values on it are vectors with one entry per
+/// node, in the order of the nodes.
+#[derive(Clone, PartialEq)]
+pub(super) struct Support {
+    /// Length of a row.
+    width: usize,
+    /// Runs of nodes, by their columns.
+    runs: Vec<Range<usize>>,
+    /// The first run and the first node of each row, and those beyond the last row.
+    rows: Vec<Start>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+struct Start {
+    run: usize,
+    node: usize,
+}
+
+/// The nodes of one row with their values, put in from left to right.
+#[derive(Default)]
+pub(super) struct RowOfNodes {
+    runs: Vec<Range<usize>>,
+    values: Vec<f64>,
+}
+
+impl RowOfNodes {
+    /// Adds a node.
+    pub fn push(&mut self, column: usize, value: f64) {
+        match self.runs.last_mut() {
+            Some(run) if run.end == column => run.end += 1,
+            _ => self.runs.push(column..column + 1),
+        }
+        self.values.push(value);
+    }
+}
+
+impl Support {
+    /// The nodes that `choose` puts into each of `count` rows of `width` nodes, and their values.
+    pub fn choose([count, width]: [usize; 2], choose: impl Fn(usize, &mut RowOfNodes) + Sync) -> (Self, Vec<f64>) {
+        let chosen = chunks::rows(count, width, |row| {
+            let mut nodes = RowOfNodes::default();
+            choose(row, &mut nodes);
+            nodes
+        });
+        let (runs, nodes) =
+            chosen.iter().fold((0, 0), |(runs, nodes), row| (runs + row.runs.len(), nodes + row.values.len()));
+        let mut support = Self { width, runs: Vec::with_capacity(runs), rows: Vec::with_capacity(count + 1) };
+        let mut values = Vec::with_capacity(nodes);
+        for row in chosen {
+            support.rows.push(Start { run: support.runs.len(), node: values.len() });
+            support.runs.extend(row.runs);
+            values.extend(row.values);
+        }
+        support.rows.push(Start { run: support.runs.len(), node: values.len() });
+        (support, values)
+    }
+
+    /// The first node.
+    pub fn first(&self) -> Option<usize> {
+        let row = self.rows.iter().rposition(|start| start.node == 0)?;
+        self.runs.first().map(|run| row * self.width + run.start)
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.rows.last().map_or(0, |end| end.node)
+    }
+
+    /// Number of rows and their length.
+    pub fn shape(&self) -> [usize; 2] {
+        [self.rows.len() - 1, self.width]
+    }
+
+    /// The runs of a row, each with the range of its values.
+    pub fn runs(&self, row: usize) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
+        let [start, end] = [self.rows[row], self.rows[row + 1]];
+        self.runs[start.run..end.run].iter().scan(start.node, |node, run| {
+            let values = *node..*node + run.len();
+            *node = values.end;
+            Some((run.clone(), values))
+        })
+    }
+
+    /// Writes `values` to the nodes of a row and leaves the others.
+    pub fn scatter(&self, row: usize, values: &[f64], to: &mut [f64]) {
+        for (run, at) in self.runs(row) {
+            to[run].copy_from_slice(&values[at]);
+        }
+    }
+
+    /// Takes the values of a row at its nodes to the piece of a vector, see [`Support::pieces`].
+    pub fn gather(&self, row: usize, from: &[f64], piece: &mut [f64]) {
+        let first = self.rows[row].node;
+        for (run, at) in self.runs(row) {
+            piece[at.start - first..at.end - first].copy_from_slice(&from[run]);
+        }
+    }
+
+    /// A vector, row by row.
+    pub fn pieces<'v>(&self, values: &'v mut [f64]) -> Vec<&'v mut [f64]> {
+        let mut rest = values;
+        let lengths = self.rows.windows(2).map(|pair| pair[1].node - pair[0].node);
+        lengths.map(|length| rest.split_off_mut(..length).expect("one value per node")).collect()
+    }
+
+    /// A vector, with zeros where no nodes are.
+    pub fn spread(&self, values: &[f64]) -> Vec<f64> {
+        let [count, width] = self.shape();
+        let mut field = vec![0.0; count * width];
+        chunks::rows_mut(&mut field, width, |row, field| self.scatter(row, values, field));
+        field
+    }
+}
+
+/// A pressure and its support.
+#[derive(Clone)]
+pub(super) struct Pressure {
+    pub support: Support,
+    pub values: Vec<f64>,
+}
+
+impl Pressure {
+    /// The pressure of a whole field.
+    pub fn of(field: &[f64], rows: [usize; 2]) -> Self {
+        let (support, values) = Support::choose(rows, |row, nodes| {
+            let pressures = field[row * rows[1]..][..rows[1]].iter().enumerate();
+            pressures.filter(|(_, p)| **p > 0.0).for_each(|(column, &p)| nodes.push(column, p));
+        });
+        Self { support, values }
+    }
+
+    /// The whole field.
+    pub fn spread(&self) -> Vec<f64> {
+        self.support.spread(&self.values)
+    }
+
+    /// Scales it to the load of `problem`.
+    pub fn carry(&mut self, problem: &Problem) {
+        let values = &self.values;
+        let scale = problem.mean_pressure() * problem.nodes() as f64 / chunks::sum(values.len(), |i| values[i]);
+        chunks::update(&mut self.values, |_, p| p.iter_mut().for_each(|p| *p *= scale));
+    }
+}
