@@ -12,7 +12,7 @@ pub(super) struct Best {
 
 impl Best {
     pub fn new(problem: &Problem) -> Self {
-        Self { eta: f64::INFINITY, pressure: vec![problem.mean_pressure(); problem.nodes()], found_at: 0 }
+        Self { eta: f64::INFINITY, pressure: vec![problem.expected_mean_pressure(); problem.nodes()], found_at: 0 }
     }
 
     /// Keeps `pressure` if `eta` is smaller than before.

@@ -20,7 +20,7 @@ pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
     let coarse = if grid.is_line() { Grid::line(nx / 2, lx) } else { Grid::surface([ny / 2, nx / 2], [ly, lx]) };
     let height = Field::from_shape_fn(coarse.as_ref().ok()?.shape(), |(y, x)| surface.height()[[2 * y, 2 * x]]);
     let surface = Surface::new(coarse.ok()?, height).ok()?;
-    Problem::new(surface, problem.contact_modulus(), problem.mean_pressure()).ok()
+    Problem::new(surface, problem.contact_modulus(), problem.expected_mean_pressure()).ok()
 }
 
 /// The pressure on the nodes of `problem`, interpolated linearly from `coarse` and scaled to the load.
@@ -40,7 +40,7 @@ pub(super) fn prolong(pressure: &[f64], coarse: &Grid, problem: &Problem) -> Vec
         range.zip(fine.iter_mut()).for_each(|(node, p)| *p = at(node));
         fine.iter().sum::<f64>()
     });
-    let scale = problem.mean_pressure() * problem.nodes() as f64 / loads.iter().sum::<f64>();
+    let scale = problem.expected_mean_pressure() * problem.nodes() as f64 / loads.iter().sum::<f64>();
     chunks::update(&mut fine, |_, fine| fine.iter_mut().for_each(|p| *p *= scale));
     fine
 }

@@ -41,7 +41,7 @@ impl<'a> Level<'a> {
     /// Starts from the pressure `start`, or from the uniform one.
     pub fn new(problem: &'a Problem, start: Option<Vec<f64>>) -> Self {
         let n = problem.nodes();
-        let p = start.unwrap_or_else(|| vec![problem.mean_pressure(); n]);
+        let p = start.unwrap_or_else(|| vec![problem.expected_mean_pressure(); n]);
         Self {
             problem,
             half_space: HalfSpace::new(problem.surface().grid(), problem.contact_modulus()),
@@ -124,7 +124,7 @@ impl<'a> Level<'a> {
 
     fn restore_load(&mut self) {
         let load = chunks::sum(self.p.len(), |i| self.p[i]);
-        let scale = self.problem.mean_pressure() * self.p.len() as f64 / load;
+        let scale = self.problem.expected_mean_pressure() * self.p.len() as f64 / load;
         chunks::update(&mut self.p, |_, p| p.iter_mut().for_each(|p| *p *= scale));
     }
 
@@ -171,7 +171,7 @@ impl<'a> Level<'a> {
         let length = correction.cauchy_length(&mut self.half_space, &mut self.field);
         let (p, u, h) = (&self.p, &self.u, self.problem.height());
         let stepped: Vec<f64> = (0..p.len()).map(|i| p[i] - length * (u[i] - h[i] - lambda)).collect();
-        onto_load(stepped, self.problem.mean_pressure())
+        onto_load(stepped, self.problem.expected_mean_pressure())
     }
 }
 
