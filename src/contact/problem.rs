@@ -5,6 +5,9 @@ use crate::error::ProblemError;
 use crate::surface::Surface;
 use std::sync::OnceLock;
 
+/// Per reduced pressure, the mean gap of rough surfaces near full contact falls by this power of e: 5 to 6, as measured.
+const GAP_DECAY: f64 = 5.5;
+
 /// A rigid surface pressed on an elastic half-space, frictionless and without adhesion, under a given mean pressure or at a
 /// given mean gap.
 ///
@@ -122,11 +125,14 @@ impl Problem {
         if mean_gap < highest { Ok(()) } else { Err(ProblemError::NothingTouches { mean_gap, highest }) }
     }
 
-    /// A rough estimate of the mean pressure at a mean gap: half of the nodes above it touch, and the share of the area that
-    /// touches is twice the reduced pressure.
+    /// A rough estimate of the mean pressure at a mean gap. Far apart, half of the nodes above it touch, and the share of the
+    /// area that touches is twice the reduced pressure. Close together, the gap falls exponentially with the pressure, as
+    /// measured on rough lines and surfaces down to a thousandth of the rms height.
     fn pressure_at(&self, mean_gap: f64) -> f64 {
         let above = self.height().iter().filter(|&&h| h > mean_gap).count();
-        0.25 * above as f64 / self.nodes() as f64 * self.rms_gradient() * self.contact_modulus
+        let far = 0.25 * above as f64 / self.nodes() as f64;
+        let close = (self.rms_height / mean_gap).ln() / GAP_DECAY;
+        far.max(close) * self.rms_gradient() * self.contact_modulus
     }
 
     /// The rigid surface.
