@@ -145,6 +145,26 @@ pub enum ProblemError {
         /// The height of every point.
         height: f64,
     },
+    /// A mean gap that keeps even the highest peak off the solid.
+    #[error(
+        "at a mean gap of {mean_gap:?} nothing touches: give less than {highest:?}, the highest peak above the mean height"
+    )]
+    NothingTouches {
+        /// The mean gap.
+        mean_gap: f64,
+        /// The highest peak above the mean height.
+        highest: f64,
+    },
+    /// A mean gap that leaves no gap anywhere: every pressure from some value on does that.
+    #[error(
+        "at a mean gap of {mean_gap:?} everything touches, at any pressure that is high enough: give between 0 and {highest:?}, or a pressure"
+    )]
+    EverythingTouches {
+        /// The mean gap.
+        mean_gap: f64,
+        /// The highest peak above the mean height, to stay below.
+        highest: f64,
+    },
     /// Values so large or small that sums of their squares leave the range of doubles.
     #[error("the {name} of {value:?} is out of range: choose units in which it lies between 1e-100 and 1e100")]
     OutOfRange {
@@ -170,22 +190,34 @@ pub enum SettingError {
     },
 }
 
-/// A solve that did not reach its tolerance. The best state found is inside; nothing is lost.
+/// A solve that did not reach its tolerance, or cannot be done.
 #[derive(Debug, thiserror::Error)]
 pub enum SolveError {
-    /// The iterations or the attainable accuracy ran out.
+    /// The iterations or the attainable accuracy ran out. The best state found is inside; nothing is lost.
     #[error(
         "not converged: {} stopped after {} iterations ({}) at a certificate of {:.3e}",
         .0.solver, .0.work.iterations, .0.status, .0.certificate.eta
     )]
     NotConverged(Box<Contact>),
+    /// A solver that moves under a force was given a mean gap.
+    #[error(
+        "{solver} works under a given mean pressure: give one, or choose the solver multilevel or polonsky-keer for a mean gap"
+    )]
+    NeedsPressure {
+        /// The solver.
+        solver: &'static str,
+    },
 }
 
 impl SolveError {
     /// The best state found.
-    pub fn into_contact(self) -> Contact {
+    ///
+    /// # Errors
+    /// The error itself where there is none.
+    pub fn into_contact(self) -> Result<Contact, Self> {
         match self {
-            Self::NotConverged(contact) => *contact,
+            Self::NotConverged(contact) => Ok(*contact),
+            Self::NeedsPressure { .. } => Err(self),
         }
     }
 }

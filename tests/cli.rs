@@ -227,6 +227,30 @@ fn a_smooth_contact_comes_with_its_exact_solution() {
     assert_close(number(&summary, "max_pressure"), number(exact, "max_pressure"), 1e-3, "peak pressure");
 }
 
+#[test]
+fn a_mean_gap_presses_as_the_pressure_that_makes_it() {
+    let folder = Folder::new();
+    for (surface, shape) in [(CYLINDER, &[64][..]), (SPHERE, &[24, 32]), (ROUGH_SURFACE, &[40, 36])] {
+        let (pressed, _) = solve(&folder, &format!("{surface} --pressure 0.004 --tolerance 1e-11"));
+        let gap = number(&pressed, "mean_gap");
+        let run = format!("{surface} --mean-gap {gap:e} --solver polonsky-keer --tolerance 1e-11");
+        let (apart, fields) = solve(&folder, &run);
+        check_fields(&fields, &apart, shape);
+        assert_eq!((&pressed["prescribed"], &apart["prescribed"]), (&"mean pressure".into(), &"mean gap".into()));
+        assert_close(number(&apart, "mean_gap"), gap, 1e-9, "mean gap");
+        for key in ["mean_pressure", "reduced_pressure", "kappa_r", "max_pressure", "relative_area"] {
+            assert_close(number(&apart, key), number(&pressed, key), 1e-6, key);
+        }
+        match pressed.get("exact") {
+            Some(exact) => {
+                assert_close(number(&apart["exact"], "relative_area"), number(exact, "relative_area"), 1e-6, "")
+            }
+            None => assert!(apart.get("exact").is_none()),
+        }
+        assert!(text(&folder.run(&format!("solve {run}")).stdout).contains("prescribed              mean gap"));
+    }
+}
+
 /// The same heights, but for the rounding of taking their mean off and adding it back.
 fn assert_same(found: &ArrayD<f64>, given: &ArrayD<f64>) {
     assert_eq!(found.shape(), given.shape());

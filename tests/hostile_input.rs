@@ -87,6 +87,8 @@ fn loads_that_are_not_positive_and_finite_are_refused() {
     refuse_values(&format!("{CYLINDER} --pressure {{}}"), &NOT_POSITIVE);
     refuse_values(&format!("{CYLINDER} --pressure={{}}"), &["-inf", "-0", "-1e-9", "1e101", "1e-101", "1e-320"]);
     refuse_values(&format!("{CYLINDER} --reduced-pressure {{}}"), &NOT_POSITIVE);
+    refuse_values(&format!("{CYLINDER} --mean-gap {{}}"), &NOT_POSITIVE);
+    refuse_values(&format!("{CYLINDER} --mean-gap={{}}"), &["-inf", "-1e-9", "1e101", "1e-101", "7.25"]);
     refuse_values(&format!("{CYLINDER} {LOAD} --modulus {{}}"), &NOT_POSITIVE);
 }
 
@@ -201,7 +203,9 @@ fn exactly_one_surface_and_one_load_are_needed() {
         ("--height old --hurst 0.8 --size 1 --pressure 1", "more than one surface"),
         (&format!("{CYLINDER} --hurst 0.8 {LOAD}"), "more than one surface"),
         (CYLINDER, "no load"),
-        (&format!("{CYLINDER} --pressure 1 --reduced-pressure 1"), "two loads"),
+        (&format!("{CYLINDER} --mean-gap 0.1 --pressure 1"), "more than one load"),
+        (&format!("{CYLINDER} --mean-gap 0.1 --solver gfmd"), "gfmd works under a given mean pressure"),
+        (&format!("{CYLINDER} --pressure 1 --reduced-pressure 1"), "more than one load"),
     ]);
 }
 

@@ -94,7 +94,7 @@ fn a_surface_without_variation_along_y_is_a_line() {
     let line = rough(Grid::line(256, 1.0).unwrap(), 0.8, 0.05);
     let height = line.surface().height().broadcast((8, 256)).unwrap().to_owned();
     let ridged = Surface::new(Grid::surface([8, 256], [0.1, 1.0]).unwrap(), height).unwrap();
-    let ridged = Problem::new(ridged, 1.0, line.mean_pressure()).unwrap();
+    let ridged = Problem::new(ridged, 1.0, line.expected_mean_pressure()).unwrap();
     let solver = asperity::contact::PolonskyKeer;
     let (of_line, of_surface) = (solve(&solver, &line, TOLERANCE), solve(&solver, &ridged, TOLERANCE));
     for row in of_surface.pressure.rows() {

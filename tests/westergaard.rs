@@ -40,7 +40,7 @@ fn every_solver_is_exact_in_and_beyond_full_contact() {
             &Indenter::Sine { amplitude: AMPLITUDE },
             problem.surface().grid(),
             problem.contact_modulus(),
-            problem.mean_pressure(),
+            problem.expected_mean_pressure(),
         );
         for solver in solvers() {
             let contact = solve(solver.as_ref(), &problem, 1e-12);

@@ -60,7 +60,7 @@ impl Demo {
             let mut recorder = recording.recorder(i);
             let mut progress = Progress::new(stop.tolerance(), case.label.title);
             let solved = case.solver.solve(&case.problem, &stop, &mut (&mut recorder, &mut progress));
-            let (contact, ended) = settle(solved);
+            let (contact, ended) = settle(solved)?;
             recorder.close(&contact)?;
             contacts.push(contact);
             outcome = outcome.max(ended);
@@ -87,7 +87,7 @@ impl Case {
     /// wave: a single contact holds the mean more softly than that.
     fn smooth(label: Label, indenter: Indenter, grid: Grid, strain: f64, damping: f64) -> Result<Self> {
         let problem = Problem::new(indenter.surface(grid)?, MODULUS, strain * MODULUS)?;
-        let exact = Exact::of(&indenter, &grid, MODULUS, problem.mean_pressure());
+        let exact = Exact::of(&indenter, &grid, MODULUS, problem.expected_mean_pressure());
         let what = format!("{}, radius {RADIUS:.1e} m", indenter.name());
         let solver = Gfmd::new(Masses::Uniform, Dynamics::Damped, 0.5, damping)?;
         Ok(Self { label, what, problem, solver, exact })

@@ -1,6 +1,6 @@
 //! What a recording says of itself.
 
-use asperity::contact::{Problem, Solver, Stop};
+use asperity::contact::{Load, Problem, Solver, Stop};
 use asperity::theory::Exact;
 
 /// Parameters, solver and exact values of one scene, in Markdown; lengths are in `unit`.
@@ -14,7 +14,6 @@ pub fn describe(
 ) -> String {
     let grid = problem.surface().grid();
     let along = |values: [String; 2]| if grid.is_line() { values[1].clone() } else { values.join(" x ") };
-    let reduced = problem.mean_pressure() / (problem.contact_modulus() * problem.rms_gradient());
     let mut rows = vec![
         ("surface", what.to_owned()),
         ("points", along(grid.shape().map(|n| n.to_string()))),
@@ -22,11 +21,19 @@ pub fn describe(
         ("rms height", format!("{:.4e} {unit}", problem.rms_height())),
         ("rms gradient", format!("{:.4e}", problem.rms_gradient())),
         ("contact modulus E*", format!("{:.4e}", problem.contact_modulus())),
-        ("mean pressure", format!("{:.4e}, in the unit of E*", problem.mean_pressure())),
-        ("reduced pressure p*", format!("{reduced:.4e}")),
+    ];
+    match problem.load() {
+        Load::MeanPressure(mean) => {
+            let reduced = mean / (problem.contact_modulus() * problem.rms_gradient());
+            rows.push(("mean pressure", format!("{mean:.4e}, in the unit of E*")));
+            rows.push(("reduced pressure p*", format!("{reduced:.4e}")));
+        }
+        Load::MeanGap(gap) => rows.push(("mean gap", format!("{gap:.4e} {unit}"))),
+    }
+    rows.extend([
         ("solver", format!("{}: {}", solver.name(), solver.settings())),
         ("tolerance", format!("certificate {:e}, at most {} steps", stop.tolerance(), stop.max_iterations())),
-    ];
+    ]);
     rows.extend(problem.surface().seed().map(|seed| ("seed", seed.to_string())));
     if let Some(exact) = exact {
         rows.push(("exact solution", exact.name.to_owned()));

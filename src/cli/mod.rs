@@ -12,7 +12,7 @@ mod solver;
 mod source;
 mod surface;
 
-use asperity::error::{FileError, GridError, ProblemError, SettingError, SurfaceError};
+use asperity::error::{FileError, GridError, ProblemError, SettingError, SolveError, SurfaceError};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -85,6 +85,7 @@ pub fn exit_code(error: &anyhow::Error) -> ExitCode {
         || error.is::<SurfaceError>()
         || error.is::<ProblemError>()
         || error.is::<SettingError>()
+        || matches!(error.downcast_ref(), Some(SolveError::NeedsPressure { .. }))
         || matches!(
             error.downcast_ref(),
             Some(FileError::Read { .. } | FileError::Format { .. } | FileError::Target { .. })

@@ -4,6 +4,7 @@ use anyhow::Result;
 use asperity::contact::{Contact, Problem, Status};
 use asperity::error::FileError;
 use asperity::surface::{Field, write_beside};
+use asperity::theory::Exact;
 use ndarray::{Array2, arr0};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use serde::Serialize;
@@ -19,6 +20,7 @@ pub struct Summary {
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
     contact_modulus: f64,
+    prescribed: &'static str,
     mean_pressure: f64,
     reduced_pressure: f64,
     relative_area: f64,
@@ -43,19 +45,26 @@ pub struct Summary {
     exact: Option<ExactSummary>,
 }
 
-/// The exact solution beside it.
+/// The exact solution beside it, under the same mean pressure.
 #[derive(Serialize)]
-pub struct ExactSummary {
-    pub name: &'static str,
-    pub relative_area: f64,
-    pub kappa_r: Option<f64>,
-    pub mean_gap: Option<f64>,
-    pub max_pressure: Option<f64>,
+struct ExactSummary {
+    name: &'static str,
+    relative_area: f64,
+    kappa_r: Option<f64>,
+    mean_gap: Option<f64>,
+    max_pressure: Option<f64>,
+}
+
+impl ExactSummary {
+    fn of(exact: &Exact) -> Self {
+        let Exact { name, relative_area, kappa_r, mean_gap, max_pressure, .. } = *exact;
+        Self { name, relative_area, kappa_r, mean_gap, max_pressure }
+    }
 }
 
 impl Summary {
     /// Measures `contact`, whose arrays have `rank` axes outside.
-    pub fn of(problem: &Problem, contact: &Contact, rank: usize, exact: Option<ExactSummary>) -> Self {
+    pub fn of(problem: &Problem, contact: &Contact, rank: usize, exact: Option<&Exact>) -> Self {
         let measures = contact.measures(problem);
         let [ny, nx] = problem.surface().grid().shape();
         Self {
@@ -64,6 +73,7 @@ impl Summary {
             points: if rank == 1 { vec![nx] } else { vec![ny, nx] },
             seed: contact.seed,
             contact_modulus: problem.contact_modulus(),
+            prescribed: problem.load().name(),
             mean_pressure: contact.pressure.mean().unwrap_or(0.0),
             reduced_pressure: measures.reduced_pressure,
             relative_area: measures.relative_area,
@@ -84,7 +94,7 @@ impl Summary {
             iterations: contact.work.iterations,
             transforms: contact.work.transforms,
             seconds: contact.work.seconds,
-            exact,
+            exact: exact.map(ExactSummary::of),
         }
     }
 
@@ -100,6 +110,7 @@ impl Summary {
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {v:.6}"));
         let area = exact(self.exact.as_ref().map(|e| e.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|e| e.kappa_r));
+        writeln!(out, "  prescribed              {}", self.prescribed)?;
         writeln!(out, "  reduced pressure p*     {:.6e}", self.reduced_pressure)?;
         writeln!(
             out,

@@ -1,6 +1,6 @@
 //! `asperity solve`: one contact.
 
-use super::output::{ExactSummary, Summary, write_fields};
+use super::output::{Summary, write_fields};
 use super::progress::Progress;
 use super::solver::SolverArgs;
 use super::source::{Made, Source};
@@ -21,7 +21,7 @@ pub struct Solve {
     #[command(flatten)]
     source: Source,
     #[command(flatten)]
-    load: Load,
+    load: LoadArgs,
     #[command(flatten)]
     solver: SolverArgs,
     #[command(flatten)]
@@ -29,14 +29,17 @@ pub struct Solve {
 }
 
 #[derive(Args)]
-#[command(next_help_heading = "Load (one of --pressure, --reduced-pressure)")]
-struct Load {
+#[command(next_help_heading = "Load (one of --pressure, --reduced-pressure, --mean-gap)")]
+struct LoadArgs {
     /// Mean pressure, in the units of the modulus
     #[arg(long, value_name = "P", allow_negative_numbers = true)]
     pressure: Option<f64>,
     /// Reduced pressure p* = p / (rms gradient x modulus)
     #[arg(long, value_name = "P*", allow_negative_numbers = true)]
     reduced_pressure: Option<f64>,
+    /// Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd
+    #[arg(long, value_name = "G", allow_negative_numbers = true)]
+    mean_gap: Option<f64>,
     /// Contact modulus E* = E / (1 - nu^2)
     #[arg(long, value_name = "E*", default_value_t = 1.0, allow_negative_numbers = true)]
     modulus: f64,
@@ -70,27 +73,20 @@ impl Solve {
     pub fn run(&self) -> Result<Outcome> {
         let solver = self.solver.solver()?;
         let stop = self.solver.stop()?;
+        if self.load.mean_gap.is_some() && self.solver.needs_pressure() {
+            return Err(SolveError::NeedsPressure { solver: solver.name() }.into());
+        }
         let (surface, made) = self.source.surface()?;
         let problem = self.load.problem(surface)?;
         if let Some(path) = &self.output.out {
             check_target(path)?;
         }
-        let exact = made.indenter.as_ref().and_then(|indenter| {
-            let grid = problem.surface().grid();
-            Exact::of(indenter, grid, problem.contact_modulus(), problem.mean_pressure())
-        });
-        let summary_of_exact = exact.as_ref().map(|e| ExactSummary {
-            name: e.name,
-            relative_area: e.relative_area,
-            kappa_r: e.kappa_r,
-            mean_gap: e.mean_gap,
-            max_pressure: e.max_pressure,
-        });
-        let Watched { contact, outcome, recorded } = self.watch(&problem, &made, solver.as_ref(), &stop, exact)?;
+        let Watched { contact, outcome, recorded } = self.watch(&problem, &made, solver.as_ref(), &stop)?;
         if let Some(path) = &self.output.out {
             write_fields(path, &problem, &contact, made.rank)?;
         }
-        let summary = Summary::of(&problem, &contact, made.rank, summary_of_exact);
+        let exact = exact(&made, &problem, contact.pressure.mean().unwrap_or(0.0));
+        let summary = Summary::of(&problem, &contact, made.rank, exact.as_ref());
         if self.output.json {
             summary.write_json(&mut stdout())?;
         } else {
@@ -101,23 +97,21 @@ impl Solve {
     }
 
     #[cfg(feature = "record")]
-    fn watch(
-        &self,
-        problem: &Problem,
-        made: &Made,
-        solver: &dyn Solver,
-        stop: &Stop,
-        exact: Option<Exact>,
-    ) -> Result<Watched> {
+    fn watch(&self, problem: &Problem, made: &Made, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
         use super::description::describe;
+        use asperity::contact::Load;
         use asperity::record::{Options, Recording, Scene};
         if self.output.record_every == Some(0) {
             return usage("--record-every is 0: give a positive number of steps");
         }
-        let Some(path) = &self.output.record else { return Ok(watch_progress(problem, solver, stop)) };
+        let Some(path) = &self.output.record else { return watch_progress(problem, solver, stop) };
         if Some(path) == self.output.out.as_ref() {
             return usage(format!("--record and --out both name {}: give two files", path.display()));
         }
+        let exact = match problem.load() {
+            Load::MeanPressure(mean_pressure) => exact(made, problem, mean_pressure),
+            Load::MeanGap(_) => None,
+        };
         let scene = Scene {
             name: "contact".into(),
             title: made.title.clone(),
@@ -129,21 +123,14 @@ impl Solve {
         let recording = Recording::create(path, &[scene], options)?;
         let mut recorder = recording.recorder(0);
         let mut progress = Progress::new(stop.tolerance(), solver.name());
-        let (contact, outcome) = settle(solver.solve(problem, stop, &mut (&mut recorder, &mut progress)));
+        let (contact, outcome) = settle(solver.solve(problem, stop, &mut (&mut recorder, &mut progress)))?;
         let recorded = recorder.close(&contact).and_then(|()| recording.finish());
         Ok(Watched { contact, outcome, recorded })
     }
 
     #[cfg(not(feature = "record"))]
-    fn watch(
-        &self,
-        problem: &Problem,
-        _: &Made,
-        solver: &dyn Solver,
-        stop: &Stop,
-        _: Option<Exact>,
-    ) -> Result<Watched> {
-        Ok(watch_progress(problem, solver, stop))
+    fn watch(&self, problem: &Problem, _: &Made, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
+        watch_progress(problem, solver, stop)
     }
 }
 
@@ -154,30 +141,39 @@ struct Watched {
     recorded: Result<(), FileError>,
 }
 
-fn watch_progress(problem: &Problem, solver: &dyn Solver, stop: &Stop) -> Watched {
+fn watch_progress(problem: &Problem, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
     let mut progress = Progress::new(stop.tolerance(), solver.name());
-    let (contact, outcome) = settle(solver.solve(problem, stop, &mut progress));
-    Watched { contact, outcome, recorded: Ok(()) }
+    let (contact, outcome) = settle(solver.solve(problem, stop, &mut progress))?;
+    Ok(Watched { contact, outcome, recorded: Ok(()) })
 }
 
-/// The contact, converged or not; what stands in the way of convergence is said on standard error.
-pub fn settle(solved: Result<Contact, SolveError>) -> (Contact, Outcome) {
+/// The contact, converged or not; what stands in the way of convergence is said on standard error. An error if there is none.
+pub fn settle(solved: Result<Contact, SolveError>) -> Result<(Contact, Outcome), SolveError> {
     match solved {
-        Ok(contact) => (contact, Outcome::Done),
+        Ok(contact) => Ok((contact, Outcome::Done)),
         Err(error) => {
-            writeln!(stderr(), "warning: {error}").ok();
-            (error.into_contact(), Outcome::NotConverged)
+            let warning = format!("warning: {error}");
+            let contact = error.into_contact()?;
+            writeln!(stderr(), "{warning}").ok();
+            Ok((contact, Outcome::NotConverged))
         }
     }
 }
 
-impl Load {
+/// The exact solution under a mean pressure, where the surface has one.
+fn exact(made: &Made, problem: &Problem, mean_pressure: f64) -> Option<Exact> {
+    let indenter = made.indenter.as_ref()?;
+    Exact::of(indenter, problem.surface().grid(), problem.contact_modulus(), mean_pressure)
+}
+
+impl LoadArgs {
     fn problem(&self, surface: Surface) -> Result<Problem> {
-        match (self.pressure, self.reduced_pressure) {
-            (Some(pressure), None) => Ok(Problem::new(surface, self.modulus, pressure)?),
-            (None, Some(reduced)) => Ok(Problem::at_reduced_pressure(surface, self.modulus, reduced)?),
-            (None, None) => usage("no load is given: use --pressure or --reduced-pressure"),
-            (Some(_), Some(_)) => usage("two loads are given: use only one of --pressure and --reduced-pressure"),
+        match (self.pressure, self.reduced_pressure, self.mean_gap) {
+            (Some(pressure), None, None) => Ok(Problem::new(surface, self.modulus, pressure)?),
+            (None, Some(reduced), None) => Ok(Problem::at_reduced_pressure(surface, self.modulus, reduced)?),
+            (None, None, Some(gap)) => Ok(Problem::at_mean_gap(surface, self.modulus, gap)?),
+            (None, None, None) => usage("no load is given: use --pressure, --reduced-pressure or --mean-gap"),
+            _ => usage("more than one load is given: use only one of --pressure, --reduced-pressure and --mean-gap"),
         }
     }
 }

@@ -77,6 +77,11 @@ impl SolverArgs {
         }
     }
 
+    /// Whether the solver works under a given mean pressure only.
+    pub fn needs_pressure(&self) -> bool {
+        matches!(self.solver, Method::Gfmd)
+    }
+
     fn has_gfmd_settings(&self) -> bool {
         let Self { masses, dynamics, time_step, damping, .. } = self;
         masses.is_some() || dynamics.is_some() || time_step.is_some() || damping.is_some()

@@ -1,31 +1,43 @@
 //! How far a pressure can be from the solution.
 
-use crate::contact::Problem;
-use crate::contact::chunks;
+use crate::contact::{Load, Problem, chunks};
 
-/// A rigorous measure of the error of a feasible pressure `p` (`p >= 0`, `<p>` as given).
+/// A rigorous measure of the error of a feasible pressure `p >= 0`, with `<p>` as given if it is.
 ///
-/// With `v = u(p) - h`, every feasible pressure obeys `f(p) - f* <= G`, `G = <p (v - min v)>`: the solution cannot lie deeper
-/// than the load times the lowest point of the linearised energy. `G` vanishes only at the solution. It is a mean over
-/// nodes here, as `f` is.
+/// **Under a mean pressure.** With `v = u(p) - h`, every feasible pressure obeys `f(p) - f* <= G`, `G = <p (v - min v)>`: the
+/// solution cannot lie deeper than the load times the lowest point of the linearised energy. `G` vanishes only at the
+/// solution. It is a mean over nodes here, as `f` is.
 ///
-/// All fields are dimensionless.
+/// **At a mean gap** `D`, the energy is `F = f + D <p>` and its gradient `v + D`. With `d = -<p v>/<p>`, the mean gap at which
+/// `<p g> = 0`, convexity says `F(p) - F* <= <(p - p*) (v + D)>`, and since `<p (v + D)> = <p> (D - d)` and
+/// `<p* v> >= <p*> min v`,
+///
+/// ```text
+/// F(p) - F* <= <p*> (-d - min v) + (<p> - <p*>) (D - d) <= max(<p>, <p*>) (|-d - min v| + |D - d|)
+/// ```
+///
+/// where `-d - min v = G / <p>`. So `G / <p> + |D - d|` takes the place of `G / <p>`. Both vanish only at the solution.
+///
+/// All fields are dimensionless. Where there is no pressure at all, errors are infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
-    /// `eta = G / (<p> h_rms)`, the error in energy against load times rms height: what [`crate::contact::Stop`] asks for.
+    /// `eta = G / (<p> h_rms)`, the error in energy against load times rms height: what [`crate::contact::Stop`] asks for. At a
+    /// mean gap `eta = (G / <p> + |D - d|) / h_rms`, the same against the larger of `<p>` and `<p*>`.
     pub eta: f64,
-    /// `sqrt(2 G / <p u(p)>)`: a bound of the relative error of the pressure in the energy norm `|x|^2 = <x u(x)>`, since
-    /// `f(p) - f* >= 1/2 |p - p*|^2`. At low loads, where `h_rms` is a coarse yardstick, this one tells the truth.
+    /// `sqrt(2 eta <p> h_rms / <p u(p)>)`: a bound of the relative error of the pressure in the energy norm
+    /// `|x|^2 = <x u(x)>`, since `f(p) - f* >= 1/2 |p - p*|^2`. At low loads, where `h_rms` is a coarse yardstick, this one
+    /// tells the truth. At a mean gap it takes `<p>` for `<p*>`, whose ratio is 1 but for the error itself.
     pub pressure_error_bound: f64,
-    /// `|<p> / mean_pressure - 1|`.
+    /// How far what is prescribed is missed: `|<p> / mean_pressure - 1|`, or `|D - d| / h_rms` at a mean gap.
     pub load_error: f64,
     /// Smallest pressure over the mean pressure; never negative in a result.
     pub min_pressure: f64,
 }
 
 impl Certificate {
-    /// Largest penetration (negative gap) over `h_rms`. With the datum of the gap where `<p g> = 0`, as in every result, the
-    /// deepest node lies `G / <p>` below zero: the penetration **is** `eta`.
+    /// Largest penetration (negative gap) over `h_rms`. With the datum of the gap where `<p g> = 0`, as in every result under a
+    /// mean pressure, the deepest node lies `G / <p>` below zero: the penetration **is** `eta`. At a mean gap the datum is
+    /// `D`, and the penetration is `eta` at the most.
     pub fn penetration(&self) -> f64 {
         self.eta
     }
@@ -33,20 +45,36 @@ impl Certificate {
     /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is given, both row by row.
     pub(super) fn of(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
         let sums = Sums::of(problem, pressure, displacement);
+        if sums.pressure <= 0.0 {
+            let eta = f64::INFINITY;
+            return Self { eta, pressure_error_bound: eta, load_error: eta, min_pressure: 0.0 };
+        }
         let mean_v = sums.pressure_v / sums.pressure;
-        let excess = (mean_v - sums.lowest_v).max(0.0);
+        let mean_pressure = sums.pressure / problem.nodes() as f64;
+        let (load_error, missed_gap) = match problem.load() {
+            Load::MeanPressure(prescribed) => ((mean_pressure / prescribed - 1.0).abs(), 0.0),
+            Load::MeanGap(gap) => {
+                let missed = (mean_v + (sums.reference_v + gap)).abs();
+                (missed / problem.rms_height(), missed)
+            }
+        };
+        let excess = (mean_v - sums.lowest_v).max(0.0) + missed_gap;
         let doubled_energy = sums.elastic / sums.pressure;
         Self {
             eta: excess / problem.rms_height(),
             pressure_error_bound: if doubled_energy > 0.0 { (2.0 * excess / doubled_energy).sqrt() } else { 0.0 },
-            load_error: (sums.pressure / (problem.nodes() as f64 * problem.mean_pressure()) - 1.0).abs(),
-            min_pressure: sums.lowest_pressure / problem.mean_pressure(),
+            load_error,
+            min_pressure: sums.lowest_pressure / mean_pressure,
         }
     }
 }
 
-/// The datum `d` of the gap `g = u - h + d`: minus the mean of `u - h` weighted by the pressure, so that `<p g> = 0`.
+/// The datum `d` of the gap `g = u - h + d`: the prescribed mean gap, or else minus the mean of `u - h` weighted by the
+/// pressure, so that `<p g> = 0`.
 pub(super) fn datum(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
+    if let Load::MeanGap(gap) = problem.load() {
+        return gap;
+    }
     let height = problem.height();
     let load = chunks::sum(pressure.len(), |i| pressure[i]);
     -chunks::sum(pressure.len(), |i| pressure[i] / load * (displacement[i] - height[i]))
@@ -56,6 +84,7 @@ pub(super) fn datum(problem: &Problem, pressure: &[f64], displacement: &[f64]) -
 /// in contact, so that the differences near the solution keep their digits.
 #[derive(Clone, Copy)]
 struct Sums {
+    reference_v: f64,
     pressure: f64,
     pressure_v: f64,
     elastic: f64,
@@ -66,8 +95,9 @@ struct Sums {
 impl Sums {
     fn of(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
         let height = problem.height();
-        let reference = pressure.iter().position(|&p| p > 0.0).map_or(0.0, |i| displacement[i] - height[i]);
+        let reference_v = pressure.iter().position(|&p| p > 0.0).map_or(0.0, |i| displacement[i] - height[i]);
         let none = Self {
+            reference_v,
             pressure: 0.0,
             pressure_v: 0.0,
             elastic: 0.0,
@@ -78,7 +108,7 @@ impl Sums {
             let mut sums = none;
             for i in range {
                 let (p, u) = (pressure[i], displacement[i]);
-                let v = u - height[i] - reference;
+                let v = u - height[i] - reference_v;
                 sums.pressure += p;
                 sums.pressure_v += p * v;
                 sums.elastic += p * u;
@@ -92,6 +122,7 @@ impl Sums {
 
     fn plus(self, other: Self) -> Self {
         Self {
+            reference_v: self.reference_v,
             pressure: self.pressure + other.pressure,
             pressure_v: self.pressure_v + other.pressure_v,
             elastic: self.elastic + other.elastic,

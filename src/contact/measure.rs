@@ -59,7 +59,7 @@ impl Measures {
         let relative_area = contact_nodes as f64 / nodes;
         let relative_area_corrected = ((contact_nodes as f64 - excess * switches as f64) / nodes).max(0.0);
         let rms_gradient_contact = if contact_nodes > 0 { (sum_squares / contact_nodes as f64).sqrt() } else { 0.0 };
-        let strain = problem.mean_pressure() / problem.contact_modulus();
+        let strain = problem.mean_pressure_of(pressure) / problem.contact_modulus();
         let reduced_pressure = strain / problem.rms_gradient();
         Self {
             contact_nodes,

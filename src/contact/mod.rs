@@ -10,6 +10,7 @@
 mod best;
 mod certificate;
 mod gfmd;
+mod load;
 mod measure;
 mod multilevel;
 mod observe;
@@ -24,6 +25,7 @@ use crate::chunks;
 
 pub use certificate::Certificate;
 pub use gfmd::{Dynamics, Gfmd, Masses};
+pub use load::Load;
 pub use measure::{Measures, NODE_EXCESS_PER_SWITCH_LINE, NODE_EXCESS_PER_SWITCH_SURFACE};
 pub use multilevel::Multilevel;
 pub use observe::{Observer, Phase, Step};

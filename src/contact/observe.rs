@@ -176,13 +176,15 @@ impl<'a> Step<'a> {
 
     /// The energy that the method lowers, over `mean_pressure h_rms`: for methods that move the pressure the complementary
     /// energy `<p u> / 2 - <p h>`, for methods that move the surface the potential energy `<w k w> / 2 + <p> <w>`. They end
-    /// at the same magnitude with opposite signs.
+    /// at the same magnitude with opposite signs. At a given mean gap `D` the complementary energy has `D <p>` added, and
+    /// [`Problem::expected_mean_pressure`] stands in for the load.
     pub fn energy(&self) -> f64 {
         let State { problem, pressure, displacement, .. } = &self.state;
         let (p, u): (&[f64], &[f64]) = (pressure, displacement);
-        let (h, load) = (problem.height(), problem.mean_pressure());
+        let (h, load) = (problem.height(), problem.expected_mean_pressure());
+        let gap = problem.load().mean_gap().unwrap_or(0.0);
         let sum = match self.state.energy {
-            Energy::Complementary => chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i])),
+            Energy::Complementary => chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i] + gap)),
             Energy::Potential { force } => chunks::sum(p.len(), |i| 0.5 * u[i] * (load + p[i] - force[i])),
         };
         sum / (p.len() as f64 * load * problem.rms_height())

@@ -1,21 +1,26 @@
 //! Constrained conjugate gradients in the pressure.
 //!
-//! Letters of this file: `p` pressure, `u` its displacement, `v = u - h`, `g` the gap `v` less its mean over the contact,
-//! `t` the conjugate direction, `r` the displacement under `t`, `tau` the step length.
+//! Letters of this file: `p` pressure, `u` its displacement, `v = u - h`, `g = v + d` the gap, `t` the conjugate direction, `r`
+//! the displacement under `t`, `tau` the step length. The datum `d` is the mean gap if that is given, or else minus the mean of
+//! `v` over the contact, so that `g` has none.
 
 use crate::contact::observe::{Energy, Phase, State, Values};
 use crate::contact::result::Ended;
 use crate::contact::solver::{Run, first_pressure};
-use crate::contact::{Certificate, Contact, Observer, Problem, Solver, Status, Step, Stop, chunks};
+use crate::contact::{Certificate, Contact, Load, Observer, Problem, Solver, Status, Step, Stop, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
 
 /// Constrained conjugate gradients (Polonsky & Keer 1999).
 ///
-/// Minimises `f(p) = 1/2 <p, u(p)> - <p, h>` over `p >= 0` with `<p>` given. Each iteration takes the conjugate gradient step
-/// of the nodes in contact with the exact step length, clips tension, brings nodes that penetrate into contact, and rescales
-/// to the load. Conjugacy is lost whenever the contact set changes; then the direction restarts from the gradient.
+/// Minimises `f(p) = 1/2 <p, u(p)> - <p, h>` over `p >= 0` with `<p>` given, or `f(p) + D <p>` with the mean gap `D` given. Each
+/// iteration takes the conjugate gradient step of the nodes in contact with the exact step length, clips tension, brings nodes
+/// that penetrate into contact, and under a mean pressure rescales to it. When nodes enter the contact, the direction restarts
+/// from the gradient; when nodes leave, it goes on without them.
+///
+/// At a mean gap even the last node may leave the contact. Then all that penetrate without pressure enter in the same
+/// iteration, with a step that is safe for every mode.
 ///
 /// One transform pair per iteration while the set stays (the displacement follows the step by linearity), two otherwise.
 /// Memory: 5 fields of n doubles besides the [`HalfSpace`].
@@ -26,8 +31,8 @@ use crate::surface::Field;
 /// removed before convergence is declared: the certificate is then recomputed from a fresh transform pair.
 ///
 /// # Source
-/// Polonsky & Keer, Wear 231, 206 (1999), steps 1 to 10. Deviations: the restart on every change of the set, not only when
-/// nodes enter; displacement by linearity; the stop by [`Certificate`].
+/// Polonsky & Keer, Wear 231, 206 (1999), steps 1 to 10. Deviations: displacement by linearity; the mean gap, where there is
+/// neither a mean to take off nor a load to restore; the stop by [`Certificate`].
 ///
 /// ```
 /// use asperity::{Grid, Problem, Stop, surface::Indenter, contact::{PolonskyKeer, Solver}};
@@ -48,7 +53,7 @@ impl Solver for PolonskyKeer {
     }
 
     fn settings(&self) -> String {
-        "constrained conjugate gradients, restarted when the contact set changes".into()
+        "constrained conjugate gradients, restarted when nodes enter the contact".into()
     }
 
     fn solve_from(
@@ -62,17 +67,17 @@ impl Solver for PolonskyKeer {
         let mut state = Iterate::new(start, problem);
         let status = loop {
             let certificate = state.certify(&mut run);
-            let mean_v = state.mean_over_contact();
-            if let Some(status) = state.show(&mut run, certificate, -mean_v) {
+            let datum = state.datum();
+            if let Some(status) = state.show(&mut run, certificate, datum) {
                 break status;
             }
-            state.conjugate(mean_v);
+            state.conjugate(datum);
             state.half_space.displacement(&state.t, &mut state.r);
-            let tau = state.step_length(mean_v);
-            state.update(mean_v, tau);
+            let tau = state.step_length(datum);
+            state.update(datum, tau);
             run.advance();
         };
-        let Iterate { half_space, .. } = state;
+        let half_space = state.into_half_space();
         let ended = Ended { work: run.work(half_space.transforms()), status, solver: self.name() };
         let pressure = run.best.pressure.take();
         run.finish(problem, pressure, half_space, ended)
@@ -117,10 +122,15 @@ impl<'a> Iterate<'a> {
         certificate
     }
 
-    /// Takes the displacement from a transform of the pressure, and the next direction from the gradient.
-    fn restart(&mut self) {
+    /// Takes the displacement from a transform of the pressure.
+    fn refresh(&mut self) {
         self.half_space.displacement(&self.p, &mut self.u);
         self.fresh = true;
+    }
+
+    /// The same, and the next direction from the gradient.
+    fn restart(&mut self) {
+        self.refresh();
         self.previous_square = None;
     }
 
@@ -138,75 +148,85 @@ impl<'a> Iterate<'a> {
         run.show(&step)
     }
 
-    fn mean_over_contact(&self) -> f64 {
+    /// `d` of the gap.
+    fn datum(&self) -> f64 {
+        if let Load::MeanGap(gap) = self.problem.load() {
+            return gap;
+        }
         let (p, u, h) = (&self.p, &self.u, self.problem.height());
         let parts = chunks::visit(p.len(), |range| {
             let inside = range.filter(|&i| p[i] > 0.0);
             inside.fold((0usize, 0.0), |(n, sum), i| (n + 1, sum + (u[i] - h[i])))
         });
         let (n, sum) = parts.into_iter().fold((0, 0.0), |(n, s), (m, t)| (n + m, s + t));
-        sum / n as f64
+        -sum / n as f64
     }
 
     /// `t <- g + (|g|^2 / |g_previous|^2) t` on the contact, zero elsewhere.
-    fn conjugate(&mut self, mean_v: f64) {
+    fn conjugate(&mut self, datum: f64) {
         let (p, u, h) = (&self.p, &self.u, self.problem.height());
-        let square = chunks::sum(p.len(), |i| if p[i] > 0.0 { (u[i] - h[i] - mean_v).powi(2) } else { 0.0 });
+        let square = chunks::sum(p.len(), |i| if p[i] > 0.0 { (u[i] - h[i] + datum).powi(2) } else { 0.0 });
         let beta = self.previous_square.map_or(0.0, |previous| square / previous);
         self.previous_square = (square > 0.0).then_some(square);
         chunks::update(&mut self.t, |range, t| {
             for (i, t) in range.zip(t) {
-                *t = if p[i] > 0.0 { u[i] - h[i] - mean_v + beta * *t } else { 0.0 };
+                *t = if p[i] > 0.0 { u[i] - h[i] + datum + beta * *t } else { 0.0 };
             }
         });
     }
 
-    /// The exact minimiser along `t`, `<g t> / <r t>` over the contact. Where there is none (a single node in contact has no
-    /// gradient), the step that is safe for every mode: the smallest stiffness.
-    fn step_length(&self, mean_v: f64) -> f64 {
+    /// The exact minimiser along `t`, `<g t> / <r t>` over the contact, where under a mean pressure `r` is taken less its mean
+    /// over the contact. Where there is none (a single node in contact has no gradient), the step that is safe for every mode:
+    /// the smallest stiffness.
+    fn step_length(&self, datum: f64) -> f64 {
         let (p, u, h, t, r) = (&self.p, &self.u, self.problem.height(), &self.t, &self.r);
         let parts = chunks::visit(p.len(), |range| {
-            let mut sums = [0.0; 4];
+            let mut sums = [0.0; 5];
             for i in range.filter(|&i| p[i] > 0.0) {
-                let terms = [1.0, t[i], r[i], r[i] * t[i]];
+                let terms = [1.0, t[i], r[i], r[i] * t[i], (u[i] - h[i] + datum) * t[i]];
                 sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
             }
             sums
         });
-        let [n, sum_t, sum_r, sum_rt] = parts.into_iter().fold([0.0; 4], |mut a, b| {
+        let [n, sum_t, sum_r, sum_rt, slope] = parts.into_iter().fold([0.0; 5], |mut a, b| {
             a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
             a
         });
-        let slope = chunks::sum(p.len(), |i| if p[i] > 0.0 { (u[i] - h[i] - mean_v) * t[i] } else { 0.0 });
-        let curvature = sum_rt - sum_r * sum_t / n;
+        let curvature = match self.problem.load() {
+            Load::MeanPressure(_) => sum_rt - sum_r * sum_t / n,
+            Load::MeanGap(_) => sum_rt,
+        };
         if slope > 0.0 && curvature > 0.0 { slope / curvature } else { self.half_space.softest_stiffness() }
     }
 
     /// `p <- max(p - tau t, 0)` on the contact, `-tau g` on nodes without pressure that penetrate; then the load, then `u`.
-    fn update(&mut self, mean_v: f64, tau: f64) {
+    fn update(&mut self, datum: f64, tau: f64) {
         let (u, h, t) = (&self.u, self.problem.height(), &self.t);
         let parts = chunks::update(&mut self.p, |range, p| {
-            let (mut load, mut changed) = (0.0, false);
+            let mut change = Change { load: 0.0, left: false, entered: false };
             for (i, p) in range.zip(p) {
                 if *p > 0.0 {
                     *p = (*p - tau * t[i]).max(0.0);
-                    changed |= *p <= 0.0;
+                    change.left |= *p <= 0.0;
                 }
-                let gap = u[i] - h[i] - mean_v;
+                let gap = u[i] - h[i] + datum;
                 if *p <= 0.0 && gap < 0.0 {
                     *p = -tau * gap;
-                    changed = true;
+                    change.entered = true;
                 }
-                load += *p;
+                change.load += *p;
             }
-            (load, changed)
+            change
         });
-        let load: f64 = parts.iter().map(|(load, _)| load).sum();
-        let changed = parts.iter().any(|(_, changed)| *changed);
-        let scale = self.problem.mean_pressure() * self.p.len() as f64 / load;
+        let scale = match self.problem.load() {
+            Load::MeanPressure(mean) => mean * self.p.len() as f64 / parts.iter().map(|part| part.load).sum::<f64>(),
+            Load::MeanGap(_) => 1.0,
+        };
         chunks::update(&mut self.p, |_, p| p.iter_mut().for_each(|p| *p *= scale));
-        if changed {
+        if parts.iter().any(|part| part.entered) {
             self.restart();
+        } else if parts.iter().any(|part| part.left) {
+            self.refresh();
         } else {
             let r = &self.r;
             chunks::update(&mut self.u, |range, u| {
@@ -215,4 +235,16 @@ impl<'a> Iterate<'a> {
             self.fresh = false;
         }
     }
+
+    /// What the last transforms need; the rest is freed.
+    fn into_half_space(self) -> HalfSpace {
+        self.half_space
+    }
+}
+
+/// What an update did to some of the nodes: their load afterwards, and whether any left the contact or entered it.
+struct Change {
+    load: f64,
+    left: bool,
+    entered: bool,
 }

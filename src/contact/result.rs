@@ -9,9 +9,9 @@ use ndarray::ArrayView2;
 ///
 /// | field          | shape      | unit     | meaning                                        |
 /// |----------------|------------|----------|------------------------------------------------|
-/// | `pressure`     | `(ny, nx)` | pressure | `p >= 0`, `<p>` the load                       |
+/// | `pressure`     | `(ny, nx)` | pressure | `p >= 0`, `<p>` the load if that is given      |
 /// | `displacement` | `(ny, nx)` | length   | `u(p)` into the solid, zero mean               |
-/// | `gap`          | `(ny, nx)` | length   | `u - h + d`, `d` such that `<p g> = 0`         |
+/// | `gap`          | `(ny, nx)` | length   | `u - h + d`, `<p g> = 0` or `d` the mean gap   |
 #[derive(Debug, Clone)]
 pub struct Contact {
     /// Pressure.

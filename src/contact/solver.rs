@@ -2,7 +2,7 @@
 
 use crate::contact::best::Best;
 use crate::contact::result::Ended;
-use crate::contact::{Contact, Observer, Problem, Status, Step, Stop, Work, chunks};
+use crate::contact::{Contact, Load, Observer, Problem, Status, Step, Stop, Work, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
@@ -47,9 +47,9 @@ pub trait Solver {
     ) -> Result<Contact, SolveError>;
 }
 
-/// The pressure to start from: what `start` holds of one, scaled to the load, or the uniform pressure.
+/// The pressure to start from: what `start` holds of one, scaled to the mean pressure if one is given, or the uniform pressure.
 pub(super) fn first_pressure(start: Option<&Field>, problem: &Problem) -> Vec<f64> {
-    let load = problem.mean_pressure();
+    let load = problem.expected_mean_pressure();
     let Some(start) = start else { return vec![load; problem.nodes()] };
     assert_eq!(start.shape(), problem.surface().grid().shape(), "the start must fit the grid");
     let pressure: Vec<f64> = start.iter().map(|&p| if p.is_finite() { p.max(0.0) } else { 0.0 }).collect();
@@ -58,6 +58,9 @@ pub(super) fn first_pressure(start: Option<&Field>, problem: &Problem) -> Vec<f6
     let mean = chunks::sum(pressure.len(), |i| pressure[i] / highest) / pressure.len() as f64;
     if highest <= 0.0 {
         return vec![load; pressure.len()];
+    }
+    if let Load::MeanGap(_) = problem.load() {
+        return pressure;
     }
     pressure.into_iter().map(|p| p / highest * (load / mean)).collect()
 }
@@ -138,7 +141,7 @@ impl<'a, P: Clone> Run<'a, P> {
         ended: Ended,
     ) -> Result<Contact, SolveError> {
         let status = ended.status;
-        let pressure = pressure.unwrap_or_else(|| vec![problem.mean_pressure(); problem.nodes()]);
+        let pressure = pressure.unwrap_or_else(|| vec![problem.expected_mean_pressure(); problem.nodes()]);
         let contact = Contact::of(problem, pressure, half_space, ended);
         match status {
             Status::Converged | Status::StoppedByObserver => Ok(contact),

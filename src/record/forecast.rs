@@ -31,7 +31,7 @@ impl Forecast {
 
     /// The highest nodes touch, as many as `a_rel = kappa_r p_mean / (gbar_r E*)` asks for with the `gbar_r` of them.
     fn estimate(problem: &Problem) -> Self {
-        let strain = problem.mean_pressure() / problem.contact_modulus();
+        let strain = problem.expected_mean_pressure() / problem.contact_modulus();
         let squares = highest_first(problem);
         let (mut sum, mut gradient, mut area) = (0.0, 0.0, 1.0);
         for (i, square) in squares.iter().enumerate() {
@@ -43,7 +43,7 @@ impl Forecast {
                 break;
             }
         }
-        let max_pressure = problem.mean_pressure() / area + LARGEST * problem.contact_modulus() * gradient;
+        let max_pressure = problem.expected_mean_pressure() / area + LARGEST * problem.contact_modulus() * gradient;
         Self { relative_area: area, max_pressure }
     }
 }

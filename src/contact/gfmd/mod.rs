@@ -10,7 +10,7 @@ mod probe;
 
 use crate::contact::result::Ended;
 use crate::contact::solver::Run;
-use crate::contact::{Contact, Observer, Problem, Solver, Stop};
+use crate::contact::{Contact, Load, Observer, Problem, Solver, Stop};
 use crate::error::{SettingError, SolveError};
 use crate::surface::Field;
 use moving::Moving;
@@ -48,6 +48,8 @@ pub enum Dynamics {
 /// A step costs one transform pair with uniform masses and two with masses proportional to stiffness; the certificate is
 /// computed at a share of the steps that falls to one in fifty, for one pair more. Memory: 8 fields of n doubles and two
 /// [`crate::elastic::HalfSpace`]s.
+///
+/// It works under a mean pressure only: at a mean gap it returns [`SolveError::NeedsPressure`].
 ///
 /// # Why it is stable
 /// Verlet's scheme follows a mode of frequency `omega` up to `omega dt = 2`. With uniform masses the stiffest mode sets the limit,
@@ -133,6 +135,9 @@ impl Solver for Gfmd {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
+        if let Load::MeanGap(_) = problem.load() {
+            return Err(SolveError::NeedsPressure { solver: self.name() });
+        }
         let mut run = Run::new(stop, observer);
         let mut surface = Moving::new(start, problem, self.masses);
         let mut probe = Probe::new(problem);

@@ -54,7 +54,7 @@ impl<'a> Moving<'a> {
     /// as net force, which is zero on those nodes.
     pub fn pull(&mut self) {
         self.half_space.respond(&self.w, &mut self.f, |k| -k);
-        let (w, h, load) = (&self.w, self.problem.height(), self.problem.mean_pressure());
+        let (w, h, load) = (&self.w, self.problem.height(), self.problem.expected_mean_pressure());
         chunks::update_both(&mut self.f, &mut self.p, |range, f, p| {
             for ((i, f), p) in range.zip(f).zip(p) {
                 *f -= load;

@@ -39,7 +39,7 @@ impl Probe {
             return None;
         }
         self.next = iteration + 1 + iteration / RARITY;
-        let scale = problem.mean_pressure() * forces.len() as f64 / load;
+        let scale = problem.expected_mean_pressure() * forces.len() as f64 / load;
         chunks::update(&mut self.pressure, |range, p| range.zip(p).for_each(|(i, p)| *p = scale * forces[i]));
         self.half_space.displacement(&self.pressure, &mut self.displacement);
         let eta = Certificate::of(problem, &self.pressure, &self.displacement).eta;

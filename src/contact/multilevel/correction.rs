@@ -39,7 +39,8 @@ impl<'a> Correction<'a> {
         let mut correction = Self { support, delta, direction, residual, load: Load::Stays };
         if !keeps_load {
             let ones = vec![1.0; correction.residual.len()];
-            let stiffness = ones.len() as f64 / dot(&ones, &correction.comply(&ones, half_space));
+            let compliance = dot(&ones, &correction.comply(&ones, half_space)) / ones.len() as f64;
+            let stiffness = if compliance > 0.0 { 1.0 / compliance } else { 0.0 };
             correction.load = Load::Free { stiffness };
         }
         correction.project_residual();

@@ -4,7 +4,7 @@ use super::correction::{dot, remove_mean};
 use super::level::{Level, Watch};
 use super::support::Pressure;
 use crate::chunks;
-use crate::contact::Status;
+use crate::contact::{Load, Status};
 
 impl Level<'_> {
     /// A guarded step: towards the pressure of a whole-set update if that is wished for and `f` falls on that way, else towards
@@ -45,20 +45,26 @@ impl Level<'_> {
         true
     }
 
-    /// The projection onto `{p >= 0, <p> fixed}` of a step against the gradient, as long as the curvature of `f` along the
+    /// The projection onto `p >= 0`, with the mean pressure if that is given, of a step against the gradient, as long as the curvature of `f` along the
     /// gradient on the set suggests.
     fn gradient_step(&mut self) -> Vec<f64> {
         let lambda = self.lambda();
         let length = self.cauchy_length();
         let (mut p, u, h) = (self.pressure.spread(), &self.u, self.problem.height());
         chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p -= length * (u[i] - h[i] - lambda)));
-        onto_load(p, self.problem.mean_pressure())
+        match self.problem.load() {
+            Load::MeanPressure(mean_pressure) => onto_load(p, mean_pressure),
+            Load::MeanGap(_) => p.into_iter().map(|p| p.max(0.0)).collect(),
+        }
     }
 
     /// Length of the step against the gradient on the set that minimises `f`, or 0 where there is no gradient.
     fn cauchy_length(&mut self) -> f64 {
-        let mut gradient = self.on_set(|v| v);
-        remove_mean(&mut gradient);
+        let lambda = self.lambda();
+        let mut gradient = self.on_set(|v| v - lambda);
+        if let Load::MeanPressure(_) = self.problem.load() {
+            remove_mean(&mut gradient);
+        }
         let field = self.pressure.support.spread(&gradient);
         let mut response = vec![0.0; field.len()];
         self.half_space.displacement(&field, &mut response);
@@ -91,7 +97,6 @@ mod tests {
     use super::*;
     use crate::contact::Problem;
     use crate::contact::best::Best;
-    use crate::contact::solver::first_pressure;
     use crate::grid::Grid;
     use crate::surface::{Indenter, Surface};
     use ndarray::Array1;
@@ -118,7 +123,7 @@ mod tests {
     }
 
     fn uniform(problem: &Problem) -> Level<'_> {
-        Level::new(problem, |rows| Pressure::of(&first_pressure(None, problem), rows))
+        Level::new(problem, |rows| Pressure::first(problem, rows))
     }
 
     fn energy(level: &Level<'_>) -> f64 {

@@ -1,14 +1,15 @@
 //! Nested grids.
 
 use super::support::{Pressure, Support};
-use crate::contact::Problem;
+use crate::contact::{Load, Problem};
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
 
 /// The fewest points along a side of a coarse grid.
 const FEWEST: usize = 32;
 
-/// The problem on every other node along each side, if the sides are even and long enough and what is left is not flat.
+/// The problem on every other node along each side, if the sides are even and long enough and what is left is neither flat nor
+/// too low to be touched.
 pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
     let surface = problem.surface();
     let grid = surface.grid();
@@ -21,7 +22,11 @@ pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
     let coarse = if grid.is_line() { Grid::line(nx / 2, lx) } else { Grid::surface([ny / 2, nx / 2], [ly, lx]) };
     let height = Field::from_shape_fn(coarse.as_ref().ok()?.shape(), |(y, x)| surface.height()[[2 * y, 2 * x]]);
     let surface = Surface::new(coarse.ok()?, height).ok()?;
-    Problem::new(surface, problem.contact_modulus(), problem.mean_pressure()).ok()
+    let load = match problem.load() {
+        Load::MeanGap(gap) => Load::MeanGap(gap - surface.mean_height()),
+        load @ Load::MeanPressure(_) => load,
+    };
+    Problem::under(surface, problem.contact_modulus(), load).ok()
 }
 
 /// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly.

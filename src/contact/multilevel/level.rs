@@ -73,14 +73,26 @@ impl<'a> Level<'a> {
     /// Sees to it that the displacement is that of the pressure, and returns the certificate of both.
     pub fn certify(&mut self) -> f64 {
         self.refresh();
+        if self.pressure.values.is_empty() {
+            return f64::INFINITY;
+        }
         let v = self.extremes_of_v();
-        (v.mean - v.lowest).max(0.0) / self.problem.rms_height()
+        let missed_gap = self.gap().map_or(0.0, |gap| (v.mean + (v.reference + gap)).abs());
+        ((v.mean - v.lowest).max(0.0) + missed_gap) / self.problem.rms_height()
     }
 
-    /// `lambda` of this state: the mean of `v` weighted by the pressure.
+    /// `lambda` of this state: the mean of `v` weighted by the pressure or, at a given mean gap, minus that.
     pub fn lambda(&self) -> f64 {
-        let v = self.extremes_of_v();
-        v.reference + v.mean
+        let of_pressure = || {
+            let v = self.extremes_of_v();
+            v.reference + v.mean
+        };
+        self.gap().map_or_else(of_pressure, |gap| -gap)
+    }
+
+    /// The mean gap, if that is given.
+    fn gap(&self) -> Option<f64> {
+        self.problem.load().mean_gap()
     }
 
     /// One free update or guarded step, as [`Level::choose_pace`] has it.
@@ -185,10 +197,14 @@ impl<'a> Level<'a> {
 
     /// The whole-set update: corrects on the set, exchanges nodes by the signs of pressure and gap, clips and scales.
     pub fn update(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
+        if self.pressure.values.is_empty() {
+            self.admit();
+        }
         let mut extension = Extension::new(&self.pressure.support, self.problem.surface().grid().shape());
-        let residual = self.on_set(|v| -v);
+        let gap = self.gap();
+        let residual = self.on_set(|v| -(v + gap.unwrap_or(0.0)));
         let Self { half_space, u, pressure: Pressure { support, values }, .. } = self;
-        let mut correction = Correction::new(support, residual, true, half_space);
+        let mut correction = Correction::new(support, residual, gap.is_none(), half_space);
         let status = correction.solve(self.reduction, &mut extension, half_space, u, &mut |correction, half_space| {
             let signed = || values.iter().zip(&correction.delta).map(|(p, delta)| p + delta).collect();
             watch(support, &signed, half_space)
@@ -198,7 +214,7 @@ impl<'a> Level<'a> {
         drop(extension);
         self.is_fresh = false;
         self.refresh();
-        let lambda = self.mean_v_of_set();
+        let lambda = gap.map_or_else(|| self.mean_v_of_set(), |gap| -gap);
         if self.exchange(lambda) {
             self.pressure.carry(self.problem);
             self.is_fresh = false;

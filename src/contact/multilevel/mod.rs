@@ -130,15 +130,14 @@ impl Cascade<'_> {
     /// ended there, if it did.
     fn level_on<'p>(&mut self, problem: &'p Problem, depth: usize) -> (Level<'p>, Option<Status>) {
         let Some(coarse) = coarser(problem) else {
-            return (Level::new(problem, |rows| Pressure::of(&first_pressure(None, problem), rows)), None);
+            return (Level::new(problem, |rows| Pressure::first(problem, rows)), None);
         };
         let (mut level, ended) = self.level_on(&coarse, depth + 1);
         let ended = self.relax(&mut level, depth + 1, ended);
         self.spent += self.share(&level) * level.half_space.transforms() as f64;
-        let pressure = self.run.best.pressure.take().map(|best| best.spread());
-        drop(level);
+        let pressure = self.run.best.pressure.take().unwrap_or(level.pressure).spread();
+        drop(level.half_space);
         self.run.best = Best::none(self.run.iterations());
-        let pressure = pressure.unwrap_or_else(|| first_pressure(None, &coarse));
         let [from, to] = [&coarse, problem].map(|problem| problem.surface().grid().shape());
         (Level::new(problem, |rows| prolong(&pressure, from, to, rows)), ended)
     }

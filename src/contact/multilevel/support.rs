@@ -1,7 +1,7 @@
 //! Vectors that live on the contact set.
 
 use crate::chunks;
-use crate::contact::Problem;
+use crate::contact::{Load, Problem};
 use std::ops::Range;
 
 /// A set of nodes, as runs along the rows in which a half-space takes its fields. Values on it are vectors with one entry per
@@ -135,15 +135,28 @@ impl Pressure {
         Self { support, values }
     }
 
+    /// The pressure to start from without a better one: the uniform one or, at a given mean gap, none.
+    pub fn first(problem: &Problem, [count, width]: [usize; 2]) -> Self {
+        let mean_pressure = match problem.load() {
+            Load::MeanPressure(mean_pressure) => Some(mean_pressure),
+            Load::MeanGap(_) => None,
+        };
+        let (support, values) = Support::choose([count, width], |_, nodes| {
+            mean_pressure.iter().for_each(|&p| (0..width).for_each(|column| nodes.push(column, p)));
+        });
+        Self { support, values }
+    }
+
     /// The whole field.
     pub fn spread(&self) -> Vec<f64> {
         self.support.spread(&self.values)
     }
 
-    /// Scales it to the load of `problem`.
+    /// Scales it to the mean pressure of `problem`, if that is given.
     pub fn carry(&mut self, problem: &Problem) {
+        let Load::MeanPressure(mean_pressure) = problem.load() else { return };
         let values = &self.values;
-        let scale = problem.mean_pressure() * problem.nodes() as f64 / chunks::sum(values.len(), |i| values[i]);
+        let scale = mean_pressure * problem.nodes() as f64 / chunks::sum(values.len(), |i| values[i]);
         chunks::update(&mut self.values, |_, p| p.iter_mut().for_each(|p| *p *= scale));
     }
 }

@@ -1,0 +1,202 @@
+//! A contact at a given mean gap is the contact under the mean pressure that makes this gap.
+
+#[allow(dead_code, reason = "not every test file uses every helper")]
+mod common;
+
+use asperity::contact::{Contact, Gfmd, Load, PolonskyKeer, Problem, Solver, Step, Stop};
+use asperity::error::{ProblemError, SolveError};
+use asperity::surface::Spectrum;
+use asperity::{Grid, Indenter, Surface};
+use common::{relative_l2, solve};
+use std::ops::ControlFlow;
+
+/// The solvers that work at a mean gap.
+fn solvers() -> Vec<Box<dyn Solver>> {
+    vec![Box::new(PolonskyKeer)]
+}
+
+const TOLERANCE: f64 = 1e-12;
+
+fn rough(grid: Grid) -> Surface {
+    let rolloff_wavelength = grid.longest_wavelength() / 2.0;
+    let short_cutoff = (rolloff_wavelength / 16.0).max(1.5 * grid.shortest_wavelength());
+    Surface::rough(grid, &Spectrum { hurst: 0.8, rolloff_wavelength, short_cutoff, rms_gradient: 0.1 }, 5).unwrap()
+}
+
+/// Smooth and rough surfaces on even, odd, prime and rectangular grids.
+fn surfaces() -> Vec<Surface> {
+    let line = |points| Grid::line(points, 2.0).unwrap();
+    let surface = |shape| Grid::surface(shape, [2.0, 3.0]).unwrap();
+    vec![
+        Indenter::Cylinder { radius: 1.0 }.surface(line(512)).unwrap(),
+        Indenter::Sine { amplitude: 0.1 }.surface(line(256)).unwrap(),
+        Indenter::Sphere { radius: 1.0 }.surface(surface([48, 64])).unwrap(),
+        rough(line(1 << 12)),
+        rough(line(251)),
+        rough(surface([128, 128])),
+        rough(surface([61, 90])),
+    ]
+}
+
+/// Light, medium and nearly full contact: at a reduced pressure of 0.7 the sine touches everywhere.
+fn pressed() -> impl Iterator<Item = Problem> {
+    let under = |surface: &Surface, load| Problem::at_reduced_pressure(surface.clone(), 3.0, load).unwrap();
+    surfaces().into_iter().flat_map(move |surface| [0.01, 0.2, 0.6].map(|load| under(&surface, load)))
+}
+
+fn mean(contact: &Contact) -> f64 {
+    contact.pressure.mean().unwrap()
+}
+
+/// Nodes that are in contact in one of both only.
+fn exchanged(a: &Contact, b: &Contact) -> usize {
+    a.mask().iter().zip(b.mask()).filter(|(a, b)| *a != b).count()
+}
+
+#[test]
+fn the_mean_gap_of_a_pressure_gives_this_pressure() {
+    for solver in solvers() {
+        for problem in pressed() {
+            let expected = solve(solver.as_ref(), &problem, TOLERANCE);
+            let gap = expected.mean_gap();
+            let found = solve(solver.as_ref(), &problem.clone().with_load(Load::MeanGap(gap)).unwrap(), TOLERANCE);
+            let what = format!("{} on {:?} at {gap}", solver.name(), problem.surface().grid());
+            assert!((mean(&found) / mean(&expected) - 1.0).abs() < 1e-8, "{what}: {}", mean(&found) / mean(&expected));
+            let difference = relative_l2(&found.pressure, &expected.pressure);
+            assert!(difference < 1e-8, "{what}: {difference}");
+            assert!(exchanged(&found, &expected) <= 1, "{what}: {}", exchanged(&found, &expected));
+            assert!((found.mean_gap() / gap - 1.0).abs() < 1e-9, "{what}: {}", found.mean_gap());
+            assert!(found.certificate.eta <= TOLERANCE && found.certificate.load_error <= TOLERANCE, "{what}");
+            assert!(found.certificate.min_pressure >= 0.0);
+        }
+    }
+}
+
+#[test]
+fn the_mean_pressure_of_a_gap_gives_this_gap() {
+    for solver in solvers() {
+        for surface in surfaces() {
+            let highest = surface.heights().iter().fold(0.0, |most: f64, &h| most.max(h));
+            for share in [0.05, 0.5, 0.95] {
+                let apart = Problem::at_mean_gap(surface.clone(), 3.0, share * highest).unwrap();
+                let expected = solve(solver.as_ref(), &apart, TOLERANCE);
+                let problem = apart.with_load(Load::MeanPressure(mean(&expected))).unwrap();
+                let found = solve(solver.as_ref(), &problem, TOLERANCE);
+                let what = format!("{} on {:?} at {share}", solver.name(), surface.grid());
+                assert!((found.mean_gap() / (share * highest) - 1.0).abs() < 1e-9, "{what}: {}", found.mean_gap());
+                let difference = relative_l2(&found.pressure, &expected.pressure);
+                assert!(difference < 1e-7, "{what}: {difference}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_further_apart_the_less_pressure_and_area() {
+    for solver in solvers() {
+        for surface in surfaces() {
+            let highest = surface.heights().iter().fold(0.0, |most: f64, &h| most.max(h));
+            let at = |share: f64| {
+                let problem = Problem::at_mean_gap(surface.clone(), 1.0, share * highest).unwrap();
+                let contact = solve(solver.as_ref(), &problem, 1e-9);
+                (mean(&contact), contact.measures(&problem).relative_area)
+            };
+            let found: Vec<_> = [0.01, 0.1, 0.3, 0.6, 0.9, 0.999].map(at).into();
+            for pair in found.windows(2) {
+                assert!(pair[1].0 < pair[0].0 && pair[1].1 <= pair[0].1, "{:?}: {found:?}", surface.grid());
+            }
+        }
+    }
+}
+
+#[test]
+fn lengths_scale_the_gap_and_moduli_the_pressure() {
+    let at = |[length, modulus]: [f64; 2]| {
+        let grid = Grid::line(512, 2.0 * length).unwrap();
+        Problem::at_mean_gap(Indenter::Cylinder { radius: length }.surface(grid).unwrap(), modulus, 0.05 * length)
+            .unwrap()
+    };
+    for solver in solvers() {
+        let expected = solve(solver.as_ref(), &at([1.0, 1.0]), TOLERANCE);
+        for units in [[2f64.powi(40), 2f64.powi(-40)], [2f64.powi(-100), 2f64.powi(100)]] {
+            let found = solve(solver.as_ref(), &at(units), TOLERANCE);
+            assert_eq!(found.pressure, &expected.pressure * units[1], "{units:?}");
+            assert_eq!(found.gap, &expected.gap * units[0], "{units:?}");
+            assert_eq!(found.certificate, expected.certificate, "{units:?}");
+        }
+        for units in [[1e-6, 1e9], [1e10, 1e-10]] {
+            let found = solve(solver.as_ref(), &at(units), TOLERANCE);
+            assert!(relative_l2(&(&found.pressure / units[1]), &expected.pressure) < 1e-9, "{units:?}");
+        }
+    }
+}
+
+/// From any start: that of another gap, a pressure that all lifts off, and one far too low.
+#[test]
+fn the_start_does_not_matter() {
+    for solver in solvers() {
+        for surface in surfaces() {
+            let highest = surface.heights().iter().fold(0.0, |most: f64, &h| most.max(h));
+            let problem = Problem::at_mean_gap(surface.clone(), 1.0, 0.6 * highest).unwrap();
+            let expected = solve(solver.as_ref(), &problem, TOLERANCE);
+            let mut lone = expected.pressure.mapv(|_| 0.0);
+            lone[[0, 0]] = 1e-6;
+            for start in [expected.pressure.mapv(|p| 1e3 * p), expected.pressure.mapv(|_| 1e-9), lone] {
+                let stop = Stop::new(TOLERANCE, 100_000).unwrap();
+                let found = solver.solve_from(Some(&start), &problem, &stop, &mut ()).unwrap();
+                let difference = relative_l2(&found.pressure, &expected.pressure);
+                assert!(difference < 1e-7, "{} on {:?}: {difference}", solver.name(), surface.grid());
+            }
+        }
+    }
+}
+
+/// The energy falls to its minimum, and the certificate bounds what is left of it.
+#[test]
+fn the_certificate_bounds_the_energy() {
+    for solver in solvers() {
+        for surface in [rough(Grid::line(512, 2.0).unwrap()), rough(Grid::surface([48, 48], [2.0, 2.0]).unwrap())] {
+            let problem = Problem::at_mean_gap(surface, 1.0, 0.01).unwrap();
+            let mut steps = Vec::new();
+            let mut watch = |step: &Step<'_>| {
+                let pressure = step.pressure().iter().sum::<f64>() / step.pressure().len() as f64;
+                steps.push((step.energy(), step.certificate().unwrap(), pressure / problem.expected_mean_pressure()));
+                ControlFlow::Continue(())
+            };
+            let stop = Stop::new(TOLERANCE, 100_000).unwrap();
+            solver.solve(&problem, &stop, &mut watch).unwrap();
+            let (least, _, load) = *steps.last().unwrap();
+            for &(energy, eta, pressure) in &steps {
+                assert!(energy - least >= -1e-11 * least.abs(), "{energy} below {least}");
+                assert!(energy - least <= eta * pressure.max(load) + 1e-11 * least.abs(), "{energy} {least} {eta}");
+            }
+            assert!(steps[0].1 > 0.1, "the start is no solution: {}", steps[0].1);
+        }
+    }
+}
+
+#[test]
+fn gaps_with_nothing_to_solve_are_refused() {
+    let sine = || Indenter::Sine { amplitude: 0.5 }.surface(Grid::line(64, 1.0).unwrap()).unwrap();
+    let refusal = |gap| Problem::at_mean_gap(sine(), 1.0, gap).unwrap_err();
+    for gap in [0.51, 3.0] {
+        assert!(matches!(refusal(gap), ProblemError::NothingTouches { mean_gap, highest }
+            if mean_gap == gap && (highest - 0.5).abs() < 1e-12));
+    }
+    for gap in [0.0, -0.1] {
+        assert!(matches!(refusal(gap), ProblemError::EverythingTouches { mean_gap, .. } if mean_gap == gap));
+    }
+    for gap in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(matches!(refusal(gap), ProblemError::NotPositive { name: "mean gap", .. }));
+    }
+    assert!(Problem::at_mean_gap(sine(), 1.0, 0.499).is_ok());
+}
+
+#[test]
+fn gfmd_says_that_it_needs_a_pressure() {
+    let sine = Indenter::Sine { amplitude: 0.5 }.surface(Grid::line(64, 1.0).unwrap()).unwrap();
+    let problem = Problem::at_mean_gap(sine, 1.0, 0.1).unwrap();
+    let refused = Gfmd::default().solve(&problem, &Stop::default(), &mut ()).unwrap_err();
+    assert!(matches!(refused, SolveError::NeedsPressure { solver: "gfmd" }));
+    assert!(refused.into_contact().is_err());
+}
