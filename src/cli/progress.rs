@@ -53,7 +53,8 @@ impl Progress {
     }
 
     fn message(&self, step: usize, phase: Phase, seconds: f64) -> String {
-        let on_level = if self.coarse > 0 { format!("level {} of {}, ", phase.level, self.coarse) } else { String::new() };
+        let on_level =
+            if self.coarse > 0 { format!("level {} of {}, ", phase.level, self.coarse) } else { String::new() };
         let Some(level) = &self.level else { return format!("{on_level}step {step}") };
         let end = level.trend.meets(self.tolerance.ln()).filter(|&end| phase.level == 0 && end > seconds);
         let left = end.and_then(|end| Duration::try_from_secs_f64(end - seconds).ok());
@@ -112,7 +113,8 @@ impl Trend {
     fn meets(&self, target: f64) -> Option<f64> {
         let [weight, t, y, tt, ty, yy] = self.sums;
         let [mean_t, mean_y] = [t / weight, y / weight];
-        let [tt, ty, yy] = [tt / weight - mean_t * mean_t, ty / weight - mean_t * mean_y, yy / weight - mean_y * mean_y];
+        let [tt, ty, yy] =
+            [tt / weight - mean_t * mean_t, ty / weight - mean_t * mean_y, yy / weight - mean_y * mean_y];
         let is_trend = self.count >= Self::FEWEST && ty < 0.0 && ty * ty > Self::LEAST * tt * yy;
         is_trend.then(|| mean_t + (target - mean_y) * tt / ty)
     }
