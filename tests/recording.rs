@@ -1,12 +1,14 @@
 //! What a recording holds, read back from the file.
 #![cfg(feature = "record")]
 
-use asperity::contact::{Contact, Gfmd, PolonskyKeer, Solver, Step};
+use asperity::contact::{Contact, Gfmd, Observer, PolonskyKeer, Solver, Step};
+use asperity::error::SolveError;
 use asperity::record::{Options, Recording, Scene};
-use asperity::surface::Spectrum;
+use asperity::surface::{Field, Spectrum};
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
-use rerun::{ChunkStore, ChunkStoreConfig, StoreKind};
+use ndarray::Array2;
+use rerun::{ChunkStore, ChunkStoreConfig, Component, ComponentDescriptor, StoreKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -157,6 +159,145 @@ fn the_file_carries_its_own_layout() {
         layouts[0].iter_physical_chunks().map(|chunk| chunk.entity_path().to_string()).collect();
     assert!(parts.iter().any(|part| part.starts_with("/view/")) && parts.contains("/viewport"), "{parts:?}");
     assert!(parts.contains("/time_panel"), "{parts:?}");
+}
+
+/// The problem on the grid that holds every `stride`-th node along each side that has more than one.
+fn coarse(problem: &Problem, stride: usize) -> Problem {
+    let grid = problem.surface().grid();
+    let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
+    let along_y = if grid.is_line() { 1 } else { stride };
+    let shape = [ny / along_y, nx / stride];
+    let height = Array2::from_shape_fn(shape, |(y, x)| problem.height()[y * along_y * nx + x * stride]);
+    let grid = if grid.is_line() { Grid::line(shape[1], lx) } else { Grid::surface(shape, [ly, lx]) };
+    Problem::new(Surface::new(grid.unwrap(), height).unwrap(), 1.0, problem.mean_pressure()).unwrap()
+}
+
+/// Stands in for a solver of ever finer grids; each of them starts at step 0.
+struct Refining(&'static [usize]);
+
+impl Solver for Refining {
+    fn name(&self) -> &'static str {
+        "refining"
+    }
+
+    fn settings(&self) -> String {
+        String::new()
+    }
+
+    fn solve_from(
+        &self,
+        start: Option<&Field>,
+        problem: &Problem,
+        stop: &Stop,
+        observer: &mut dyn Observer,
+    ) -> Result<Contact, SolveError> {
+        for &stride in self.0 {
+            PolonskyKeer.solve(&coarse(problem, stride), stop, observer)?;
+        }
+        PolonskyKeer.solve_from(start, problem, stop, observer)
+    }
+}
+
+/// Values of a component of an entity, in the order in which they were recorded, each with its step.
+fn rows<C: Component>(path: &Path, entity: &str, component: ComponentDescriptor) -> Vec<(i64, Vec<C>)> {
+    let mut rows = BTreeMap::new();
+    for store in stores(path, StoreKind::Recording) {
+        for chunk in store.iter_physical_chunks().filter(|chunk| chunk.entity_path().to_string() == entity) {
+            let steps = chunk.timelines().get(&"step".into()).map(|column| column.times_raw().to_vec());
+            for (i, id) in chunk.row_ids().enumerate() {
+                if let Some(values) = chunk.component_batch::<C>(component.component, i) {
+                    rows.insert(id, (steps.as_ref().map_or(0, |steps| steps[i]), values.unwrap()));
+                }
+            }
+        }
+    }
+    rows.into_values().collect()
+}
+
+/// Positions of a strip at each frame.
+fn strips(path: &Path, entity: &str) -> Vec<(i64, Vec<[f32; 2]>)> {
+    let rows = rows::<rerun::components::LineStrip2D>(path, entity, rerun::LineStrips2D::descriptor_strips());
+    let points = |strips: Vec<rerun::components::LineStrip2D>| strips[0].0.iter().map(|p| [p.x(), p.y()]).collect();
+    rows.into_iter().map(|(step, strips)| (step, points(strips))).collect()
+}
+
+#[test]
+fn coarse_grids_of_a_line_are_drawn_in_place_up_to_their_last_states() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("line.rrd");
+    let problem = rough_line();
+    record(&path, &problem, &Refining(&[8, 4, 2]), None, None);
+    let (frames, indenter) = (strips(&path, "/it/profile/solid"), strips(&path, "/it/profile/indenter").remove(0).1);
+    assert!(frames.is_sorted_by_key(|(_, points)| points.len()) && frames.len() < 100);
+    let steps = [8, 4, 2, 1].map(|stride| {
+        let steps = PolonskyKeer.solve(&coarse(&problem, stride), &Stop::default(), &mut ()).unwrap().work.iterations;
+        let (last, solid) = frames.iter().rfind(|(_, points)| points.len() == 512 / stride + 1).unwrap();
+        assert_eq!(*last as usize, steps, "of every {stride}");
+        let mut nearest = f32::INFINITY;
+        for (i, point) in solid.iter().enumerate() {
+            let [x, edge] = indenter[i * stride];
+            assert!((point[0] - x).abs() < 1e-3 && point[1] > edge - 0.1, "{point:?} at {:?}", indenter[i * stride]);
+            nearest = nearest.min((point[1] - edge).abs());
+        }
+        assert!(nearest < 0.01, "{nearest} of every {stride}");
+        steps + 1
+    });
+    let levels = rows::<rerun::components::Scalar>(&path, "/it/trace/level", rerun::Scalars::descriptor_scalars());
+    let steps_of = |level: f64| levels.iter().filter(|(_, values)| values[0].0.0 == level).count();
+    assert_eq!([3.0, 2.0, 1.0, 0.0].map(steps_of), steps);
+}
+
+#[test]
+fn coarse_grids_of_a_surface_are_drawn_in_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("surface.rrd");
+    let problem = rough_surface();
+    record(&path, &problem, &Refining(&[4, 2]), None, None);
+    let buffer = rerun::DepthImage::descriptor_buffer();
+    let images = rows::<rerun::components::ImageBuffer>(&path, "/it/pressure/image", buffer);
+    let images = images.into_iter().map(|(_, image)| {
+        image[0].0.chunks_exact(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect::<Vec<f32>>()
+    });
+    let words = rows::<rerun::components::Text>(&path, "/it/caption", rerun::Points2D::descriptor_labels());
+    let frames: Vec<(String, Vec<f32>)> = words.iter().map(|(_, words)| words[0].to_string()).zip(images).collect();
+    for (stride, level) in [(4, "level 2: 8 x 12 points"), (2, "level 1: 16 x 24"), (1, "level 0: 32 x 48")] {
+        let contact = PolonskyKeer.solve(&coarse(&problem, stride), &Stop::default(), &mut ()).unwrap();
+        let (_, image) = frames.iter().rfind(|(words, _)| words.starts_with(level)).unwrap();
+        let highest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        let highest_pixel = highest(&mut image.iter().map(|&pixel| f64::from(pixel)));
+        let scale = highest_pixel / highest(&mut contact.pressure.iter().copied());
+        for ((y, x), &pressure) in contact.pressure.indexed_iter() {
+            let pixel = f64::from(image[(31 - y * stride) * 48 + x * stride]);
+            assert!((pixel - scale * pressure).abs() <= 1e-6 * highest_pixel, "{pixel} at {y}, {x} of every {stride}");
+        }
+    }
+    assert!(frames.last().unwrap().0.starts_with("level 0"));
+    let positions = rerun::Mesh3D::descriptor_vertex_positions();
+    let meshes = rows::<rerun::components::Position3D>(&path, "/it/relief/solid", positions);
+    let columns = |mesh: &[rerun::components::Position3D]| {
+        mesh.iter().map(|vertex| (vertex.x() * 1e4) as i64).collect::<BTreeSet<_>>().len()
+    };
+    let counts: BTreeSet<usize> = meshes.iter().map(|(_, mesh)| columns(mesh)).collect();
+    assert_eq!(counts, BTreeSet::from([13, 25, 49]));
+}
+
+#[test]
+fn other_grids_and_solvers_without_levels_leave_no_trace_of_levels() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("line.rrd");
+    let problem = rough_line();
+    record(&path, &problem, &PolonskyKeer, None, None);
+    assert!(trace(&path, "level", "step").is_empty() && trace(&path, "inner", "step").is_empty());
+    assert!(!entities(&path).contains("/it/caption"));
+    let scene =
+        Scene { name: "it".into(), title: "It".into(), problem: &problem, description: String::new(), exact: None };
+    let recording = Recording::create(&path, &[scene], Options::default()).unwrap();
+    let mut recorder = recording.recorder(0);
+    let other = PolonskyKeer.solve(&rough_surface(), &Stop::default(), &mut recorder).unwrap();
+    drop(recorder);
+    recording.finish().unwrap();
+    assert_eq!(trace(&path, "kappa_r", "step").len(), other.work.iterations + 1);
+    assert!(strips(&path, "/it/profile/solid").is_empty());
 }
 
 /// Starts a run that would take for ever, and kills it when the file has grown beyond its statics.

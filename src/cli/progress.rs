@@ -1,7 +1,7 @@
 //! A progress bar for people at a terminal.
 
-use asperity::contact::{Observer, Step};
-use indicatif::{ProgressBar, ProgressStyle};
+use asperity::contact::{Observer, Phase, Step};
+use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -9,11 +9,22 @@ use std::time::Duration;
 /// Places on the bar from the first certificate to the tolerance.
 const LENGTH: u64 = 1000;
 
-/// Shows the certificate on its way to the tolerance, on standard error, if that is a terminal.
+/// Shows grid level and certificate on its way to the tolerance, on standard error, if that is a terminal. Of a step it asks
+/// only for what costs nothing.
 pub struct Progress {
     bar: ProgressBar,
     tolerance: f64,
-    first: Option<f64>,
+    /// Levels above the finest one.
+    coarse: usize,
+    level: Option<Level>,
+}
+
+/// The certificates of a level.
+struct Level {
+    number: usize,
+    first: f64,
+    last: f64,
+    trend: Trend,
 }
 
 impl Progress {
@@ -25,17 +36,45 @@ impl Progress {
         }
         bar.set_prefix(title.to_owned());
         bar.enable_steady_tick(Duration::from_millis(200));
-        Self { bar, tolerance, first: None }
+        Self { bar, tolerance, coarse: 0, level: None }
+    }
+
+    fn show(&mut self, step: usize, phase: Phase, certificate: Option<f64>, seconds: f64) {
+        self.coarse = self.coarse.max(phase.level);
+        self.level.take_if(|level| level.number != phase.level);
+        if let Some(eta) = certificate {
+            let fresh = Level { number: phase.level, first: eta, last: eta, trend: Trend::default() };
+            let level = self.level.get_or_insert(fresh);
+            level.last = eta;
+            level.trend.add(seconds, eta.ln());
+        }
+        self.bar.set_position(self.level.as_ref().map_or(0, |level| level.place(self.tolerance)));
+        self.bar.set_message(self.message(step, phase, seconds));
+    }
+
+    fn message(&self, step: usize, phase: Phase, seconds: f64) -> String {
+        let on_level =
+            if self.coarse > 0 { format!("level {} of {}, ", phase.level, self.coarse) } else { String::new() };
+        let Some(level) = &self.level else { return format!("{on_level}step {step}") };
+        let end = level.trend.meets(self.tolerance.ln()).filter(|&end| phase.level == 0 && end > seconds);
+        let left = end.and_then(|end| Duration::try_from_secs_f64(end - seconds).ok());
+        let left = left.map_or_else(String::new, |left| format!(", about {} left", HumanDuration(left)));
+        format!("{on_level}step {step}, certificate {:.1e}{left}", level.last)
+    }
+}
+
+impl Level {
+    /// How far along the bar the certificate is.
+    fn place(&self, tolerance: f64) -> u64 {
+        let share = (self.first / self.last).ln() / (self.first / tolerance).ln();
+        (share.clamp(0.0, 1.0) * LENGTH as f64) as u64
     }
 }
 
 impl Observer for Progress {
     fn step(&mut self, step: &Step<'_>) -> ControlFlow<()> {
-        if let Some(eta) = step.certificate().filter(|_| !self.bar.is_hidden()) {
-            let first = *self.first.get_or_insert(eta);
-            let share = (first / eta).ln() / (first / self.tolerance).ln();
-            self.bar.set_position((share.clamp(0.0, 1.0) * LENGTH as f64) as u64);
-            self.bar.set_message(format!("step {}, certificate {eta:.1e}", step.index()));
+        if !self.bar.is_hidden() {
+            self.show(step.index(), step.phase(), step.certificate(), self.bar.elapsed().as_secs_f64());
         }
         ControlFlow::Continue(())
     }
@@ -44,5 +83,89 @@ impl Observer for Progress {
 impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
+    }
+}
+
+/// A straight line through values over time, of which the latest third counts most: sums of weight, time, value and
+/// their products.
+#[derive(Default)]
+struct Trend {
+    count: u32,
+    sums: [f64; 6],
+}
+
+impl Trend {
+    /// The fewest values to go by.
+    const FEWEST: u32 = 4;
+    /// The least share of the variance that a line must explain (`r^2`).
+    const LEAST: f64 = 0.5;
+
+    fn add(&mut self, t: f64, y: f64) {
+        if y.is_finite() {
+            self.count += 1;
+            let keep = (1.0 - 1.0 / f64::from(self.count)).powi(3);
+            let new = [1.0, t, y, t * t, t * y, y * y];
+            self.sums.iter_mut().zip(new).for_each(|(sum, new)| *sum = keep * *sum + new);
+        }
+    }
+
+    /// When the line falls to `target`, if it falls and the values follow it.
+    fn meets(&self, target: f64) -> Option<f64> {
+        let [weight, t, y, tt, ty, yy] = self.sums;
+        let [mean_t, mean_y] = [t / weight, y / weight];
+        let [tt, ty, yy] =
+            [tt / weight - mean_t * mean_t, ty / weight - mean_t * mean_y, yy / weight - mean_y * mean_y];
+        let is_trend = self.count >= Self::FEWEST && ty < 0.0 && ty * ty > Self::LEAST * tt * yy;
+        is_trend.then(|| mean_t + (target - mean_y) * tt / ty)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn trend(values: impl IntoIterator<Item = (f64, f64)>) -> Trend {
+        let mut trend = Trend::default();
+        values.into_iter().for_each(|(t, y)| trend.add(t, y));
+        trend
+    }
+
+    #[test]
+    fn a_steady_fall_tells_its_end() {
+        let fall = |n: usize| trend((0..n).map(|i| (10.0 + i as f64, -0.5 * i as f64)));
+        assert!((fall(20).meets(-20.0).unwrap() - 50.0).abs() < 1e-9);
+        assert!(fall(4).meets(-20.0).is_some() && fall(3).meets(-20.0).is_none() && fall(0).meets(-20.0).is_none());
+    }
+
+    #[test]
+    fn the_latest_rate_counts_and_noise_hardly() {
+        let noise = |i: usize| if i % 2 == 0 { 0.5 } else { -0.5 };
+        let slower = |i: usize| if i < 100 { -0.2 * i as f64 } else { -20.0 - 0.05 * (i - 100) as f64 };
+        let end = trend((0..1000).map(|i| (i as f64, slower(i) + noise(i)))).meets(-75.0).unwrap();
+        assert!((end - 1200.0).abs() < 60.0, "{end}");
+    }
+
+    #[test]
+    fn without_a_trend_there_is_no_end() {
+        assert!(trend((0..50).map(|i| (f64::from(i), 0.1 * f64::from(i)))).meets(-1.0).is_none());
+        assert!(trend((0..50).map(|i| (f64::from(i), f64::from(i * 7 % 5)))).meets(-9.0).is_none());
+        assert!(trend((0..50).map(|i| (f64::from(i), -3.0))).meets(-9.0).is_none());
+    }
+
+    #[test]
+    fn the_bar_names_level_certificate_and_time_left() {
+        let mut progress = Progress::new(1e-8, "it");
+        let mut message = |step, level, inner, certificate, seconds| {
+            progress.show(step, Phase { level, outer: 0, inner }, certificate, seconds);
+            progress.message(step, Phase { level, outer: 0, inner }, seconds)
+        };
+        assert_eq!(message(0, 2, 0, Some(0.5), 0.0), "level 2 of 2, step 0, certificate 5.0e-1");
+        assert_eq!(message(1, 0, 1, None, 1.0), "level 0 of 2, step 1");
+        for step in 2..6 {
+            message(step, 0, 0, Some(10f64.powi(2 - step as i32)), step as f64);
+        }
+        let expected = "level 0 of 2, step 6, certificate 1.0e-3, about 4 seconds left";
+        assert_eq!(message(6, 0, 3, None, 6.0), expected);
+        assert_eq!(message(7, 0, 4, None, 11.0), "level 0 of 2, step 7, certificate 1.0e-3");
     }
 }

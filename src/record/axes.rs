@@ -172,6 +172,11 @@ impl Frame {
         recording.log_static(format!("{entity}/labels"), &labels(self.labels()))
     }
 
+    /// Words above the box, right of the title of the y axis.
+    pub fn caption(&self, words: String) -> Points2D {
+        labels(vec![([0.6 * self.width, -1.9 * self.text], words)])
+    }
+
     fn strips(&self) -> Vec<Vec<[f32; 2]>> {
         let (w, h, t) = (self.width, self.height, Self::TICK * self.text);
         let frame = vec![[0.0, 0.0], [w, 0.0], [w, h], [0.0, h], [0.0, 0.0]];

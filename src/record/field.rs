@@ -68,6 +68,11 @@ impl SurfacePicture {
         }
     }
 
+    /// The frame of each image.
+    pub fn frame(&self) -> &Frame {
+        &self.pressure.frame
+    }
+
     /// The part of the canvas that each image takes, colour scale included.
     pub fn bounds(&self) -> [f64; 4] {
         self.pressure.bounds()
@@ -84,12 +89,12 @@ impl SurfacePicture {
 
     /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
-        let pressure = self.blocks.fold(fields.pressure, 0.0, f64::max);
+        let pressure = self.blocks.fold(fields.pressure, fields.stride, 0.0, f64::max);
         let classes = self.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
         let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
         to.log(self.contact.clone(), &mask)?;
         self.pressure.log(to, self.rows_down(&pressure))?;
-        let gap = self.blocks.fold(fields.gap, f64::INFINITY, f64::min);
+        let gap = self.blocks.fold(fields.gap, fields.stride, f64::INFINITY, f64::min);
         self.gap.log(to, self.rows_down(&gap))?;
         self.relief.log_frame(to, fields)
     }

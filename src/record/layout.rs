@@ -76,7 +76,7 @@ fn main_view(stage: &Stage) -> View {
 
 fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> View {
     let root = &stage.root;
-    let mut contents = vec![format!("{root}/{picture}/**")];
+    let mut contents = vec![format!("{root}/{picture}/**"), format!("{root}/caption")];
     contents.extend(contact.then(|| format!("{root}/contact")));
     View::plane(title, root, contents, stage.picture.bounds())
 }
@@ -95,10 +95,18 @@ fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
     for (name, title) in [("mean_gap", "Mean gap"), ("energy", "Energy"), ("patches", "Patches")] {
         below.push((blueprint.view(View::curves(title, traces(&[name]), None))?, 1.0));
     }
+    below.push((levels(blueprint, traces(&["level"]), traces(&["outer", "inner"]))?, 1.0));
     let mut rows = Vec::new();
     for (view, share) in [(kappa, 1.3), (area, 0.9), (certificate, 1.2)] {
         rows.push((blueprint.view(view)?, share));
     }
     rows.push((blueprint.container(Kind::Tabs, "more", below)?, 1.2));
     blueprint.container(Kind::Vertical, "curves", rows)
+}
+
+/// Where solvers with coarse grids and inner steps stand.
+fn levels(blueprint: &mut Blueprint, level: Vec<String>, steps: Vec<String>) -> Placed {
+    let level = blueprint.view(View::curves("Grid level (0: finest)", level, None))?;
+    let steps = blueprint.view(View::curves("Outer and inner steps on the level", steps, None))?;
+    blueprint.container(Kind::Vertical, "Levels", vec![(level, 1.0), (steps, 1.0)])
 }

@@ -5,16 +5,14 @@ use super::field::CONTACT_CLASS;
 use super::fill;
 use super::forecast::Forecast;
 use super::palette::{self, colour};
-use super::reduce::Columns;
 use super::scene::{self, Fields, Scene, range};
+use super::window::{Samples, Window};
 use rerun::{EntityPath, LineStrip2D, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
 /// Width and height of the boxes on the canvas.
 const BOX: [f32; 2] = [1000.0, 400.0];
 /// Height of a line of text on the canvas.
 const TEXT: f32 = 20.0;
-/// Width of the window around a contact that is known beforehand, in widths of that contact.
-const WINDOW: f64 = 2.5;
 /// Room above and below the profile, in heights of the profile.
 const ROOM: f64 = 0.06;
 
@@ -23,8 +21,7 @@ type Points = Vec<[f32; 2]>;
 /// What is drawn of a line, and where.
 pub struct LinePicture {
     window: Window,
-    columns: Columns,
-    /// Where the indenter lies on the canvas, for the nodes of the window.
+    /// Where the indenter lies on the canvas, for all nodes of the window.
     indenter: Vec<f32>,
     profile: Frame,
     pressure: Frame,
@@ -55,48 +52,6 @@ impl Entities {
     }
 }
 
-/// The nodes shown: `shown` of the `nodes` of the period, from node `start` on and across the period.
-#[derive(Clone, Copy)]
-struct Window {
-    start: usize,
-    shown: usize,
-    nodes: usize,
-}
-
-impl Window {
-    /// The whole line, or the surroundings of a contact that is known to be single.
-    fn around(scene: &Scene<'_>) -> Self {
-        let height = scene.problem.height();
-        let nodes = height.len();
-        let Some(exact) = &scene.exact else { return Self { start: 0, shown: nodes, nodes } };
-        let shown = ((WINDOW * exact.relative_area * nodes as f64) as usize).clamp(16.min(nodes), nodes);
-        let peak = (0..nodes).fold(0, |peak, i| if height[i] > height[peak] { i } else { peak });
-        Self { start: (peak + nodes - shown / 2) % nodes, shown, nodes }
-    }
-
-    /// The node of the period behind place `i` of the window.
-    fn node(&self, i: usize) -> usize {
-        let node = self.start + i;
-        if node < self.nodes { node } else { node - self.nodes }
-    }
-
-    /// First and last position; a window across the period starts at a negative one.
-    fn ends(&self, spacing: f64) -> [f64; 2] {
-        let start = self.start as f64 - if self.start + self.shown > self.nodes { self.nodes as f64 } else { 0.0 };
-        [start * spacing, (start + self.shown as f64) * spacing]
-    }
-
-    /// Points of a curve over the window, which ends on the first node beyond it.
-    fn points(&self) -> usize {
-        self.shown + 1
-    }
-
-    /// The values of the window, in its order.
-    fn of<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-        (0..self.points()).map(|i| values[self.node(i)])
-    }
-}
-
 impl LinePicture {
     /// The picture of `scene`, with lengths in `unit`.
     pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
@@ -106,12 +61,12 @@ impl LinePicture {
         let [left, right] = window.ends(spacing);
         let x = scene::length_axis("x", unit, left, right);
         let frame = |y: Axis| Frame { x: x.clone(), y, width: BOX[0], height: BOX[1], text: TEXT };
-        let (low, high) = range(window.of(problem.height()));
+        let nodes = window.every(1);
+        let (low, high) = range(nodes.of(problem.height()));
         let room = ROOM * (high - low);
         let profile = frame(scene::length_axis("z", unit, -high - 2.0 * room, -low + room));
         Self {
-            columns: Columns::new(window.points()),
-            indenter: window.of(problem.height()).map(|h| profile.place_y(-h)).collect(),
+            indenter: nodes.of(problem.height()).map(|h| profile.place_y(-h)).collect(),
             window,
             profile,
             pressure: frame(scene::pressure_axis(forecast.max_pressure / problem.contact_modulus())),
@@ -120,6 +75,11 @@ impl LinePicture {
             rms_height: problem.rms_height(),
             entities: Entities::under(root),
         }
+    }
+
+    /// The frame of the first of the three pictures, which lie at the same place.
+    pub fn frame(&self) -> &Frame {
+        &self.profile
     }
 
     /// The part of the canvas that each of the three pictures takes.
@@ -134,7 +94,7 @@ impl LinePicture {
         self.log_indenter(to, root)?;
         if let Some(exact) = &scene.exact {
             let pressure = exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect::<Vec<_>>();
-            let curve = self.placed(&self.pressure_points(&pressure));
+            let curve = self.pressure_curve(&self.window.every(1), &pressure);
             let line = style(palette::EXACT, Radius::new_ui_points(0.5), 36.0);
             to.log_static(format!("{root}/pressure/curves/exact"), &line.with_strips([LineStrip2D::from_iter(curve)]))?;
         }
@@ -143,19 +103,21 @@ impl LinePicture {
 
     /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
-        let solid = self.placed(&self.solid_points(fields.gap));
+        let nodes = self.window.every(fields.stride[1]);
+        let solid = self.solid_curve(&nodes, fields.gap);
         to.log(self.entities.solid_fill.clone(), &strip(fill::bars(&solid, BOX[0], BOX[1], f32::max)))?;
         to.log(self.entities.solid.clone(), &strip(solid))?;
-        to.log(self.entities.pressure.clone(), &strip(self.placed(&self.pressure_points(fields.pressure))))?;
-        to.log(self.entities.gap.clone(), &strip(self.placed(&self.gap_points(fields.gap))))?;
-        let contact = LineStrips2D::update_fields().with_strips(self.segments(fields.pressure));
+        to.log(self.entities.pressure.clone(), &strip(self.pressure_curve(&nodes, fields.pressure)))?;
+        to.log(self.entities.gap.clone(), &strip(self.gap_curve(&nodes, fields.gap)))?;
+        let contact = LineStrips2D::update_fields().with_strips(segments(&nodes, fields.pressure));
         to.log(self.entities.contact.clone(), &contact)
     }
 
     /// Fits the axes of pressure and gap to the final state, for all times.
     pub fn settle(&self, to: &RecordingStream, root: &str, fields: &Fields<'_>) -> RecordingStreamResult<()> {
-        let pressure = range(self.window.of(fields.pressure)).1 / self.contact_modulus;
-        let gap = (range(self.window.of(fields.gap)).1 / self.rms_height).max(scene::LEAST_GAP);
+        let nodes = self.window.every(fields.stride[1]);
+        let pressure = range(nodes.of(fields.pressure)).1 / self.contact_modulus;
+        let gap = (range(nodes.of(fields.gap)).1 / self.rms_height).max(scene::LEAST_GAP);
         self.log_scaled(to, root, [scene::headroom(pressure), scene::headroom(gap)])
     }
 
@@ -171,7 +133,7 @@ impl LinePicture {
     }
 
     fn log_indenter(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
-        let curve = self.placed(&self.columns.extremes(|i| self.indenter[i]));
+        let curve = curve(&self.window.every(1), |i| self.indenter[i]);
         let radius = Radius::new_scene_units(fill::radius(BOX[0]));
         let body = style(palette::INDENTER_FILL, radius, 8.0);
         let line = style(palette::INDENTER, Radius::new_ui_points(0.8), 30.0);
@@ -192,39 +154,38 @@ impl LinePicture {
         Ok(())
     }
 
-    fn solid_points(&self, gap: &[f64]) -> Vec<(usize, f32)> {
+    /// The solid, a gap below the nodes of the indenter.
+    fn solid_curve(&self, nodes: &Samples, gap: &[f64]) -> Points {
         let drop = f64::from(self.profile.height) / self.profile.y.span();
-        let floor = self.profile.height;
-        self.columns.extremes(|i| (self.indenter[i] + (gap[self.window.node(i)] * drop) as f32).clamp(0.0, floor))
+        let level = |i| self.indenter[nodes.offset(i)] + (gap[nodes.node(i)] * drop) as f32;
+        curve(nodes, |i| level(i).clamp(0.0, self.profile.height))
     }
 
-    fn pressure_points(&self, pressure: &[f64]) -> Vec<(usize, f32)> {
-        self.rising(pressure, &self.pressure, self.contact_modulus)
+    fn pressure_curve(&self, nodes: &Samples, pressure: &[f64]) -> Points {
+        rising(nodes, pressure, &self.pressure, self.contact_modulus)
     }
 
-    fn gap_points(&self, gap: &[f64]) -> Vec<(usize, f32)> {
-        self.rising(gap, &self.gap, self.rms_height)
+    fn gap_curve(&self, nodes: &Samples, gap: &[f64]) -> Points {
+        rising(nodes, gap, &self.gap, self.rms_height)
     }
+}
 
-    fn rising(&self, values: &[f64], frame: &Frame, unit: f64) -> Vec<(usize, f32)> {
-        let rise = f64::from(frame.height) / (frame.y.span() * unit);
-        self.columns.extremes(|i| frame.height - (values[self.window.node(i)] * rise) as f32)
-    }
+/// Values over `unit`, upwards from the lower edge of the box.
+fn rising(nodes: &Samples, values: &[f64], frame: &Frame, unit: f64) -> Points {
+    let rise = f64::from(frame.height) / (frame.y.span() * unit);
+    curve(nodes, |i| frame.height - (values[nodes.node(i)] * rise) as f32)
+}
 
-    fn placed(&self, points: &[(usize, f32)]) -> Points {
-        points.iter().map(|&(i, y)| [self.place_x(i as f32), y]).collect()
-    }
+/// A curve with the height `y(i)` at sample `i`.
+fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Points {
+    nodes.columns().extremes(y).into_iter().map(|(i, y)| [nodes.place(i) * BOX[0], y]).collect()
+}
 
-    fn place_x(&self, i: f32) -> f32 {
-        i * BOX[0] / self.window.shown as f32
-    }
-
-    /// The contact, as segments along the lower edge of the box; a node in contact is half a spacing long to either side.
-    fn segments(&self, pressure: &[f64]) -> Vec<[[f32; 2]; 2]> {
-        let runs = self.columns.runs(|i| pressure[self.window.node(i)] > 0.0);
-        let end = |i: usize| [self.place_x(i as f32 - 0.5).clamp(0.0, BOX[0]), BOX[1]];
-        runs.into_iter().map(|run| [end(run.start), end(run.end)]).collect()
-    }
+/// The contact, as segments along the lower edge of the box; a node in contact is half a spacing long to either side.
+fn segments(nodes: &Samples, pressure: &[f64]) -> Vec<[[f32; 2]; 2]> {
+    let runs = nodes.columns().runs(|i| pressure[nodes.node(i)] > 0.0);
+    let end = |i: usize| [((nodes.place(i) - 0.5 * nodes.spacing()) * BOX[0]).clamp(0.0, BOX[0]), BOX[1]];
+    runs.into_iter().map(|run| [end(run.start), end(run.end)]).collect()
 }
 
 /// A strip without its style, which is recorded once.

@@ -8,7 +8,7 @@
 //!
 //! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pressures are
 //! recorded over `E*`, gaps over the rms height, both in the power of a thousand that the axes state. Positions are
-//! coordinates of the drawing.
+//! coordinates of the drawing. Steps of coarser grids are drawn on the axes of the scene, each node at its true place.
 //!
 //! ```no_run
 //! use asperity::{Contact, Grid, Indenter, Problem, Stop};
@@ -46,9 +46,11 @@ mod recorder;
 mod reduce;
 mod relief;
 mod scene;
+mod snapshot;
 mod stage;
 mod thinning;
 mod traces;
+mod window;
 
 pub use recorder::Recorder;
 pub use scene::Scene;
@@ -68,7 +70,7 @@ const APPLICATION: &str = "asperity";
 #[derive(Debug, Clone)]
 pub struct Options {
     /// Fields of every n-th step; `None` records all of the first steps and then ever sparser ones: of 100 000, some 120 for
-    /// lines and 60 for surfaces. Numbers are recorded at every step.
+    /// lines and 60 for surfaces; of each coarser grid a sixth of that. Numbers are recorded at every step.
     pub every: Option<usize>,
     /// Unit of the lengths of the problems, for the axes. Metres (`m`) are shown as mm, µm or nm.
     pub length_unit: String,
@@ -213,7 +215,7 @@ mod tests {
         let steps = record(&path).work.iterations + 1;
         let rows = rows(&path);
         assert_eq!(rows["/cylinder/trace/kappa_r"], steps);
-        assert_eq!(rows["/cylinder/profile/solid"], steps.min(33) + 1);
+        assert_eq!(rows["/cylinder/profile/solid"], steps.min(32) + 1);
         assert!(!rows.contains_key("/cylinder/trace/exact_kappa_r"));
         assert!(!rows.keys().any(|entity| entity.contains("relief")));
     }

@@ -1,11 +1,12 @@
 //! The observer that records a solve.
 
 use super::scene::Fields;
-use super::stage::Stage;
+use super::snapshot::{Moment, Snapshot};
+use super::stage::{self, Stage};
 use super::thinning::{Pace, Thinning};
 use super::traces::{self, Traces};
 use super::{Options, Recording};
-use crate::contact::{Contact, Observer, Step, Work};
+use crate::contact::{Contact, Observer, Phase, Step};
 use crate::error::FileError;
 use rerun::{RecordingStreamError, RecordingStreamResult};
 use std::ops::ControlFlow;
@@ -14,7 +15,8 @@ use std::time::{Duration, Instant};
 /// What a killed run may lose.
 const FLUSH_INTERVAL: Duration = Duration::from_millis(200);
 
-/// Records the steps of one scene: numbers at every step, fields at those that the [`Options`] pick.
+/// Records the steps of one scene: numbers at every step, fields at those that the [`Options`] pick and at the last one of
+/// each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are recorded.
 ///
 /// A failure to write does not stop the solver; [`Recorder::close`] reports it.
 pub struct Recorder<'r> {
@@ -22,6 +24,9 @@ pub struct Recorder<'r> {
     stage: &'r Stage,
     thinning: Thinning,
     traces: Traces,
+    phase: Phase,
+    /// The latest state of a coarse grid, as long as it is not drawn.
+    undrawn: Option<Snapshot>,
     flushed: Instant,
     failure: Option<RecordingStreamError>,
 }
@@ -33,6 +38,8 @@ impl<'r> Recorder<'r> {
             stage,
             thinning: Thinning::new(options.every.map_or(stage.picture.pace(), Pace::Every)),
             traces: Traces::new(&stage.root, stage.reference),
+            phase: Phase { level: 0, outer: 0, inner: 0 },
+            undrawn: None,
             flushed: Instant::now(),
             failure: None,
         }
@@ -54,18 +61,20 @@ impl<'r> Recorder<'r> {
     fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
         let (pressure, gap) = (contact.pressure.as_standard_layout(), contact.gap.as_standard_layout());
         let (Some(pressure), Some(gap)) = (pressure.as_slice(), gap.as_slice()) else { return Ok(()) };
-        let fields = Fields { pressure, gap };
+        let fields = Fields { stride: [1, 1], pressure, gap };
         self.traces.add_certificate(contact.work, contact.certificate.eta);
-        self.log_frame(contact.work, &fields)?;
+        self.log_frame(Moment { work: contact.work, phase: Phase { level: 0, ..self.phase } }, &fields)?;
         self.stage.settle(&self.recording.stream, &fields)?;
         self.stage.log_result(&self.recording.stream, contact)?;
         self.traces.flush(&self.recording.stream)
     }
 
     fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {
-        self.traces.add(step);
-        if self.thinning.picks(step.index()) {
-            self.log_frame(step.work(), &Fields { pressure: step.pressure(), gap: step.gap() })?;
+        let stride = self.stage.stride(step.problem().surface().grid());
+        self.phase = Phase { level: stride.map_or(step.phase().level, stage::level), ..step.phase() };
+        self.traces.add(step, self.phase);
+        if let Some(stride) = stride {
+            self.draw(step, stride)?;
         }
         if self.flushed.elapsed() >= FLUSH_INTERVAL {
             self.flushed = Instant::now();
@@ -75,11 +84,31 @@ impl<'r> Recorder<'r> {
         Ok(())
     }
 
-    fn log_frame(&self, work: Work, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+    /// Draws a step if it is its turn, and before the first one of a level the last one of the level before.
+    fn draw(&mut self, step: &Step<'_>, stride: [usize; 2]) -> RecordingStreamResult<()> {
+        let moment = Moment { work: step.work(), phase: self.phase };
+        if self.thinning.is_new(self.phase.level)
+            && let Some(last) = self.undrawn.take()
+        {
+            self.log_frame(last.moment, &last.fields())?;
+        }
+        if self.thinning.picks(step.index(), self.phase.level) {
+            self.undrawn = None;
+            self.log_frame(moment, &Fields { stride, pressure: step.pressure(), gap: step.gap() })?;
+        } else if self.phase.level > 0 {
+            self.undrawn = Some(Snapshot::of(step, moment, stride));
+        }
+        Ok(())
+    }
+
+    fn log_frame(&self, moment: Moment, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let stream = &self.recording.stream;
-        stream.set_time_sequence(traces::STEP, work.iterations as i64);
-        stream.set_duration_secs(traces::SECONDS, work.seconds);
-        stream.set_time_sequence(traces::TRANSFORMS, work.transforms as i64);
+        stream.set_time_sequence(traces::STEP, moment.work.iterations as i64);
+        stream.set_duration_secs(traces::SECONDS, moment.work.seconds);
+        stream.set_time_sequence(traces::TRANSFORMS, moment.work.transforms as i64);
+        if self.traces.has_phases() {
+            self.stage.log_caption(stream, moment.phase, fields.stride)?;
+        }
         self.stage.log_frame(stream, fields)
     }
 }

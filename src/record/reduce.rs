@@ -8,6 +8,17 @@ fn share(nodes: usize, cells: usize, cell: usize) -> Range<usize> {
     start..((cell + 1) * nodes / cells).max(start + 1)
 }
 
+/// Those of a grid with every `stride`-th of the `nodes`, by their numbers there: the ones in the cell, or the nearest one.
+fn share_coarse(nodes: usize, stride: usize, cells: usize, cell: usize) -> Range<usize> {
+    let Range { start, end } = share(nodes, cells, cell);
+    let inside = start.div_ceil(stride)..end.div_ceil(stride);
+    if !inside.is_empty() {
+        return inside;
+    }
+    let nearest = (start.midpoint(end) + stride / 2) / stride % (nodes / stride);
+    nearest..nearest + 1
+}
+
 /// The points of a curve, shared out over columns.
 #[derive(Debug, Clone, Copy)]
 pub struct Columns {
@@ -89,37 +100,20 @@ impl Blocks {
         Self { shape, cells: size.map(|length| ((along * length / longest).round() as usize).max(2)) }
     }
 
-    /// Number of blocks.
-    pub fn len(&self) -> usize {
-        self.cells[0] * self.cells[1]
-    }
-
-    /// What `fold` makes of all nodes of each block, starting from `start`, row by row.
-    pub fn fold(&self, values: &[f64], start: f64, fold: impl Fn(f64, f64) -> f64) -> Vec<f64> {
-        let [rows, columns] = self.cells;
-        let mut blocks = Vec::with_capacity(self.len());
-        for row in 0..rows {
-            for column in 0..columns {
-                blocks.push(self.nodes(row, column).fold(start, |sum, node| fold(sum, values[node])));
-            }
+    /// What `fold` makes of all nodes of each block, starting from `start`, row by row. The `values` are those of every
+    /// `stride`-th node; where a block has none, the nearest one counts.
+    pub fn fold(&self, values: &[f64], stride: [usize; 2], start: f64, fold: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+        let share = |axis: usize, cell| share_coarse(self.shape[axis], stride[axis], self.cells[axis], cell);
+        let row_length = self.shape[1] / stride[1];
+        let columns: Vec<Range<usize>> = (0..self.cells[1]).map(|column| share(1, column)).collect();
+        let mut blocks = Vec::with_capacity(self.cells[0] * self.cells[1]);
+        for rows in (0..self.cells[0]).map(|row| share(0, row)) {
+            let of_row = |sum, y: usize, x: &Range<usize>| {
+                values[y * row_length..][x.clone()].iter().fold(sum, |sum, &value| fold(sum, value))
+            };
+            blocks.extend(columns.iter().map(|x| rows.clone().fold(start, |sum, y| of_row(sum, y, x))));
         }
         blocks
-    }
-
-    /// The mean of each block.
-    pub fn mean(&self, values: &[f64]) -> Vec<f64> {
-        let [_, columns] = self.cells;
-        let mut sums = self.fold(values, 0.0, |sum, value| sum + value);
-        for (i, sum) in sums.iter_mut().enumerate() {
-            *sum /= self.nodes(i / columns, i % columns).count() as f64;
-        }
-        sums
-    }
-
-    fn nodes(&self, row: usize, column: usize) -> impl Iterator<Item = usize> + use<> {
-        let [ny, nx] = self.shape;
-        let columns = share(nx, self.cells[1], column);
-        share(ny, self.cells[0], row).flat_map(move |y| columns.clone().map(move |x| y * nx + x))
     }
 }
 
@@ -152,9 +146,25 @@ mod tests {
         for spike in [0, 52, 53, 1000, 37 * 53 - 1] {
             let mut values = vec![0.0; 37 * 53];
             values[spike] = 1.0;
-            assert_eq!(blocks.fold(&values, 0.0, f64::max).iter().filter(|&&v| v == 1.0).count(), 1);
+            assert_eq!(blocks.fold(&values, [1, 1], 0.0, f64::max).iter().filter(|&&v| v == 1.0).count(), 1);
         }
-        assert!(blocks.mean(&vec![2.0; 37 * 53]).iter().all(|&m| m == 2.0));
+    }
+
+    #[test]
+    fn coarse_nodes_fill_the_blocks_around_them_and_none_is_lost() {
+        let blocks = Blocks { shape: [8, 16], cells: [8, 16] };
+        let values: Vec<f64> = (0..8).map(f64::from).collect();
+        let coarse = blocks.fold(&values, [4, 4], 0.0, f64::max);
+        assert_eq!(coarse[..16], [0., 0., 1., 1., 1., 1., 2., 2., 2., 2., 3., 3., 3., 3., 0., 0.]);
+        assert_eq!(coarse[4 * 16 + 4], values[4 + 1]);
+        let few = Blocks { shape: [64, 64], cells: [16, 16] };
+        for node in 0..32 * 64 {
+            let mut values = vec![0.0; 32 * 64];
+            values[node] = 1.0;
+            let (y, x) = (node / 64 * 2 / 4, node % 64 / 4);
+            let folded = few.fold(&values, [2, 1], 0.0, f64::max);
+            assert_eq!(folded.iter().position(|&v| v == 1.0), Some(16 * y + x));
+        }
     }
 
     #[test]

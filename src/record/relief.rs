@@ -9,7 +9,7 @@ use rerun::{
     Color, EntityPath, LineStrips3D, Mesh3D, Points3D, Radius, RecordingStream, RecordingStreamResult, Transform3D,
 };
 
-/// Vertices along the longer side.
+/// Most vertices along a side, but for the one that closes the period.
 const VERTICES: usize = 128;
 /// Length of the longer side.
 const LENGTH: f64 = 10.0;
@@ -17,15 +17,19 @@ const LENGTH: f64 = 10.0;
 const RELIEF: f64 = 1.6;
 
 /// A mesh over the cell. Its heights are exaggerated so that the final relief is [`RELIEF`] high.
+///
+/// A block of nodes belongs to each vertex, which lies at the first of them.
 pub struct Relief {
     blocks: Blocks,
-    /// Mean height of the indenter over each block.
+    /// Nodes from vertex to vertex along y and x.
+    spacing: [usize; 2],
+    /// Height of the indenter at the vertices.
     height: Vec<f64>,
     size: [f32; 2],
     /// Height of the drawing over that of the solid, before the final state is known.
     exaggeration: f64,
     highest_pressure: f64,
-    map: Map,
+    shades: Map,
     titles: [String; 2],
     mesh: EntityPath,
 }
@@ -35,18 +39,22 @@ impl Relief {
     pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
         let problem = scene.problem;
         let grid = problem.surface().grid();
-        let blocks = Blocks::square(grid.shape(), grid.size(), VERTICES);
-        let height = blocks.mean(problem.height());
+        let shape = grid.shape();
+        let spacing = shape.map(|nodes| nodes.div_ceil(VERTICES).next_power_of_two());
+        let [rows, columns] = [0, 1].map(|axis| (0..shape[axis]).step_by(spacing[axis]));
+        let of_row = |y: usize| columns.clone().map(move |x| problem.height()[y * shape[1] + x]);
+        let height: Vec<f64> = rows.clone().flat_map(of_row).collect();
         let (low, high) = range(height.iter().copied());
         let longest = grid.longest_wavelength();
         let title = |symbol, length| scene::length_axis(symbol, unit, 0.0, length).full_length();
         Self {
-            blocks,
+            blocks: Blocks { shape, cells: [rows.len(), columns.len()] },
+            spacing,
             exaggeration: RELIEF / (high - low).max(f64::MIN_POSITIVE),
             height,
             size: grid.size().map(|length| (LENGTH * length / longest) as f32),
             highest_pressure: forecast.max_pressure,
-            map: Map::inferno(),
+            shades: Map::inferno(),
             titles: [title("y", grid.size()[0]), title("x", grid.size()[1])],
             mesh: format!("{root}/relief/solid").into(),
         }
@@ -71,58 +79,88 @@ impl Relief {
 
     /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
-        let vertices = self.vertices(fields.gap);
+        let vertices = self.vertices(fields);
         let mesh = Mesh3D::update_fields()
-            .with_vertex_normals(self.normals(&vertices).into_iter().map(|n| n.to_array()))
+            .with_vertex_normals(self.normals(&vertices, fields.stride).into_iter().map(|n| n.to_array()))
             .with_vertex_positions(vertices.into_iter().map(|v| v.to_array()))
-            .with_vertex_colors(self.colours(fields.pressure));
+            .with_vertex_colors(self.colours(fields));
         to.log(self.mesh.clone(), &mesh)
     }
 
     /// Stretches the relief so that the final state is [`RELIEF`] high, for all times.
     pub fn settle(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
-        let (low, high) = range(self.levels(fields.gap));
+        let (low, high) = range(self.vertices(fields).into_iter().map(|v| f64::from(v.z)));
         let stretch = (RELIEF / (high - low).max(f64::MIN_POSITIVE)).min(1e6) as f32;
         let transform = Transform3D::from_scale([1.0, 1.0, stretch]);
         to.log_static(self.mesh.clone(), &transform.with_translation([0.0, 0.0, -stretch * high as f32]))
     }
 
-    /// Exaggerated heights of the solid's surface.
-    fn levels<'a>(&'a self, gap: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-        let gaps = self.blocks.mean(gap);
-        self.height.iter().zip(gaps).map(|(h, g)| -(h + g) * self.exaggeration)
+    /// Vertices along y and x, with the ones that close the period.
+    fn counts(&self) -> [usize; 2] {
+        self.blocks.cells.map(|n| n + 1)
     }
 
-    fn vertices(&self, gap: &[f64]) -> Vec<Vec3> {
-        let [rows, columns] = self.blocks.cells;
-        let [ly, lx] = self.size;
-        let place = |i: usize, n: usize, length: f32| ((i as f32 + 0.5) / n as f32 - 0.5) * length;
-        let level =
-            |(i, z): (usize, f64)| Vec3::new(place(i % columns, columns, lx), place(i / columns, rows, ly), z as f32);
-        self.levels(gap).enumerate().map(level).collect()
+    /// What `value` makes of the positions of all vertices along y and x, in nodes of the scene. On a grid coarser than the
+    /// mesh, vertices fall on the node before them: what is left of the triangles spans the nodes of that grid.
+    fn at_vertices<T>(&self, stride: [usize; 2], value: impl Fn([usize; 2]) -> T) -> Vec<T> {
+        let [rows, columns] = self.counts();
+        let node = |axis: usize, i: usize| {
+            let node = (i * self.spacing[axis]).min(self.blocks.shape[axis]);
+            node - node % stride[axis]
+        };
+        (0..rows * columns).map(|i| value([node(0, i / columns), node(1, i % columns)])).collect()
     }
 
-    fn normals(&self, vertices: &[Vec3]) -> Vec<Vec3> {
-        let [rows, columns] = self.blocks.cells;
-        let at = |row: usize, column: usize| vertices[row * columns + column];
+    /// The block whose vertex lies at `node`, which may be the one that closes the period.
+    fn block(&self, node: [usize; 2]) -> usize {
+        let [y, x] = self.within(node);
+        y / self.spacing[0] * self.blocks.cells[1] + x / self.spacing[1]
+    }
+
+    /// `node`, or its image in the period.
+    fn within(&self, node: [usize; 2]) -> [usize; 2] {
+        [0, 1].map(|axis| node[axis] % self.blocks.shape[axis])
+    }
+
+    /// Exaggerated positions of the solid's surface.
+    fn vertices(&self, fields: &Fields<'_>) -> Vec<Vec3> {
+        let Fields { stride, gap, .. } = *fields;
+        let ([ny, nx], [ly, lx]) = (self.blocks.shape, self.size);
+        let place = |node: usize, nodes: usize, length: f32| (node as f32 / nodes as f32 - 0.5) * length;
+        self.at_vertices(stride, |node| {
+            let [y, x] = self.within(node);
+            let level = self.height[self.block(node)] + gap[y / stride[0] * (nx / stride[1]) + x / stride[1]];
+            Vec3::new(place(node[1], nx, lx), place(node[0], ny, ly), (-level * self.exaggeration) as f32)
+        })
+    }
+
+    fn normals(&self, vertices: &[Vec3], stride: [usize; 2]) -> Vec<Vec3> {
+        let [rows, columns] = self.counts();
+        let [down, right] = [0, 1].map(|axis| (stride[axis] / self.spacing[axis]).max(1));
+        let at = |row: usize, column: usize| vertices[row.min(rows - 1) * columns + column.min(columns - 1)];
         let normal = |i: usize| {
             let (row, column) = (i / columns, i % columns);
-            let along_x = at(row, (column + 1).min(columns - 1)) - at(row, column.saturating_sub(1));
-            let along_y = at((row + 1).min(rows - 1), column) - at(row.saturating_sub(1), column);
+            let along_x = at(row, column + right) - at(row, column.saturating_sub(right));
+            let along_y = at(row + down, column) - at(row.saturating_sub(down), column);
             along_x.cross(along_y).normalize_or(Vec3::Z)
         };
         (0..vertices.len()).map(normal).collect()
     }
 
-    fn colours(&self, pressure: &[f64]) -> Vec<Color> {
+    fn colours(&self, fields: &Fields<'_>) -> Vec<Color> {
+        let pressure = self.blocks.fold(fields.pressure, fields.stride, 0.0, f64::max);
         let shade = |p: f64| {
-            if p > 0.0 { self.map.at(0.25 + 0.75 * p / self.highest_pressure) } else { colour(palette::SOLID_RELIEF) }
+            if p > 0.0 {
+                self.shades.at(0.25 + 0.75 * p / self.highest_pressure)
+            } else {
+                colour(palette::SOLID_RELIEF)
+            }
         };
-        self.blocks.fold(pressure, 0.0, f64::max).into_iter().map(shade).collect()
+        self.at_vertices(fields.stride, |node| shade(pressure[self.block(node)]))
     }
 
     fn triangles(&self) -> Vec<[u32; 3]> {
-        let [rows, columns] = self.blocks.cells.map(|n| n as u32);
+        let [rows, columns] = self.counts().map(|n| n as u32);
         let square = |row: u32, column: u32| {
             let corner = row * columns + column;
             [[corner, corner + 1, corner + columns + 1], [corner, corner + columns + 1, corner + columns]]

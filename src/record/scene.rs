@@ -22,6 +22,8 @@ pub struct Scene<'a> {
 /// The fields of a frame, row by row.
 #[derive(Clone, Copy)]
 pub struct Fields<'a> {
+    /// They hold every so many-th node of the scene along y and x: 1 on its own grid, a power of two on coarser ones.
+    pub stride: [usize; 2],
     /// Pressure.
     pub pressure: &'a [f64],
     /// Gap.

@@ -1,12 +1,14 @@
 //! A scene, prepared for recording.
 
+use super::axes::Frame;
 use super::field::{self, SurfacePicture};
 use super::forecast::Forecast;
 use super::line::LinePicture;
 use super::scene::{Fields, Scene};
 use super::thinning::Pace;
 use super::traces::{self, Reference};
-use crate::contact::{Contact, Status};
+use crate::contact::{Contact, Phase, Status};
+use crate::grid::Grid;
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 
 /// Everything about a scene that its recorder and its layout need, without the problem itself.
@@ -17,6 +19,7 @@ pub struct Stage {
     pub title: String,
     /// What the caller says of it.
     description: String,
+    grid: Grid,
     /// Exact values of the curves.
     pub reference: Reference,
     /// Upper ends of the axes of curves.
@@ -65,6 +68,14 @@ impl Picture {
         }
     }
 
+    /// The frame above which words about all of it stand.
+    fn frame(&self) -> &Frame {
+        match self {
+            Self::Line(line) => line.frame(),
+            Self::Surface(surface) => surface.frame(),
+        }
+    }
+
     /// The part of the canvas that a picture in the plane takes: left, right, top, bottom.
     pub fn bounds(&self) -> [f64; 4] {
         match self {
@@ -81,11 +92,20 @@ impl Stage {
         Self {
             title: scene.title.clone(),
             description: scene.description.clone(),
+            grid: *scene.problem.surface().grid(),
             reference: Reference::of(scene.exact.as_ref()),
             ranges: Ranges::of(scene, forecast),
             picture: Picture::new(scene, forecast, &root, unit),
             root,
         }
+    }
+
+    /// Every how many-th node of the scene along y and x `grid` holds, if it is the scene's grid or a coarser version of it.
+    pub fn stride(&self, grid: &Grid) -> Option<[usize; 2]> {
+        let (fine, coarse) = (self.grid.shape(), grid.shape());
+        let stride = [0, 1].map(|axis| fine[axis] / coarse[axis]);
+        let fits = |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse[axis] == fine[axis];
+        (grid.size() == self.grid.size() && fits(0) && fits(1)).then_some(stride)
     }
 
     /// Records what stays; `place` is that of the scene among several.
@@ -129,11 +149,54 @@ impl Stage {
         }
     }
 
+    /// Records in words where the solver stands at the current time.
+    pub fn log_caption(&self, to: &RecordingStream, phase: Phase, stride: [usize; 2]) -> RecordingStreamResult<()> {
+        let [ny, nx] = [0, 1].map(|axis| self.grid.shape()[axis] / stride[axis]);
+        let points = if self.grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx} points") };
+        let Phase { level, outer, inner } = phase;
+        let inner = if inner > 0 { format!(", inner step {inner}") } else { String::new() };
+        let words = format!("level {level}: {points}, outer step {outer}{inner}");
+        to.log(format!("{}/caption", self.root), &self.picture.frame().caption(words))
+    }
+
     /// Fits axes and scales to the final state.
     pub fn settle(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         match &self.picture {
             Picture::Line(line) => line.settle(to, &self.root, fields),
             Picture::Surface(surface) => surface.settle(to, fields),
         }
+    }
+}
+
+/// The level of a grid with every `stride`-th node.
+pub fn level(stride: [usize; 2]) -> usize {
+    stride[0].max(stride[1]).ilog2() as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Problem;
+    use crate::surface::Indenter;
+
+    #[test]
+    fn coarser_versions_of_the_grid_are_told_from_others() {
+        let surface = |shape, size| Grid::surface(shape, size).unwrap();
+        let fine = surface([48, 64], [1.0, 2.0]);
+        let problem = Problem::new(Indenter::Sphere { radius: 1.0 }.surface(fine).unwrap(), 1.0, 0.01).unwrap();
+        let (name, title, description) = ("a".into(), "A".into(), String::new());
+        let scene = Scene { name, title, problem: &problem, description, exact: None };
+        let stage = Stage::new(&scene, "/a".into(), "m");
+        for (shape, stride) in [
+            ([48, 64], Some([1, 1])),
+            ([12, 16], Some([4, 4])),
+            ([48, 8], Some([1, 8])),
+            ([16, 64], None),
+            ([96, 64], None),
+        ] {
+            assert_eq!(stage.stride(&surface(shape, [1.0, 2.0])), stride, "{shape:?}");
+            assert_eq!(stage.stride(&surface(shape, [1.0, 1.0])), None);
+        }
+        assert_eq!([[1, 1], [4, 4], [1, 8]].map(level), [0, 2, 3]);
     }
 }

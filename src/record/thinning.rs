@@ -1,10 +1,13 @@
 //! Which steps are drawn in full.
 
-/// Picks the steps whose fields are recorded: each n-th, or densely at first and ever more sparsely later.
+use std::collections::BTreeMap;
+
+/// Picks the steps whose fields are recorded: each n-th, or on each grid level densely at first and ever more sparsely later.
 #[derive(Debug, Clone)]
 pub struct Thinning {
     pace: Pace,
-    next: usize,
+    /// Steps seen of each level.
+    seen: BTreeMap<usize, usize>,
 }
 
 /// How far apart frames are.
@@ -12,7 +15,7 @@ pub struct Thinning {
 pub enum Pace {
     /// Each n-th step; 0 counts as 1.
     Every(usize),
-    /// All of the first `dense` steps, then `per_decade` frames for ten times as many steps.
+    /// All of the first `dense` steps, then `per_decade` frames for ten times as many steps; fewer on coarse grids.
     Geometric {
         /// Steps drawn one by one.
         dense: usize,
@@ -29,22 +32,31 @@ impl Pace {
 }
 
 impl Thinning {
+    /// How many times fewer frames coarse grids get.
+    const COARSE: usize = 6;
+
     /// A schedule that starts with step 0.
     pub fn new(pace: Pace) -> Self {
-        Self { pace, next: 0 }
+        Self { pace, seen: BTreeMap::new() }
     }
 
-    /// Whether the step of this index is drawn. Indices must rise.
-    pub fn picks(&mut self, index: usize) -> bool {
-        if index < self.next {
-            return false;
+    /// Whether no step of this level was seen yet.
+    pub fn is_new(&self, level: usize) -> bool {
+        !self.seen.contains_key(&level)
+    }
+
+    /// Whether the step of this index, the next one seen of `level`, is drawn.
+    pub fn picks(&mut self, index: usize, level: usize) -> bool {
+        let seen = self.seen.entry(level).or_default();
+        *seen += 1;
+        match self.pace {
+            Pace::Every(every) => index.is_multiple_of(every.max(1)),
+            Pace::Geometric { dense, per_decade } => {
+                let fewer = if level == 0 { 1 } else { Self::COARSE };
+                let place = |n: usize| (per_decade / fewer as f64 * (n as f64).log10()).floor();
+                *seen <= dense / fewer || place(*seen) > place(*seen - 1)
+            }
         }
-        self.next = match self.pace {
-            Pace::Every(every) => (index / every.max(1) + 1) * every.max(1),
-            Pace::Geometric { dense, .. } if index < dense => index + 1,
-            Pace::Geometric { per_decade, .. } => (index as f64 * 10f64.powf(1.0 / per_decade)).ceil() as usize,
-        };
-        true
     }
 }
 
@@ -54,13 +66,13 @@ mod tests {
 
     fn frames(pace: Pace, steps: usize) -> Vec<usize> {
         let mut thinning = Thinning::new(pace);
-        (0..steps).filter(|&i| thinning.picks(i)).collect()
+        (0..steps).filter(|&i| thinning.picks(i, 0)).collect()
     }
 
     #[test]
     fn the_automatic_schedule_is_dense_then_geometric() {
         let picked = frames(Pace::LINE, 100_000);
-        assert!(picked[..=32].iter().copied().eq(0..=32));
+        assert!(picked[..32].iter().copied().eq(0..32));
         assert!((100..=150).contains(&picked.len()), "{}", picked.len());
         assert!(picked.windows(2).skip(40).all(|w| w[1] as f64 / w[0] as f64 <= 1.14));
         assert!((50..=75).contains(&frames(Pace::SURFACE, 100_000).len()));
@@ -70,5 +82,18 @@ mod tests {
     fn each_nth_step_is_picked() {
         assert_eq!(frames(Pace::Every(4), 10), [0, 4, 8]);
         assert_eq!(frames(Pace::Every(0), 3), [0, 1, 2]);
+    }
+
+    #[test]
+    fn each_level_starts_anew_and_many_levels_stay_affordable() {
+        let mut thinning = Thinning::new(Pace::LINE);
+        let mut frames = 0;
+        for level in (0..12).rev() {
+            assert!(thinning.is_new(level));
+            let picked: Vec<usize> = (0..300).filter(|&i| thinning.picks(i, level)).collect();
+            assert!(picked.starts_with(&[0, 1, 2]) && !thinning.is_new(level), "{level}: {picked:?}");
+            frames += picked.len() + 1;
+        }
+        assert!((100..250).contains(&frames), "{frames}");
     }
 }

@@ -1,7 +1,7 @@
 //! Numbers of every step, sent column by column.
 
 use super::palette::{self, colour};
-use crate::contact::{Step, Work};
+use crate::contact::{Phase, Step, Work};
 use crate::theory::Exact;
 use rerun::{EntityPath, RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
 
@@ -13,7 +13,7 @@ pub const SECONDS: &str = "seconds";
 pub const TRANSFORMS: &str = "transforms";
 
 /// Entities under `trace` and the names of their curves.
-const SERIES: [(&str, &str); 9] = [
+const SERIES: [(&str, &str); 12] = [
     ("kappa_r", "kappa_r"),
     ("kappa", "kappa"),
     ("exact_kappa_r", "exact kappa_r"),
@@ -23,6 +23,9 @@ const SERIES: [(&str, &str); 9] = [
     ("mean_gap", "mean gap / h_rms"),
     ("energy", "energy / (p_mean h_rms)"),
     ("patches", "contact patches"),
+    ("level", "grid level"),
+    ("outer", "outer step"),
+    ("inner", "inner step"),
 ];
 
 /// Where the certificate stands among the series.
@@ -33,6 +36,7 @@ pub struct Traces {
     series: Vec<Series>,
     exact_kappa_r: Option<f64>,
     exact_area: Option<f64>,
+    has_phases: bool,
 }
 
 struct Series {
@@ -67,11 +71,19 @@ impl Traces {
             series: SERIES.iter().map(series).collect(),
             exact_kappa_r: reference.kappa_r,
             exact_area: reference.relative_area,
+            has_phases: false,
         }
     }
 
-    /// Adds the numbers of a step.
-    pub fn add(&mut self, step: &Step<'_>) {
+    /// Whether the solver was seen on a coarse grid or at an inner step; only of such solvers phases are recorded.
+    pub fn has_phases(&self) -> bool {
+        self.has_phases
+    }
+
+    /// Adds the numbers of a step in `phase`.
+    pub fn add(&mut self, step: &Step<'_>, phase: Phase) {
+        self.has_phases |= phase.level > 0 || phase.inner > 0;
+        let of_phase = |number: usize| self.has_phases.then_some(number as f64);
         let measures = step.measures();
         let values = [
             Some(measures.kappa_r),
@@ -83,6 +95,9 @@ impl Traces {
             Some(step.mean_gap() / step.problem().rms_height()),
             Some(step.energy()),
             Some(step.patches().count() as f64),
+            of_phase(phase.level),
+            of_phase(phase.outer),
+            of_phase(phase.inner),
         ];
         for (series, value) in self.series.iter_mut().zip(values) {
             series.add(step.work(), value);
