@@ -3,7 +3,7 @@
 #[allow(dead_code, reason = "not every test file uses every helper")]
 mod common;
 
-use asperity::contact::{Contact, Gfmd, Load, PolonskyKeer, Problem, Solver, Step, Stop};
+use asperity::contact::{Contact, Gfmd, Load, Multilevel, PolonskyKeer, Problem, Solver, Step, Stop};
 use asperity::error::{ProblemError, SolveError};
 use asperity::surface::Spectrum;
 use asperity::{Grid, Indenter, Surface};
@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 
 /// The solvers that work at a mean gap.
 fn solvers() -> Vec<Box<dyn Solver>> {
-    vec![Box::new(PolonskyKeer)]
+    vec![Box::new(PolonskyKeer), Box::new(Multilevel)]
 }
 
 const TOLERANCE: f64 = 1e-12;

@@ -169,7 +169,7 @@ fn coarse(problem: &Problem, stride: usize) -> Problem {
     let shape = [ny / along_y, nx / stride];
     let height = Array2::from_shape_fn(shape, |(y, x)| problem.height()[y * along_y * nx + x * stride]);
     let grid = if grid.is_line() { Grid::line(shape[1], lx) } else { Grid::surface(shape, [ly, lx]) };
-    Problem::new(Surface::new(grid.unwrap(), height).unwrap(), 1.0, problem.mean_pressure()).unwrap()
+    Problem::under(Surface::new(grid.unwrap(), height).unwrap(), 1.0, problem.load()).unwrap()
 }
 
 /// Stands in for a solver of ever finer grids; each of them starts at step 0.

@@ -145,7 +145,7 @@ impl Bench {
         let mut solve_seconds = Vec::new();
         loop {
             let mut progress = Progress::new(stop.tolerance(), &format!("{} {}", case.name, case.size));
-            let contact = solver.solve(&problem, stop, &mut progress).unwrap_or_else(SolveError::into_contact);
+            let contact = solver.solve(&problem, stop, &mut progress).or_else(SolveError::into_contact)?;
             solve_seconds.push(contact.work.seconds);
             if solve_seconds.len() == self.repeats {
                 return Ok(Solved { problem, make_seconds, contact, solve_seconds });

@@ -67,11 +67,6 @@ impl Support {
         self.runs.first().map(|run| row * self.width + run.start)
     }
 
-    /// Number of nodes.
-    pub fn len(&self) -> usize {
-        self.rows.last().map_or(0, |end| end.node)
-    }
-
     /// Number of rows and their length.
     pub fn shape(&self) -> [usize; 2] {
         [self.rows.len() - 1, self.width]
