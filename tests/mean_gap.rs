@@ -175,6 +175,25 @@ fn the_certificate_bounds_the_energy() {
     }
 }
 
+/// The solution at another gap touches as it should but misses the gap: by that alone its certificate tells it apart.
+#[test]
+fn the_certificate_tells_how_far_the_gap_is_missed() {
+    for solver in solvers() {
+        for surface in surfaces() {
+            let problem = Problem::at_reduced_pressure(surface, 3.0, 0.1).unwrap();
+            let pressed = solve(solver.as_ref(), &problem, TOLERANCE);
+            let missed = 0.1 * pressed.mean_gap();
+            let apart = problem.with_load(Load::MeanGap(pressed.mean_gap() + missed)).unwrap();
+            let mut at_once = |_: &Step<'_>| ControlFlow::Break(());
+            let start = solver.solve_from(Some(&pressed.pressure), &apart, &Stop::default(), &mut at_once).unwrap();
+            let expected = missed / apart.rms_height();
+            for found in [start.certificate.eta, start.certificate.load_error] {
+                assert!((found / expected - 1.0).abs() < 1e-9, "{:?}: {found}", apart.surface().grid());
+            }
+        }
+    }
+}
+
 #[test]
 fn gaps_with_nothing_to_solve_are_refused() {
     let sine = || Indenter::Sine { amplitude: 0.5 }.surface(Grid::line(64, 1.0).unwrap()).unwrap();

@@ -131,3 +131,22 @@ impl Sums {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Grid;
+    use crate::surface::Indenter;
+
+    #[test]
+    fn no_pressure_is_infinitely_wrong_at_a_mean_gap() {
+        let sine = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(16, 1.0).unwrap()).unwrap();
+        let problem = Problem::at_mean_gap(sine, 1.0, 0.5).unwrap();
+        let Certificate { eta, pressure_error_bound, load_error, min_pressure } =
+            Certificate::of(&problem, &[0.0; 16], &[0.0; 16]);
+        assert_eq!(
+            [eta, pressure_error_bound, load_error, min_pressure],
+            [f64::INFINITY, f64::INFINITY, f64::INFINITY, 0.0]
+        );
+    }
+}
