@@ -178,7 +178,9 @@ impl Cascade<'_> {
             energy: Energy::Complementary,
         });
         let ended = if phase.level == 0 { self.run.show(&step) } else { self.run.pass(&step) };
-        self.run.advance();
+        if ended.is_none() {
+            self.run.advance();
+        }
         ended
     }
 
@@ -206,7 +208,9 @@ impl Cascade<'_> {
             });
             let ended = run.pass(&step);
             drop(step);
-            run.advance();
+            if ended.is_none() {
+                run.advance();
+            }
             ended
         })
     }
