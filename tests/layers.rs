@@ -30,8 +30,8 @@ const ALLOWED: (&str, &str) = ("error.rs", "use crate::contact::Contact;");
 
 /// Crates, and the only places that may name them.
 const PLACES: [(&str, &[&str]); 8] = [
-    ("rustfft", &["fourier.rs"]),
-    ("realfft", &["fourier.rs"]),
+    ("rustfft", &["fourier/"]),
+    ("realfft", &["fourier/"]),
     ("rerun", &["record/"]),
     ("glam", &["record/"]),
     ("colorgrad", &["record/"]),
