@@ -260,7 +260,7 @@ fn coarse_grids_of_a_surface_are_drawn_in_place() {
     });
     let words = rows::<rerun::components::Text>(&path, "/it/caption", rerun::Points2D::descriptor_labels());
     let frames: Vec<(String, Vec<f32>)> = words.iter().map(|(_, words)| words[0].to_string()).zip(images).collect();
-    for (stride, level) in [(4, "level 2: 8 x 12 points"), (2, "level 1: 16 x 24"), (1, "level 0: 32 x 48")] {
+    for (stride, level) in [(4, "level 2: 8 x 12,"), (2, "level 1: 16 x 24,"), (1, "level 0: 32 x 48,")] {
         let contact = PolonskyKeer.solve(&coarse(&problem, stride), &Stop::default(), &mut ()).unwrap();
         let (_, image) = frames.iter().rfind(|(words, _)| words.starts_with(level)).unwrap();
         let highest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);

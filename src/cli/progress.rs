@@ -9,8 +9,8 @@ use std::time::Duration;
 /// Places on the bar from the first certificate to the tolerance.
 const LENGTH: u64 = 1000;
 
-/// Shows grid level and certificate on its way to the tolerance, on standard error, if that is a terminal. Of a step it asks
-/// only for what costs nothing.
+/// Shows grid level and certificate on its way to the tolerance, on standard error, if that is a terminal. Of a step it
+/// asks only for what costs nothing.
 pub struct Progress {
     bar: ProgressBar,
     tolerance: f64,
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn the_latest_rate_counts_and_noise_hardly() {
-        let noise = |i: usize| if i % 2 == 0 { 0.5 } else { -0.5 };
+        let noise = |i: usize| if i.is_multiple_of(2) { 0.5 } else { -0.5 };
         let slower = |i: usize| if i < 100 { -0.2 * i as f64 } else { -20.0 - 0.05 * (i - 100) as f64 };
         let end = trend((0..1000).map(|i| (i as f64, slower(i) + noise(i)))).meets(-75.0).unwrap();
         assert!((end - 1200.0).abs() < 60.0, "{end}");

@@ -172,9 +172,9 @@ impl Frame {
         recording.log_static(format!("{entity}/labels"), &labels(self.labels()))
     }
 
-    /// Words above the box, right of the title of the y axis.
+    /// Words above the middle of the box.
     pub fn caption(&self, words: String) -> Points2D {
-        labels(vec![([0.6 * self.width, -1.9 * self.text], words)])
+        labels(vec![([0.5 * self.width, -1.9 * self.text], words)])
     }
 
     fn strips(&self) -> Vec<Vec<[f32; 2]>> {

@@ -15,8 +15,8 @@ use std::time::{Duration, Instant};
 /// What a killed run may lose.
 const FLUSH_INTERVAL: Duration = Duration::from_millis(200);
 
-/// Records the steps of one scene: numbers at every step, fields at those that the [`Options`] pick and at the last one of
-/// each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are recorded.
+/// Records the steps of one scene: numbers at every step, fields at those that the [`Options`] pick and at the last one
+/// of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are recorded.
 ///
 /// A failure to write does not stop the solver; [`Recorder::close`] reports it.
 pub struct Recorder<'r> {

@@ -8,7 +8,7 @@ fn share(nodes: usize, cells: usize, cell: usize) -> Range<usize> {
     start..((cell + 1) * nodes / cells).max(start + 1)
 }
 
-/// Those of a grid with every `stride`-th of the `nodes`, by their numbers there: the ones in the cell, or the nearest one.
+/// Those of a grid with every `stride`-th of the `nodes`, by their numbers there: the ones in the cell, or the nearest.
 fn share_coarse(nodes: usize, stride: usize, cells: usize, cell: usize) -> Range<usize> {
     let Range { start, end } = share(nodes, cells, cell);
     let inside = start.div_ceil(stride)..end.div_ceil(stride);

@@ -100,8 +100,8 @@ impl Relief {
         self.blocks.cells.map(|n| n + 1)
     }
 
-    /// What `value` makes of the positions of all vertices along y and x, in nodes of the scene. On a grid coarser than the
-    /// mesh, vertices fall on the node before them: what is left of the triangles spans the nodes of that grid.
+    /// What `value` makes of the positions of all vertices along y and x, in nodes of the scene. On a grid coarser than
+    /// the mesh, vertices fall on the node before them: what is left of the triangles spans the nodes of that grid.
     fn at_vertices<T>(&self, stride: [usize; 2], value: impl Fn([usize; 2]) -> T) -> Vec<T> {
         let [rows, columns] = self.counts();
         let node = |axis: usize, i: usize| {

@@ -100,7 +100,7 @@ impl Stage {
         }
     }
 
-    /// Every how many-th node of the scene along y and x `grid` holds, if it is the scene's grid or a coarser version of it.
+    /// Every how many-th node of the scene `grid` holds along y and x, if it is the scene's grid or a coarser version.
     pub fn stride(&self, grid: &Grid) -> Option<[usize; 2]> {
         let (fine, coarse) = (self.grid.shape(), grid.shape());
         let stride = [0, 1].map(|axis| fine[axis] / coarse[axis]);
@@ -152,10 +152,10 @@ impl Stage {
     /// Records in words where the solver stands at the current time.
     pub fn log_caption(&self, to: &RecordingStream, phase: Phase, stride: [usize; 2]) -> RecordingStreamResult<()> {
         let [ny, nx] = [0, 1].map(|axis| self.grid.shape()[axis] / stride[axis]);
-        let points = if self.grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx} points") };
+        let points = if self.grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx}") };
         let Phase { level, outer, inner } = phase;
-        let inner = if inner > 0 { format!(", inner step {inner}") } else { String::new() };
-        let words = format!("level {level}: {points}, outer step {outer}{inner}");
+        let inner = if inner > 0 { format!(", inner {inner}") } else { String::new() };
+        let words = format!("level {level}: {points}, outer {outer}{inner}");
         to.log(format!("{}/caption", self.root), &self.picture.frame().caption(words))
     }
 

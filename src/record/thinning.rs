@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-/// Picks the steps whose fields are recorded: each n-th, or on each grid level densely at first and ever more sparsely later.
+/// Picks the steps whose fields are recorded: each n-th, or on each grid level densely at first and ever more sparsely
+/// later.
 #[derive(Debug, Clone)]
 pub struct Thinning {
     pace: Pace,
