@@ -8,25 +8,28 @@ use crate::surface::{Field, Surface};
 /// The fewest points along a side of a coarse grid.
 const FEWEST: usize = 32;
 
-/// The problem on every other node along each side, if the sides are even and long enough and what is left is neither flat nor
-/// too low to be touched.
+/// The problem on the [`halved`] grid, if there is one and what is left on it is neither flat nor too low to be touched.
 pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
     let surface = problem.surface();
-    let grid = surface.grid();
-    let [ny, nx] = grid.shape();
-    let halves = |n: usize| n.is_multiple_of(2) && n / 2 >= FEWEST;
-    if !halves(nx) || !(grid.is_line() || halves(ny)) {
-        return None;
-    }
-    let [ly, lx] = grid.size();
-    let coarse = if grid.is_line() { Grid::line(nx / 2, lx) } else { Grid::surface([ny / 2, nx / 2], [ly, lx]) };
-    let height = Field::from_shape_fn(coarse.as_ref().ok()?.shape(), |(y, x)| surface.height()[[2 * y, 2 * x]]);
-    let surface = Surface::new(coarse.ok()?, height).ok()?;
+    let coarse = halved(surface.grid())?;
+    let height = Field::from_shape_fn(coarse.shape(), |(y, x)| surface.height()[[2 * y, 2 * x]]);
+    let surface = Surface::new(coarse, height).ok()?;
     let load = match problem.load() {
         Load::MeanGap(gap) => Load::MeanGap(gap - surface.mean_height()),
         load @ Load::MeanPressure(_) => load,
     };
     Problem::under(surface, problem.contact_modulus(), load).ok()
+}
+
+/// The grid of every other node along each side, if the sides are even and long enough.
+pub(super) fn halved(grid: &Grid) -> Option<Grid> {
+    let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
+    let halves = |n: usize| n.is_multiple_of(2) && n / 2 >= FEWEST;
+    if grid.is_line() {
+        halves(nx).then(|| Grid::line(nx / 2, lx).ok())?
+    } else {
+        (halves(nx) && halves(ny)).then(|| Grid::surface([ny / 2, nx / 2], [ly, lx]).ok())?
+    }
 }
 
 /// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly.

@@ -34,7 +34,7 @@ use crate::contact::solver::{Run, first_pressure};
 use crate::contact::{Contact, Observer, Problem, Solver, Status, Step, Stop};
 use crate::error::SolveError;
 use crate::surface::Field;
-use hierarchy::{coarser, prolong};
+use hierarchy::{coarser, halved, prolong};
 use level::{Level, displace};
 use support::{Pressure, Support};
 
@@ -104,7 +104,7 @@ impl Solver for Multilevel {
         let run = Run::new(stop, observer).with_patience(PATIENCE);
         let mut cascade = Cascade { run, finest: problem.nodes(), spent: 0.0 };
         let (mut level, ended) = match start {
-            Some(_) => (Level::new(problem, |rows| Pressure::of(&first_pressure(start, problem), rows)), None),
+            Some(start) => cascade.level_from(start, problem),
             None => cascade.level_on(problem, 0),
         };
         let status = cascade.relax(&mut level, 0, ended).unwrap_or(Status::Stalled);
@@ -126,6 +126,17 @@ struct Cascade<'a> {
 }
 
 impl Cascade<'_> {
+    /// The finest grid with the pressure `start`, unless coarser grids promise a better one.
+    fn level_from<'p>(&mut self, start: &Field, problem: &'p Problem) -> (Level<'p>, Option<Status>) {
+        let mut level = Level::new(problem, |rows| Pressure::of(&first_pressure(Some(start), problem), rows));
+        if level.certify() <= COARSE_TOLERANCE || halved(problem.surface().grid()).is_none() {
+            return (level, None);
+        }
+        self.spent = level.half_space.transforms() as f64;
+        drop(level);
+        self.level_on(problem, 0)
+    }
+
     /// The grid of `problem`, `depth` below the finest, with the pressure of coarser grids, if there are any; and why the run
     /// ended there, if it did.
     fn level_on<'p>(&mut self, problem: &'p Problem, depth: usize) -> (Level<'p>, Option<Status>) {
