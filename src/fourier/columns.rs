@@ -2,10 +2,10 @@
 
 use super::Complex;
 use super::worker::{Worker, share};
-use ndarray::{ArrayViewMut2, Axis};
+use ndarray::{ArrayViewMut2, Axis, ShapeBuilder};
 
 /// Columns that are copied out, worked on and copied back together.
-pub(super) const BAND: usize = 16;
+pub(super) const BAND: usize = 8;
 
 /// Columns of a band are this much apart beyond their length: at a distance of a power of two they would compete for the
 /// same lines of the cache.
@@ -30,32 +30,19 @@ pub(super) fn for_each_column(
     let mut matrix = ArrayViewMut2::from_shape((rows, width), matrix).expect("rows of equal width");
     let tasks = matrix.axis_chunks_iter_mut(Axis(1), per_worker).zip(workers).enumerate();
     share(tasks, |(task, (mut columns, worker))| {
-        for (i, band) in columns.axis_chunks_iter_mut(Axis(1), BAND).enumerate() {
-            let first = task * per_worker + i * BAND;
-            let count = band.ncols();
-            gather(&band, &mut worker.band);
-            for (c, column) in worker.band.chunks_exact_mut(rows + PAD).take(count).enumerate() {
-                work(first + c, &mut column[..rows], &mut worker.scratch);
+        for (i, mut columns) in columns.axis_chunks_iter_mut(Axis(1), BAND).enumerate() {
+            let shape = columns.dim();
+            let indices = (task * per_worker + i * BAND..width).take(shape.1);
+            band(&mut worker.band, shape).assign(&columns);
+            for (column, index) in worker.band.chunks_exact_mut(rows + PAD).zip(indices) {
+                work(index, &mut column[..rows], &mut worker.scratch);
             }
-            scatter(&worker.band, band);
+            columns.assign(&band(&mut worker.band, shape));
         }
     });
 }
 
-fn gather(from: &ArrayViewMut2<'_, Complex>, to: &mut [Complex]) {
-    let length = from.nrows() + PAD;
-    for (r, row) in from.rows().into_iter().enumerate() {
-        for (c, &value) in row.iter().enumerate() {
-            to[c * length + r] = value;
-        }
-    }
-}
-
-fn scatter(from: &[Complex], mut to: ArrayViewMut2<'_, Complex>) {
-    let length = to.nrows() + PAD;
-    for (r, mut row) in to.rows_mut().into_iter().enumerate() {
-        for (c, value) in row.iter_mut().enumerate() {
-            *value = from[c * length + r];
-        }
-    }
+/// A band with its columns one after the other.
+fn band(values: &mut [Complex], (rows, columns): (usize, usize)) -> ArrayViewMut2<'_, Complex> {
+    ArrayViewMut2::from_shape((rows, columns).strides((1, rows + PAD)), values).expect("room for the band")
 }

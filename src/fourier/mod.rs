@@ -11,9 +11,10 @@
 
 mod columns;
 mod filter;
-mod halves;
+mod line;
 mod long_line;
 mod pair;
+mod surface;
 mod worker;
 
 pub(crate) use filter::Filter;

@@ -13,21 +13,20 @@ use std::sync::Arc;
 /// The transforms of the rows, `ny` rows of `nx/2 + 1` coefficients, and those of the columns in the same place.
 ///
 /// Bands of columns are transformed, scaled and transformed back while they are in the cache.
-pub(crate) struct Halves {
+pub(crate) struct SurfaceFilter {
     shape: [usize; 2],
     forward_rows: Arc<dyn RealToComplex<f64>>,
     inverse_rows: Arc<dyn ComplexToReal<f64>>,
     forward_columns: Arc<dyn Fft<f64>>,
     inverse_columns: Arc<dyn Fft<f64>>,
-    /// `q_x` of the first column.
-    qx: f64,
-    /// `q_y^2` of each row.
+    /// `q_x` of each column and `q_y^2` of each row.
+    qx: Vec<f64>,
     qy_squares: Vec<f64>,
     spectrum: Vec<Complex>,
     workers: Vec<Worker>,
 }
 
-impl Halves {
+impl SurfaceFilter {
     pub fn new(grid: &Grid) -> Self {
         let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
         let (mut rows, mut columns) = (RealFftPlanner::new(), FftPlanner::new());
@@ -46,7 +45,7 @@ impl Halves {
             inverse_rows,
             forward_columns,
             inverse_columns,
-            qx: TAU / lx,
+            qx: (0..=nx / 2).map(|kx| TAU * kx as f64 / lx).collect(),
             qy_squares: (0..ny).map(|ky| (TAU * ky.min(ny - ky) as f64 / ly).powi(2)).collect(),
             spectrum: vec![Complex::default(); grid.modes()],
             workers: Worker::crew(grid.len(), ny, [nx, band_len(ny), scratch]),
@@ -74,13 +73,12 @@ impl Halves {
         let [ny, nx] = self.shape;
         let half = nx / 2 + 1;
         let norm = 1.0 / (ny * nx) as f64;
-        let factor = |kx: usize, qy_square: f64| norm * factor(((self.qx * kx as f64).powi(2) + qy_square).sqrt());
-        if ny == 1 {
-            return self.spectrum.iter_mut().enumerate().for_each(|(kx, mode)| *mode *= factor(kx, 0.0));
-        }
         for_each_column(&mut self.spectrum, half, &mut self.workers, |kx, column, scratch| {
             self.forward_columns.process_with_scratch(column, scratch);
-            column.iter_mut().zip(&self.qy_squares).for_each(|(mode, &qy_square)| *mode *= factor(kx, qy_square));
+            let square = self.qx[kx].powi(2);
+            for (mode, qy_square) in column.iter_mut().zip(&self.qy_squares) {
+                *mode *= norm * factor((square + qy_square).sqrt());
+            }
             self.inverse_columns.process_with_scratch(column, scratch);
         });
     }
