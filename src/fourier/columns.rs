@@ -4,16 +4,13 @@ use super::Complex;
 use super::worker::{Worker, share};
 use ndarray::{ArrayViewMut2, Axis, ShapeBuilder};
 
-/// Columns that are copied out, worked on and copied back together.
-pub(super) const BAND: usize = 8;
-
-/// Columns of a band are this much apart beyond their length: at a distance of a power of two they would compete for the
-/// same lines of the cache.
-const PAD: usize = 4;
+/// Columns that are copied out, worked on and copied back together: two cache lines of each row. Fewer would copy lines in
+/// parts; twice as many took a tenth longer on 4096 x 4096 points, and gained a twentieth on lines.
+const BAND: usize = 8;
 
 /// Complex numbers of a band of columns with `rows` values each.
 pub(super) fn band_len(rows: usize) -> usize {
-    BAND * (rows + PAD)
+    BAND * rows
 }
 
 /// Calls `work(index, column, scratch)` for every column of the matrix with rows of `width`, and stores what it leaves.
@@ -34,8 +31,8 @@ pub(super) fn for_each_column(
             let shape = columns.dim();
             let indices = (task * per_worker + i * BAND..width).take(shape.1);
             band(&mut worker.band, shape).assign(&columns);
-            for (column, index) in worker.band.chunks_exact_mut(rows + PAD).zip(indices) {
-                work(index, &mut column[..rows], &mut worker.scratch);
+            for (column, index) in worker.band.chunks_exact_mut(rows).zip(indices) {
+                work(index, column, &mut worker.scratch);
             }
             columns.assign(&band(&mut worker.band, shape));
         }
@@ -44,5 +41,5 @@ pub(super) fn for_each_column(
 
 /// A band with its columns one after the other.
 fn band(values: &mut [Complex], (rows, columns): (usize, usize)) -> ArrayViewMut2<'_, Complex> {
-    ArrayViewMut2::from_shape((rows, columns).strides((1, rows + PAD)), values).expect("room for the band")
+    ArrayViewMut2::from_shape((rows, columns).strides((1, rows)), values).expect("room for the band")
 }

@@ -14,6 +14,7 @@ mod filter;
 mod line;
 mod long_line;
 mod pair;
+mod plans;
 mod surface;
 mod worker;
 
