@@ -13,33 +13,34 @@ pub(super) fn band_len(rows: usize) -> usize {
     BAND * rows
 }
 
-/// Calls `work(index, column, scratch)` for every column of the matrix with rows of `width`, and stores what it leaves.
+/// Calls `work(index, column, row, scratch)` for every column of the matrix with rows of `width`, with the row and the scratch
+/// of a worker, and stores what it leaves.
 ///
 /// Workers need bands of [`band_len`].
 pub(super) fn for_each_column(
     matrix: &mut [Complex],
     width: usize,
     workers: &mut [Worker],
-    work: impl Fn(usize, &mut [Complex], &mut [Complex]) + Sync + Send,
+    work: impl Fn(usize, &mut [Complex], &mut [f64], &mut [Complex]) + Sync + Send,
 ) {
     let rows = matrix.len() / width;
     let per_worker = width.div_ceil(workers.len()).next_multiple_of(BAND);
     let mut matrix = ArrayViewMut2::from_shape((rows, width), matrix).expect("rows of equal width");
     let tasks = matrix.axis_chunks_iter_mut(Axis(1), per_worker).zip(workers).enumerate();
-    share(tasks, |(task, (mut columns, worker))| {
+    share(tasks, |(task, (mut columns, Worker { row, band, scratch }))| {
         for (i, mut columns) in columns.axis_chunks_iter_mut(Axis(1), BAND).enumerate() {
             let shape = columns.dim();
             let indices = (task * per_worker + i * BAND..width).take(shape.1);
-            band(&mut worker.band, shape).assign(&columns);
-            for (column, index) in worker.band.chunks_exact_mut(rows).zip(indices) {
-                work(index, column, &mut worker.scratch);
+            by_columns(band, shape).assign(&columns);
+            for (column, index) in band.chunks_exact_mut(rows).zip(indices) {
+                work(index, column, row, scratch);
             }
-            columns.assign(&band(&mut worker.band, shape));
+            columns.assign(&by_columns(band, shape));
         }
     });
 }
 
 /// A band with its columns one after the other.
-fn band(values: &mut [Complex], (rows, columns): (usize, usize)) -> ArrayViewMut2<'_, Complex> {
-    ArrayViewMut2::from_shape((rows, columns).strides((1, rows)), values).expect("room for the band")
+fn by_columns(band: &mut [Complex], (rows, columns): (usize, usize)) -> ArrayViewMut2<'_, Complex> {
+    ArrayViewMut2::from_shape((rows, columns).strides((1, rows)), band).expect("room for the band")
 }

@@ -88,12 +88,12 @@ impl LongLineFilter {
 
     pub fn scale(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
         let n2 = self.shape[1];
-        for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, scratch| {
+        for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
             self.forward[0].process_with_scratch(column, scratch);
             self.twiddles.of(j2).zip(column).for_each(|(w, z)| *z *= w);
         });
         self.scale_rows(factor);
-        for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, scratch| {
+        for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
             self.twiddles.of(j2).zip(&mut *column).for_each(|(w, z)| *z *= w.conj());
             self.inverse[0].process_with_scratch(column, scratch);
         });
