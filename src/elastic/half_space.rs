@@ -58,6 +58,7 @@ impl HalfSpace {
     }
 
     /// What `work` makes of this half-space, with transforms that do not count.
+    #[cfg_attr(not(test), expect(dead_code, reason = "for solvers that show states between their steps"))]
     pub(crate) fn uncounted<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> T {
         let transforms = self.transforms;
         let result = work(self);
@@ -102,16 +103,25 @@ impl HalfSpace {
     }
 
     fn respond_in_place(&mut self, field: &mut [f64], factor: impl Fn(f64) -> f64 + Sync + Send) {
-        self.load(field);
-        self.scale(factor);
-        self.store(field);
+        assert_eq!(field.len(), self.grid.len(), "field must fit the grid");
+        let (modulus, width) = (self.contact_modulus, self.rows()[1]);
+        self.transforms += 2;
+        self.filter.run(|filter| {
+            filter.load(|r, row| row.copy_from_slice(&field[r * width..][..width]));
+            filter.scale(|q| factor(0.5 * modulus * q));
+            let mut rows: Vec<_> = field.chunks_exact_mut(width).collect();
+            filter.store(&mut rows, |_, row, sink| sink.copy_from_slice(row));
+        });
     }
 
     /// Multiplies each mode of `cause` by `factor(k)`.
     pub(crate) fn respond(&mut self, cause: &[f64], effect: &mut [f64], factor: impl Fn(f64) -> f64 + Sync + Send) {
-        self.load(cause);
-        self.scale(factor);
-        self.store(effect);
+        let n = self.grid.len();
+        assert_eq!((cause.len(), effect.len()), (n, n), "cause and effect must fit the grid");
+        let width = self.rows()[1];
+        let fill = |r: usize, row: &mut [f64]| row.copy_from_slice(&cause[r * width..][..width]);
+        let mut rows: Vec<_> = effect.chunks_exact_mut(width).collect();
+        self.respond_by_rows(factor, fill, &mut rows, |_, row, sink| sink.copy_from_slice(row));
     }
 
     /// The number of rows in which [`HalfSpace::respond_by_rows`] takes and gives fields, and their length: the rows of a
@@ -131,27 +141,101 @@ impl HalfSpace {
         sinks: &mut [S],
         store: impl Fn(usize, &[f64], &mut S) + Sync + Send,
     ) {
-        self.filter.load(fill);
-        self.scale(factor);
-        self.filter.store(sinks, store);
-    }
-
-    fn load(&mut self, cause: &[f64]) {
-        assert_eq!(cause.len(), self.grid.len(), "fields must fit the grid");
-        let width = self.rows()[1];
-        self.filter.load(|r, row| row.copy_from_slice(&cause[r * width..][..width]));
-    }
-
-    fn store(&mut self, effect: &mut [f64]) {
-        assert_eq!(effect.len(), self.grid.len(), "fields must fit the grid");
-        let width = self.rows()[1];
-        let mut rows: Vec<_> = effect.chunks_exact_mut(width).collect();
-        self.filter.store(&mut rows, |_, row, sink| sink.copy_from_slice(row));
-    }
-
-    fn scale(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
         let modulus = self.contact_modulus;
-        self.filter.scale(|q| factor(0.5 * modulus * q));
         self.transforms += 2;
+        self.filter.run(|filter| {
+            filter.load(fill);
+            filter.scale(|q| factor(0.5 * modulus * q));
+            filter.store(sinks, store);
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noise(n: usize) -> Vec<f64> {
+        (0..n).map(|i| ((i % 1009 * (i % 911)) as f64 * 0.7).sin() + 0.3).collect()
+    }
+
+    /// Lines in one piece and in many, surfaces on one core and on many.
+    fn grids() -> [Grid; 6] {
+        [
+            Grid::line(31, 0.5).unwrap(),
+            Grid::line(1 << 16, 2.0).unwrap(),
+            Grid::line(2 * 3 * 5 * 7 * 11 * 31, 2.0).unwrap(),
+            Grid::surface([7, 5], [2.0, 1.0]).unwrap(),
+            Grid::surface([4, 37], [1.0, 1.0]).unwrap(),
+            Grid::surface([181, 200], [1.0, 3.0]).unwrap(),
+        ]
+    }
+
+    fn displacement(grid: &Grid, pressure: &[f64]) -> Vec<f64> {
+        let mut displacement = vec![0.0; grid.len()];
+        HalfSpace::new(grid, 3.0).displacement(pressure, &mut displacement);
+        displacement
+    }
+
+    #[test]
+    fn rows_of_a_contact_set_respond_as_the_whole_field() {
+        for grid in grids() {
+            let mut half_space = HalfSpace::new(&grid, 3.0);
+            let [count, width] = half_space.rows();
+            assert_eq!(count * width, grid.len());
+            let is_in = |i: usize| i % 7 < 2;
+            let mut field = noise(grid.len());
+            (0..field.len()).filter(|&i| !is_in(i)).for_each(|i| field[i] = 0.0);
+            let fill = |r: usize, row: &mut [f64]| {
+                row.fill(0.0);
+                (0..width).filter(|c| is_in(r * width + c)).for_each(|c| row[c] = field[r * width + c]);
+            };
+            let mut sinks = vec![Vec::new(); count];
+            half_space.respond_by_rows(HalfSpace::compliance, fill, &mut sinks, |r, row, sink: &mut Vec<f64>| {
+                sink.extend((0..width).filter(|c| is_in(r * width + c)).map(|c| row[c]));
+            });
+            let dense = displacement(&grid, &field);
+            let expected: Vec<f64> = (0..grid.len()).filter(|&i| is_in(i)).map(|i| dense[i]).collect();
+            assert_eq!(sinks.concat(), expected, "{grid:?}");
+            half_space.comply(&mut field);
+            assert_eq!(field, dense, "{grid:?}");
+        }
+    }
+
+    #[test]
+    fn responses_are_the_same_on_any_number_of_threads() {
+        for grid in grids() {
+            let pressure = noise(grid.len());
+            let on = |threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                pool.install(|| displacement(&grid, &pressure))
+            };
+            let one = on(1);
+            assert!([2, 3, 8].iter().all(|&threads| on(threads) == one), "{grid:?}");
+        }
+    }
+
+    #[test]
+    fn stiffnesses_start_with_the_mean_and_are_nowhere_softer_than_the_softest() {
+        for grid in grids() {
+            let half_space = HalfSpace::new(&grid, 3.0);
+            let stiffnesses: Vec<f64> = half_space.stiffnesses().collect();
+            assert_eq!((stiffnesses.len(), stiffnesses[0]), (grid.modes(), 0.0));
+            let softest = stiffnesses[1..].iter().copied().fold(f64::INFINITY, f64::min);
+            assert!((half_space.softest_stiffness() / softest - 1.0).abs() < 1e-15, "{grid:?}");
+        }
+    }
+
+    #[test]
+    fn a_response_counts_two_transforms_unless_uncounted() {
+        let grid = Grid::surface([4, 6], [1.0, 1.0]).unwrap();
+        let (mut half_space, mut field) = (HalfSpace::new(&grid, 1.0), noise(24));
+        half_space.comply(&mut field);
+        assert_eq!(half_space.transforms(), 2);
+        let same = half_space.uncounted(|half_space| {
+            half_space.stiffen(&mut field);
+            half_space.transforms()
+        });
+        assert_eq!((same, half_space.transforms()), (4, 2));
     }
 }

@@ -1,7 +1,9 @@
 //! Fields filtered in Fourier space.
 
-use super::halves::Halves;
-use super::long_line::LongLine;
+use super::line::LineFilter;
+use super::long_line::LongLineFilter;
+use super::surface::SurfaceFilter;
+use super::worker::enter_pool;
 use crate::grid::Grid;
 
 /// Multiplies each mode of a real field by a factor of its wavenumber, `f -> F^-1[ factor(|q|) F[f] ]`, in three passes:
@@ -11,29 +13,41 @@ use crate::grid::Grid;
 ///
 /// Memory: one half spectrum (about one real field) and scratch for some rows and columns per thread.
 pub(crate) enum Filter {
-    Halves(Halves),
-    LongLine(LongLine),
+    Surface(SurfaceFilter),
+    Line(LineFilter),
+    LongLine(LongLineFilter),
 }
 
 impl Filter {
     /// Plans the transforms of fields on `grid`.
     pub fn new(grid: &Grid) -> Self {
-        LongLine::new(grid).map_or_else(|| Self::Halves(Halves::new(grid)), Self::LongLine)
+        if !grid.is_line() {
+            return Self::Surface(SurfaceFilter::new(grid));
+        }
+        LongLineFilter::new(grid).map_or_else(|| Self::Line(LineFilter::new(grid)), Self::LongLine)
     }
 
     /// The number of rows in which fields come and go, and their length. Rows follow each other without gaps; those of a
     /// surface are its rows, those of a line are pieces of it.
     pub fn rows(&self) -> [usize; 2] {
         match self {
-            Self::Halves(halves) => halves.rows(),
+            Self::Surface(surface) => surface.rows(),
+            Self::Line(line) => line.rows(),
             Self::LongLine(line) => line.rows(),
         }
+    }
+
+    /// Makes the `passes`, without leaving the thread pool between them.
+    pub fn run(&mut self, passes: impl FnOnce(&mut Self) + Send) {
+        let [count, width] = self.rows();
+        enter_pool(count * width, || passes(self));
     }
 
     /// Takes the field whose row `r` is written by `fill(r, row)`; what `row` holds before is undefined.
     pub fn load(&mut self, fill: impl Fn(usize, &mut [f64]) + Sync + Send) {
         match self {
-            Self::Halves(halves) => halves.load(fill),
+            Self::Surface(surface) => surface.load(fill),
+            Self::Line(line) => line.load(fill),
             Self::LongLine(line) => line.load(fill),
         }
     }
@@ -41,7 +55,8 @@ impl Filter {
     /// Multiplies the modes by `factor(|q|)`.
     pub fn scale(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
         match self {
-            Self::Halves(halves) => halves.scale(factor),
+            Self::Surface(surface) => surface.scale(factor),
+            Self::Line(line) => line.scale(factor),
             Self::LongLine(line) => line.scale(factor),
         }
     }
@@ -53,8 +68,76 @@ impl Filter {
     pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[f64], &mut S) + Sync + Send) {
         assert_eq!(sinks.len(), self.rows()[0], "one sink per row");
         match self {
-            Self::Halves(halves) => halves.store(sinks, store),
+            Self::Surface(surface) => surface.store(sinks, store),
+            Self::Line(line) => line.store(sinks, store),
             Self::LongLine(line) => line.store(sinks, store),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fourier::{Complex, Fourier};
+
+    fn noise(n: usize) -> Vec<f64> {
+        (0..n).map(|i| ((i % 1009 * (i % 911)) as f64 * 0.7).sin() + 0.3).collect()
+    }
+
+    fn line(points: usize) -> Grid {
+        Grid::line(points, 2.0).unwrap()
+    }
+
+    fn factor(q: f64) -> f64 {
+        1.0 / (1.0 + 0.1 * q)
+    }
+
+    fn filtered(grid: &Grid, field: &[f64]) -> Vec<f64> {
+        let mut filter = Filter::new(grid);
+        let [count, width] = filter.rows();
+        let mut rows = vec![Vec::new(); count];
+        filter.run(|filter| {
+            filter.load(|r, row| row.copy_from_slice(&field[r * width..][..width]));
+            filter.scale(factor);
+            filter.store(&mut rows, |_, row, sink| *sink = row.to_vec());
+        });
+        rows.concat()
+    }
+
+    /// By transforms whose test is the definition, with wavenumbers of the grid.
+    fn by_the_pair(grid: &Grid, field: &[f64]) -> Vec<f64> {
+        let mut fourier = Fourier::new(grid);
+        let mut spectrum = vec![Complex::default(); grid.modes()];
+        fourier.forward(field, &mut spectrum);
+        spectrum.iter_mut().zip(grid.wavenumbers()).for_each(|(mode, q)| *mode *= factor(q));
+        let mut result = vec![0.0; field.len()];
+        fourier.inverse(&mut spectrum, &mut result);
+        result
+    }
+
+    #[test]
+    fn filter_is_the_transform_pair_on_awkward_grids() {
+        let surface = |shape| Grid::surface(shape, [1.0, 3.0]).unwrap();
+        let short = [line(4), line(5), line(31), line(4099)];
+        let surfaces =
+            [[4, 4], [7, 5], [5, 12], [12, 16], [17, 9], [33, 4], [4, 37], [181, 200], [256, 129]].map(surface);
+        // Powers of two; an odd number of rows, of columns, and of both; a prime number of points and twice one.
+        let long = [1 << 16, 1 << 17, 2 * 255 * 256, 2 * 256 * 257, 2 * 255 * 257, 65537, 2 * 65537].map(line);
+        for grid in short.into_iter().chain(surfaces).chain(long) {
+            let field = noise(grid.len());
+            for (fast, slow) in filtered(&grid, &field).iter().zip(by_the_pair(&grid, &field)) {
+                assert!((fast - slow).abs() < 1e-14, "{grid:?}: {fast} against {slow}");
+            }
+        }
+    }
+
+    #[test]
+    fn long_lines_are_cut_into_rows_if_their_points_have_factors() {
+        let rows = |points| Filter::new(&line(points)).rows();
+        assert_eq!(rows(1 << 15), [1, 1 << 15]);
+        assert_eq!(rows(1 << 16), [128, 512]);
+        assert_eq!(rows(2 * 255 * 256), [255, 512]);
+        assert_eq!(rows(2 * 65537), [1, 2 * 65537]);
+        assert_eq!(rows(65537), [1, 65537]);
     }
 }

@@ -1,4 +1,5 @@
-//! Real Fourier transforms of fields on a [`Grid`](crate::Grid), on all cores and without allocation after planning.
+//! Real Fourier transforms of fields on a [`Grid`](crate::Grid), on all cores: the plain pair, and filters that need one half
+//! spectrum.
 //!
 //! # Conventions
 //! For a field `f` of `n = ny nx` points
@@ -11,9 +12,11 @@
 
 mod columns;
 mod filter;
-mod halves;
+mod line;
 mod long_line;
 mod pair;
+mod plans;
+mod surface;
 mod worker;
 
 pub(crate) use filter::Filter;

@@ -1,11 +1,9 @@
 //! The plain transform pair.
 
 use super::Complex;
+use super::plans::Plans;
 use super::worker::{Worker, share};
 use crate::grid::Grid;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::{Fft, FftPlanner};
-use std::sync::Arc;
 
 /// Columns (forward) or rows (inverse) that are gathered and transformed together: eight complex numbers span two cache
 /// lines, so each gather reads whole lines.
@@ -16,10 +14,7 @@ const BAND: usize = 8;
 /// Memory: some rows and columns per thread; [`Fourier::forward`] takes one half spectrum more while it runs.
 pub struct Fourier {
     shape: [usize; 2],
-    forward_rows: Arc<dyn RealToComplex<f64>>,
-    inverse_rows: Arc<dyn ComplexToReal<f64>>,
-    forward_columns: Arc<dyn Fft<f64>>,
-    inverse_columns: Arc<dyn Fft<f64>>,
+    plans: Plans,
     workers: Vec<Worker>,
 }
 
@@ -27,18 +22,9 @@ impl Fourier {
     /// Plans the transforms of fields on `grid`.
     pub fn new(grid: &Grid) -> Self {
         let [ny, nx] = grid.shape();
-        let (mut rows, mut columns) = (RealFftPlanner::new(), FftPlanner::new());
-        let (forward_rows, inverse_rows) = (rows.plan_fft_forward(nx), rows.plan_fft_inverse(nx));
-        let (forward_columns, inverse_columns) = (columns.plan_fft_forward(ny), columns.plan_fft_inverse(ny));
-        let scratch = [
-            forward_rows.get_scratch_len(),
-            inverse_rows.get_scratch_len(),
-            forward_columns.get_inplace_scratch_len(),
-            inverse_columns.get_inplace_scratch_len(),
-        ];
-        let scratch = scratch.into_iter().fold(0, usize::max);
-        let workers = Worker::crew(grid.len(), ny, [nx, BAND.min(ny) * (nx / 2 + 1), scratch]);
-        Self { shape: [ny, nx], forward_rows, inverse_rows, forward_columns, inverse_columns, workers }
+        let plans = Plans::new(grid);
+        let workers = Worker::crew(grid.len(), ny, [nx, BAND.min(ny) * (nx / 2 + 1), plans.scratch_len()]);
+        Self { shape: [ny, nx], plans, workers }
     }
 
     /// Writes the coefficients of `field` (`ny * nx` values, row by row) to `spectrum`.
@@ -55,7 +41,7 @@ impl Fourier {
         share(tasks, |((field, spectra), Worker { row, scratch, .. })| {
             for (values, spectrum) in field.chunks_exact(nx).zip(spectra.chunks_exact_mut(half)) {
                 row.copy_from_slice(values);
-                self.forward_rows.process_with_scratch(row, spectrum, scratch).expect("lengths were planned together");
+                self.plans.forward_row(row, spectrum, scratch);
             }
         });
         let scale = 1.0 / (ny * nx) as f64;
@@ -64,7 +50,7 @@ impl Fourier {
         share(tasks, |(task, (spectrum, worker))| {
             for (band, columns) in spectrum.chunks_mut(BAND * ny).enumerate() {
                 gather(&by_rows, half, task * per_worker + band * BAND, columns, ny, scale);
-                self.forward_columns.process_with_scratch(columns, &mut worker.scratch);
+                self.plans.forward_columns.process_with_scratch(columns, &mut worker.scratch);
             }
         });
     }
@@ -79,7 +65,7 @@ impl Fourier {
         assert_eq!((field.len(), spectrum.len()), (ny * nx, ny * half), "field and spectrum must fit the grid");
         let per_worker = half.div_ceil(self.workers.len());
         share(spectrum.chunks_mut(per_worker * ny).zip(&mut self.workers), |(spectrum, worker)| {
-            self.inverse_columns.process_with_scratch(spectrum, &mut worker.scratch);
+            self.plans.inverse_columns.process_with_scratch(spectrum, &mut worker.scratch);
         });
         let spectrum = &*spectrum;
         let per_worker = ny.div_ceil(self.workers.len());
@@ -89,10 +75,7 @@ impl Fourier {
                 let band = &mut band[..rows.len() / nx * half];
                 gather(spectrum, ny, task * per_worker + i * BAND, band, half, 1.0);
                 for (spectrum, row) in band.chunks_exact_mut(half).zip(rows.chunks_exact_mut(nx)) {
-                    drop_rounding(spectrum, nx);
-                    self.inverse_rows
-                        .process_with_scratch(spectrum, row, scratch)
-                        .expect("lengths were planned together");
+                    self.plans.inverse_row(spectrum, row, scratch);
                 }
             }
         });
@@ -106,14 +89,6 @@ fn gather(from: &[Complex], width: usize, first: usize, to: &mut [Complex], leng
         for (c, &value) in row[first..first + count].iter().enumerate() {
             to[c * length + r] = value * scale;
         }
-    }
-}
-
-/// The coefficients at 0 and Nyquist of a row of `nx` real numbers are real; drops what rounding left of their imaginary parts.
-pub(super) fn drop_rounding(spectrum: &mut [Complex], nx: usize) {
-    spectrum[0].im = 0.0;
-    if nx.is_multiple_of(2) {
-        spectrum[nx / 2].im = 0.0;
     }
 }
 

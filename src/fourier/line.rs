@@ -1,0 +1,48 @@
+//! The filter of a line, on one core.
+
+use super::Complex;
+use super::plans::Plans;
+use crate::grid::Grid;
+use std::f64::consts::TAU;
+
+/// A line of any length, transformed as a whole. Memory: two fields and a half, and what FFTs of unusual length need.
+pub(crate) struct LineFilter {
+    plans: Plans,
+    q: Vec<f64>,
+    values: Vec<f64>,
+    spectrum: Vec<Complex>,
+    scratch: Vec<Complex>,
+}
+
+impl LineFilter {
+    pub fn new(grid: &Grid) -> Self {
+        let n = grid.len();
+        let plans = Plans::new(grid);
+        Self {
+            q: (0..=n / 2).map(|k| TAU * k as f64 / grid.size()[1]).collect(),
+            values: vec![0.0; n],
+            spectrum: vec![Complex::default(); n / 2 + 1],
+            scratch: vec![Complex::default(); plans.scratch_len()],
+            plans,
+        }
+    }
+
+    pub fn rows(&self) -> [usize; 2] {
+        [1, self.values.len()]
+    }
+
+    pub fn load(&mut self, fill: impl Fn(usize, &mut [f64])) {
+        fill(0, &mut self.values);
+        self.plans.forward_row(&mut self.values, &mut self.spectrum, &mut self.scratch);
+    }
+
+    pub fn scale(&mut self, factor: impl Fn(f64) -> f64) {
+        let norm = 1.0 / self.values.len() as f64;
+        self.spectrum.iter_mut().zip(&self.q).for_each(|(mode, &q)| *mode *= norm * factor(q));
+    }
+
+    pub fn store<S>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[f64], &mut S)) {
+        self.plans.inverse_row(&mut self.spectrum, &mut self.values, &mut self.scratch);
+        store(0, &self.values, &mut sinks[0]);
+    }
+}

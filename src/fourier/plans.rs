@@ -1,0 +1,51 @@
+//! The one-dimensional transforms of a grid.
+
+use super::Complex;
+use crate::grid::Grid;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::{Fft, FftPlanner};
+use std::sync::Arc;
+
+/// Transforms of the rows of a real field and of the columns of their half spectra, without scale.
+pub(super) struct Plans {
+    forward_rows: Arc<dyn RealToComplex<f64>>,
+    inverse_rows: Arc<dyn ComplexToReal<f64>>,
+    pub forward_columns: Arc<dyn Fft<f64>>,
+    pub inverse_columns: Arc<dyn Fft<f64>>,
+}
+
+impl Plans {
+    pub fn new(grid: &Grid) -> Self {
+        let [ny, nx] = grid.shape();
+        let (mut rows, mut columns) = (RealFftPlanner::new(), FftPlanner::new());
+        Self {
+            forward_rows: rows.plan_fft_forward(nx),
+            inverse_rows: rows.plan_fft_inverse(nx),
+            forward_columns: columns.plan_fft_forward(ny),
+            inverse_columns: columns.plan_fft_inverse(ny),
+        }
+    }
+
+    /// Complex numbers of scratch that the largest of the transforms needs.
+    pub fn scratch_len(&self) -> usize {
+        let rows = self.forward_rows.get_scratch_len().max(self.inverse_rows.get_scratch_len());
+        let columns = [&self.forward_columns, &self.inverse_columns].map(|fft| fft.get_inplace_scratch_len());
+        rows.max(columns[0]).max(columns[1])
+    }
+
+    /// Transforms `row`, which is lost.
+    pub fn forward_row(&self, row: &mut [f64], spectrum: &mut [Complex], scratch: &mut [Complex]) {
+        self.forward_rows.process_with_scratch(row, spectrum, scratch).expect("lengths were planned together");
+    }
+
+    /// Transforms `spectrum`, which is lost, back.
+    ///
+    /// The coefficients at 0 and Nyquist of a real row are real; what rounding left of their imaginary parts is dropped.
+    pub fn inverse_row(&self, spectrum: &mut [Complex], row: &mut [f64], scratch: &mut [Complex]) {
+        spectrum[0].im = 0.0;
+        if row.len().is_multiple_of(2) {
+            spectrum[row.len() / 2].im = 0.0;
+        }
+        self.inverse_rows.process_with_scratch(spectrum, row, scratch).expect("lengths were planned together");
+    }
+}

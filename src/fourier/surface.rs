@@ -1,0 +1,88 @@
+//! The half spectrum of a field, filtered in place.
+
+use super::Complex;
+use super::columns::{band_len, for_each_column};
+use super::plans::Plans;
+use super::worker::{Worker, share};
+use crate::grid::Grid;
+use std::f64::consts::TAU;
+
+/// The transforms of the rows, `ny` rows of `nx/2 + 1` coefficients, and those of the columns in the same place.
+///
+/// Bands of columns are transformed, scaled and transformed back while they are in the cache.
+pub(crate) struct SurfaceFilter {
+    shape: [usize; 2],
+    plans: Plans,
+    /// `q_x` of each column and `q_y^2` of each row up to Nyquist; the other rows are their mirror images.
+    qx: Vec<f64>,
+    qy_squares: Vec<f64>,
+    spectrum: Vec<Complex>,
+    workers: Vec<Worker>,
+}
+
+impl SurfaceFilter {
+    pub fn new(grid: &Grid) -> Self {
+        let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
+        let plans = Plans::new(grid);
+        let workers = Worker::crew(grid.len(), ny, [nx.max(ny / 2 + 1), band_len(ny), plans.scratch_len()]);
+        Self {
+            shape: [ny, nx],
+            plans,
+            qx: (0..=nx / 2).map(|kx| TAU * kx as f64 / lx).collect(),
+            qy_squares: (0..=ny / 2).map(|ky| (TAU * ky as f64 / ly).powi(2)).collect(),
+            spectrum: vec![Complex::default(); grid.modes()],
+            workers,
+        }
+    }
+
+    pub fn rows(&self) -> [usize; 2] {
+        self.shape
+    }
+
+    pub fn load(&mut self, fill: impl Fn(usize, &mut [f64]) + Sync + Send) {
+        let [ny, nx] = self.shape;
+        let half = nx / 2 + 1;
+        let per_worker = ny.div_ceil(self.workers.len());
+        let tasks = self.spectrum.chunks_mut(per_worker * half).zip(&mut self.workers).enumerate();
+        share(tasks, |(task, (spectra, Worker { row, scratch, .. }))| {
+            for (i, spectrum) in spectra.chunks_exact_mut(half).enumerate() {
+                fill(task * per_worker + i, &mut row[..nx]);
+                self.plans.forward_row(&mut row[..nx], spectrum, scratch);
+            }
+        });
+    }
+
+    pub fn scale(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
+        let [ny, nx] = self.shape;
+        let half = nx / 2 + 1;
+        let norm = 1.0 / (ny * nx) as f64;
+        let qy_squares = &self.qy_squares;
+        for_each_column(&mut self.spectrum, half, &mut self.workers, |kx, column, row, scratch| {
+            let factors = &mut row[..qy_squares.len()];
+            let square = self.qx[kx].powi(2);
+            factors
+                .iter_mut()
+                .zip(qy_squares)
+                .for_each(|(f, qy_square)| *f = norm * factor((square + qy_square).sqrt()));
+            self.plans.forward_columns.process_with_scratch(column, scratch);
+            let (modes, mirrored) = column.split_at_mut(factors.len());
+            modes.iter_mut().zip(&*factors).for_each(|(mode, f)| *mode *= f);
+            mirrored.iter_mut().rev().zip(&factors[1..]).for_each(|(mode, f)| *mode *= f);
+            self.plans.inverse_columns.process_with_scratch(column, scratch);
+        });
+    }
+
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[f64], &mut S) + Sync + Send) {
+        let [ny, nx] = self.shape;
+        let half = nx / 2 + 1;
+        let per_worker = ny.div_ceil(self.workers.len());
+        let spectra = self.spectrum.chunks_mut(per_worker * half);
+        let tasks = spectra.zip(sinks.chunks_mut(per_worker)).zip(&mut self.workers).enumerate();
+        share(tasks, |(task, ((spectra, sinks), Worker { row, scratch, .. }))| {
+            for (i, (spectrum, sink)) in spectra.chunks_exact_mut(half).zip(sinks).enumerate() {
+                self.plans.inverse_row(spectrum, &mut row[..nx], scratch);
+                store(task * per_worker + i, &row[..nx], sink);
+            }
+        });
+    }
+}
