@@ -24,7 +24,7 @@ use table::{write_group, write_head, write_row};
 
 const COLUMNS: &str = "\
 Each row is one case solved by one solver:
-  steps       iterations; on the finest grid for the multilevel solver
+  steps       iterations; for the multilevel solver outer and inner steps on all grids
   transforms  Fourier transforms; those of coarser grids count by their share of points
   solve s     seconds in the solver
   make s      seconds of making the surface and posing the problem

@@ -201,7 +201,7 @@ impl Cascade<'_> {
             work: self.run.work(self.transforms(level)),
             pressure: Values::made(|| level.pressure.spread()),
             displacement: Values::Given(&level.u),
-            datum: Some(-level.lambda()),
+            datum: None,
             certificate: Some(eta),
             phase,
             energy: Energy::Complementary,
