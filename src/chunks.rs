@@ -45,7 +45,7 @@ pub(crate) fn rows<T: Send>(count: usize, width: usize, make: impl Fn(usize) -> 
     if count * width <= CHUNK {
         return (0..count).map(make).collect();
     }
-    (0..count).into_par_iter().map(|row| make(row)).collect()
+    (0..count).into_par_iter().map(&make).collect()
 }
 
 /// Visits the rows of `width` values of a field.

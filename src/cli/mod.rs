@@ -5,6 +5,7 @@ mod bench;
 mod demo;
 #[cfg(feature = "record")]
 mod description;
+mod method;
 mod output;
 mod progress;
 mod solve;

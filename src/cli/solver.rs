@@ -1,9 +1,10 @@
 //! The solver and its settings.
 
+use super::method::Method;
 use super::usage;
 use anyhow::Result;
 use asperity::Stop;
-use asperity::contact::{Dynamics, Gfmd, Masses, Multilevel, PolonskyKeer, Solver};
+use asperity::contact::{Dynamics, Gfmd, Masses, Solver};
 use clap::{Args, ValueEnum};
 
 /// The solver.
@@ -31,16 +32,6 @@ pub struct SolverArgs {
     /// GFMD: friction over the critical one of the slowest mode [default: 1]
     #[arg(long, value_name = "C", allow_negative_numbers = true)]
     damping: Option<f64>,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Method {
-    /// Whole-set updates on nested grids, the fast one
-    Multilevel,
-    /// Green's function molecular dynamics, the paper's method
-    Gfmd,
-    /// Constrained conjugate gradients
-    PolonskyKeer,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -72,8 +63,7 @@ impl SolverArgs {
             _ if self.has_gfmd_settings() => {
                 usage("--masses, --dynamics, --time-step and --damping go with --solver gfmd only")
             }
-            Method::Multilevel => Ok(Box::new(Multilevel)),
-            Method::PolonskyKeer => Ok(Box::new(PolonskyKeer)),
+            method => Ok(method.solver()),
         }
     }
 

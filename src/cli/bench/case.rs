@@ -1,6 +1,6 @@
 //! The cases: what is pressed, how hard, and on how many points.
 
-use super::method::Method;
+use crate::cli::method::Method;
 use anyhow::Result;
 use asperity::surface::{Indenter, Spectrum};
 use asperity::{Grid, Problem, Surface};

@@ -2,10 +2,10 @@
 
 mod case;
 mod memory;
-mod method;
 mod row;
 mod table;
 
+use super::method::Method;
 use super::progress::Progress;
 use super::{Outcome, usage};
 use anyhow::Result;
@@ -15,7 +15,6 @@ use asperity::surface::check_target;
 use case::{Case, Group};
 use clap::Args;
 use memory::peak_of;
-use method::Method;
 use row::{Row, Solved, write_rows};
 use std::io::{Write, stdout};
 use std::path::PathBuf;

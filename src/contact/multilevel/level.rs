@@ -210,7 +210,7 @@ impl<'a> Level<'a> {
             watch(support, &signed, half_space)
         });
         let delta = correction.delta;
-        values.iter_mut().zip(&delta).for_each(|(p, delta)| *p += delta);
+        chunks::update(values, |range, p| p.iter_mut().zip(&delta[range]).for_each(|(p, delta)| *p += delta));
         drop(extension);
         self.is_fresh = false;
         self.refresh();

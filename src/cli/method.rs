@@ -3,19 +3,19 @@
 use asperity::contact::{Gfmd, Multilevel, PolonskyKeer, Solver};
 use clap::ValueEnum;
 
-/// A solver with its default settings.
+/// A solver.
 #[derive(Clone, Copy, ValueEnum)]
 pub enum Method {
-    /// Whole-set updates on nested grids
+    /// Whole-set updates on nested grids, the fast one
     Multilevel,
     /// Constrained conjugate gradients
     PolonskyKeer,
-    /// Green's function molecular dynamics, which takes by far the longest
+    /// Green's function molecular dynamics, the paper's method
     Gfmd,
 }
 
 impl Method {
-    /// The solver.
+    /// The solver with its default settings.
     pub fn solver(self) -> Box<dyn Solver> {
         match self {
             Self::Multilevel => Box::new(Multilevel),
