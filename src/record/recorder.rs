@@ -95,7 +95,7 @@ impl<'r> Recorder<'r> {
         if self.thinning.picks(step.index(), self.phase.level) {
             self.undrawn = None;
             self.log_frame(moment, &Fields { stride, pressure: step.pressure(), gap: step.gap() })?;
-        } else if self.phase.level > 0 {
+        } else if self.phase.level > 0 && self.phase.inner == 0 {
             self.undrawn = Some(Snapshot::of(step, moment, stride));
         }
         Ok(())
