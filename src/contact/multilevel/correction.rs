@@ -21,14 +21,8 @@ pub(super) struct Correction<'a> {
     pub delta: Vec<f64>,
     residual: Vec<f64>,
     direction: Vec<f64>,
-    load: Load,
-}
-
-/// Whether the load stays, or else `1 / a`.
-#[derive(Clone, Copy)]
-pub(super) enum Load {
-    Stays,
-    Free { stiffness: f64 },
+    /// `1 / a`, where `lambda` is given and the load is free.
+    uniform_stiffness: Option<f64>,
 }
 
 impl<'a> Correction<'a> {
@@ -36,12 +30,12 @@ impl<'a> Correction<'a> {
     pub fn new(support: &'a Support, residual: Vec<f64>, keeps_load: bool, half_space: &mut HalfSpace) -> Self {
         let zeros = || vec![0.0; residual.len()];
         let (delta, direction) = (zeros(), zeros());
-        let mut correction = Self { support, delta, direction, residual, load: Load::Stays };
+        let mut correction = Self { support, delta, direction, residual, uniform_stiffness: None };
         if !keeps_load {
             let ones = vec![1.0; correction.residual.len()];
             let compliance = dot(&ones, &correction.comply(&ones, half_space)) / ones.len() as f64;
             let stiffness = if compliance > 0.0 { 1.0 / compliance } else { 0.0 };
-            correction.load = Load::Free { stiffness };
+            correction.uniform_stiffness = Some(stiffness);
         }
         correction.project_residual();
         correction
@@ -129,7 +123,7 @@ impl<'a> Correction<'a> {
         );
         extension.restrict(field, support, &mut z);
         remove_mean(&mut z);
-        if let Load::Free { stiffness } = self.load {
+        if let Some(stiffness) = self.uniform_stiffness {
             let uniform = stiffness * mean(residual);
             chunks::update(&mut z, |_, z| z.iter_mut().for_each(|z| *z += uniform));
         }
@@ -137,7 +131,7 @@ impl<'a> Correction<'a> {
     }
 
     fn project_residual(&mut self) {
-        if matches!(self.load, Load::Stays) {
+        if self.uniform_stiffness.is_none() {
             remove_mean(&mut self.residual);
         }
     }
