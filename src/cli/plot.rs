@@ -60,8 +60,8 @@ fn encode(file: impl Write, [width, height]: [u32; 2], pixels: &[u8]) -> io::Res
 
 /// A power of ten, or nothing for what is none.
 pub fn power_of_ten(value: f64) -> String {
-    let exponent = value.log10().round();
-    if (value / 10f64.powf(exponent) - 1.0).abs() > 1e-6 {
+    let exponent = value.log10().round() as i32;
+    if (value / 10f64.powi(exponent) - 1.0).abs() > 1e-6 {
         return String::new();
     }
     const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -75,6 +75,6 @@ mod tests {
 
     #[test]
     fn powers_of_ten_are_written_as_such() {
-        assert_eq!([1e-12, 1.0, 1e3, 2e-3].map(power_of_ten), ["10⁻¹²", "10⁰", "10³", ""]);
+        assert_eq!([1e-12, 1.0 - 1e-15, 1e3, 2e-3].map(power_of_ten), ["10⁻¹²", "10⁰", "10³", ""]);
     }
 }

@@ -46,7 +46,7 @@ impl Advice {
             shape: curve.shape,
             eta: point.eta,
             seconds: point.median(),
-            discretisation: ladder.rung(curve.side())?.errors[quantity]?,
+            discretisation: ladder.error_from(curve.side(), quantity)?,
             algebraic: curve.error_from(i, quantity)?,
         })
     }

@@ -40,9 +40,11 @@ impl Ladder {
         Ok(Self { against, truth: truth[0], rungs })
     }
 
-    /// The rung of this many points along a side.
-    pub fn rung(&self, side: usize) -> Option<&Rung> {
-        self.rungs.iter().find(|rung| rung.side() == side)
+    /// The largest error of `quantity` on the grid of this many points along a side and on all finer ones: a coarse grid may
+    /// be right by chance.
+    pub fn error_from(&self, side: usize, quantity: usize) -> Option<f64> {
+        let finer = self.rungs.iter().filter(|rung| rung.side() >= side);
+        finer.map(|rung| rung.errors[quantity]).try_fold(0.0, |worst: f64, error| Some(worst.max(error?)))
     }
 
     /// The orders in the spacing from the coarsest grid to the finest.

@@ -165,6 +165,9 @@ impl Accuracy {
 
 /// Makes `folder`, in a folder that must be there, and checks that files can be written into it.
 fn make_folder(folder: &Path) -> Result<()> {
+    if folder.is_file() {
+        return usage(format!("--out names {}, which is a file: give a folder", folder.display()));
+    }
     if !folder.is_dir() {
         check_target(folder)?;
         std::fs::create_dir(folder).map_err(|source| FileError::Write { path: folder.into(), source })?;

@@ -58,9 +58,9 @@ impl Scene {
         match (self, quick) {
             (Self::Sine | Self::Cylinder, false) => &[256, 1024, 4096, 16384],
             (Self::Sine | Self::Cylinder, true) => &[128, 512, 2048],
-            (Self::RoughLine, false) => &[1024, 4096, 16384],
+            (Self::RoughLine, false) => &[1024, 4096, 16384, 65536],
             (Self::RoughLine, true) => &[512, 1024, 2048],
-            (Self::Sphere | Self::RoughSurface, false) => &[64, 128, 256],
+            (Self::Sphere | Self::RoughSurface, false) => &[64, 128, 256, 512],
             (Self::Sphere | Self::RoughSurface, true) => &[32, 64, 128],
         }
     }

@@ -84,7 +84,10 @@ impl std::fmt::Display for Milliseconds {
 }
 
 fn write_settled(measured: &Measured, out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "  when may I stop: eta from which on a quantity stays within 1 % / 0.1 % of its final value")?;
+    writeln!(
+        out,
+        "  when may I stop: the largest eta seen from which on a quantity stays within 1 % / 0.1 % of its final value"
+    )?;
     let [a, b, c, d] = NAMES;
     writeln!(out, "{INDENT}{:<28} {a:>19} {b:>19} {c:>19} {d:>19}", "solver")?;
     for curve in measured.finest() {
@@ -116,13 +119,13 @@ fn write_advice(measured: &Measured, out: &mut impl Write) -> io::Result<()> {
 
 fn sentence(advice: &Advice) -> String {
     format!(
-        "use {} points, eta = {}: {} ms by {} ({} + {})",
+        "use {} points, eta = {}: {} ms by {} ({:.2} + {:.2} %)",
         points(advice.shape),
         certificate(advice.eta),
         Milliseconds(advice.seconds),
         advice.method.name(),
-        percent(advice.discretisation),
-        percent(advice.algebraic)
+        100.0 * advice.discretisation,
+        100.0 * advice.algebraic
     )
 }
 
