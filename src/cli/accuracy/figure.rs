@@ -9,6 +9,7 @@ use anyhow::Result;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
@@ -21,8 +22,8 @@ const TITLE: u32 = 16;
 const RADIUS: u32 = 5;
 /// Height of title and legend.
 const HEAD: u32 = 84;
-/// Vertical room that a label of a grid takes, as a factor of the error.
-const LABEL_ROOM: f64 = 1.9;
+/// Errors above this tell nothing and are left out.
+const TOP: f64 = 10.0;
 
 /// Draws what was measured.
 pub struct Figure<'a>(pub &'a Measured);
@@ -151,20 +152,37 @@ impl Panel<'_> {
         Y: Ranged<ValueType = f64>,
     {
         let scale = self.scale;
-        let mut labelled = f64::INFINITY;
-        for rung in &self.measured.ladder.rungs {
+        for (i, rung) in self.measured.ladder.rungs.iter().enumerate() {
             let Some(error) = rung.errors[KAPPA_R] else { continue };
             let ends = [(x.start, error), (x.end, error)];
             chart.draw_series(DashedLineSeries::new(ends, 6 * scale, 4 * scale, GREY.stroke_width(scale)))?;
-            if error * LABEL_ROOM < labelled {
-                let label = format!("n = {}", rung.side());
-                let above = (x.start * 1.1, error);
-                let offset = (0, -(scale as i32) * (TEXT as i32 + 1));
-                chart
-                    .draw_series([EmptyElement::at(above) + Text::new(label, offset, font(TEXT - 2, scale, &GREY))])?;
-                labelled = error;
-            }
+            self.draw_label(chart, (x.start, error), i)?;
         }
+        Ok(())
+    }
+
+    /// The points of the `i`-th grid, on its line; every other one further right, where two lines are close.
+    fn draw_label<B: DrawingBackend, X, Y>(
+        &self,
+        chart: &mut Chart<'_, B, X, Y>,
+        start: (f64, f64),
+        i: usize,
+    ) -> Result<()>
+    where
+        B::ErrorType: 'static,
+        X: Ranged<ValueType = f64>,
+        Y: Ranged<ValueType = f64>,
+    {
+        let (scale, left) = (self.scale as i32, 8 + 68 * (i as i32 % 2));
+        let style = font(TEXT - 2, self.scale, &GREY).pos(Pos::new(HPos::Left, VPos::Center));
+        let text = format!("n = {}", self.measured.ladder.rungs[i].side());
+        let (width, height) = style.font.box_size(&text)?;
+        let [margin, half] = [3 * scale, height as i32 / 2];
+        let corners = [(scale * left - margin, -half), (scale * left + width as i32 + margin, half)];
+        let label = EmptyElement::at(start)
+            + Rectangle::new(corners, WHITE.filled())
+            + Text::new(text, (scale * left, 0), style);
+        chart.draw_series([label])?;
         Ok(())
     }
 
@@ -177,7 +195,11 @@ impl Panel<'_> {
         let (scale, colour) = (self.scale, colour(curve.method));
         let at = |error: fn(&Point) -> f64| {
             let work = self.axis.work;
-            curve.points.iter().map(move |point| (work(point), error(point))).filter(|(x, y)| *x > 0.0 && *y > 0.0)
+            curve
+                .points
+                .iter()
+                .map(move |point| (work(point), error(point)))
+                .filter(|(x, y)| *x > 0.0 && *y > 0.0 && *y <= TOP)
         };
         chart.draw_series(DashedLineSeries::new(at(|p| p.eta), scale, 3 * scale, colour.stroke_width(scale)))?;
         chart.draw_series(LineSeries::new(at(|p| p.pressure_error), colour.stroke_width(2 * scale)))?;
@@ -200,7 +222,7 @@ impl Panel<'_> {
         let points = self.measured.finest().flat_map(|curve| &curve.points);
         let grids = self.measured.ladder.rungs.iter().filter_map(|rung| rung.errors[KAPPA_R]);
         let [least, most] = extent(points.flat_map(|point| [point.eta, point.pressure_error]).chain(grids));
-        10f64.powf(least.log10().floor())..10f64.powf(most.log10().ceil())
+        10f64.powf(least.log10().floor())..10f64.powf(most.min(TOP).log10().ceil())
     }
 }
 
