@@ -38,13 +38,15 @@ impl Point {
 pub struct Curve {
     pub method: Method,
     pub shape: [usize; 2],
+    /// Certificate of the solution that errors are held against.
+    pub reference_eta: f64,
     pub points: Vec<Point>,
 }
 
 /// A problem with its all but exact solution on the same grid.
 pub struct Reference {
-    pub problem: Problem,
-    pub contact: Contact,
+    problem: Problem,
+    contact: Contact,
     values: Values,
 }
 
@@ -69,7 +71,8 @@ impl Curve {
             solve(method, &reference.problem, stop, &mut clock, title)?;
         }
         points.iter_mut().for_each(|point| point.seconds.sort_by(f64::total_cmp));
-        Ok(Self { method, shape: reference.problem.surface().grid().shape(), points })
+        let shape = reference.problem.surface().grid().shape();
+        Ok(Self { method, shape, reference_eta: reference.contact.certificate.eta, points })
     }
 
     /// Points along the longer side.

@@ -47,10 +47,10 @@ pub struct Accuracy {
     #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
     points: Vec<usize>,
     /// Certificate eta at which the curves end
-    #[arg(long, value_name = "ETA", default_value_t = 1e-10, allow_negative_numbers = true)]
+    #[arg(long, value_name = "ETA", default_value = "1e-10", allow_negative_numbers = true)]
     tolerance: f64,
     /// Certificate eta of the solutions that errors are held against, as far as rounding lets it
-    #[arg(long, value_name = "ETA", default_value_t = 1e-13, allow_negative_numbers = true)]
+    #[arg(long, value_name = "ETA", default_value = "1e-13", allow_negative_numbers = true)]
     reference_tolerance: f64,
     /// Iterations at the most
     #[arg(long, value_name = "N", default_value_t = 100_000)]

@@ -49,11 +49,12 @@ fn write_values(name: &str, values: &Values, format: impl Fn(f64) -> String, out
 
 /// Seconds with their spread and transforms to reach the milestones on the finest grid.
 fn write_work(measured: &Measured, out: &mut impl Write) -> io::Result<()> {
-    let shape = measured.finest().next().map_or([0, 0], |curve| curve.shape);
+    let Some(Curve { shape, reference_eta, .. }) = measured.finest().next() else { return Ok(()) };
     writeln!(
         out,
-        "  algebraic: ms (half the spread in %) and transforms to the certificate eta, {} points",
-        points(shape)
+        "  algebraic: ms (half the spread in %) and transforms to eta, {} points; L2 of p in the end, against eta {:.0e}",
+        points(*shape),
+        reference_eta
     )?;
     let [a, b, c, d] = MILESTONES.map(|eta| format!("eta {eta:.0e}"));
     writeln!(out, "{INDENT}{:<28} {a:>18} {b:>18} {c:>18} {d:>18} {:>8}", "solver", "L2 of p")?;
