@@ -25,6 +25,13 @@ const HEAD: u32 = 84;
 /// Errors above this tell nothing and are left out.
 const TOP: f64 = 10.0;
 
+/// What the kinds of lines mean, and where that is said.
+const LINES: [(i32, &str); 3] = [
+    (28, "solid: pressure, relative L2"),
+    (278, "dotted: certificate η"),
+    (528, "dashed: corrected kappa_r, error of the grid of n points along a side"),
+];
+
 /// Draws what was measured.
 pub struct Figure<'a>(pub &'a Measured);
 
@@ -110,8 +117,10 @@ where
         )?;
         area.draw_text(method.name(), &font(TEXT, scale as u32, &BLACK), at(x + 38, 39))?;
     }
-    let lines = "solid: pressure, relative L2     dotted: certificate η     dashed: corrected kappa_r, error of the grid of n points";
-    Ok(area.draw_text(lines, &font(TEXT, scale as u32, &GREY), at(28, 62))?)
+    for (x, text) in LINES {
+        area.draw_text(text, &font(TEXT, scale as u32, &GREY), at(x, 62))?;
+    }
+    Ok(())
 }
 
 impl Panel<'_> {

@@ -32,7 +32,8 @@ use table::write_scene;
 const ERRORS: &str = "\
 Three errors, all relative, are kept apart:
   algebraic       of a step against the solution on the same grid
-  discretisation  of a grid against the exact solution, or against a grid four times finer than the finest
+  discretisation  of a grid against the exact solution, or against a grid four times finer than the finest,
+                  whose own error may hide a quarter of that of the finest
   model           of a theory against the same
 Area and kappa_r are corrected for counting nodes.";
 
