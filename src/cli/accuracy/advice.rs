@@ -1,8 +1,8 @@
 //! What to choose: when to stop, and the cheapest way to an accuracy.
 
+use super::contender::Contender;
 use super::curve::{Curve, Point};
 use super::ladder::Ladder;
-use super::method::Method;
 
 /// The accuracies that advice is given for.
 pub const ACCURACIES: [f64; 2] = [0.01, 0.001];
@@ -15,7 +15,7 @@ pub fn settled(curve: &Curve, quantity: usize, accuracy: f64) -> Option<f64> {
 
 /// A solver on a grid, stopped at a certificate.
 pub struct Advice {
-    pub method: Method,
+    pub contender: Contender,
     pub shape: [usize; 2],
     pub eta: f64,
     pub seconds: f64,
@@ -42,7 +42,7 @@ impl Advice {
 
     fn of(curve: &Curve, i: usize, point: &Point, ladder: &Ladder, quantity: usize) -> Option<Self> {
         Some(Self {
-            method: curve.method,
+            contender: curve.contender,
             shape: curve.shape,
             eta: point.eta,
             seconds: point.median(),

@@ -1,7 +1,7 @@
 //! Work against precision: one solver on one grid.
 
 use super::super::progress::Progress;
-use super::method::Method;
+use super::contender::Contender;
 use super::quantity::{Values, errors, of_contact, of_step};
 use anyhow::Result;
 use asperity::contact::{Contact, Observer, Problem, Step, Stop};
@@ -36,7 +36,7 @@ impl Point {
 
 /// One solver on one grid: a point for each halving of the certificate.
 pub struct Curve {
-    pub method: Method,
+    pub contender: Contender,
     pub shape: [usize; 2],
     /// Certificate of the solution that errors are held against.
     pub reference_eta: f64,
@@ -53,7 +53,7 @@ pub struct Reference {
 impl Reference {
     /// Solves `problem`.
     pub fn of(problem: Problem, stop: &Stop, title: &str) -> Result<Self> {
-        let contact = solve(Method::Multilevel, &problem, stop, &mut (), title)?;
+        let contact = solve(Contender::Multilevel, &problem, stop, &mut (), title)?;
         let values = of_contact(&contact, &problem);
         Ok(Self { problem, contact, values })
     }
@@ -62,17 +62,17 @@ impl Reference {
 impl Curve {
     /// Measures errors in a first run, which warms up, and seconds in `repeats` further runs, in which nobody looks at the
     /// fields.
-    pub fn of(method: Method, reference: &Reference, stop: &Stop, repeats: usize, title: &str) -> Result<Self> {
+    pub fn of(contender: Contender, reference: &Reference, stop: &Stop, repeats: usize, title: &str) -> Result<Self> {
         let mut sampler = Sampler { reference, tolerance: stop.tolerance(), seen: 0, points: Vec::new() };
-        solve(method, &reference.problem, stop, &mut sampler, title)?;
+        solve(contender, &reference.problem, stop, &mut sampler, title)?;
         let mut points = sampler.points;
         for _ in 0..repeats {
             let mut clock = Clock { points: &mut points, seen: 0, next: 0 };
-            solve(method, &reference.problem, stop, &mut clock, title)?;
+            solve(contender, &reference.problem, stop, &mut clock, title)?;
         }
         points.iter_mut().for_each(|point| point.seconds.sort_by(f64::total_cmp));
         let shape = reference.problem.surface().grid().shape();
-        Ok(Self { method, shape, reference_eta: reference.contact.certificate.eta, points })
+        Ok(Self { contender, shape, reference_eta: reference.contact.certificate.eta, points })
     }
 
     /// Points along the longer side.
@@ -91,16 +91,16 @@ impl Curve {
     }
 }
 
-/// The best state that `method` finds, shown to `observer` and as a bar.
+/// The best state that `contender` finds, shown to `observer` and as a bar.
 pub fn solve(
-    method: Method,
+    contender: Contender,
     problem: &Problem,
     stop: &Stop,
     observer: &mut dyn Observer,
     title: &str,
 ) -> Result<Contact> {
-    let mut progress = Progress::new(stop.tolerance(), &format!("{title} {}", method.name()));
-    let solved = method.solver()?.solve(problem, stop, &mut (observer, &mut progress));
+    let mut progress = Progress::new(stop.tolerance(), &format!("{title} {}", contender.name()));
+    let solved = contender.solver()?.solve(problem, stop, &mut (observer, &mut progress));
     Ok(solved.or_else(SolveError::into_contact)?)
 }
 

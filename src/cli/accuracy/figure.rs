@@ -2,8 +2,8 @@
 
 use super::super::plot::{Drawing, FONT, power_of_ten};
 use super::Measured;
+use super::contender::Contender;
 use super::curve::{Curve, Point};
-use super::method::Method;
 use super::quantity::KAPPA_R;
 use anyhow::Result;
 use plotters::coord::Shift;
@@ -70,22 +70,22 @@ impl Drawing for Figure<'_> {
 }
 
 /// Colour-blind safe, after Okabe and Ito.
-fn colour(method: Method) -> RGBColor {
-    match method {
-        Method::Multilevel => RGBColor(0, 114, 178),
-        Method::PolonskyKeer => RGBColor(213, 94, 0),
-        Method::GfmdStiffness => RGBColor(0, 158, 115),
-        Method::GfmdUniform => RGBColor(204, 121, 167),
+fn colour(contender: Contender) -> RGBColor {
+    match contender {
+        Contender::Multilevel => RGBColor(0, 114, 178),
+        Contender::PolonskyKeer => RGBColor(213, 94, 0),
+        Contender::GfmdStiffness => RGBColor(0, 158, 115),
+        Contender::GfmdUniform => RGBColor(204, 121, 167),
     }
 }
 
 /// Corners, about its middle, of the shape that tells a curve from others without colours.
-fn outline(method: Method, radius: u32) -> Vec<(i32, i32)> {
-    let (corners, turn) = match method {
-        Method::Multilevel => (24, 0.0),
-        Method::PolonskyKeer => (4, 0.125),
-        Method::GfmdStiffness => (3, 0.0),
-        Method::GfmdUniform => (4, 0.0),
+fn outline(contender: Contender, radius: u32) -> Vec<(i32, i32)> {
+    let (corners, turn) = match contender {
+        Contender::Multilevel => (24, 0.0),
+        Contender::PolonskyKeer => (4, 0.125),
+        Contender::GfmdStiffness => (3, 0.0),
+        Contender::GfmdUniform => (4, 0.0),
     };
     let corner = |i| {
         let (x, y) = (TAU * (f64::from(i) / f64::from(corners) + turn)).sin_cos();
@@ -108,14 +108,15 @@ where
     let kind = if measured.scene.is_line() { "points" } else { "points a side" };
     let title = format!("{}, {points} {kind}: error against work", measured.scene.name());
     area.draw_text(&title, &font(TITLE, scale as u32, &BLACK), at(20, 10))?;
-    for (i, method) in Method::ALL.into_iter().enumerate() {
+    for (i, contender) in Contender::ALL.into_iter().enumerate() {
         let x = 28 + 250 * i as i32;
-        let line = PathElement::new(vec![at(x, 46), at(x + 30, 46)], colour(method).stroke_width(2 * scale as u32));
+        let line = PathElement::new(vec![at(x, 46), at(x + 30, 46)], colour(contender).stroke_width(2 * scale as u32));
         area.draw(&line)?;
         area.draw(
-            &(EmptyElement::at(at(x + 15, 46)) + Polygon::new(outline(method, RADIUS * scale as u32), colour(method))),
+            &(EmptyElement::at(at(x + 15, 46))
+                + Polygon::new(outline(contender, RADIUS * scale as u32), colour(contender))),
         )?;
-        area.draw_text(method.name(), &font(TEXT, scale as u32, &BLACK), at(x + 38, 39))?;
+        area.draw_text(contender.name(), &font(TEXT, scale as u32, &BLACK), at(x + 38, 39))?;
     }
     for (x, text) in LINES {
         area.draw_text(text, &font(TEXT, scale as u32, &GREY), at(x, 62))?;
@@ -201,7 +202,7 @@ impl Panel<'_> {
         X: Ranged<ValueType = f64>,
         Y: Ranged<ValueType = f64>,
     {
-        let (scale, colour) = (self.scale, colour(curve.method));
+        let (scale, colour) = (self.scale, colour(curve.contender));
         let at = |error: fn(&Point) -> f64| {
             let work = self.axis.work;
             curve
@@ -212,7 +213,7 @@ impl Panel<'_> {
         };
         chart.draw_series(DashedLineSeries::new(at(|p| p.eta), scale, 3 * scale, colour.stroke_width(scale)))?;
         chart.draw_series(LineSeries::new(at(|p| p.pressure_error), colour.stroke_width(2 * scale)))?;
-        let marker = outline(curve.method, RADIUS * scale);
+        let marker = outline(curve.contender, RADIUS * scale);
         chart.draw_series(
             at(|p| p.pressure_error).map(|at| EmptyElement::at(at) + Polygon::new(marker.clone(), colour)),
         )?;

@@ -1,7 +1,7 @@
 //! The error of the grid.
 
+use super::contender::Contender;
 use super::curve::solve;
-use super::method::Method;
 use super::quantity::{NAMES, Values, errors, of_contact, of_exact, root_mean_square};
 use super::scene::Scene;
 use anyhow::Result;
@@ -86,7 +86,7 @@ fn solved(scene: Scene, side: usize, seed: u64, stop: &Stop) -> Result<Vec<(Valu
     let solve_under = |(i, load): (usize, f64)| {
         let problem: Problem = problem.clone().with_load(Load::MeanPressure(load))?;
         let title = format!("{} {side}, load {} of {LOADS},", scene.name(), i + 1);
-        let contact = solve(Method::Multilevel, &problem, stop, &mut (), &title)?;
+        let contact = solve(Contender::Multilevel, &problem, stop, &mut (), &title)?;
         Ok((of_contact(&contact, &problem), contact.work))
     };
     loads(scene).enumerate().map(solve_under).collect()

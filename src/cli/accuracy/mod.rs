@@ -1,10 +1,10 @@
 //! `asperity accuracy`: error against run time.
 
 mod advice;
+mod contender;
 mod curve;
 mod figure;
 mod ladder;
-mod method;
 mod model;
 mod quantity;
 mod row;
@@ -18,10 +18,10 @@ use asperity::contact::Stop;
 use asperity::error::FileError;
 use asperity::surface::check_target;
 use clap::Args;
+use contender::Contender;
 use curve::{Curve, Reference};
 use figure::Figure;
 use ladder::Ladder;
-use method::Method;
 use model::{Model, models};
 use row::write_rows;
 use scene::Scene;
@@ -82,7 +82,7 @@ pub struct Measured {
 impl Measured {
     /// The curves on the finest grid.
     fn finest(&self) -> impl Iterator<Item = &Curve> {
-        self.curves.iter().skip(self.curves.len().saturating_sub(Method::ALL.len()))
+        self.curves.iter().skip(self.curves.len().saturating_sub(Contender::ALL.len()))
     }
 }
 
@@ -159,8 +159,8 @@ impl Accuracy {
     fn curves(&self, scene: Scene, side: usize) -> Result<Vec<Curve>> {
         let title = format!("{} {side},", scene.name());
         let reference = Reference::of(scene.problem(side, self.seed)?, &self.reference_stop()?, &title)?;
-        let curve = |method| Curve::of(method, &reference, &self.stop()?, self.repeats, &title);
-        Method::ALL.into_iter().map(curve).collect()
+        let curve = |contender| Curve::of(contender, &reference, &self.stop()?, self.repeats, &title);
+        Contender::ALL.into_iter().map(curve).collect()
     }
 }
 

@@ -1,9 +1,9 @@
 //! The file of all points.
 
 use super::Measured;
+use super::contender::Contender;
 use super::curve::{Curve, Point};
 use super::ladder::Rung;
-use super::method::Method;
 use super::model::Model;
 use super::quantity::Values;
 use super::scene::Scene;
@@ -29,7 +29,7 @@ enum Kind {
 struct Row<'a> {
     scene: Scene,
     kind: Kind,
-    solver: Option<Method>,
+    solver: Option<Contender>,
     theory: Option<&'a str>,
     ny: Option<usize>,
     nx: Option<usize>,
@@ -76,7 +76,7 @@ impl<'a> Row<'a> {
 
     fn of_point(scene: Scene, curve: &Curve, point: &Point) -> Self {
         Self {
-            solver: Some(curve.method),
+            solver: Some(curve.contender),
             step: Some(point.step),
             eta: Some(point.eta),
             transforms: Some(point.transforms),
@@ -90,7 +90,7 @@ impl<'a> Row<'a> {
 
     fn of_rung(scene: Scene, rung: &Rung) -> Self {
         Self {
-            solver: Some(Method::Multilevel),
+            solver: Some(Contender::Multilevel),
             transforms: Some(rung.work.transforms),
             seconds: Some(rung.work.seconds),
             ..Self::new(scene, Kind::Discretisation, rung.errors).on(rung.shape)

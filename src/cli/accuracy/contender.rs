@@ -7,7 +7,7 @@ use serde::Serialize;
 /// A solver.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Method {
+pub enum Contender {
     Multilevel,
     PolonskyKeer,
     /// Masses proportional to stiffness, with FIRE.
@@ -16,7 +16,7 @@ pub enum Method {
     GfmdUniform,
 }
 
-impl Method {
+impl Contender {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Multilevel, Self::PolonskyKeer, Self::GfmdStiffness, Self::GfmdUniform];
 
