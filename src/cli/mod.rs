@@ -1,5 +1,6 @@
 //! One file per command, and what they share.
 
+mod accuracy;
 mod bench;
 #[cfg(feature = "record")]
 mod demo;
@@ -7,6 +8,7 @@ mod demo;
 mod description;
 mod method;
 mod output;
+mod plot;
 mod progress;
 mod solve;
 mod solver;
@@ -29,6 +31,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Error against run time: algebraic, of the grid, and of theories
+    Accuracy(accuracy::Accuracy),
     /// Time the solvers on chosen cases
     Bench(bench::Bench),
     /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
@@ -71,6 +75,7 @@ pub fn usage<T>(sentence: impl Into<String>) -> anyhow::Result<T> {
 /// Parses the command line and runs the command.
 pub fn run() -> anyhow::Result<Outcome> {
     match Cli::parse().command {
+        Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
