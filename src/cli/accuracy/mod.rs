@@ -7,6 +7,8 @@ mod figure;
 mod ladder;
 mod model;
 mod quantity;
+#[cfg(feature = "record")]
+mod recording;
 mod row;
 mod scene;
 mod table;
@@ -68,6 +70,10 @@ pub struct Accuracy {
     /// Write accuracy.csv and a figure of each scene, as SVG and PNG, into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Record the solvers on the finest grid of each scene side by side, into the same folder
+    #[cfg(feature = "record")]
+    #[arg(long, requires = "out")]
+    record: bool,
 }
 
 /// All that was measured on a scene.
@@ -105,6 +111,8 @@ impl Accuracy {
             write_scene(&all[all.len() - 1], &mut stdout())?;
             if let Some(folder) = &self.out {
                 write_files(folder, &all)?;
+                #[cfg(feature = "record")]
+                self.record(folder, scene)?;
             }
         }
         let points = all.iter().flat_map(|measured| &measured.curves).map(|curve| curve.points.last());
@@ -141,6 +149,16 @@ impl Accuracy {
 
     fn sides(&self, scene: Scene) -> &[usize] {
         if self.points.is_empty() { scene.ladder(self.quick) } else { &self.points }
+    }
+
+    #[cfg(feature = "record")]
+    fn record(&self, folder: &Path, scene: Scene) -> Result<()> {
+        let sides = self.sides(scene);
+        if !self.record {
+            return Ok(());
+        }
+        let problem = scene.problem(sides[sides.len() - 1], self.seed)?;
+        recording::record(&folder.join(format!("{}.rrd", scene.name())), scene.name(), &problem, &self.stop()?)
     }
 
     fn measure(&self, scene: Scene) -> Result<Measured> {
