@@ -151,6 +151,9 @@ fn conclude(rows: &[Row], as_in_theory: bool) -> Result<Outcome> {
         return Ok(Outcome::Done);
     }
     let steps = if as_in_theory { "" } else { ", and a time step is not what theory says" };
-    writeln!(stdout(), "not stable: {wrong} runs are wrong, the multilevel solver misses the end of {failed} cases{steps}")?;
+    writeln!(
+        stdout(),
+        "not stable: {wrong} runs are wrong, the multilevel solver misses the end of {failed} cases{steps}"
+    )?;
     Ok(Outcome::NotConverged)
 }

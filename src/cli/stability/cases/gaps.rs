@@ -1,6 +1,6 @@
 //! Mean gaps from just touching to nearly closed.
 
-use super::{Size, rough};
+use super::{GRIDS, Grids, Size, rough};
 use crate::cli::stability::case::Case;
 use anyhow::Result;
 use asperity::{Grid, Problem};
@@ -11,17 +11,18 @@ const TO_THE_PEAK: [f64; 3] = [1.0 - 1e-9, 0.999, 0.5];
 const TO_ZERO: [f64; 3] = [1e-2, 1e-4, 1e-8];
 
 pub fn cases(size: Size) -> Vec<Case> {
-    let kinds: [(&str, fn(Size) -> Result<Grid>); 2] = [("line", Size::line), ("surface", Size::surface)];
-    let of_kind = |(kind, grid): (&str, fn(Size) -> Result<Grid>)| {
+    let of_kind = |(kind, grid): (&str, Grids)| {
         let far = TO_THE_PEAK.map(|share| {
-            Case::new(format!("gap-{kind}-peak-{share}"), move || apart(grid(size)?, |peak, _| share * peak)).at_mean_gap()
+            Case::new(format!("gap-{kind}-peak-{share}"), move || apart(grid(size)?, |peak, _| share * peak))
+                .at_mean_gap()
         });
         let near = TO_ZERO.map(|share| {
-            Case::new(format!("gap-{kind}-rms-{share:e}"), move || apart(grid(size)?, |_, rms| share * rms)).at_mean_gap()
+            Case::new(format!("gap-{kind}-rms-{share:e}"), move || apart(grid(size)?, |_, rms| share * rms))
+                .at_mean_gap()
         });
         far.into_iter().chain(near)
     };
-    kinds.into_iter().flat_map(of_kind).collect()
+    GRIDS.into_iter().flat_map(of_kind).collect()
 }
 
 /// A rough surface at a mean gap that follows from its highest peak and rms height.

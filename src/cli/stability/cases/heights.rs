@@ -1,6 +1,6 @@
 //! Heights that are offset, rough to the last node, steep, stepped, tied, or alone.
 
-use super::{Size, noise, pressed, rough, rough_with, shaped};
+use super::{GRIDS, Grids, Size, noise, pressed, rough, rough_with, shaped};
 use crate::cli::stability::case::Case;
 use anyhow::Result;
 use asperity::surface::Indenter;
@@ -9,13 +9,11 @@ use asperity::{Grid, Problem, Surface};
 const LOAD: f64 = 0.05;
 
 pub fn cases(size: Size) -> Vec<Case> {
-    let grids: [(&str, Grids); 2] = [("line", Size::line), ("surface", Size::surface)];
-    let mut cases: Vec<Case> = grids.into_iter().flat_map(|(kind, grid)| on(kind, grid, size)).collect();
-    cases.extend([punch_line(size), punch_surface(size), bowl_line(size), bowl_surface(size), lone_spike()]);
+    let mut cases: Vec<Case> = GRIDS.into_iter().flat_map(|(kind, grid)| on(kind, grid, size)).collect();
+    cases.extend([punch_line(size), punch_surface(size), bowl_line(size), bowl_surface(size)]);
+    cases.extend([9e-3, 2e-2].map(lone_spike));
     cases
 }
-
-type Grids = fn(Size) -> Result<Grid>;
 
 /// Cases of lines and surfaces alike.
 fn on(kind: &str, grid: Grids, size: Size) -> Vec<Case> {
@@ -89,10 +87,10 @@ fn bowl_surface(size: Size) -> Case {
     })
 }
 
-/// A spike over flat ground on a grid of two odd ratios.
-fn lone_spike() -> Case {
-    Case::new("spike-51x28", || {
+/// A spike over flat ground: pressed hard enough, both touch.
+fn lone_spike(reduced_pressure: f64) -> Case {
+    Case::new(format!("spike-51x28-{reduced_pressure:e}"), move || {
         let grid = Grid::surface([51, 28], [1.0, 1.0])?;
-        pressed(shaped(grid, |y, x| if (y, x) == (25, 14) { 1.0 } else { 0.0 })?, 9e-3)
+        pressed(shaped(grid, |y, x| if (y, x) == (25, 14) { 1.0 } else { 0.0 })?, reduced_pressure)
     })
 }

@@ -19,12 +19,11 @@ pub fn cases(size: Size) -> Vec<Case> {
 
 /// Reduced pressures from 1e-12 to 10 on a rough line and a rough surface.
 fn decades(size: Size) -> Vec<Case> {
-    let line = |decade| Case::new(format!("load-line-1e{decade}"), move || {
-        pressed(rough(size.line()?)?, 10f64.powi(decade))
-    });
-    let surface = |decade| Case::new(format!("load-surface-1e{decade}"), move || {
-        pressed(rough(size.surface()?)?, 10f64.powi(decade))
-    });
+    let line =
+        |decade| Case::new(format!("load-line-1e{decade}"), move || pressed(rough(size.line()?)?, 10f64.powi(decade)));
+    let surface = |decade| {
+        Case::new(format!("load-surface-1e{decade}"), move || pressed(rough(size.surface()?)?, 10f64.powi(decade)))
+    };
     (-12..=1).map(line).chain((-12..=1).map(surface)).collect()
 }
 

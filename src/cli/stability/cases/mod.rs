@@ -46,6 +46,11 @@ impl Size {
     }
 }
 
+/// Lines and surfaces.
+const GRIDS: [(&str, Grids); 2] = [("line", Size::line), ("surface", Size::surface)];
+
+type Grids = fn(Size) -> Result<Grid>;
+
 /// A rough surface on a grid of length 1, with a roll-off at a quarter of it and a short cut-off of eight spacings.
 fn rough(grid: Grid) -> Result<Surface> {
     rough_with(grid, 0.8, 8.0, 0.1)
