@@ -1,7 +1,7 @@
 //! The independent check: what a pressure is worth, from the pressure and the problem alone.
 //!
-//! Plain loops that share nothing with the solvers and their certificate. Small grids are displaced by the direct sum, larger
-//! ones by a transform of their own.
+//! Plain loops that share nothing with the solvers and their certificate. Small grids are displaced by the direct sum,
+//! larger ones by a transform of their own.
 
 use asperity::Problem;
 use asperity::contact::Load;
@@ -26,11 +26,11 @@ pub struct Check {
     pub min_pressure: f64,
     /// How far the mean pressure is off the prescribed one; 0 where none is.
     pub load_error: f64,
-    /// `(<p u> / 2 - <p h> + D <p>) / (<p> h_rms)`, with no `D` under a mean pressure. That of the uniform pressure, or at a mean
-    /// gap of none, is 0, so the smallest one is not above 0.
+    /// `(<p u> / 2 - <p h> + D <p>) / (<p> h_rms)`, with no `D` under a mean pressure. That of the uniform pressure, or at a
+    /// mean gap of none, is 0, so the smallest one is not above 0.
     pub energy: f64,
-    /// What rounding may add to any of these lengths, over `h_rms`: 64 roundings of the largest displacement, of the largest height,
-    /// and of the displacement `2 max |p - <p>| / (E* q)` of the longest wave, to which rounding of the pressure comes.
+    /// What rounding may add to any of these lengths, over `h_rms`: 64 roundings of the largest displacement, of the
+    /// largest height, and of the displacement `2 max |p - <p>| / (E* q)` of the longest wave under a rounded pressure.
     pub rounding: f64,
 }
 

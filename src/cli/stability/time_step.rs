@@ -1,8 +1,8 @@
 //! The largest stable time step of molecular dynamics, measured beside theory.
 //!
-//! The solver refuses steps beyond its limit, so the motion is integrated here by a few lines of Verlet's scheme: undamped, on a
-//! small line, with the wall holding all nodes of a set. A step is too large if the motion grows. Then the solver itself runs
-//! close to its limit.
+//! The solver refuses steps beyond its limit, so the motion is integrated here by a few lines of Verlet's scheme: undamped,
+//! on a small line, with the wall holding all nodes of a set. A step is too large if the motion grows. Then the solver
+//! itself runs close to its limit.
 
 use super::check::Check;
 use anyhow::Result;

@@ -55,8 +55,8 @@ impl Demand {
         }
     }
 
-    /// Whether a run is as demanded that ended in `verdict` with the certificate `eta`, if any, after which there was no further
-    /// progress (`stalled`) or not.
+    /// Whether a run is as demanded that ended in `verdict` with the certificate `eta`, if any, after which there was no
+    /// further progress (`stalled`) or not.
     pub fn is_met(self, verdict: Verdict, eta: Option<f64>, stalled: bool) -> bool {
         match self {
             Self::Solution => verdict == Verdict::Converged,
