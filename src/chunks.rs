@@ -32,12 +32,16 @@ pub(crate) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, 
 }
 
 /// [`update`] of two vectors at once.
-pub(crate) fn update_both(a: &mut [f64], b: &mut [f64], update: impl Fn(Range<usize>, &mut [f64], &mut [f64]) + Sync) {
+pub(crate) fn update_both<T: Send>(
+    a: &mut [f64],
+    b: &mut [f64],
+    update: impl Fn(Range<usize>, &mut [f64], &mut [f64]) -> T + Sync,
+) -> Vec<T> {
     if a.len() <= CHUNK {
-        return update(0..a.len(), a, b);
+        return vec![update(0..a.len(), a, b)];
     }
     let pairs = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).enumerate();
-    pairs.for_each(|(c, (a, b))| update(c * CHUNK..c * CHUNK + a.len(), a, b));
+    pairs.map(|(c, (a, b))| update(c * CHUNK..c * CHUNK + a.len(), a, b)).collect()
 }
 
 /// Results of `make` for each of `count` rows of `width` values, in order.

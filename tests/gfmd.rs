@@ -49,3 +49,16 @@ fn potential_energy_starts_at_the_peak_and_falls() {
     assert!(energies.iter().all(|&energy| energy >= last - 1e-7) && last < energies[0]);
     assert!(energies.windows(2).take(50).all(|pair| pair[1] < pair[0]));
 }
+
+#[test]
+fn friction_does_not_lower_the_stable_time_step() {
+    let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();
+    let problem = Problem::new(cylinder, 1.0, 1e-2).unwrap();
+    for masses in [Masses::Uniform, Masses::Stiffness] {
+        for damping in [0.3, 1.0, 10.0] {
+            let solver = Gfmd::new(masses, Dynamics::Damped, 0.99, damping).unwrap();
+            let contact = solver.solve(&problem, &Stop::default(), &mut ());
+            assert!(contact.is_ok(), "{masses:?}, damping {damping}: {}", contact.unwrap_err());
+        }
+    }
+}

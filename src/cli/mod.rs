@@ -13,6 +13,7 @@ mod progress;
 mod solve;
 mod solver;
 mod source;
+mod stability;
 mod surface;
 
 use asperity::error::{FileError, GridError, ProblemError, SettingError, SolveError, SurfaceError};
@@ -40,6 +41,8 @@ enum Command {
     Demo(demo::Demo),
     /// Solve one contact
     Solve(Box<solve::Solve>),
+    /// Solve stiff and extreme cases and check the results
+    Stability(stability::Stability),
     /// Make a surface, or describe one
     Surface(Box<surface::Describe>),
 }
@@ -80,13 +83,19 @@ pub fn run() -> anyhow::Result<Outcome> {
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
         Command::Solve(solve) => solve.run(),
+        Command::Stability(stability) => stability.run(),
         Command::Surface(describe) => describe.run(),
     }
 }
 
 /// 2 for what the person at the keyboard can mend, 1 for the rest.
 pub fn exit_code(error: &anyhow::Error) -> ExitCode {
-    let is_input = error.is::<Usage>()
+    ExitCode::from(if is_input(error) { 2 } else { 1 })
+}
+
+/// Whether the person at the keyboard can mend it.
+fn is_input(error: &anyhow::Error) -> bool {
+    error.is::<Usage>()
         || error.is::<GridError>()
         || error.is::<SurfaceError>()
         || error.is::<ProblemError>()
@@ -95,6 +104,5 @@ pub fn exit_code(error: &anyhow::Error) -> ExitCode {
         || matches!(
             error.downcast_ref(),
             Some(FileError::Read { .. } | FileError::Format { .. } | FileError::Target { .. })
-        );
-    ExitCode::from(if is_input { 2 } else { 1 })
+        )
 }

@@ -24,14 +24,16 @@ pub fn displacement(grid: &Grid, contact_modulus: f64, pressure: &[f64]) -> Vec<
     (0..ny).flat_map(|y| (0..nx).map(move |x| (y, x))).map(|(y, x)| at(y, x)).collect()
 }
 
-/// Displacement at every distance from a node under unit pressure, shape `(ny, nx)`.
+/// Displacement at every distance from a node under unit pressure, shape `(ny, nx)`. Whole turns of a phase are taken off while
+/// they are integers, so that no digits are lost to them.
 pub fn influence(grid: &Grid, contact_modulus: f64) -> Vec<f64> {
     let [ny, nx] = grid.shape();
     let [ly, lx] = grid.size();
     let signed = |k: usize, n: usize| if 2 * k > n { k as f64 - n as f64 } else { k as f64 };
     let mode = |ky: usize, kx: usize, y: usize, x: usize| {
         let q = TAU * (signed(kx, nx) / lx).hypot(signed(ky, ny) / ly);
-        let phase = TAU * ((kx * x) as f64 / nx as f64 + (ky * y) as f64 / ny as f64);
+        let turns = |k: usize, x: usize, n: usize| ((k * x) % n) as f64 / n as f64;
+        let phase = TAU * (turns(kx, x, nx) + turns(ky, y, ny));
         if q > 0.0 { 2.0 * phase.cos() / (contact_modulus * q) } else { 0.0 }
     };
     let at = |i: usize| {

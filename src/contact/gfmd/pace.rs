@@ -29,7 +29,7 @@ pub(super) struct Pace {
 }
 
 enum Kind {
-    Damped { keep: f64 },
+    Damped { friction: f64 },
     Fire { dt: f64, turn: f64, falling: usize },
 }
 
@@ -50,7 +50,7 @@ impl Pace {
             }
         };
         let kind = match settings.dynamics {
-            Dynamics::Damped => Kind::Damped { keep: (1.0 - 2.0 * settings.damping * slowest.sqrt()).max(0.0) },
+            Dynamics::Damped => Kind::Damped { friction: settings.damping * slowest.sqrt() },
             Dynamics::Fire => Kind::Fire { dt: 1.0, turn: TURN, falling: 0 },
         };
         Self { step, kind }
@@ -60,7 +60,11 @@ impl Pace {
     pub fn push(&mut self, f: &[f64], dw: &[f64], a: &[f64]) -> Push {
         let step = self.step;
         match &mut self.kind {
-            Kind::Damped { keep } => Push { keep: *keep, add: step },
+            // the friction acts on the mean of the advances before and after, which leaves the stability limit where it is
+            Kind::Damped { friction } => {
+                let share = 1.0 / (1.0 + *friction);
+                Push { keep: share * (1.0 - *friction), add: share * step }
+            }
             Kind::Fire { dt, turn, falling } => {
                 let power = chunks::sum(f.len(), |i| f[i] * dw[i]);
                 let before = *dt;
