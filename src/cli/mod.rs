@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod bench;
+mod contender;
 #[cfg(feature = "record")]
 mod demo;
 #[cfg(feature = "record")]

@@ -1,8 +1,8 @@
 //! What to choose: when to stop, and the cheapest way to an accuracy.
 
-use super::contender::Contender;
 use super::curve::{Curve, Point};
 use super::ladder::Ladder;
+use crate::cli::contender::Contender;
 
 /// The accuracies that advice is given for.
 pub const ACCURACIES: [f64; 2] = [0.01, 0.001];

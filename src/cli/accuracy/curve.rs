@@ -1,8 +1,8 @@
 //! Work against precision: one solver on one grid.
 
 use super::super::progress::Progress;
-use super::contender::Contender;
 use super::quantity::{Values, errors, of_contact, of_step};
+use crate::cli::contender::Contender;
 use anyhow::Result;
 use asperity::contact::{Contact, Observer, Problem, Step, Stop};
 use asperity::error::SolveError;
@@ -99,7 +99,7 @@ pub fn solve(
     observer: &mut dyn Observer,
     title: &str,
 ) -> Result<Contact> {
-    let mut progress = Progress::new(stop.tolerance(), &format!("{title} {}", contender.name()));
+    let mut progress = Progress::new(stop.tolerance(), &format!("{title} {}", contender.title()));
     let solved = contender.solver()?.solve(problem, stop, &mut (observer, &mut progress));
     Ok(solved.or_else(SolveError::into_contact)?)
 }

@@ -2,9 +2,9 @@
 
 use super::super::plot::{Drawing, FONT, power_of_ten};
 use super::Measured;
-use super::contender::Contender;
 use super::curve::{Curve, Point};
 use super::quantity::KAPPA_R;
+use crate::cli::contender::Contender;
 use anyhow::Result;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::Ranged;
@@ -74,7 +74,7 @@ fn colour(contender: Contender) -> RGBColor {
     match contender {
         Contender::Multilevel => RGBColor(0, 114, 178),
         Contender::PolonskyKeer => RGBColor(213, 94, 0),
-        Contender::GfmdStiffness => RGBColor(0, 158, 115),
+        Contender::Gfmd => RGBColor(0, 158, 115),
         Contender::GfmdUniform => RGBColor(204, 121, 167),
     }
 }
@@ -84,7 +84,7 @@ fn outline(contender: Contender, radius: u32) -> Vec<(i32, i32)> {
     let (corners, turn) = match contender {
         Contender::Multilevel => (24, 0.0),
         Contender::PolonskyKeer => (4, 0.125),
-        Contender::GfmdStiffness => (3, 0.0),
+        Contender::Gfmd => (3, 0.0),
         Contender::GfmdUniform => (4, 0.0),
     };
     let corner = |i| {
@@ -116,7 +116,7 @@ where
             &(EmptyElement::at(at(x + 15, 46))
                 + Polygon::new(outline(contender, RADIUS * scale as u32), colour(contender))),
         )?;
-        area.draw_text(contender.name(), &font(TEXT, scale as u32, &BLACK), at(x + 38, 39))?;
+        area.draw_text(contender.title(), &font(TEXT, scale as u32, &BLACK), at(x + 38, 39))?;
     }
     for (x, text) in LINES {
         area.draw_text(text, &font(TEXT, scale as u32, &GREY), at(x, 62))?;

@@ -1,9 +1,9 @@
 //! The error of the grid.
 
-use super::contender::Contender;
 use super::curve::solve;
 use super::quantity::{NAMES, Values, errors, of_contact, of_exact, root_mean_square};
 use super::scene::Scene;
+use crate::cli::contender::Contender;
 use anyhow::Result;
 use asperity::Problem;
 use asperity::contact::{Load, Stop, Work};

@@ -1,7 +1,6 @@
 //! `asperity accuracy`: error against run time.
 
 mod advice;
-mod contender;
 mod curve;
 mod figure;
 mod ladder;
@@ -13,6 +12,7 @@ mod row;
 mod scene;
 mod table;
 
+use super::contender::Contender;
 use super::plot::{write_png, write_svg};
 use super::{Outcome, usage};
 use anyhow::Result;
@@ -20,7 +20,6 @@ use asperity::contact::Stop;
 use asperity::error::FileError;
 use asperity::surface::check_target;
 use clap::Args;
-use contender::Contender;
 use curve::{Curve, Reference};
 use figure::Figure;
 use ladder::Ladder;

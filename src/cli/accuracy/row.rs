@@ -1,12 +1,12 @@
 //! The file of all points.
 
 use super::Measured;
-use super::contender::Contender;
 use super::curve::{Curve, Point};
 use super::ladder::Rung;
 use super::model::Model;
 use super::quantity::Values;
 use super::scene::Scene;
+use crate::cli::contender::Contender;
 use asperity::error::FileError;
 use asperity::surface::write_beside;
 use serde::Serialize;

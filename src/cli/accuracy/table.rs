@@ -61,7 +61,7 @@ fn write_work(measured: &Measured, out: &mut impl Write) -> io::Result<()> {
     for curve in measured.finest() {
         let [a, b, c, d] = MILESTONES.map(|eta| work(curve, eta));
         let last = curve.points.last().map_or("-".into(), |point| format!("{:.0e}", point.pressure_error));
-        writeln!(out, "{INDENT}{:<28} {a:>18} {b:>18} {c:>18} {d:>18} {last:>8}", curve.contender.name())?;
+        writeln!(out, "{INDENT}{:<28} {a:>18} {b:>18} {c:>18} {d:>18} {last:>8}", curve.contender.title())?;
     }
     Ok(())
 }
@@ -95,7 +95,7 @@ fn write_settled(measured: &Measured, out: &mut impl Write) -> io::Result<()> {
         let [a, b, c, d] = std::array::from_fn(|quantity| {
             ACCURACIES.map(|accuracy| settled(curve, quantity, accuracy).map_or("-".into(), certificate)).join(" / ")
         });
-        writeln!(out, "{INDENT}{:<28} {a:>19} {b:>19} {c:>19} {d:>19}", curve.contender.name())?;
+        writeln!(out, "{INDENT}{:<28} {a:>19} {b:>19} {c:>19} {d:>19}", curve.contender.title())?;
     }
     Ok(())
 }
@@ -124,7 +124,7 @@ fn sentence(advice: &Advice) -> String {
         points(advice.shape),
         certificate(advice.eta),
         Milliseconds(advice.seconds),
-        advice.contender.name(),
+        advice.contender.title(),
         100.0 * advice.discretisation,
         100.0 * advice.algebraic
     )

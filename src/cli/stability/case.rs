@@ -1,8 +1,8 @@
 //! A case: what is pressed, where the solver starts, how far it must come.
 
 use super::budget::Budget;
-use super::method::Method;
 use super::verdict::Demand;
+use crate::cli::contender::Contender;
 use crate::cli::progress::Progress;
 use anyhow::Result;
 use asperity::contact::Contact;
@@ -20,7 +20,7 @@ const MAX_ITERATIONS: usize = 1_000_000;
 pub struct Case {
     pub name: String,
     /// The solvers to use if none is named.
-    pub methods: &'static [Method],
+    pub methods: &'static [Contender],
     demand: Demand,
     is_at_mean_gap: bool,
     pub tolerance: f64,
@@ -42,7 +42,7 @@ impl Case {
     pub fn new(name: impl Into<String>, pose: impl Fn() -> Result<Problem> + 'static) -> Self {
         Self {
             name: name.into(),
-            methods: Method::USUAL,
+            methods: Contender::USUAL,
             demand: Demand::Solution,
             is_at_mean_gap: false,
             tolerance: TOLERANCE,
@@ -68,7 +68,7 @@ impl Case {
     }
 
     /// The same by other solvers.
-    pub fn by(self, methods: &'static [Method]) -> Self {
+    pub fn by(self, methods: &'static [Contender]) -> Self {
         Self { methods, ..self }
     }
 
@@ -83,21 +83,21 @@ impl Case {
     }
 
     /// What is demanded of a method: molecular dynamics must refuse a mean gap.
-    pub fn demand_of(&self, method: Method) -> Demand {
+    pub fn demand_of(&self, method: Contender) -> Demand {
         if self.is_at_mean_gap && method.needs_pressure() { Demand::Refusal } else { self.demand }
     }
 
     /// Poses the problem and solves it.
-    pub fn solve(&self, method: Method, budget: Duration) -> Result<Solved> {
+    pub fn solve(&self, method: Contender, budget: Duration) -> Result<Solved> {
         self.solve_posed((self.pose)()?, method, budget)
     }
 
     /// The same of the contact that it must be like, if there is one.
-    pub fn solve_twin(&self, method: Method, budget: Duration) -> Result<Option<Solved>> {
+    pub fn solve_twin(&self, method: Contender, budget: Duration) -> Result<Option<Solved>> {
         self.twin.as_ref().map(|pose| self.solve_posed(pose()?, method, budget)).transpose()
     }
 
-    fn solve_posed(&self, problem: Problem, method: Method, budget: Duration) -> Result<Solved> {
+    fn solve_posed(&self, problem: Problem, method: Contender, budget: Duration) -> Result<Solved> {
         let stop = Stop::new(self.tolerance, MAX_ITERATIONS)?;
         let start = self.start.map(|garbage| start(&problem, garbage));
         let mut progress = Progress::new(self.tolerance, &self.name);

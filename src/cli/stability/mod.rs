@@ -4,19 +4,18 @@ mod budget;
 mod case;
 mod cases;
 mod check;
-mod method;
 mod row;
 mod table;
 mod time_step;
 mod trial;
 mod verdict;
 
+use super::contender::Contender;
 use super::{Outcome, usage};
 use anyhow::Result;
 use asperity::surface::check_target;
 use case::Case;
 use clap::Args;
-use method::Method;
 use row::{Row, write_rows};
 use std::io::{Write, stdout};
 use std::path::PathBuf;
@@ -30,7 +29,7 @@ const QUICK_BUDGET: f64 = 0.5;
 
 const COLUMNS: &str = "\
 Each row is one case solved by one solver:
-  steps    iterations; on the finest grid for the multilevel solver
+  steps    iterations; for the multilevel solver outer and inner steps on all grids
   seconds  in the solver
   eta      certificate, recomputed from the returned pressure by code that the solvers do not use
   verdict  converged      the solver says so, and the check agrees
@@ -55,7 +54,7 @@ pub struct Stability {
     names: Vec<String>,
     /// The methods [default: all but gfmd-uniform, which runs where stiffness matters]
     #[arg(long = "solver", value_enum, value_name = "NAME[,NAME]", value_delimiter = ',')]
-    methods: Vec<Method>,
+    methods: Vec<Contender>,
     /// Seconds that each run may take [default: 20, quick: 0.5]
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     budget: Option<f64>,
@@ -102,7 +101,7 @@ impl Stability {
         Ok(cases)
     }
 
-    fn methods<'a>(&'a self, case: &'a Case) -> &'a [Method] {
+    fn methods<'a>(&'a self, case: &'a Case) -> &'a [Contender] {
         if self.methods.is_empty() { case.methods } else { &self.methods }
     }
 
@@ -116,7 +115,7 @@ impl Stability {
 
     fn list(&self, cases: &[Case]) -> Result<Outcome> {
         for case in cases {
-            let demand = |&method: &Method| format!("{} {}", method.name(), case.demand_of(method).name());
+            let demand = |&method: &Contender| format!("{} {}", method.name(), case.demand_of(method).name());
             let demands: Vec<_> = self.methods(case).iter().map(demand).collect();
             writeln!(stdout(), "{:<28} {}", case.name, demands.join(", "))?;
         }
@@ -137,7 +136,7 @@ impl Stability {
 /// Says how it went.
 fn conclude(rows: &[Row], as_in_theory: bool) -> Result<Outcome> {
     let count = |verdict| rows.iter().filter(|row| row.verdict == verdict).count();
-    let failed = rows.iter().filter(|row| row.solver == Method::Multilevel.name() && !row.as_demanded).count();
+    let failed = rows.iter().filter(|row| row.solver == Contender::Multilevel.name() && !row.as_demanded).count();
     let wrong = count(Verdict::Wrong);
     writeln!(
         stdout(),

@@ -2,9 +2,9 @@
 
 use super::case::{Case, Solved};
 use super::check::Check;
-use super::method::Method;
 use super::row::Row;
 use super::verdict::{Demand, Verdict};
+use crate::cli::contender::Contender;
 use crate::cli::is_input;
 use anyhow::Result;
 use asperity::contact::Status;
@@ -18,7 +18,7 @@ const UNITS: f64 = 1e-10;
 const AGREEMENT: f64 = 1e-6;
 
 /// Runs `case` by `method` and judges what comes of it.
-pub fn run(case: &Case, method: Method, budget: Duration) -> Row {
+pub fn run(case: &Case, method: Contender, budget: Duration) -> Row {
     let demand = case.demand_of(method);
     let row = |verdict, note| Row::empty(case.name.clone(), method.name(), verdict, note);
     let row = match catch_unwind(AssertUnwindSafe(|| attempt(case, method, budget))) {
@@ -37,7 +37,7 @@ pub fn run(case: &Case, method: Method, budget: Duration) -> Row {
 }
 
 /// Solves the case, and says how it differs from the contact that it must be like.
-fn attempt(case: &Case, method: Method, budget: Duration) -> Result<(Solved, Option<String>)> {
+fn attempt(case: &Case, method: Contender, budget: Duration) -> Result<(Solved, Option<String>)> {
     let solved = case.solve(method, budget)?;
     let twin = case.solve_twin(method, budget)?;
     let mismatch = twin.and_then(|twin| mismatch(&solved, &twin));

@@ -197,9 +197,7 @@ impl<'a> Level<'a> {
 
     /// The whole-set update: corrects on the set, exchanges nodes by the signs of pressure and gap, clips and scales.
     pub fn update(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
-        if self.pressure.values.is_empty() {
-            self.admit();
-        }
+        self.leave_extremes();
         let mut extension = Extension::new(&self.pressure.support, self.problem.surface().grid().shape());
         let gap = self.gap();
         let residual = self.on_set(|v| -(v + gap.unwrap_or(0.0)));
@@ -220,6 +218,21 @@ impl<'a> Level<'a> {
             self.is_fresh = false;
         }
         status
+    }
+
+    /// Where nothing touches, lets nodes in. Where all nodes do at a mean gap, the load is too large, but no correction sees that,
+    /// since a uniform pressure displaces nothing: lowers it until the first node leaves.
+    fn leave_extremes(&mut self) {
+        let values = &mut self.pressure.values;
+        if values.is_empty() {
+            self.admit();
+        } else if let Some(gap) = self.problem.load().mean_gap()
+            && values.len() == self.problem.nodes()
+        {
+            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+            chunks::update(values, |_, p| p.iter_mut().for_each(|p| *p -= least));
+            self.exchange(-gap);
+        }
     }
 
     /// `of(v)` on the set.

@@ -1,8 +1,8 @@
 //! Grids: small, odd, prime, long, and fine enough to be stiff.
 
 use super::{noise, pressed, rough};
+use crate::cli::contender::Contender;
 use crate::cli::stability::case::Case;
-use crate::cli::stability::method::Method;
 use crate::cli::stability::verdict::Demand;
 use asperity::Grid;
 
@@ -36,5 +36,6 @@ fn surface(shape: [usize; 2], size: [f64; 2]) -> Case {
 
 /// A line whose stiffest wave is half its number of points as stiff as the softest.
 fn stiff(power: u32) -> Case {
-    Case::new(format!("stiff-2^{power}"), move || pressed(rough(Grid::line(1 << power, 1.0)?)?, LOAD)).by(Method::ALL)
+    Case::new(format!("stiff-2^{power}"), move || pressed(rough(Grid::line(1 << power, 1.0)?)?, LOAD))
+        .by(&Contender::ALL)
 }

@@ -1,12 +1,14 @@
-//! The solvers to choose from.
+//! The solvers that are compared, with the settings in which they are.
 
 use asperity::contact::{Dynamics, Gfmd, Masses, Multilevel, PolonskyKeer, Solver};
 use asperity::error::SettingError;
 use clap::ValueEnum;
+use serde::Serialize;
 
 /// A solver.
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-pub enum Method {
+#[derive(Clone, Copy, PartialEq, Debug, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Contender {
     /// Whole-set updates on nested grids
     Multilevel,
     /// Constrained conjugate gradients
@@ -17,11 +19,11 @@ pub enum Method {
     GfmdUniform,
 }
 
-impl Method {
+impl Contender {
     /// The solvers of most cases.
     pub const USUAL: &[Self] = &[Self::Multilevel, Self::PolonskyKeer, Self::Gfmd];
     /// All of them, where stiffness matters.
-    pub const ALL: &[Self] = &[Self::Multilevel, Self::PolonskyKeer, Self::Gfmd, Self::GfmdUniform];
+    pub const ALL: [Self; 4] = [Self::Multilevel, Self::PolonskyKeer, Self::Gfmd, Self::GfmdUniform];
 
     /// Its name, as on the command line.
     pub fn name(self) -> &'static str {
@@ -30,6 +32,15 @@ impl Method {
             Self::PolonskyKeer => "polonsky-keer",
             Self::Gfmd => "gfmd",
             Self::GfmdUniform => "gfmd-uniform",
+        }
+    }
+
+    /// Its name with its settings.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Multilevel | Self::PolonskyKeer => self.name(),
+            Self::Gfmd => "gfmd, stiffness masses, FIRE",
+            Self::GfmdUniform => "gfmd, uniform masses",
         }
     }
 
