@@ -7,10 +7,10 @@
 //! # Why it is fast
 //! On a given set the pressure solves `A delta = r` with the compliance `A` restricted to `S`. Its inverse is the Schur
 //! complement of the stiffness `K = A^-1` of the whole plane: `K` after the extension of `r` from `S` that costs the least
-//! energy. An approximate extension `E` gives the preconditioner `E' K E`, symmetric and positive whatever `E` is. Extension by
-//! zero, the usual choice of opposite-order preconditioning, tears long waves apart at the rims of many small patches; the
-//! [`extension::Extension`] used here lets them fade as the capacity of a patch says, and two steps of conjugate gradients then
-//! reduce the residual fiftyfold, on any number of nodes.
+//! energy. An approximate extension `E` gives the preconditioner `E' K E`, symmetric and positive whatever `E` is.
+//! Extension by zero, the usual choice of opposite-order preconditioning, tears long waves apart at the rims of many small
+//! patches; the [`extension::Extension`] used here lets them fade as the capacity of a patch says, and two or three steps
+//! of conjugate gradients then reduce the residual fiftyfold, on any number of nodes.
 //!
 //! # Why it ends
 //! Call a state *better* when its certificate is at most nine tenths of that of the last better one. Free updates (see
