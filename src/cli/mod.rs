@@ -7,6 +7,8 @@ mod demo;
 mod description;
 mod method;
 mod output;
+#[cfg(feature = "record")]
+mod part;
 mod progress;
 mod solve;
 mod solver;

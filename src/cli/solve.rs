@@ -1,6 +1,8 @@
 //! `asperity solve`: one contact.
 
 use super::output::{Summary, write_fields};
+#[cfg(feature = "record")]
+use super::part::PartArg;
 use super::progress::Progress;
 use super::solver::SolverArgs;
 use super::source::{Made, Source};
@@ -56,6 +58,10 @@ struct Output {
     #[cfg(feature = "record")]
     #[arg(long, value_name = "N", requires = "record")]
     record_every: Option<usize>,
+    /// Parts to record, instead of all that a line or a surface has
+    #[cfg(feature = "record")]
+    #[arg(long, value_enum, value_name = "PART[,PART]", value_delimiter = ',', requires = "record")]
+    record_what: Vec<PartArg>,
     /// Unit of lengths in the recording; metres are shown as mm, um or nm
     #[cfg(feature = "record")]
     #[arg(long, value_name = "UNIT", default_value = "m")]
@@ -119,7 +125,11 @@ impl Solve {
             description: describe(&made.description, problem, &self.output.length_unit, solver, stop, exact.as_ref()),
             exact,
         };
-        let options = Options { every: self.output.record_every, length_unit: self.output.length_unit.clone() };
+        let options = Options {
+            what: PartArg::parts(&self.output.record_what, problem.surface().grid())?,
+            every: self.output.record_every,
+            length_unit: self.output.length_unit.clone(),
+        };
         let recording = Recording::create(path, &[scene], options)?;
         let mut recorder = recording.recorder(0);
         let mut progress = Progress::new(stop.tolerance(), solver.name());
