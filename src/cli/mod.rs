@@ -5,10 +5,12 @@ mod bench;
 mod demo;
 #[cfg(feature = "record")]
 mod description;
+mod memory;
 mod method;
 mod output;
 #[cfg(feature = "record")]
 mod part;
+mod plan;
 mod progress;
 mod solve;
 mod solver;

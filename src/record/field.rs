@@ -8,6 +8,7 @@ use super::part::{Part, Parts};
 use super::reduce::Blocks;
 use super::relief::Relief;
 use super::scene::{self, Fields, Scene, range};
+use crate::grid::Grid;
 use rerun::components::{ImageFormat, MagnificationFilter, ValueRange};
 use rerun::datatypes::ChannelDatatype;
 use rerun::{
@@ -206,6 +207,11 @@ impl Image {
         let ticks = scale.ticks().into_iter().map(|tick| ([width + 2.7 * text, at(tick.place)], tick.label));
         ticks.chain([([width + 1.1 * text, -1.9 * text], scale.title())]).collect()
     }
+}
+
+/// Pixels of an image of a surface on `grid`.
+pub fn pixels(grid: &Grid) -> usize {
+    Blocks::square(grid.shape(), grid.size(), PIXELS).cells.iter().product()
 }
 
 /// The names and colours of contact and gap.

@@ -47,6 +47,7 @@ mod recorder;
 mod reduce;
 mod relief;
 mod scene;
+mod size;
 mod snapshot;
 mod stage;
 mod thinning;
@@ -56,6 +57,7 @@ mod window;
 pub use part::{Part, Parts};
 pub use recorder::Recorder;
 pub use scene::Scene;
+pub use size::Size;
 
 use crate::error::FileError;
 use crate::surface::check_target;

@@ -39,7 +39,7 @@ impl<'r> Recorder<'r> {
         Self {
             recording,
             stage,
-            thinning: Thinning::new(options.every.map_or(stage.picture.pace(), Pace::Every)),
+            thinning: Thinning::new(options.every.map_or(stage.pace(), Pace::Every)),
             traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.reference)),
             phase: Phase { level: 0, outer: 0, inner: 0 },
             has_phases: false,

@@ -64,14 +64,6 @@ impl Picture {
         }
     }
 
-    /// How far apart its frames are unless the caller says otherwise.
-    pub fn pace(&self) -> Pace {
-        match self {
-            Self::Line(_) => Pace::LINE,
-            Self::Surface(_) => Pace::SURFACE,
-        }
-    }
-
     /// The frame above which words about all of it stand.
     fn frame(&self) -> &Frame {
         match self {
@@ -121,6 +113,11 @@ impl Stage {
         let stride = [0, 1].map(|axis| fine[axis] / coarse[axis]);
         let fits = |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse[axis] == fine[axis];
         (grid.size() == self.grid.size() && fits(0) && fits(1)).then_some(stride)
+    }
+
+    /// How far apart its frames are unless the caller says otherwise.
+    pub fn pace(&self) -> Pace {
+        Pace::on(&self.grid)
     }
 
     /// Records what stays; `place` is that of the scene among several.
