@@ -519,6 +519,85 @@ fn fewer_recorded_steps_make_a_smaller_file() {
     assert!(all > some && some > few, "{all}, {some}, {few}");
 }
 
+/// The first number of bytes behind `words`.
+#[cfg(feature = "record")]
+fn bytes_after(out: &str, words: &str) -> f64 {
+    let mut rest = out.split(words).nth(1).unwrap_or_else(|| panic!("{words} in {out}")).split_whitespace();
+    let value: f64 = rest.next().unwrap().parse().unwrap();
+    let unit = rest.next().unwrap().trim_end_matches([':', ',']);
+    value
+        * match unit {
+            "kB" => 1e3,
+            "MB" => 1e6,
+            "GB" => 1e9,
+            _ => panic!("{unit} in {out}"),
+        }
+}
+
+#[test]
+fn a_dry_run_says_what_a_solve_takes_and_writes_nothing() {
+    let folder = Folder::new();
+    write_npy(folder.join("hills.npy"), &hills([32, 48])).unwrap();
+    let before = std::fs::read_dir(folder.join("")).unwrap().count();
+    let file = "--height hills.npy --size 1";
+    for (surface, points) in [(CYLINDER, "64"), (SPHERE, "24 x 32"), (ROUGH_LINE, "255"), (file, "32 x 48")] {
+        for solver in SOLVERS {
+            let line = format!("solve {surface} --pressure 0.004 --solver {solver} --out a.npz --dry-run");
+            let output = folder.run(&line);
+            let out = text(&output.stdout);
+            assert!(output.status.success() && output.stderr.is_empty(), "{line}: {}", text(&output.stderr));
+            assert!(out.contains(&format!("points      {points}\n")) && out.contains("memory      about"), "{out}");
+            assert_eq!(out.contains("transforms  about 100"), solver == "multilevel", "{out}");
+        }
+    }
+    let huge = ROUGH_SURFACE.replace("40,36", "16384,16384");
+    let output = folder.run(&format!("solve {huge} --reduced-pressure 0.01 --dry-run"));
+    assert!(text(&output.stdout).contains("grids       10, from 32 x 32 to 16384 x 16384"), "{output:?}");
+    assert_eq!(std::fs::read_dir(folder.join("")).unwrap().count(), before);
+    for bad in ["--json", "--size 1,2,3", "--mean-gap 1"] {
+        let output = folder.run(&format!("solve {ROUGH_LINE} --pressure 0.004 --dry-run {bad}"));
+        assert_eq!(output.status.code(), Some(2), "{bad}");
+    }
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn a_dry_run_tells_the_size_of_a_recording_about() {
+    let folder = Folder::new();
+    for (surface, points) in [(ROUGH_LINE, "4096"), (ROUGH_LINE, "1024"), (ROUGH_SURFACE, "128,128")] {
+        let surface = surface.replace("255", points).replace("40,36", points);
+        for solver in ["multilevel", "polonsky-keer"] {
+            let run =
+                format!("{surface} --reduced-pressure 0.05 --solver {solver} --max-iterations 200 --record a.rrd");
+            let output = folder.run(&format!("solve {run} --dry-run"));
+            assert!(!folder.join("a.rrd").exists());
+            let most = bytes_after(text(&output.stdout), "at most about ");
+            let numbers = bytes_after(text(&output.stdout), ", and ");
+            let output = folder.run(&format!("solve {run} --json"));
+            let steps = number(&json(&output), "iterations");
+            let (told, made) = (most + numbers * steps / 1e3, assert_is_recording(&folder, "a.rrd") as f64);
+            assert!((0.8..5.0).contains(&(told / made)), "{told} bytes told, {made} made: {run}");
+            std::fs::remove_file(folder.join("a.rrd")).unwrap();
+        }
+    }
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn a_recording_of_some_parts_is_smaller_and_does_not_change_the_result() {
+    let folder = Folder::new();
+    for (surface, parts) in [(ROUGH_LINE, ["traces", "mask,profile"]), (ROUGH_SURFACE, ["traces", "mesh"])] {
+        let run = format!("{surface} --pressure 0.004 --record contact.rrd");
+        let (whole, _) = solve(&folder, &run);
+        let bytes = assert_is_recording(&folder, "contact.rrd");
+        for parts in parts {
+            let (part, _) = solve(&folder, &format!("{run} --record-what {parts}"));
+            assert!(assert_is_recording(&folder, "contact.rrd") < bytes, "{parts}");
+            assert_eq!(timeless(part), timeless(whole.clone()));
+        }
+    }
+}
+
 #[cfg(feature = "record")]
 #[test]
 fn the_demo_records_four_contacts_in_less_than_40_megabytes() {

@@ -240,6 +240,30 @@ fn grids_beyond_memory_are_refused() {
     }
 }
 
+/// The largest grid that counts as one takes 128 GiB for each field.
+#[test]
+fn grids_beyond_memory_are_refused_with_what_they_need() {
+    let sphere = CYLINDER.replace("cylinder", "sphere");
+    let folder = folder();
+    for solver in ["multilevel", "polonsky-keer", "gfmd"] {
+        let line = format!("solve {} {LOAD} --solver {solver} {OUTPUTS}", sphere.replace("64", "1000000,10000"));
+        refuse_in_one_sentence(&folder, &line, "1000000 x 10000 points does not fit in memory");
+        refuse_in_one_sentence(&folder, &line, &format!("{solver} needs at least "));
+    }
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn parts_that_a_scene_does_not_have_are_refused() {
+    let folder = folder();
+    let line = format!("solve {CYLINDER} {LOAD} {OUTPUTS}");
+    refuse_in_one_sentence(&folder, &format!("{line} --record-what traces,mesh"), "mesh");
+    let surface = line.replace("cylinder", "sphere").replace("64", "8,8");
+    refuse_in_one_sentence(&folder, &format!("{surface} --record-what profile"), "profile");
+    assert!(refuse(&folder, &format!("{line} --record-what colour")).contains("colour"));
+    assert!(refuse(&folder, &format!("solve {CYLINDER} {LOAD} --record-what mask")).contains("--record"));
+}
+
 #[test]
 fn settings_out_of_range_are_refused() {
     let with = |setting: &str| format!("{CYLINDER} {LOAD} --solver gfmd {setting}");

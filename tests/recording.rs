@@ -1,9 +1,9 @@
 //! What a recording holds, read back from the file.
 #![cfg(feature = "record")]
 
-use asperity::contact::{Contact, Gfmd, Observer, PolonskyKeer, Solver, Step};
+use asperity::contact::{Contact, Gfmd, Multilevel, Observer, PolonskyKeer, Solver, Step};
 use asperity::error::SolveError;
-use asperity::record::{Options, Recording, Scene};
+use asperity::record::{Options, Part, Parts, Recording, Scene};
 use asperity::surface::{Field, Spectrum};
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
@@ -29,8 +29,12 @@ fn rough_surface() -> Problem {
 }
 
 fn record(path: &Path, problem: &Problem, solver: &dyn Solver, exact: Option<Exact>, every: Option<usize>) -> Contact {
+    record_with(path, problem, solver, exact, Options { every, ..Options::default() })
+}
+
+fn record_with(path: &Path, problem: &Problem, solver: &dyn Solver, exact: Option<Exact>, options: Options) -> Contact {
     let scene = Scene { name: "it".into(), title: "It".into(), problem, description: "# It".into(), exact };
-    let recording = Recording::create(path, &[scene], Options { every, ..Options::default() }).unwrap();
+    let recording = Recording::create(path, &[scene], options).unwrap();
     let mut recorder = recording.recorder(0);
     let contact = solver.solve(problem, &Stop::default(), &mut recorder).unwrap();
     recorder.close(&contact).unwrap();
@@ -146,6 +150,70 @@ fn a_scene_records_only_what_it_shows() {
     record(&path, &problem, &PolonskyKeer, exact, None);
     assert!(has(&entities(&path), "/it/pressure/curves/exact"));
     assert!(trace(&path, "exact_kappa_r", "step").values().all(|&k| k == kappa_r));
+}
+
+/// The entities of a part, as far down as their first name below the scene.
+fn names(part: Part) -> &'static [&'static str] {
+    match part {
+        Part::Traces => &["trace"],
+        Part::Profile => &["profile"],
+        Part::Fields => &["gap", "pressure"],
+        Part::Mask => &["contact"],
+        Part::Mesh => &["relief"],
+    }
+}
+
+/// What the views of a file show, by the first names below the scene.
+fn shown(path: &Path) -> BTreeSet<String> {
+    use rerun::external::re_sdk_types::blueprint::{archetypes::ViewContents, components::QueryExpression};
+    let query = ViewContents::descriptor_query().component;
+    let mut shown = BTreeSet::new();
+    for store in stores(path, StoreKind::Blueprint) {
+        for chunk in store.iter_physical_chunks() {
+            let expressions = (0..chunk.num_rows()).filter_map(|i| chunk.component_batch::<QueryExpression>(query, i));
+            shown.extend(expressions.flat_map(Result::unwrap).map(|expression| below(expression.0.as_str())));
+        }
+    }
+    shown
+}
+
+/// The first name below the scene.
+fn below(entity: &str) -> String {
+    entity.trim_start_matches("/it/").split('/').next().unwrap().to_owned()
+}
+
+#[test]
+fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.rrd");
+    let all = [Part::Traces, Part::Profile, Part::Fields, Part::Mask, Part::Mesh];
+    for problem in [rough_line(), rough_surface()] {
+        let can_show = Parts::on(problem.surface().grid());
+        for part in all.into_iter().filter(|&part| can_show.has(part)) {
+            let what = [part].into_iter().collect();
+            record_with(&path, &problem, &Multilevel, None, Options { what, ..Options::default() });
+            let recorded = entities(&path).into_iter().filter(|entity| entity.starts_with("/it/"));
+            let recorded: BTreeSet<String> = recorded.map(|entity| below(&entity)).collect();
+            let expected = names(part).iter().map(|name| name.to_string()).chain(["description".into()]);
+            let captioned = !matches!(part, Part::Traces | Part::Mesh);
+            let expected: BTreeSet<String> = expected.chain(captioned.then(|| "caption".into())).collect();
+            assert_eq!(recorded, expected, "{part:?}");
+            assert_eq!(shown(&path), expected, "{part:?}");
+        }
+    }
+}
+
+#[test]
+fn parts_together_are_what_they_are_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, part) = (folder.path().join("all.rrd"), folder.path().join("part.rrd"));
+    let problem = rough_line();
+    record(&path, &problem, &PolonskyKeer, None, None);
+    let what = [Part::Traces, Part::Profile].into_iter().collect();
+    record_with(&part, &problem, &PolonskyKeer, None, Options { what, ..Options::default() });
+    assert_eq!(strips(&path, "/it/profile/solid"), strips(&part, "/it/profile/solid"));
+    assert_eq!(trace(&path, "energy", "step"), trace(&part, "energy", "step"));
+    assert!(!strips(&path, "/it/gap/curves/gap").is_empty() && strips(&part, "/it/gap/curves/gap").is_empty());
 }
 
 #[test]

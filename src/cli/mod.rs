@@ -7,8 +7,12 @@ mod contender;
 mod demo;
 #[cfg(feature = "record")]
 mod description;
+mod memory;
 mod method;
 mod output;
+#[cfg(feature = "record")]
+mod part;
+mod plan;
 mod plot;
 mod progress;
 mod solve;

@@ -1,14 +1,21 @@
 //! `asperity solve`: one contact.
 
 use super::output::{Summary, write_fields};
+#[cfg(feature = "record")]
+use super::part::PartArg;
+use super::plan::Plan;
 use super::progress::Progress;
 use super::solver::SolverArgs;
 use super::source::{Made, Source};
 use super::{Outcome, usage};
 use anyhow::Result;
+#[cfg(feature = "record")]
+use asperity::Grid;
 use asperity::Surface;
-use asperity::contact::{Contact, Problem, Solver, Stop};
+use asperity::contact::{Contact, Load, Problem, Solver, Stop};
 use asperity::error::{FileError, SolveError};
+#[cfg(feature = "record")]
+use asperity::record::Options;
 use asperity::surface::check_target;
 use asperity::theory::Exact;
 use clap::Args;
@@ -26,6 +33,9 @@ pub struct Solve {
     solver: SolverArgs,
     #[command(flatten)]
     output: Output,
+    /// Say what the solve would take in memory, transforms and recording, and do none of it
+    #[arg(long, conflicts_with = "json")]
+    dry_run: bool,
 }
 
 #[derive(Args)]
@@ -56,6 +66,10 @@ struct Output {
     #[cfg(feature = "record")]
     #[arg(long, value_name = "N", requires = "record")]
     record_every: Option<usize>,
+    /// Parts to record, instead of all that a line or a surface has
+    #[cfg(feature = "record")]
+    #[arg(long, value_enum, value_name = "PART[,PART]", value_delimiter = ',', requires = "record")]
+    record_what: Vec<PartArg>,
     /// Unit of lengths in the recording; metres are shown as mm, um or nm
     #[cfg(feature = "record")]
     #[arg(long, value_name = "UNIT", default_value = "m")]
@@ -76,11 +90,17 @@ impl Solve {
         if self.load.mean_gap.is_some() && self.solver.needs_pressure() {
             return Err(SolveError::NeedsPressure { solver: solver.name() }.into());
         }
-        let (surface, made) = self.source.surface()?;
-        let problem = self.load.problem(surface)?;
+        let plan = self.plan()?;
+        self.load.given()?;
         if let Some(path) = &self.output.out {
             check_target(path)?;
         }
+        if self.dry_run {
+            return self.announce(&plan);
+        }
+        plan.check()?;
+        let (surface, made) = self.source.surface()?;
+        let problem = self.load.problem(surface)?;
         let Watched { contact, outcome, recorded } = self.watch(&problem, &made, solver.as_ref(), &stop)?;
         if let Some(path) = &self.output.out {
             write_fields(path, &problem, &contact, made.rank)?;
@@ -96,14 +116,43 @@ impl Solve {
         Ok(outcome)
     }
 
+    /// What the solve will take.
+    fn plan(&self) -> Result<Plan> {
+        let grid = self.source.check()?;
+        let reduced_pressure = self.load.reduced_pressure.filter(|_| self.source.is_random());
+        Ok(Plan::new(grid, self.solver.method(), reduced_pressure))
+    }
+
+    /// Says what the solve would take.
+    fn announce(&self, plan: &Plan) -> Result<Outcome> {
+        let mut said = Vec::new();
+        plan.write(&mut said)?;
+        #[cfg(feature = "record")]
+        if self.output.record.is_some() {
+            plan.write_recording(&self.options(plan.grid())?, &self.solver.stop()?, &mut said)?;
+        }
+        stdout().write_all(&said)?;
+        Ok(Outcome::Done)
+    }
+
+    /// How the solve is recorded.
     #[cfg(feature = "record")]
-    fn watch(&self, problem: &Problem, made: &Made, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
-        use super::description::describe;
-        use asperity::contact::Load;
-        use asperity::record::{Options, Recording, Scene};
+    fn options(&self, grid: &Grid) -> Result<Options> {
         if self.output.record_every == Some(0) {
             return usage("--record-every is 0: give a positive number of steps");
         }
+        Ok(Options {
+            what: PartArg::parts(&self.output.record_what, grid)?,
+            every: self.output.record_every,
+            length_unit: self.output.length_unit.clone(),
+        })
+    }
+
+    #[cfg(feature = "record")]
+    fn watch(&self, problem: &Problem, made: &Made, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
+        use super::description::describe;
+        use asperity::record::{Recording, Scene};
+        let options = self.options(problem.surface().grid())?;
         let Some(path) = &self.output.record else { return watch_progress(problem, solver, stop) };
         if Some(path) == self.output.out.as_ref() {
             return usage(format!("--record and --out both name {}: give two files", path.display()));
@@ -119,7 +168,6 @@ impl Solve {
             description: describe(&made.description, problem, &self.output.length_unit, solver, stop, exact.as_ref()),
             exact,
         };
-        let options = Options { every: self.output.record_every, length_unit: self.output.length_unit.clone() };
         let recording = Recording::create(path, &[scene], options)?;
         let mut recorder = recording.recorder(0);
         let mut progress = Progress::new(stop.tolerance(), solver.name());
@@ -166,14 +214,27 @@ fn exact(made: &Made, problem: &Problem, mean_pressure: f64) -> Option<Exact> {
     Exact::of(indenter, problem.surface().grid(), problem.contact_modulus(), mean_pressure)
 }
 
+/// The one load that is given.
+enum Given {
+    Load(Load),
+    ReducedPressure(f64),
+}
+
 impl LoadArgs {
-    fn problem(&self, surface: Surface) -> Result<Problem> {
+    fn given(&self) -> Result<Given> {
         match (self.pressure, self.reduced_pressure, self.mean_gap) {
-            (Some(pressure), None, None) => Ok(Problem::new(surface, self.modulus, pressure)?),
-            (None, Some(reduced), None) => Ok(Problem::at_reduced_pressure(surface, self.modulus, reduced)?),
-            (None, None, Some(gap)) => Ok(Problem::at_mean_gap(surface, self.modulus, gap)?),
+            (Some(pressure), None, None) => Ok(Given::Load(Load::MeanPressure(pressure))),
+            (None, Some(reduced), None) => Ok(Given::ReducedPressure(reduced)),
+            (None, None, Some(gap)) => Ok(Given::Load(Load::MeanGap(gap))),
             (None, None, None) => usage("no load is given: use --pressure, --reduced-pressure or --mean-gap"),
             _ => usage("more than one load is given: use only one of --pressure, --reduced-pressure and --mean-gap"),
         }
+    }
+
+    fn problem(&self, surface: Surface) -> Result<Problem> {
+        Ok(match self.given()? {
+            Given::Load(load) => Problem::under(surface, self.modulus, load)?,
+            Given::ReducedPressure(reduced) => Problem::at_reduced_pressure(surface, self.modulus, reduced)?,
+        })
     }
 }

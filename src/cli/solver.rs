@@ -67,6 +67,11 @@ impl SolverArgs {
         }
     }
 
+    /// The method.
+    pub fn method(&self) -> Method {
+        self.solver
+    }
+
     /// Whether the solver works under a given mean pressure only.
     pub fn needs_pressure(&self) -> bool {
         matches!(self.solver, Method::Gfmd)

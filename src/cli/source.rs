@@ -2,15 +2,11 @@
 
 use super::usage;
 use anyhow::Result;
-use asperity::error::GridError;
-use asperity::surface::{Field, Indenter, Spectrum, read_heights};
+use asperity::surface::{Field, Indenter, Spectrum, read_heights, read_shape};
 use asperity::{Grid, Surface};
 use clap::{Args, ValueEnum};
 use ndarray::Axis;
-use std::path::PathBuf;
-
-/// Fields of doubles that a solve holds at once, at the least.
-const FIELDS: usize = 5;
+use std::path::{Path, PathBuf};
 
 /// The surface: exactly one of a height file, an indenter or a random spectrum.
 #[derive(Args)]
@@ -110,36 +106,77 @@ pub struct Made {
     pub description: String,
 }
 
+/// The one source that is given.
+enum Given<'a> {
+    File(&'a Path),
+    Indenter(Kind),
+    Roughness(f64),
+}
+
 impl Source {
     /// Reads or makes the surface, and says how.
     pub fn surface(&self) -> Result<(Surface, Made)> {
+        match self.given()? {
+            Given::File(path) => self.read(path),
+            Given::Indenter(kind) => self.press(kind),
+            Given::Roughness(hurst) => self.roughen(hurst),
+        }
+    }
+
+    /// The grid, when all that is given can make a surface on it. None is made; of a file only the header is read.
+    pub fn check(&self) -> Result<Grid> {
+        match self.given()? {
+            Given::File(path) => self.grid_of(path, &read_shape(path)?),
+            Given::Indenter(kind) => {
+                self.shape.indenter(kind)?;
+                self.grid()
+            }
+            Given::Roughness(hurst) => {
+                let grid = self.grid()?;
+                self.roughness.spectrum(hurst)?.validate(&grid)?;
+                Ok(grid)
+            }
+        }
+    }
+
+    /// Whether the surface is random, and so all the same everywhere.
+    pub fn is_random(&self) -> bool {
+        self.hurst.is_some()
+    }
+
+    fn given(&self) -> Result<Given<'_>> {
         match (&self.height, self.indenter, self.hurst) {
-            (Some(path), None, None) => self.read(path),
-            (None, Some(kind), None) => self.press(kind),
-            (None, None, Some(hurst)) => self.roughen(hurst),
+            (Some(path), None, None) => Ok(Given::File(path)),
+            (None, Some(kind), None) => Ok(Given::Indenter(kind)),
+            (None, None, Some(hurst)) => Ok(Given::Roughness(hurst)),
             (None, None, None) => usage("no surface is given: use one of --height, --indenter or --hurst"),
             _ => usage("more than one surface is given: use only one of --height, --indenter and --hurst"),
         }
     }
 
-    fn read(&self, path: &PathBuf) -> Result<(Surface, Made)> {
-        if !self.points.is_empty() {
-            return usage("--points does not go with --height: the file has its own");
-        }
+    fn read(&self, path: &Path) -> Result<(Surface, Made)> {
         let height = read_heights(path)?;
-        let rank = height.ndim();
-        let shape = match *height.shape() {
-            [n] => [1, n],
-            [ny, nx] => [ny, nx],
-            _ => return usage(format!("{} holds an array of rank {rank}: give rank 1 or 2", path.display())),
-        };
-        let sizes = self.sizes(rank)?;
+        let (rank, grid) = (height.ndim(), self.grid_of(path, height.shape())?);
         let height = if rank == 1 { height.insert_axis(Axis(0)) } else { height };
         let height: Field = height.into_dimensionality()?;
-        let surface = Surface::new(grid(&shape, if shape[0] == 1 { &sizes[rank - 1..] } else { &sizes })?, height)?;
+        let surface = Surface::new(grid, height)?;
         let title = path.file_stem().map_or("surface".into(), |stem| stem.to_string_lossy().into_owned());
         let description = format!("heights from {}", path.display());
         Ok((surface, Made { indenter: None, rank, title, description }))
+    }
+
+    /// The grid of the heights of a file.
+    fn grid_of(&self, path: &Path, shape: &[usize]) -> Result<Grid> {
+        if !self.points.is_empty() {
+            return usage("--points does not go with --height: the file has its own");
+        }
+        let sizes = self.sizes(shape.len())?;
+        match *shape {
+            [n] => grid(&[1, n], &sizes),
+            [1, nx] => grid(&[1, nx], &sizes[1..]),
+            [ny, nx] => grid(&[ny, nx], &sizes),
+            _ => usage(format!("{} holds an array of rank {}: give rank 1 or 2", path.display(), shape.len())),
+        }
     }
 
     fn press(&self, kind: Kind) -> Result<(Surface, Made)> {
@@ -152,18 +189,8 @@ impl Source {
 
     fn roughen(&self, hurst: f64) -> Result<(Surface, Made)> {
         let grid = self.grid()?;
-        let rough = &self.roughness;
-        let needs = |value: Option<f64>, name: &str| match value {
-            Some(value) => Ok(value),
-            None => usage(format!("--hurst needs {name} as well")),
-        };
-        let spectrum = Spectrum {
-            hurst,
-            rolloff_wavelength: needs(rough.rolloff, "--rolloff")?,
-            short_cutoff: needs(rough.short_cutoff, "--short-cutoff")?,
-            rms_gradient: needs(rough.rms_gradient, "--rms-gradient")?,
-        };
-        let seed = rough.seed.unwrap_or(1);
+        let spectrum = self.roughness.spectrum(hurst)?;
+        let seed = self.roughness.seed.unwrap_or(1);
         let surface = Surface::rough(grid, &spectrum, seed)?;
         let description = format!(
             "self-affine roughness, H = {hurst}, roll-off {:e}, short cut-off {:e}, rms gradient {:e}, seed {seed}",
@@ -198,17 +225,28 @@ fn capitalised(name: &str) -> String {
     letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect()
 }
 
-/// The grid, if the system grants the memory that goes with it.
 fn grid(shape: &[usize; 2], size: &[f64]) -> Result<Grid> {
-    let grid = match *size {
-        [length] => Grid::line(shape[1], length)?,
-        [ly, lx] => Grid::surface(*shape, [ly, lx])?,
-        _ => return usage("a grid has one or two axes"),
-    };
-    let mut fields = Vec::<f64>::new();
-    let granted = fields.try_reserve_exact(FIELDS * grid.len());
-    std::hint::black_box(fields);
-    Ok(granted.map(|()| grid).map_err(|_| GridError::TooManyPoints { shape: *shape })?)
+    match *size {
+        [length] => Ok(Grid::line(shape[1], length)?),
+        [ly, lx] => Ok(Grid::surface(*shape, [ly, lx])?),
+        _ => usage("a grid has one or two axes"),
+    }
+}
+
+impl Roughness {
+    /// The spectrum, if all of it is given.
+    fn spectrum(&self, hurst: f64) -> Result<Spectrum> {
+        let needs = |value: Option<f64>, name: &str| match value {
+            Some(value) => Ok(value),
+            None => usage(format!("--hurst needs {name} as well")),
+        };
+        Ok(Spectrum {
+            hurst,
+            rolloff_wavelength: needs(self.rolloff, "--rolloff")?,
+            short_cutoff: needs(self.short_cutoff, "--short-cutoff")?,
+            rms_gradient: needs(self.rms_gradient, "--rms-gradient")?,
+        })
+    }
 }
 
 impl Kind {

@@ -1,6 +1,7 @@
 //! `asperity surface`: makes a surface, or describes one.
 
 use super::Outcome;
+use super::memory;
 use super::source::{Made, Source};
 use anyhow::Result;
 use asperity::Surface;
@@ -9,6 +10,9 @@ use clap::Args;
 use serde::Serialize;
 use std::io::{Write, stdout};
 use std::path::PathBuf;
+
+/// Fields that a surface takes while it is made and written: heights, spectrum, and the heights as given.
+const FIELDS: f64 = 3.0;
 
 /// Makes a surface and prints its statistics, or prints those of a file.
 #[derive(Args)]
@@ -44,6 +48,7 @@ impl Describe {
         if let Some(path) = &self.out {
             check_target(path)?;
         }
+        memory::check(&self.source.check()?, "a surface", FIELDS)?;
         let (surface, made) = self.source.surface()?;
         if let Some(path) = &self.out {
             let height = surface.heights_as_given();

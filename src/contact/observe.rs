@@ -200,3 +200,43 @@ impl<'a> Step<'a> {
         self.patches.get_or_init(|| Patches::of(&self.state.pressure, self.state.problem.surface().grid().shape()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Grid;
+    use crate::surface::Indenter;
+    use std::cell::Cell;
+
+    #[test]
+    fn fields_are_made_once_and_only_if_they_are_asked_for() {
+        let sine = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(8, 1.0).unwrap()).unwrap();
+        let problem = Problem::new(sine, 1.0, 1.0).unwrap();
+        let made = [const { Cell::new(0) }; 2];
+        let values = |which: usize| {
+            let made = &made[which];
+            Values::made(move || {
+                made.set(made.get() + 1);
+                vec![1.0; 8]
+            })
+        };
+        let step = Step::new(State {
+            problem: &problem,
+            work: Work::default(),
+            pressure: values(0),
+            displacement: values(1),
+            datum: Some(0.0),
+            certificate: Some(1.0),
+            phase: Phase::finest(0),
+            energy: Energy::Complementary,
+        });
+        let made = || [made[0].get(), made[1].get()];
+        assert_eq!((step.index(), step.transforms(), step.certificate(), step.phase().level), (0, 0, Some(1.0), 0));
+        assert_eq!(made(), [0, 0]);
+        assert_eq!((step.measures().contact_nodes, step.patches().count()), (8, 1));
+        assert_eq!(made(), [1, 0]);
+        assert!((step.mean_gap() - 1.0).abs() < 1e-15 && step.gap.get().is_none());
+        assert_eq!((step.gap().len(), step.gap.get().map(Vec::len)), (8, Some(8)));
+        assert_eq!((made(), step.energy().is_finite()), ([1, 1], true));
+    }
+}

@@ -172,6 +172,14 @@ impl Frame {
         recording.log_static(format!("{entity}/labels"), &labels(self.labels()))
     }
 
+    /// Draws the lower edge with its ticks, numbers and title at `entity`, once and for all times.
+    pub fn log_floor(&self, recording: &RecordingStream, entity: &str) -> RecordingStreamResult<()> {
+        let edge = vec![[0.0, self.height], [self.width, self.height]];
+        let strips = std::iter::once(edge).chain(self.strips_below()).collect();
+        recording.log_static(format!("{entity}/box"), &frame_strips(strips))?;
+        recording.log_static(format!("{entity}/labels"), &labels(self.labels_below().collect()))
+    }
+
     /// Words above the middle of the box.
     pub fn caption(&self, words: String) -> Points2D {
         labels(vec![([0.5 * self.width, -1.9 * self.text], words)])
@@ -180,21 +188,32 @@ impl Frame {
     fn strips(&self) -> Vec<Vec<[f32; 2]>> {
         let (w, h, t) = (self.width, self.height, Self::TICK * self.text);
         let frame = vec![[0.0, 0.0], [w, 0.0], [w, h], [0.0, h], [0.0, 0.0]];
-        let below = self.x.ticks().into_iter().map(|tick| tick.place as f32 * w).map(|x| vec![[x, h], [x, h + t]]);
         let left =
             self.y.ticks().into_iter().map(|tick| (1.0 - tick.place) as f32 * h).map(|y| vec![[-t, y], [0.0, y]]);
-        std::iter::once(frame).chain(below).chain(left).collect()
+        std::iter::once(frame).chain(self.strips_below()).chain(left).collect()
+    }
+
+    /// Ticks below the box.
+    fn strips_below(&self) -> impl Iterator<Item = Vec<[f32; 2]>> {
+        let (w, h, t) = (self.width, self.height, Self::TICK * self.text);
+        self.x.ticks().into_iter().map(move |tick| tick.place as f32 * w).map(move |x| vec![[x, h], [x, h + t]])
     }
 
     fn labels(&self) -> Vec<([f32; 2], String)> {
-        let (w, h, line) = (self.width, self.height, self.text);
-        let below = self.x.ticks().into_iter().map(|tick| ([tick.place as f32 * w, h + 0.4 * line], tick.label));
+        let (h, line) = (self.height, self.text);
         let left = self.y.ticks().into_iter().map(|tick| {
             let y = (1.0 - tick.place) as f32 * h;
             ([-1.7 * line, y - 0.6 * line], tick.label)
         });
-        let titles = [([0.5 * w, h + 1.9 * line], self.x.title()), ([0.0, -1.9 * line], self.y.title())];
-        below.chain(left).chain(titles).collect()
+        let title = ([0.0, -1.9 * line], self.y.title());
+        self.labels_below().chain(left).chain([title]).collect()
+    }
+
+    /// Numbers and title below the box.
+    fn labels_below(&self) -> impl Iterator<Item = ([f32; 2], String)> {
+        let (w, h, line) = (self.width, self.height, self.text);
+        let ticks = self.x.ticks().into_iter().map(move |tick| ([tick.place as f32 * w, h + 0.4 * line], tick.label));
+        ticks.chain([([0.5 * w, h + 1.9 * line], self.x.title())])
     }
 }
 

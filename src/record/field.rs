@@ -1,11 +1,14 @@
 //! The pictures of a surface: pressure, gap and contact as images in the plane, the solid as a relief.
 
+use super::Options;
 use super::axes::{self, Axis, Frame};
 use super::forecast::Forecast;
 use super::palette::{self, Map, colour};
+use super::part::{Part, Parts};
 use super::reduce::Blocks;
 use super::relief::Relief;
 use super::scene::{self, Fields, Scene, range};
+use crate::grid::Grid;
 use rerun::components::{ImageFormat, MagnificationFilter, ValueRange};
 use rerun::datatypes::ChannelDatatype;
 use rerun::{
@@ -26,10 +29,11 @@ const SHADES: usize = 64;
 
 /// What is drawn of a surface, and where.
 pub struct SurfacePicture {
+    what: Parts,
     blocks: Blocks,
     pressure: Image,
     gap: Image,
-    relief: Relief,
+    relief: Option<Relief>,
     contact: EntityPath,
 }
 
@@ -45,14 +49,15 @@ struct Image {
 }
 
 impl SurfacePicture {
-    /// The picture of `scene`, with lengths in `unit`.
-    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
+    /// The picture of `scene`.
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
+        let Options { what, length_unit, .. } = options;
         let problem = scene.problem;
         let grid = problem.surface().grid();
         let blocks = Blocks::square(grid.shape(), grid.size(), PIXELS);
         let [ly, lx] = grid.size();
         let [height, width] = blocks.cells.map(|n| n as f32);
-        let [x, y] = [("x", lx), ("y", ly)].map(|(symbol, l)| scene::length_axis(symbol, unit, 0.0, l));
+        let [x, y] = [("x", lx), ("y", ly)].map(|(symbol, l)| scene::length_axis(symbol, length_unit, 0.0, l));
         let frame = Frame { x, y, width, height, text: TEXT * width.max(height) };
         let (low, high) = range(problem.height().iter().copied());
         let image =
@@ -60,10 +65,11 @@ impl SurfacePicture {
         let pressure_scale = scene::pressure_axis(forecast.max_pressure / problem.contact_modulus());
         let gap_scale = scene::gap_axis((high - low) / problem.rms_height());
         Self {
+            what: *what,
             blocks,
             pressure: image("pressure", pressure_scale, Map::inferno(), problem.contact_modulus()),
             gap: image("gap", gap_scale, Map::viridis(), problem.rms_height()),
-            relief: Relief::new(scene, forecast, root, unit),
+            relief: what.has(Part::Mesh).then(|| Relief::new(scene, forecast, root, length_unit)),
             contact: format!("{root}/contact").into(),
         }
     }
@@ -80,30 +86,55 @@ impl SurfacePicture {
 
     /// Records what stays: axes, classes, the triangles of the relief.
     pub fn log_static(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
-        self.pressure.log_static(to)?;
-        self.gap.log_static(to)?;
-        let style = SegmentationImage::update_fields().with_opacity(0.9).with_draw_order(10.0);
-        to.log_static(self.contact.clone(), &style.with_format(self.format(ChannelDatatype::U8)))?;
-        self.relief.log_static(to, root)
+        if self.what.has(Part::Fields) {
+            self.pressure.log_static(to)?;
+            self.gap.log_static(to)?;
+        }
+        if self.what.has(Part::Mask) {
+            let style = SegmentationImage::update_fields().with_opacity(0.9).with_draw_order(10.0);
+            to.log_static(self.contact.clone(), &style.with_format(self.format(ChannelDatatype::U8)))?;
+        }
+        if self.shows_contact_alone() {
+            self.frame().log(to, &format!("{root}/contact/axes"))?;
+        }
+        self.relief.as_ref().map_or(Ok(()), |relief| relief.log_static(to, root))
     }
 
     /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        if self.what.has_planes() {
+            self.log_images(to, fields)?;
+        }
+        self.relief.as_ref().map_or(Ok(()), |relief| relief.log_frame(to, fields))
+    }
+
+    fn log_images(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let pressure = self.blocks.fold(fields.pressure, fields.stride, 0.0, f64::max);
-        let classes = self.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
-        let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
-        to.log(self.contact.clone(), &mask)?;
-        self.pressure.log(to, self.rows_down(&pressure))?;
-        let gap = self.blocks.fold(fields.gap, fields.stride, f64::INFINITY, f64::min);
-        self.gap.log(to, self.rows_down(&gap))?;
-        self.relief.log_frame(to, fields)
+        if self.what.has(Part::Mask) {
+            let classes = self.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
+            let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
+            to.log(self.contact.clone(), &mask)?;
+        }
+        if self.what.has(Part::Fields) {
+            self.pressure.log(to, self.rows_down(&pressure))?;
+            let gap = self.blocks.fold(fields.gap, fields.stride, f64::INFINITY, f64::min);
+            self.gap.log(to, self.rows_down(&gap))?;
+        }
+        Ok(())
+    }
+
+    /// Whether the contact has a picture of its own, for want of the gap to lie on.
+    pub fn shows_contact_alone(&self) -> bool {
+        self.what.has(Part::Mask) && !self.what.has(Part::Fields)
     }
 
     /// Fits colour scales and the height of the relief to the final state, for all times.
     pub fn settle(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
-        self.pressure.settle(to, fields.pressure, 0.0)?;
-        self.gap.settle(to, fields.gap, scene::LEAST_GAP)?;
-        self.relief.settle(to, fields)
+        if self.what.has(Part::Fields) {
+            self.pressure.settle(to, fields.pressure, 0.0)?;
+            self.gap.settle(to, fields.gap, scene::LEAST_GAP)?;
+        }
+        self.relief.as_ref().map_or(Ok(()), |relief| relief.settle(to, fields))
     }
 
     fn format(&self, datatype: ChannelDatatype) -> ImageFormat {
@@ -176,6 +207,11 @@ impl Image {
         let ticks = scale.ticks().into_iter().map(|tick| ([width + 2.7 * text, at(tick.place)], tick.label));
         ticks.chain([([width + 1.1 * text, -1.9 * text], scale.title())]).collect()
     }
+}
+
+/// Pixels of an image of a surface on `grid`.
+pub fn pixels(grid: &Grid) -> usize {
+    Blocks::square(grid.shape(), grid.size(), PIXELS).cells.iter().product()
 }
 
 /// The names and colours of contact and gap.

@@ -1,6 +1,7 @@
 //! Which views a scene gets, and where they stand.
 
 use super::blueprint::{Blueprint, Kind, View};
+use super::part::Part;
 use super::stage::{Picture, Stage};
 use rerun::{RecordingStream, RecordingStreamResult};
 
@@ -19,69 +20,103 @@ pub fn send(application: &'static str, stages: &[Stage], recording: &RecordingSt
     blueprint.send(tabs, recording)
 }
 
-/// The pictures of all scenes, and their proportionality and convergence side by side.
+/// A picture of each scene, and their proportionality and convergence side by side.
 fn overview(blueprint: &mut Blueprint, stages: &[Stage]) -> Placed {
-    let mut pictures = Vec::new();
-    for stage in stages {
-        pictures.push((blueprint.view(main_view(stage))?, 1.0));
+    let mut panes = Vec::new();
+    let pictures: Vec<View> = stages.iter().filter_map(|stage| views(stage).into_iter().flatten().next()).collect();
+    if !pictures.is_empty() {
+        panes.push((gather(blueprint, Kind::Grid, "pictures", pictures)?, 2.4));
     }
-    let grid = blueprint.container(Kind::Grid, "pictures", pictures)?;
-    let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
-    let most = stages.iter().map(|stage| stage.ranges.kappa).fold(0.0, f64::max);
-    let kappa_r = blueprint.view(View::curves("kappa_r of all scenes", all("kappa_r"), Some([0.0, most])))?;
-    let certificate = blueprint.view(View::curves("log10 certificate of all scenes", all("certificate"), None))?;
-    let curves = blueprint.container(Kind::Vertical, "curves", vec![(kappa_r, 1.0), (certificate, 1.0)])?;
-    blueprint.container(Kind::Horizontal, "Overview", vec![(grid, 2.4), (curves, 1.0)])
+    if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
+        let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
+        let most = stages.iter().map(|stage| stage.ranges.kappa).fold(0.0, f64::max);
+        let kappa_r = View::curves("kappa_r of all scenes", all("kappa_r"), Some([0.0, most]));
+        let certificate = View::curves("log10 certificate of all scenes", all("certificate"), None);
+        panes.push((gather(blueprint, Kind::Vertical, "curves", vec![kappa_r, certificate])?, 1.0));
+    }
+    blueprint.container(Kind::Horizontal, "Overview", panes)
 }
 
 /// Pictures on the left, curves and text on the right.
 fn scene(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
-    let pictures = match stage.picture {
-        Picture::Line(_) => line(blueprint, stage)?,
-        Picture::Surface(_) => surface(blueprint, stage)?,
-    };
-    let curves = curves(blueprint, stage)?;
-    blueprint.container(Kind::Horizontal, &stage.title, vec![(pictures, 1.9), (curves, 1.0)])
-}
-
-fn line(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
-    let profile = blueprint.view(main_view(stage))?;
-    let exact = if stage.reference.relative_area.is_some() { "Pressure (white: exact)" } else { "Pressure" };
-    let pressure = blueprint.view(plane(stage, "pressure", exact, true))?;
-    let gap = blueprint.view(plane(stage, "gap", "Gap", true))?;
-    let below = blueprint.container(Kind::Tabs, "pressure and gap", vec![(pressure, 1.0), (gap, 1.0)])?;
-    blueprint.container(Kind::Vertical, "pictures", vec![(profile, 1.0), (below, 1.0)])
-}
-
-fn surface(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
-    let relief = blueprint.view(main_view(stage))?;
-    let pressure = blueprint.view(plane(stage, "pressure", "Pressure", false))?;
-    let gap = blueprint.view(plane(stage, "gap", "Gap and contact", true))?;
-    let images = blueprint.container(Kind::Horizontal, "images", vec![(pressure, 1.0), (gap, 1.0)])?;
-    blueprint.container(Kind::Vertical, "pictures", vec![(relief, 1.0), (images, 1.0)])
-}
-
-/// The picture that stands for a scene.
-fn main_view(stage: &Stage) -> View {
-    let Stage { root, title, .. } = stage;
-    match stage.picture {
-        Picture::Line(_) => plane(stage, "profile", &format!("{title}: indenter above the solid"), true),
-        Picture::Surface(_) => {
-            let title = format!("{title}: the solid's surface, coloured by pressure");
-            let origin = format!("{root}/relief");
-            View::space(&title, &origin, vec![format!("{origin}/**")], [4.8, -10.4, 7.2])
-        }
+    let mut panes = Vec::new();
+    if stage.what.has_pictures() {
+        panes.push((pictures(blueprint, stage)?, 1.9));
     }
+    panes.push((curves(blueprint, stage)?, 1.0));
+    blueprint.container(Kind::Horizontal, &stage.title, panes)
+}
+
+/// The views of the pictures, one row below the other.
+fn pictures(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
+    let beside = if let Picture::Line(_) = stage.picture { Kind::Tabs } else { Kind::Horizontal };
+    let mut rows = Vec::new();
+    for row in views(stage) {
+        rows.push((gather(blueprint, beside, "pictures", row)?, 1.0));
+    }
+    blueprint.container(Kind::Vertical, "pictures", rows)
+}
+
+/// Views with the same share of the room each; a single one needs no container.
+fn gather(blueprint: &mut Blueprint, kind: Kind, title: &str, views: Vec<View>) -> Placed {
+    let mut panes = Vec::new();
+    for view in views {
+        panes.push((blueprint.view(view)?, 1.0));
+    }
+    match panes.as_slice() {
+        [(only, _)] => Ok(only.clone()),
+        _ => blueprint.container(kind, title, panes),
+    }
+}
+
+/// The pictures that are recorded, row by row; the first one stands for the scene.
+fn views(stage: &Stage) -> Vec<Vec<View>> {
+    let Stage { title, what, picture, .. } = stage;
+    let mut rows = Vec::new();
+    if what.has(Part::Profile) {
+        rows.push(vec![plane(stage, "profile", &format!("{title}: indenter above the solid"), true)]);
+    }
+    if what.has(Part::Mesh) {
+        rows.push(vec![relief(stage)]);
+    }
+    if what.has(Part::Fields) {
+        rows.push(match picture {
+            Picture::Line(_) => {
+                let exact = stage.reference.relative_area.is_some();
+                let pressure = if exact { "Pressure (white: exact)" } else { "Pressure" };
+                vec![plane(stage, "pressure", pressure, true), plane(stage, "gap", "Gap", true)]
+            }
+            Picture::Surface(_) => {
+                let gap = if what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
+                vec![plane(stage, "pressure", "Pressure", false), plane(stage, "gap", gap, true)]
+            }
+        });
+    }
+    if picture.shows_contact_alone() {
+        rows.push(vec![plane(stage, "contact", &format!("{title}: contact"), false)]);
+    }
+    rows
+}
+
+fn relief(stage: &Stage) -> View {
+    let title = format!("{}: the solid's surface, coloured by pressure", stage.title);
+    let origin = format!("{}/relief", stage.root);
+    View::space(&title, &origin, vec![format!("{origin}/**")], [4.8, -10.4, 7.2])
 }
 
 fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> View {
     let root = &stage.root;
     let mut contents = vec![format!("{root}/{picture}/**"), format!("{root}/caption")];
-    contents.extend(contact.then(|| format!("{root}/contact")));
+    contents.extend((contact && stage.what.has(Part::Mask)).then(|| format!("{root}/contact")));
     View::plane(title, root, contents, stage.picture.bounds())
 }
 
+/// Curves of every step and the text, or the text alone.
 fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
+    let text = blueprint.view(View::text("Parameters", format!("{}/description", stage.root)))?;
+    if !stage.what.has(Part::Traces) {
+        return Ok(text);
+    }
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
     let kappa = View::curves(
         "Proportionality kappa_r, kappa",
@@ -91,7 +126,7 @@ fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
     let area = traces(&["relative_area", "exact_relative_area"]);
     let area = View::curves("Relative contact area", area, Some([0.0, stage.ranges.area]));
     let certificate = View::curves("Certificate: log10 of the error bound eta", traces(&["certificate"]), None);
-    let mut below = vec![(blueprint.view(View::text("Parameters", format!("{}/description", stage.root)))?, 1.0)];
+    let mut below = vec![(text, 1.0)];
     for (name, title) in [("mean_gap", "Mean gap"), ("energy", "Energy"), ("patches", "Patches")] {
         below.push((blueprint.view(View::curves(title, traces(&[name]), None))?, 1.0));
     }

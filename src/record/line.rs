@@ -1,10 +1,12 @@
 //! The pictures of a line: the indenter above the solid, the pressure and the gap along it.
 
+use super::Options;
 use super::axes::{Axis, Frame};
 use super::field::CONTACT_CLASS;
 use super::fill;
 use super::forecast::Forecast;
 use super::palette::{self, colour};
+use super::part::{Part, Parts};
 use super::scene::{self, Fields, Scene, range};
 use super::window::{Samples, Window};
 use rerun::{EntityPath, LineStrip2D, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
@@ -20,8 +22,9 @@ type Points = Vec<[f32; 2]>;
 
 /// What is drawn of a line, and where.
 pub struct LinePicture {
+    what: Parts,
     window: Window,
-    /// Where the indenter lies on the canvas, for all nodes of the window.
+    /// Where the indenter lies on the canvas, for all nodes of the window; empty if it is not shown.
     indenter: Vec<f32>,
     profile: Frame,
     pressure: Frame,
@@ -53,20 +56,24 @@ impl Entities {
 }
 
 impl LinePicture {
-    /// The picture of `scene`, with lengths in `unit`.
-    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
+    /// The picture of `scene`.
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
         let problem = scene.problem;
         let window = Window::around(scene);
         let spacing = problem.surface().grid().spacing()[1];
         let [left, right] = window.ends(spacing);
-        let x = scene::length_axis("x", unit, left, right);
+        let x = scene::length_axis("x", &options.length_unit, left, right);
         let frame = |y: Axis| Frame { x: x.clone(), y, width: BOX[0], height: BOX[1], text: TEXT };
         let nodes = window.every(1);
         let (low, high) = range(nodes.of(problem.height()));
         let room = ROOM * (high - low);
-        let profile = frame(scene::length_axis("z", unit, -high - 2.0 * room, -low + room));
+        let z = scene::length_axis("z", &options.length_unit, -high - 2.0 * room, -low + room);
+        let profile = frame(z);
+        let shown = options.what.has(Part::Profile).then(|| nodes.of(problem.height()));
+        let indenter = shown.into_iter().flatten().map(|h| profile.place_y(-h)).collect();
         Self {
-            indenter: nodes.of(problem.height()).map(|h| profile.place_y(-h)).collect(),
+            what: options.what,
+            indenter,
             window,
             profile,
             pressure: frame(scene::pressure_axis(forecast.max_pressure / problem.contact_modulus())),
@@ -89,9 +96,32 @@ impl LinePicture {
 
     /// Records what stays: axes, styles, the indenter, the exact pressure.
     pub fn log_static(&self, to: &RecordingStream, root: &str, scene: &Scene<'_>) -> RecordingStreamResult<()> {
-        self.profile.log(to, &format!("{root}/profile/axes"))?;
-        self.log_styles(to)?;
-        self.log_indenter(to, root)?;
+        if self.what.has(Part::Profile) {
+            self.log_profile(to, root)?;
+        }
+        if self.what.has(Part::Fields) {
+            self.log_fields(to, root, scene)?;
+        }
+        if self.what.has(Part::Mask) {
+            let contact = style(palette::CONTACT, Radius::new_ui_points(2.5), 34.0);
+            let contact = contact.with_class_ids([CONTACT_CLASS]).with_show_labels(false);
+            to.log_static(self.entities.contact.clone(), &contact)?;
+        }
+        if self.shows_contact_alone() {
+            self.profile.log_floor(to, &format!("{root}/contact/axes"))?;
+        }
+        Ok(())
+    }
+
+    /// Whether the contact has a picture of its own, for want of others to lie in.
+    pub fn shows_contact_alone(&self) -> bool {
+        self.what.has(Part::Mask) && !self.what.has_any([Part::Profile, Part::Fields])
+    }
+
+    fn log_fields(&self, to: &RecordingStream, root: &str, scene: &Scene<'_>) -> RecordingStreamResult<()> {
+        let Entities { pressure, gap, .. } = &self.entities;
+        to.log_static(pressure.clone(), &style(palette::PRESSURE, Radius::new_ui_points(1.4), 32.0))?;
+        to.log_static(gap.clone(), &style(palette::GAP, Radius::new_ui_points(1.0), 32.0))?;
         if let Some(exact) = &scene.exact {
             let pressure = exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect::<Vec<_>>();
             let curve = self.pressure_curve(&self.window.every(1), &pressure);
@@ -104,32 +134,40 @@ impl LinePicture {
     /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let nodes = self.window.every(fields.stride[1]);
-        let solid = self.solid_curve(&nodes, fields.gap);
-        to.log(self.entities.solid_fill.clone(), &strip(fill::bars(&solid, BOX[0], BOX[1], f32::max)))?;
-        to.log(self.entities.solid.clone(), &strip(solid))?;
-        to.log(self.entities.pressure.clone(), &strip(self.pressure_curve(&nodes, fields.pressure)))?;
-        to.log(self.entities.gap.clone(), &strip(self.gap_curve(&nodes, fields.gap)))?;
-        let contact = LineStrips2D::update_fields().with_strips(segments(&nodes, fields.pressure));
-        to.log(self.entities.contact.clone(), &contact)
+        if self.what.has(Part::Profile) {
+            let solid = self.solid_curve(&nodes, fields.gap);
+            to.log(self.entities.solid_fill.clone(), &strip(fill::bars(&solid, BOX[0], BOX[1], f32::max)))?;
+            to.log(self.entities.solid.clone(), &strip(solid))?;
+        }
+        if self.what.has(Part::Fields) {
+            to.log(self.entities.pressure.clone(), &strip(self.pressure_curve(&nodes, fields.pressure)))?;
+            to.log(self.entities.gap.clone(), &strip(self.gap_curve(&nodes, fields.gap)))?;
+        }
+        if self.what.has(Part::Mask) {
+            let contact = LineStrips2D::update_fields().with_strips(segments(&nodes, fields.pressure));
+            to.log(self.entities.contact.clone(), &contact)?;
+        }
+        Ok(())
     }
 
     /// Fits the axes of pressure and gap to the final state, for all times.
     pub fn settle(&self, to: &RecordingStream, root: &str, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        if !self.what.has(Part::Fields) {
+            return Ok(());
+        }
         let nodes = self.window.every(fields.stride[1]);
         let pressure = range(nodes.of(fields.pressure)).1 / self.contact_modulus;
         let gap = (range(nodes.of(fields.gap)).1 / self.rms_height).max(scene::LEAST_GAP);
         self.log_scaled(to, root, [scene::headroom(pressure), scene::headroom(gap)])
     }
 
-    fn log_styles(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    fn log_profile(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
+        self.profile.log(to, &format!("{root}/profile/axes"))?;
         let fill_radius = Radius::new_scene_units(fill::radius(BOX[0]));
-        let Entities { solid, solid_fill, contact, pressure, gap } = &self.entities;
+        let Entities { solid, solid_fill, .. } = &self.entities;
         to.log_static(solid.clone(), &style(palette::SOLID, Radius::new_ui_points(1.0), 32.0))?;
         to.log_static(solid_fill.clone(), &style(palette::SOLID_FILL, fill_radius, 10.0))?;
-        to.log_static(pressure.clone(), &style(palette::PRESSURE, Radius::new_ui_points(1.4), 32.0))?;
-        to.log_static(gap.clone(), &style(palette::GAP, Radius::new_ui_points(1.0), 32.0))?;
-        let contact_style = style(palette::CONTACT, Radius::new_ui_points(2.5), 34.0);
-        to.log_static(contact.clone(), &contact_style.with_class_ids([CONTACT_CLASS]).with_show_labels(false))
+        self.log_indenter(to, root)
     }
 
     fn log_indenter(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {

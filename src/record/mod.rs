@@ -42,18 +42,22 @@ mod layout;
 mod line;
 mod output;
 mod palette;
+mod part;
 mod recorder;
 mod reduce;
 mod relief;
 mod scene;
+mod size;
 mod snapshot;
 mod stage;
 mod thinning;
 mod traces;
 mod window;
 
+pub use part::{Part, Parts};
 pub use recorder::Recorder;
 pub use scene::Scene;
+pub use size::Size;
 
 use crate::error::FileError;
 use crate::surface::check_target;
@@ -66,9 +70,11 @@ use std::path::{Path, PathBuf};
 /// Application under which the viewer keeps layouts apart.
 const APPLICATION: &str = "asperity";
 
-/// How much is recorded.
+/// What is recorded, and how much of it.
 #[derive(Debug, Clone)]
 pub struct Options {
+    /// What is recorded of each scene, as far as it can show that; the rest is neither computed nor laid out.
+    pub what: Parts,
     /// Fields of every n-th step; `None` records all of the first steps and then ever sparser ones: of 100 000, some 120 for
     /// lines and 60 for surfaces; of each coarser grid a sixth of that. Numbers are recorded at every step.
     pub every: Option<usize>,
@@ -77,9 +83,9 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// The automatic schedule, lengths in metres.
+    /// Every part, the automatic schedule, lengths in metres.
     fn default() -> Self {
-        Self { every: None, length_unit: "m".into() }
+        Self { what: Parts::ALL, every: None, length_unit: "m".into() }
     }
 }
 
@@ -100,7 +106,7 @@ impl Recording {
     pub fn create(path: &Path, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         check_target(path)?;
         let roots = roots(scenes);
-        let stage = |(scene, root)| Stage::new(scene, root, &options.length_unit);
+        let stage = |(scene, root)| Stage::new(scene, root, &options);
         let stages: Vec<Stage> = scenes.iter().zip(roots).map(stage).collect();
         let target_error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
         let output = Output::create(path).map_err(target_error)?;

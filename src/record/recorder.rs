@@ -1,5 +1,6 @@
 //! The observer that records a solve.
 
+use super::part::Part;
 use super::scene::Fields;
 use super::snapshot::{Moment, Snapshot};
 use super::stage::{self, Stage};
@@ -15,16 +16,18 @@ use std::time::{Duration, Instant};
 /// What a killed run may lose.
 const FLUSH_INTERVAL: Duration = Duration::from_millis(200);
 
-/// Records the steps of one scene: numbers at every step, fields at those that the [`Options`] pick and at the last one
-/// of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are recorded.
+/// Records the steps of one scene, as far as the [`Options`] ask for it: numbers at every step, fields at those that they
+/// pick and at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are recorded.
 ///
 /// A failure to write does not stop the solver; [`Recorder::close`] reports it.
 pub struct Recorder<'r> {
     recording: &'r Recording,
     stage: &'r Stage,
     thinning: Thinning,
-    traces: Traces,
+    traces: Option<Traces>,
     phase: Phase,
+    /// Whether the solver was seen on a coarse grid or at an inner step; only of such solvers phases are recorded.
+    has_phases: bool,
     /// The latest state of a coarse grid, as long as it is not drawn.
     undrawn: Option<Snapshot>,
     flushed: Instant,
@@ -36,9 +39,10 @@ impl<'r> Recorder<'r> {
         Self {
             recording,
             stage,
-            thinning: Thinning::new(options.every.map_or(stage.picture.pace(), Pace::Every)),
-            traces: Traces::new(&stage.root, stage.reference),
+            thinning: Thinning::new(options.every.map_or(stage.pace(), Pace::Every)),
+            traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.reference)),
             phase: Phase { level: 0, outer: 0, inner: 0 },
+            has_phases: false,
             undrawn: None,
             flushed: Instant::now(),
             failure: None,
@@ -62,23 +66,28 @@ impl<'r> Recorder<'r> {
         let (pressure, gap) = (contact.pressure.as_standard_layout(), contact.gap.as_standard_layout());
         let (Some(pressure), Some(gap)) = (pressure.as_slice(), gap.as_slice()) else { return Ok(()) };
         let fields = Fields { stride: [1, 1], pressure, gap };
-        self.traces.add_certificate(contact.work, contact.certificate.eta);
+        if let Some(traces) = &mut self.traces {
+            traces.add_certificate(contact.work, contact.certificate.eta);
+        }
         self.log_frame(Moment { work: contact.work, phase: Phase { level: 0, ..self.phase } }, &fields)?;
         self.stage.settle(&self.recording.stream, &fields)?;
         self.stage.log_result(&self.recording.stream, contact)?;
-        self.traces.flush(&self.recording.stream)
+        self.flush_traces()
     }
 
     fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {
         let stride = self.stage.stride(step.problem().surface().grid());
         self.phase = Phase { level: stride.map_or(step.phase().level, stage::level), ..step.phase() };
-        self.traces.add(step, self.phase);
-        if let Some(stride) = stride {
+        self.has_phases |= self.phase.level > 0 || self.phase.inner > 0;
+        if let Some(traces) = &mut self.traces {
+            traces.add(step, self.has_phases.then_some(self.phase));
+        }
+        if let Some(stride) = stride.filter(|_| self.stage.what.has_pictures()) {
             self.draw(step, stride)?;
         }
         if self.flushed.elapsed() >= FLUSH_INTERVAL {
             self.flushed = Instant::now();
-            self.traces.flush(&self.recording.stream)?;
+            self.flush_traces()?;
             self.recording.stream.flush_async().ok(); // a failure shows when the recorder is closed
         }
         Ok(())
@@ -94,11 +103,15 @@ impl<'r> Recorder<'r> {
         }
         if self.thinning.picks(step.index(), self.phase.level) {
             self.undrawn = None;
-            self.log_frame(moment, &Fields { stride, pressure: step.pressure(), gap: step.gap() })?;
+            self.log_frame(moment, &Fields::of(step, stride, self.stage.what))?;
         } else if self.phase.level > 0 && self.phase.inner == 0 {
-            self.undrawn = Some(Snapshot::of(step, moment, stride));
+            self.undrawn = Some(Snapshot::of(step, moment, stride, self.stage.what));
         }
         Ok(())
+    }
+
+    fn flush_traces(&mut self) -> RecordingStreamResult<()> {
+        self.traces.as_mut().map_or(Ok(()), |traces| traces.flush(&self.recording.stream))
     }
 
     fn log_frame(&self, moment: Moment, fields: &Fields<'_>) -> RecordingStreamResult<()> {
@@ -106,7 +119,7 @@ impl<'r> Recorder<'r> {
         stream.set_time_sequence(traces::STEP, moment.work.iterations as i64);
         stream.set_duration_secs(traces::SECONDS, moment.work.seconds);
         stream.set_time_sequence(traces::TRANSFORMS, moment.work.transforms as i64);
-        if self.traces.has_phases() {
+        if self.has_phases && self.stage.what.has_planes() {
             self.stage.log_caption(stream, moment.phase, fields.stride)?;
         }
         self.stage.log_frame(stream, fields)
@@ -126,7 +139,7 @@ impl Observer for Recorder<'_> {
 impl Drop for Recorder<'_> {
     fn drop(&mut self) {
         if self.failure.is_none() {
-            self.traces.flush(&self.recording.stream).ok();
+            self.flush_traces().ok();
         }
     }
 }

@@ -4,6 +4,7 @@ use super::forecast::Forecast;
 use super::palette::{self, Map, colour};
 use super::reduce::Blocks;
 use super::scene::{self, Fields, Scene, range};
+use crate::grid::Grid;
 use glam::Vec3;
 use rerun::{
     Color, EntityPath, LineStrips3D, Mesh3D, Points3D, Radius, RecordingStream, RecordingStreamResult, Transform3D,
@@ -40,7 +41,7 @@ impl Relief {
         let problem = scene.problem;
         let grid = problem.surface().grid();
         let shape = grid.shape();
-        let spacing = shape.map(|nodes| nodes.div_ceil(VERTICES).next_power_of_two());
+        let spacing = spacing(grid);
         let [rows, columns] = [0, 1].map(|axis| (0..shape[axis]).step_by(spacing[axis]));
         let of_row = |y: usize| columns.clone().map(move |x| problem.height()[y * shape[1] + x]);
         let height: Vec<f64> = rows.clone().flat_map(of_row).collect();
@@ -167,4 +168,15 @@ impl Relief {
         };
         (0..rows - 1).flat_map(|row| (0..columns - 1).flat_map(move |column| square(row, column))).collect()
     }
+}
+
+/// Nodes from vertex to vertex along y and x.
+fn spacing(grid: &Grid) -> [usize; 2] {
+    grid.shape().map(|nodes| nodes.div_ceil(VERTICES).next_power_of_two())
+}
+
+/// Vertices of the mesh of a surface on `grid`.
+pub fn vertices(grid: &Grid) -> usize {
+    let (shape, spacing) = (grid.shape(), spacing(grid));
+    (0..2).map(|axis| shape[axis].div_ceil(spacing[axis]) + 1).product()
 }

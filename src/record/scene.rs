@@ -1,7 +1,8 @@
 //! What is recorded, and the quantities and ranges of its axes.
 
 use super::axes::{Axis, Quantity};
-use crate::contact::Problem;
+use super::part::Parts;
+use crate::contact::{Problem, Step};
 use crate::theory::Exact;
 
 /// One contact problem of a recording.
@@ -26,8 +27,16 @@ pub struct Fields<'a> {
     pub stride: [usize; 2],
     /// Pressure.
     pub pressure: &'a [f64],
-    /// Gap.
+    /// Gap; empty if nothing is drawn of it.
     pub gap: &'a [f64],
+}
+
+impl<'a> Fields<'a> {
+    /// Those of `step` that `parts` show.
+    pub fn of(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
+        let gap = if parts.has_gap() { step.gap() } else { &[] };
+        Self { stride, pressure: step.pressure(), gap }
+    }
 }
 
 /// The smallest gap, over the rms height, that an axis is fitted to: below it a full contact would show its rounding errors.

@@ -1,5 +1,6 @@
 //! A state that outlives its step.
 
+use super::part::Parts;
 use super::scene::Fields;
 use crate::contact::{Phase, Step, Work};
 
@@ -22,9 +23,10 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
-    /// A copy of the fields of `step`.
-    pub fn of(step: &Step<'_>, moment: Moment, stride: [usize; 2]) -> Self {
-        Self { moment, stride, pressure: step.pressure().to_vec(), gap: step.gap().to_vec() }
+    /// A copy of the fields of `step` that `parts` show.
+    pub fn of(step: &Step<'_>, moment: Moment, stride: [usize; 2], parts: Parts) -> Self {
+        let Fields { pressure, gap, .. } = Fields::of(step, stride, parts);
+        Self { moment, stride, pressure: pressure.to_vec(), gap: gap.to_vec() }
     }
 
     /// The fields.

@@ -1,9 +1,11 @@
 //! A scene, prepared for recording.
 
+use super::Options;
 use super::axes::Frame;
 use super::field::{self, SurfacePicture};
 use super::forecast::Forecast;
 use super::line::LinePicture;
+use super::part::{Part, Parts};
 use super::scene::{Fields, Scene};
 use super::thinning::Pace;
 use super::traces::{self, Reference};
@@ -20,6 +22,8 @@ pub struct Stage {
     /// What the caller says of it.
     description: String,
     grid: Grid,
+    /// What is recorded.
+    pub what: Parts,
     /// Exact values of the curves.
     pub reference: Reference,
     /// Upper ends of the axes of curves.
@@ -52,19 +56,11 @@ pub enum Picture {
 }
 
 impl Picture {
-    fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
+    fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
         if scene.problem.surface().grid().is_line() {
-            Self::Line(Box::new(LinePicture::new(scene, forecast, root, unit)))
+            Self::Line(Box::new(LinePicture::new(scene, forecast, root, options)))
         } else {
-            Self::Surface(Box::new(SurfacePicture::new(scene, forecast, root, unit)))
-        }
-    }
-
-    /// How far apart its frames are unless the caller says otherwise.
-    pub fn pace(&self) -> Pace {
-        match self {
-            Self::Line(_) => Pace::LINE,
-            Self::Surface(_) => Pace::SURFACE,
+            Self::Surface(Box::new(SurfacePicture::new(scene, forecast, root, options)))
         }
     }
 
@@ -73,6 +69,14 @@ impl Picture {
         match self {
             Self::Line(line) => line.frame(),
             Self::Surface(surface) => surface.frame(),
+        }
+    }
+
+    /// Whether the contact has a picture of its own, for want of others to lie in.
+    pub fn shows_contact_alone(&self) -> bool {
+        match self {
+            Self::Line(line) => line.shows_contact_alone(),
+            Self::Surface(surface) => surface.shows_contact_alone(),
         }
     }
 
@@ -86,16 +90,19 @@ impl Picture {
 }
 
 impl Stage {
-    /// Prepares `scene` under `root`, with lengths in `unit`.
-    pub fn new(scene: &Scene<'_>, root: String, unit: &str) -> Self {
+    /// Prepares `scene` under `root`.
+    pub fn new(scene: &Scene<'_>, root: String, options: &Options) -> Self {
+        let grid = *scene.problem.surface().grid();
+        let options = Options { what: options.what.and(Parts::on(&grid)), ..options.clone() };
         let forecast = Forecast::of(scene);
         Self {
             title: scene.title.clone(),
             description: scene.description.clone(),
-            grid: *scene.problem.surface().grid(),
+            what: options.what,
+            grid,
             reference: Reference::of(scene.exact.as_ref()),
             ranges: Ranges::of(scene, forecast),
-            picture: Picture::new(scene, forecast, &root, unit),
+            picture: Picture::new(scene, forecast, &root, &options),
             root,
         }
     }
@@ -108,6 +115,11 @@ impl Stage {
         (grid.size() == self.grid.size() && fits(0) && fits(1)).then_some(stride)
     }
 
+    /// How far apart its frames are unless the caller says otherwise.
+    pub fn pace(&self) -> Pace {
+        Pace::on(&self.grid)
+    }
+
     /// Records what stays; `place` is that of the scene among several.
     pub fn log_static(
         &self,
@@ -117,8 +129,12 @@ impl Stage {
     ) -> RecordingStreamResult<()> {
         let Self { root, title, .. } = self;
         self.log_description(to, "still running, or ended by force")?;
-        to.log_static(root.as_str(), &field::classes())?;
-        traces::log_styles(to, root, self.reference, place.map(|place| (place, title.as_str())))?;
+        if self.what.has(Part::Mask) {
+            to.log_static(root.as_str(), &field::classes())?;
+        }
+        if self.what.has(Part::Traces) {
+            traces::log_styles(to, root, self.reference, place.map(|place| (place, title.as_str())))?;
+        }
         match &self.picture {
             Picture::Line(line) => line.log_static(to, root, scene),
             Picture::Surface(surface) => surface.log_static(to, root),
@@ -186,7 +202,7 @@ mod tests {
         let problem = Problem::new(Indenter::Sphere { radius: 1.0 }.surface(fine).unwrap(), 1.0, 0.01).unwrap();
         let (name, title, description) = ("a".into(), "A".into(), String::new());
         let scene = Scene { name, title, problem: &problem, description, exact: None };
-        let stage = Stage::new(&scene, "/a".into(), "m");
+        let stage = Stage::new(&scene, "/a".into(), &Options::default());
         for (shape, stride) in [
             ([48, 64], Some([1, 1])),
             ([12, 16], Some([4, 4])),

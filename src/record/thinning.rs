@@ -1,5 +1,6 @@
 //! Which steps are drawn in full.
 
+use crate::grid::Grid;
 use std::collections::BTreeMap;
 
 /// Picks the steps whose fields are recorded: each n-th, or on each grid level densely at first and ever more sparsely
@@ -12,7 +13,7 @@ pub struct Thinning {
 }
 
 /// How far apart frames are.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pace {
     /// Each n-th step; 0 counts as 1.
     Every(usize),
@@ -30,6 +31,24 @@ impl Pace {
     pub const LINE: Self = Self::Geometric { dense: 32, per_decade: 24.0 };
     /// For surfaces, whose frames take up to 2 MB: half as many.
     pub const SURFACE: Self = Self::Geometric { dense: 16, per_decade: 12.0 };
+    /// Frames of a coarse grid, which is left after some tens of steps.
+    const COARSE: usize = 4;
+
+    /// The pace on `grid` unless the caller says otherwise.
+    pub fn on(grid: &Grid) -> Self {
+        if grid.is_line() { Self::LINE } else { Self::SURFACE }
+    }
+
+    /// Frames at the most, of so many steps on the finest grid above `coarser` ones; the last state counts.
+    pub fn most_frames(self, steps: usize, coarser: usize) -> usize {
+        match self {
+            Self::Every(every) => steps / every.max(1) + 1 + coarser,
+            Self::Geometric { dense, per_decade } => {
+                let decades = (steps.max(dense) as f64 / dense as f64).log10();
+                steps.min(dense) + (per_decade * decades).ceil() as usize + 1 + Self::COARSE * coarser
+            }
+        }
+    }
 }
 
 impl Thinning {
@@ -77,6 +96,12 @@ mod tests {
         assert!((100..=150).contains(&picked.len()), "{}", picked.len());
         assert!(picked.windows(2).skip(40).all(|w| w[1] as f64 / w[0] as f64 <= 1.14));
         assert!((50..=75).contains(&frames(Pace::SURFACE, 100_000).len()));
+        for steps in [5, 16, 100, 1234, 100_000] {
+            for pace in [Pace::LINE, Pace::SURFACE] {
+                let (made, most) = (frames(pace, steps).len() + 1, pace.most_frames(steps, 0));
+                assert!((made..=made + 2).contains(&most), "{made} frames of {steps} steps, not {most}");
+            }
+        }
     }
 
     #[test]

@@ -36,7 +36,6 @@ pub struct Traces {
     series: Vec<Series>,
     exact_kappa_r: Option<f64>,
     exact_area: Option<f64>,
-    has_phases: bool,
 }
 
 struct Series {
@@ -71,19 +70,12 @@ impl Traces {
             series: SERIES.iter().map(series).collect(),
             exact_kappa_r: reference.kappa_r,
             exact_area: reference.relative_area,
-            has_phases: false,
         }
     }
 
-    /// Whether the solver was seen on a coarse grid or at an inner step; only of such solvers phases are recorded.
-    pub fn has_phases(&self) -> bool {
-        self.has_phases
-    }
-
-    /// Adds the numbers of a step in `phase`.
-    pub fn add(&mut self, step: &Step<'_>, phase: Phase) {
-        self.has_phases |= phase.level > 0 || phase.inner > 0;
-        let of_phase = |number: usize| self.has_phases.then_some(number as f64);
+    /// Adds the numbers of a step, in a `phase` if its solver has any.
+    pub fn add(&mut self, step: &Step<'_>, phase: Option<Phase>) {
+        let of_phase = |number: fn(Phase) -> usize| phase.map(|phase| number(phase) as f64);
         let measures = step.measures();
         let values = [
             Some(measures.kappa_r),
@@ -95,9 +87,9 @@ impl Traces {
             Some(step.mean_gap() / step.problem().rms_height()),
             Some(step.energy()),
             Some(step.patches().count() as f64),
-            of_phase(phase.level),
-            of_phase(phase.outer),
-            of_phase(phase.inner),
+            of_phase(|phase| phase.level),
+            of_phase(|phase| phase.outer),
+            of_phase(|phase| phase.inner),
         ];
         for (series, value) in self.series.iter_mut().zip(values) {
             series.add(step.work(), value);

@@ -21,28 +21,48 @@ const HEADER_BYTES: u64 = 4096;
 pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
     let path = path.as_ref();
     let unreadable = |source| FileError::Read { path: path.into(), source };
-    let malformed = |reason| FileError::Format { path: path.into(), reason };
-    if !std::fs::metadata(path).map_err(unreadable)?.is_file() {
-        return Err(malformed("it is a directory or a device, give a .npy file".into()));
-    }
-    let mut file = File::open(path).map_err(unreadable)?;
-    let bytes = file.metadata().map_err(unreadable)?.len();
-    let is_single = check_header(&mut file, bytes).map_err(malformed)?;
+    let (mut file, header) = open(path)?;
     file.rewind().map_err(unreadable)?;
-    let heights = if is_single {
+    let heights = if header.is_single {
         ArrayD::<f32>::read_npy(BufReader::new(file)).map(|heights| heights.mapv(f64::from))
     } else {
         ArrayD::<f64>::read_npy(BufReader::new(file))
     };
     heights.map_err(|error| match error {
         ReadNpyError::Io(source) => unreadable(source),
-        other => malformed(other.to_string()),
+        other => FileError::Format { path: path.into(), reason: other.to_string() },
     })
 }
 
-/// Checks type, rank and length before anything of the claimed size is allocated, and says whether the file holds
-/// singles.
-fn check_header(file: &mut File, bytes: u64) -> Result<bool, String> {
+/// The shape of the heights in a file, as its header says.
+///
+/// # Errors
+/// As [`read_heights`].
+pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
+    Ok(open(path.as_ref())?.1.shape)
+}
+
+/// What a usable header says.
+struct Usable {
+    shape: Vec<usize>,
+    is_single: bool,
+}
+
+/// Opens a file whose header is usable.
+fn open(path: &Path) -> Result<(File, Usable), FileError> {
+    let unreadable = |source| FileError::Read { path: path.into(), source };
+    let malformed = |reason| FileError::Format { path: path.into(), reason };
+    if !std::fs::metadata(path).map_err(unreadable)?.is_file() {
+        return Err(malformed("it is a directory or a device, give a .npy file".into()));
+    }
+    let mut file = File::open(path).map_err(unreadable)?;
+    let bytes = file.metadata().map_err(unreadable)?.len();
+    let header = check_header(&mut file, bytes).map_err(malformed)?;
+    Ok((file, header))
+}
+
+/// Checks type, rank and length before anything of the claimed size is allocated.
+fn check_header(file: &mut File, bytes: u64) -> Result<Usable, String> {
     let mut start = Vec::new();
     file.take(HEADER_BYTES).read_to_end(&mut start).map_err(|error| error.to_string())?;
     let mut rest = start.as_slice();
@@ -60,7 +80,7 @@ fn check_header(file: &mut File, bytes: u64) -> Result<bool, String> {
     let data = bytes - (start.len() - rest.len()) as u64;
     let expected = header.shape.iter().try_fold(size, |product: u64, &n| product.checked_mul(n as u64));
     match expected {
-        Some(expected) if expected == data => Ok(size == 4),
+        Some(expected) if expected == data => Ok(Usable { shape: header.shape, is_single: size == 4 }),
         _ => Err(format!("it holds {data} bytes of data, which is not what its shape {:?} needs", header.shape)),
     }
 }

@@ -43,6 +43,7 @@ use crate::contact::result::Ended;
 use crate::contact::solver::{Run, first_pressure};
 use crate::contact::{Contact, Observer, Problem, Solver, Status, Step, Stop};
 use crate::error::SolveError;
+use crate::grid::Grid;
 use crate::surface::Field;
 use hierarchy::{coarser, halved, prolong};
 use level::{Level, displace};
@@ -102,6 +103,13 @@ const PATIENCE: usize = 600;
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Multilevel;
+
+impl Multilevel {
+    /// Grids that it works on above `grid` at the most: coarse ones, each of half as many points along a side.
+    pub fn coarse_grids(grid: &Grid) -> usize {
+        std::iter::successors(halved(grid), halved).count()
+    }
+}
 
 impl Solver for Multilevel {
     fn name(&self) -> &'static str {

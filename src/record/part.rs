@@ -1,0 +1,84 @@
+//! The parts of a recording.
+
+use crate::grid::Grid;
+
+/// A part of a recording. Lines have no mesh, surfaces no profile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Numbers of every step, as curves.
+    Traces,
+    /// Indenter and solid of a line.
+    Profile,
+    /// Pressure and gap: curves of a line, images of a surface.
+    Fields,
+    /// The contact: segments of a line, an image of a surface.
+    Mask,
+    /// The relief of a surface.
+    Mesh,
+}
+
+/// A set of parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Parts(u8);
+
+impl Parts {
+    /// Every part.
+    pub const ALL: Self = Self(u8::MAX);
+
+    /// The parts that a scene on `grid` can show.
+    pub fn on(grid: &Grid) -> Self {
+        let own = if grid.is_line() { Part::Profile } else { Part::Mesh };
+        [Part::Traces, own, Part::Fields, Part::Mask].into_iter().collect()
+    }
+
+    /// The parts in both sets.
+    pub fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// Whether `part` is in the set.
+    pub fn has(self, part: Part) -> bool {
+        self.has_any([part])
+    }
+
+    /// Whether any of `parts` is in the set.
+    pub fn has_any<const N: usize>(self, parts: [Part; N]) -> bool {
+        self.and(parts.into_iter().collect()).0 != 0
+    }
+
+    /// Whether anything is drawn of the fields of a step.
+    pub(super) fn has_pictures(self) -> bool {
+        self.has_any([Part::Profile, Part::Fields, Part::Mask, Part::Mesh])
+    }
+
+    /// Whether anything is drawn in the plane.
+    pub(super) fn has_planes(self) -> bool {
+        self.has_any([Part::Profile, Part::Fields, Part::Mask])
+    }
+
+    /// Whether the gap is drawn.
+    pub(super) fn has_gap(self) -> bool {
+        self.has_any([Part::Profile, Part::Fields, Part::Mesh])
+    }
+}
+
+impl FromIterator<Part> for Parts {
+    fn from_iter<I: IntoIterator<Item = Part>>(parts: I) -> Self {
+        Self(parts.into_iter().fold(0, |bits, part| bits | 1 << part as u8))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_have_no_mesh_and_surfaces_no_profile() {
+        let line = Parts::on(&Grid::line(4, 1.0).unwrap());
+        let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
+        assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
+        assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
+        assert_eq!(line.and(surface), [Part::Traces, Part::Fields, Part::Mask].into_iter().collect());
+        assert_eq!(Parts::ALL.and(line), line);
+    }
+}
