@@ -160,6 +160,7 @@ fn names(part: Part) -> &'static [&'static str] {
         Part::Fields => &["gap", "pressure"],
         Part::Mask => &["contact"],
         Part::Mesh => &["relief"],
+        Part::Spectrum => &["spectrum"],
     }
 }
 
@@ -186,7 +187,7 @@ fn below(entity: &str) -> String {
 fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.rrd");
-    let all = [Part::Traces, Part::Profile, Part::Fields, Part::Mask, Part::Mesh];
+    let all = [Part::Traces, Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum];
     for problem in [rough_line(), rough_surface()] {
         let can_show = Parts::on(problem.surface().grid());
         for part in all.into_iter().filter(|&part| can_show.has(part)) {
@@ -195,7 +196,7 @@ fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
             let recorded = entities(&path).into_iter().filter(|entity| entity.starts_with("/it/"));
             let recorded: BTreeSet<String> = recorded.map(|entity| below(&entity)).collect();
             let expected = names(part).iter().map(|name| name.to_string()).chain(["description".into()]);
-            let captioned = !matches!(part, Part::Traces | Part::Mesh);
+            let captioned = !matches!(part, Part::Traces | Part::Mesh | Part::Spectrum);
             let expected: BTreeSet<String> = expected.chain(captioned.then(|| "caption".into())).collect();
             assert_eq!(recorded, expected, "{part:?}");
             assert_eq!(shown(&path), expected, "{part:?}");

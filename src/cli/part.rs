@@ -19,14 +19,16 @@ pub enum PartArg {
     Mask,
     /// Relief of a surface
     Mesh,
+    /// Power spectra of displacement and heights; only if asked for
+    Spectrum,
 }
 
 impl PartArg {
-    /// The set of those `asked` for, or all that a scene on `grid` can show.
+    /// The set of those `asked` for, or the usual ones that a scene on `grid` can show.
     pub fn parts(asked: &[Self], grid: &Grid) -> Result<Parts> {
         let shown = Parts::on(grid);
         if asked.is_empty() {
-            return Ok(shown);
+            return Ok(shown.and(Parts::USUAL));
         }
         let parts: Parts = asked.iter().map(|part| part.part()).collect();
         let is_missing = |part: Part| parts.has(part) && !shown.has(part);
@@ -46,6 +48,7 @@ impl PartArg {
             Self::Fields => Part::Fields,
             Self::Mask => Part::Mask,
             Self::Mesh => Part::Mesh,
+            Self::Spectrum => Part::Spectrum,
         }
     }
 }

@@ -92,6 +92,10 @@ fn views(stage: &Stage) -> Vec<Vec<View>> {
             }
         });
     }
+    if let Some(spectrum) = &stage.spectrum {
+        let (title, origin) = ("Power spectra (blue: displacement, grey: heights)", format!("{}/spectrum", stage.root));
+        rows.push(vec![View::plane(title, &origin, vec![format!("{origin}/**")], spectrum.bounds())]);
+    }
     if picture.shows_contact_alone() {
         rows.push(vec![plane(stage, "contact", &format!("{title}: contact"), false)]);
     }

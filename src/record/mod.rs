@@ -49,6 +49,7 @@ mod relief;
 mod scene;
 mod size;
 mod snapshot;
+mod spectrum;
 mod stage;
 mod thinning;
 mod traces;
@@ -85,7 +86,7 @@ pub struct Options {
 impl Default for Options {
     /// Every part, the automatic schedule, lengths in metres.
     fn default() -> Self {
-        Self { what: Parts::ALL, every: None, length_unit: "m".into() }
+        Self { what: Parts::USUAL, every: None, length_unit: "m".into() }
     }
 }
 

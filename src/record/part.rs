@@ -15,6 +15,8 @@ pub enum Part {
     Mask,
     /// The relief of a surface.
     Mesh,
+    /// Power spectra of displacement and heights.
+    Spectrum,
 }
 
 /// A set of parts.
@@ -22,13 +24,13 @@ pub enum Part {
 pub struct Parts(u8);
 
 impl Parts {
-    /// Every part.
-    pub const ALL: Self = Self(u8::MAX);
+    /// Every part but the spectrum, which takes a transform for each frame.
+    pub const USUAL: Self = Self(!(1 << Part::Spectrum as u8));
 
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
         let own = if grid.is_line() { Part::Profile } else { Part::Mesh };
-        [Part::Traces, own, Part::Fields, Part::Mask].into_iter().collect()
+        [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect()
     }
 
     /// The parts in both sets.
@@ -48,7 +50,7 @@ impl Parts {
 
     /// Whether anything is drawn of the fields of a step.
     pub(super) fn has_pictures(self) -> bool {
-        self.has_any([Part::Profile, Part::Fields, Part::Mask, Part::Mesh])
+        self.has_any([Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum])
     }
 
     /// Whether anything is drawn in the plane.
@@ -58,7 +60,7 @@ impl Parts {
 
     /// Whether the gap is drawn.
     pub(super) fn has_gap(self) -> bool {
-        self.has_any([Part::Profile, Part::Fields, Part::Mesh])
+        self.has_any([Part::Profile, Part::Fields, Part::Mesh, Part::Spectrum])
     }
 }
 
@@ -78,7 +80,7 @@ mod tests {
         let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
         assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
         assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
-        assert_eq!(line.and(surface), [Part::Traces, Part::Fields, Part::Mask].into_iter().collect());
-        assert_eq!(Parts::ALL.and(line), line);
+        assert_eq!(line.and(surface), [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect());
+        assert!(line.has(Part::Spectrum) && !Parts::USUAL.and(line).has(Part::Spectrum));
     }
 }

@@ -31,7 +31,7 @@ impl Size {
         let bytes = |part: Part| if parts.has(part) { bytes(part, grid) } else { 0.0 };
         Self {
             still: Self::STILL,
-            frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh].map(bytes).iter().sum(),
+            frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum].map(bytes).iter().sum(),
             step: if parts.has(Part::Traces) { Self::STEP } else { 0.0 },
             pace: Pace::on(grid),
         }
@@ -54,6 +54,7 @@ fn bytes(part: Part, grid: &Grid) -> f64 {
         (Part::Mask, true) => points,
         (Part::Mask, false) => 0.1 * pixels,
         (Part::Mesh, _) => 28.0 * vertices,
+        (Part::Spectrum, _) => 2e3,
         (Part::Traces, _) => 0.0,
     }
 }

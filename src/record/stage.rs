@@ -7,6 +7,7 @@ use super::forecast::Forecast;
 use super::line::LinePicture;
 use super::part::{Part, Parts};
 use super::scene::{Fields, Scene};
+use super::spectrum::SpectrumPicture;
 use super::thinning::Pace;
 use super::traces::{self, Reference};
 use crate::contact::{Contact, Phase, Status};
@@ -30,6 +31,8 @@ pub struct Stage {
     pub ranges: Ranges,
     /// What is drawn of the fields.
     pub picture: Picture,
+    /// The power spectra, if they are asked for.
+    pub spectrum: Option<SpectrumPicture>,
 }
 
 /// Upper ends of the axes of curves, known before solving so that the first steps do not dwarf the last.
@@ -103,6 +106,7 @@ impl Stage {
             reference: Reference::of(scene.exact.as_ref()),
             ranges: Ranges::of(scene, forecast),
             picture: Picture::new(scene, forecast, &root, &options),
+            spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, &root)),
             root,
         }
     }
@@ -135,6 +139,9 @@ impl Stage {
         if self.what.has(Part::Traces) {
             traces::log_styles(to, root, self.reference, place.map(|place| (place, title.as_str())))?;
         }
+        if let Some(spectrum) = &self.spectrum {
+            spectrum.log_static(to)?;
+        }
         match &self.picture {
             Picture::Line(line) => line.log_static(to, root, scene),
             Picture::Surface(surface) => surface.log_static(to, root),
@@ -159,6 +166,9 @@ impl Stage {
 
     /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        if let Some(spectrum) = &self.spectrum {
+            spectrum.log_frame(to, fields)?;
+        }
         match &self.picture {
             Picture::Line(line) => line.log_frame(to, fields),
             Picture::Surface(surface) => surface.log_frame(to, fields),
