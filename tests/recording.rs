@@ -369,7 +369,8 @@ fn other_grids_and_solvers_without_levels_leave_no_trace_of_levels() {
     assert!(strips(&path, "/it/profile/solid").is_empty());
 }
 
-/// Starts a run that would take for ever, and kills it when the file has grown beyond its statics.
+/// Starts a run that would take for ever, and kills it when the file has grown beyond its statics and first frames, which
+/// are written entity by entity.
 #[cfg(unix)]
 #[test]
 fn a_killed_run_leaves_a_recording_that_opens() {
@@ -389,7 +390,7 @@ fn a_killed_run_leaves_a_recording_that_opens() {
         .unwrap();
     let size = || std::fs::metadata(&path).map_or(0, |file| file.len());
     let deadline = Instant::now() + Duration::from_secs(60);
-    while size() < 1_000_000 && run.try_wait().unwrap().is_none() && Instant::now() < deadline {
+    while size() < 4_000_000 && run.try_wait().unwrap().is_none() && Instant::now() < deadline {
         std::thread::sleep(Duration::from_millis(20));
     }
     assert!(run.try_wait().unwrap().is_none(), "the run ended by itself");

@@ -24,19 +24,40 @@ pub struct Plan {
     method: Method,
     /// Share of the nodes in contact.
     contact: f64,
+    outputs: Outputs,
+}
+
+/// What is written, as far as it takes memory.
+pub struct Outputs {
+    /// Whether the steps are recorded.
+    pub recording: bool,
+    /// Whether the fields are written.
+    pub fields: bool,
 }
 
 impl Plan {
     /// A solve on `grid`; the reduced pressure is that of a rough surface, and without one all may touch.
-    pub fn new(grid: Grid, method: Method, reduced_pressure: Option<f64>) -> Self {
+    pub fn new(grid: Grid, method: Method, reduced_pressure: Option<f64>, outputs: Outputs) -> Self {
         let share = |pressure: f64| erf(0.5 * std::f64::consts::PI.sqrt() * KAPPA * pressure.max(0.0));
-        Self { grid, method, contact: reduced_pressure.map_or(1.0, share) }
+        Self { grid, method, contact: reduced_pressure.map_or(1.0, share), outputs }
     }
 
     /// Refuses a solve that cannot fit in memory, whatever touches.
     pub fn check(&self) -> anyhow::Result<()> {
         let name = self.method.solver().name();
         memory::check(&self.grid, name, memory::fields(self.method, &self.grid, 0.0))
+    }
+
+    /// Fields at the peak, as measured where there is a recording or an archive: a recording of the multilevel solver makes
+    /// fields that others have at hand, and an archive is made in memory.
+    fn fields(&self) -> f64 {
+        let recorded = match self.method {
+            _ if !self.outputs.recording => 0.0,
+            Method::Multilevel => 4.0,
+            Method::PolonskyKeer | Method::Gfmd => 2.0,
+        };
+        let solved = memory::fields(self.method, &self.grid, self.contact) + recorded;
+        if self.outputs.fields { solved.max(9.5) } else { solved }
     }
 
     /// Coarse grids that the solver goes through.
@@ -64,7 +85,7 @@ impl Plan {
             0 => writeln!(out, "  grids       1")?,
             _ => writeln!(out, "  grids       {}, from {} to {points}", halvings + 1, self::points(coarsest))?,
         }
-        let needed = memory::bytes(memory::fields(self.method, &self.grid, self.contact), &self.grid);
+        let needed = memory::bytes(self.fields(), &self.grid);
         let free =
             memory::available().map_or(String::new(), |free| format!(" of {} that are free", memory::words(free)));
         writeln!(out, "  memory      about {}{free}", memory::words(needed))?;

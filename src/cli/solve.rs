@@ -3,7 +3,7 @@
 use super::output::{Summary, write_fields};
 #[cfg(feature = "record")]
 use super::part::PartArg;
-use super::plan::Plan;
+use super::plan::{Outputs, Plan};
 use super::progress::Progress;
 use super::solver::SolverArgs;
 use super::source::{Made, Source};
@@ -120,7 +120,12 @@ impl Solve {
     fn plan(&self) -> Result<Plan> {
         let grid = self.source.check()?;
         let reduced_pressure = self.load.reduced_pressure.filter(|_| self.source.is_random());
-        Ok(Plan::new(grid, self.solver.method(), reduced_pressure))
+        #[cfg(feature = "record")]
+        let recording = self.output.record.is_some();
+        #[cfg(not(feature = "record"))]
+        let recording = false;
+        let outputs = Outputs { recording, fields: self.output.out.is_some() };
+        Ok(Plan::new(grid, self.solver.method(), reduced_pressure, outputs))
     }
 
     /// Says what the solve would take.
