@@ -12,7 +12,7 @@ pub fn fields(method: Method, grid: &Grid, contact: f64) -> f64 {
     let extension = if grid.is_line() { 2.0 } else { 2.0 / 3.0 };
     let solver: f64 = match method {
         Method::Multilevel => 2.0 + extension + 8.0 * contact,
-        Method::PolonskyKeer => 6.0,
+        Method::PolonskyKeer => 7.0,
         Method::Gfmd => 10.0,
     };
     1.0 + solver.max(3.0)
