@@ -1,26 +1,13 @@
 //! `asperity bench`, run for real on shrunk cases.
 
 mod command;
+mod rows;
 
 use command::{Folder, text};
-use std::collections::HashMap;
-use std::process::Output;
-
-type Row = HashMap<String, String>;
-
-fn rows(folder: &Folder, name: &str) -> Vec<Row> {
-    csv::Reader::from_path(folder.join(name)).unwrap().deserialize().map(Result::unwrap).collect()
-}
+use rows::{Row, assert_refused, rows};
 
 fn number(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap_or_else(|_| panic!("{column} is {:?} in {row:?}", row[column]))
-}
-
-fn assert_refused(output: &Output, words: &[&str]) {
-    let error = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{error}");
-    assert!(output.stdout.is_empty(), "something ran: {}", text(&output.stdout));
-    assert!(words.iter().all(|word| error.contains(word)), "{error}");
 }
 
 #[test]

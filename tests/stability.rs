@@ -1,23 +1,11 @@
 //! `asperity stability`, run for real on small cases.
 
 mod command;
+mod rows;
 
 use command::{Folder, text};
-use std::collections::{BTreeSet, HashMap};
-use std::process::Output;
-
-type Row = HashMap<String, String>;
-
-fn rows(folder: &Folder, name: &str) -> Vec<Row> {
-    csv::Reader::from_path(folder.join(name)).unwrap().deserialize().map(Result::unwrap).collect()
-}
-
-fn assert_refused(output: &Output, words: &[&str]) {
-    let error = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{error}");
-    assert!(output.stdout.is_empty(), "something ran: {}", text(&output.stdout));
-    assert!(words.iter().all(|word| error.contains(word)), "{error}");
-}
+use rows::{assert_refused, rows};
+use std::collections::BTreeSet;
 
 #[test]
 fn every_case_ends_as_it_must() {

@@ -11,7 +11,8 @@ use asperity::record::{Options, Size};
 use libm::erf;
 use std::io::{self, Write};
 
-/// Small loads touch this share of a rough surface per reduced pressure, in between those of rough and very rough ones.
+/// `kappa = a_rel / p*` of rough surfaces at small loads, as van Dokkum et al. (2018) find it; Persson's error function takes
+/// it on to full contact.
 const KAPPA: f64 = 2.2;
 
 /// Steps of the multilevel solver on the finest grid, rather more than are usual.

@@ -30,13 +30,15 @@ use crate::surface::Field;
 /// Memory: 6 fields of n doubles besides the [`HalfSpace`].
 ///
 /// # Why it is stable
-/// On a fixed contact set the step is that of conjugate gradients for a symmetric positive semi-definite operator, and the step
-/// length is the exact minimiser; there is no time step to choose. Nodes neither enter nor leave at the price of a higher energy. What rounding adds to the displacement by linearity is
-/// removed before convergence is declared: the certificate is then recomputed from a fresh transform pair.
+/// On a fixed contact set the step is that of conjugate gradients for a symmetric positive semi-definite operator, and the
+/// step length is the exact minimiser; there is no time step to choose. Nodes neither enter nor leave at the price of a
+/// higher energy. What rounding adds to the displacement by linearity is removed before convergence is declared: the
+/// certificate is then recomputed from a fresh transform pair.
 ///
 /// # Source
-/// Polonsky & Keer, Wear 231, 206 (1999), steps 1 to 10. Deviations: displacement by linearity; the mean gap, where there is
-/// neither a mean to take off nor a load to restore; no change of the contact that raises the energy; the stop by [`Certificate`].
+/// Polonsky & Keer, Wear 231, 206 (1999), steps 1 to 10. Deviations: displacement by linearity; the mean gap, where there
+/// is neither a mean to take off nor a load to restore; no change of the contact that raises the energy; the stop by
+/// [`Certificate`].
 ///
 /// ```
 /// use asperity::{Grid, Problem, Stop, surface::Indenter, contact::{PolonskyKeer, Solver}};

@@ -55,13 +55,13 @@ pub(super) fn first_pressure(start: Option<&Field>, problem: &Problem) -> Vec<f6
     let pressure: Vec<f64> = start.iter().map(|&p| if p.is_finite() { p.max(0.0) } else { 0.0 }).collect();
     let highest = chunks::visit(pressure.len(), |range| range.fold(0.0, |high: f64, i| high.max(pressure[i])));
     let highest = highest.into_iter().fold(0.0, f64::max);
-    let mean = chunks::sum(pressure.len(), |i| pressure[i] / highest) / pressure.len() as f64;
     if highest <= 0.0 {
         return vec![load; pressure.len()];
     }
     if let Load::MeanGap(_) = problem.load() {
         return pressure;
     }
+    let mean = chunks::sum(pressure.len(), |i| pressure[i] / highest) / pressure.len() as f64;
     pressure.into_iter().map(|p| p / highest * (load / mean)).collect()
 }
 

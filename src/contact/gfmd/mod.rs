@@ -52,12 +52,12 @@ pub enum Dynamics {
 /// It works under a mean pressure only: at a mean gap it returns [`SolveError::NeedsPressure`].
 ///
 /// # Why it is stable
-/// Verlet's scheme follows a mode of frequency `omega` up to `omega dt = 2`, under any friction that acts on the mean of the
-/// advances before and after (on the one before alone, it would lower the limit). With uniform masses the stiffest mode sets the limit,
-/// and putting nodes back onto the wall is not expansive. With masses proportional to stiffness every free wave has the
-/// same frequency, but holding nodes couples waves and raises it: for a single free node among held ones to
-/// `<k> <1/k>` (about `ln(n) / 2` on a line), of which twice is allowed for; for long waves that would have to move
-/// against the contacts, which is why their masses have a floor.
+/// Verlet's scheme follows a mode of frequency `omega` up to `omega dt = 2`, under any friction that acts on the mean of
+/// the advances before and after (on the one before alone, it would lower the limit). With uniform masses the stiffest mode
+/// sets the limit, and putting nodes back onto the wall is not expansive. With masses proportional to stiffness every free
+/// wave has the same frequency, but holding nodes couples waves and raises it: for a single free node among held ones to
+/// `<k> <1/k>` (about `ln(n) / 2` on a line), of which twice is allowed for; for long waves that would have to move against
+/// the contacts, which is why their masses have a floor.
 ///
 /// # Source
 /// Campana & Mueser, Phys. Rev. B 74, 075420 (2006); Prodanov, Dapp & Mueser, Tribol. Lett. 53, 433 (2014); FIRE: Bitzek et

@@ -21,7 +21,11 @@ const FAR: f64 = 0.25;
 /// of a field at the distance `s` is its capacity over that of the cell: `a = 1 / (1 + ln(s / b))` on a line, `a = b / s` on a
 /// surface, so `a = sqrt(w)` there.
 ///
-/// Memory: 2 values of n doubles on lines, two thirds on surfaces.
+/// Memory: 2 fields of n doubles on lines, two thirds of one on surfaces.
+///
+/// # Source
+/// The pyramid is the pull-push of Gortler, Grzeszczuk, Szeliski & Cohen, "The Lumigraph", SIGGRAPH 1996. Its use here, the
+/// blending by capacity and the exact transpose are this crate's own.
 pub(super) struct Extension {
     /// Shape of the nodes.
     shape: [usize; 2],
@@ -88,8 +92,8 @@ impl Extension {
 
     /// Writes the extended vector to a row of the half-space; the nodes of the set are left to the caller.
     pub fn fill(&self, row: usize, to: &mut [f64]) {
-        let (y, first) = (row / self.pieces, row % self.pieces * to.len());
         let Some(finest) = self.levels.first() else { return };
+        let (y, first) = self.place(row, to.len());
         finest.interpolate(self.shape, y, first..first + to.len(), |x, value| to[x - first] = value);
     }
 
@@ -125,12 +129,17 @@ impl Extension {
         self.add_to(support, values);
     }
 
+    /// The row of nodes, and its first column, of a row of the half-space.
+    fn place(&self, row: usize, width: usize) -> (usize, usize) {
+        (row / self.pieces, row % self.pieces * width)
+    }
+
     fn add_to(&self, support: &Support, values: &mut [f64]) {
         let Some(finest) = self.levels.first() else { return };
         let weight = weight(self.shape);
         let mut pieces = support.pieces(values);
         chunks::each(&mut pieces, support.shape()[1], |row, piece| {
-            let (y, first) = (row / self.pieces, row % self.pieces * support.shape()[1]);
+            let (y, first) = self.place(row, support.shape()[1]);
             let cells = &finest.values[y / 2 * finest.shape[1]..];
             let columns = support.runs(row).flat_map(|(run, _)| run);
             piece.iter_mut().zip(columns).for_each(|(value, x)| *value += weight * cells[(first + x) / 2]);

@@ -45,8 +45,8 @@ impl Level<'_> {
         true
     }
 
-    /// The projection onto `p >= 0`, with the mean pressure if that is given, of a step against the gradient, as long as the curvature of `f` along the
-    /// gradient on the set suggests.
+    /// The projection onto `p >= 0`, with the mean pressure if that is given, of a step against the gradient, as long as
+    /// the curvature of `f` along the gradient on the set suggests.
     fn gradient_step(&mut self) -> Vec<f64> {
         let lambda = self.lambda();
         let length = self.cauchy_length();
