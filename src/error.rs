@@ -222,6 +222,34 @@ impl SolveError {
     }
 }
 
+/// A study that cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum StudyError {
+    /// A surface that cannot be made.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+    /// A load that cannot be.
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    /// A contact that cannot be solved.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// A table that cannot be read or written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A table that would be lost.
+    #[error(
+        "{} holds {points} points of other surfaces, loads, tolerances or versions: write elsewhere, or start afresh to replace it",
+        path.display()
+    )]
+    OtherStudy {
+        /// The table.
+        path: PathBuf,
+        /// Its points that were not asked for.
+        points: usize,
+    },
+}
+
 /// A file that cannot be read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {

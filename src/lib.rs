@@ -18,6 +18,7 @@
 //! | [`elastic`] | the half-space: compliance and stiffness                                             |
 //! | [`theory`]  | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson          |
 //! | [`contact`] | the problem, its solvers and their observers, the certificate, area and `kappa_r`    |
+//! | [`study`]   | sweeps over surfaces and loads in tables that a killed run resumes, averages, fits    |
 //! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
 //!
 //! # Conventions
@@ -58,6 +59,7 @@ pub mod fourier;
 pub mod grid;
 #[cfg(feature = "record")]
 pub mod record;
+pub mod study;
 pub mod surface;
 pub mod theory;
 

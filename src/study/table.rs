@@ -1,0 +1,142 @@
+//! A table of points on disk, which grows while a study runs.
+
+use super::row::{Row, Timed};
+use crate::error::FileError;
+use crate::surface::{check_target, write_beside};
+use serde::Serialize;
+use std::fs::{File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// The points of a study in files.
+///
+/// | file                 | what it holds                                                                  |
+/// |----------------------|--------------------------------------------------------------------------------|
+/// | `NAME.csv`           | all points of a finished study, in its order: the same to the last bit whenever it is run |
+/// | `NAME.seconds.csv`   | the seconds that each of them took, row by row                                 |
+/// | `NAME.unfinished`    | the points of a study that runs, or was killed, in the order of their coming    |
+#[derive(Debug, Clone)]
+pub struct Table {
+    path: PathBuf,
+}
+
+/// A row of the seconds.
+#[derive(Serialize, serde::Deserialize)]
+struct Seconds {
+    name: String,
+    ny: usize,
+    nx: usize,
+    hurst: Option<f64>,
+    seed: Option<u64>,
+    reduced_pressure: f64,
+    seconds: f64,
+}
+
+impl Seconds {
+    fn of(Timed { row, seconds }: &Timed) -> Self {
+        let Row { name, ny, nx, hurst, seed, reduced_pressure, .. } = row.clone();
+        Self { name, ny, nx, hurst, seed, reduced_pressure, seconds: *seconds }
+    }
+}
+
+impl Table {
+    /// The table `path`, which ends in `.csv` and need not be there.
+    pub fn new(path: impl Into<PathBuf>) -> Self {
+        Self { path: path.into() }
+    }
+
+    /// Where the finished table is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// All points that are there, those of the finished table first. Files that are missing, of another making or cut short
+    /// by a killed run hold fewer points, or none.
+    ///
+    /// # Errors
+    /// [`FileError::Read`] for files that are there and cannot be read.
+    pub fn read(&self) -> Result<Vec<Timed>, FileError> {
+        let rows = self.records(&self.path, true)?.into_iter();
+        let seconds = self.records(&self.seconds_path(), true)?.into_iter().map(|record: Seconds| record.seconds);
+        let finished = rows.zip(seconds).map(|(row, seconds)| Timed { row, seconds });
+        let unfinished = self.records(&self.unfinished_path(), false)?.into_iter();
+        Ok(finished.chain(unfinished.map(|(row, seconds)| Timed { row, seconds })).collect())
+    }
+
+    /// Adds the points of a realisation to the unfinished table, so that a killed run need not repeat them.
+    ///
+    /// # Errors
+    /// [`FileError::Target`] or [`FileError::Write`].
+    pub fn append(&self, points: &[Timed]) -> Result<(), FileError> {
+        let path = self.unfinished_path();
+        check_target(&path)?;
+        let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+        let failed = |source| FileError::Write { path: path.clone(), source };
+        for Timed { row, seconds } in points {
+            csv.serialize((row, seconds)).map_err(|error| failed(io::Error::other(error)))?;
+        }
+        let text = csv.into_inner().map_err(|error| failed(error.into_error()))?;
+        let mut file = OpenOptions::new().create(true).append(true).open(&path).map_err(failed)?;
+        file.write_all(&text).and_then(|()| file.sync_data()).map_err(failed)
+    }
+
+    /// Writes the finished table and removes the unfinished one.
+    ///
+    /// # Errors
+    /// [`FileError::Target`] or [`FileError::Write`].
+    pub fn finish(&self, points: &[Timed]) -> Result<(), FileError> {
+        write_records(&self.path, points.iter().map(|timed| &timed.row))?;
+        write_records(&self.seconds_path(), points.iter().map(Seconds::of))?;
+        match std::fs::remove_file(self.unfinished_path()) {
+            Err(source) if source.kind() != io::ErrorKind::NotFound => {
+                Err(FileError::Write { path: self.unfinished_path(), source })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Removes what is there.
+    ///
+    /// # Errors
+    /// [`FileError::Write`].
+    pub fn clear(&self) -> Result<(), FileError> {
+        for path in [self.path.clone(), self.seconds_path(), self.unfinished_path()] {
+            match std::fs::remove_file(&path) {
+                Err(source) if source.kind() != io::ErrorKind::NotFound => {
+                    return Err(FileError::Write { path, source });
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn seconds_path(&self) -> PathBuf {
+        self.path.with_extension("seconds.csv")
+    }
+
+    fn unfinished_path(&self) -> PathBuf {
+        self.path.with_extension("unfinished")
+    }
+
+    /// The records up to the first that is none.
+    fn records<T: serde::de::DeserializeOwned>(&self, path: &Path, has_headers: bool) -> Result<Vec<T>, FileError> {
+        let file = match File::open(path) {
+            Err(source) if source.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+            other => other.map_err(|source| FileError::Read { path: path.into(), source })?,
+        };
+        let csv = csv::ReaderBuilder::new().has_headers(has_headers).from_reader(file);
+        Ok(csv.into_deserialize().map_while(Result::ok).collect())
+    }
+}
+
+/// Writes records as CSV in full precision, beside and then renamed.
+fn write_records<T: Serialize>(path: &Path, records: impl Iterator<Item = T>) -> Result<(), FileError> {
+    write_beside(path, |file| {
+        let mut csv = csv::Writer::from_writer(file);
+        for record in records {
+            csv.serialize(record)?;
+        }
+        csv.flush()
+    })
+}
