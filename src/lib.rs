@@ -18,6 +18,7 @@
 //! | [`elastic`] | the half-space: compliance and stiffness                                             |
 //! | [`theory`]  | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson          |
 //! | [`contact`] | the problem, its solvers and their observers, the certificate, area and `kappa_r`    |
+//! | [`plot`]    | figures as data, written as SVG and PNG                                              |
 //! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
 //!
 //! # Conventions
@@ -56,6 +57,7 @@ pub mod elastic;
 pub mod error;
 pub mod fourier;
 pub mod grid;
+pub mod plot;
 #[cfg(feature = "record")]
 pub mod record;
 pub mod surface;

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 /// Layers by module; the names that the crate root re-exports have the layer of their module.
-const LAYERS: [(&str, u8); 18] = [
+const LAYERS: [(&str, u8); 19] = [
     ("error", 0),
     ("chunks", 0),
     ("grid", 0),
@@ -19,6 +19,7 @@ const LAYERS: [(&str, u8); 18] = [
     ("Contact", 2),
     ("Problem", 2),
     ("Stop", 2),
+    ("plot", 3),
     ("record", 4),
     ("cli", 6),
     ("main", 6),
@@ -29,9 +30,12 @@ const LAYERS: [(&str, u8); 18] = [
 const ALLOWED: (&str, &str) = ("error.rs", "use crate::contact::Contact;");
 
 /// Crates, and the only places that may name them.
-const PLACES: [(&str, &[&str]); 8] = [
+const PLACES: [(&str, &[&str]); 11] = [
     ("rustfft", &["fourier/"]),
     ("realfft", &["fourier/"]),
+    ("plotters", &["plot/"]),
+    ("png", &["plot/"]),
+    ("dejavu", &["plot/"]),
     ("rerun", &["record/"]),
     ("glam", &["record/"]),
     ("colorgrad", &["record/"]),
