@@ -20,7 +20,7 @@ pub struct Axis {
     pub range: [f64; 2],
 }
 
-/// Marks on an axis that its ticks come to about, if linear.
+/// Steps on a linear axis, at most.
 const LINEAR_TICKS: f64 = 6.0;
 /// Powers of ten with a label, at most.
 const MOST_POWERS: f64 = 12.0;
@@ -44,7 +44,7 @@ impl Axis {
     pub fn place(&self, value: f64) -> f64 {
         let [start, end, at] = [self.range[0], self.range[1], value].map(|value| match self.scale {
             Scale::Linear => value,
-            Scale::Log => value.ln(),
+            Scale::Log => value.max(0.0).ln(),
         });
         (at - start) / (end - start)
     }

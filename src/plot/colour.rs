@@ -21,4 +21,8 @@ impl Colour {
     pub const BLACK: Self = Self([0, 0, 0]);
     /// Grey of what stands behind.
     pub const GREY: Self = Self([110, 110, 110]);
+    /// Lines of the grid.
+    pub(super) const PALE: Self = Self([225, 225, 225]);
+    /// The ground.
+    pub(super) const WHITE: Self = Self([255, 255, 255]);
 }

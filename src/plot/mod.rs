@@ -14,8 +14,13 @@
 //! ```
 
 mod axis;
+mod clip;
 mod colour;
+mod font;
+mod frame;
+mod legend;
 mod mark;
+mod series;
 mod sheet;
 mod write;
 

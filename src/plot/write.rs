@@ -1,19 +1,16 @@
-//! Figures as SVG and PNG. The font comes with the program, so that bare machines draw the same.
+//! Figures as SVG and PNG.
 
+use super::font::font;
 use super::sheet::{Align, Element, Sheet};
 use super::{Colour, Figure};
 use crate::error::FileError;
 use crate::surface::write_beside;
 use plotters::coord::Shift;
 use plotters::prelude::*;
-use plotters::style::register_font;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::io::{self, Write};
 use std::path::Path;
-use std::sync::Once;
 
-/// The name that the font goes by; in an SVG it is what the viewer has.
-const FONT: &str = "sans-serif";
 /// Dots per unit in which a figure is drawn, of which an SVG knows the positions only.
 const GRAIN: u32 = 4;
 /// Dots along a side of a pixel.
@@ -36,12 +33,6 @@ pub fn write_png(path: &Path, figure: &Figure) -> Result<(), FileError> {
         let (size, pixels) = pixels(&Sheet::of(figure))?;
         encode(file, size, &pixels)
     })
-}
-
-/// Width of a text in a font of `size` units.
-pub(super) fn width(text: &str, size: f64) -> f64 {
-    let (width, _) = font(size).box_size(text).unwrap_or_default();
-    f64::from(width) / f64::from(GRAIN)
 }
 
 fn svg(sheet: &Sheet) -> io::Result<String> {
@@ -112,18 +103,10 @@ fn draw<B: DrawingBackend>(
                 Align::Right => HPos::Right,
             };
             let turn = if *upwards { FontTransform::Rotate270 } else { FontTransform::None };
-            let style = font(*size).transform(turn).color(&BLACK).pos(Pos::new(side, VPos::Center));
+            let style = font(size * f64::from(GRAIN)).transform(turn).color(&BLACK).pos(Pos::new(side, VPos::Center));
             area.draw_text(text, &style, (dot(*x), dot(*y)))
         }
     }
-}
-
-fn font(size: f64) -> FontDesc<'static> {
-    static REGISTERED: Once = Once::new();
-    REGISTERED.call_once(|| {
-        register_font(FONT, FontStyle::Normal, dejavu::sans::regular()).ok();
-    });
-    (FONT, size * f64::from(GRAIN)).into_font()
 }
 
 fn rgb(Colour([red, green, blue]): Colour) -> RGBColor {
