@@ -19,6 +19,7 @@
 //! | [`theory`]  | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson          |
 //! | [`contact`] | the problem, its solvers and their observers, the certificate, area and `kappa_r`    |
 //! | [`study`]   | sweeps over surfaces and loads in tables that a killed run resumes, averages, fits    |
+//! | [`plot`]    | figures as data, written as SVG and PNG                                              |
 //! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
 //!
 //! # Conventions
@@ -57,6 +58,7 @@ pub mod elastic;
 pub mod error;
 pub mod fourier;
 pub mod grid;
+pub mod plot;
 #[cfg(feature = "record")]
 pub mod record;
 pub mod study;

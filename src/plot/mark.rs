@@ -1,0 +1,82 @@
+//! Marks of series: lines and symbols.
+
+use std::f64::consts::TAU;
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mark {
+    /// A solid line.
+    Line,
+    /// A dashed line.
+    Dashed,
+    /// A dotted line.
+    Dotted,
+    /// A symbol at each point.
+    Symbol {
+        /// Its shape.
+        symbol: Symbol,
+        /// Filled, or an outline on white.
+        filled: bool,
+    },
+    /// Symbols joined by a line.
+    Joined {
+        /// Their shape.
+        symbol: Symbol,
+        /// Filled, or outlines on white.
+        filled: bool,
+    },
+}
+
+impl Mark {
+    /// Whether a line joins the points.
+    pub(super) fn is_line(self) -> bool {
+        !matches!(self, Self::Symbol { .. })
+    }
+
+    /// Lengths of dashes and of what is between them, for lines that have them.
+    pub(super) fn pattern(self) -> Option<[f64; 2]> {
+        match self {
+            Self::Dashed => Some([7.0, 4.5]),
+            Self::Dotted => Some([2.0, 3.5]),
+            Self::Line | Self::Symbol { .. } | Self::Joined { .. } => None,
+        }
+    }
+
+    /// The symbol, and whether it is filled.
+    pub(super) fn symbol(self) -> Option<(Symbol, bool)> {
+        match self {
+            Self::Symbol { symbol, filled } | Self::Joined { symbol, filled } => Some((symbol, filled)),
+            Self::Line | Self::Dashed | Self::Dotted => None,
+        }
+    }
+}
+
+/// A shape that tells a series from others without colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Symbol {
+    /// A circle.
+    Circle,
+    /// A square.
+    Square,
+    /// A triangle that points upwards.
+    Triangle,
+    /// A square on a corner.
+    Diamond,
+}
+
+impl Symbol {
+    /// Corners, right and down from its middle, of a symbol about nine units wide.
+    pub(super) fn outline(self) -> Vec<[f64; 2]> {
+        let (corners, turn, radius) = match self {
+            Self::Circle => (24, 0.0, 4.4),
+            Self::Square => (4, 0.125, 5.4),
+            Self::Triangle => (3, 0.0, 5.8),
+            Self::Diamond => (4, 0.0, 5.6),
+        };
+        let corner = |i| {
+            let (right, up) = (TAU * (f64::from(i) / f64::from(corners) + turn)).sin_cos();
+            [radius * right, -radius * up]
+        };
+        (0..corners).map(corner).collect()
+    }
+}

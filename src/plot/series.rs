@@ -1,0 +1,56 @@
+//! How a series is drawn: error bars, then lines, then symbols.
+
+use super::clip::{dashes, runs};
+use super::frame::Frame;
+use super::sheet::{Sheet, around};
+use super::{Colour, Point, Series};
+
+const LINE: f64 = 2.0;
+const FINE_LINE: f64 = 1.4;
+/// From the middle of an error bar to the end of a cap.
+const CAP: f64 = 4.0;
+
+/// Draws what lies inside `frame`.
+pub fn draw_series(sheet: &mut Sheet, frame: &Frame, series: &Series) {
+    series.points.iter().for_each(|point| draw_bar(sheet, frame, series.colour, point));
+    let places: Vec<[f64; 2]> = series.points.iter().map(|point| frame.places(point.x, point.y)).collect();
+    for run in runs(&places) {
+        draw_line(sheet, series, run.into_iter().map(|place| frame.position(place)).collect());
+    }
+    for place in places.into_iter().filter(|place| place.iter().all(|place| (0.0..=1.0).contains(place))) {
+        draw_symbol(sheet, series, frame.position(place));
+    }
+}
+
+/// The line of a series through `points` of the sheet, if it has one.
+pub fn draw_line(sheet: &mut Sheet, series: &Series, points: Vec<[f64; 2]>) {
+    match series.mark.pattern() {
+        _ if !series.mark.is_line() => {}
+        None => sheet.line(points, series.colour, LINE),
+        Some(pattern) => dashes(&points, pattern).into_iter().for_each(|dash| sheet.line(dash, series.colour, LINE)),
+    }
+}
+
+/// The symbol of a series at a place on the sheet, if it has one.
+pub fn draw_symbol(sheet: &mut Sheet, series: &Series, [x, y]: [f64; 2]) {
+    let Some((symbol, filled)) = series.mark.symbol() else { return };
+    let corners: Vec<[f64; 2]> = symbol.outline().into_iter().map(|[right, down]| [x + right, y + down]).collect();
+    sheet.shape(corners.clone(), if filled { series.colour } else { Colour::WHITE }, 1.0);
+    sheet.line(around(&corners), series.colour, FINE_LINE);
+}
+
+/// An error bar as far as it lies inside, with caps where it ends there.
+fn draw_bar(sheet: &mut Sheet, frame: &Frame, colour: Colour, point: &Point) {
+    let ends = [-1.0, 1.0].map(|sign| frame.places(point.x, point.y + sign * point.spread));
+    let is_bar = point.y.is_finite() && point.spread > 0.0;
+    let x = ends[0][0];
+    let [low, high] = ends.map(|[_, y]| y.clamp(0.0, 1.0));
+    if !is_bar || !(0.0..=1.0).contains(&x) || low == high {
+        return;
+    }
+    sheet.line(vec![frame.position([x, low]), frame.position([x, high])], colour, FINE_LINE);
+    for end in ends.into_iter().filter(|[_, y]| (0.0..=1.0).contains(y)) {
+        let [x, y] = frame.position(end);
+        sheet.line(vec![[x - CAP, y], [x + CAP, y]], colour, FINE_LINE);
+    }
+}
