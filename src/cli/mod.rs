@@ -10,6 +10,7 @@ mod description;
 mod memory;
 mod method;
 mod output;
+mod paper;
 #[cfg(feature = "record")]
 mod part;
 mod plan;
@@ -21,7 +22,7 @@ mod source;
 mod stability;
 mod surface;
 
-use asperity::error::{FileError, GridError, ProblemError, SettingError, SolveError, SurfaceError};
+use asperity::error::{FileError, GridError, ProblemError, SettingError, SolveError, StudyError, SurfaceError};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -44,6 +45,8 @@ enum Command {
     /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
     #[cfg(feature = "record")]
     Demo(demo::Demo),
+    /// Make the tables and figures of van Dokkum et al. (2018) again
+    Paper(Box<paper::Paper>),
     /// Solve one contact
     Solve(Box<solve::Solve>),
     /// Solve stiff and extreme cases and check the results
@@ -87,6 +90,7 @@ pub fn run() -> anyhow::Result<Outcome> {
         Command::Bench(bench) => bench.run(),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
+        Command::Paper(paper) => paper.run(),
         Command::Solve(solve) => solve.run(),
         Command::Stability(stability) => stability.run(),
         Command::Surface(describe) => describe.run(),
@@ -106,8 +110,15 @@ fn is_input(error: &anyhow::Error) -> bool {
         || error.is::<ProblemError>()
         || error.is::<SettingError>()
         || matches!(error.downcast_ref(), Some(SolveError::NeedsPressure { .. }))
-        || matches!(
-            error.downcast_ref(),
-            Some(FileError::Read { .. } | FileError::Format { .. } | FileError::Target { .. })
-        )
+        || error.downcast_ref().is_some_and(is_file_input)
+        || match error.downcast_ref() {
+            Some(StudyError::Surface(_) | StudyError::Problem(_) | StudyError::OtherStudy { .. }) => true,
+            Some(StudyError::File(file)) => is_file_input(file),
+            Some(StudyError::Solve(_)) | None => false,
+        }
+}
+
+/// Whether another file would do.
+fn is_file_input(error: &FileError) -> bool {
+    matches!(error, FileError::Read { .. } | FileError::Format { .. } | FileError::Target { .. })
 }

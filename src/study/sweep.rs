@@ -91,6 +91,11 @@ impl Sweep {
         self.realisations.iter().map(|realisation| realisation.loads.len()).sum()
     }
 
+    /// Nodes of all points together, a measure of the work.
+    pub fn nodes(&self) -> u64 {
+        self.realisations.iter().map(|realisation| (realisation.grid.len() * realisation.loads.len()) as u64).sum()
+    }
+
     /// Solves the realisations that are not known, `workers` at a time, first come first served.
     fn solve(
         &self,

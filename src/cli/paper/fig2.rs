@@ -1,0 +1,67 @@
+//! Fig. 2: rough lines.
+
+use super::Made;
+use super::comparison::Finding;
+use super::means::Points;
+use super::part::Part;
+use super::study::Study;
+use anyhow::Result;
+use asperity::plot::Figure;
+use asperity::study::{Realisation, Spread};
+
+/// Lines of all Hurst exponents and seeds.
+pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
+    study.lines.lines()
+}
+
+/// The figure, and what the paper says of it.
+pub fn make(study: &Study) -> Result<Made> {
+    let (lines, points) = (&study.lines, study.points(Part::Fig2)?);
+    points.write_means(&study.file("fig2.means", "csv"))?;
+    let title = format!("Fig. 2: rough lines, {} points, {} profiles each", lines.points[0], lines.seeds.len());
+    let panels = vec![lines.area_panel(&points), lines.kappa_panel(&points, [1.5, 4.0])];
+    let nx = lines.points[0];
+    let findings = vec![
+        Finding::number("fig2.kappa_r", "nodes counted", points.overall(nx, |row| row.kappa_r)),
+        Finding::number("fig2.kappa_r", "corrected", points.overall(nx, |row| row.kappa_r_corrected)),
+        Finding::number("fig2.variation", "nodes counted", variation(&points, nx)),
+        depends_on_hurst(study, &points),
+        is_constant(study, &points),
+    ];
+    Ok(Made { figure: Some(Figure { title, panels }), findings })
+}
+
+/// Fall of `kappa` from the lightest to the heaviest load in per cent of that at the lightest, over all realisations.
+fn variation(points: &Points, nx: usize) -> Spread {
+    let fall = |rows: Vec<&asperity::study::Row>| match rows.as_slice() {
+        [first, .., last] => 100.0 * (1.0 - last.kappa / first.kappa),
+        _ => f64::NAN,
+    };
+    Spread::of(points.realisations(nx).into_iter().map(fall))
+}
+
+/// Whether `kappa` at the lightest load differs between Hurst exponents by more than the error of its means.
+fn depends_on_hurst(study: &Study, points: &Points) -> Finding {
+    let lines = &study.lines;
+    let at = |&hurst: &f64| points.at(hurst, lines.loads[0], lines.points[0], |row| row.kappa);
+    let kappa: Vec<Spread> = lines.hurst.iter().map(at).collect();
+    let means: Vec<String> = kappa.iter().map(|kappa| format!("{:.2}", kappa.mean)).collect();
+    let holds =
+        kappa.windows(2).all(|pair| (pair[0].mean - pair[1].mean).abs() > 2.0 * pair[0].error().hypot(pair[1].error()));
+    Finding::statement("fig2.hurst", format!("{} at p* = {:.0e}", means.join(", "), lines.loads[0]), holds)
+}
+
+/// Whether `kappa_r` varies over loads and Hurst exponents by less than a fifth of what `kappa` does.
+fn is_constant(study: &Study, points: &Points) -> Finding {
+    let lines = &study.lines;
+    let range = |quantity: super::means::Quantity| {
+        let pairs = lines.hurst.iter().flat_map(|&hurst| lines.loads.iter().map(move |&load| (hurst, load)));
+        let means = pairs.map(|(hurst, load)| points.at(hurst, load, lines.points[0], quantity).mean);
+        means.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], mean| [low.min(mean), high.max(mean)])
+    };
+    let [kappa, raw, corrected] =
+        [range(|row| row.kappa), range(|row| row.kappa_r), range(|row| row.kappa_r_corrected)];
+    let holds = corrected[1] / corrected[0] - 1.0 < 0.2 * (kappa[1] / kappa[0] - 1.0);
+    let words = format!("{:.2} to {:.2}, corrected {:.2} to {:.2}", raw[0], raw[1], corrected[0], corrected[1]);
+    Finding::statement("fig2.constant", words, holds)
+}

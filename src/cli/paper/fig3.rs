@@ -1,0 +1,107 @@
+//! Fig. 3: fits of Eq. 11 to the rough lines, for each Hurst exponent and for all.
+
+use super::Made;
+use super::comparison::Finding;
+use super::means::{Points, Quantity};
+use super::part::Part;
+use super::study::Study;
+use anyhow::Result;
+use asperity::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series, Symbol};
+use asperity::study::{Fit, Row};
+use asperity::theory::persson;
+use serde::Serialize;
+
+/// Up to which `p*` a fit should be level.
+const LEVEL: f64 = 1e-1;
+
+/// A fit to the points of one Hurst exponent, or of all.
+#[derive(Serialize)]
+struct Fitted {
+    hurst: Option<f64>,
+    area: &'static str,
+    b1: f64,
+    b2: f64,
+    /// `kappa_fit` at small loads.
+    kappa: f64,
+    /// Root mean square of the relative residuals of the area.
+    residual: f64,
+    points: usize,
+}
+
+impl Fitted {
+    fn of(points: &Points, hurst: Option<f64>, area: &'static str, quantity: Quantity) -> Option<Self> {
+        let rows = points.0.iter().filter(|row| hurst.is_none() || row.hurst == hurst);
+        let pairs: Vec<(f64, f64)> = rows.map(|row| (row.reduced_pressure, quantity(row))).collect();
+        let Fit { area: form, residual } = Fit::of(&pairs)?;
+        let persson::CorrectedArea { b1, b2 } = form;
+        Some(Self { hurst, area, b1, b2, kappa: form.kappa(0.0), residual, points: pairs.len() })
+    }
+
+    fn kappa(&self, reduced_pressure: f64) -> f64 {
+        persson::CorrectedArea { b1: self.b1, b2: self.b2 }.kappa(reduced_pressure)
+    }
+}
+
+/// The figure; the fits go into fig3.csv.
+pub fn make(study: &Study) -> Result<Made> {
+    let points = study.points(Part::Fig2)?;
+    let exponents = study.lines.hurst.iter().copied().map(Some).chain([None]);
+    let raw: Vec<Fitted> =
+        exponents.clone().filter_map(|hurst| Fitted::of(&points, hurst, "counted", |row| row.relative_area)).collect();
+    let corrected =
+        exponents.filter_map(|hurst| Fitted::of(&points, hurst, "corrected", |row| row.relative_area_corrected));
+    let panel = panel(study, &points, &raw);
+    let findings = vec![strongly_depends(&raw), is_level(&raw)];
+    let all: Vec<Fitted> = raw.into_iter().chain(corrected).collect();
+    super::write_csv(&study.file("fig3", "csv"), &all)?;
+    let title = "Fig. 3: κ_fit of rough lines by Eq. 11".into();
+    Ok(Made { figure: Some(Figure { title, panels: vec![panel] }), findings })
+}
+
+fn panel(study: &Study, points: &Points, fits: &[Fitted]) -> Panel {
+    let [low, high] = study.lines.ends();
+    let x = Axis::log("p*", [low / 1.3, (high * 1.3).max(1.0)]);
+    let mut panel = Panel::new("fitted and measured", x, Axis::linear("κ_fit", [1.0, 4.0]), Corner::TopRight);
+    let curve = |kappa: &dyn Fn(f64) -> f64| {
+        let [low, high] = [panel.x.range[0].log10(), panel.x.range[1].log10()];
+        let load = |i: i32| 10f64.powf(low + (high - low) * f64::from(i) / 100.0);
+        (0..=100).map(load).map(|p| Point::at(p, kappa(p))).collect::<Vec<_>>()
+    };
+    let mut series = Vec::new();
+    for fit in fits {
+        let name = fit.hurst.map_or("κ_fit, all H".into(), |hurst| format!("κ_fit, H = {hurst}"));
+        let (colour, mark) =
+            if fit.hurst.is_some() { (Colour::VERMILION, Mark::Line) } else { (Colour::GREEN, Mark::Dashed) };
+        series.push(Series::new(name, colour, mark, curve(&|p| fit.kappa(p))));
+    }
+    let persson = curve(&|p| persson::relative_area(p) / p);
+    series.push(Series::new("Persson, erf(√2 p*)/p*", Colour::BLACK, Mark::Dotted, persson));
+    let symbols = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
+    for (&hurst, symbol) in study.lines.hurst.iter().zip(symbols.into_iter().cycle()) {
+        let of: [Quantity; 2] = [|row| row.reduced_pressure, |row: &Row| row.kappa];
+        let curve = points.curve(hurst, &study.lines.loads, study.lines.points[0], of);
+        series.push(Series::new(
+            format!("κ, H = {hurst}"),
+            Colour::GREY,
+            Mark::Symbol { symbol, filled: false },
+            curve,
+        ));
+    }
+    panel.series = series;
+    panel
+}
+
+/// Whether the fits of single exponents lie on either side of the one of all.
+fn strongly_depends(fits: &[Fitted]) -> Finding {
+    let words: Vec<String> = fits.iter().map(|fit| format!("{:.2}", fit.kappa)).collect();
+    let all = fits.iter().find(|fit| fit.hurst.is_none()).map_or(f64::NAN, |fit| fit.kappa);
+    let single = || fits.iter().filter(|fit| fit.hurst.is_some());
+    let holds = single().any(|fit| fit.kappa > 1.02 * all) && single().any(|fit| fit.kappa < 0.98 * all);
+    Finding::statement("fig3.hurst", format!("{} (last: all H)", words.join(", ")), holds)
+}
+
+/// Whether each fit is level to 5 % up to `p* = 0.1`.
+fn is_level(fits: &[Fitted]) -> Finding {
+    let change = fits.iter().map(|fit| (fit.kappa(LEVEL) / fit.kappa - 1.0).abs()).fold(0.0, f64::max);
+    Finding::statement("fig3.level", format!("level to {:.1} %", 100.0 * change), change < 0.05)
+}

@@ -1,0 +1,71 @@
+//! Fig. 4: rough surfaces.
+
+use super::Made;
+use super::comparison::Finding;
+use super::means::Points;
+use super::part::Part;
+use super::study::Study;
+use anyhow::Result;
+use asperity::plot::{Colour, Figure, Mark, Panel, Point, Series};
+use asperity::study::{Fit, Realisation};
+
+/// Surfaces of all grids, Hurst exponents and seeds.
+pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
+    study.surfaces.surfaces()
+}
+
+/// The figure, and what the paper says of it.
+pub fn make(study: &Study) -> Result<Made> {
+    let points = study.points(Part::Fig4)?;
+    points.write_means(&study.file("fig4.means", "csv"))?;
+    let surfaces = &study.surfaces;
+    let finest = points.grids().last().copied().unwrap_or(0);
+    let pairs: Vec<(f64, f64)> = points.on(finest).map(|row| (row.reduced_pressure, row.relative_area)).collect();
+    let fit = Fit::proportional(&pairs);
+    let mut panel = surfaces.kappa_panel(&points, [1.5, 2.9]);
+    if let Some(fit) = fit {
+        add_fit(&mut panel, &fit);
+    }
+    let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points");
+    let figure = Figure { title, panels: vec![surfaces.area_panel(&points), panel] };
+    Ok(Made { figure: Some(figure), findings: findings(study, &points, fit) })
+}
+
+/// The empirical fit, one constant in Persson's error function.
+fn add_fit(panel: &mut Panel, fit: &Fit) {
+    let [low, high] = panel.x.range.map(f64::log10);
+    let load = |i: i32| 10f64.powf(low + (high - low) * f64::from(i) / 100.0);
+    let curve = (0..=100).map(load).map(|p| Point::at(p, fit.area.kappa(p))).collect();
+    let name = format!("erf(√π κ p*/2)/p*, κ = {:.3}", fit.area.kappa(0.0));
+    panel.series.push(Series::new(name, Colour::VERMILION, Mark::Dashed, curve));
+}
+
+/// On each grid, as on the paper's, and without spacing.
+fn findings(study: &Study, points: &Points, fit: Option<Fit>) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let grids = points.grids();
+    let finest = grids.last().copied().unwrap_or(0);
+    for &nx in &grids {
+        findings.push(Finding::number("fig4.kappa", format!("counted on {nx}^2"), points.overall(nx, |row| row.kappa)));
+        findings.push(Finding::number(
+            "fig4.kappa_r",
+            format!("counted on {nx}^2"),
+            points.overall(nx, |row| row.kappa_r),
+        ));
+        let corrected = points.overall(nx, |row| row.kappa_r_corrected);
+        findings.push(Finding::number("fig4.kappa_r", format!("corrected on {nx}^2"), corrected));
+    }
+    if grids.len() > 1 {
+        let side = study.surfaces.paper_side();
+        let there = points.extrapolated(Some(side));
+        let how = format!("counted, extrapolated to {side}^2");
+        findings.push(Finding::number("fig4.kappa", how.clone(), there.overall(finest, |row| row.kappa)));
+        findings.push(Finding::number("fig4.kappa_r", how, there.overall(finest, |row| row.kappa_r)));
+        let limit = points.extrapolated(None);
+        let how = "corrected, extrapolated to no spacing";
+        findings.push(Finding::number("fig4.kappa", how, limit.overall(finest, |row| row.kappa_corrected)));
+        findings.push(Finding::number("fig4.kappa_r", how, limit.overall(finest, |row| row.kappa_r_corrected)));
+    }
+    findings.extend(fit.map(|fit| Finding::exact("fig4.kappa", "of the empirical fit", fit.area.kappa(0.0))));
+    findings
+}

@@ -1,0 +1,53 @@
+//! Table 1: load, gradient and `kappa_r` of cylinder and sphere in terms of the half-width of their contact.
+
+use super::Made;
+use super::comparison::Finding;
+use super::part::Part;
+use super::smooth::{LINE, PERIOD, RADIUS, half_width, realisation, strain};
+use super::study::Study;
+use anyhow::Result;
+use asperity::study::{Realisation, Row, Spread};
+use asperity::theory::Geometry;
+
+/// Half-widths of the contacts over the period, small enough that the neighbouring cells do not matter.
+const WIDTHS: [f64; 3] = [0.01, 0.015, 0.02];
+
+/// Cylinder and sphere under three loads.
+pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
+    let [_, side] = study.smooth_surface;
+    Ok(vec![realisation(Geometry::Line, LINE, &WIDTHS)?, realisation(Geometry::Point, side, &WIDTHS)?])
+}
+
+/// Load, gradient and `kappa_r` of each, in units of `E*`, `R` and the half-width `c`.
+pub fn make(study: &Study) -> Result<Made> {
+    let points = study.points(Part::Table1)?;
+    let of = |name: &str, quantity: fn(&Row) -> f64| {
+        Spread::of(points.0.iter().filter(|row| row.name == name).map(quantity))
+    };
+    let kappa_r = ["cylinder", "sphere"].map(|name| of(name, |row| row.kappa_r_corrected));
+    let findings = vec![
+        Finding::number("table1.load.line", "", of("cylinder", line_load)),
+        Finding::number("table1.gradient.line", "", of("cylinder", gradient)),
+        Finding::number("table1.kappa_r.line", "corrected", kappa_r[0]),
+        Finding::number("table1.load.point", "", of("sphere", point_load)),
+        Finding::number("table1.gradient.point", "", of("sphere", gradient)),
+        Finding::number("table1.kappa_r.point", "corrected", kappa_r[1]),
+        Finding::exact("table1.ratio", "corrected", kappa_r[0].mean / kappa_r[1].mean),
+    ];
+    Ok(Made { figure: None, findings })
+}
+
+/// `L R / (E* c^2)`.
+fn line_load(row: &Row) -> f64 {
+    strain(row) * PERIOD * RADIUS / half_width(row).powi(2)
+}
+
+/// `L R / (E* c^3)`.
+fn point_load(row: &Row) -> f64 {
+    strain(row) * PERIOD * PERIOD * RADIUS / half_width(row).powi(3)
+}
+
+/// `gbar_r R / c`.
+fn gradient(row: &Row) -> f64 {
+    row.rms_gradient_contact * RADIUS / half_width(row)
+}
