@@ -3,7 +3,7 @@
 use super::font::width;
 use super::legend::draw_legend;
 use super::series::draw_series;
-use super::sheet::{Align, Sheet, around, rectangle};
+use super::sheet::{Align, Sheet, rectangle};
 use super::{Axis, Colour, Figure, Panel};
 
 /// Width and height of a panel with all that belongs to it.
@@ -82,7 +82,7 @@ impl<'a> Frame<'a> {
         sheet.fitted_text(&self.panel.title, [middle, self.top - 0.5 * ABOVE], PANEL_TITLE, self.width, false);
         self.panel.series.iter().for_each(|series| draw_series(sheet, self, series));
         let corners = rectangle([self.left, self.top], [self.left + self.width, self.top + self.height]);
-        sheet.line(around(&corners), Colour::GREY, 1.2);
+        sheet.edge(&corners, Colour::GREY, 1.2);
         draw_legend(sheet, self);
     }
 
