@@ -32,21 +32,28 @@ fn against_transforms(measured: &Measured) -> Panel {
     let of_mark = |name: &str, mark| Series::new(name, Colour::GREY, mark, Vec::new());
     panel.series.push(of_mark("pressure, relative L2", Mark::Line));
     panel.series.push(of_mark("certificate η", Mark::Dotted));
-    panel.series.push(of_mark("corrected κ_r, error of a grid", Mark::Dashed));
+    panel.series.push(of_mark("κ_r, error of a grid", Mark::Dashed));
     panel
 }
 
 /// Errors of grids, then of each solver the certificate and the error, against what `work` counts.
 fn panel(measured: &Measured, name: &str, work: fn(&Point) -> f64) -> Panel {
     let x = Axis::log(name, works(measured, work));
-    let sides: Vec<String> = measured.ladder.rungs.iter().map(|rung| rung.side().to_string()).collect();
-    let title = format!("dashed, from the top: grids of n = {}", sides.join(", "));
-    let errors = measured.ladder.rungs.iter().filter_map(|rung| rung.errors[KAPPA_R]);
-    let grids: Vec<Series> = errors.map(|error| level(error, x.range)).collect();
-    let mut panel = Panel::new(title, x, Axis::log("relative error", errors_range(measured)), Corner::BottomLeft);
-    panel.series = grids;
+    let grids = grids(measured);
+    let sides: Vec<String> = grids.iter().map(|(side, _)| side.to_string()).collect();
+    let title = format!("dashed, downwards: corrected κ_r on n = {} points", sides.join(", "));
+    let mut panel = Panel::new(title, x, Axis::log("relative error", errors(measured)), Corner::BottomLeft);
+    panel.series = grids.iter().map(|(_, error)| level(*error, panel.x.range)).collect();
     panel.series.extend(measured.finest().flat_map(|curve| of_curve(curve, work)));
     panel
+}
+
+/// Points along a side and error of each grid that has one, the largest error first.
+fn grids(measured: &Measured) -> Vec<(usize, f64)> {
+    let rungs = measured.ladder.rungs.iter();
+    let mut grids: Vec<_> = rungs.filter_map(|rung| Some((rung.side(), rung.errors[KAPPA_R]?))).collect();
+    grids.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    grids
 }
 
 /// A line across the panel.
@@ -77,13 +84,13 @@ fn look(contender: Contender) -> (Colour, Symbol) {
 /// From the least to the most work, with room for the legends.
 fn works(measured: &Measured, work: fn(&Point) -> f64) -> [f64; 2] {
     let [least, most] = extent(measured.finest().flat_map(|curve| curve.points.iter().map(work)));
-    [0.3 * least, 1.3 * most]
+    [0.2 * least, 1.3 * most]
 }
 
 /// Whole powers of ten around all errors.
-fn errors_range(measured: &Measured) -> [f64; 2] {
+fn errors(measured: &Measured) -> [f64; 2] {
     let points = measured.finest().flat_map(|curve| &curve.points);
-    let grids = measured.ladder.rungs.iter().filter_map(|rung| rung.errors[KAPPA_R]);
+    let grids = grids(measured).into_iter().map(|(_, error)| error);
     let [least, most] = extent(points.flat_map(|point| [point.eta, point.pressure_error]).chain(grids));
     [10f64.powf(least.log10().floor()), 10f64.powf(most.min(TOP).log10().ceil())]
 }
