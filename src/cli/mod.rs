@@ -14,7 +14,6 @@ mod paper;
 #[cfg(feature = "record")]
 mod part;
 mod plan;
-mod plot;
 mod progress;
 mod solve;
 mod solver;
