@@ -54,18 +54,40 @@ impl Sweep {
     /// For surfaces and loads that cannot be, files that cannot be read or written, and a table of another study, which would
     /// be lost.
     pub fn run(&self, table: &Table, watch: &(dyn Fn(&Row) + Sync)) -> Result<Vec<Timed>, StudyError> {
-        self.realisations.iter().try_for_each(Realisation::check)?;
-        let there = table.read()?;
-        let others = there.iter().filter(|timed| !self.includes(&timed.row)).count();
-        if others > 0 {
-            return Err(StudyError::OtherStudy { path: table.path().into(), points: others });
-        }
+        self.check()?;
+        let there = self.there(table)?;
         let solved = self.solve(self.known(&there), table, watch)?;
         let points: Vec<Timed> = solved.into_iter().flatten().collect();
         if points != there {
             table.finish(&points)?;
         }
         Ok(points)
+    }
+
+    /// Refuses surfaces and loads that cannot be, before anything is solved.
+    ///
+    /// # Errors
+    /// As [`Realisation::check`].
+    pub fn check(&self) -> Result<(), StudyError> {
+        self.realisations.iter().try_for_each(Realisation::check)
+    }
+
+    /// Refuses a table that would be lost.
+    ///
+    /// # Errors
+    /// [`StudyError::OtherStudy`] for one with points of another study, [`StudyError::File`] for one that cannot be read.
+    pub fn check_table(&self, table: &Table) -> Result<(), StudyError> {
+        self.there(table).map(drop)
+    }
+
+    /// The points of `table`, if all are its own.
+    fn there(&self, table: &Table) -> Result<Vec<Timed>, StudyError> {
+        let there = table.read()?;
+        let others = there.iter().filter(|timed| !self.includes(&timed.row)).count();
+        match others {
+            0 => Ok(there),
+            points => Err(StudyError::OtherStudy { path: table.path().into(), points }),
+        }
     }
 
     /// How many of its points `table` holds.

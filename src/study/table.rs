@@ -3,8 +3,9 @@
 use super::row::{Row, Timed};
 use crate::error::FileError;
 use crate::surface::{check_target, write_beside};
-use serde::Serialize;
-use std::fs::{File, OpenOptions};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use std::fs::OpenOptions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -21,7 +22,7 @@ pub struct Table {
 }
 
 /// A row of the seconds.
-#[derive(Serialize, serde::Deserialize)]
+#[derive(Serialize, Deserialize)]
 struct Seconds {
     name: String,
     ny: usize,
@@ -50,17 +51,19 @@ impl Table {
         &self.path
     }
 
-    /// All points that are there, those of the finished table first. Files that are missing, of another making or cut short
-    /// by a killed run hold fewer points, or none.
+    /// All points that are there, those of the finished table first; of the unfinished one those that are whole.
     ///
     /// # Errors
-    /// [`FileError::Read`] for files that are there and cannot be read.
+    /// [`FileError::Read`] for files that are there and cannot be read, [`FileError::Target`] for a finished table that holds
+    /// anything else than points: it is not ours to replace.
     pub fn read(&self) -> Result<Vec<Timed>, FileError> {
-        let rows = self.records(&self.path, true)?.into_iter();
-        let seconds = self.records(&self.seconds_path(), true)?.into_iter().map(|record: Seconds| record.seconds);
-        let finished = rows.zip(seconds).map(|(row, seconds)| Timed { row, seconds });
-        let unfinished = self.records(&self.unfinished_path(), false)?.into_iter();
-        Ok(finished.chain(unfinished.map(|(row, seconds)| Timed { row, seconds })).collect())
+        let rows = finished(&self.path)?;
+        let mut seconds = finished(&self.seconds_path())?.into_iter().map(|Seconds { seconds, .. }| seconds);
+        let timed = rows.into_iter().map(|row| Timed { row, seconds: seconds.next().unwrap_or(f64::NAN) });
+        let mut points: Vec<Timed> = timed.collect();
+        let whole = records(&self.unfinished_path(), false)?.flatten();
+        points.extend(whole.map(|(row, seconds)| Timed { row, seconds }));
+        Ok(points)
     }
 
     /// Adds the points of a realisation to the unfinished table, so that a killed run need not repeat them.
@@ -87,12 +90,7 @@ impl Table {
     pub fn finish(&self, points: &[Timed]) -> Result<(), FileError> {
         write_records(&self.path, points.iter().map(|timed| &timed.row))?;
         write_records(&self.seconds_path(), points.iter().map(Seconds::of))?;
-        match std::fs::remove_file(self.unfinished_path()) {
-            Err(source) if source.kind() != io::ErrorKind::NotFound => {
-                Err(FileError::Write { path: self.unfinished_path(), source })
-            }
-            _ => Ok(()),
-        }
+        remove(self.unfinished_path())
     }
 
     /// Removes what is there.
@@ -100,15 +98,7 @@ impl Table {
     /// # Errors
     /// [`FileError::Write`].
     pub fn clear(&self) -> Result<(), FileError> {
-        for path in [self.path.clone(), self.seconds_path(), self.unfinished_path()] {
-            match std::fs::remove_file(&path) {
-                Err(source) if source.kind() != io::ErrorKind::NotFound => {
-                    return Err(FileError::Write { path, source });
-                }
-                _ => {}
-            }
-        }
-        Ok(())
+        [self.path.clone(), self.seconds_path(), self.unfinished_path()].into_iter().try_for_each(remove)
     }
 
     fn seconds_path(&self) -> PathBuf {
@@ -118,16 +108,34 @@ impl Table {
     fn unfinished_path(&self) -> PathBuf {
         self.path.with_extension("unfinished")
     }
+}
 
-    /// The records up to the first that is none.
-    fn records<T: serde::de::DeserializeOwned>(&self, path: &Path, has_headers: bool) -> Result<Vec<T>, FileError> {
-        let file = match File::open(path) {
-            Err(source) if source.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
-            other => other.map_err(|source| FileError::Read { path: path.into(), source })?,
-        };
-        let csv = csv::ReaderBuilder::new().has_headers(has_headers).from_reader(file);
-        Ok(csv.into_deserialize().map_while(Result::ok).collect())
+/// Removes a file, if it is there.
+fn remove(path: PathBuf) -> Result<(), FileError> {
+    match std::fs::remove_file(&path) {
+        Err(source) if source.kind() != io::ErrorKind::NotFound => Err(FileError::Write { path, source }),
+        _ => Ok(()),
     }
+}
+
+/// The records of a file; none if it is missing.
+fn records<T: DeserializeOwned>(
+    path: &Path,
+    has_headers: bool,
+) -> Result<impl Iterator<Item = csv::Result<T>> + use<T>, FileError> {
+    let text = match std::fs::read(path) {
+        Err(source) if source.kind() == io::ErrorKind::NotFound => Vec::new(),
+        other => other.map_err(|source| FileError::Read { path: path.into(), source })?,
+    };
+    let csv = csv::ReaderBuilder::new().has_headers(has_headers).from_reader(io::Cursor::new(text));
+    Ok(csv.into_deserialize())
+}
+
+/// The records of a table that is whole.
+fn finished<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>, FileError> {
+    let reason = "it holds something else than the points of a study: write elsewhere, or remove it";
+    let refuse = |_| FileError::Target { path: path.into(), reason: reason.into() };
+    records(path, true)?.collect::<csv::Result<_>>().map_err(refuse)
 }
 
 /// Writes records as CSV in full precision, beside and then renamed.

@@ -4,7 +4,7 @@ use super::Made;
 use super::comparison::Finding;
 use super::means::Quantity;
 use super::part::Part;
-use super::smooth::{LINE, PERIOD, half_width, reduced_pressure};
+use super::smooth::{LINE, PERIOD, half_width, reduced_pressure, widths};
 use super::study::Study;
 use anyhow::Result;
 use asperity::Grid;
@@ -14,8 +14,9 @@ use asperity::surface::Indenter;
 use asperity::theory::{Geometry, PowerLaw, Westergaard};
 use std::f64::consts::{PI, SQRT_2};
 
-/// Half-widths of the contacts of power laws over the period, and the widest one that counts as one without neighbours.
-const WIDTHS: [f64; 6] = [0.01, 0.015, 0.02, 0.03, 0.05, 0.1];
+/// Half-widths of the contacts of power laws over the period, from and to, and the widest that counts as one without
+/// neighbours.
+const WIDTHS: [f64; 2] = [0.01, 0.1];
 const WIDEST: f64 = 0.03;
 /// Of the power law and the sine, in periods.
 const COEFFICIENT: f64 = 0.1;
@@ -43,7 +44,7 @@ pub fn realisations(_: &Study) -> Result<Vec<Realisation>> {
     let realisation =
         |name: &str, indenter, loads| Realisation { name: name.into(), grid, shape: Shape::Smooth(indenter), loads };
     let powers = POWERS.map(|(exponent, name, ..)| {
-        let loads = WIDTHS.map(|width| reduced_pressure(&power_law(exponent), width)).to_vec();
+        let loads = widths(WIDTHS, 31).into_iter().map(|width| reduced_pressure(&power_law(exponent), width)).collect();
         realisation(name, Indenter::PowerLaw { coefficient: COEFFICIENT, exponent }, loads)
     });
     let sine = realisation("sine", Indenter::Sine { amplitude: AMPLITUDE }, SINE.map(|share| share / SQRT_2).to_vec());

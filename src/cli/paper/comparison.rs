@@ -81,7 +81,10 @@ fn verdict(value: Option<f64>, reading: Option<f64>, here: Spread) -> String {
 impl Comparison {
     /// Adds what a part found.
     pub fn add(&mut self, part: &'static str, findings: Vec<Finding>) -> Result<()> {
-        findings.into_iter().try_for_each(|finding| Ok(self.0.push(Row::of(part, finding)?)))
+        for finding in findings {
+            self.0.push(Row::of(part, finding)?);
+        }
+        Ok(())
     }
 
     /// Writes the table as CSV.

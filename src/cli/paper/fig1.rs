@@ -4,15 +4,15 @@ use super::Made;
 use super::comparison::Finding;
 use super::means::Quantity;
 use super::part::Part;
-use super::smooth::{LINE, PERIOD, half_width, periodic_cylinder, realisation};
+use super::smooth::{LINE, PERIOD, half_width, periodic_cylinder, realisation, widths};
 use super::study::Study;
 use anyhow::Result;
 use asperity::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series, Symbol};
 use asperity::study::{Realisation, Spread};
 use asperity::theory::{Geometry, hertz};
 
-/// Half-widths of the contacts over the period.
-const WIDTHS: [f64; 6] = [0.005, 0.01, 0.02, 0.03, 0.05, 0.1];
+/// Half-widths of the contacts over the period, from and to.
+const WIDTHS: [f64; 2] = [0.005, 0.1];
 /// The widest contact that counts as one without neighbours: the exact periodic `kappa_r` is then within 0.4 %.
 const WIDEST: f64 = 0.05;
 /// Reduced pressures shown.
@@ -21,7 +21,10 @@ const RANGE: [f64; 2] = [3e-5, 0.3];
 /// Cylinder and sphere from narrow to wider contacts.
 pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
     let [side, _] = study.smooth_surface;
-    Ok(vec![realisation(Geometry::Line, LINE, &WIDTHS)?, realisation(Geometry::Point, side, &WIDTHS)?])
+    Ok(vec![
+        realisation(Geometry::Line, LINE, &widths(WIDTHS, 31))?,
+        realisation(Geometry::Point, side, &widths(WIDTHS, 5))?,
+    ])
 }
 
 /// The figure and how far it is from the analytical lines.

@@ -2,12 +2,12 @@
 
 use super::Made;
 use super::comparison::Finding;
-use super::means::Points;
+use super::means::{Points, Quantity};
 use super::part::Part;
 use super::study::Study;
 use anyhow::Result;
 use asperity::plot::Figure;
-use asperity::study::{Realisation, Spread};
+use asperity::study::{Realisation, Row, Spread};
 
 /// Lines of all Hurst exponents and seeds.
 pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
@@ -19,7 +19,7 @@ pub fn make(study: &Study) -> Result<Made> {
     let (lines, points) = (&study.lines, study.points(Part::Fig2)?);
     points.write_means(&study.file("fig2.means", "csv"))?;
     let title = format!("Fig. 2: rough lines, {} points, {} profiles each", lines.points[0], lines.seeds.len());
-    let panels = vec![lines.area_panel(&points), lines.kappa_panel(&points, [1.5, 4.0])];
+    let panels = vec![lines.area_panel(&points), lines.kappa_panel(&points, [1.5, 4.2])];
     let nx = lines.points[0];
     let findings = vec![
         Finding::number("fig2.kappa_r", "nodes counted", points.overall(nx, |row| row.kappa_r)),
@@ -33,28 +33,30 @@ pub fn make(study: &Study) -> Result<Made> {
 
 /// Fall of `kappa` from the lightest to the heaviest load in per cent of that at the lightest, over all realisations.
 fn variation(points: &Points, nx: usize) -> Spread {
-    let fall = |rows: Vec<&asperity::study::Row>| match rows.as_slice() {
+    let fall = |rows: Vec<&Row>| match rows.as_slice() {
         [first, .., last] => 100.0 * (1.0 - last.kappa / first.kappa),
         _ => f64::NAN,
     };
     Spread::of(points.realisations(nx).into_iter().map(fall))
 }
 
-/// Whether `kappa` at the lightest load differs between Hurst exponents by more than the error of its means.
+/// Whether `kappa`, averaged over loads, differs between Hurst exponents by more than twice the error of the means.
 fn depends_on_hurst(study: &Study, points: &Points) -> Finding {
     let lines = &study.lines;
-    let at = |&hurst: &f64| points.at(hurst, lines.loads[0], lines.points[0], |row| row.kappa);
-    let kappa: Vec<Spread> = lines.hurst.iter().map(at).collect();
-    let means: Vec<String> = kappa.iter().map(|kappa| format!("{:.2}", kappa.mean)).collect();
-    let holds =
-        kappa.windows(2).all(|pair| (pair[0].mean - pair[1].mean).abs() > 2.0 * pair[0].error().hypot(pair[1].error()));
-    Finding::statement("fig2.hurst", format!("{} at p* = {:.0e}", means.join(", "), lines.loads[0]), holds)
+    let mean = |&hurst: &f64| {
+        let groups = points.realisations(lines.points[0]).into_iter().filter(|rows| rows[0].hurst == Some(hurst));
+        Spread::of(groups.map(|rows| Spread::of(rows.iter().map(|row| row.kappa)).mean))
+    };
+    let kappa: Vec<Spread> = lines.hurst.iter().map(mean).collect();
+    let words: Vec<String> = kappa.iter().map(|kappa| format!("{:.2}", kappa.mean)).collect();
+    let differ = |pair: &[Spread]| (pair[0].mean - pair[1].mean).abs() > 2.0 * pair[0].error().hypot(pair[1].error());
+    Finding::statement("fig2.hurst", format!("{} over loads", words.join(", ")), kappa.windows(2).all(differ))
 }
 
 /// Whether `kappa_r` varies over loads and Hurst exponents by less than a fifth of what `kappa` does.
 fn is_constant(study: &Study, points: &Points) -> Finding {
     let lines = &study.lines;
-    let range = |quantity: super::means::Quantity| {
+    let range = |quantity: Quantity| {
         let pairs = lines.hurst.iter().flat_map(|&hurst| lines.loads.iter().map(move |&load| (hurst, load)));
         let means = pairs.map(|(hurst, load)| points.at(hurst, load, lines.points[0], quantity).mean);
         means.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], mean| [low.min(mean), high.max(mean)])

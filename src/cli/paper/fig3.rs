@@ -61,7 +61,7 @@ pub fn make(study: &Study) -> Result<Made> {
 fn panel(study: &Study, points: &Points, fits: &[Fitted]) -> Panel {
     let [low, high] = study.lines.ends();
     let x = Axis::log("p*", [low / 1.3, (high * 1.3).max(1.0)]);
-    let mut panel = Panel::new("fitted and measured", x, Axis::linear("κ_fit", [1.0, 4.0]), Corner::TopRight);
+    let mut panel = Panel::new("fitted and measured", x, Axis::linear("κ_fit", [1.0, 4.6]), Corner::TopRight);
     let curve = |kappa: &dyn Fn(f64) -> f64| {
         let [low, high] = [panel.x.range[0].log10(), panel.x.range[1].log10()];
         let load = |i: i32| 10f64.powf(low + (high - low) * f64::from(i) / 100.0);
@@ -69,7 +69,8 @@ fn panel(study: &Study, points: &Points, fits: &[Fitted]) -> Panel {
     };
     let mut series = Vec::new();
     for fit in fits {
-        let name = fit.hurst.map_or("κ_fit, all H".into(), |hurst| format!("κ_fit, H = {hurst}"));
+        let of = fit.hurst.map_or("all H".into(), |hurst| format!("H = {hurst}"));
+        let name = format!("κ_fit, {of}: b1 = {:.3}, b2 = {:.2}", fit.b1, fit.b2);
         let (colour, mark) =
             if fit.hurst.is_some() { (Colour::VERMILION, Mark::Line) } else { (Colour::GREEN, Mark::Dashed) };
         series.push(Series::new(name, colour, mark, curve(&|p| fit.kappa(p))));
@@ -102,6 +103,7 @@ fn strongly_depends(fits: &[Fitted]) -> Finding {
 
 /// Whether each fit is level to 5 % up to `p* = 0.1`.
 fn is_level(fits: &[Fitted]) -> Finding {
-    let change = fits.iter().map(|fit| (fit.kappa(LEVEL) / fit.kappa - 1.0).abs()).fold(0.0, f64::max);
-    Finding::statement("fig3.level", format!("level to {:.1} %", 100.0 * change), change < 0.05)
+    let change = |p: f64| fits.iter().map(|fit| 100.0 * (fit.kappa(p) / fit.kappa - 1.0).abs()).fold(0.0, f64::max);
+    let words = format!("to {:.0} %; to {:.0} % at 0.01", change(LEVEL), change(0.1 * LEVEL));
+    Finding::statement("fig3.level", words, change(LEVEL) < 5.0)
 }

@@ -73,7 +73,7 @@ impl Part {
 
     /// Refuses what cannot be, before anything is solved.
     pub fn check(self, study: &Study) -> Result<()> {
-        self.tables().iter().try_for_each(|&table| study.check(&table.realisations(study)?))
+        self.tables().iter().try_for_each(|&table| study.check(table))
     }
 
     /// The surfaces and loads behind its points.

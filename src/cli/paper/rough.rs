@@ -63,13 +63,13 @@ impl Rough {
     /// The range of loads on an axis, with some room.
     fn range(&self) -> [f64; 2] {
         let [low, high] = self.ends();
-        [low / 1.3, high * 1.3]
+        [low / 1.3, high * 1.6]
     }
 
     /// Relative area against `p*` and `p_r*`.
     pub fn area_panel(&self, points: &Points) -> Panel {
         let [low, high] = self.range();
-        let x = Axis::log("p* (red), p_r* (blue)", [low / 1.6, high]);
+        let x = Axis::log("p* (red), p_r* (blue)", [low, high]);
         let y = Axis::log("a_rel", [1.5 * low, 3.5 * high]);
         let mut panel = Panel::new("(a) relative contact area", x, y, Corner::BottomRight);
         let curves: [(&str, Colour, Quantity); 2] = [
@@ -79,13 +79,14 @@ impl Rough {
         for (name, colour, x) in curves {
             self.add(&mut panel, points, name, (colour, true), [x, |row| row.relative_area]);
         }
+        self.add_legend(&mut panel);
         panel
     }
 
     /// `kappa` against `p*` and `kappa_r` against `p_r*`, raw and corrected.
     pub fn kappa_panel(&self, points: &Points, range: [f64; 2]) -> Panel {
         let [low, high] = self.range();
-        let x = Axis::log("p* (red), p_r* (blue)", [low / 1.6, high]);
+        let x = Axis::log("p* (red), p_r* (blue)", [low, high]);
         let mut panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range), Corner::TopRight);
         let p_r: Quantity = |row| row.reduced_pressure_contact;
         let curves: [(&str, Colour, bool, [Quantity; 2]); 3] = [
@@ -96,20 +97,25 @@ impl Rough {
         for (name, colour, filled, quantities) in curves {
             self.add(&mut panel, points, name, (colour, filled), quantities);
         }
+        self.add_legend(&mut panel);
         panel
     }
 
-    /// A curve of symbols for each Hurst exponent, on the finest grid.
+    /// A curve of symbols for each Hurst exponent, on the finest grid; the colour tells the quantity.
     fn add(&self, panel: &mut Panel, points: &Points, name: &str, (colour, filled): (Colour, bool), of: [Quantity; 2]) {
         let finest = points.grids().last().copied().unwrap_or(0);
+        panel.series.push(Series::new(name, colour, Mark::Line, Vec::new()));
         for (&hurst, symbol) in self.hurst.iter().zip(SYMBOLS.into_iter().cycle()) {
             let curve = points.curve(hurst, &self.loads, finest, of);
-            panel.series.push(Series::new(
-                format!("{name}, H = {hurst}"),
-                colour,
-                Mark::Joined { symbol, filled },
-                curve,
-            ));
+            panel.series.push(Series::new("", colour, Mark::Joined { symbol, filled }, curve));
+        }
+    }
+
+    /// What the symbols mean.
+    fn add_legend(&self, panel: &mut Panel) {
+        for (hurst, symbol) in self.hurst.iter().zip(SYMBOLS.into_iter().cycle()) {
+            let mark = Mark::Symbol { symbol, filled: false };
+            panel.series.push(Series::new(format!("H = {hurst}"), Colour::BLACK, mark, Vec::new()));
         }
     }
 }

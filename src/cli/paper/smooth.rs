@@ -34,7 +34,13 @@ pub fn realisation(geometry: Geometry, points: usize, widths: &[f64]) -> Result<
     Ok(Realisation { name: name.into(), grid, shape: Shape::Smooth(indenter), loads })
 }
 
-/// `p*` at which an isolated contact is `2 width` periods wide; `gbar` is that of the cell.
+/// So many half-widths of contacts over the period between two, equally far apart in their logarithm. The nodes of a contact
+/// come in whole numbers: means over many widths are rid of that.
+pub fn widths([low, high]: [f64; 2], count: i32) -> Vec<f64> {
+    (0..count).map(|i| low * (high / low).powf(f64::from(i) / f64::from(count - 1))).collect()
+}
+
+/// `p*` at which an isolated contact of a line, or of a sphere, is `2 width` periods wide; `gbar` is that of the cell.
 pub fn reduced_pressure(indenter: &PowerLaw, width: f64) -> f64 {
     let PowerLaw { geometry, coefficient, exponent: n, .. } = *indenter;
     let directions = if geometry == Geometry::Line { 1.0 } else { 2.0_f64 };

@@ -3,19 +3,22 @@
 use super::Made;
 use super::comparison::Finding;
 use super::part::Part;
-use super::smooth::{LINE, PERIOD, RADIUS, half_width, realisation, strain};
+use super::smooth::{LINE, PERIOD, RADIUS, half_width, realisation, strain, widths};
 use super::study::Study;
 use anyhow::Result;
 use asperity::study::{Realisation, Row, Spread};
 use asperity::theory::Geometry;
 
-/// Half-widths of the contacts over the period, small enough that the neighbouring cells do not matter.
-const WIDTHS: [f64; 3] = [0.01, 0.015, 0.02];
+/// Half-widths of the contacts over the period, from and to: so small that the neighbouring cells do not matter.
+const WIDTHS: [f64; 2] = [0.01, 0.03];
 
-/// Cylinder and sphere under three loads.
+/// Cylinder and sphere.
 pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
     let [_, side] = study.smooth_surface;
-    Ok(vec![realisation(Geometry::Line, LINE, &WIDTHS)?, realisation(Geometry::Point, side, &WIDTHS)?])
+    Ok(vec![
+        realisation(Geometry::Line, LINE, &widths(WIDTHS, 24))?,
+        realisation(Geometry::Point, side, &widths(WIDTHS, 6))?,
+    ])
 }
 
 /// Load, gradient and `kappa_r` of each, in units of `E*`, `R` and the half-width `c`.
