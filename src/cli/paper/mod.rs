@@ -59,6 +59,7 @@ impl Paper {
     /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         let study = Study::new(&self.options)?;
+        study.check_folder()?;
         let parts = Part::expand(&self.parts);
         parts.iter().try_for_each(|part| part.check(&study))?;
         study.prepare(&parts)?;

@@ -129,17 +129,21 @@ impl Study {
         Ok(())
     }
 
-    /// Makes the folder; with `--fresh`, removes the points of `parts`.
-    pub fn prepare(&self, parts: &[Part]) -> Result<()> {
+    /// Refuses a folder that cannot be made or written into.
+    pub fn check_folder(&self) -> Result<()> {
         let folder = &self.out;
         if folder.is_file() {
             return usage(format!("--out names {}, which is a file: give a folder", folder.display()));
         }
+        Ok(check_target(&if folder.is_dir() { self.file("comparison", "csv") } else { folder.clone() })?)
+    }
+
+    /// Makes the folder; with `--fresh`, removes the points of `parts`.
+    pub fn prepare(&self, parts: &[Part]) -> Result<()> {
+        let folder = &self.out;
         if !folder.is_dir() {
-            check_target(folder)?;
             std::fs::create_dir(folder).map_err(|source| FileError::Write { path: folder.into(), source })?;
         }
-        check_target(&self.file("comparison", "csv"))?;
         let mut tables = parts.iter().filter(|_| self.fresh).flat_map(|part| part.tables());
         tables.try_for_each(|part| Ok(self.table(*part).clear()?))
     }

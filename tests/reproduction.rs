@@ -1,0 +1,155 @@
+//! `asperity paper`, run for real on small grids.
+
+mod command;
+mod rows;
+
+use command::{Folder, text};
+use rows::{Row, assert_refused, rows};
+use std::fs;
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// Three Hurst exponents, many profiles: seconds of work.
+const LINES: &str = "paper fig2 --line-points 16384 --line-cutoff 0.03125 --line-seeds 1-24 --loads 0.02,0.1";
+
+fn number(row: &Row, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column} is {:?} in {row:?}", row[column]))
+}
+
+/// Options that leave recordings out, where there are any.
+fn bare(line: &str) -> String {
+    if cfg!(feature = "record") { format!("{line} --no-record") } else { line.into() }
+}
+
+#[test]
+fn every_number_of_the_paper_is_compared() {
+    let folder = Folder::new();
+    let output = folder.run(&bare("paper --quick --out p"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed: Vec<Row> = csv::Reader::from_reader(include_str!("../assets/paper.csv").as_bytes())
+        .deserialize()
+        .map(Result::unwrap)
+        .collect();
+    let compared = rows(&folder, "p/comparison.csv");
+    for row in &printed {
+        assert!(!row["place"].is_empty() && !row["printed"].is_empty(), "{row:?}");
+        let is_it = |found: &&Row| found["quantity"].starts_with(&row["quantity"]) && found["place"] == row["place"];
+        let found = compared.iter().find(is_it).unwrap_or_else(|| panic!("{row:?} is compared with nothing"));
+        assert!(
+            !found["here"].is_empty() && !found["here"].contains("NaN") && !found["verdict"].is_empty(),
+            "{found:?}"
+        );
+    }
+    let stdout = text(&output.stdout);
+    assert!(compared.iter().all(|row| stdout.contains(&row["quantity"])), "{stdout}");
+    for part in ["fig1", "fig2", "fig3", "fig4", "fig5", "gw", "beyond"] {
+        for ending in ["csv", "svg", "png"] {
+            assert!(fs::metadata(folder.join(&format!("p/{part}.{ending}"))).unwrap().len() > 500, "{part}.{ending}");
+        }
+    }
+    for part in ["table1", "fig1", "fig2", "fig4", "beyond"] {
+        let points = rows(&folder, &format!("p/{part}.csv"));
+        assert!(points.iter().all(|row| row["status"] == "converged" && number(row, "certificate") <= 1e-8), "{part}");
+    }
+    assert!(!stdout.contains("not converged"), "{stdout}");
+}
+
+#[test]
+fn smooth_indenters_give_the_printed_numbers() {
+    let folder = Folder::new();
+    let output = folder.run(&bare("paper table1 beyond gw --quick --out p"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let compared = rows(&folder, "p/comparison.csv");
+    let lines = compared.iter().filter(|row| !row["quantity"].contains("sphere"));
+    for row in lines {
+        assert!(["agrees", "holds"].contains(&row["verdict"].as_str()), "{row:?}");
+    }
+}
+
+#[test]
+fn kappa_of_lines_falls_with_load_and_hurst_exponent_and_kappa_r_hardly_moves() {
+    let folder = Folder::new();
+    let output = folder.run(&bare(&format!("{LINES} --out p")));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let means = rows(&folder, "p/fig2.means.csv");
+    assert_eq!(means.len(), 6);
+    for pair in means.windows(2).filter(|pair| pair[0]["hurst"] == pair[1]["hurst"]) {
+        assert!(number(&pair[0], "kappa") > 1.02 * number(&pair[1], "kappa"), "{pair:?}");
+    }
+    for i in 0..4 {
+        assert!(number(&means[i], "kappa") > 1.02 * number(&means[i + 2], "kappa"), "{:?}", means[i]);
+    }
+    for mean in &means {
+        assert_eq!(mean["realisations"], "24");
+        assert!((number(mean, "kappa_r_corrected") / 1.73 - 1.0).abs() < 0.03, "{mean:?}");
+    }
+}
+
+#[test]
+fn a_killed_run_goes_on_where_it_was_and_ends_in_the_same_bytes() {
+    let folder = Folder::new();
+    let line = bare(&format!("{LINES} --out killed"));
+    let mut child = Command::new(env!("CARGO_BIN_EXE_asperity"))
+        .args(line.split_whitespace())
+        .current_dir(folder.join(""))
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let unfinished = folder.join("killed/fig2.unfinished");
+    let begun = Instant::now();
+    while fs::metadata(&unfinished).map_or(0, |metadata| metadata.len()) == 0 {
+        assert!(begun.elapsed() < Duration::from_secs(60) && child.try_wait().unwrap().is_none(), "nothing to kill");
+        sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(!folder.join("killed/fig2.csv").exists());
+    let kept = fs::read_to_string(&unfinished).unwrap().lines().count();
+    let output = folder.run(&line);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let told = format!("fig2: {} of 144 points solved", 144 - kept / 2 * 2);
+    assert!(text(&output.stdout).contains(&told), "{told}: {}", text(&output.stdout));
+    folder.run(&bare(&format!("{LINES} --workers 1 --out undisturbed")));
+    let [killed, undisturbed] =
+        ["killed", "undisturbed"].map(|run| fs::read(folder.join(&format!("{run}/fig2.csv"))).unwrap());
+    assert!(killed == undisturbed && !unfinished.exists());
+}
+
+#[test]
+fn what_cannot_be_is_refused_before_anything_is_solved() {
+    let folder = Folder::new();
+    fs::write(folder.join("file"), "").unwrap();
+    let cases: [(&str, &[&str]); 10] = [
+        ("--out file", &["file, which is a file"]),
+        ("--out missing/p", &["missing"]),
+        ("--hurst 2", &["Hurst exponent is 2"]),
+        ("--loads 0.1,-1", &["reduced pressure is -1"]),
+        ("--line-seeds 5-3", &["5-3 holds no seeds"]),
+        ("--line-seeds a", &["\"a\" is no seed"]),
+        ("--line-points 64", &["finer than the grid"]),
+        ("--line-cutoff 0", &["short_cutoff is 0"]),
+        ("--workers 0", &["--workers is 0"]),
+        ("--tolerance 0", &["tolerance is 0"]),
+    ];
+    for (options, words) in cases {
+        assert_refused(&folder.run(&format!("paper gw fig2 --quick {options}")), words);
+    }
+    assert_refused(&folder.run("paper fig4 --quick --surface-points 512,256"), &["from 512 to 256"]);
+    assert_refused(&folder.run("paper fig4 --surface-points 4194304"), &["4194304 x 4194304 points", "memory"]);
+    assert!(!folder.join("paper").exists());
+}
+
+#[test]
+fn the_points_of_another_study_stay() {
+    let folder = Folder::new();
+    let study = |options: &str| folder.run(&bare(&format!("paper fig2 --quick --out p {options}")));
+    assert_eq!(study("--line-seeds 1").status.code(), Some(0));
+    let there = fs::read(folder.join("p/fig2.csv")).unwrap();
+    assert_refused(&study("--hurst 0.3"), &["fig2.csv holds 12 points of other surfaces"]);
+    assert_eq!(fs::read(folder.join("p/fig2.csv")).unwrap(), there);
+    let output = study("--line-seeds 1-2");
+    assert!(text(&output.stdout).contains("fig2: 12 of 24 points solved"), "{}", text(&output.stdout));
+    assert_eq!(study("--hurst 0.3 --fresh").status.code(), Some(0));
+    assert!(rows(&folder, "p/fig2.csv").iter().all(|row| row["hurst"] == "0.3"));
+}
