@@ -87,7 +87,7 @@ fn assert_figures(folder: &Folder) {
         "run time in s",
         "Fourier transforms",
         "relative error",
-        "n = 512, 1024, 2048",
+        "n = 128, 512, 2048",
         "certificate η",
     ] {
         assert!(svg.contains(words), "{words} in the figure");

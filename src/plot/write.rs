@@ -13,10 +13,17 @@ use std::path::Path;
 
 /// Dots per unit in which a figure is drawn, of which an SVG knows the positions only.
 const GRAIN: u32 = 4;
-/// Of the size of a font: how much too high texts come out in pixels. An SVG has them in their place.
+/// Of the size of a font: how much too high texts come out in dots.
 const DROP: f64 = 0.15;
 /// Dots along a side of a pixel.
 const COARSENING: u32 = 2;
+
+/// What a figure is drawn in.
+#[derive(Clone, Copy)]
+enum Medium {
+    Vectors,
+    Dots,
+}
 
 /// Writes a scalable figure, in units of about a pixel.
 ///
@@ -41,7 +48,7 @@ fn svg(sheet: &Sheet) -> io::Result<String> {
     let [width, height] = sheet.size;
     let fine = sheet.size.map(|length| GRAIN * length);
     let mut text = String::new();
-    paint(SVGBackend::with_string(&mut text, fine.into()), sheet, 0.0)?;
+    paint(SVGBackend::with_string(&mut text, fine.into()), sheet, Medium::Vectors)?;
     let head = |[width, height]: [u32; 2]| format!("width=\"{width}\" height=\"{height}\"");
     Ok(text.replacen(&head(fine), &head([width, height]), 1))
 }
@@ -50,7 +57,7 @@ fn svg(sheet: &Sheet) -> io::Result<String> {
 fn pixels(sheet: &Sheet) -> io::Result<([u32; 2], Vec<u8>)> {
     let [width, height] = sheet.size.map(|length| GRAIN * length);
     let mut dots = vec![0; 3 * width as usize * height as usize];
-    paint(BitMapBackend::with_buffer(&mut dots, (width, height)), sheet, DROP)?;
+    paint(BitMapBackend::with_buffer(&mut dots, (width, height)), sheet, Medium::Dots)?;
     Ok(([width / COARSENING, height / COARSENING], coarsened(&dots, width as usize)))
 }
 
@@ -76,10 +83,10 @@ fn encode(file: impl Write, [width, height]: [u32; 2], pixels: &[u8]) -> io::Res
     Ok(writer.finish()?)
 }
 
-fn paint<B: DrawingBackend>(backend: B, sheet: &Sheet, drop: f64) -> io::Result<()> {
+fn paint<B: DrawingBackend>(backend: B, sheet: &Sheet, medium: Medium) -> io::Result<()> {
     let area = backend.into_drawing_area();
     area.fill(&WHITE).map_err(broken)?;
-    sheet.elements.iter().try_for_each(|element| draw(&area, element, drop).map_err(broken))?;
+    sheet.elements.iter().try_for_each(|element| draw(&area, element, medium).map_err(broken))?;
     area.present().map_err(broken)
 }
 
@@ -90,12 +97,10 @@ fn broken(error: impl std::error::Error) -> io::Error {
 fn draw<B: DrawingBackend>(
     area: &DrawingArea<B, Shift>,
     element: &Element,
-    drop: f64,
+    medium: Medium,
 ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
     match element {
-        Element::Line { points, colour, width } => {
-            area.draw(&PathElement::new(dots(points), rgb(*colour).stroke_width(dot(*width) as u32)))
-        }
+        Element::Line { points, colour, width } => draw_line(area, &dots(points), rgb(*colour), dot(*width), medium),
         Element::Shape { corners, colour, opacity } => {
             area.draw(&Polygon::new(dots(corners), rgb(*colour).mix(*opacity).filled()))
         }
@@ -107,8 +112,28 @@ fn draw<B: DrawingBackend>(
             };
             let turn = if *upwards { FontTransform::Rotate270 } else { FontTransform::None };
             let style = font(size * f64::from(GRAIN)).transform(turn).color(&BLACK).pos(Pos::new(side, VPos::Center));
-            let [right, down] = if *upwards { [drop * size, 0.0] } else { [0.0, drop * size] };
+            let drop = if let Medium::Dots = medium { DROP * size } else { 0.0 };
+            let [right, down] = if *upwards { [drop, 0.0] } else { [0.0, drop] };
             area.draw_text(text, &style, (dot(x + right), dot(y + down)))
+        }
+    }
+}
+
+/// A line in dots is drawn piece by piece, with round joints: where a single one meets itself, it would leave holes.
+fn draw_line<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    points: &[(i32, i32)],
+    colour: RGBColor,
+    width: i32,
+    medium: Medium,
+) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
+    let path = |points: &[(i32, i32)]| area.draw(&PathElement::new(points, colour.stroke_width(width as u32)));
+    match medium {
+        Medium::Vectors => path(points),
+        Medium::Dots => {
+            points.windows(2).try_for_each(path)?;
+            let joint = |three: &[(i32, i32)]| area.draw(&Circle::new(three[1], width / 2, colour.filled()));
+            points.windows(3).try_for_each(joint)
         }
     }
 }
@@ -171,6 +196,16 @@ mod tests {
         let count = |colour: [u8; 3]| pixels.chunks_exact(3).filter(|pixel| *pixel == colour).count();
         assert_eq!(pixels[..3], [255; 3]);
         assert!(count(Colour::BLUE.0) > 500 && count(Colour::BLACK.0) > 500 && count(Colour::GREEN.0) == 0);
+    }
+
+    #[test]
+    fn a_line_in_dots_may_lie_on_itself() {
+        let line = |points| Element::Line { points, colour: Colour::GREEN, width: 2.0 };
+        let [once, twice] = [vec![[2.0, 5.0], [8.0, 5.0]], vec![[2.0, 5.0], [8.0, 5.0], [2.0, 5.0]]].map(|points| {
+            let (_, pixels) = pixels(&Sheet { size: [12, 10], elements: vec![line(points)] }).unwrap();
+            pixels.chunks_exact(3).filter(|pixel| *pixel == Colour::GREEN.0).count()
+        });
+        assert!(once >= 11 * 3 && twice >= once, "{once} and {twice} pixels");
     }
 
     #[test]
