@@ -27,6 +27,12 @@ mod write;
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
 pub use mark::{Mark, Symbol};
+#[cfg(feature = "record")]
+pub(crate) use {
+    font::width,
+    frame::Frame,
+    sheet::{Align, Element, Sheet},
+};
 pub use write::{write_png, write_svg};
 
 /// A figure: panels side by side, two in a row.

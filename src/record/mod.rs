@@ -40,6 +40,7 @@ mod fill;
 mod forecast;
 mod layout;
 mod line;
+mod loads;
 mod output;
 mod palette;
 mod part;
@@ -55,6 +56,7 @@ mod thinning;
 mod traces;
 mod window;
 
+pub use loads::{Curve, LoadRecording, Loads};
 pub use part::{Part, Parts};
 pub use recorder::Recorder;
 pub use scene::Scene;
@@ -106,16 +108,18 @@ impl Recording {
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
     pub fn create(path: &Path, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         check_target(path)?;
-        let roots = roots(scenes);
-        let stage = |(scene, root)| Stage::new(scene, root, &options);
-        let stages: Vec<Stage> = scenes.iter().zip(roots).map(stage).collect();
+        let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
+        let recording = Self::open(path, &titles.join(", "), stages(scenes, "", &options), options)?;
+        recording.write(|stream| recording.log_static(stream, scenes))?;
+        Ok(recording)
+    }
+
+    /// Opens the file, and writes nothing but the `name` into it.
+    fn open(path: &Path, name: &str, stages: Vec<Stage>, options: Options) -> Result<Self, FileError> {
         let target_error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
         let output = Output::create(path).map_err(target_error)?;
-        let stream = open(output.clone(), scenes).map_err(|failure| target_error(io::Error::other(failure)))?;
-        let recording = Self { stream, output, path: path.into(), stages, options };
-        recording.log_static(scenes).map_err(|failure| recording.write_error(io::Error::other(failure)))?;
-        recording.flush()?;
-        Ok(recording)
+        let stream = open(output.clone(), name).map_err(|failure| target_error(io::Error::other(failure)))?;
+        Ok(Self { stream, output, path: path.into(), stages, options })
     }
 
     /// The observer that records the solve of scene number `scene`.
@@ -135,11 +139,20 @@ impl Recording {
         self.output.finish().map_err(|failure| self.write_error(failure))
     }
 
-    fn log_static(&self, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
-        layout::send(APPLICATION, &self.stages, &self.stream)?;
+    fn log_static(&self, stream: &RecordingStream, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
+        layout::send(APPLICATION, &self.stages, stream)?;
         let several = scenes.len() > 1;
-        let mut stages = self.stages.iter().zip(scenes).enumerate();
-        stages.try_for_each(|(i, (stage, scene))| stage.log_static(&self.stream, scene, several.then_some(i)))
+        for (i, (stage, scene)) in self.stages.iter().zip(scenes).enumerate() {
+            stream.log_static(stage.description(), &stage.described("still running, or ended by force"))?;
+            stage.log_static(stream, scene, several.then_some(i))?;
+        }
+        Ok(())
+    }
+
+    /// Writes what `log` records, to the last byte.
+    fn write(&self, log: impl FnOnce(&RecordingStream) -> RecordingStreamResult<()>) -> Result<(), FileError> {
+        log(&self.stream).map_err(|failure| self.write_error(io::Error::other(failure)))?;
+        self.flush()
     }
 
     fn flush(&self) -> Result<(), FileError> {
@@ -153,14 +166,19 @@ impl Recording {
 }
 
 /// A stream into `output` whose times are ours alone.
-fn open(output: Output, scenes: &[Scene<'_>]) -> RecordingStreamResult<RecordingStream> {
-    let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
-    let builder = RecordingStreamBuilder::new(APPLICATION).recording_name(titles.join(", ")).enabled(true);
+fn open(output: Output, name: &str) -> RecordingStreamResult<RecordingStream> {
+    let builder = RecordingStreamBuilder::new(APPLICATION).recording_name(name).enabled(true);
     let stream = builder.buffered()?;
     stream.set_sink(Box::new(output));
     stream.set_log_time_enabled(false);
     stream.set_log_tick_enabled(false);
     Ok(stream)
+}
+
+/// The scenes, prepared to be recorded under `above`.
+fn stages(scenes: &[Scene<'_>], above: &str, options: &Options) -> Vec<Stage> {
+    let stage = |(scene, root)| Stage::new(scene, format!("{above}{root}"), options);
+    scenes.iter().zip(roots(scenes)).map(stage).collect()
 }
 
 /// Roots of the entities, one per scene: safe characters only, and no two the same.
