@@ -52,11 +52,13 @@ fn scene(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
     blueprint.container(Kind::Horizontal, &stage.title, panes)
 }
 
-/// The views of the pictures, one row below the other, `more` in rows of their own.
+/// The views of the pictures, one row below the other, `more` in front of the second row.
 pub fn pictures(blueprint: &mut Blueprint, stage: &Stage, more: Vec<View>) -> Placed {
     let beside = if let Picture::Line(_) = stage.picture { Kind::Tabs } else { Kind::Horizontal };
     let mut rows = Vec::new();
-    for row in views(stage).into_iter().chain(more.into_iter().map(|view| vec![view])) {
+    let mut views = views(stage).into_iter();
+    let (first, second) = (views.next(), more.into_iter().chain(views.next().unwrap_or_default()).collect());
+    for row in first.into_iter().chain([second]).chain(views).filter(|row| !row.is_empty()) {
         rows.push((gather(blueprint, beside, "pictures", row)?, 1.0));
     }
     blueprint.container(Kind::Vertical, &stage.title, rows)
@@ -115,7 +117,7 @@ fn relief(stage: &Stage) -> View {
 
 fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> View {
     let root = &stage.root;
-    let mut contents = vec![format!("{root}/{picture}/**"), format!("{root}/caption")];
+    let mut contents = vec![format!("{root}/{picture}/**"), stage.caption_entity()];
     contents.extend((contact && stage.what.has(Part::Mask)).then(|| format!("{root}/contact")));
     View::plane(title, root, contents, stage.picture.bounds())
 }

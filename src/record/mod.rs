@@ -6,6 +6,8 @@
 //! Solver --(Step)--> Recorder: traces of every step, frames of the steps that Thinning picks
 //! ```
 //!
+//! A recording over loads instead of steps is a [`LoadRecording`].
+//!
 //! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pressures are
 //! recorded over `E*`, gaps over the rms height, both in the power of a thousand that the axes state. Positions are
 //! coordinates of the drawing. Steps of coarser grids are drawn on the axes of the scene, each node at its true place.
@@ -109,16 +111,21 @@ impl Recording {
     pub fn create(path: &Path, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         check_target(path)?;
         let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
-        let recording = Self::open(path, &titles.join(", "), stages(scenes, "", &options), options)?;
+        let output = Output::create(path).map_err(|failure| target_error(path, &failure))?;
+        let recording = Self::open(output, path, &titles.join(", "), stages(scenes, "", &options), options)?;
         recording.write(|stream| recording.log_static(stream, scenes))?;
         Ok(recording)
     }
 
-    /// Opens the file, and writes nothing but the `name` into it.
-    fn open(path: &Path, name: &str, stages: Vec<Stage>, options: Options) -> Result<Self, FileError> {
-        let target_error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
-        let output = Output::create(path).map_err(target_error)?;
-        let stream = open(output.clone(), name).map_err(|failure| target_error(io::Error::other(failure)))?;
+    /// Writes into `output`, the file at `path`, nothing but the `name`.
+    fn open(
+        output: Output,
+        path: &Path,
+        name: &str,
+        stages: Vec<Stage>,
+        options: Options,
+    ) -> Result<Self, FileError> {
+        let stream = open(output.clone(), name).map_err(|failure| target_error(path, &failure))?;
         Ok(Self { stream, output, path: path.into(), stages, options })
     }
 
@@ -165,6 +172,10 @@ impl Recording {
     }
 }
 
+fn target_error(path: &Path, failure: &dyn std::error::Error) -> FileError {
+    FileError::Target { path: path.into(), reason: failure.to_string() }
+}
+
 /// A stream into `output` whose times are ours alone.
 fn open(output: Output, name: &str) -> RecordingStreamResult<RecordingStream> {
     let builder = RecordingStreamBuilder::new(APPLICATION).recording_name(name).enabled(true);
@@ -202,12 +213,12 @@ mod tests {
     use crate::{Contact, Problem};
     use std::collections::BTreeMap;
 
-    fn cylinder() -> Problem {
+    pub fn cylinder() -> Problem {
         let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();
         Problem::new(cylinder, 1.0, 1e-2).unwrap()
     }
 
-    fn scene<'a>(name: &str, problem: &'a Problem) -> Scene<'a> {
+    pub fn scene<'a>(name: &str, problem: &'a Problem) -> Scene<'a> {
         Scene { name: name.into(), title: name.into(), problem, description: String::new(), exact: None }
     }
 
@@ -221,13 +232,19 @@ mod tests {
         contact
     }
 
-    /// Rows of each temporal entity.
-    fn rows(path: &Path) -> BTreeMap<String, usize> {
+    /// What does change in a recording.
+    pub fn chunks(path: &Path) -> Vec<rerun::log::Chunk> {
         let mut file = std::fs::File::open(path).unwrap();
         let stores = rerun::ChunkStore::from_rrd_reader(&rerun::ChunkStoreConfig::ALL_DISABLED, &mut file).unwrap();
-        let mut rows = BTreeMap::new();
         let recordings = stores.iter().filter(|(id, _)| id.kind() == rerun::StoreKind::Recording);
-        for chunk in recordings.flat_map(|(_, store)| store.iter_physical_chunks()).filter(|chunk| !chunk.is_static()) {
+        let chunks = recordings.flat_map(|(_, store)| store.iter_physical_chunks());
+        chunks.filter(|chunk| !chunk.is_static()).map(|chunk| (**chunk).clone()).collect()
+    }
+
+    /// Rows of each temporal entity.
+    pub fn rows(path: &Path) -> BTreeMap<String, usize> {
+        let mut rows = BTreeMap::new();
+        for chunk in chunks(path) {
             *rows.entry(chunk.entity_path().to_string()).or_default() += chunk.num_rows();
         }
         rows

@@ -180,7 +180,12 @@ impl Stage {
 
     /// Records words above the pictures at the current time.
     pub fn log_caption(&self, to: &RecordingStream, words: String) -> RecordingStreamResult<()> {
-        to.log(format!("{}/caption", self.root), &self.picture.frame().caption(words))
+        to.log(self.caption_entity(), &self.picture.frame().caption(words))
+    }
+
+    /// The entity of the words above the pictures.
+    pub fn caption_entity(&self) -> String {
+        format!("{}/caption", self.root)
     }
 
     /// Where the solver stands, in words.

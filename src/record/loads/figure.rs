@@ -13,7 +13,7 @@ const HEAD: f64 = 26.0;
 /// From the middle of a text up to its place, over its size: the viewer hangs words below their places.
 const RISE: f64 = 0.72;
 /// Size of a text as the viewer shows it, over the canvas at its usual size.
-const TEXT: f64 = 12.0;
+const TEXT: f64 = 15.0;
 /// From line to line of what fills a shape.
 const HATCH: f64 = 1.5;
 
@@ -36,7 +36,8 @@ impl FigurePicture {
     /// Title, root and the part of the canvas of each panel.
     pub fn panels(&self) -> impl Iterator<Item = (&str, String, [f64; 4])> {
         self.panels.iter().enumerate().map(|(i, panel)| {
-            let title = if panel.title.is_empty() { &self.title } else { &panel.title };
+            let is_alone = self.panels.len() == 1 && !self.title.is_empty();
+            let title = if is_alone || panel.title.is_empty() { &self.title } else { &panel.title };
             let [right, bottom] = sheet(panel).size.map(f64::from);
             (title.as_str(), root(i), [0.0, right, -HEAD, bottom])
         })
@@ -141,4 +142,30 @@ fn crossing([from, to]: [[f64; 2]; 2], x: f64) -> Option<f64> {
 fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let (low, high) = range(values);
     [low, high]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::{Axis, Corner};
+
+    #[test]
+    fn shapes_are_filled_from_side_to_side() {
+        let line = hatch(&[[0.0, 0.0], [12.0, 0.0], [12.0, 6.0], [0.0, 6.0]]);
+        assert_eq!(line.len(), 2 * 8);
+        assert_eq!(line[..3], [[0.75, 0.0], [0.75, 6.0], [2.25, 6.0]]);
+        let triangle = hatch(&[[0.0, 0.0], [3.0, 3.0], [0.0, 3.0]]);
+        assert_eq!(triangle, [[0.75, 0.75], [0.75, 3.0], [2.25, 3.0], [2.25, 2.25]]);
+    }
+
+    #[test]
+    fn all_words_of_a_panel_are_there_and_those_of_the_y_axis_above_it() {
+        let (x, y) = (Axis::linear("across", [0.0, 1.0]), Axis::linear("up", [0.0, 1.0]));
+        let panel = Panel::new("title", x, y, Corner::TopLeft);
+        let all: Vec<_> = sheet(&panel).elements.iter().filter_map(words).collect();
+        for word in ["title", "across", "0.2"] {
+            assert!(all.iter().any(|([_, y], words)| words == word && *y > -HEAD as f32), "{word}");
+        }
+        assert!(all.iter().any(|([_, y], words)| words == "up" && *y == -HEAD as f32));
+    }
 }

@@ -1,9 +1,11 @@
 //! Where the views of a recording over loads stand: contacts on the left, figure, curves and text on the right.
 
+use super::patches::PatchMap;
 use super::{LOAD, LoadRecording, TEXT};
 use crate::record::APPLICATION;
 use crate::record::blueprint::{Blueprint, Clock, Kind, View};
 use crate::record::layout::{Placed, gather, pictures};
+use crate::record::stage::Stage;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Loads per second when they are played.
@@ -28,9 +30,8 @@ fn contacts(blueprint: &mut Blueprint, recording: &LoadRecording) -> RecordingSt
     let mut tabs = Vec::new();
     for (stage, map) in recording.recording.stages.iter().zip(&recording.patches) {
         if stage.what.has_pictures() {
-            let title = "Contact patches, load upwards";
-            let map = map.iter().map(|map| View::plane(title, map.root(), below(map.root()), map.bounds()));
-            tabs.push((pictures(blueprint, stage, map.collect())?, 1.0));
+            let map = map.iter().map(|map| patches(stage, map)).collect();
+            tabs.push((pictures(blueprint, stage, map)?, 1.0));
         }
     }
     match tabs.as_slice() {
@@ -40,11 +41,18 @@ fn contacts(blueprint: &mut Blueprint, recording: &LoadRecording) -> RecordingSt
     }
 }
 
+fn patches(stage: &Stage, map: &PatchMap) -> View {
+    let contents = vec![format!("{}/**", map.root()), stage.caption_entity()];
+    View::plane("Contact patches, load upwards", &stage.root, contents, map.bounds())
+}
+
 /// The panels of the figure, the first curves, and a stack of the other curves and the texts.
 fn curves(blueprint: &mut Blueprint, recording: &LoadRecording) -> Placed {
     let mut rows = Vec::new();
     if let Some(figure) = &recording.figure {
-        let panel = |(title, root, bounds): (&str, String, _)| View::plane(title, &root, below(&root), bounds);
+        let panel = |(title, root, bounds): (&str, String, _)| {
+            View::plane(title, &root, vec![format!("{root}/**")], bounds)
+        };
         rows.push((gather(blueprint, Kind::Tabs, "figure", figure.panels().map(panel).collect())?, 2.0));
     }
     let curves = recording.curves.iter().flat_map(|curves| curves.views());
@@ -57,8 +65,4 @@ fn curves(blueprint: &mut Blueprint, recording: &LoadRecording) -> Placed {
     let tabs = views.chain([load]).chain(scenes).collect();
     rows.push((gather(blueprint, Kind::Tabs, "more", tabs)?, 1.0));
     blueprint.container(Kind::Vertical, "curves", rows)
-}
-
-fn below(root: &str) -> Vec<String> {
-    vec![format!("{root}/**")]
 }
