@@ -80,9 +80,16 @@ fn assert_figures(folder: &Folder) {
     let png = std::fs::read(folder.join("out/sine.png")).unwrap();
     assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
     let svg = std::fs::read_to_string(folder.join("out/sine.svg")).unwrap();
-    for words in
-        ["<svg", "multilevel", "polonsky-keer", "run time in s", "Fourier transforms", "relative error", "n = 512"]
-    {
+    for words in [
+        "<svg",
+        "multilevel",
+        "polonsky-keer",
+        "run time in s",
+        "Fourier transforms",
+        "relative error",
+        "n = 512, 1024, 2048",
+        "certificate η",
+    ] {
         assert!(svg.contains(words), "{words} in the figure");
     }
 }

@@ -13,7 +13,6 @@ mod output;
 #[cfg(feature = "record")]
 mod part;
 mod plan;
-mod plot;
 mod progress;
 mod solve;
 mod solver;

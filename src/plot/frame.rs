@@ -3,7 +3,7 @@
 use super::font::width;
 use super::legend::draw_legend;
 use super::series::draw_series;
-use super::sheet::{Align, Sheet, around, rectangle};
+use super::sheet::{Align, Sheet, rectangle};
 use super::{Axis, Colour, Figure, Panel};
 
 /// Width and height of a panel with all that belongs to it.
@@ -83,7 +83,7 @@ impl<'a> Frame<'a> {
         sheet.fitted_text(&self.panel.title, [middle, self.top - 0.5 * ABOVE], PANEL_TITLE, self.width, false);
         self.panel.series.iter().for_each(|series| draw_series(sheet, self, series));
         let corners = rectangle([self.left, self.top], [self.left + self.width, self.top + self.height]);
-        sheet.line(around(&corners), Colour::GREY, 1.2);
+        sheet.edge(&corners, Colour::GREY, 1.2);
         draw_legend(sheet, self);
     }
 
@@ -123,4 +123,80 @@ fn labels(axis: &Axis) -> Vec<(f64, String)> {
 
 fn minors(axis: &Axis) -> Vec<f64> {
     axis.minor_ticks().into_iter().map(|value| axis.place(value).clamp(0.0, 1.0)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sheet::Element;
+    use super::super::{Corner, Mark, Point, Series, Symbol};
+    use super::*;
+
+    const ODD: Colour = Colour([1, 2, 3]);
+
+    /// What a series without a name adds to a panel from 0 to 1 (linear) and from 1e-2 to 1 (logarithmic).
+    fn drawn(mark: Mark, points: &[[f64; 3]]) -> Vec<Element> {
+        let points = points.iter().map(|&[x, y, spread]| Point { x, y, spread }).collect();
+        let [x, y] = [Axis::linear("x", [0.0, 1.0]), Axis::log("y", [1e-2, 1.0])];
+        let mut panel = Panel::new("", x, y, Corner::TopLeft);
+        panel.series.push(Series::new("", ODD, mark, points));
+        let sheet = Sheet::of(&Figure { title: String::new(), panels: vec![panel] });
+        let is_odd = |element: &Element| match element {
+            Element::Line { colour, .. } | Element::Shape { colour, .. } => *colour == ODD,
+            Element::Text { .. } => false,
+        };
+        sheet.elements.into_iter().filter(is_odd).collect()
+    }
+
+    /// The frame of that panel: left, right, top, bottom.
+    fn edges() -> [f64; 4] {
+        match &drawn(Mark::Line, &[[0.0, 1e-2, 0.0], [1.0, 1.0, 0.0]])[..] {
+            [Element::Line { points, .. }] => [points[0][0], points[1][0], points[1][1], points[0][1]],
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn lines_are_cut_at_the_frame() {
+        let [left, right, top, bottom] = edges();
+        let across = drawn(Mark::Line, &[[-9.0, 0.1, 0.0], [9.0, 0.1, 0.0], [9.0, -1.0, 0.0], [0.5, 0.1, 0.0]]);
+        let [Element::Line { points, .. }] = &across[..] else { panic!("{across:?}") };
+        let middle = 0.5 * (top + bottom);
+        for (point, expected) in points.iter().zip([[left, middle], [right, middle]]) {
+            assert!((0..2).all(|i| (point[i] - expected[i]).abs() < 1e-9), "{points:?}");
+        }
+        assert!(drawn(Mark::Dashed, &[[0.0, 2.0, 0.0], [1.0, 3.0, 0.0]]).is_empty());
+        assert!(drawn(Mark::Dotted, &[[0.0, 0.1, 0.0], [1.0, 0.1, 0.0]]).len() > 50);
+    }
+
+    #[test]
+    fn symbols_outside_are_left_out() {
+        let symbol = Mark::Symbol { symbol: Symbol::Circle, filled: true };
+        let points = [[0.5, 0.1, 0.0], [1.0, 1.0, 0.0], [1.1, 0.1, 0.0], [0.5, 1e-3, 0.0], [0.5, -1.0, 0.0]];
+        assert_eq!(drawn(symbol, &points).len(), 2);
+        assert!(drawn(symbol, &[[f64::NAN, 0.1, 0.1], [0.5, f64::INFINITY, 0.1]]).is_empty());
+    }
+
+    #[test]
+    fn error_bars_are_cut_and_keep_the_caps_inside() {
+        let [_, _, top, bottom] = edges();
+        let symbol = Mark::Symbol { symbol: Symbol::Square, filled: false };
+        assert_eq!(drawn(symbol, &[[0.5, 0.1, 0.05]]).len(), 1 + 3);
+        let cut = drawn(symbol, &[[0.5, 0.1, 0.2]]);
+        assert_eq!(cut.len(), 1 + 2);
+        let Element::Line { points, .. } = &cut[0] else { panic!("{cut:?}") };
+        assert!(points[0][1] == bottom && points[1][1] > top, "{points:?}");
+        assert!(drawn(symbol, &[[2.0, 0.1, 0.05], [0.5, 3.0, 0.5]]).is_empty());
+    }
+
+    #[test]
+    fn sheets_have_two_panels_in_a_row() {
+        let panel = Panel::new("", Axis::linear("x", [0.0, 1.0]), Axis::linear("y", [0.0, 1.0]), Corner::TopLeft);
+        let size =
+            |title: &str, panels| Sheet::of(&Figure { title: title.into(), panels: vec![panel.clone(); panels] }).size;
+        assert_eq!(
+            [size("", 0), size("", 1), size("", 2), size("", 3)],
+            [[600, 480], [600, 480], [1200, 480], [1200, 960]]
+        );
+        assert_eq!(size("title", 1), [600, 520]);
+    }
 }

@@ -3,7 +3,7 @@
 use super::font::width;
 use super::frame::Frame;
 use super::series::{draw_line, draw_symbol};
-use super::sheet::{Align, Sheet, around, rectangle};
+use super::sheet::{Align, Sheet, rectangle};
 use super::{Colour, Corner, Series};
 
 const TEXT: f64 = 14.0;
@@ -26,7 +26,7 @@ pub fn draw_legend(sheet: &mut Sheet, frame: &Frame) {
     let size = [3.0 * PADDING + SAMPLE + widest, 2.0 * PADDING + ROW * named.len() as f64];
     let [left, top] = corner(frame, size);
     let corners = rectangle([left, top], [left + size[0], top + size[1]]);
-    sheet.line(around(&corners), Colour::PALE, 1.0);
+    sheet.edge(&corners, Colour::PALE, 1.0);
     sheet.shape(corners, Colour::WHITE, OPACITY);
     for (i, series) in named.into_iter().enumerate() {
         draw_entry(sheet, series, [left + PADDING, top + PADDING + ROW * (i as f64 + 0.5)]);

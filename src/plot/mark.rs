@@ -65,14 +65,15 @@ pub enum Symbol {
 }
 
 impl Symbol {
-    /// Corners, right and down from its middle, of a symbol about nine units wide.
-    pub(super) fn outline(self) -> Vec<[f64; 2]> {
+    /// Corners, right and down from its middle, of a symbol about nine units wide, with its edge `inset` further in.
+    pub(super) fn outline(self, inset: f64) -> Vec<[f64; 2]> {
         let (corners, turn, radius) = match self {
-            Self::Circle => (24, 0.0, 4.4),
-            Self::Square => (4, 0.125, 5.4),
-            Self::Triangle => (3, 0.0, 5.8),
-            Self::Diamond => (4, 0.0, 5.6),
+            Self::Circle => (24, 0.0, 4.8),
+            Self::Square => (4, 0.125, 6.0),
+            Self::Triangle => (3, 0.0, 6.6),
+            Self::Diamond => (4, 0.0, 6.4),
         };
+        let radius = radius - inset / (0.5 * TAU / f64::from(corners)).cos();
         let corner = |i| {
             let (right, up) = (TAU * (f64::from(i) / f64::from(corners) + turn)).sin_cos();
             [radius * right, -radius * up]

@@ -2,7 +2,7 @@
 
 use super::clip::{dashes, runs};
 use super::frame::Frame;
-use super::sheet::{Sheet, around};
+use super::sheet::Sheet;
 use super::{Colour, Point, Series};
 
 const LINE: f64 = 2.0;
@@ -34,9 +34,11 @@ pub fn draw_line(sheet: &mut Sheet, series: &Series, points: Vec<[f64; 2]>) {
 /// The symbol of a series at a place on the sheet, if it has one.
 pub fn draw_symbol(sheet: &mut Sheet, series: &Series, [x, y]: [f64; 2]) {
     let Some((symbol, filled)) = series.mark.symbol() else { return };
-    let corners: Vec<[f64; 2]> = symbol.outline().into_iter().map(|[right, down]| [x + right, y + down]).collect();
-    sheet.shape(corners.clone(), if filled { series.colour } else { Colour::WHITE }, 1.0);
-    sheet.line(around(&corners), series.colour, FINE_LINE);
+    let outline = |inset| symbol.outline(inset).into_iter().map(|[right, down]| [x + right, y + down]).collect();
+    sheet.shape(outline(0.0), series.colour, 1.0);
+    if !filled {
+        sheet.shape(outline(FINE_LINE), Colour::WHITE, 1.0);
+    }
 }
 
 /// An error bar as far as it lies inside, with caps where it ends there.

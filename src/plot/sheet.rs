@@ -51,6 +51,11 @@ impl Sheet {
         self.elements.push(Element::Shape { corners, colour, opacity });
     }
 
+    /// A line around a shape.
+    pub fn edge(&mut self, corners: &[[f64; 2]], colour: Colour, width: f64) {
+        self.line(corners.iter().chain(corners.first()).copied().collect(), colour, width);
+    }
+
     /// A text from left to right.
     pub fn text(&mut self, text: &str, at: [f64; 2], size: f64, align: Align) {
         self.elements.push(Element::Text { text: text.into(), at, size, align, upwards: false });
@@ -66,9 +71,4 @@ impl Sheet {
 /// The corners of a rectangle.
 pub fn rectangle([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Vec<[f64; 2]> {
     vec![[left, top], [right, top], [right, bottom], [left, bottom]]
-}
-
-/// A line around a shape.
-pub fn around(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    corners.iter().chain(corners.iter().take(2)).copied().collect()
 }

@@ -13,15 +13,16 @@ mod scene;
 mod table;
 
 use super::contender::Contender;
-use super::plot::{write_png, write_svg};
+
 use super::{Outcome, usage};
 use anyhow::Result;
 use asperity::contact::Stop;
 use asperity::error::FileError;
+use asperity::plot::{write_png, write_svg};
 use asperity::surface::check_target;
 use clap::Args;
 use curve::{Curve, Reference};
-use figure::Figure;
+use figure::figure;
 use ladder::Ladder;
 use model::{Model, models};
 use row::write_rows;
@@ -198,8 +199,8 @@ fn write_files(folder: &Path, all: &[Measured]) -> Result<()> {
     write_rows(&folder.join("accuracy.csv"), all)?;
     if let Some(measured) = all.last() {
         let path = |ending| folder.join(format!("{}.{ending}", measured.scene.name()));
-        write_svg(&path("svg"), &Figure(measured))?;
-        write_png(&path("png"), &Figure(measured))?;
+        write_svg(&path("svg"), &figure(measured))?;
+        write_png(&path("png"), &figure(measured))?;
     }
     Ok(())
 }
