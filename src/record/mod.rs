@@ -118,13 +118,7 @@ impl Recording {
     }
 
     /// Writes into `output`, the file at `path`, nothing but the `name`.
-    fn open(
-        output: Output,
-        path: &Path,
-        name: &str,
-        stages: Vec<Stage>,
-        options: Options,
-    ) -> Result<Self, FileError> {
+    fn open(output: Output, path: &Path, name: &str, stages: Vec<Stage>, options: Options) -> Result<Self, FileError> {
         let stream = open(output.clone(), name).map_err(|failure| target_error(path, &failure))?;
         Ok(Self { stream, output, path: path.into(), stages, options })
     }

@@ -60,7 +60,8 @@ impl FigurePicture {
             let frame = Frame::of(panel, [0.0, 0.0]);
             let place = panel.x.place(at);
             let upright = [0.0, 1.0].map(|y| frame.position([place, y]).map(|p| p as f32)).to_vec();
-            let upright = (0.0..=1.0).contains(&place).then_some((upright, colour(palette::INK), Radius::new_ui_points(1.0)));
+            let upright =
+                (0.0..=1.0).contains(&place).then_some((upright, colour(palette::INK), Radius::new_ui_points(1.0)));
             to.log(format!("{}/cursor", root(i)), &strips(upright).with_draw_order(1.0))?;
             let words = ([(frame.left + 0.7 * frame.width) as f32, -HEAD as f32], caption.to_owned());
             to.log(format!("{}/caption", root(i)), &axes::labels(vec![words]))?;

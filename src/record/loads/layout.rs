@@ -50,9 +50,8 @@ fn patches(stage: &Stage, map: &PatchMap) -> View {
 fn curves(blueprint: &mut Blueprint, recording: &LoadRecording) -> Placed {
     let mut rows = Vec::new();
     if let Some(figure) = &recording.figure {
-        let panel = |(title, root, bounds): (&str, String, _)| {
-            View::plane(title, &root, vec![format!("{root}/**")], bounds)
-        };
+        let panel =
+            |(title, root, bounds): (&str, String, _)| View::plane(title, &root, vec![format!("{root}/**")], bounds);
         rows.push((gather(blueprint, Kind::Tabs, "figure", figure.panels().map(panel).collect())?, 2.0));
     }
     let curves = recording.curves.iter().flat_map(|curves| curves.views());

@@ -123,7 +123,7 @@ impl LoadRecording {
     /// If there is no such load.
     pub fn values(&self, load: usize, values: &[f64]) -> Result<(), FileError> {
         self.recording.write(|stream| {
-            self.begin(stream, load)?;
+            self.turn_to(stream, load)?;
             let Some(curves) = &self.curves else { return Ok(()) };
             curves.log(stream, values)?;
             stream.log(TEXT, &self.text(load, &curves.table(values)))
@@ -140,7 +140,7 @@ impl LoadRecording {
     pub fn contact(&self, scene: usize, load: usize, contact: &Contact) -> Result<(), FileError> {
         let stage = &self.recording.stages[scene];
         self.recording.write(|stream| {
-            self.begin(stream, load)?;
+            self.turn_to(stream, load)?;
             stream.log(stage.description(), &stage.result(contact))?;
             if stage.what.has_planes() {
                 stage.log_caption(stream, self.captions[load].clone())?;
@@ -176,7 +176,7 @@ impl LoadRecording {
     }
 
     /// Sets the time to a load; at its first use what goes with it is recorded.
-    fn begin(&self, stream: &RecordingStream, load: usize) -> RecordingStreamResult<()> {
+    fn turn_to(&self, stream: &RecordingStream, load: usize) -> RecordingStreamResult<()> {
         stream.set_time_sequence(LOAD, load as i64 + 1);
         if !self.progress().loads.insert(load) {
             return Ok(());

@@ -1,8 +1,8 @@
 //! The contacts of a line under all loads, one row above the other: how patches grow and merge.
 
 use crate::record::axes::{Axis, Frame, Quantity};
-use crate::record::part::Part;
 use crate::record::palette::{self, colour};
+use crate::record::part::Part;
 use crate::record::stage::{Picture, Stage};
 use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
 
