@@ -15,7 +15,9 @@ const RISE: f64 = 0.72;
 /// Size of a text as the viewer shows it, over the canvas at its usual size.
 const TEXT: f64 = 15.0;
 /// From line to line of what fills a shape.
-const HATCH: f64 = 1.5;
+const HATCH: f64 = 1.0;
+/// Half the width of these lines, which overlap.
+const HALF: f64 = 0.7;
 
 /// The panels of a figure and the places of the loads along their x axes.
 pub struct FigurePicture {
@@ -87,7 +89,7 @@ fn strip(element: &Element) -> Option<Strip> {
             Some((points, palette::on_ground(colour.0), Radius::new_ui_points(0.5 * *width as f32)))
         }
         Element::Shape { corners, colour, .. } => {
-            let radius = Radius::new_scene_units(0.6 * HATCH as f32);
+            let radius = Radius::new_scene_units(HALF as f32);
             Some((hatch(corners), palette::on_ground(colour.0), radius))
         }
         Element::Text { .. } => None,
@@ -117,14 +119,15 @@ fn words(element: &Element) -> Option<([f32; 2], String)> {
     (!text.is_empty()).then(|| ([x as f32, y as f32], text.clone()))
 }
 
-/// A line up and down across a convex shape.
+/// A line up and down across a convex shape, whose width stays inside.
 fn hatch(corners: &[[f64; 2]]) -> Vec<[f32; 2]> {
     let [left, right] = ends(corners.iter().map(|corner| corner[0]));
     let bars = ((right - left) / HATCH).ceil().max(1.0) as usize;
     let ends = |i: usize| {
         let x = left + (i as f64 + 0.5) / bars as f64 * (right - left);
         let [top, bottom] = ends(sides(corners).filter_map(|side| crossing(side, x)));
-        if i.is_multiple_of(2) { [[x, top], [x, bottom]] } else { [[x, bottom], [x, top]] }
+        let reach = (0.5 * (bottom - top) - HALF).max(0.0) * if i.is_multiple_of(2) { 1.0 } else { -1.0 };
+        [-reach, reach].map(|reach| [x, top.midpoint(bottom) + reach])
     };
     (0..bars).flat_map(ends).map(|point| point.map(|p| p as f32)).collect()
 }
@@ -153,10 +156,12 @@ mod tests {
     #[test]
     fn shapes_are_filled_from_side_to_side() {
         let line = hatch(&[[0.0, 0.0], [12.0, 0.0], [12.0, 6.0], [0.0, 6.0]]);
-        assert_eq!(line.len(), 2 * 8);
-        assert_eq!(line[..3], [[0.75, 0.0], [0.75, 6.0], [2.25, 6.0]]);
+        assert_eq!(line.len(), 2 * 12);
+        for (point, expected) in line.iter().zip([[0.5, 0.7], [0.5, 5.3], [1.5, 5.3], [1.5, 0.7]]) {
+            assert!((0..2).all(|i| (f64::from(point[i]) - expected[i]).abs() < 1e-5), "{line:?}");
+        }
         let triangle = hatch(&[[0.0, 0.0], [3.0, 3.0], [0.0, 3.0]]);
-        assert_eq!(triangle, [[0.75, 0.75], [0.75, 3.0], [2.25, 3.0], [2.25, 2.25]]);
+        assert!(triangle.len() == 2 * 3 && triangle.iter().all(|[x, y]| (*x..3.0).contains(y)), "{triangle:?}");
     }
 
     #[test]
