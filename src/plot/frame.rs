@@ -58,7 +58,8 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    fn of(panel: &'a Panel, [x, y]: [f64; 2]) -> Self {
+    /// The frame of a panel whose top left corner is at `[x, y]`.
+    pub fn of(panel: &'a Panel, [x, y]: [f64; 2]) -> Self {
         let labels = panel.y.ticks().iter().map(|(_, label)| width(label, LABEL)).fold(LABELS, f64::max);
         let [left, above] = [NAME + labels, if panel.title.is_empty() { 0.5 * ABOVE } else { ABOVE }];
         let [width, height] = SIZE.map(f64::from);

@@ -28,6 +28,12 @@ pub use axis::{Axis, Scale};
 pub use colour::Colour;
 pub use mark::{Mark, Symbol};
 pub use write::{write_png, write_svg};
+#[cfg(feature = "record")]
+pub(crate) use {
+    font::width,
+    frame::Frame,
+    sheet::{Align, Element, Sheet},
+};
 
 /// A figure: panels side by side, two in a row.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,6 @@
 //! Writes a blueprint, the viewer's description of its own panes, into a recording.
 
 use super::palette::{self, colour};
-use super::traces;
 use rerun::external::re_log_types::BlueprintActivationCommand;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::external::re_sdk_types::datatypes::{self, Uuid};
@@ -10,8 +9,13 @@ use rerun::{AsComponents, RecordingStream, RecordingStreamBuilder, RecordingStre
 
 pub use components::ContainerKind as Kind;
 
-/// Frames per second when a recording is played.
-const PLAYBACK: f64 = 30.0;
+/// The time that the viewer shows, and how it passes.
+pub struct Clock {
+    /// Timeline that is active at first.
+    pub timeline: &'static str,
+    /// Frames per second when the recording is played.
+    pub pace: f64,
+}
 
 /// A blueprint in the making. Panes are named by their paths.
 pub struct Blueprint {
@@ -122,27 +126,32 @@ impl Blueprint {
     }
 
     /// Ends with the root container and sends everything into `recording`.
-    pub fn send(mut self, panes: Vec<(String, f32)>, recording: &RecordingStream) -> RecordingStreamResult<()> {
+    pub fn send(
+        mut self,
+        panes: Vec<(String, f32)>,
+        clock: Clock,
+        recording: &RecordingStream,
+    ) -> RecordingStreamResult<()> {
         let kind = if panes.len() > 1 { Kind::Tabs } else { Kind::Horizontal };
         let root = self.container_id(kind, "asperity", panes)?;
         let viewport = panes::ViewportBlueprint::new().with_root_container(root);
         self.store.log("viewport", &viewport.with_auto_layout(false).with_auto_views(false))?;
-        self.log_panels()?;
+        self.log_panels(clock)?;
         let Some(info) = self.store.store_info() else { return Ok(()) };
         let command = BlueprintActivationCommand { blueprint_id: info.store_id, make_active: true, make_default: true };
         recording.send_blueprint(self.storage.take(), command);
         Ok(())
     }
 
-    /// Side panels folded, time at the last step.
-    fn log_panels(&self) -> RecordingStreamResult<()> {
+    /// Side panels folded, time at the last frame.
+    fn log_panels(&self, clock: Clock) -> RecordingStreamResult<()> {
         let folded = panes::PanelBlueprint::new().with_state(components::PanelState::Collapsed);
         self.store.log("blueprint_panel", &folded)?;
         self.store.log("selection_panel", &folded)?;
         let time = panes::TimePanelBlueprint::new()
             .with_state(components::PanelState::Collapsed)
-            .with_timeline(traces::STEP)
-            .with_fps(PLAYBACK)
+            .with_timeline(clock.timeline)
+            .with_fps(clock.pace)
             .with_play_state(components::PlayState::Following);
         self.store.log("time_panel", &time)
     }

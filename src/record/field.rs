@@ -7,7 +7,7 @@ use super::palette::{self, Map, colour};
 use super::part::{Part, Parts};
 use super::reduce::Blocks;
 use super::relief::Relief;
-use super::scene::{self, Fields, Scene, range};
+use super::scene::{self, Extent, Fields, Scene, range};
 use crate::grid::Grid;
 use rerun::components::{ImageFormat, MagnificationFilter, ValueRange};
 use rerun::datatypes::ChannelDatatype;
@@ -128,13 +128,20 @@ impl SurfacePicture {
         self.what.has(Part::Mask) && !self.what.has(Part::Fields)
     }
 
-    /// Fits colour scales and the height of the relief to the final state, for all times.
-    pub fn settle(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+    /// How far the fields of a state and its relief reach.
+    pub fn extent(&self, fields: &Fields<'_>) -> Extent {
+        let [pressure, gap] = [fields.pressure, fields.gap].map(|values| range(values.iter().copied()).1);
+        let relief = self.relief.as_ref().map_or(Extent::NONE.relief, |relief| relief.extent(fields));
+        Extent { pressure, gap, relief }
+    }
+
+    /// Fits colour scales and the height of the relief, for all times.
+    pub fn settle(&self, to: &RecordingStream, extent: Extent) -> RecordingStreamResult<()> {
         if self.what.has(Part::Fields) {
-            self.pressure.settle(to, fields.pressure, 0.0)?;
-            self.gap.settle(to, fields.gap, scene::LEAST_GAP)?;
+            self.pressure.settle(to, extent.pressure, 0.0)?;
+            self.gap.settle(to, extent.gap, scene::LEAST_GAP)?;
         }
-        self.relief.as_ref().map_or(Ok(()), |relief| relief.settle(to, fields))
+        self.relief.as_ref().map_or(Ok(()), |relief| relief.settle(to, extent.relief))
     }
 
     fn format(&self, datatype: ChannelDatatype) -> ImageFormat {
@@ -177,8 +184,8 @@ impl Image {
         to.log(self.pixels.clone(), &DepthImage::update_fields().with_buffer(bytes))
     }
 
-    fn settle(&self, to: &RecordingStream, values: &[f64], least: f64) -> RecordingStreamResult<()> {
-        let highest = (range(values.iter().copied()).1 / self.unit).max(least);
+    fn settle(&self, to: &RecordingStream, highest: f64, least: f64) -> RecordingStreamResult<()> {
+        let highest = (highest / self.unit).max(least);
         self.log_scale(to, &self.scale.up_to(scene::headroom(highest)))
     }
 

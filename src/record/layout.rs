@@ -1,11 +1,16 @@
 //! Which views a scene gets, and where they stand.
 
-use super::blueprint::{Blueprint, Kind, View};
+use super::blueprint::{Blueprint, Clock, Kind, View};
 use super::part::Part;
 use super::stage::{Picture, Stage};
+use super::traces;
 use rerun::{RecordingStream, RecordingStreamResult};
 
-type Placed = RecordingStreamResult<String>;
+/// Frames per second when the steps are played.
+const PACE: f64 = 30.0;
+
+/// A pane by its path.
+pub type Placed = RecordingStreamResult<String>;
 
 /// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
 pub fn send(application: &'static str, stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
@@ -17,7 +22,7 @@ pub fn send(application: &'static str, stages: &[Stage], recording: &RecordingSt
     for stage in stages {
         tabs.push((scene(&mut blueprint, stage)?, 1.0));
     }
-    blueprint.send(tabs, recording)
+    blueprint.send(tabs, Clock { timeline: traces::STEP, pace: PACE }, recording)
 }
 
 /// A picture of each scene, and their proportionality and convergence side by side.
@@ -41,24 +46,26 @@ fn overview(blueprint: &mut Blueprint, stages: &[Stage]) -> Placed {
 fn scene(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
     let mut panes = Vec::new();
     if stage.what.has_pictures() {
-        panes.push((pictures(blueprint, stage)?, 1.9));
+        panes.push((pictures(blueprint, stage, Vec::new())?, 1.9));
     }
     panes.push((curves(blueprint, stage)?, 1.0));
     blueprint.container(Kind::Horizontal, &stage.title, panes)
 }
 
-/// The views of the pictures, one row below the other.
-fn pictures(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
+/// The views of the pictures, one row below the other, `more` in front of the second row.
+pub fn pictures(blueprint: &mut Blueprint, stage: &Stage, more: Vec<View>) -> Placed {
     let beside = if let Picture::Line(_) = stage.picture { Kind::Tabs } else { Kind::Horizontal };
     let mut rows = Vec::new();
-    for row in views(stage) {
+    let mut views = views(stage).into_iter();
+    let (first, second) = (views.next(), more.into_iter().chain(views.next().unwrap_or_default()).collect());
+    for row in first.into_iter().chain([second]).chain(views).filter(|row| !row.is_empty()) {
         rows.push((gather(blueprint, beside, "pictures", row)?, 1.0));
     }
-    blueprint.container(Kind::Vertical, "pictures", rows)
+    blueprint.container(Kind::Vertical, &stage.title, rows)
 }
 
 /// Views with the same share of the room each; a single one needs no container.
-fn gather(blueprint: &mut Blueprint, kind: Kind, title: &str, views: Vec<View>) -> Placed {
+pub fn gather(blueprint: &mut Blueprint, kind: Kind, title: &str, views: Vec<View>) -> Placed {
     let mut panes = Vec::new();
     for view in views {
         panes.push((blueprint.view(view)?, 1.0));
@@ -110,7 +117,7 @@ fn relief(stage: &Stage) -> View {
 
 fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> View {
     let root = &stage.root;
-    let mut contents = vec![format!("{root}/{picture}/**"), format!("{root}/caption")];
+    let mut contents = vec![format!("{root}/{picture}/**"), stage.caption_entity()];
     contents.extend((contact && stage.what.has(Part::Mask)).then(|| format!("{root}/contact")));
     View::plane(title, root, contents, stage.picture.bounds())
 }

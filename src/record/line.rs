@@ -7,7 +7,7 @@ use super::fill;
 use super::forecast::Forecast;
 use super::palette::{self, colour};
 use super::part::{Part, Parts};
-use super::scene::{self, Fields, Scene, range};
+use super::scene::{self, Extent, Fields, Scene, range};
 use super::window::{Samples, Window};
 use rerun::{EntityPath, LineStrip2D, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
@@ -131,6 +131,11 @@ impl LinePicture {
         self.log_scaled(to, root, [self.pressure.y.high(), self.gap.y.high()])
     }
 
+    /// The contact, as segments along the lower edge of the box.
+    pub fn contact(&self, fields: &Fields<'_>) -> Vec<[[f32; 2]; 2]> {
+        segments(&self.window.every(fields.stride[1]), fields.pressure)
+    }
+
     /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let nodes = self.window.every(fields.stride[1]);
@@ -144,20 +149,26 @@ impl LinePicture {
             to.log(self.entities.gap.clone(), &strip(self.gap_curve(&nodes, fields.gap)))?;
         }
         if self.what.has(Part::Mask) {
-            let contact = LineStrips2D::update_fields().with_strips(segments(&nodes, fields.pressure));
+            let contact = LineStrips2D::update_fields().with_strips(self.contact(fields));
             to.log(self.entities.contact.clone(), &contact)?;
         }
         Ok(())
     }
 
-    /// Fits the axes of pressure and gap to the final state, for all times.
-    pub fn settle(&self, to: &RecordingStream, root: &str, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+    /// How far the fields of a state reach in the window.
+    pub fn extent(&self, fields: &Fields<'_>) -> Extent {
+        let nodes = self.window.every(fields.stride[1]);
+        let [pressure, gap] = [fields.pressure, fields.gap].map(|values| range(nodes.of(values)).1);
+        Extent { pressure, gap, ..Extent::NONE }
+    }
+
+    /// Fits the axes of pressure and gap, for all times.
+    pub fn settle(&self, to: &RecordingStream, root: &str, extent: Extent) -> RecordingStreamResult<()> {
         if !self.what.has(Part::Fields) {
             return Ok(());
         }
-        let nodes = self.window.every(fields.stride[1]);
-        let pressure = range(nodes.of(fields.pressure)).1 / self.contact_modulus;
-        let gap = (range(nodes.of(fields.gap)).1 / self.rms_height).max(scene::LEAST_GAP);
+        let pressure = extent.pressure / self.contact_modulus;
+        let gap = (extent.gap / self.rms_height).max(scene::LEAST_GAP);
         self.log_scaled(to, root, [scene::headroom(pressure), scene::headroom(gap)])
     }
 
@@ -219,7 +230,7 @@ fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Points {
     nodes.columns().extremes(y).into_iter().map(|(i, y)| [nodes.place(i) * BOX[0], y]).collect()
 }
 
-/// The contact, as segments along the lower edge of the box; a node in contact is half a spacing long to either side.
+/// Runs of nodes in contact; a node in contact is half a spacing long to either side.
 fn segments(nodes: &Samples, pressure: &[f64]) -> Vec<[[f32; 2]; 2]> {
     let runs = nodes.columns().runs(|i| pressure[nodes.node(i)] > 0.0);
     let end = |i: usize| [((nodes.place(i) - 0.5 * nodes.spacing()) * BOX[0]).clamp(0.0, BOX[0]), BOX[1]];

@@ -6,6 +6,8 @@
 //! Solver --(Step)--> Recorder: traces of every step, frames of the steps that Thinning picks
 //! ```
 //!
+//! A recording over loads instead of steps is a [`LoadRecording`].
+//!
 //! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pressures are
 //! recorded over `E*`, gaps over the rms height, both in the power of a thousand that the axes state. Positions are
 //! coordinates of the drawing. Steps of coarser grids are drawn on the axes of the scene, each node at its true place.
@@ -40,6 +42,7 @@ mod fill;
 mod forecast;
 mod layout;
 mod line;
+mod loads;
 mod output;
 mod palette;
 mod part;
@@ -55,6 +58,7 @@ mod thinning;
 mod traces;
 mod window;
 
+pub use loads::{Curve, LoadRecording, Loads};
 pub use part::{Part, Parts};
 pub use recorder::Recorder;
 pub use scene::Scene;
@@ -106,16 +110,17 @@ impl Recording {
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
     pub fn create(path: &Path, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         check_target(path)?;
-        let roots = roots(scenes);
-        let stage = |(scene, root)| Stage::new(scene, root, &options);
-        let stages: Vec<Stage> = scenes.iter().zip(roots).map(stage).collect();
-        let target_error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
-        let output = Output::create(path).map_err(target_error)?;
-        let stream = open(output.clone(), scenes).map_err(|failure| target_error(io::Error::other(failure)))?;
-        let recording = Self { stream, output, path: path.into(), stages, options };
-        recording.log_static(scenes).map_err(|failure| recording.write_error(io::Error::other(failure)))?;
-        recording.flush()?;
+        let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
+        let output = Output::create(path).map_err(|failure| target_error(path, &failure))?;
+        let recording = Self::open(output, path, &titles.join(", "), stages(scenes, "", &options), options)?;
+        recording.write(|stream| recording.log_static(stream, scenes))?;
         Ok(recording)
+    }
+
+    /// Writes into `output`, the file at `path`, nothing but the `name`.
+    fn open(output: Output, path: &Path, name: &str, stages: Vec<Stage>, options: Options) -> Result<Self, FileError> {
+        let stream = open(output.clone(), name).map_err(|failure| target_error(path, &failure))?;
+        Ok(Self { stream, output, path: path.into(), stages, options })
     }
 
     /// The observer that records the solve of scene number `scene`.
@@ -135,11 +140,20 @@ impl Recording {
         self.output.finish().map_err(|failure| self.write_error(failure))
     }
 
-    fn log_static(&self, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
-        layout::send(APPLICATION, &self.stages, &self.stream)?;
+    fn log_static(&self, stream: &RecordingStream, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
+        layout::send(APPLICATION, &self.stages, stream)?;
         let several = scenes.len() > 1;
-        let mut stages = self.stages.iter().zip(scenes).enumerate();
-        stages.try_for_each(|(i, (stage, scene))| stage.log_static(&self.stream, scene, several.then_some(i)))
+        for (i, (stage, scene)) in self.stages.iter().zip(scenes).enumerate() {
+            stream.log_static(stage.description(), &stage.described("still running, or ended by force"))?;
+            stage.log_static(stream, scene, several.then_some(i))?;
+        }
+        Ok(())
+    }
+
+    /// Writes what `log` records, to the last byte.
+    fn write(&self, log: impl FnOnce(&RecordingStream) -> RecordingStreamResult<()>) -> Result<(), FileError> {
+        log(&self.stream).map_err(|failure| self.write_error(io::Error::other(failure)))?;
+        self.flush()
     }
 
     fn flush(&self) -> Result<(), FileError> {
@@ -152,15 +166,24 @@ impl Recording {
     }
 }
 
+fn target_error(path: &Path, failure: &dyn std::error::Error) -> FileError {
+    FileError::Target { path: path.into(), reason: failure.to_string() }
+}
+
 /// A stream into `output` whose times are ours alone.
-fn open(output: Output, scenes: &[Scene<'_>]) -> RecordingStreamResult<RecordingStream> {
-    let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
-    let builder = RecordingStreamBuilder::new(APPLICATION).recording_name(titles.join(", ")).enabled(true);
+fn open(output: Output, name: &str) -> RecordingStreamResult<RecordingStream> {
+    let builder = RecordingStreamBuilder::new(APPLICATION).recording_name(name).enabled(true);
     let stream = builder.buffered()?;
     stream.set_sink(Box::new(output));
     stream.set_log_time_enabled(false);
     stream.set_log_tick_enabled(false);
     Ok(stream)
+}
+
+/// The scenes, prepared to be recorded under `above`.
+fn stages(scenes: &[Scene<'_>], above: &str, options: &Options) -> Vec<Stage> {
+    let stage = |(scene, root)| Stage::new(scene, format!("{above}{root}"), options);
+    scenes.iter().zip(roots(scenes)).map(stage).collect()
 }
 
 /// Roots of the entities, one per scene: safe characters only, and no two the same.
@@ -184,12 +207,12 @@ mod tests {
     use crate::{Contact, Problem};
     use std::collections::BTreeMap;
 
-    fn cylinder() -> Problem {
+    pub fn cylinder() -> Problem {
         let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();
         Problem::new(cylinder, 1.0, 1e-2).unwrap()
     }
 
-    fn scene<'a>(name: &str, problem: &'a Problem) -> Scene<'a> {
+    pub fn scene<'a>(name: &str, problem: &'a Problem) -> Scene<'a> {
         Scene { name: name.into(), title: name.into(), problem, description: String::new(), exact: None }
     }
 
@@ -203,13 +226,19 @@ mod tests {
         contact
     }
 
-    /// Rows of each temporal entity.
-    fn rows(path: &Path) -> BTreeMap<String, usize> {
+    /// What does change in a recording.
+    pub fn chunks(path: &Path) -> Vec<rerun::log::Chunk> {
         let mut file = std::fs::File::open(path).unwrap();
         let stores = rerun::ChunkStore::from_rrd_reader(&rerun::ChunkStoreConfig::ALL_DISABLED, &mut file).unwrap();
-        let mut rows = BTreeMap::new();
         let recordings = stores.iter().filter(|(id, _)| id.kind() == rerun::StoreKind::Recording);
-        for chunk in recordings.flat_map(|(_, store)| store.iter_physical_chunks()).filter(|chunk| !chunk.is_static()) {
+        let chunks = recordings.flat_map(|(_, store)| store.iter_physical_chunks());
+        chunks.filter(|chunk| !chunk.is_static()).map(|chunk| (**chunk).clone()).collect()
+    }
+
+    /// Rows of each temporal entity.
+    pub fn rows(path: &Path) -> BTreeMap<String, usize> {
+        let mut rows = BTreeMap::new();
+        for chunk in chunks(path) {
             *rows.entry(chunk.entity_path().to_string()).or_default() += chunk.num_rows();
         }
         rows

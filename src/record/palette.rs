@@ -25,6 +25,14 @@ pub fn colour(rgb: u32) -> Color {
     Color::from_u32((rgb << 8) | 0xff)
 }
 
+/// A colour chosen for paper, on the dark ground: greys from white to black become those from the ground to white.
+pub fn on_ground([r, g, b]: [u8; 3]) -> Color {
+    let is_grey = r == g && g == b;
+    let [low, high] = [GROUND, EXACT].map(|rgb| rgb.to_be_bytes().map(f32::from));
+    let inverted = |part: usize| (high[part] + f32::from(r) / 255.0 * (low[part] - high[part])) as u8;
+    if is_grey { Color::from_rgb(inverted(1), inverted(2), inverted(3)) } else { Color::from_rgb(r, g, b) }
+}
+
 /// A continuous map, by the name under which the viewer knows it and as colours of our own.
 pub struct Map {
     /// The map of the viewer.

@@ -48,9 +48,14 @@ impl Parts {
         self.and(parts.into_iter().collect()).0 != 0
     }
 
+    /// Those that are drawn of the fields of a step.
+    pub(super) fn pictures(self) -> Self {
+        self.and([Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum].into_iter().collect())
+    }
+
     /// Whether anything is drawn of the fields of a step.
     pub(super) fn has_pictures(self) -> bool {
-        self.has_any([Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum])
+        self.pictures().0 != 0
     }
 
     /// Whether anything is drawn in the plane.

@@ -1,7 +1,7 @@
 //! The observer that records a solve.
 
 use super::part::Part;
-use super::scene::Fields;
+use super::scene::{Fields, with_fields};
 use super::snapshot::{Moment, Snapshot};
 use super::stage::{self, Stage};
 use super::thinning::{Pace, Thinning};
@@ -54,24 +54,18 @@ impl<'r> Recorder<'r> {
     /// # Errors
     /// [`FileError::Write`] if a step could not be recorded or the file not be written.
     pub fn close(mut self, contact: &Contact) -> Result<(), FileError> {
-        let recorded = match self.failure.take() {
-            Some(failure) => Err(failure),
-            None => self.log_last(contact),
-        };
-        recorded.map_err(|failure| self.recording.write_error(std::io::Error::other(failure)))?;
-        self.recording.flush()
+        let failure = self.failure.take();
+        let recording = self.recording;
+        recording.write(|_| failure.map_or_else(|| with_fields(contact, |fields| self.log_last(contact, fields)), Err))
     }
 
-    fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
-        let (pressure, gap) = (contact.pressure.as_standard_layout(), contact.gap.as_standard_layout());
-        let (Some(pressure), Some(gap)) = (pressure.as_slice(), gap.as_slice()) else { return Ok(()) };
-        let fields = Fields { stride: [1, 1], pressure, gap };
+    fn log_last(&mut self, contact: &Contact, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         if let Some(traces) = &mut self.traces {
             traces.add_certificate(contact.work, contact.certificate.eta);
         }
-        self.log_frame(Moment { work: contact.work, phase: Phase { level: 0, ..self.phase } }, &fields)?;
-        self.stage.settle(&self.recording.stream, &fields)?;
-        self.stage.log_result(&self.recording.stream, contact)?;
+        self.log_frame(Moment { work: contact.work, phase: Phase { level: 0, ..self.phase } }, fields)?;
+        self.stage.settle(&self.recording.stream, self.stage.extent(fields))?;
+        self.recording.stream.log_static(self.stage.description(), &self.stage.result(contact))?;
         self.flush_traces()
     }
 
@@ -120,7 +114,7 @@ impl<'r> Recorder<'r> {
         stream.set_duration_secs(traces::SECONDS, moment.work.seconds);
         stream.set_time_sequence(traces::TRANSFORMS, moment.work.transforms as i64);
         if self.has_phases && self.stage.what.has_planes() {
-            self.stage.log_caption(stream, moment.phase, fields.stride)?;
+            self.stage.log_caption(stream, self.stage.caption(moment.phase, fields.stride))?;
         }
         self.stage.log_frame(stream, fields)
     }

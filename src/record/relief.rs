@@ -88,9 +88,14 @@ impl Relief {
         to.log(self.mesh.clone(), &mesh)
     }
 
-    /// Stretches the relief so that the final state is [`RELIEF`] high, for all times.
-    pub fn settle(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+    /// The lowest and the highest place of a state.
+    pub fn extent(&self, fields: &Fields<'_>) -> [f64; 2] {
         let (low, high) = range(self.vertices(fields).into_iter().map(|v| f64::from(v.z)));
+        [low, high]
+    }
+
+    /// Stretches the relief so that the final state, which reaches from `low` to `high`, is [`RELIEF`] high, for all times.
+    pub fn settle(&self, to: &RecordingStream, [low, high]: [f64; 2]) -> RecordingStreamResult<()> {
         let stretch = (RELIEF / (high - low).max(f64::MIN_POSITIVE)).min(1e6) as f32;
         let transform = Transform3D::from_scale([1.0, 1.0, stretch]);
         to.log_static(self.mesh.clone(), &transform.with_translation([0.0, 0.0, -stretch * high as f32]))

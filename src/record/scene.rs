@@ -2,7 +2,7 @@
 
 use super::axes::{Axis, Quantity};
 use super::part::Parts;
-use crate::contact::{Problem, Step};
+use crate::contact::{Contact, Problem, Step};
 use crate::theory::Exact;
 
 /// One contact problem of a recording.
@@ -36,6 +36,35 @@ impl<'a> Fields<'a> {
     pub fn of(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
         let gap = if parts.has_gap() { step.gap() } else { &[] };
         Self { stride, pressure: step.pressure(), gap }
+    }
+}
+
+/// What `draw` makes of the fields of `contact`.
+pub fn with_fields<T>(contact: &Contact, draw: impl FnOnce(&Fields<'_>) -> T) -> T {
+    let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_standard_layout());
+    let [pressure, gap] = [&pressure, &gap].map(|field| field.as_slice().unwrap_or_default());
+    draw(&Fields { stride: [1, 1], pressure, gap })
+}
+
+/// How far the fields of some states reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extent {
+    /// The largest pressure.
+    pub pressure: f64,
+    /// The largest gap.
+    pub gap: f64,
+    /// The lowest and the highest place of the relief.
+    pub relief: [f64; 2],
+}
+
+impl Extent {
+    /// That of no state.
+    pub const NONE: Self = Self { pressure: 0.0, gap: 0.0, relief: [f64::INFINITY, f64::NEG_INFINITY] };
+
+    /// That of both.
+    pub fn and(self, other: Self) -> Self {
+        let [low, high] = [f64::min(self.relief[0], other.relief[0]), f64::max(self.relief[1], other.relief[1])];
+        Self { pressure: self.pressure.max(other.pressure), gap: self.gap.max(other.gap), relief: [low, high] }
     }
 }
 

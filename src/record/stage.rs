@@ -6,7 +6,7 @@ use super::field::{self, SurfacePicture};
 use super::forecast::Forecast;
 use super::line::LinePicture;
 use super::part::{Part, Parts};
-use super::scene::{Fields, Scene};
+use super::scene::{Extent, Fields, Scene};
 use super::spectrum::SpectrumPicture;
 use super::thinning::Pace;
 use super::traces::{self, Reference};
@@ -132,7 +132,6 @@ impl Stage {
         place: Option<usize>,
     ) -> RecordingStreamResult<()> {
         let Self { root, title, .. } = self;
-        self.log_description(to, "still running, or ended by force")?;
         if self.what.has(Part::Mask) {
             to.log_static(root.as_str(), &field::classes())?;
         }
@@ -148,20 +147,24 @@ impl Stage {
         }
     }
 
-    /// Records the description with how the run ended.
-    pub fn log_result(&self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<()> {
+    /// The description with how the run ended.
+    pub fn result(&self, contact: &Contact) -> TextDocument {
         let Contact { status, certificate, work, .. } = contact;
         let how = if *status == Status::Converged { status.to_string() } else { format!("not converged ({status})") };
-        let result = format!(
+        self.described(&format!(
             "{how} at a certificate of {:.2e}, after {} steps, {} transforms and {:.3} s",
             certificate.eta, work.iterations, work.transforms, work.seconds
-        );
-        self.log_description(to, &result)
+        ))
     }
 
-    fn log_description(&self, to: &RecordingStream, result: &str) -> RecordingStreamResult<()> {
-        let text = format!("**Result**: {result}\n\n{}", self.description);
-        to.log_static(format!("{}/description", self.root), &TextDocument::from_markdown(text))
+    /// The description with a result.
+    pub fn described(&self, result: &str) -> TextDocument {
+        TextDocument::from_markdown(format!("**Result**: {result}\n\n{}", self.description))
+    }
+
+    /// The entity of the description.
+    pub fn description(&self) -> String {
+        format!("{}/description", self.root)
     }
 
     /// Records a state at the current time.
@@ -175,21 +178,38 @@ impl Stage {
         }
     }
 
-    /// Records in words where the solver stands at the current time.
-    pub fn log_caption(&self, to: &RecordingStream, phase: Phase, stride: [usize; 2]) -> RecordingStreamResult<()> {
+    /// Records words above the pictures at the current time.
+    pub fn log_caption(&self, to: &RecordingStream, words: String) -> RecordingStreamResult<()> {
+        to.log(self.caption_entity(), &self.picture.frame().caption(words))
+    }
+
+    /// The entity of the words above the pictures.
+    pub fn caption_entity(&self) -> String {
+        format!("{}/caption", self.root)
+    }
+
+    /// Where the solver stands, in words.
+    pub fn caption(&self, phase: Phase, stride: [usize; 2]) -> String {
         let [ny, nx] = [0, 1].map(|axis| self.grid.shape()[axis] / stride[axis]);
         let points = if self.grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx}") };
         let Phase { level, outer, inner } = phase;
         let inner = if inner > 0 { format!(", inner {inner}") } else { String::new() };
-        let words = format!("level {level}: {points}, outer {outer}{inner}");
-        to.log(format!("{}/caption", self.root), &self.picture.frame().caption(words))
+        format!("level {level}: {points}, outer {outer}{inner}")
     }
 
-    /// Fits axes and scales to the final state.
-    pub fn settle(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+    /// How far the fields of a state reach.
+    pub fn extent(&self, fields: &Fields<'_>) -> Extent {
         match &self.picture {
-            Picture::Line(line) => line.settle(to, &self.root, fields),
-            Picture::Surface(surface) => surface.settle(to, fields),
+            Picture::Line(line) => line.extent(fields),
+            Picture::Surface(surface) => surface.extent(fields),
+        }
+    }
+
+    /// Fits axes and scales to the final state, or to all states.
+    pub fn settle(&self, to: &RecordingStream, extent: Extent) -> RecordingStreamResult<()> {
+        match &self.picture {
+            Picture::Line(line) => line.settle(to, &self.root, extent),
+            Picture::Surface(surface) => surface.settle(to, extent),
         }
     }
 }
