@@ -22,7 +22,7 @@ const WIDEST: f64 = 0.03;
 const COEFFICIENT: f64 = 0.1;
 const AMPLITUDE: f64 = 0.01 * PERIOD;
 /// Mean pressures of the sine over that of full contact.
-const SINE: [f64; 13] = [0.001, 0.01, 0.03, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
+pub const SINE: [f64; 13] = [0.001, 0.01, 0.03, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 
 /// Exponents with their names, colours and keys.
 const POWERS: [(f64, &str, Colour, Symbol, &str); 4] = [

@@ -13,6 +13,9 @@ use asperity::theory::{Geometry, hertz};
 
 /// Half-widths of the contacts over the period, from and to.
 const WIDTHS: [f64; 2] = [0.005, 0.1];
+/// Cylinders and spheres between these; every so many-th cylinder is as wide as a sphere.
+const CYLINDERS: i32 = 33;
+const SPHERES: i32 = 5;
 /// The widest contact that counts as one without neighbours: the exact periodic `kappa_r` is then within 0.4 %.
 const WIDEST: f64 = 0.05;
 /// Reduced pressures shown.
@@ -22,9 +25,15 @@ const RANGE: [f64; 2] = [3e-5, 0.3];
 pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
     let [side, _] = study.smooth_surface;
     Ok(vec![
-        realisation(Geometry::Line, LINE, &widths(WIDTHS, 31))?,
-        realisation(Geometry::Point, side, &widths(WIDTHS, 5))?,
+        realisation(Geometry::Line, LINE, &widths(WIDTHS, CYLINDERS))?,
+        realisation(Geometry::Point, side, &widths(WIDTHS, SPHERES))?,
     ])
+}
+
+/// Half-widths over the period of the contacts that are recorded.
+#[cfg(feature = "record")]
+pub fn shown_widths() -> Vec<f64> {
+    widths(WIDTHS, SPHERES)
 }
 
 /// The figure and how far it is from the analytical lines.

@@ -16,7 +16,7 @@ const LEVEL: f64 = 1e-1;
 
 /// A fit to the points of one Hurst exponent, or of all.
 #[derive(Serialize)]
-struct Fitted {
+pub struct Fitted {
     hurst: Option<f64>,
     area: &'static str,
     b1: f64,
@@ -37,23 +37,36 @@ impl Fitted {
         Some(Self { hurst, area, b1, b2, kappa: form.kappa(0.0), residual, points: pairs.len() })
     }
 
-    fn kappa(&self, reduced_pressure: f64) -> f64 {
+    /// `kappa_fit` at a load.
+    pub fn kappa_at(&self, reduced_pressure: f64) -> f64 {
         persson::CorrectedArea { b1: self.b1, b2: self.b2 }.kappa(reduced_pressure)
     }
+
+    /// What it is a fit to, and its parameters.
+    pub fn name(&self) -> String {
+        let of = self.hurst.map_or("all H".into(), |hurst| format!("H = {hurst}"));
+        format!("κ_fit, {of}: b1 = {:.3}, b2 = {:.2}", self.b1, self.b2)
+    }
+}
+
+/// The fits to the counted area, for each Hurst exponent and in the end for all.
+pub fn fits(study: &Study, points: &Points) -> Vec<Fitted> {
+    all_fits(study, points, "counted", |row| row.relative_area)
+}
+
+fn all_fits(study: &Study, points: &Points, area: &'static str, quantity: Quantity) -> Vec<Fitted> {
+    let exponents = study.lines.hurst.iter().copied().map(Some).chain([None]);
+    exponents.filter_map(|hurst| Fitted::of(points, hurst, area, quantity)).collect()
 }
 
 /// The figure; the fits go into fig3.csv.
 pub fn make(study: &Study) -> Result<Made> {
     let points = study.points(Part::Fig2)?;
-    let exponents = study.lines.hurst.iter().copied().map(Some).chain([None]);
-    let raw: Vec<Fitted> =
-        exponents.clone().filter_map(|hurst| Fitted::of(&points, hurst, "counted", |row| row.relative_area)).collect();
-    let corrected =
-        exponents.filter_map(|hurst| Fitted::of(&points, hurst, "corrected", |row| row.relative_area_corrected));
-    let panel = panel(study, &points, &raw);
-    let findings = vec![strongly_depends(&raw), is_level(&raw)];
-    let all: Vec<Fitted> = raw.into_iter().chain(corrected).collect();
-    super::write_csv(&study.file("fig3", "csv"), &all)?;
+    let mut fits = fits(study, &points);
+    let panel = panel(study, &points, &fits);
+    let findings = vec![strongly_depends(&fits), is_level(&fits)];
+    fits.extend(all_fits(study, &points, "corrected", |row| row.relative_area_corrected));
+    super::write_csv(&study.file("fig3", "csv"), &fits)?;
     let title = "Fig. 3: κ_fit of rough lines by Eq. 11".into();
     Ok(Made { figure: Some(Figure { title, panels: vec![panel] }), findings })
 }
@@ -69,11 +82,9 @@ fn panel(study: &Study, points: &Points, fits: &[Fitted]) -> Panel {
     };
     let mut series = Vec::new();
     for fit in fits {
-        let of = fit.hurst.map_or("all H".into(), |hurst| format!("H = {hurst}"));
-        let name = format!("κ_fit, {of}: b1 = {:.3}, b2 = {:.2}", fit.b1, fit.b2);
         let (colour, mark) =
             if fit.hurst.is_some() { (Colour::VERMILION, Mark::Line) } else { (Colour::GREEN, Mark::Dashed) };
-        series.push(Series::new(name, colour, mark, curve(&|p| fit.kappa(p))));
+        series.push(Series::new(fit.name(), colour, mark, curve(&|p| fit.kappa_at(p))));
     }
     let persson = curve(&|p| persson::relative_area(p) / p);
     series.push(Series::new("Persson, erf(√2 p*)/p*", Colour::BLACK, Mark::Dotted, persson));
@@ -103,7 +114,7 @@ fn strongly_depends(fits: &[Fitted]) -> Finding {
 
 /// Whether each fit is level to 5 % up to `p* = 0.1`.
 fn is_level(fits: &[Fitted]) -> Finding {
-    let change = |p: f64| fits.iter().map(|fit| 100.0 * (fit.kappa(p) / fit.kappa - 1.0).abs()).fold(0.0, f64::max);
+    let change = |p: f64| fits.iter().map(|fit| 100.0 * (fit.kappa_at(p) / fit.kappa - 1.0).abs()).fold(0.0, f64::max);
     let words = format!("to {:.0} %; to {:.0} % at 0.01", change(LEVEL), change(0.1 * LEVEL));
     Finding::statement("fig3.level", words, change(LEVEL) < 5.0)
 }

@@ -15,20 +15,32 @@ const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, 
 
 /// The ratios at one Hurst exponent and load.
 #[derive(Serialize)]
-struct Ratio {
-    hurst: f64,
-    reduced_pressure: f64,
-    kappa: f64,
-    kappa_r: f64,
+pub struct Ratio {
+    /// Hurst exponent.
+    pub hurst: f64,
+    /// `p*`.
+    pub reduced_pressure: f64,
+    /// Of `kappa`.
+    pub kappa: f64,
+    /// Of `kappa_r`.
+    pub kappa_r: f64,
     kappa_corrected: f64,
     kappa_r_corrected: f64,
 }
 
 /// The figure; the ratios go into fig5.csv.
+pub fn make(study: &Study) -> Result<Made> {
+    let ratios = ratios(study)?;
+    super::write_csv(&study.file("fig5", "csv"), &ratios)?;
+    let title = "Fig. 5: lines over surfaces".into();
+    Ok(Made { figure: Some(Figure { title, panels: vec![panel(study, &ratios)] }), findings: findings(&ratios) })
+}
+
+/// The ratios at all Hurst exponents and loads.
 ///
 /// Raw ones compare lines and surfaces with the paper's points per shortest wavelength, to which surfaces of several grids are
 /// extrapolated; corrected ones those without spacing.
-pub fn make(study: &Study) -> Result<Made> {
+pub fn ratios(study: &Study) -> Result<Vec<Ratio>> {
     let (lines, surfaces) = (study.points(Part::Fig2)?, study.points(Part::Fig4)?);
     let (raw, limit) = (surfaces.extrapolated(Some(study.surfaces.paper_side())), surfaces.extrapolated(None));
     let mean = |points: &Points, hurst: f64, load: f64, quantity: Quantity| {
@@ -48,10 +60,7 @@ pub fn make(study: &Study) -> Result<Made> {
         }
     };
     let pairs = study.lines.hurst.iter().flat_map(|&hurst| study.lines.loads.iter().map(move |&load| (hurst, load)));
-    let ratios: Vec<Ratio> = pairs.map(|(hurst, load)| ratio(hurst, load)).collect();
-    super::write_csv(&study.file("fig5", "csv"), &ratios)?;
-    let title = "Fig. 5: lines over surfaces".into();
-    Ok(Made { figure: Some(Figure { title, panels: vec![panel(study, &ratios)] }), findings: findings(&ratios) })
+    Ok(pairs.map(|(hurst, load)| ratio(hurst, load)).collect())
 }
 
 fn panel(study: &Study, ratios: &[Ratio]) -> Panel {

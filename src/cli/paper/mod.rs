@@ -13,6 +13,8 @@ mod means;
 mod options;
 mod part;
 mod printed;
+#[cfg(feature = "record")]
+mod recording;
 mod rough;
 mod smooth;
 mod study;
@@ -69,6 +71,10 @@ impl Paper {
             if let Some(figure) = &made.figure {
                 write_svg(&study.file(part.name(), "svg"), figure)?;
                 write_png(&study.file(part.name(), "png"), figure)?;
+                #[cfg(feature = "record")]
+                if study.record {
+                    recording::record(part, &study, figure)?;
+                }
             }
             comparison.add(part.name(), made.findings)?;
             comparison.write_csv(&study.file("comparison", "csv"))?;
