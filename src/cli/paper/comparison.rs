@@ -13,6 +13,8 @@ pub struct Finding {
     /// What is found, where it differs from what the paper gives: raw, corrected, another size.
     how: String,
     found: Found,
+    /// Why it may differ from the paper.
+    why: &'static str,
 }
 
 /// What is found.
@@ -25,7 +27,7 @@ enum Found {
 impl Finding {
     /// A number with its scatter; `how` says what kind it is.
     pub fn number(key: &'static str, how: impl Into<String>, here: Spread) -> Self {
-        Self { key, how: how.into(), found: Found::Number(here) }
+        Self { key, how: how.into(), found: Found::Number(here), why: "" }
     }
 
     /// A number without scatter.
@@ -35,7 +37,12 @@ impl Finding {
 
     /// A statement: what is found instead of it, and whether it holds.
     pub fn statement(key: &'static str, here: impl Into<String>, holds: bool) -> Self {
-        Self { key, how: String::new(), found: Found::Words(here.into(), holds) }
+        Self { key, how: String::new(), found: Found::Words(here.into(), holds), why: "" }
+    }
+
+    /// Says why it may differ from the paper; read only if it does.
+    pub fn because(self, why: &'static str) -> Self {
+        Self { why, ..self }
     }
 }
 
@@ -52,11 +59,13 @@ struct Row {
     here: String,
     scatter: String,
     verdict: String,
+    /// Why it differs.
+    why: &'static str,
     place: String,
 }
 
 impl Row {
-    fn of(part: &'static str, Finding { key, how, found }: Finding) -> Result<Self> {
+    fn of(part: &'static str, Finding { key, how, found, why }: Finding) -> Result<Self> {
         let Printed { quantity, value, reading, printed, place, .. } = Printed::of(key)?;
         let quantity = if how.is_empty() { quantity } else { format!("{quantity}, {how}") };
         let (here, scatter, verdict) = match found {
@@ -66,7 +75,8 @@ impl Row {
             }
             Found::Words(words, holds) => (words, String::new(), if holds { "holds" } else { "does not hold" }.into()),
         };
-        Ok(Self { part, quantity, paper: printed, here, scatter, verdict, place })
+        let why = if ["agrees", "holds"].contains(&verdict.as_str()) { "" } else { why };
+        Ok(Self { part, quantity, paper: printed, here, scatter, verdict, why, place })
     }
 }
 
@@ -111,6 +121,21 @@ impl Comparison {
                 "{part:7} {:quantity$}  {:paper$}  {:here$}  {:7}  {}",
                 row.quantity, row.paper, row.here, row.scatter, row.verdict
             )?;
+        }
+        self.write_reasons(out)
+    }
+}
+
+impl Comparison {
+    /// Writes why numbers differ, each reason once.
+    fn write_reasons(&self, out: &mut impl Write) -> Result<()> {
+        let mut told: Vec<&str> = Vec::new();
+        for Row { part, why, .. } in self.0.iter().filter(|row| !row.why.is_empty()) {
+            if !told.contains(why) {
+                told.push(why);
+                let lead = if told.len() == 1 { "\nWhere it differs\n" } else { "" };
+                writeln!(out, "{lead}{part:7} {why}")?;
+            }
         }
         Ok(())
     }
