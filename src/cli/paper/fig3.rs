@@ -6,7 +6,7 @@ use super::means::{Points, Quantity};
 use super::part::Part;
 use super::study::Study;
 use anyhow::Result;
-use asperity::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series, Symbol};
+use asperity::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
 use asperity::study::{Fit, Row};
 use asperity::theory::persson;
 use serde::Serialize;
@@ -92,8 +92,7 @@ fn panel(study: &Study, points: &Points, fits: &[Fitted]) -> Panel {
     }
     let persson = curve(&|p| persson::relative_area(p) / p);
     series.push(Series::new("Persson, erf(√2 p*)/p*", Colour::BLACK, Mark::Dotted, persson));
-    let symbols = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
-    for (&hurst, symbol) in study.lines.hurst.iter().zip(symbols.into_iter().cycle()) {
+    for (hurst, symbol) in study.lines.exponents() {
         let of: [Quantity; 2] = [|row| row.reduced_pressure, |row: &Row| row.kappa];
         let curve = points.curve(hurst, &study.lines.loads, study.lines.points[0], of);
         series.push(Series::new(

@@ -6,12 +6,13 @@ use super::means::{Points, Quantity};
 use super::part::Part;
 use super::study::Study;
 use anyhow::Result;
-use asperity::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series, Symbol};
+use asperity::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
 use asperity::study::Spread;
 use asperity::theory::hertz;
 use serde::Serialize;
 
-const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
+/// Why ratios are larger.
+const FINER: &str = "kappa_r of surfaces falls on finer grids, see fig4, and that of lines hardly.";
 
 /// The ratios at one Hurst exponent and load.
 #[derive(Serialize)]
@@ -24,6 +25,8 @@ pub struct Ratio {
     pub kappa: f64,
     /// Of `kappa_r`.
     pub kappa_r: f64,
+    kappa_finest: f64,
+    kappa_r_finest: f64,
     kappa_corrected: f64,
     kappa_r_corrected: f64,
 }
@@ -33,13 +36,15 @@ pub fn make(study: &Study) -> Result<Made> {
     let ratios = ratios(study)?;
     super::write_csv(&study.file("fig5", "csv"), &ratios)?;
     let title = "Fig. 5: lines over surfaces".into();
-    Ok(Made { figure: Some(Figure { title, panels: vec![panel(study, &ratios)] }), findings: findings(&ratios) })
+    let finest = study.surfaces.points.last().copied().unwrap_or(0);
+    let findings = findings(&ratios, &format!("counted, surfaces of {finest}^2"));
+    Ok(Made { figure: Some(Figure { title, panels: vec![panel(study, &ratios)] }), findings })
 }
 
 /// The ratios at all Hurst exponents and loads.
 ///
 /// Raw ones compare lines and surfaces with the paper's points per shortest wavelength, to which surfaces of several grids are
-/// extrapolated; corrected ones those without spacing.
+/// extrapolated, and `finest` ones those on the finest grid; corrected ones those without spacing.
 pub fn ratios(study: &Study) -> Result<Vec<Ratio>> {
     let (lines, surfaces) = (study.points(Part::Fig2)?, study.points(Part::Fig4)?);
     let (raw, limit) = (surfaces.extrapolated(Some(study.surfaces.paper_side())), surfaces.extrapolated(None));
@@ -55,6 +60,8 @@ pub fn ratios(study: &Study) -> Result<Vec<Ratio>> {
             reduced_pressure,
             kappa: of(&raw, |row| row.kappa),
             kappa_r: of(&raw, |row| row.kappa_r),
+            kappa_finest: of(&surfaces, |row| row.kappa),
+            kappa_r_finest: of(&surfaces, |row| row.kappa_r),
             kappa_corrected: of(&limit, |row| row.kappa_corrected),
             kappa_r_corrected: of(&limit, |row| row.kappa_r_corrected),
         }
@@ -74,13 +81,14 @@ fn panel(study: &Study, ratios: &[Ratio]) -> Panel {
         ("κ_r corrected", Colour::SKY, false, |ratio| ratio.kappa_r_corrected),
     ];
     for (name, colour, filled, quantity) in curves {
-        for (&hurst, symbol) in study.lines.hurst.iter().zip(SYMBOLS.into_iter().cycle()) {
+        panel.series.push(Series::new(name, colour, Mark::Line, Vec::new()));
+        for (hurst, symbol) in study.lines.exponents() {
             let rows = ratios.iter().filter(|ratio| ratio.hurst == hurst);
             let points = rows.map(|ratio| Point::at(ratio.reduced_pressure, quantity(ratio))).collect();
-            let mark = Mark::Joined { symbol, filled };
-            panel.series.push(Series::new(format!("{name}, H = {hurst}"), colour, mark, points));
+            panel.series.push(Series::new("", colour, Mark::Joined { symbol, filled }, points));
         }
     }
+    study.lines.add_legend(&mut panel);
     let smooth = hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT;
     let level = panel.x.range.map(|p| Point::at(p, smooth)).to_vec();
     panel.series.push(Series::new(
@@ -92,12 +100,15 @@ fn panel(study: &Study, ratios: &[Ratio]) -> Panel {
     panel
 }
 
-fn findings(ratios: &[Ratio]) -> Vec<Finding> {
+fn findings(ratios: &[Ratio], finest: &str) -> Vec<Finding> {
     let spread = |quantity: fn(&Ratio) -> f64| Spread::of(ratios.iter().map(quantity));
+    let kappa_r = |how: &str, quantity| Finding::number("fig5.kappa_r", how, spread(quantity)).because(FINER);
     vec![
-        Finding::number("fig5.kappa_r", "nodes counted", spread(|ratio| ratio.kappa_r)),
-        Finding::number("fig5.kappa_r", "corrected", spread(|ratio| ratio.kappa_r_corrected)),
-        Finding::number("fig5.kappa", "nodes counted", spread(|ratio| ratio.kappa)),
+        kappa_r("counted, surfaces extrapolated", |ratio| ratio.kappa_r),
+        kappa_r(finest, |ratio| ratio.kappa_r_finest),
+        kappa_r("corrected", |ratio| ratio.kappa_r_corrected),
+        Finding::number("fig5.kappa", "counted, surfaces extrapolated", spread(|ratio| ratio.kappa)),
+        Finding::number("fig5.kappa", finest, spread(|ratio| ratio.kappa_finest)),
         Finding::exact("fig5.smooth", "", hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT),
     ]
 }

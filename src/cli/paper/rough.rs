@@ -105,15 +105,20 @@ impl Rough {
     fn add(&self, panel: &mut Panel, points: &Points, name: &str, (colour, filled): (Colour, bool), of: [Quantity; 2]) {
         let finest = points.grids().last().copied().unwrap_or(0);
         panel.series.push(Series::new(name, colour, Mark::Line, Vec::new()));
-        for (&hurst, symbol) in self.hurst.iter().zip(SYMBOLS.into_iter().cycle()) {
+        for (hurst, symbol) in self.exponents() {
             let curve = points.curve(hurst, &self.loads, finest, of);
             panel.series.push(Series::new("", colour, Mark::Joined { symbol, filled }, curve));
         }
     }
 
-    /// What the symbols mean.
-    fn add_legend(&self, panel: &mut Panel) {
-        for (hurst, symbol) in self.hurst.iter().zip(SYMBOLS.into_iter().cycle()) {
+    /// Its Hurst exponents, each with its symbol.
+    pub fn exponents(&self) -> impl Iterator<Item = (f64, Symbol)> {
+        self.hurst.iter().copied().zip(SYMBOLS.into_iter().cycle())
+    }
+
+    /// Says in the legend what the symbols mean.
+    pub fn add_legend(&self, panel: &mut Panel) {
+        for (hurst, symbol) in self.exponents() {
             let mark = Mark::Symbol { symbol, filled: false };
             panel.series.push(Series::new(format!("H = {hurst}"), Colour::BLACK, mark, Vec::new()));
         }
