@@ -258,3 +258,19 @@ pub enum FileError {
         source: std::io::Error,
     },
 }
+
+/// A viewer that cannot show a recording.
+#[derive(Debug, thiserror::Error)]
+pub enum ViewerError {
+    /// The file beside it cannot be written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// No viewer is installed.
+    #[error(
+        "no Rerun viewer can be started: install one with `pip install rerun-sdk=={version}`, or use `asperity explore`, which has its own"
+    )]
+    NotInstalled {
+        /// The version that matches.
+        version: String,
+    },
+}

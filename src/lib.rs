@@ -19,6 +19,7 @@
 //! | [`theory`]  | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson          |
 //! | [`contact`] | the problem, its solvers and their observers, the certificate, area and `kappa_r`    |
 //! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
+//! | `explore`   | a page with controls and a live viewer (feature `explore`)                           |
 //!
 //! # Conventions
 //! - Heights `h` of the rigid surface are positive towards the solid; pressure `p` is positive in compression; the
@@ -54,6 +55,8 @@ mod chunks;
 pub mod contact;
 pub mod elastic;
 pub mod error;
+#[cfg(feature = "explore")]
+pub mod explore;
 pub mod fourier;
 pub mod grid;
 #[cfg(feature = "record")]

@@ -2,11 +2,13 @@
 
 mod accuracy;
 mod bench;
+#[cfg(feature = "explore")]
+mod browser;
 mod contender;
 #[cfg(feature = "record")]
 mod demo;
-#[cfg(feature = "record")]
-mod description;
+#[cfg(feature = "explore")]
+mod explore;
 mod memory;
 mod method;
 mod output;
@@ -20,6 +22,8 @@ mod solver;
 mod source;
 mod stability;
 mod surface;
+#[cfg(feature = "explore")]
+mod view;
 
 use asperity::error::{FileError, GridError, ProblemError, SettingError, SolveError, SurfaceError};
 use clap::{Parser, Subcommand};
@@ -44,12 +48,18 @@ enum Command {
     /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
     #[cfg(feature = "record")]
     Demo(demo::Demo),
+    /// Turn knobs in the browser and watch the contact relax
+    #[cfg(feature = "explore")]
+    Explore(explore::Explore),
     /// Solve one contact
     Solve(Box<solve::Solve>),
     /// Solve stiff and extreme cases and check the results
     Stability(stability::Stability),
     /// Make a surface, or describe one
     Surface(Box<surface::Describe>),
+    /// Open a recording in the browser
+    #[cfg(feature = "explore")]
+    View(view::View),
 }
 
 /// How a command ended.
@@ -87,9 +97,13 @@ pub fn run() -> anyhow::Result<Outcome> {
         Command::Bench(bench) => bench.run(),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
+        #[cfg(feature = "explore")]
+        Command::Explore(explore) => explore.run(),
         Command::Solve(solve) => solve.run(),
         Command::Stability(stability) => stability.run(),
         Command::Surface(describe) => describe.run(),
+        #[cfg(feature = "explore")]
+        Command::View(view) => view.run(),
     }
 }
 

@@ -155,8 +155,7 @@ impl Solve {
 
     #[cfg(feature = "record")]
     fn watch(&self, problem: &Problem, made: &Made, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
-        use super::description::describe;
-        use asperity::record::{Recording, Scene};
+        use asperity::record::{Recording, Scene, describe};
         let options = self.options(problem.surface().grid())?;
         let Some(path) = &self.output.record else { return watch_progress(problem, solver, stop) };
         if Some(path) == self.output.out.as_ref() {

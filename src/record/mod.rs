@@ -35,11 +35,14 @@
 
 mod axes;
 mod blueprint;
+mod description;
 mod field;
 mod fill;
 mod forecast;
 mod layout;
 mod line;
+#[cfg(feature = "explore")]
+mod live;
 mod output;
 mod palette;
 mod part;
@@ -53,8 +56,12 @@ mod spectrum;
 mod stage;
 mod thinning;
 mod traces;
+mod viewer;
 mod window;
 
+pub use description::describe;
+#[cfg(feature = "explore")]
+pub use live::Live;
 pub use part::{Part, Parts};
 pub use recorder::Recorder;
 pub use scene::Scene;
@@ -67,6 +74,7 @@ use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 use stage::Stage;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Application under which the viewer keeps layouts apart.
 const APPLICATION: &str = "asperity";
@@ -97,7 +105,11 @@ pub struct Recording {
     path: PathBuf,
     stages: Vec<Stage>,
     options: Options,
+    flush_interval: Duration,
 }
+
+/// How much a killed run may lose.
+const FLUSH_INTERVAL: Duration = Duration::from_millis(200);
 
 impl Recording {
     /// Opens the file, and writes into it the layout of `scenes` and what does not change from step to step.
@@ -106,13 +118,24 @@ impl Recording {
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
     pub fn create(path: &Path, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         check_target(path)?;
+        let output = Output::create(path).map_err(|failure| target_error(path, &failure))?;
+        Self::begin(output, path, None, scenes, options)
+    }
+
+    /// Writes into `output`, the file at `path`, the layout of `scenes` and what does not change from step to step.
+    fn begin(
+        output: Output,
+        path: &Path,
+        id: Option<&str>,
+        scenes: &[Scene<'_>],
+        options: Options,
+    ) -> Result<Self, FileError> {
         let roots = roots(scenes);
         let stage = |(scene, root)| Stage::new(scene, root, &options);
         let stages: Vec<Stage> = scenes.iter().zip(roots).map(stage).collect();
-        let target_error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
-        let output = Output::create(path).map_err(target_error)?;
-        let stream = open(output.clone(), scenes).map_err(|failure| target_error(io::Error::other(failure)))?;
-        let recording = Self { stream, output, path: path.into(), stages, options };
+        let stream = open(output.clone(), id, scenes).map_err(|failure| target_error(path, &failure))?;
+        let flush_interval = FLUSH_INTERVAL;
+        let recording = Self { stream, output, path: path.into(), stages, options, flush_interval };
         recording.log_static(scenes).map_err(|failure| recording.write_error(io::Error::other(failure)))?;
         recording.flush()?;
         Ok(recording)
@@ -152,10 +175,15 @@ impl Recording {
     }
 }
 
-/// A stream into `output` whose times are ours alone.
-fn open(output: Output, scenes: &[Scene<'_>]) -> RecordingStreamResult<RecordingStream> {
+fn target_error(path: &Path, failure: &dyn std::error::Error) -> FileError {
+    FileError::Target { path: path.into(), reason: failure.to_string() }
+}
+
+/// A stream into `output` whose times are ours alone, under an `id` of its own unless one is given.
+fn open(output: Output, id: Option<&str>, scenes: &[Scene<'_>]) -> RecordingStreamResult<RecordingStream> {
     let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
     let builder = RecordingStreamBuilder::new(APPLICATION).recording_name(titles.join(", ")).enabled(true);
+    let builder = if let Some(id) = id { builder.recording_id(id) } else { builder };
     let stream = builder.buffered()?;
     stream.set_sink(Box::new(output));
     stream.set_log_time_enabled(false);

@@ -66,6 +66,20 @@ impl Surface {
         Self::new(grid, height.to_owned().insert_axis(ndarray::Axis(0)))
     }
 
+    /// The sum of two surfaces of one grid, such as roughness on an indenter.
+    ///
+    /// # Panics
+    /// If the grids differ.
+    pub fn plus(&self, other: &Self) -> Self {
+        assert_eq!(self.grid, other.grid, "surfaces can be added on the same grid only");
+        Self {
+            grid: self.grid,
+            height: &self.height + &other.height,
+            mean_height: self.mean_height + other.mean_height,
+            seed: self.seed.or(other.seed),
+        }
+    }
+
     fn with_seed(mut self, seed: u64) -> Self {
         self.seed = Some(seed);
         self
