@@ -26,6 +26,8 @@ mod surface;
 mod view;
 
 use asperity::error::{FileError, GridError, ProblemError, SettingError, SolveError, SurfaceError};
+#[cfg(feature = "record")]
+use asperity::record as description;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
