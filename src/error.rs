@@ -257,19 +257,11 @@ pub enum FileError {
         /// Why.
         source: std::io::Error,
     },
-}
-
-/// A viewer that cannot show a recording.
-#[derive(Debug, thiserror::Error)]
-pub enum ViewerError {
-    /// The file beside it cannot be written.
-    #[error(transparent)]
-    File(#[from] FileError),
-    /// No viewer is installed.
+    /// No viewer is installed that could show it.
     #[error(
-        "no Rerun viewer can be started: install one with `pip install rerun-sdk=={version}`, or use `asperity explore`, which has its own"
+        "no Rerun viewer can be started: install one with `pip install rerun-sdk=={version}`, or write a file with --record"
     )]
-    NotInstalled {
+    NoViewer {
         /// The version that matches.
         version: String,
     },

@@ -155,7 +155,7 @@ function show() {
     else if (control.kind === "checks") input.querySelectorAll("input").forEach((box) => { box.checked = value.includes(box.value); });
     else if (document.activeElement !== input || control.kind !== "number") input.value = toSlider(control, value);
     const output = byId(`${id}-value`);
-    if (output) output.value = control.log && control.id !== "load" ? (value < 0.01 ? value.toExponential(0) : figure(value, 2)) : `${figure(value, 3)}${control.unit ? ` ${control.unit}` : ""}`;
+    if (output) output.value = control.log && control.id !== "load" ? (value < 0.01 ? value.toExponential(0) : figure(value, 2)) : `${control.power2 ? value : figure(value, 3)}${control.unit ? ` ${control.unit}` : ""}`;
     byId(`row-${named(control.id)}`).hidden = control.shown ? !control.shown(now) : false;
   }
 }
@@ -249,16 +249,35 @@ function heardRun(run) {
 
 const address = (run) => `${location.origin}/run/${run.id}.rrd`;
 
+/** The least time between two runs that the viewer gets, in milliseconds: of those in between only the last counts. */
+const BREATH = 120;
+let followed = 0;
+let next = null;
+
+/** Lets the viewer read a run as it grows. */
 function follow(run) {
-  stopPlaying();
-  viewer.add_receiver(address(run));
   shownRun = run.id;
-  byId("scrub").value = 1000;
-  byId("scrub-step").value = "latest";
+  clearTimeout(next);
+  next = setTimeout(() => {
+    followed = performance.now();
+    stopPlaying();
+    run.followed = true;
+    viewer.add_receiver(address(run));
+    byId("scrub").value = 1000;
+    byId("scrub-step").value = "latest";
+    watchFirst(run, asked);
+  }, Math.max(0, followed + BREATH - performance.now()));
+}
+
+/** Notes how long after the change of a control the viewer had the first steps of its run. */
+function watchFirst(run, since) {
+  const range = viewer && viewer.get_timeline_time_range(run.id, "step");
+  if (range) document.body.dataset.shown = `${run.id} ${Math.round(performance.now() - since)} ms`;
+  else if (shownRun === run.id) requestAnimationFrame(() => watchFirst(run, since));
 }
 
 function forget(run) {
-  if (viewer) viewer.remove_receiver(address(run));
+  if (viewer && run.followed) viewer.remove_receiver(address(run));
 }
 
 function listRuns() {
@@ -273,7 +292,9 @@ function showRun(id) {
   stopPlaying();
   shownRun = id;
   byId("runs").value = id;
-  if (viewer) viewer.set_active_recording_id(id);
+  const run = runs.find((other) => other.id === id);
+  if (viewer && run.followed) viewer.set_active_recording_id(id);
+  else if (viewer) follow(run);
   numbers();
 }
 
@@ -332,11 +353,11 @@ function drawn(tag, attributes, text) {
 /** A chart against log10 p*: curves are { name, points: [[p*, y]], style }. */
 function chart(target, title, top, curves) {
   const box = target.getBoundingClientRect();
-  const [w, h, left, right, above, below] = [Math.max(200, box.width), Math.max(120, box.height), 30, 8, 20, 20];
+  const [w, h, left, right, above, below] = [Math.max(200, box.width), Math.max(120, box.height), 30, 14, 20, 20];
   const xs = curves.flatMap((curve) => curve.points.map(([x]) => Math.log10(x)));
   const [low, high] = xs.length ? [Math.floor(Math.min(...xs)), Math.ceil(Math.max(...xs))] : [-4, 1];
   const x = (v) => left + (Math.log10(v) - low) / (high - low || 1) * (w - left - right);
-  const y = (v) => h - below - Math.min(v, top) / top * (h - above - below);
+  const y = (v) => h - below - v / top * (h - above - below);
   const svg = drawn("svg", { viewBox: `0 0 ${w} ${h}`, role: "img", "aria-label": title });
   svg.append(drawn("rect", { class: "axis", x: left, y: above, width: w - left - right, height: h - above - below }));
   svg.append(drawn("text", { class: "title", x: left, y: 13 }, title));
@@ -357,12 +378,12 @@ function chart(target, title, top, curves) {
 
 function charts() {
   const points = report.sweep ? report.sweep.points : [];
-  const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.load, of(p)]).filter(([, v]) => v !== null && v !== undefined && Number.isFinite(v)) });
+  const curve = (name, style, of, top) => ({ name, style, points: points.map((p) => [p.load, of(p)]).filter(([, v]) => Number.isFinite(v) && v <= top) });
   chart(byId("chart-area"), "Area / p*", 1, [
-    curve("Persson", "persson", (p) => p.persson), curve("exact", "exact", (p) => p.exact && p.exact.relative_area), curve("a_rel", "computed", (p) => p.area)]);
+    curve("Persson", "persson", (p) => p.persson, 1), curve("exact", "exact", (p) => p.exact?.relative_area, 1), curve("a_rel", "computed", (p) => p.area, 1)]);
   chart(byId("chart-kappa"), "κ, κ_r / p*", 4, [
-    curve("Persson", "persson", (p) => p.persson / p.load), curve("exact", "exact", (p) => p.exact && p.exact.kappa_r),
-    curve("κ", "second", (p) => p.kappa), curve("κ_r", "computed", (p) => p.kappa_r)]);
+    curve("Persson", "persson", (p) => p.persson / p.load, 4), curve("exact", "exact", (p) => p.exact?.kappa_r, 4),
+    curve("κ", "second", (p) => p.kappa, 4), curve("κ_r", "computed", (p) => p.kappa_r, 4)]);
   document.body.dataset.sweep = report.sweep ? (report.sweep.ended ? "ended" : points.length) : "none";
 }
 
@@ -378,7 +399,7 @@ async function startViewer() {
   const handle = new wasm_bindgen.WebHandle({
     url: isView ? [`${location.origin}/recording.rrd`] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
     render_backend: query.get("renderer"), theme: document.documentElement.dataset.theme,
-    panel_state_overrides: isView ? {} : { top: "hidden", blueprint: "hidden", selection: "hidden", time: "hidden" },
+    panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
   });
   await handle.start(canvas);
   byId("viewer-note").hidden = true;
@@ -531,7 +552,8 @@ async function begin() {
     noteViewer(`The viewer could not start (${error}). Try another browser, or add ?renderer=webgl to the address.`);
   });
   if (isView) { byId("title").textContent = "a recording, from this machine"; return; }
-  parameters = await (await fetch("/api/start")).json();
+  const before = await (await fetch("/api/state")).json();
+  parameters = before.run ? before.run.parameters : await (await fetch("/api/start")).json();
   build();
   show();
   charts();
@@ -551,8 +573,8 @@ async function begin() {
   speed();
   document.addEventListener("keydown", key);
   window.addEventListener("resize", charts);
+  if (before.run) heard(before); else changed();
   listen();
-  changed();
 }
 
 begin();

@@ -124,6 +124,11 @@ fn is_input(error: &anyhow::Error) -> bool {
         || matches!(error.downcast_ref(), Some(SolveError::NeedsPressure { .. }))
         || matches!(
             error.downcast_ref(),
-            Some(FileError::Read { .. } | FileError::Format { .. } | FileError::Target { .. })
+            Some(
+                FileError::Read { .. }
+                    | FileError::Format { .. }
+                    | FileError::Target { .. }
+                    | FileError::NoViewer { .. }
+            )
         )
 }

@@ -23,7 +23,7 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/api/solve`      | POST   | takes [`Parameters`], ends what runs; the revision from which on news of it come |
 /// | `/api/sweep`      | POST   | the same for a sweep                                                  |
 /// | `/api/cancel`     | POST   | ends what runs                                                        |
-/// | `/run/ID.rrd`     | GET    | the recording of the latest solve, as it grows                        |
+/// | `/run/ID.rrd`     | GET    | the recording of one of the latest solves, as it grows                |
 /// | `/api/run.rrd`    | GET    | the same, to save                                                     |
 /// | `/api/run.npz`    | GET    | the arrays of the latest result, to save                              |
 pub struct Explorer {
@@ -68,14 +68,14 @@ impl Explorer {
         match request.path {
             "/api/start" => Reply::json(&self.start),
             "/api/state" => self.state(request.query),
-            "/api/run.rrd" => match self.session.recording() {
+            "/api/run.rrd" => match self.session.latest() {
                 Some((_, live)) if live.written().is_some() => {
                     Reply::Error(409, "the solve still runs: wait for its end, or cancel it".into())
                 }
                 Some((id, live)) => Reply::Recording(Source::Live(live), Some(format!("asperity-{id}.rrd"))),
                 None => nothing_yet(),
             },
-            "/api/run.npz" => match (self.session.recording(), self.session.archive()) {
+            "/api/run.npz" => match (self.session.latest(), self.session.archive()) {
                 (Some((id, _)), Some(archive)) => Reply::Download(format!("asperity-{id}.npz"), archive),
                 _ => nothing_yet(),
             },
@@ -96,10 +96,10 @@ impl Explorer {
         }
     }
 
-    /// The latest recording, if that is its path.
+    /// A recording, if the path is that of one of the latest.
     fn run(&self, path: &str) -> Option<Reply> {
-        let (id, live) = self.session.recording()?;
-        (path == format!("/run/{id}.rrd")).then(|| Reply::Recording(Source::Live(live), None))
+        let name = path.strip_prefix("/run/")?.strip_suffix(".rrd")?;
+        Some(Reply::Recording(Source::Live(self.session.recording(name)?), None))
     }
 }
 

@@ -6,11 +6,15 @@ use super::sweep;
 use crate::contact::{Contact, Observer, Problem, Step, archive};
 use crate::error::{FileError, SolveError};
 use crate::record::{Live, Options, Recording, Scene, describe};
+use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
+
+/// Recordings that can still be read: those that a page asked for a moment ago.
+const RECORDINGS: usize = 6;
 
 /// How often a running solve reports.
 const INTERVAL: Duration = Duration::from_millis(60);
@@ -28,7 +32,8 @@ struct State {
     generation: u64,
     order: Option<Order>,
     closed: bool,
-    recording: Option<(String, Live)>,
+    /// The latest recordings and their names, the newest last.
+    recordings: VecDeque<(String, Live)>,
     solved: Option<Arc<Solved>>,
 }
 
@@ -113,8 +118,13 @@ impl Session {
     }
 
     /// The recording of the latest solve, and its name.
-    pub fn recording(&self) -> Option<(String, Live)> {
-        self.lock().recording.clone()
+    pub fn latest(&self) -> Option<(String, Live)> {
+        self.lock().recordings.back().cloned()
+    }
+
+    /// The recording of that name, if it is one of the latest.
+    pub fn recording(&self, name: &str) -> Option<Live> {
+        self.lock().recordings.iter().find(|(id, _)| id == name).map(|(_, live)| live.clone())
     }
 
     /// The arrays of the latest result as `.npz`; none before there is one.
@@ -187,7 +197,10 @@ impl Session {
             exact: values,
         };
         self.change(|state| {
-            state.recording = Some((id, live));
+            state.recordings.push_back((id, live));
+            if state.recordings.len() > RECORDINGS {
+                state.recordings.pop_front();
+            }
             state.report.run = Some(run);
         });
         let mut recorder = recording.recorder(0);
