@@ -272,8 +272,10 @@ function follow(run) {
 /** Notes how long after the change of a control the viewer had the first steps of its run. */
 function watchFirst(run, since) {
   const range = viewer && viewer.get_timeline_time_range(run.id, "step");
-  if (range) document.body.dataset.shown = `${run.id} ${Math.round(performance.now() - since)} ms`;
-  else if (shownRun === run.id) requestAnimationFrame(() => watchFirst(run, since));
+  if (range) {
+    document.body.dataset.shown = `${run.id} ${Math.round(performance.now() - since)} ms`;
+    byId("viewer-note").hidden = true;
+  } else if (shownRun === run.id) requestAnimationFrame(() => watchFirst(run, since));
 }
 
 function forget(run) {
@@ -402,7 +404,7 @@ async function startViewer() {
     panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
   });
   await handle.start(canvas);
-  byId("viewer-note").hidden = true;
+  if (isView) byId("viewer-note").hidden = true; else noteViewer("Waiting for the first picture.");
   viewer = handle;
   document.body.dataset.viewer = "started";
   runs.slice(-1).forEach(follow);

@@ -1,6 +1,6 @@
 //! Who may ask: pages of this very server, and nobody else.
 
-use axum::http::header::{CONTENT_TYPE, HOST, HeaderName, ORIGIN};
+use axum::http::header::{CONTENT_LENGTH, CONTENT_TYPE, HOST, HeaderName, ORIGIN};
 use axum::http::{HeaderMap, Method};
 
 /// Names under which the loopback interface is known.
@@ -23,6 +23,11 @@ pub fn refuse(method: &Method, headers: &HeaderMap, port: u16) -> Option<(u16, S
         return Some((415, "send JSON, with the content type application/json".into()));
     }
     (method != Method::GET && method != Method::POST).then(|| (405, "only GET and POST are answered here".into()))
+}
+
+/// Bytes that the body is said to have; none if nothing is said.
+pub fn announced(headers: &HeaderMap) -> u64 {
+    headers.get(CONTENT_LENGTH).and_then(|length| length.to_str().ok()?.parse().ok()).unwrap_or(0)
 }
 
 #[cfg(test)]

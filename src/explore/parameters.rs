@@ -215,6 +215,9 @@ impl Parameters {
         if !(self.roughness >= 0.0 && self.roughness.is_finite()) {
             return Err(Refusal(format!("the roughness is {:?}: give 0 or more", self.roughness)));
         }
+        if let Some(indenter) = self.indenter() {
+            indenter.check(&grid)?;
+        }
         if self.is_rough() {
             self.spectrum().validate(&grid)?;
         }

@@ -3,13 +3,13 @@
 use super::guard;
 use super::site::{Reply, Request, Site};
 use axum::Router;
-use axum::body::{Body, Bytes};
-use axum::extract::{DefaultBodyLimit, State};
+use axum::body::{Body, to_bytes};
+use axum::extract::State;
 use axum::http::header::{
     CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue, REFERRER_POLICY,
     X_CONTENT_TYPE_OPTIONS,
 };
-use axum::http::{HeaderMap, Method, Response, StatusCode, Uri};
+use axum::http::{Response, StatusCode};
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
@@ -21,6 +21,8 @@ pub const MOST_BODY: usize = 1 << 16;
 const THREADS: usize = 32;
 /// Ports tried after the one asked for.
 const FURTHER_PORTS: u16 = 32;
+/// How long the body of a request may take.
+const PATIENCE: Duration = Duration::from_secs(10);
 /// How long open connections may go on at the end.
 const FAREWELL: Duration = Duration::from_millis(500);
 
@@ -83,7 +85,7 @@ impl Server {
     async fn serve<S: Site>(self, site: Arc<S>) -> io::Result<()> {
         let listener = tokio::net::TcpListener::from_std(self.listener)?;
         let desk = Desk { site, port: self.port };
-        let router = Router::new().fallback(answer::<S>).layer(DefaultBodyLimit::max(MOST_BODY)).with_state(desk);
+        let router = Router::new().fallback(answer::<S>).with_state(desk);
         tokio::select! {
             served = axum::serve(listener, router) => served,
             interrupted = tokio::signal::ctrl_c() => interrupted,
@@ -103,25 +105,29 @@ impl<S> Clone for Desk<S> {
     }
 }
 
-async fn answer<S: Site>(
-    State(desk): State<Desk<S>>,
-    method: Method,
-    uri: Uri,
-    headers: HeaderMap,
-    body: Result<Bytes, axum::extract::rejection::BytesRejection>,
-) -> Response<Body> {
-    if let Some((status, sentence)) = guard::refuse(&method, &headers, desk.port) {
+async fn answer<S: Site>(State(desk): State<Desk<S>>, request: axum::extract::Request) -> Response<Body> {
+    let (head, body) = request.into_parts();
+    if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, desk.port) {
         return response(Reply::Error(status, sentence));
     }
-    let Ok(body) = body else {
-        return response(Reply::Error(413, format!("the request is too large: send at most {MOST_BODY} bytes")));
+    if guard::announced(&head.headers) > MOST_BODY as u64 {
+        return response(too_large());
+    }
+    let body = match tokio::time::timeout(PATIENCE, to_bytes(body, MOST_BODY)).await {
+        Ok(Ok(body)) => body,
+        Ok(Err(_)) => return response(too_large()),
+        Err(_) => return response(Reply::Error(408, "the request did not arrive in time".into())),
     };
     let reply = move || {
-        let query = uri.query().unwrap_or_default();
-        desk.site.reply(&Request { method: method.as_str(), path: uri.path(), query, body: &body })
+        let (path, query) = (head.uri.path(), head.uri.query().unwrap_or_default());
+        desk.site.reply(&Request { method: head.method.as_str(), path, query, body: &body })
     };
     let replied = tokio::task::spawn_blocking(reply).await;
     response(replied.unwrap_or_else(|_| Reply::Error(500, "the request could not be answered".into())))
+}
+
+fn too_large() -> Reply {
+    Reply::Error(413, format!("the request is too large: send at most {MOST_BODY} bytes"))
 }
 
 fn response(reply: Reply) -> Response<Body> {

@@ -8,7 +8,7 @@ use rerun::{RecordingStream, RecordingStreamResult};
 type Placed = RecordingStreamResult<String>;
 
 /// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
-pub fn send(application: &'static str, stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
+pub fn send(application: &str, stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
     let mut blueprint = Blueprint::new(application)?;
     let mut tabs = Vec::new();
     if stages.len() > 1 {

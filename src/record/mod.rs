@@ -159,7 +159,8 @@ impl Recording {
     }
 
     fn log_static(&self, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
-        layout::send(APPLICATION, &self.stages, &self.stream)?;
+        let application = self.stream.store_info().map(|info| info.application_id().to_string());
+        layout::send(application.as_deref().unwrap_or(APPLICATION), &self.stages, &self.stream)?;
         let several = scenes.len() > 1;
         let mut stages = self.stages.iter().zip(scenes).enumerate();
         stages.try_for_each(|(i, (stage, scene))| stage.log_static(&self.stream, scene, several.then_some(i)))
@@ -179,10 +180,11 @@ fn target_error(path: &Path, failure: &dyn std::error::Error) -> FileError {
     FileError::Target { path: path.into(), reason: failure.to_string() }
 }
 
-/// A stream into `output` whose times are ours alone, under an `id` of its own unless one is given.
+/// A stream into `output` whose times are ours alone. With an `id` it is an application as well, whose layout is its own.
 fn open(output: Output, id: Option<&str>, scenes: &[Scene<'_>]) -> RecordingStreamResult<RecordingStream> {
     let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
-    let builder = RecordingStreamBuilder::new(APPLICATION).recording_name(titles.join(", ")).enabled(true);
+    let application = id.map_or(APPLICATION.to_owned(), |id| format!("{APPLICATION}-{id}"));
+    let builder = RecordingStreamBuilder::new(application).recording_name(titles.join(", ")).enabled(true);
     let builder = if let Some(id) = id { builder.recording_id(id) } else { builder };
     let stream = builder.buffered()?;
     stream.set_sink(Box::new(output));
