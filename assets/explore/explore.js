@@ -290,6 +290,13 @@ function listRuns() {
 
 let shownRun = null;
 
+/** Shows the run before the one that is shown, or the latest. */
+function swap() {
+  const at = runs.findIndex((run) => run.id === shownRun);
+  const other = at === runs.length - 1 ? runs[at - 1] : runs[runs.length - 1];
+  if (other) showRun(other.id);
+}
+
 function showRun(id) {
   stopPlaying();
   shownRun = id;
@@ -470,21 +477,21 @@ function stopPlaying() {
 
 const HERTZ = { geometry: "line", shape: "round", roughness: 0, points: 4096, solver: "multilevel", record: ["traces", "shape", "fields", "mask"] };
 const ROUGH = { ...HERTZ, shape: "flat", roughness: 0.001, hurst: 0.8, rolloff: 8, cutoff: 128, seed: 1 };
-const CRAWL = { ...ROUGH, points: 1024, cutoff: 64, load: 0.05, tolerance: 1e-8, solver: "gfmd", masses: "uniform", dynamics: "damped", damping: 1, "time-step": 0.5, record: ["traces", "spectrum"] };
+const CRAWL = { ...ROUGH, points: 4096, cutoff: 64, load: 0.05, tolerance: 1e-8, solver: "gfmd", masses: "uniform", dynamics: "damped", damping: 1, "time-step": 0.5, record: ["traces", "spectrum"] };
 
 const LESSONS = {
   "Hertz against rough contact": [
-    [{ ...HERTZ, load: 0.01 }, "A smooth cylinder. The pressure is Hertz's half ellipse; the exact one is drawn beside it in white, and the exact numbers stand in green below."],
-    [{ ...HERTZ, load: 0.1 }, "Ten times the load. The contact is only about three times as wide, so κ = a_rel / p* falls. The gradient in contact grew instead, and κ_r, which takes that one, stays: compare “this run” with “before”."],
+    [{ ...HERTZ, load: 0.001 }, "A smooth cylinder. The pressure is Hertz's half ellipse; the exact one is drawn beside it in white, and the exact numbers stand in green below."],
+    [{ ...HERTZ, load: 0.01 }, "Ten times the load. The contact is only about three times as wide, so κ = a_rel / p* falls to a third. The gradient in contact grew instead, and κ_r, which takes that one, stays: compare “this run” with “before”."],
     [{ ...ROUGH, load: 0.01 }, "Now a rough line under the small load. Contact breaks into many patches, each of them a little Hertz contact of its own."],
-    [{ ...ROUGH, load: 0.1 }, "Ten times the load on the rough line. Area now grows almost in proportion, because new patches join. κ still drifts; κ_r moves much less."],
-    [{ ...ROUGH, load: 0.1, sweep: true }, "A sweep from first touch to full contact draws it all: κ falls with the load, κ_r keeps to its level until patches merge. The gradient that matters is the one in contact, not that of the whole surface."],
+    [{ ...ROUGH, load: 0.1 }, "Ten times the load on the rough line. The area grows almost in proportion now, because new patches join. κ still falls by a third; κ_r stays within a few per cent."],
+    [{ ...ROUGH, load: 0.1, sweep: true }, "A sweep from first touch to full contact draws it all: κ falls with the load, κ_r keeps its level until most of the surface touches. The gradient that matters is the one in contact, not that of the whole surface."],
   ],
   "Why does my solver crawl": [
-    [{ ...CRAWL }, "GFMD with the same mass for all waves. Long waves are hundreds of times softer than short ones, so they move slowest. Press Play and watch the spectrum: the blue curve is filled in from the right, its left end last."],
-    [{ ...CRAWL, damping: 0.1 }, "A tenth of the friction. Less damping is not the cure: the slow waves now ring, as the certificate shows."],
-    [{ ...CRAWL, masses: "stiffness" }, "Masses in proportion to stiffness: every wave swings with the same period, so all of them relax together. Compare the number of steps with “before”."],
-    [{ ...CRAWL, solver: "multilevel" }, "The multilevel solver settles the long waves on coarse grids, where they are short, and needs but a few steps on the finest. This is why it does not crawl."],
+    [{ ...CRAWL }, "GFMD with the same mass for all waves. Long waves are thousands of times softer than short ones, so they move slowest. Press Play: the blue spectrum of the displacement settles on the right first and on the left last. Finer grids make it worse: four times the points take twice the steps."],
+    [{ ...CRAWL, damping: 0.1 }, "A tenth of the friction. Less damping is not the cure: the slow waves ring, and it takes many times the steps. Look at the certificate."],
+    [{ ...CRAWL, masses: "stiffness" }, "Masses in proportion to stiffness: every wave swings with the same period, so all of them relax together, on any grid in about as many steps. A step costs two transform pairs instead of one; the total still falls."],
+    [{ ...CRAWL, solver: "multilevel" }, "The multilevel solver settles the long waves on coarse grids, where they are short, and needs few steps on the finest one: compare the transforms. That is why it does not crawl."],
   ],
 };
 
@@ -534,7 +541,7 @@ async function copyCommand() {
 
 function key(event) {
   const typing = ["SELECT", "TEXTAREA"].includes(event.target.tagName) || ["number", "text"].includes(event.target.type) || event.target.id === "canvas";
-  const actions = { " ": play, s: sweep, d: dice, t: toggleTheme, Escape: cancel };
+  const actions = { " ": play, s: sweep, d: dice, b: swap, t: toggleTheme, Escape: cancel };
   const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
   if (!action || typing || event.ctrlKey || event.metaKey || event.altKey || (event.key === " " && event.target.tagName === "BUTTON")) return;
   event.preventDefault();
@@ -569,6 +576,7 @@ async function begin() {
   byId("copy-command").addEventListener("click", copyCommand);
   byId("runs").addEventListener("change", () => showRun(byId("runs").value));
   byId("play").addEventListener("click", play);
+  byId("swap").addEventListener("click", swap);
   byId("scrub").addEventListener("input", () => { stopPlaying(); seek(Number(byId("scrub").value) / 1000); });
   const speed = () => { byId("speed-value").value = `${figure(duration(), 2)} s`; };
   byId("speed").addEventListener("input", speed);

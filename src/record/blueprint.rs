@@ -2,7 +2,7 @@
 
 use super::palette::{self, colour};
 use super::traces;
-use rerun::external::re_log_types::BlueprintActivationCommand;
+use rerun::external::re_log_types::{ApplicationId, BlueprintActivationCommand};
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::external::re_sdk_types::datatypes::{self, Uuid};
 use rerun::sink::MemorySinkStorage;
@@ -81,7 +81,7 @@ fn ground() -> panes::Background {
 
 impl Blueprint {
     /// An empty blueprint for recordings of `application`.
-    pub fn new(application: &str) -> RecordingStreamResult<Self> {
+    pub fn new(application: ApplicationId) -> RecordingStreamResult<Self> {
         let builder = RecordingStreamBuilder::new(application).recording_id("default_blueprint").blueprint();
         let (store, storage) = builder.enabled(true).memory()?;
         store.set_time_sequence("blueprint", 0);

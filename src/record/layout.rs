@@ -3,12 +3,13 @@
 use super::blueprint::{Blueprint, Kind, View};
 use super::part::Part;
 use super::stage::{Picture, Stage};
+use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 type Placed = RecordingStreamResult<String>;
 
 /// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
-pub fn send(application: &str, stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
+pub fn send(application: ApplicationId, stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
     let mut blueprint = Blueprint::new(application)?;
     let mut tabs = Vec::new();
     if stages.len() > 1 {

@@ -70,6 +70,7 @@ pub use size::Size;
 use crate::error::FileError;
 use crate::surface::check_target;
 use output::Output;
+use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 use stage::Stage;
 use std::io;
@@ -159,8 +160,9 @@ impl Recording {
     }
 
     fn log_static(&self, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
-        let application = self.stream.store_info().map(|info| info.application_id().to_string());
-        layout::send(application.as_deref().unwrap_or(APPLICATION), &self.stages, &self.stream)?;
+        let info = self.stream.store_info();
+        let application = info.map_or(APPLICATION.into(), |info| info.application_id().clone());
+        layout::send(application, &self.stages, &self.stream)?;
         let several = scenes.len() > 1;
         let mut stages = self.stages.iter().zip(scenes).enumerate();
         stages.try_for_each(|(i, (stage, scene))| stage.log_static(&self.stream, scene, several.then_some(i)))
@@ -183,7 +185,8 @@ fn target_error(path: &Path, failure: &dyn std::error::Error) -> FileError {
 /// A stream into `output` whose times are ours alone. With an `id` it is an application as well, whose layout is its own.
 fn open(output: Output, id: Option<&str>, scenes: &[Scene<'_>]) -> RecordingStreamResult<RecordingStream> {
     let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
-    let application = id.map_or(APPLICATION.to_owned(), |id| format!("{APPLICATION}-{id}"));
+    let own = id.and_then(|id| ApplicationId::try_new(format!("{APPLICATION}-{id}")).ok());
+    let application = own.unwrap_or(APPLICATION.into());
     let builder = RecordingStreamBuilder::new(application).recording_name(titles.join(", ")).enabled(true);
     let builder = if let Some(id) = id { builder.recording_id(id) } else { builder };
     let stream = builder.buffered()?;
