@@ -578,3 +578,19 @@ fn grids_beyond_the_memory_of_the_machine_are_refused() {
         }
     }
 }
+
+/// Nothing is solved for a viewer that is not there.
+#[cfg(feature = "record")]
+#[test]
+fn a_missing_viewer_is_said() {
+    if std::net::TcpStream::connect(("127.0.0.1", 9876)).is_ok() {
+        return; // one runs on this machine, and would be taken
+    }
+    let folder = folder();
+    let line = format!("solve {CYLINDER} {LOAD} --live --record new.rrd");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+    let output = folder.finish(command.args(line.split_whitespace()).env("PATH", folder.join("sub")));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("pip install rerun-sdk=="), "{}", text(&output.stderr));
+    assert!(output.stdout.is_empty() && !folder.join("new.rrd").exists());
+}

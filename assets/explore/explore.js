@@ -529,6 +529,10 @@ function paint(theme) {
   localStorage.setItem("theme", theme);
 }
 
+function save(path) {
+  element("a", { href: path, download: "" }).click();
+}
+
 async function copyCommand() {
   const run = runs.find((other) => other.id === shownRun) || runs[runs.length - 1];
   try {
@@ -571,8 +575,8 @@ async function begin() {
   byId("lesson-back").addEventListener("click", () => step(-1));
   byId("lesson-next").addEventListener("click", () => step(1));
   byId("lesson-close").addEventListener("click", () => { byId("lesson").value = ""; openLesson(""); });
-  byId("save-rrd").addEventListener("click", () => { location.href = "/api/run.rrd"; });
-  byId("save-npz").addEventListener("click", () => { location.href = "/api/run.npz"; });
+  byId("save-rrd").addEventListener("click", () => save("/api/run.rrd"));
+  byId("save-npz").addEventListener("click", () => save("/api/run.npz"));
   byId("copy-command").addEventListener("click", copyCommand);
   byId("runs").addEventListener("change", () => showRun(byId("runs").value));
   byId("play").addEventListener("click", play);

@@ -9,6 +9,7 @@
 //! Everything goes over one port of the loopback interface: page, viewer, state and the recording as it grows. A request
 //! changes nothing but the one [`Session`]; what the page saves, the browser downloads.
 
+mod command;
 mod guard;
 mod page;
 mod parameters;

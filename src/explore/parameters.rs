@@ -9,8 +9,8 @@ use crate::theory::Exact;
 use serde::{Deserialize, Serialize};
 
 /// Length of the cell (metres) and contact modulus (pascals): results depend only on ratios to them.
-const CELL: f64 = 160e-6;
-const MODULUS: f64 = 1e9;
+pub(super) const CELL: f64 = 160e-6;
+pub(super) const MODULUS: f64 = 1e9;
 /// Radius of the cylinder and the sphere: a slope of 5e-3 at the edge of the cell.
 const RADIUS: f64 = 100.0 * CELL;
 /// Amplitude of the waves.
@@ -243,11 +243,11 @@ impl Parameters {
         })
     }
 
-    fn is_rough(&self) -> bool {
+    pub(super) fn is_rough(&self) -> bool {
         self.roughness > 0.0
     }
 
-    fn spectrum(&self) -> Spectrum {
+    pub(super) fn spectrum(&self) -> Spectrum {
         Spectrum {
             hurst: self.hurst,
             rolloff_wavelength: CELL / self.rolloff,
@@ -257,7 +257,7 @@ impl Parameters {
     }
 
     /// The smooth shape, if there is one.
-    fn indenter(&self) -> Option<Indenter> {
+    pub(super) fn indenter(&self) -> Option<Indenter> {
         let (is_line, half) = (self.geometry == Geometry::Line, 0.5 * CELL);
         match self.shape {
             Shape::Round if is_line => Some(Indenter::Cylinder { radius: RADIUS }),
@@ -377,66 +377,5 @@ impl Parameters {
             )
         });
         smooth.into_iter().chain(rough).collect::<Vec<_>>().join(", with ")
-    }
-
-    /// The command that repeats the solve: the same numbers, to the last digit.
-    pub fn command(&self) -> String {
-        let mut words = vec!["asperity solve".to_owned()];
-        let mut say = |name: &str, value: String| words.push(format!("--{name} {value}"));
-        for (name, value) in self.indenter().iter().flat_map(arguments) {
-            say(name, value);
-        }
-        if self.is_rough() {
-            let Spectrum { hurst, rolloff_wavelength, short_cutoff, rms_gradient } = self.spectrum();
-            say("hurst", hurst.to_string());
-            say("rolloff", format!("{rolloff_wavelength:e}"));
-            say("short-cutoff", format!("{short_cutoff:e}"));
-            say("rms-gradient", format!("{rms_gradient:e}"));
-            say("seed", self.seed.to_string());
-        }
-        let n = self.points;
-        say("points", if self.geometry == Geometry::Line { n.to_string() } else { format!("{n},{n}") });
-        say("size", format!("{CELL:e}"));
-        say("modulus", format!("{MODULUS:e}"));
-        say("reduced-pressure", format!("{:e}", self.load));
-        say("solver", word(&self.solver));
-        if self.solver == Method::Gfmd {
-            say("masses", word(&self.masses));
-            say("dynamics", word(&self.dynamics));
-            say("time-step", self.time_step.to_string());
-            say("damping", self.damping.to_string());
-        }
-        say("tolerance", format!("{:e}", self.tolerance));
-        say("max-iterations", self.max_iterations.to_string());
-        words.join(" ")
-    }
-}
-
-/// An indenter as it is given on the command line.
-fn arguments(indenter: &Indenter) -> Vec<(&'static str, String)> {
-    let number = |value: f64| format!("{value:e}");
-    match *indenter {
-        Indenter::Cylinder { radius } => vec![("indenter", "cylinder".into()), ("radius", number(radius))],
-        Indenter::Sphere { radius } => vec![("indenter", "sphere".into()), ("radius", number(radius))],
-        Indenter::Sine { amplitude } => vec![("indenter", "sine".into()), ("amplitude", number(amplitude))],
-        Indenter::CrossedSine { amplitude } => {
-            vec![("indenter", "crossed-sine".into()), ("amplitude", number(amplitude))]
-        }
-        Indenter::PowerLaw { coefficient, exponent } => {
-            vec![("indenter", "power-law".into()), ("coefficient", number(coefficient)), ("exponent", number(exponent))]
-        }
-        Indenter::Wedge { slope } => vec![("indenter", "wedge".into()), ("slope", number(slope))],
-        Indenter::Cone { slope } => vec![("indenter", "cone".into()), ("slope", number(slope))],
-        Indenter::Punch { half_width, depth } => {
-            vec![("indenter", "punch".into()), ("half-width", number(half_width)), ("depth", number(depth))]
-        }
-    }
-}
-
-/// The word that stands for a choice, here and on the command line.
-fn word(choice: &impl Serialize) -> String {
-    match serde_json::to_value(choice) {
-        Ok(serde_json::Value::String(word)) => word,
-        _ => String::new(),
     }
 }

@@ -31,6 +31,7 @@ struct State {
     /// Grows with every order and ends those before.
     generation: u64,
     order: Option<Order>,
+    running: bool,
     closed: bool,
     /// The latest recordings and their names, the newest last.
     recordings: VecDeque<(String, Live)>,
@@ -98,7 +99,8 @@ impl Session {
     pub fn cancel(&self) -> u64 {
         self.change(|state| {
             state.generation += 1;
-            state.report.busy &= state.order.take().is_none();
+            state.order = None;
+            state.report.busy = state.running;
         })
     }
 
@@ -159,6 +161,7 @@ impl Session {
             };
             self.change(|state| {
                 state.report.fault = fault.filter(|_| state.generation == generation);
+                state.running = false;
                 state.report.busy = state.order.is_some();
             });
         }
@@ -169,7 +172,9 @@ impl Session {
         let is_idle = |state: &mut State| state.order.is_none() && !state.closed;
         let waited = self.changed.wait_while(self.lock(), is_idle);
         let mut state = waited.unwrap_or_else(PoisonError::into_inner);
-        if state.closed { None } else { Some((state.generation, state.order.take()?)) }
+        let order = state.order.take().filter(|_| !state.closed)?;
+        state.running = true;
+        Some((state.generation, order))
     }
 
     fn solve(&self, turn: Turn<'_>, parameters: &Parameters) -> Result<(), Fault> {

@@ -11,7 +11,7 @@ pub struct Request<'a> {
     pub path: &'a str,
     /// What follows the `?`.
     pub query: &'a str,
-    /// Body, of at most [`super::server::MOST_BODY`] bytes.
+    /// Body, of at most 64 KiB.
     pub body: &'a [u8],
 }
 
