@@ -207,6 +207,7 @@ async function listen() {
       const answer = await fetch(`/api/state?since=${report.revision}`);
       const news = await answer.json();
       if (news.revision !== report.revision) heard(news);
+      if (document.body.dataset.server === "gone") fault("");
       document.body.dataset.server = "there";
     } catch {
       document.body.dataset.server = "gone";
@@ -241,7 +242,7 @@ function heardRun(run) {
     runs.push(run);
     byId("title").textContent = run.title;
     if (viewer) follow(run);
-    while (runs.length > KEEP) forget(runs.shift());
+    while (runs.length > KEEP) forget(runs.splice(runs.findIndex((old) => old.id !== pinned), 1)[0]);
     listRuns();
   }
   numbers();
@@ -263,10 +264,16 @@ function follow(run) {
     stopPlaying();
     run.followed = true;
     viewer.add_receiver(address(run));
+    wake();
     byId("scrub").value = 1000;
     byId("scrub-step").value = "latest";
     watchFirst(run, asked);
   }, Math.max(0, followed + BREATH - performance.now()));
+}
+
+/** Has the viewer look at what it was told, which it does when it draws: closing a channel that never was makes it draw. */
+function wake() {
+  viewer.close_channel("wake");
 }
 
 /** Notes how long after the change of a control the viewer had the first steps of its run. */
@@ -289,19 +296,39 @@ function listRuns() {
 }
 
 let shownRun = null;
+/** The run that others are compared with, instead of the one before. */
+let pinned = null;
 
-/** Shows the run before the one that is shown, or the latest. */
+const runOf = (id) => runs.find((run) => run.id === id);
+const latest = () => runs[runs.length - 1];
+
+/** What a run is compared with. */
+function rival(run) {
+  return pinned && pinned !== run.id ? runOf(pinned) : runs[runs.indexOf(run) - 1];
+}
+
+/** Switches between the latest run and what it is compared with. */
 function swap() {
-  const at = runs.findIndex((run) => run.id === shownRun);
-  const other = at === runs.length - 1 ? runs[at - 1] : runs[runs.length - 1];
+  const shown = runOf(shownRun) || latest();
+  const other = shown === latest() ? rival(shown) : latest();
   if (other) showRun(other.id);
+}
+
+/** Keeps the run that is shown to compare with, or lets it go. */
+function pin() {
+  const shown = runOf(shownRun) || latest();
+  pinned = pinned || !shown ? null : shown.id;
+  byId("pin").setAttribute("aria-pressed", String(pinned !== null));
+  byId("pin").textContent = pinned ? `Pinned ${pinned}` : "Pin";
+  byId("rival").textContent = pinned ? "pinned" : "before";
+  numbers();
 }
 
 function showRun(id) {
   stopPlaying();
   shownRun = id;
   byId("runs").value = id;
-  const run = runs.find((other) => other.id === id);
+  const run = runOf(id);
   if (viewer && run.followed) viewer.set_active_recording_id(id);
   else if (viewer) follow(run);
   numbers();
@@ -331,10 +358,9 @@ const ROWS = [
 ];
 
 function numbers() {
-  const at = runs.findIndex((run) => run.id === shownRun);
-  const run = runs[at < 0 ? runs.length - 1 : at];
+  const run = runOf(shownRun) || latest();
   if (!run) return;
-  const before = runs[runs.indexOf(run) - 1];
+  const before = rival(run);
   const cell = (text, name) => element("td", { "data-number": name }, text);
   const word = (value) => typeof value === "string" ? value : figure(value);
   const body = ROWS.map(([name, of, exact, tip]) => {
@@ -534,7 +560,7 @@ function save(path) {
 }
 
 async function copyCommand() {
-  const run = runs.find((other) => other.id === shownRun) || runs[runs.length - 1];
+  const run = runOf(shownRun) || latest();
   try {
     await navigator.clipboard.writeText(run.command);
     byId("hint").textContent = `Copied: ${run.command}`;
@@ -545,7 +571,7 @@ async function copyCommand() {
 
 function key(event) {
   const typing = ["SELECT", "TEXTAREA"].includes(event.target.tagName) || ["number", "text"].includes(event.target.type) || event.target.id === "canvas";
-  const actions = { " ": play, s: sweep, d: dice, b: swap, t: toggleTheme, Escape: cancel };
+  const actions = { " ": play, s: sweep, d: dice, b: swap, p: pin, t: toggleTheme, Escape: cancel };
   const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
   if (!action || typing || event.ctrlKey || event.metaKey || event.altKey || (event.key === " " && event.target.tagName === "BUTTON")) return;
   event.preventDefault();
@@ -581,6 +607,7 @@ async function begin() {
   byId("runs").addEventListener("change", () => showRun(byId("runs").value));
   byId("play").addEventListener("click", play);
   byId("swap").addEventListener("click", swap);
+  byId("pin").addEventListener("click", pin);
   byId("scrub").addEventListener("input", () => { stopPlaying(); seek(Number(byId("scrub").value) / 1000); });
   const speed = () => { byId("speed-value").value = `${figure(duration(), 2)} s`; };
   byId("speed").addEventListener("input", speed);

@@ -18,6 +18,8 @@ use asperity::error::{FileError, SolveError};
 use asperity::record::Options;
 use asperity::surface::check_target;
 use asperity::theory::Exact;
+#[cfg(feature = "record")]
+use clap::ArgGroup;
 use clap::Args;
 use std::io::{Write, stderr, stdout};
 use std::path::PathBuf;
@@ -57,6 +59,7 @@ struct LoadArgs {
 
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
+#[cfg_attr(feature = "record", command(group = ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
 struct Output {
     /// Record every relaxation step for the Rerun viewer
     #[cfg(feature = "record")]
@@ -68,11 +71,11 @@ struct Output {
     live: bool,
     /// Record the fields of every N-th step, instead of all early steps and then ever fewer
     #[cfg(feature = "record")]
-    #[arg(long, value_name = "N", requires = "record")]
+    #[arg(long, value_name = "N", requires = "recorded")]
     record_every: Option<usize>,
     /// Parts to record, instead of all that a line or a surface has
     #[cfg(feature = "record")]
-    #[arg(long, value_enum, value_name = "PART[,PART]", value_delimiter = ',', requires = "record")]
+    #[arg(long, value_enum, value_name = "PART[,PART]", value_delimiter = ',', requires = "recorded")]
     record_what: Vec<PartArg>,
     /// Unit of lengths in the recording; metres are shown as mm, um or nm
     #[cfg(feature = "record")]
