@@ -285,4 +285,12 @@ pub enum FileError {
         /// Why.
         source: std::io::Error,
     },
+    /// No viewer is installed that could show it.
+    #[error(
+        "no Rerun viewer can be started: install one with `pip install rerun-sdk=={version}`, or write a file with --record"
+    )]
+    NoViewer {
+        /// The version that matches.
+        version: String,
+    },
 }

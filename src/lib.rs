@@ -21,6 +21,7 @@
 //! | [`study`]   | sweeps over surfaces and loads in tables that a killed run resumes, averages, fits    |
 //! | [`plot`]    | figures as data, written as SVG and PNG                                              |
 //! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
+//! | `explore`   | a page with controls and a live viewer (feature `explore`)                           |
 //!
 //! # Conventions
 //! - Heights `h` of the rigid surface are positive towards the solid; pressure `p` is positive in compression; the
@@ -56,6 +57,8 @@ mod chunks;
 pub mod contact;
 pub mod elastic;
 pub mod error;
+#[cfg(feature = "explore")]
+pub mod explore;
 pub mod fourier;
 pub mod grid;
 pub mod plot;

@@ -201,7 +201,7 @@ fn exactly_one_surface_and_one_load_are_needed() {
         ("--points 64 --size 1", "no surface"),
         ("--height old --indenter cylinder --radius 1 --size 1 --pressure 1", "more than one surface"),
         ("--height old --hurst 0.8 --size 1 --pressure 1", "more than one surface"),
-        (&format!("{CYLINDER} --hurst 0.8 {LOAD}"), "more than one surface"),
+        (&format!("{CYLINDER} --hurst 0.8 {LOAD}"), "--rolloff"),
         (CYLINDER, "no load"),
         (&format!("{CYLINDER} --mean-gap 0.1 --pressure 1"), "more than one load"),
         (&format!("{CYLINDER} --mean-gap 0.1 --solver gfmd"), "gfmd works under a given mean pressure"),
@@ -577,4 +577,20 @@ fn grids_beyond_the_memory_of_the_machine_are_refused() {
             assert!(text(&output.stderr).contains("0000 points does not fit in memory"), "{}", text(&output.stderr));
         }
     }
+}
+
+/// Nothing is solved for a viewer that is not there.
+#[cfg(feature = "record")]
+#[test]
+fn a_missing_viewer_is_said() {
+    if std::net::TcpStream::connect(("127.0.0.1", 9876)).is_ok() {
+        return; // one runs on this machine, and would be taken
+    }
+    let folder = folder();
+    let line = format!("solve {CYLINDER} {LOAD} --live --record new.rrd");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+    let output = folder.finish(command.args(line.split_whitespace()).env("PATH", folder.join("sub")));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("pip install rerun-sdk=="), "{}", text(&output.stderr));
+    assert!(output.stdout.is_empty() && !folder.join("new.rrd").exists());
 }

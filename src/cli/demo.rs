@@ -1,12 +1,11 @@
 //! `asperity demo`: Hertz beside rough contact.
 
 use super::Outcome;
-use super::description::describe;
 use super::progress::Progress;
 use super::solve::settle;
 use anyhow::Result;
 use asperity::contact::{Contact, Dynamics, Gfmd, Masses, Problem, Solver, Stop};
-use asperity::record::{Options, Recording, Scene};
+use asperity::record::{Options, Recording, Scene, describe};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::theory::Exact;
 use asperity::{Grid, Surface};

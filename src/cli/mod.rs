@@ -2,11 +2,13 @@
 
 mod accuracy;
 mod bench;
+#[cfg(feature = "explore")]
+mod browser;
 mod contender;
 #[cfg(feature = "record")]
 mod demo;
-#[cfg(feature = "record")]
-mod description;
+#[cfg(feature = "explore")]
+mod explore;
 mod memory;
 mod method;
 mod output;
@@ -20,8 +22,12 @@ mod solver;
 mod source;
 mod stability;
 mod surface;
+#[cfg(feature = "explore")]
+mod view;
 
 use asperity::error::{FileError, GridError, ProblemError, SettingError, SolveError, StudyError, SurfaceError};
+#[cfg(feature = "record")]
+use asperity::record as description;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -44,6 +50,9 @@ enum Command {
     /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
     #[cfg(feature = "record")]
     Demo(demo::Demo),
+    /// Turn knobs in the browser and watch the contact relax
+    #[cfg(feature = "explore")]
+    Explore(explore::Explore),
     /// Make the tables and figures of van Dokkum et al. (2018) again
     Paper(Box<paper::Paper>),
     /// Solve one contact
@@ -52,6 +61,9 @@ enum Command {
     Stability(stability::Stability),
     /// Make a surface, or describe one
     Surface(Box<surface::Describe>),
+    /// Open a recording in the browser
+    #[cfg(feature = "explore")]
+    View(view::View),
 }
 
 /// How a command ended.
@@ -89,10 +101,14 @@ pub fn run() -> anyhow::Result<Outcome> {
         Command::Bench(bench) => bench.run(),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
+        #[cfg(feature = "explore")]
+        Command::Explore(explore) => explore.run(),
         Command::Paper(paper) => paper.run(),
         Command::Solve(solve) => solve.run(),
         Command::Stability(stability) => stability.run(),
         Command::Surface(describe) => describe.run(),
+        #[cfg(feature = "explore")]
+        Command::View(view) => view.run(),
     }
 }
 
@@ -119,5 +135,8 @@ fn is_input(error: &anyhow::Error) -> bool {
 
 /// Whether another file would do.
 fn is_file_input(error: &FileError) -> bool {
-    matches!(error, FileError::Read { .. } | FileError::Format { .. } | FileError::Target { .. })
+    matches!(
+        error,
+        FileError::Read { .. } | FileError::Format { .. } | FileError::Target { .. } | FileError::NoViewer { .. }
+    )
 }

@@ -1,14 +1,12 @@
 //! What a solve prints and writes.
 
 use anyhow::Result;
-use asperity::contact::{Contact, Problem, Status};
+use asperity::contact::{Contact, Problem, Status, archive};
 use asperity::error::FileError;
-use asperity::surface::{Field, write_beside};
+use asperity::surface::write_beside;
 use asperity::theory::Exact;
-use ndarray::{Array2, arr0};
-use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use serde::Serialize;
-use std::io::{self, Cursor, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 /// One object with everything that a script may want to know about a contact.
@@ -153,35 +151,7 @@ impl Summary {
     }
 }
 
-/// Writes the fields of a contact as `.npz`, of the rank that the heights came in: `height`, `pressure`, `gap`,
-/// `displacement`, `contact` (bool), and the scalars `converged` (bool) and `certificate`.
+/// Writes the [`archive`] of a contact.
 pub fn write_fields(path: &Path, problem: &Problem, contact: &Contact, rank: usize) -> Result<(), FileError> {
     write_beside(path, |file| file.write_all(&archive(problem, contact, rank).map_err(io::Error::other)?))
-}
-
-/// The archive, made in memory: a `ZipWriter` that meets a full disk complains on standard error by itself.
-fn archive(problem: &Problem, contact: &Contact, rank: usize) -> Result<Vec<u8>, WriteNpzError> {
-    let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
-    let fields: [(&str, &Field); 4] = [
-        ("height", &problem.surface().heights_as_given()),
-        ("pressure", &contact.pressure),
-        ("gap", &contact.gap),
-        ("displacement", &contact.displacement),
-    ];
-    for (name, field) in fields {
-        add(&mut npz, name, field, rank)?;
-    }
-    add(&mut npz, "contact", &contact.mask(), rank)?;
-    npz.add_array("converged", &arr0(contact.status == Status::Converged))?;
-    npz.add_array("certificate", &arr0(contact.certificate.eta))?;
-    Ok(npz.finish()?.into_inner())
-}
-
-fn add<T: WritableElement>(
-    npz: &mut NpzWriter<Cursor<Vec<u8>>>,
-    name: &str,
-    field: &Array2<T>,
-    rank: usize,
-) -> Result<(), WriteNpzError> {
-    if rank == 1 { npz.add_array(name, &field.row(0)) } else { npz.add_array(name, field) }
 }

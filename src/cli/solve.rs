@@ -18,6 +18,8 @@ use asperity::error::{FileError, SolveError};
 use asperity::record::Options;
 use asperity::surface::check_target;
 use asperity::theory::Exact;
+#[cfg(feature = "record")]
+use clap::ArgGroup;
 use clap::Args;
 use std::io::{Write, stderr, stdout};
 use std::path::PathBuf;
@@ -57,18 +59,23 @@ struct LoadArgs {
 
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
+#[cfg_attr(feature = "record", command(group = ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
 struct Output {
     /// Record every relaxation step for the Rerun viewer
     #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd")]
     record: Option<PathBuf>,
+    /// Show the steps in the installed Rerun viewer while they are made
+    #[cfg(feature = "record")]
+    #[arg(long)]
+    live: bool,
     /// Record the fields of every N-th step, instead of all early steps and then ever fewer
     #[cfg(feature = "record")]
-    #[arg(long, value_name = "N", requires = "record")]
+    #[arg(long, value_name = "N", requires = "recorded")]
     record_every: Option<usize>,
     /// Parts to record, instead of all that a line or a surface has
     #[cfg(feature = "record")]
-    #[arg(long, value_enum, value_name = "PART[,PART]", value_delimiter = ',', requires = "record")]
+    #[arg(long, value_enum, value_name = "PART[,PART]", value_delimiter = ',', requires = "recorded")]
     record_what: Vec<PartArg>,
     /// Unit of lengths in the recording; metres are shown as mm, um or nm
     #[cfg(feature = "record")]
@@ -155,11 +162,12 @@ impl Solve {
 
     #[cfg(feature = "record")]
     fn watch(&self, problem: &Problem, made: &Made, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
-        use super::description::describe;
-        use asperity::record::{Recording, Scene};
+        use asperity::record::{Recording, Scene, describe};
         let options = self.options(problem.surface().grid())?;
-        let Some(path) = &self.output.record else { return watch_progress(problem, solver, stop) };
-        if Some(path) == self.output.out.as_ref() {
+        if self.output.record.is_none() && !self.output.live {
+            return watch_progress(problem, solver, stop);
+        }
+        if let Some(path) = self.output.record.as_ref().filter(|path| Some(*path) == self.output.out.as_ref()) {
             return usage(format!("--record and --out both name {}: give two files", path.display()));
         }
         let exact = match problem.load() {
@@ -173,7 +181,10 @@ impl Solve {
             description: describe(&made.description, problem, &self.output.length_unit, solver, stop, exact.as_ref()),
             exact,
         };
-        let recording = Recording::create(path, &[scene], options)?;
+        let unseen = tempfile::NamedTempFile::new()?;
+        let path = self.output.record.as_deref().unwrap_or(unseen.path());
+        let begin = if self.output.live { Recording::shown } else { Recording::create };
+        let recording = begin(path, &[scene], options)?;
         let mut recorder = recording.recorder(0);
         let mut progress = Progress::new(stop.tolerance(), solver.name());
         let (contact, outcome) = settle(solver.solve(problem, stop, &mut (&mut recorder, &mut progress)))?;

@@ -8,9 +8,9 @@ use clap::{Args, ValueEnum};
 use ndarray::Axis;
 use std::path::{Path, PathBuf};
 
-/// The surface: exactly one of a height file, an indenter or a random spectrum.
+/// The surface: a height file, an indenter, a random spectrum, or an indenter with roughness on it.
 #[derive(Args)]
-#[command(next_help_heading = "Surface (exactly one of --height, --indenter, --hurst)")]
+#[command(next_help_heading = "Surface (--height, or --indenter or --hurst or both)")]
 pub struct Source {
     /// Heights from a .npy file, of rank 1 (line) or 2 (surface); peaks towards the solid are positive
     #[arg(long, value_name = "FILE.npy")]
@@ -18,7 +18,7 @@ pub struct Source {
     /// A smooth indenter, centred in the cell
     #[arg(long, value_enum, value_name = "KIND")]
     indenter: Option<Kind>,
-    /// Self-affine random roughness with this Hurst exponent, in (0, 1]
+    /// Self-affine random roughness with this Hurst exponent, in (0, 1]; with --indenter, roughness on it
     #[arg(long, value_name = "H", allow_negative_numbers = true)]
     hurst: Option<f64>,
     /// Lengths of the cell along the array's axes, in their order; one value serves all axes
@@ -111,6 +111,7 @@ enum Given<'a> {
     File(&'a Path),
     Indenter(Kind),
     Roughness(f64),
+    RoughIndenter(Kind, f64),
 }
 
 impl Source {
@@ -120,6 +121,7 @@ impl Source {
             Given::File(path) => self.read(path),
             Given::Indenter(kind) => self.press(kind),
             Given::Roughness(hurst) => self.roughen(hurst),
+            Given::RoughIndenter(kind, hurst) => self.press_rough(kind, hurst),
         }
     }
 
@@ -131,17 +133,24 @@ impl Source {
                 self.shape.indenter(kind)?;
                 self.grid()
             }
-            Given::Roughness(hurst) => {
-                let grid = self.grid()?;
-                self.roughness.spectrum(hurst)?.validate(&grid)?;
-                Ok(grid)
+            Given::Roughness(hurst) => self.check_roughness(hurst),
+            Given::RoughIndenter(kind, hurst) => {
+                self.shape.indenter(kind)?;
+                self.check_roughness(hurst)
             }
         }
     }
 
+    /// The grid, if it can carry the roughness.
+    fn check_roughness(&self, hurst: f64) -> Result<Grid> {
+        let grid = self.grid()?;
+        self.roughness.spectrum(hurst)?.validate(&grid)?;
+        Ok(grid)
+    }
+
     /// Whether the surface is random, and so all the same everywhere.
     pub fn is_random(&self) -> bool {
-        self.hurst.is_some()
+        self.hurst.is_some() && self.indenter.is_none()
     }
 
     fn given(&self) -> Result<Given<'_>> {
@@ -149,8 +158,9 @@ impl Source {
             (Some(path), None, None) => Ok(Given::File(path)),
             (None, Some(kind), None) => Ok(Given::Indenter(kind)),
             (None, None, Some(hurst)) => Ok(Given::Roughness(hurst)),
+            (None, Some(kind), Some(hurst)) => Ok(Given::RoughIndenter(kind, hurst)),
             (None, None, None) => usage("no surface is given: use one of --height, --indenter or --hurst"),
-            _ => usage("more than one surface is given: use only one of --height, --indenter and --hurst"),
+            _ => usage("more than one surface is given: --height goes with neither --indenter nor --hurst"),
         }
     }
 
@@ -198,6 +208,14 @@ impl Source {
         );
         let title = if grid.is_line() { "Rough line" } else { "Rough surface" }.into();
         Ok((surface, Made { indenter: None, rank: self.points.len(), title, description }))
+    }
+
+    fn press_rough(&self, kind: Kind, hurst: f64) -> Result<(Surface, Made)> {
+        let (smooth, made) = self.press(kind)?;
+        let (rough, roughness) = self.roughen(hurst)?;
+        let title = format!("Rough {}", made.title.to_lowercase());
+        let description = format!("{}, with {}", made.description, roughness.description);
+        Ok((smooth.plus(&rough), Made { indenter: None, title, description, ..made }))
     }
 
     fn grid(&self) -> Result<Grid> {

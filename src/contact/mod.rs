@@ -7,6 +7,7 @@
 //!               Contact { pressure, displacement, gap, Certificate, Work, Status } --> Measures, Patches
 //! ```
 
+mod archive;
 mod best;
 mod certificate;
 mod gfmd;
@@ -23,6 +24,7 @@ mod stop;
 
 use crate::chunks;
 
+pub use archive::archive;
 pub use certificate::Certificate;
 pub use gfmd::{Dynamics, Gfmd, Masses};
 pub use load::Load;

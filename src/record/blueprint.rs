@@ -1,7 +1,7 @@
 //! Writes a blueprint, the viewer's description of its own panes, into a recording.
 
 use super::palette::{self, colour};
-use rerun::external::re_log_types::BlueprintActivationCommand;
+use rerun::external::re_log_types::{ApplicationId, BlueprintActivationCommand};
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::external::re_sdk_types::datatypes::{self, Uuid};
 use rerun::sink::MemorySinkStorage;
@@ -85,7 +85,7 @@ fn ground() -> panes::Background {
 
 impl Blueprint {
     /// An empty blueprint for recordings of `application`.
-    pub fn new(application: &'static str) -> RecordingStreamResult<Self> {
+    pub fn new(application: ApplicationId) -> RecordingStreamResult<Self> {
         let builder = RecordingStreamBuilder::new(application).recording_id("default_blueprint").blueprint();
         let (store, storage) = builder.enabled(true).memory()?;
         store.set_time_sequence("blueprint", 0);
@@ -94,7 +94,7 @@ impl Blueprint {
 
     /// Adds a view and returns its path.
     pub fn view(&mut self, view: View) -> RecordingStreamResult<String> {
-        let path = format!("view/{}", self.next_id());
+        let path = format!("view/{}", self.next_id(view.class));
         let contents = view.contents.into_iter().map(|entities| components::QueryExpression(entities.into()));
         self.store.log(format!("{path}/ViewContents"), &panes::ViewContents::new(contents))?;
         let pane = panes::ViewBlueprint::new(view.class).with_display_name(view.title).with_space_origin(view.origin);
@@ -111,7 +111,7 @@ impl Blueprint {
     }
 
     fn container_id(&mut self, kind: Kind, title: &str, panes: Vec<(String, f32)>) -> RecordingStreamResult<Uuid> {
-        let id = self.next_id();
+        let id = self.next_id("container");
         let (paths, shares): (Vec<_>, Vec<_>) = panes.into_iter().unzip();
         let contents = paths.into_iter().map(|path| components::IncludedContent(path.into()));
         let pane = panes::ContainerBlueprint::new(kind).with_display_name(title).with_contents(contents);
@@ -156,9 +156,12 @@ impl Blueprint {
         self.store.log("time_panel", &time)
     }
 
-    fn next_id(&mut self) -> Uuid {
+    /// Another identity. It tells classes of panes apart, as the viewer keeps what it knows of a pane when the next recording
+    /// brings another layout.
+    fn next_id(&mut self, class: &str) -> Uuid {
         self.panes += 1;
-        let mut bytes = *b"asperity\x80pane\0\0\0";
+        let mut bytes = *b"asperity\x80\0\0\0\0\0\0\0";
+        bytes[9..14].iter_mut().zip(class.bytes()).for_each(|(byte, letter)| *byte = letter);
         bytes[14..].copy_from_slice(&self.panes.to_be_bytes());
         Uuid { bytes }
     }

@@ -4,6 +4,7 @@ use super::blueprint::{Blueprint, Clock, Kind, View};
 use super::part::Part;
 use super::stage::{Picture, Stage};
 use super::traces;
+use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Frames per second when the steps are played.
@@ -13,7 +14,7 @@ const PACE: f64 = 30.0;
 pub type Placed = RecordingStreamResult<String>;
 
 /// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
-pub fn send(application: &'static str, stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
+pub fn send(application: ApplicationId, stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
     let mut blueprint = Blueprint::new(application)?;
     let mut tabs = Vec::new();
     if stages.len() > 1 {

@@ -37,11 +37,14 @@
 
 mod axes;
 mod blueprint;
+mod description;
 mod field;
 mod fill;
 mod forecast;
 mod layout;
 mod line;
+#[cfg(feature = "explore")]
+mod live;
 mod loads;
 mod output;
 mod palette;
@@ -56,8 +59,12 @@ mod spectrum;
 mod stage;
 mod thinning;
 mod traces;
+mod viewer;
 mod window;
 
+pub use description::describe;
+#[cfg(feature = "explore")]
+pub use live::Live;
 pub use loads::{Curve, LoadRecording, Loads};
 pub use part::{Part, Parts};
 pub use recorder::Recorder;
@@ -67,10 +74,12 @@ pub use size::Size;
 use crate::error::FileError;
 use crate::surface::check_target;
 use output::Output;
+use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 use stage::Stage;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Application under which the viewer keeps layouts apart.
 const APPLICATION: &str = "asperity";
@@ -101,7 +110,11 @@ pub struct Recording {
     path: PathBuf,
     stages: Vec<Stage>,
     options: Options,
+    flush_interval: Duration,
 }
+
+/// How much a killed run may lose.
+const FLUSH_INTERVAL: Duration = Duration::from_millis(200);
 
 impl Recording {
     /// Opens the file, and writes into it the layout of `scenes` and what does not change from step to step.
@@ -110,17 +123,40 @@ impl Recording {
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
     pub fn create(path: &Path, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         check_target(path)?;
-        let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
         let output = Output::create(path).map_err(|failure| target_error(path, &failure))?;
-        let recording = Self::open(output, path, &titles.join(", "), stages(scenes, "", &options), options)?;
+        Self::begin(output, path, None, scenes, options)
+    }
+
+    /// Writes into `output`, the file at `path`, the layout of `scenes` and what does not change from step to step.
+    fn begin(
+        output: Output,
+        path: &Path,
+        id: Option<&str>,
+        scenes: &[Scene<'_>],
+        options: Options,
+    ) -> Result<Self, FileError> {
+        let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
+        let name = Name { title: &titles.join(", "), id };
+        let recording = Self::open(output, path, name, stages(scenes, "", &options), options)?;
         recording.write(|stream| recording.log_static(stream, scenes))?;
         Ok(recording)
     }
 
     /// Writes into `output`, the file at `path`, nothing but the `name`.
-    fn open(output: Output, path: &Path, name: &str, stages: Vec<Stage>, options: Options) -> Result<Self, FileError> {
+    fn open(
+        output: Output,
+        path: &Path,
+        name: Name<'_>,
+        stages: Vec<Stage>,
+        options: Options,
+    ) -> Result<Self, FileError> {
         let stream = open(output.clone(), name).map_err(|failure| target_error(path, &failure))?;
-        Ok(Self { stream, output, path: path.into(), stages, options })
+        Ok(Self { stream, output, path: path.into(), stages, options, flush_interval: FLUSH_INTERVAL })
+    }
+
+    /// The application under which the viewer keeps its layout.
+    fn application(&self) -> ApplicationId {
+        self.stream.store_info().map_or(APPLICATION.into(), |info| info.application_id().clone())
     }
 
     /// The observer that records the solve of scene number `scene`.
@@ -141,7 +177,7 @@ impl Recording {
     }
 
     fn log_static(&self, stream: &RecordingStream, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
-        layout::send(APPLICATION, &self.stages, stream)?;
+        layout::send(self.application(), &self.stages, stream)?;
         let several = scenes.len() > 1;
         for (i, (stage, scene)) in self.stages.iter().zip(scenes).enumerate() {
             stream.log_static(stage.description(), &stage.described("still running, or ended by force"))?;
@@ -170,9 +206,20 @@ fn target_error(path: &Path, failure: &dyn std::error::Error) -> FileError {
     FileError::Target { path: path.into(), reason: failure.to_string() }
 }
 
+/// What a recording goes by.
+#[derive(Clone, Copy)]
+struct Name<'a> {
+    /// For people.
+    title: &'a str,
+    /// For programs. With one, the recording is an application as well, whose layout is its own.
+    id: Option<&'a str>,
+}
+
 /// A stream into `output` whose times are ours alone.
-fn open(output: Output, name: &str) -> RecordingStreamResult<RecordingStream> {
-    let builder = RecordingStreamBuilder::new(APPLICATION).recording_name(name).enabled(true);
+fn open(output: Output, Name { title, id }: Name<'_>) -> RecordingStreamResult<RecordingStream> {
+    let own = id.and_then(|id| ApplicationId::try_new(format!("{APPLICATION}-{id}")).ok());
+    let builder = RecordingStreamBuilder::new(own.unwrap_or(APPLICATION.into())).recording_name(title).enabled(true);
+    let builder = if let Some(id) = id { builder.recording_id(id) } else { builder };
     let stream = builder.buffered()?;
     stream.set_sink(Box::new(output));
     stream.set_log_time_enabled(false);

@@ -4,10 +4,13 @@ use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
 use rerun::log::LogMsg;
 use rerun::sink::{LogSink, SinkFlushError};
 use std::fs::File;
-use std::io;
+use std::io::{self, Seek};
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
+
+/// What a viewer that does not answer may hold up the end of a recording.
+const VIEWER_TIMEOUT: Duration = Duration::from_secs(5);
 
 /// A sink that writes each message to the file at once and remembers the first failure, after which it writes no more. (The
 /// SDK's own file sink waits for ever when the disk is full.)
@@ -16,16 +19,40 @@ pub struct Output(Arc<Mutex<State>>);
 
 struct State {
     encoder: Encoder<File>,
+    /// Bytes of whole messages in the file.
+    written: u64,
+    is_finished: bool,
     failure: Option<io::Error>,
+    /// A viewer that gets each message as well.
+    viewer: Option<Box<dyn LogSink>>,
 }
 
 impl Output {
     /// Makes the file, or empties it.
     pub fn create(path: &Path) -> io::Result<Self> {
+        Self::over(File::create(path)?)
+    }
+
+    /// Writes to an empty file.
+    pub fn over(file: File) -> io::Result<Self> {
         let version = rerun::build_info().version;
-        let encoder = Encoder::new_eager(version, EncodingOptions::PROTOBUF_COMPRESSED, File::create(path)?);
-        let state = State { encoder: encoder.map_err(io_error)?, failure: None };
+        let mut end = file.try_clone()?;
+        let encoder = Encoder::new_eager(version, EncodingOptions::PROTOBUF_COMPRESSED, file).map_err(io_error)?;
+        let written = end.stream_position()?;
+        let state = State { encoder, written, is_finished: false, failure: None, viewer: None };
         Ok(Self(Arc::new(Mutex::new(state))))
+    }
+
+    /// Sends each further message to `viewer` as well.
+    pub fn show(&self, viewer: Box<dyn LogSink>) {
+        self.state().viewer = Some(viewer);
+    }
+
+    /// Bytes of whole messages so far; none once nothing more will be written.
+    #[cfg(feature = "explore")]
+    pub fn written(&self) -> Option<u64> {
+        let state = self.state();
+        (!state.is_finished && state.failure.is_none()).then_some(state.written)
     }
 
     /// The first failure so far.
@@ -37,7 +64,13 @@ impl Output {
     /// Ends the file with its index.
     pub fn finish(&self) -> io::Result<()> {
         self.check()?;
-        self.state().encoder.finish().map_err(io_error)
+        let mut state = self.state();
+        state.is_finished = true;
+        let ended = state.encoder.finish().map_err(io_error);
+        if let Some(viewer) = state.viewer.take() {
+            viewer.flush_blocking(VIEWER_TIMEOUT).ok(); // a viewer that was closed is none of the file's business
+        }
+        ended
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
@@ -49,7 +82,13 @@ impl LogSink for Output {
     fn send(&self, message: LogMsg) {
         let mut state = self.state();
         if state.failure.is_none() {
-            state.failure = state.encoder.append(&message).err().map(io_error);
+            match state.encoder.append(&message) {
+                Ok(bytes) => state.written += bytes,
+                Err(failure) => state.failure = Some(io_error(failure)),
+            }
+        }
+        if let Some(viewer) = &state.viewer {
+            viewer.send(message);
         }
     }
 

@@ -11,10 +11,7 @@ use crate::contact::{Contact, Observer, Phase, Step};
 use crate::error::FileError;
 use rerun::{RecordingStreamError, RecordingStreamResult};
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
-
-/// What a killed run may lose.
-const FLUSH_INTERVAL: Duration = Duration::from_millis(200);
+use std::time::Instant;
 
 /// Records the steps of one scene, as far as the [`Options`] ask for it: numbers at every step, fields at those that they
 /// pick and at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are recorded.
@@ -79,7 +76,7 @@ impl<'r> Recorder<'r> {
         if let Some(stride) = stride.filter(|_| self.stage.what.has_pictures()) {
             self.draw(step, stride)?;
         }
-        if self.flushed.elapsed() >= FLUSH_INTERVAL {
+        if self.flushed.elapsed() >= self.recording.flush_interval {
             self.flushed = Instant::now();
             self.flush_traces()?;
             self.recording.stream.flush_async().ok(); // a failure shows when the recorder is closed

@@ -66,6 +66,31 @@ impl Surface {
         Self::new(grid, height.to_owned().insert_axis(ndarray::Axis(0)))
     }
 
+    /// The sum of two surfaces of one grid, such as roughness on an indenter.
+    ///
+    /// ```
+    /// use asperity::{Grid, Indenter, Surface, surface::Spectrum};
+    /// let grid = Grid::line(64, 1.0)?;
+    /// let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 0.1, rms_gradient: 0.01 };
+    /// let (smooth, rough) = (Indenter::Cylinder { radius: 9.0 }.surface(grid)?, Surface::rough(grid, &spectrum, 1)?);
+    /// let both = smooth.plus(&rough);
+    /// assert_eq!(both.heights()[7], smooth.heights()[7] + rough.heights()[7]);
+    /// assert_eq!(both.seed(), Some(1));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If the grids differ.
+    pub fn plus(&self, other: &Self) -> Self {
+        assert_eq!(self.grid, other.grid, "surfaces can be added on the same grid only");
+        Self {
+            grid: self.grid,
+            height: &self.height + &other.height,
+            mean_height: self.mean_height + other.mean_height,
+            seed: self.seed.or(other.seed),
+        }
+    }
+
     fn with_seed(mut self, seed: u64) -> Self {
         self.seed = Some(seed);
         self

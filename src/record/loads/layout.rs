@@ -2,7 +2,6 @@
 
 use super::patches::PatchMap;
 use super::{LOAD, LoadRecording, TEXT};
-use crate::record::APPLICATION;
 use crate::record::blueprint::{Blueprint, Clock, Kind, View};
 use crate::record::layout::{Placed, gather, pictures};
 use crate::record::stage::Stage;
@@ -15,7 +14,7 @@ const CONTACT: f32 = 1.3;
 
 /// Writes the layout of `recording`.
 pub fn send(recording: &LoadRecording, stream: &RecordingStream) -> RecordingStreamResult<()> {
-    let mut blueprint = Blueprint::new(APPLICATION)?;
+    let mut blueprint = Blueprint::new(recording.recording.application())?;
     let mut panes = Vec::new();
     if let Some(contacts) = contacts(&mut blueprint, recording)? {
         panes.push((contacts, CONTACT));

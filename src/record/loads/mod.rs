@@ -12,7 +12,7 @@ use super::output::Output;
 use super::part::Part;
 use super::scene::{Extent, Fields, Scene, with_fields};
 use super::stage::{Picture, Stage};
-use super::{Options, Recording, stages, target_error};
+use super::{Name, Options, Recording, stages, target_error};
 use crate::contact::Contact;
 use crate::error::FileError;
 use crate::plot;
@@ -90,11 +90,17 @@ impl LoadRecording {
     pub fn create(path: &Path, loads: &Loads<'_>, options: Options) -> Result<Self, FileError> {
         check_target(path)?;
         let output = Output::create(path).map_err(|failure| target_error(path, &failure))?;
-        Self::begin(output, path, loads, options)
+        Self::begin(output, path, None, loads, options)
     }
 
     /// Writes into `output`, the file at `path`, the layout and what does not change from load to load.
-    fn begin(output: Output, path: &Path, loads: &Loads<'_>, options: Options) -> Result<Self, FileError> {
+    pub(super) fn begin(
+        output: Output,
+        path: &Path,
+        id: Option<&str>,
+        loads: &Loads<'_>,
+        options: Options,
+    ) -> Result<Self, FileError> {
         let curves = options.what.has(Part::Traces).then(|| Curves::new(&loads.curves));
         let options = Options { what: options.what.pictures(), ..options };
         let stages = stages(loads.scenes, CONTACT, &options);
@@ -102,7 +108,7 @@ impl LoadRecording {
         let extents = vec![Extent::NONE; stages.len()];
         let recording = Self {
             patches: stages.iter().map(map).collect(),
-            recording: Recording::open(output, path, &loads.title, stages, options)?,
+            recording: Recording::open(output, path, Name { title: &loads.title, id }, stages, options)?,
             description: loads.description.clone(),
             captions: loads.captions.clone(),
             curves,

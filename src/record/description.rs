@@ -1,7 +1,7 @@
 //! What a recording says of itself.
 
-use asperity::contact::{Load, Problem, Solver, Stop};
-use asperity::theory::Exact;
+use crate::contact::{Load, Problem, Solver, Stop};
+use crate::theory::Exact;
 
 /// Parameters, solver and exact values of one scene, in Markdown; lengths are in `unit`.
 pub fn describe(

@@ -1,0 +1,78 @@
+//! `asperity explore`: turn a knob, watch the contact relax.
+
+use super::{Outcome, browser, usage};
+use anyhow::Result;
+use asperity::explore::{Explorer, Geometry, Server, Session, Start};
+use clap::{Args, ValueEnum};
+use std::io::{Write, stdout};
+
+/// Opens a page on this machine: controls on the left, the Rerun viewer on the right, live.
+#[derive(Args)]
+pub struct Explore {
+    /// Where to start
+    #[arg(value_enum, default_value = "rough-line")]
+    scene: SceneArg,
+    #[command(flatten)]
+    page: PageArgs,
+}
+
+/// Where the page is.
+#[derive(Args)]
+pub struct PageArgs {
+    /// Port of the loopback interface; if it is in use, the next free one
+    #[arg(long, value_name = "PORT", default_value_t = 8765)]
+    port: u16,
+    /// Say where the page is, and do not open it
+    #[arg(long)]
+    no_open: bool,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum SceneArg {
+    /// A smooth cylinder
+    HertzLine,
+    /// A smooth sphere
+    HertzSurface,
+    /// A self-affine line
+    RoughLine,
+    /// A self-affine surface
+    RoughSurface,
+}
+
+impl Explore {
+    /// Runs the command.
+    pub fn run(&self) -> Result<Outcome> {
+        let start = match self.scene {
+            SceneArg::HertzLine => Start::Hertz(Geometry::Line),
+            SceneArg::HertzSurface => Start::Hertz(Geometry::Surface),
+            SceneArg::RoughLine => Start::Rough(Geometry::Line),
+            SceneArg::RoughSurface => Start::Rough(Geometry::Surface),
+        };
+        let (session, solver) = Session::start();
+        let explorer = Explorer::new(session.clone(), start.parameters())?;
+        let served = self.page.open().and_then(|server| Ok(server.run(explorer)?));
+        session.close();
+        solver.join().ok(); // a solver that failed has said so on the page
+        served.map(|()| Outcome::Done)
+    }
+}
+
+impl PageArgs {
+    /// Takes the port, says where the page will be, and opens it.
+    pub fn open(&self) -> Result<Server> {
+        let server = match Server::bind(self.port) {
+            Ok(server) => server,
+            Err(error) => return usage(format!("no port from {} on can be had: {error}", self.port)),
+        };
+        let mut out = stdout();
+        if self.port != 0 && server.port() != self.port {
+            writeln!(out, "Port {} is in use; {} is taken instead.", self.port, server.port())?;
+        }
+        writeln!(out, "{}  (Ctrl-C ends it)", server.address())?;
+        out.flush()?;
+        if !self.no_open && !browser::open(&server.address()) {
+            writeln!(out, "No browser could be opened: open the address above in one.")?;
+        }
+        Ok(server)
+    }
+}

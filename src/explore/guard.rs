@@ -1,0 +1,68 @@
+//! Who may ask: pages of this very server, and nobody else.
+
+use axum::http::header::{CONTENT_LENGTH, CONTENT_TYPE, HOST, HeaderName, ORIGIN};
+use axum::http::{HeaderMap, Method};
+
+/// Names under which the loopback interface is known.
+const HOSTS: [&str; 2] = ["127.0.0.1", "localhost"];
+
+/// Why a request is refused: a status and a sentence.
+pub fn refuse(method: &Method, headers: &HeaderMap, port: u16) -> Option<(u16, String)> {
+    let is_own = |host: &str| HOSTS.iter().any(|own| host == format!("{own}:{port}"));
+    let text = |name: &HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
+    if headers.get_all(HOST).iter().count() != 1 || !text(&HOST).is_some_and(is_own) {
+        return Some((403, format!("this server answers to http://127.0.0.1:{port} only")));
+    }
+    if text(&ORIGIN).is_some_and(|origin| !origin.strip_prefix("http://").is_some_and(is_own)) {
+        return Some((403, "other pages may not use this server".into()));
+    }
+    if text(&HeaderName::from_static("sec-fetch-site")).is_some_and(|site| site == "cross-site") {
+        return Some((403, "other pages may not use this server".into()));
+    }
+    if method == Method::POST && text(&CONTENT_TYPE) != Some("application/json") {
+        return Some((415, "send JSON, with the content type application/json".into()));
+    }
+    (method != Method::GET && method != Method::POST).then(|| (405, "only GET and POST are answered here".into()))
+}
+
+/// Bytes that the body is said to have; none if nothing is said.
+pub fn announced(headers: &HeaderMap) -> u64 {
+    headers.get(CONTENT_LENGTH).and_then(|length| length.to_str().ok()?.parse().ok()).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn status(method: Method, headers: &[(&'static str, &str)]) -> Option<u16> {
+        let pairs = headers.iter().map(|(name, value)| (HeaderName::from_static(name), value.parse().unwrap()));
+        refuse(&method, &pairs.collect(), 8000).map(|(status, _)| status)
+    }
+
+    #[test]
+    fn own_pages_may_ask() {
+        for host in ["127.0.0.1:8000", "localhost:8000"] {
+            assert_eq!(status(Method::GET, &[("host", host)]), None);
+        }
+        let json = ("content-type", "application/json");
+        let own =
+            [("host", "127.0.0.1:8000"), ("origin", "http://127.0.0.1:8000"), ("sec-fetch-site", "same-origin"), json];
+        assert_eq!(status(Method::POST, &own), None);
+    }
+
+    #[test]
+    fn others_may_not() {
+        let host = ("host", "127.0.0.1:8000");
+        for foreign in ["example.com", "127.0.0.1", "127.0.0.1:8001", "127.0.0.1.example.com:8000", "", "[::1]:8000"] {
+            assert_eq!(status(Method::GET, &[("host", foreign)]), Some(403), "{foreign}");
+        }
+        assert_eq!(status(Method::GET, &[]), Some(403));
+        for origin in ["http://example.com", "null", "https://127.0.0.1:8000", "http://127.0.0.1:9", "http://localhost"]
+        {
+            assert_eq!(status(Method::GET, &[host, ("origin", origin)]), Some(403), "{origin}");
+        }
+        assert_eq!(status(Method::GET, &[host, ("sec-fetch-site", "cross-site")]), Some(403));
+        assert_eq!(status(Method::POST, &[host, ("content-type", "text/plain")]), Some(415));
+        assert_eq!(status(Method::DELETE, &[host]), Some(405));
+    }
+}

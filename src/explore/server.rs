@@ -1,0 +1,155 @@
+//! The server: loopback only, for its own pages only, with bounded requests.
+
+use super::guard;
+use super::site::{Reply, Request, Site};
+use axum::Router;
+use axum::body::{Body, to_bytes};
+use axum::extract::State;
+use axum::http::header::{
+    CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue, REFERRER_POLICY,
+    X_CONTENT_TYPE_OPTIONS,
+};
+use axum::http::{Response, StatusCode};
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr, TcpListener};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// The largest body of a request.
+pub const MOST_BODY: usize = 1 << 16;
+/// Requests answered at the same time; further ones wait.
+const THREADS: usize = 32;
+/// Ports tried after the one asked for.
+const FURTHER_PORTS: u16 = 32;
+/// How long the body of a request may take.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// How long open connections may go on at the end.
+const FAREWELL: Duration = Duration::from_millis(500);
+
+/// What the page may load and talk to: this server.
+const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
+    img-src 'self' data: blob:; worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; \
+    frame-ancestors 'none'";
+
+/// A port of the loopback interface, taken.
+pub struct Server {
+    listener: TcpListener,
+    port: u16,
+}
+
+impl Server {
+    /// Takes `port`, or the next one that is free; 0 takes any.
+    ///
+    /// # Errors
+    /// If none of them can be had.
+    pub fn bind(port: u16) -> io::Result<Self> {
+        let bind = |port| TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
+        let mut bound = bind(port);
+        for next in (port..).skip(1).take(FURTHER_PORTS.into()) {
+            match &bound {
+                Err(error) if error.kind() == io::ErrorKind::AddrInUse => bound = bind(next),
+                _ => break,
+            }
+        }
+        let listener = bound?;
+        listener.set_nonblocking(true)?;
+        let port = listener.local_addr()?.port();
+        Ok(Self { listener, port })
+    }
+
+    /// The port it has.
+    pub fn port(&self) -> u16 {
+        self.port
+    }
+
+    /// Where the page is.
+    pub fn address(&self) -> String {
+        format!("http://127.0.0.1:{}/", self.port)
+    }
+
+    /// Serves `site` until the process is interrupted.
+    ///
+    /// # Errors
+    /// If the system does not let it.
+    pub fn run(self, site: impl Site) -> io::Result<()> {
+        let threads = tokio::runtime::Builder::new_multi_thread()
+            .worker_threads(2)
+            .max_blocking_threads(THREADS)
+            .enable_all()
+            .build()?;
+        let served = threads.block_on(self.serve(Arc::new(site)));
+        threads.shutdown_timeout(FAREWELL);
+        served
+    }
+
+    async fn serve<S: Site>(self, site: Arc<S>) -> io::Result<()> {
+        let listener = tokio::net::TcpListener::from_std(self.listener)?;
+        let desk = Desk { site, port: self.port };
+        let router = Router::new().fallback(answer::<S>).with_state(desk);
+        tokio::select! {
+            served = axum::serve(listener, router) => served,
+            interrupted = tokio::signal::ctrl_c() => interrupted,
+        }
+    }
+}
+
+/// A site and the port under which it is known.
+struct Desk<S> {
+    site: Arc<S>,
+    port: u16,
+}
+
+impl<S> Clone for Desk<S> {
+    fn clone(&self) -> Self {
+        Self { site: Arc::clone(&self.site), port: self.port }
+    }
+}
+
+async fn answer<S: Site>(State(desk): State<Desk<S>>, request: axum::extract::Request) -> Response<Body> {
+    let (head, body) = request.into_parts();
+    if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, desk.port) {
+        return response(Reply::Error(status, sentence));
+    }
+    if guard::announced(&head.headers) > MOST_BODY as u64 {
+        return response(too_large());
+    }
+    let body = match tokio::time::timeout(PATIENCE, to_bytes(body, MOST_BODY)).await {
+        Ok(Ok(body)) => body,
+        Ok(Err(_)) => return response(too_large()),
+        Err(_) => return response(Reply::Error(408, "the request did not arrive in time".into())),
+    };
+    let reply = move || {
+        let (path, query) = (head.uri.path(), head.uri.query().unwrap_or_default());
+        desk.site.reply(&Request { method: head.method.as_str(), path, query, body: &body })
+    };
+    let replied = tokio::task::spawn_blocking(reply).await;
+    response(replied.unwrap_or_else(|_| Reply::Error(500, "the request could not be answered".into())))
+}
+
+fn too_large() -> Reply {
+    Reply::Error(413, format!("the request is too large: send at most {MOST_BODY} bytes"))
+}
+
+fn response(reply: Reply) -> Response<Body> {
+    let (status, kind, cache, name, body) = match reply {
+        Reply::Page(kind, body) => (200, kind, "no-store", None, Body::from(body)),
+        Reply::Fixed(kind, body) => (200, kind, "max-age=86400", None, Body::from(body)),
+        Reply::Download(name, body) => (200, "application/octet-stream", "no-store", Some(name), Body::from(body)),
+        Reply::Recording(source, name) => match source.body() {
+            Ok(body) => (200, "application/octet-stream", "no-store", name, body),
+            Err(error) => (404, "text/plain; charset=utf-8", "no-store", None, Body::from(error.to_string())),
+        },
+        Reply::Error(status, sentence) => (status, "text/plain; charset=utf-8", "no-store", None, Body::from(sentence)),
+    };
+    let mut response = Response::new(body);
+    *response.status_mut() = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+    let headers = response.headers_mut();
+    headers.insert(CONTENT_TYPE, HeaderValue::from_static(kind));
+    headers.insert(CACHE_CONTROL, HeaderValue::from_static(cache));
+    headers.insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY));
+    headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    headers.insert(REFERRER_POLICY, HeaderValue::from_static("no-referrer"));
+    let save = name.and_then(|name| format!("attachment; filename=\"{name}\"").parse().ok());
+    save.map(|value| headers.insert(CONTENT_DISPOSITION, value));
+    response
+}

@@ -1,0 +1,57 @@
+//! Requests and replies, free of any network.
+
+use super::stream::Source;
+use axum::body::Bytes;
+
+/// A request that passed the guards.
+pub struct Request<'a> {
+    /// `GET` or `POST`.
+    pub method: &'a str,
+    /// Path, from the first `/` on.
+    pub path: &'a str,
+    /// What follows the `?`.
+    pub query: &'a str,
+    /// Body, of at most 64 KiB.
+    pub body: &'a [u8],
+}
+
+/// An answer.
+pub enum Reply {
+    /// A file of the page, whose kind is its MIME type.
+    Page(&'static str, Bytes),
+    /// A part of the page that is the same for all of a release.
+    Fixed(&'static str, Bytes),
+    /// Something to save under a name.
+    Download(String, Vec<u8>),
+    /// A recording, as it grows; with a name it is saved.
+    Recording(Source, Option<String>),
+    /// An error and what to say about it.
+    Error(u16, String),
+}
+
+impl Reply {
+    /// A value in JSON.
+    pub fn json(value: &impl serde::Serialize) -> Self {
+        match serde_json::to_vec(value) {
+            Ok(json) => Self::Page("application/json", json.into()),
+            Err(error) => Self::Error(500, error.to_string()),
+        }
+    }
+
+    /// There is nothing at that path.
+    pub fn missing(path: &str) -> Self {
+        let path: String = path.chars().take(80).collect();
+        Self::Error(404, format!("there is nothing at {path}"))
+    }
+
+    /// The path is right, the method is not.
+    pub fn wrong_method(right: &str) -> Self {
+        Self::Error(405, format!("only {right} is answered here"))
+    }
+}
+
+/// What a server serves.
+pub trait Site: Send + Sync + 'static {
+    /// Answers a request; it may take its time.
+    fn reply(&self, request: &Request<'_>) -> Reply;
+}

@@ -1,0 +1,78 @@
+//! A recording on its way to the browser, while it is still written.
+
+use crate::record::Live;
+use axum::body::{Body, Bytes};
+use futures_util::stream;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// The most that is read at once.
+const PIECE: u64 = 1 << 20;
+/// How long to wait for more.
+const PAUSE: Duration = Duration::from_millis(10);
+
+/// Where a recording is.
+pub enum Source {
+    /// Being written, or written, by this process.
+    Live(Live),
+    /// A file that a person named.
+    File(PathBuf),
+}
+
+impl Source {
+    /// The body of a reply.
+    ///
+    /// # Errors
+    /// Those of opening the file.
+    pub fn body(self) -> io::Result<Body> {
+        let file = match &self {
+            Self::Live(live) => live.open()?,
+            Self::File(path) => File::open(path)?,
+        };
+        let reading = Reading { source: self, file, read: 0 };
+        Ok(Body::from_stream(stream::try_unfold(reading, Reading::next)))
+    }
+
+    /// Bytes that can be read; none if that is all until the end of the file.
+    fn written(&self) -> Option<u64> {
+        match self {
+            Self::Live(live) => live.written(),
+            Self::File(_) => None,
+        }
+    }
+}
+
+struct Reading {
+    source: Source,
+    file: File,
+    read: u64,
+}
+
+impl Reading {
+    /// The next piece, none at the end.
+    async fn next(self) -> io::Result<Option<(Bytes, Self)>> {
+        let mut reading = self;
+        loop {
+            let written = reading.source.written();
+            let ready = written.map_or(PIECE, |written| PIECE.min(written - reading.read));
+            let read = move || reading.piece(ready);
+            let (piece, rest) = tokio::task::spawn_blocking(read).await.map_err(io::Error::other)??;
+            reading = rest;
+            if !piece.is_empty() {
+                return Ok(Some((piece.into(), reading)));
+            }
+            if written.is_none() {
+                return Ok(None);
+            }
+            tokio::time::sleep(PAUSE).await;
+        }
+    }
+
+    fn piece(mut self, most: u64) -> io::Result<(Vec<u8>, Self)> {
+        let mut piece = Vec::new();
+        self.read += self.file.by_ref().take(most).read_to_end(&mut piece)? as u64;
+        Ok((piece, self))
+    }
+}

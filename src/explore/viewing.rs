@@ -1,0 +1,33 @@
+//! A recording in the viewer of the page, and nothing else.
+
+use super::page::{Mode, Page};
+use super::site::{Reply, Request, Site};
+use super::stream::Source;
+use std::io;
+use std::path::PathBuf;
+
+/// The viewer, and the one file that it shows.
+pub struct Viewing {
+    page: Page,
+    file: PathBuf,
+}
+
+impl Viewing {
+    /// The viewer with the recording in `file`.
+    ///
+    /// # Errors
+    /// If the viewer is not in the binary.
+    pub fn new(file: PathBuf) -> io::Result<Self> {
+        Ok(Self { page: Page::new(Mode::View)?, file })
+    }
+}
+
+impl Site for Viewing {
+    fn reply(&self, request: &Request<'_>) -> Reply {
+        match request.path {
+            _ if request.method != "GET" => Reply::wrong_method("GET"),
+            "/recording.rrd" => Reply::Recording(Source::File(self.file.clone()), None),
+            path => self.page.file(path).unwrap_or_else(|| Reply::missing(path)),
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! A recording that is read while it is written.
+
+use super::output::Output;
+use super::{LoadRecording, Loads, Options, Recording, Scene, target_error};
+use crate::error::FileError;
+use std::fs::File;
+use std::io;
+use std::sync::Arc;
+use std::time::Duration;
+use tempfile::NamedTempFile;
+
+/// How long a picture may wait before it can be read.
+const FLUSH_INTERVAL: Duration = Duration::from_millis(40);
+
+/// The temporary file behind a recording, to be read at any time. The file goes with the last copy of this.
+#[derive(Clone)]
+pub struct Live {
+    file: Arc<NamedTempFile>,
+    output: Output,
+}
+
+impl Recording {
+    /// Begins a recording under the name `id` in a temporary file, and says how to read it.
+    ///
+    /// # Errors
+    /// [`FileError::Target`] if no temporary file can be made, [`FileError::Write`] if writing to it fails.
+    pub fn live(id: &str, scenes: &[Scene<'_>], options: Options) -> Result<(Self, Live), FileError> {
+        let live = Live::new()?;
+        let recording = Self::begin(live.output.clone(), live.file.path(), Some(id), scenes, options)?;
+        Ok((Self { flush_interval: FLUSH_INTERVAL, ..recording }, live))
+    }
+}
+
+impl LoadRecording {
+    /// Begins a recording under the name `id` in a temporary file, and says how to read it.
+    ///
+    /// # Errors
+    /// As [`Recording::live`].
+    pub fn live(id: &str, loads: &Loads<'_>, options: Options) -> Result<(Self, Live), FileError> {
+        let live = Live::new()?;
+        let recording = Self::begin(live.output.clone(), live.file.path(), Some(id), loads, options)?;
+        Ok((recording, live))
+    }
+}
+
+impl Live {
+    fn new() -> Result<Self, FileError> {
+        let error = |failure: io::Error| target_error(&std::env::temp_dir(), &failure);
+        let file = NamedTempFile::new().map_err(error)?;
+        let output = file.reopen().and_then(Output::over).map_err(error)?;
+        Ok(Self { file: Arc::new(file), output })
+    }
+
+    /// Bytes that can be read so far and end with a whole message; none once nothing more will be written.
+    pub fn written(&self) -> Option<u64> {
+        self.output.written()
+    }
+
+    /// Opens the file for reading, at its start.
+    ///
+    /// # Errors
+    /// Those of the system.
+    pub fn open(&self) -> io::Result<File> {
+        self.file.reopen()
+    }
+}

@@ -1,0 +1,488 @@
+//! The explorer, asked as a browser would ask it.
+#![cfg(feature = "explore")]
+
+use asperity::Stop;
+use asperity::contact::Multilevel;
+use asperity::contact::Solver;
+use asperity::explore::{Explorer, Geometry, Parameters, Server, Session, Start};
+use assert_cmd::Command;
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Cursor, Read, Write};
+use std::net::TcpStream;
+use std::time::{Duration, Instant};
+
+/// An explorer on a port of its own.
+struct Page {
+    port: u16,
+}
+
+/// An answer: status, headers in lower case, body.
+struct Answer {
+    status: u16,
+    headers: String,
+    body: Vec<u8>,
+}
+
+impl Answer {
+    fn text(&self) -> &str {
+        std::str::from_utf8(&self.body).unwrap()
+    }
+
+    fn json(&self) -> Value {
+        serde_json::from_slice(&self.body).unwrap()
+    }
+}
+
+impl Page {
+    fn open() -> Self {
+        let (session, _) = Session::start();
+        let explorer = Explorer::new(session, Start::Rough(Geometry::Line).parameters()).unwrap();
+        let server = Server::bind(0).unwrap();
+        let port = server.port();
+        std::thread::spawn(move || server.run(explorer).unwrap());
+        Self { port }
+    }
+
+    /// Sends `request` as it is and reads the answer.
+    fn send(&self, request: &[u8]) -> Answer {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        stream.write_all(request).ok(); // a server that refuses need not read on
+        answer(stream)
+    }
+
+    fn ask(&self, method: &str, path: &str, headers: &str, body: &str) -> Answer {
+        let (port, length) = (self.port, body.len());
+        self.send(
+            format!(
+                "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\nContent-Length: {length}\r\n\
+                 {headers}\r\n{body}"
+            )
+            .as_bytes(),
+        )
+    }
+
+    fn get(&self, path: &str) -> Answer {
+        self.ask("GET", path, "", "")
+    }
+
+    fn post(&self, path: &str, body: &str) -> Answer {
+        self.ask("POST", path, "Content-Type: application/json\r\n", body)
+    }
+
+    /// Orders a solve and waits for its end.
+    fn solve(&self, parameters: &Value) -> Value {
+        self.order("/api/solve", parameters);
+        self.wait(|state| state["busy"] == false)["run"].clone()
+    }
+
+    fn order(&self, path: &str, parameters: &Value) {
+        let accepted = self.post(path, &parameters.to_string());
+        assert_eq!(accepted.status, 200, "{}", accepted.text());
+    }
+
+    /// The first state of which `is_so`.
+    fn wait(&self, is_so: impl Fn(&Value) -> bool) -> Value {
+        let begun = Instant::now();
+        let mut revision = 0;
+        while begun.elapsed() < Duration::from_secs(120) {
+            let state = self.get(&format!("/api/state?since={revision}")).json();
+            if is_so(&state) {
+                return state;
+            }
+            revision = state["revision"].as_u64().unwrap();
+        }
+        panic!("it never came");
+    }
+}
+
+fn answer(stream: TcpStream) -> Answer {
+    let mut reader = BufReader::new(stream);
+    let mut head = String::new();
+    while !head.ends_with("\r\n\r\n") {
+        assert!(reader.read_line(&mut head).unwrap() > 0, "the connection ended after {head:?}");
+    }
+    let headers = head.to_lowercase();
+    let mut body = Vec::new();
+    if headers.contains("transfer-encoding: chunked") {
+        loop {
+            let mut size = String::new();
+            reader.read_line(&mut size).unwrap();
+            let size = u64::from_str_radix(size.trim(), 16).unwrap();
+            reader.by_ref().take(size).read_to_end(&mut body).unwrap();
+            reader.read_line(&mut String::new()).unwrap();
+            if size == 0 {
+                break;
+            }
+        }
+    } else {
+        reader.read_to_end(&mut body).unwrap();
+    }
+    Answer { status: headers.split(' ').nth(1).unwrap().parse().unwrap(), headers, body }
+}
+
+/// The parameters at the start with some of them changed.
+fn with(changes: Value) -> Value {
+    let mut parameters = serde_json::to_value(Start::Rough(Geometry::Line).parameters()).unwrap();
+    for (name, value) in changes.as_object().unwrap() {
+        parameters[name] = value.clone();
+    }
+    parameters
+}
+
+/// A solve that takes for ever, nearly.
+fn endless() -> Value {
+    with(json!({"solver": "gfmd", "points": 1 << 15, "tolerance": 1e-13, "max-iterations": 100_000}))
+}
+
+#[test]
+fn pages_of_others_are_refused() {
+    let page = Page::open();
+    let port = page.port;
+    for host in ["example.com".to_owned(), format!("example.com:{port}"), "127.0.0.1:1".into(), format!("[::1]:{port}")]
+    {
+        let refused =
+            page.send(format!("GET /api/state HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").as_bytes());
+        assert_eq!(refused.status, 403, "{host}");
+    }
+    for origin in ["http://example.com", "null", "https://127.0.0.1", "http://127.0.0.1.example.com"] {
+        let header = format!("Origin: {origin}\r\nContent-Type: application/json\r\n");
+        assert_eq!(page.ask("POST", "/api/cancel", &header, "{}").status, 403, "{origin}");
+        assert_eq!(page.ask("GET", "/", &header, "").status, 403, "{origin}");
+    }
+    assert_eq!(page.ask("GET", "/", &format!("Origin: http://127.0.0.1:{port}\r\n"), "").status, 200);
+    let unsent = page.ask("POST", "/api/cancel", "Content-Type: text/plain\r\n", "{}");
+    assert_eq!(unsent.status, 415);
+}
+
+#[test]
+fn every_answer_confines_the_page() {
+    let page = Page::open();
+    for path in
+        ["/", "/explore.js", "/explore.css", "/favicon.svg", "/re_viewer.js", "/re_viewer_bg.wasm", "/api/state", "/no"]
+    {
+        let answer = page.get(path);
+        assert_eq!(answer.status, if path == "/no" { 404 } else { 200 }, "{path}");
+        assert!(answer.headers.contains("x-content-type-options: nosniff"), "{path}: {}", answer.headers);
+        assert!(answer.headers.contains("content-security-policy: default-src 'none'"), "{path}: {}", answer.headers);
+        assert!(!answer.headers.contains("access-control"), "{path}: {}", answer.headers);
+        assert!(!answer.body.is_empty(), "{path}");
+    }
+}
+
+#[test]
+fn the_page_names_nothing_outside() {
+    let page = Page::open();
+    for path in ["/", "/explore.js", "/explore.css"] {
+        let answer = page.get(path);
+        let elsewhere = answer.text().replace("http://www.w3.org/2000/svg", "");
+        assert!(
+            !elsewhere.contains("http://") && !elsewhere.contains("https://") && !elsewhere.contains("//cdn"),
+            "{path}"
+        );
+    }
+}
+
+#[test]
+fn no_path_leads_out() {
+    let page = Page::open();
+    for path in [
+        "/../Cargo.toml",
+        "/%2e%2e/Cargo.toml",
+        "/run/../../Cargo.toml",
+        "/run/..%2fx.rrd",
+        "//etc/passwd",
+        "/etc/passwd",
+        "/run/run-1.rrd",
+        "/run/.rrd",
+        "/recording.rrd",
+        "/assets/explore/explore.js",
+        "/api",
+        "/api/state/",
+    ] {
+        let answer = page.get(path);
+        assert_eq!(answer.status, 404, "{path}");
+        assert!(answer.text().starts_with("there is nothing at"), "{path}: {}", answer.text());
+    }
+}
+
+#[test]
+fn methods_are_kept_apart() {
+    let page = Page::open();
+    for path in ["/", "/api/state", "/api/start", "/api/run.rrd"] {
+        assert_eq!(page.post(path, "{}").status, 405, "{path}");
+    }
+    for path in ["/api/solve", "/api/sweep", "/api/cancel"] {
+        assert_eq!(page.get(path).status, 405, "{path}");
+    }
+    for method in ["DELETE", "PUT", "OPTIONS", "PATCH", "TRACE"] {
+        assert_eq!(page.ask(method, "/", "", "").status, 405, "{method}");
+    }
+}
+
+#[test]
+fn malformed_input_gets_a_sentence() {
+    let page = Page::open();
+    let wrong = [
+        ("".into(), "EOF"),
+        ("{".into(), "EOF"),
+        ("[]".into(), "invalid"),
+        ("null".into(), "invalid"),
+        ("\u{0}".into(), "expected value"),
+        (json!({"load": 1}).to_string(), "missing field"),
+        (with(json!({"file": "/etc/passwd"})).to_string(), "unknown field"),
+        (with(json!({"points": -1})).to_string(), "invalid value"),
+        (with(json!({"points": 1e300})).to_string(), "invalid"),
+        (with(json!({"points": 1 << 30})).to_string(), "too many"),
+        (with(json!({"points": 2048, "geometry": "surface"})).to_string(), "too many"),
+        (with(json!({"points": 2, "roughness": 0, "shape": "round"})).to_string(), "too few"),
+        (with(json!({"load": 0})).to_string(), "the load p*"),
+        (with(json!({"load": -1})).to_string(), "the load p*"),
+        (with(json!({"load": 1e300})).to_string(), "the load p*"),
+        (with(json!({"load": null})).to_string(), "invalid type"),
+        (with(json!({"hurst": 2})).to_string(), "Hurst"),
+        (with(json!({"cutoff": 1e9})).to_string(), "cut-off"),
+        (with(json!({"rolloff": 500, "cutoff": 100})).to_string(), "cut-off"),
+        (with(json!({"rolloff": 0})).to_string(), "roll"),
+        (with(json!({"roughness": -1})).to_string(), "roughness"),
+        (with(json!({"roughness": 0})).to_string(), "flat"),
+        (with(json!({"shape": "cube"})).to_string(), "unknown variant"),
+        (with(json!({"shape": "power-law", "exponent": -1})).to_string(), "exponent"),
+        (with(json!({"solver": "gfmd", "damping": 0})).to_string(), "damping"),
+        (with(json!({"solver": "gfmd", "time-step": 1})).to_string(), "time step"),
+        (with(json!({"tolerance": 0})).to_string(), "tolerance"),
+        (with(json!({"max-iterations": 1u64 << 40})).to_string(), "too many"),
+        (with(json!({"record": ["everything"]})).to_string(), "unknown variant"),
+    ];
+    for (body, offence) in &wrong {
+        for path in ["/api/solve", "/api/sweep"] {
+            let answer = page.post(path, body);
+            assert_eq!(answer.status, 400, "{body}: {}", answer.text());
+            assert!(answer.text().contains(offence), "{body}: {offence} is not in {}", answer.text());
+        }
+    }
+    assert_eq!(page.get("/api/state?since=yesterday").status, 400);
+    assert_eq!(page.get("/api/state").json()["busy"], false);
+}
+
+#[test]
+fn hostile_requests_leave_it_running() {
+    let page = Page::open();
+    let port = page.port;
+    let large = "x".repeat(1 << 17);
+    assert_eq!(page.post("/api/solve", &large).status, 413);
+    let claim = format!(
+        "POST /api/solve HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Type: application/json\r\nContent-Length: 99999999999999999\r\n\r\n{{"
+    );
+    assert_eq!(page.send(claim.as_bytes()).status, 413);
+    let endless_header = format!("GET / HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nX: {}", "y".repeat(1 << 20));
+    for junk in [endless_header.as_bytes(), b"\x16\x03\x01\x02\x00\x01\x00", b"GET", b"\r\n\r\n\r\n", &[0xff; 4096]] {
+        let mut stream = TcpStream::connect(("127.0.0.1", port)).unwrap();
+        stream.write_all(junk).ok();
+    }
+    let _idle: Vec<TcpStream> = (0..100).map(|_| TcpStream::connect(("127.0.0.1", port)).unwrap()).collect();
+    assert_eq!(page.get("/").status, 200);
+}
+
+#[test]
+fn a_solve_gives_the_numbers_of_the_library() {
+    let page = Page::open();
+    let run = page.solve(&with(json!({})));
+    let parameters = Start::Rough(Geometry::Line).parameters();
+    let problem = parameters.problem().unwrap();
+    let contact = Multilevel.solve(&problem, &Stop::new(1e-8, 20_000).unwrap(), &mut ()).unwrap();
+    let measures = contact.measures(&problem);
+    assert_eq!(run["numbers"]["status"], "converged");
+    assert_eq!(run["numbers"]["kappa_r"], measures.kappa_r);
+    assert_eq!(run["numbers"]["relative_area"], measures.relative_area);
+    assert_eq!(run["numbers"]["certificate"], contact.certificate.eta);
+    assert_eq!(run["numbers"]["iterations"], contact.work.iterations);
+    assert_eq!(run["parameters"], serde_json::to_value(&parameters).unwrap());
+}
+
+#[test]
+fn the_command_repeats_the_run() {
+    let page = Page::open();
+    let small_surface = json!({"geometry": "surface", "points": 64, "cutoff": 16});
+    let cases = [
+        json!({"seed": 4294967295u32, "hurst": 0.35, "load": 0.1234}),
+        json!({"shape": "round", "roughness": 0, "load": 0.02}),
+        json!({"shape": "round", "roughness": 0.0022, "points": 1000, "solver": "polonsky-keer"}),
+        json!({"shape": "sine", "roughness": 0, "load": 0.3}),
+        json!({"shape": "power-law", "exponent": 3.5, "roughness": 0, "points": 512}),
+        json!({"solver": "gfmd", "masses": "stiffness", "dynamics": "fire", "time-step": 0.35, "points": 512, "tolerance": 1e-6}),
+        json!({"solver": "gfmd", "damping": 0.45, "points": 256, "tolerance": 1e-5, "cutoff": 32}),
+        small_surface.clone(),
+        json!({"geometry": "surface", "points": 64, "cutoff": 16, "shape": "sine", "roughness": 0.001}),
+    ];
+    for case in cases {
+        let run = page.solve(&with(case.clone()));
+        let line = run["command"].as_str().unwrap();
+        let output =
+            Command::new(env!("CARGO_BIN_EXE_asperity")).args(line.split(' ').skip(1)).arg("--json").output().unwrap();
+        assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+        let repeated: Value = serde_json::from_slice(&output.stdout).unwrap();
+        for name in ["kappa_r", "kappa_r_corrected", "relative_area", "certificate", "iterations", "patches"] {
+            assert_eq!(run["numbers"][name], repeated[name], "{name} of {line}");
+        }
+    }
+}
+
+#[test]
+fn a_smooth_body_stands_beside_its_exact_solution() {
+    let page = Page::open();
+    let run = page.solve(&with(json!({"shape": "round", "roughness": 0, "load": 0.02})));
+    let number = |value: &Value| value.as_f64().unwrap();
+    let (computed, exact) = (number(&run["numbers"]["kappa_r_corrected"]), number(&run["exact"]["kappa_r"]));
+    assert!((computed / exact - 1.0).abs() < 0.01, "{computed} against {exact}");
+    let rough = page.solve(&with(json!({"shape": "round", "roughness": 0.001})));
+    assert_eq!(rough["exact"], Value::Null);
+}
+
+#[test]
+fn a_solve_can_be_ended_and_the_next_one_runs() {
+    let page = Page::open();
+    page.order("/api/solve", &endless());
+    let running = page.wait(|state| state["run"]["numbers"]["status"] == "running");
+    assert_eq!(page.get("/api/run.rrd").status, 409);
+    assert_eq!(page.post("/api/cancel", "{}").status, 200);
+    let ended = page.wait(|state| state["busy"] == false);
+    assert_eq!(ended["run"]["id"], running["run"]["id"]);
+    assert_eq!(ended["run"]["numbers"]["status"], "stopped by the observer");
+    assert_eq!(page.solve(&with(json!({})))["numbers"]["status"], "converged");
+}
+
+#[test]
+fn the_latest_order_wins() {
+    let page = Page::open();
+    for load in 1..=30 {
+        page.order("/api/solve", &endless());
+        page.order("/api/solve", &with(json!({"load": f64::from(load) * 1e-2})));
+    }
+    let state = page.wait(|state| state["busy"] == false);
+    assert_eq!(state["run"]["parameters"]["load"], 0.3);
+    assert_eq!(state["run"]["numbers"]["status"], "converged");
+    assert_eq!(state["fault"], Value::Null);
+}
+
+#[test]
+fn a_sweep_goes_from_first_touch_to_full_contact() {
+    let page = Page::open();
+    page.order("/api/sweep", &with(json!({"shape": "sine", "roughness": 0, "points": 1024})));
+    let state = page.wait(|state| state["sweep"]["ended"] == true);
+    let points = state["sweep"]["points"].as_array().unwrap();
+    let number = |point: &Value, name: &str| point[name].as_f64().unwrap();
+    assert!(points.len() > 30, "{}", points.len());
+    assert!(points.windows(2).all(|w| number(&w[0], "area") <= number(&w[1], "area") + 1e-12));
+    assert!(number(points.last().unwrap(), "area") > 0.999);
+    for point in points.iter().filter(|point| number(point, "area") > 0.1) {
+        let (computed, exact) = (number(point, "area"), number(&point["exact"], "relative_area"));
+        assert!((computed - exact).abs() < 4e-3, "{computed} against {exact}");
+    }
+}
+
+#[test]
+fn what_is_saved_opens() {
+    let page = Page::open();
+    assert_eq!(page.get("/api/run.rrd").status, 409);
+    assert_eq!(page.get("/api/run.npz").status, 409);
+    let run = page.solve(&with(json!({"points": 512, "cutoff": 64, "record": ["traces", "fields", "spectrum"]})));
+    let (saved, streamed) = (page.get("/api/run.rrd"), page.get(&format!("/run/{}.rrd", run["id"].as_str().unwrap())));
+    assert!(
+        saved.headers.contains("content-disposition: attachment; filename=\"asperity-run-1.rrd\""),
+        "{}",
+        saved.headers
+    );
+    assert!(!streamed.headers.contains("content-disposition"));
+    assert_eq!(saved.body, streamed.body);
+    let config = &rerun::ChunkStoreConfig::ALL_DISABLED;
+    let stores = rerun::ChunkStore::from_rrd_reader(config, &mut Cursor::new(&saved.body)).unwrap();
+    let recording = stores.iter().find(|(id, _)| id.kind() == rerun::StoreKind::Recording).unwrap();
+    assert_eq!(recording.0.recording_id().as_str(), "run-1");
+    let entities: Vec<String> =
+        recording.1.iter_physical_chunks().map(|chunk| chunk.entity_path().to_string()).collect();
+    assert!(entities.iter().any(|entity| entity == "/contact/trace/kappa_r"), "{entities:?}");
+    assert!(entities.iter().any(|entity| entity == "/contact/spectrum/displacement"), "{entities:?}");
+    let mut npz = ndarray_npy::NpzReader::new(Cursor::new(page.get("/api/run.npz").body)).unwrap();
+    let pressure: ndarray::Array1<f64> = npz.by_name("pressure").unwrap();
+    let contact: ndarray::Array1<bool> = npz.by_name("contact").unwrap();
+    let share = contact.iter().filter(|&&c| c).count() as f64 / pressure.len() as f64;
+    assert_eq!(run["numbers"]["relative_area"], share);
+}
+
+#[test]
+fn a_recording_can_be_read_while_it_grows() {
+    let page = Page::open();
+    page.order("/api/solve", &endless());
+    let id = page.wait(|state| state["run"]["numbers"]["status"] == "running")["run"]["id"].clone();
+    let mut stream = TcpStream::connect(("127.0.0.1", page.port)).unwrap();
+    let path = format!("/run/{}.rrd", id.as_str().unwrap());
+    write!(stream, "GET {path} HTTP/1.1\r\nHost: localhost:{}\r\n\r\n", page.port).unwrap();
+    let mut first = [0; 1 << 12];
+    stream.read_exact(&mut first).unwrap();
+    assert_eq!(page.get("/api/state").json()["busy"], true);
+    drop(stream);
+    page.post("/api/cancel", "{}");
+    page.wait(|state| state["busy"] == false);
+    assert_eq!(page.get("/").status, 200);
+}
+
+#[test]
+fn only_the_latest_recordings_are_kept() {
+    let page = Page::open();
+    for seed in 0..8 {
+        page.solve(&with(json!({"seed": seed, "points": 512, "cutoff": 64})));
+    }
+    assert_eq!(page.get("/run/run-1.rrd").status, 404);
+    assert_eq!(page.get("/run/run-8.rrd").status, 200);
+}
+
+#[test]
+fn a_port_in_use_gives_the_next_one() {
+    let first = Server::bind(0).unwrap();
+    let second = Server::bind(first.port()).unwrap();
+    assert!(second.port() > first.port() && second.port() <= first.port() + 32);
+    assert!(second.address().starts_with("http://127.0.0.1:"));
+}
+
+#[test]
+fn parameters_survive_json() {
+    for start in [Start::Hertz(Geometry::Line), Start::Hertz(Geometry::Surface), Start::Rough(Geometry::Surface)] {
+        let parameters = start.parameters();
+        parameters.check().unwrap();
+        assert_eq!(Parameters::read(&serde_json::to_vec(&parameters).unwrap()).unwrap(), parameters);
+    }
+}
+
+#[test]
+fn view_refuses_what_is_no_recording() {
+    for file in ["missing.rrd", "Cargo.toml", "src"] {
+        let output = Command::new(env!("CARGO_BIN_EXE_asperity"))
+            .args(["view", "--no-open", "--port", "0", file])
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(2), "{file}");
+        let complaint = String::from_utf8(output.stderr).unwrap();
+        assert!(complaint.contains(file) && output.stdout.is_empty(), "{complaint}");
+    }
+}
+
+/// The command runs, says where, and an interrupt ends it well.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_it() {
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_asperity"))
+        .args(["explore", "hertz-line", "--no-open", "--port", "0"])
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut said = String::new();
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    out.read_line(&mut said).unwrap();
+    let port = said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap();
+    let page = Page { port };
+    page.order("/api/solve", &endless());
+    page.wait(|state| state["run"]["numbers"]["status"] == "running");
+    std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(child.wait().unwrap().success());
+}
