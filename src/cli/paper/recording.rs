@@ -150,8 +150,8 @@ fn fits(study: &Study) -> Result<Growth> {
 /// Ratios; no contacts.
 fn ratios(study: &Study) -> Result<Growth> {
     let ratios = fig5::ratios(study)?;
-    let kinds: [(&str, &[Colour], fn(&fig5::Ratio) -> f64); 2] =
-        [("κ", &WARM, |ratio| ratio.kappa), ("κ_r", &COLD, |ratio| ratio.kappa_r)];
+    type Kind = (&'static str, &'static [Colour], fn(&fig5::Ratio) -> f64);
+    let kinds: [Kind; 2] = [("κ", &WARM, |ratio| ratio.kappa), ("κ_r", &COLD, |ratio| ratio.kappa_r)];
     let mut curves = Vec::new();
     for (name, colours, quantity) in kinds {
         for (hurst, colour) in study.lines.hurst.iter().zip(colours.iter().cycle()) {
