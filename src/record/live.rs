@@ -7,15 +7,15 @@ use std::fs::File;
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
-use tempfile::NamedTempFile;
 
 /// How long a picture may wait before it can be read.
 const FLUSH_INTERVAL: Duration = Duration::from_millis(40);
 
-/// The temporary file behind a recording, to be read at any time. The file goes with the last copy of this.
+/// The temporary file behind a recording, to be read at any time. It has no name where the system allows that, and goes with
+/// the last copy of this, or with the process.
 #[derive(Clone)]
 pub struct Live {
-    file: Arc<NamedTempFile>,
+    file: Arc<File>,
     output: Output,
 }
 
@@ -25,10 +25,11 @@ impl Recording {
     /// # Errors
     /// [`FileError::Target`] if no temporary file can be made, [`FileError::Write`] if writing to it fails.
     pub fn live(id: &str, scenes: &[Scene<'_>], options: Options) -> Result<(Self, Live), FileError> {
-        let error = |failure: io::Error| target_error(&std::env::temp_dir(), &failure);
-        let file = NamedTempFile::new().map_err(error)?;
-        let output = file.reopen().and_then(Output::over).map_err(error)?;
-        let recording = Self::begin(output.clone(), file.path(), Some(id), scenes, options)?;
+        let folder = std::env::temp_dir();
+        let error = |failure: io::Error| target_error(&folder, &failure);
+        let file = tempfile::tempfile().map_err(error)?;
+        let output = file.try_clone().and_then(Output::over).map_err(error)?;
+        let recording = Self::begin(output.clone(), &folder, Some(id), scenes, options)?;
         Ok((Self { flush_interval: FLUSH_INTERVAL, ..recording }, Live { file: Arc::new(file), output }))
     }
 }
@@ -39,11 +40,11 @@ impl Live {
         self.output.written()
     }
 
-    /// Opens the file for reading, at its start.
+    /// At most `most` bytes from the byte `from` on; fewer only at the end of the file.
     ///
     /// # Errors
     /// Those of the system.
-    pub fn open(&self) -> io::Result<File> {
-        self.file.reopen()
+    pub fn read(&self, from: u64, most: u64) -> io::Result<Vec<u8>> {
+        self.output.read(&self.file, from, most)
     }
 }
