@@ -251,7 +251,7 @@ function heardRun(run) {
 const address = (run) => `${location.origin}/run/${run.id}.rrd`;
 
 /** The least time between two runs that the viewer gets, in milliseconds: of those in between only the last counts. */
-const BREATH = 120;
+const BREATH = { line: 120, surface: 400 };
 let followed = 0;
 let next = null;
 
@@ -268,7 +268,7 @@ function follow(run) {
     byId("scrub").value = 1000;
     byId("scrub-step").value = "latest";
     watchFirst(run, asked);
-  }, Math.max(0, followed + BREATH - performance.now()));
+  }, Math.max(0, followed + BREATH[run.parameters.geometry] - performance.now()));
 }
 
 /** Has the viewer look at what it was told, which it does when it draws: closing a channel that never was makes it draw. */

@@ -135,10 +135,7 @@ fn response(reply: Reply) -> Response<Body> {
         Reply::Page(kind, body) => (200, kind, "no-store", None, Body::from(body)),
         Reply::Fixed(kind, body) => (200, kind, "max-age=86400", None, Body::from(body)),
         Reply::Download(name, body) => (200, "application/octet-stream", "no-store", Some(name), Body::from(body)),
-        Reply::Recording(source, name) => match source.body() {
-            Ok(body) => (200, "application/octet-stream", "no-store", name, body),
-            Err(error) => (404, "text/plain; charset=utf-8", "no-store", None, Body::from(error.to_string())),
-        },
+        Reply::Recording(source, name) => (200, "application/octet-stream", "no-store", name, source.body()),
         Reply::Error(status, sentence) => (status, "text/plain; charset=utf-8", "no-store", None, Body::from(sentence)),
     };
     let mut response = Response::new(body);

@@ -5,7 +5,6 @@ use axum::body::{Body, Bytes};
 use futures_util::stream;
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::PathBuf;
 use std::time::Duration;
 
 /// The most that is read at once.
@@ -18,21 +17,13 @@ pub enum Source {
     /// Being written, or written, by this process.
     Live(Live),
     /// A file that a person named.
-    File(PathBuf),
+    File(File),
 }
 
 impl Source {
     /// The body of a reply.
-    ///
-    /// # Errors
-    /// Those of opening the file.
-    pub fn body(self) -> io::Result<Body> {
-        let file = match &self {
-            Self::Live(live) => live.open()?,
-            Self::File(path) => File::open(path)?,
-        };
-        let reading = Reading { source: self, file, read: 0 };
-        Ok(Body::from_stream(stream::try_unfold(reading, Reading::next)))
+    pub fn body(self) -> Body {
+        Body::from_stream(stream::try_unfold(Reading { source: self, read: 0 }, Reading::next))
     }
 
     /// Bytes that can be read; none if that is all until the end of the file.
@@ -46,7 +37,6 @@ impl Source {
 
 struct Reading {
     source: Source,
-    file: File,
     read: u64,
 }
 
@@ -71,8 +61,15 @@ impl Reading {
     }
 
     fn piece(mut self, most: u64) -> io::Result<(Vec<u8>, Self)> {
-        let mut piece = Vec::new();
-        self.read += self.file.by_ref().take(most).read_to_end(&mut piece)? as u64;
+        let piece = match &mut self.source {
+            Source::Live(live) => live.read(self.read, most)?,
+            Source::File(file) => {
+                let mut piece = Vec::new();
+                file.take(most).read_to_end(&mut piece)?;
+                piece
+            }
+        };
+        self.read += piece.len() as u64;
         Ok((piece, self))
     }
 }

@@ -3,6 +3,7 @@
 use super::page::{Mode, Page};
 use super::site::{Reply, Request, Site};
 use super::stream::Source;
+use std::fs::File;
 use std::io;
 use std::path::PathBuf;
 
@@ -26,7 +27,10 @@ impl Site for Viewing {
     fn reply(&self, request: &Request<'_>) -> Reply {
         match request.path {
             _ if request.method != "GET" => Reply::wrong_method("GET"),
-            "/recording.rrd" => Reply::Recording(Source::File(self.file.clone()), None),
+            "/recording.rrd" => match File::open(&self.file) {
+                Ok(file) => Reply::Recording(Source::File(file), None),
+                Err(error) => Reply::Error(404, error.to_string()),
+            },
             path => self.page.file(path).unwrap_or_else(|| Reply::missing(path)),
         }
     }

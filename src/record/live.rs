@@ -7,15 +7,15 @@ use std::fs::File;
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
-use tempfile::NamedTempFile;
 
 /// How long a picture may wait before it can be read.
 const FLUSH_INTERVAL: Duration = Duration::from_millis(40);
 
-/// The temporary file behind a recording, to be read at any time. The file goes with the last copy of this.
+/// The temporary file behind a recording, to be read at any time. It has no name where the system allows that, and goes with
+/// the last copy of this, or with the process.
 #[derive(Clone)]
 pub struct Live {
-    file: Arc<NamedTempFile>,
+    file: Arc<File>,
     output: Output,
 }
 
@@ -26,7 +26,7 @@ impl Recording {
     /// [`FileError::Target`] if no temporary file can be made, [`FileError::Write`] if writing to it fails.
     pub fn live(id: &str, scenes: &[Scene<'_>], options: Options) -> Result<(Self, Live), FileError> {
         let live = Live::new()?;
-        let recording = Self::begin(live.output.clone(), live.file.path(), Some(id), scenes, options)?;
+        let recording = Self::begin(live.output.clone(), &std::env::temp_dir(), Some(id), scenes, options)?;
         Ok((Self { flush_interval: FLUSH_INTERVAL, ..recording }, live))
     }
 }
@@ -38,7 +38,7 @@ impl LoadRecording {
     /// As [`Recording::live`].
     pub fn live(id: &str, loads: &Loads<'_>, options: Options) -> Result<(Self, Live), FileError> {
         let live = Live::new()?;
-        let recording = Self::begin(live.output.clone(), live.file.path(), Some(id), loads, options)?;
+        let recording = Self::begin(live.output.clone(), &std::env::temp_dir(), Some(id), loads, options)?;
         Ok((recording, live))
     }
 }
@@ -46,8 +46,8 @@ impl LoadRecording {
 impl Live {
     fn new() -> Result<Self, FileError> {
         let error = |failure: io::Error| target_error(&std::env::temp_dir(), &failure);
-        let file = NamedTempFile::new().map_err(error)?;
-        let output = file.reopen().and_then(Output::over).map_err(error)?;
+        let file = tempfile::tempfile().map_err(error)?;
+        let output = file.try_clone().and_then(Output::over).map_err(error)?;
         Ok(Self { file: Arc::new(file), output })
     }
 
@@ -56,11 +56,11 @@ impl Live {
         self.output.written()
     }
 
-    /// Opens the file for reading, at its start.
+    /// At most `most` bytes from the byte `from` on; fewer only at the end of the file.
     ///
     /// # Errors
     /// Those of the system.
-    pub fn open(&self) -> io::Result<File> {
-        self.file.reopen()
+    pub fn read(&self, from: u64, most: u64) -> io::Result<Vec<u8>> {
+        self.output.read(&self.file, from, most)
     }
 }

@@ -4,6 +4,8 @@ use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
 use rerun::log::LogMsg;
 use rerun::sink::{LogSink, SinkFlushError};
 use std::fs::File;
+#[cfg(feature = "explore")]
+use std::io::Read;
 use std::io::{self, Seek};
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -71,6 +73,17 @@ impl Output {
             viewer.flush_blocking(VIEWER_TIMEOUT).ok(); // a viewer that was closed is none of the file's business
         }
         ended
+    }
+
+    /// At most `most` bytes of `file`, a handle of the file that is written to, from the byte `from` on.
+    #[cfg(feature = "explore")]
+    pub fn read(&self, mut file: &File, from: u64, most: u64) -> io::Result<Vec<u8>> {
+        let _waiting = self.state(); // all handles share one place in the file
+        let mut piece = Vec::new();
+        file.seek(io::SeekFrom::Start(from))?;
+        let read = io::Read::take(file, most).read_to_end(&mut piece);
+        file.seek(io::SeekFrom::End(0))?;
+        read.map(|_| piece)
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
