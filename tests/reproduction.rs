@@ -153,3 +153,29 @@ fn the_points_of_another_study_stay() {
     assert_eq!(study("--hurst 0.3 --fresh").status.code(), Some(0));
     assert!(rows(&folder, "p/fig2.csv").iter().all(|row| row["hurst"] == "0.3"));
 }
+
+/// The values of a curve over the timeline `load`.
+#[cfg(feature = "record")]
+fn loads(path: &std::path::Path, named: &str) -> Vec<i64> {
+    let mut file = fs::File::open(path).unwrap();
+    let stores = rerun::ChunkStore::from_rrd_reader(&rerun::ChunkStoreConfig::ALL_DISABLED, &mut file).unwrap();
+    let recordings = stores.iter().filter(|(id, _)| id.kind() == rerun::StoreKind::Recording);
+    let chunks = recordings.flat_map(|(_, store)| store.iter_physical_chunks()).filter(|chunk| !chunk.is_static());
+    let of = chunks.filter(|chunk| chunk.entity_path().to_string().contains(named));
+    let times = of.flat_map(|chunk| chunk.timelines()[&"load".into()].times_raw().to_vec());
+    times.collect::<std::collections::BTreeSet<i64>>().into_iter().collect()
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn recordings_hold_the_contacts_of_one_profile_under_all_loads() {
+    let folder = Folder::new();
+    let output = folder.run("paper fig2 fig3 gw --quick --hurst 0.5 --out p");
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    for named in ["/curve", "/profile/solid", "/pressure"] {
+        assert_eq!(loads(&folder.join("p/fig2.rrd"), named), [1, 2, 3, 4], "{named}");
+    }
+    assert_eq!(loads(&folder.join("p/fig3.rrd"), "/curve"), [1, 2, 3, 4]);
+    assert!(loads(&folder.join("p/fig3.rrd"), "/profile").is_empty());
+    assert_eq!(loads(&folder.join("p/gw.rrd"), "/curve").len(), 11);
+}

@@ -31,7 +31,8 @@ pub fn make(study: &Study) -> Result<Made> {
     if let Some(fit) = fit {
         add_fit(&mut panel, &fit);
     }
-    let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points");
+    let waves = surfaces.points_per_wave(finest);
+    let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points, {waves} per shortest wavelength");
     let figure = Figure { title, panels: vec![surfaces.area_panel(&points), panel] };
     Ok(Made { figure: Some(figure), findings: findings(study, &points, fit) })
 }

@@ -26,7 +26,7 @@ pub struct Options {
     #[arg(long, value_name = "N")]
     pub line_points: Option<usize>,
     /// Points along a side of rough surfaces, coarsest first; from two on, values are extrapolated in the spacing
-    /// [default: 2048,4096; with --full 16384]
+    /// [default: 2048,4096, that is 8 and 16 per shortest wavelength; with --full the paper's 16384, that is 64]
     #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
     pub surface_points: Vec<usize>,
     /// Shortest wavelength of rough lines, as a share of the roll-off [default: 1/512]

@@ -55,6 +55,11 @@ impl Rough {
         (POINTS_PER_WAVE * SIDE / self.cutoff).round() as usize
     }
 
+    /// Points per shortest wavelength of a surface with `side` points along a side.
+    pub fn points_per_wave(&self, side: usize) -> f64 {
+        side as f64 * self.cutoff / SIDE
+    }
+
     /// Lightest and heaviest load.
     pub fn ends(&self) -> [f64; 2] {
         [self.loads[0], self.loads[self.loads.len() - 1]]
