@@ -45,11 +45,16 @@ impl Curves {
     /// The values with their names, in Markdown.
     pub fn table(&self, values: &[f64]) -> String {
         let finite = self.0.iter().zip(values).filter(|(_, value)| value.is_finite());
-        let rows: String = finite.map(|(curve, value)| format!("| {} | {value:.4e} |\n", curve.name)).collect();
+        let rows: String = finite.map(|(curve, value)| format!("| {} | {} |\n", curve.name, number(*value))).collect();
         if rows.is_empty() { rows } else { format!("| curve | value |\n|---|---|\n{rows}") }
     }
 }
 
 fn entity(i: usize) -> String {
     format!("/curve/{i}")
+}
+
+/// A number of five digits, in powers of ten where it is far from 1.
+fn number(value: f64) -> String {
+    if (1e-3..1e4).contains(&value.abs()) { format!("{value:.4}") } else { format!("{value:.4e}") }
 }

@@ -50,7 +50,7 @@ impl PatchMap {
         let bar = self.frame.width / BARS as f32;
         let row = LineStrips2D::new(segments.iter().map(|[start, end]| hatch([start[0], end[0]], [below, above], bar)))
             .with_colors([colour(palette::CONTACT)])
-            .with_radii([Radius::new_scene_units(0.6 * bar)])
+            .with_radii([Radius::new_scene_units(bar)])
             .with_draw_order(10.0);
         to.log(format!("{}/row/{}", self.root, load + 1), &row)?;
         self.log_cursor(to, [below, above])
