@@ -20,7 +20,8 @@ pub struct Fit {
 
 impl Fit {
     /// Finds `b1` and `b2` that make the sum of `(a_rel - erf(sqrt2 p*/Psi))^2` least, all points weighing the same: by the
-    /// method of Levenberg and Marquardt (MINPACK's, with the exact Jacobian). `None` if the search fails.
+    /// method of Levenberg and Marquardt (MINPACK's, with the exact Jacobian). `None` if the search fails, and for points at
+    /// less than two loads.
     ///
     /// At small loads only `b1` matters: `b2` needs points at which the area bends, `p*` of some 0.1 and more.
     ///
@@ -36,7 +37,9 @@ impl Fit {
     /// assert!((fit.area.b1 - 0.6).abs() < 1e-8 && (fit.area.b2 - 2.0).abs() < 1e-6);
     /// ```
     pub fn of(points: &[(f64, f64)]) -> Option<Self> {
-        Self::search(Search { points, b: Vector2::from(START), fades: true })
+        let (first, _) = points.first()?;
+        let has_more = points.iter().any(|(p, _)| p != first);
+        has_more.then(|| Self::search(Search { points, b: Vector2::from(START), fades: true })).flatten()
     }
 
     /// Finds `b1` alone, with `b2 = 0`: then `a_rel = erf(sqrt(pi) kappa p*/2)` with one constant `kappa = sqrt(8/pi)/b1`, the
@@ -108,5 +111,42 @@ impl LeastSquaresProblem<f64, Dyn, U2> for Search<'_> {
     fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U2>> {
         let rows = self.points.iter().flat_map(|&(p, _)| self.gradient(p));
         Some(OMatrix::<f64, Dyn, U2>::from_row_iterator(self.points.len(), rows))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LINES: CorrectedArea = CorrectedArea { b1: 0.55, b2: 2.3 };
+
+    #[test]
+    fn the_jacobian_is_that_of_the_residuals() {
+        let search = |b1, b2| Search { points: &[], b: Vector2::new(b1, b2), fades: true };
+        for p in [1e-3, 0.03, 0.4] {
+            let area = |b1, b2| search(b1, b2).area().relative_area(p);
+            let step = 1e-6;
+            let by_b1 = (area(0.55 + step, 2.3) - area(0.55 - step, 2.3)) / (2.0 * step);
+            let by_b2 = (area(0.55, 2.3 + step) - area(0.55, 2.3 - step)) / (2.0 * step);
+            let [b1, b2] = search(0.55, 2.3).gradient(p);
+            assert!((b1 - by_b1).abs() < 1e-8 && (b2 - by_b2).abs() < 1e-8, "{p}: {b1} {by_b1}, {b2} {by_b2}");
+        }
+    }
+
+    #[test]
+    fn a_scattered_curve_is_found_within_its_scatter() {
+        let loads = (0..40).map(|i| 10f64.powf(-2.5 + 0.05 * f64::from(i)));
+        let scatter = |i: usize| if i.is_multiple_of(2) { 1.01 } else { 0.99 };
+        let points: Vec<_> = loads.enumerate().map(|(i, p)| (p, LINES.relative_area(p) * scatter(i))).collect();
+        let fit = Fit::of(&points).unwrap();
+        assert!((fit.area.b1 - 0.55).abs() < 0.01 && (fit.area.b2 - 2.3).abs() < 0.3, "{fit:?}");
+        assert!((fit.residual - 0.01).abs() < 2e-3, "{fit:?}");
+    }
+
+    #[test]
+    fn one_load_does_not_tell_two_numbers() {
+        assert_eq!(Fit::of(&[(0.1, 0.2), (0.1, 0.21)]), None);
+        assert_eq!(Fit::of(&[]), None);
+        assert!((Fit::proportional(&[(1e-6, 2.2e-6)]).unwrap().area.kappa(0.0) - 2.2).abs() < 1e-6);
     }
 }

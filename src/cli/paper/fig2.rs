@@ -24,13 +24,17 @@ pub fn make(study: &Study) -> Result<Made> {
     let title = format!("Fig. 2: rough lines, {} points, {} profiles each", lines.points[0], lines.seeds.len());
     let panels = vec![lines.area_panel(&points), lines.kappa_panel(&points, [1.5, 4.2])];
     let nx = lines.points[0];
-    let findings = vec![
+    let mut findings = vec![
         Finding::number("fig2.kappa_r", "nodes counted", points.overall(nx, |row| row.kappa_r)),
         Finding::number("fig2.kappa_r", "corrected", points.overall(nx, |row| row.kappa_r_corrected)).because(COUNTED),
-        Finding::number("fig2.variation", "nodes counted", variation(&points, nx)),
-        depends_on_hurst(study, &points),
-        is_constant(study, &points),
     ];
+    if lines.loads.len() > 1 {
+        findings.push(Finding::number("fig2.variation", "nodes counted", variation(&points, nx)));
+        findings.push(is_constant(study, &points));
+    }
+    if lines.hurst.len() > 1 {
+        findings.push(depends_on_hurst(study, &points));
+    }
     Ok(Made { figure: Some(Figure { title, panels }), findings })
 }
 

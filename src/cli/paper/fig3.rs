@@ -68,7 +68,11 @@ pub fn make(study: &Study) -> Result<Made> {
     let points = study.points(Part::Fig2)?;
     let mut fits = fits(study, &points);
     let panel = panel(study, &points, &fits);
-    let findings = vec![strongly_depends(&fits), is_level(&fits)];
+    let mut findings = Vec::new();
+    if !fits.is_empty() {
+        findings.push(is_level(&fits));
+        findings.extend((study.lines.hurst.len() > 1).then(|| strongly_depends(&fits)));
+    }
     fits.extend(all_fits(study, &points, "corrected", |row| row.relative_area_corrected));
     super::write_csv(&study.file("fig3", "csv"), &fits)?;
     let title = "Fig. 3: κ_fit of rough lines by Eq. 11".into();

@@ -10,7 +10,7 @@ use asperity::plot::{Colour, Figure, Mark, Panel, Point, Series};
 use asperity::study::{Fit, Realisation};
 
 /// Why values move from grid to grid.
-const FINER: &str = "Counted nodes exceed the area, the more so the coarser the grid; the paper's values are those of about 4096^2 points.";
+const FINER: &str = "Counted nodes exceed the area, the more so the coarser the grid; with the paper's spectrum its values come out on about 4096^2 points.";
 /// Why the fit lies below the points.
 const HEAVY: &str = "The squares of the fit weigh most at the heaviest loads, where kappa is smallest.";
 
