@@ -7,7 +7,7 @@
 //! surface --> contact::Problem --> contact::Solver --(every contact::Step)--> contact::Observer --> record
 //!                                        |
 //!                                        v
-//!                                 contact::Contact --> contact::Measures      (held against theory)
+//!                                 contact::Contact --> contact::Measures --> study --> plot, record
 //! ```
 //!
 //! | module      | what it holds                                                                        |

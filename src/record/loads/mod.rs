@@ -314,7 +314,7 @@ mod tests {
         for (text, caption) in texts.values().zip(CAPTIONS) {
             assert!(text.starts_with(&format!("# {caption}\n")) && text.ends_with("about"), "{text}");
         }
-        assert!(texts[&1].contains("| kappa | 2.0000e0 |") && !texts[&2].contains("| kappa |"));
+        assert!(texts[&1].contains("| kappa | 2.0000 |") && !texts[&2].contains("| kappa |"));
     }
 
     #[test]
