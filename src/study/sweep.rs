@@ -26,7 +26,7 @@ use std::sync::{Mutex, PoisonError};
 ///
 /// let cylinder = Realisation {
 ///     name: "cylinder".into(),
-///     grid: Grid::line(1024, 4.0)?,
+///     grid: Grid::line(8192, 4.0)?,
 ///     shape: Shape::Smooth(Indenter::Cylinder { radius: 1.0 }),
 ///     loads: vec![1e-3, 2e-3],
 /// };
