@@ -442,7 +442,7 @@ function charts() {
     curve("Persson", "persson", (p) => p.persson, 1), curve("exact", "exact", (p) => p.exact?.relative_area, 1), curve("a_rel", "computed", (p) => p.area, 1)]);
   chart(byId("chart-kappa"), "κ, κ_r / p*", 4, [
     curve("Persson", "persson", (p) => p.persson / p.load, 4), curve("exact", "exact", (p) => p.exact?.kappa_r, 4),
-    curve("κ", "second", (p) => p.kappa, 4), curve("κ_r", "computed", (p) => p.kappa_r, 4)]);
+    curve("κ", "computed", (p) => p.kappa, 4), curve("κ_r", "second", (p) => p.kappa_r, 4)]);
   document.body.dataset.sweep = report.sweep ? (report.sweep.ended ? "ended" : points.length) : "none";
 }
 
@@ -457,7 +457,7 @@ async function startViewer() {
   byId("viewer").append(canvas);
   const handle = new wasm_bindgen.WebHandle({
     url: isView ? [`${location.origin}/recording.rrd`] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
-    render_backend: query.get("renderer"), theme: document.documentElement.dataset.theme,
+    render_backend: query.get("renderer"),
     panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
   });
   await handle.start(canvas);
@@ -575,7 +575,16 @@ function step(by) {
 
 // ---------------------------------------------------------------- the page
 
+/** The viewer follows the theme of the system and no other: here the page answers for the system. */
+const THEMES = new Map(["dark", "light"].map((theme) => [`(prefers-color-scheme: ${theme})`, new EventTarget()]));
+const askSystem = window.matchMedia.bind(window);
+window.matchMedia = (query) => THEMES.get(query) || askSystem(query);
+
 function paint(theme) {
+  for (const [media, answer] of THEMES) {
+    answer.matches = media.includes(theme);
+    answer.dispatchEvent(new MediaQueryListEvent("change", { media, matches: answer.matches }));
+  }
   document.documentElement.dataset.theme = theme;
   byId("theme").textContent = theme === "dark" ? "Light" : "Dark";
   localStorage.setItem("theme", theme);
@@ -610,7 +619,7 @@ function toggleTheme() {
 
 async function begin() {
   const wished = new URLSearchParams(location.search).get("theme") || localStorage.getItem("theme");
-  paint(wished === "light" || wished === "dark" ? wished : matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
+  paint(wished === "light" || wished === "dark" ? wished : askSystem("(prefers-color-scheme: light)").matches ? "light" : "dark");
   byId("theme").addEventListener("click", toggleTheme);
   startViewer().catch((error) => {
     document.body.dataset.viewer = "failed";

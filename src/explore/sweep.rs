@@ -21,8 +21,8 @@ const FEWEST_NODES: usize = 4;
 /// A curve of the recording: its view, name and colour, and what it shows of a point.
 type Drawn = (&'static str, &'static str, [u8; 3], fn(&Point) -> f64);
 
-const AREA: &str = "Relative area (load 1: p* = 1e-4, 12 to the decade)";
-const KAPPA: &str = "kappa_r and kappa (load 1: p* = 1e-4, 12 to the decade)";
+const AREA: &str = "Relative area, 12 loads a decade from p* = 1e-4";
+const KAPPA: &str = "kappa_r and kappa over the same loads";
 const BLUE: [u8; 3] = [0x56, 0xb4, 0xe9];
 const ORANGE: [u8; 3] = [0xe6, 0x9f, 0x00];
 const GREY: [u8; 3] = [0x80; 3];
