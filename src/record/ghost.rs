@@ -9,24 +9,34 @@ use std::ops::ControlFlow;
 /// Its entities under `ghost`, named as those under `trace`, and the names of their curves.
 const SERIES: [(&str, &str); 3] = [KAPPA_R, RELATIVE_AREA, CERTIFICATE];
 
-/// The curves of `kappa_r`, relative area and certificate of a solve, kept for later recordings: see [`super::Options`].
+/// The curves of `kappa_r`, relative area and certificate of a solve, and of a line its final pressure, kept for later
+/// recordings: see [`super::Options`].
 ///
 /// It observes the solve; [`Ghost::close`] adds what is known only at its end.
 #[derive(Debug, Clone)]
 pub struct Ghost {
     name: String,
     series: [Series; 3],
+    /// Final pressure along a line.
+    pressure: Option<Vec<f64>>,
 }
 
 impl Ghost {
     /// No steps yet. The `name` tells its curves from others.
     pub fn new(name: &str) -> Self {
-        Self { name: name.into(), series: Default::default() }
+        Self { name: name.into(), series: Default::default(), pressure: None }
     }
 
-    /// Adds the certificate of the final state.
+    /// Adds the certificate of the final state and, of a line, its pressure.
     pub fn close(&mut self, contact: &Contact) {
         self.series[2].add(contact.work, Some(contact.certificate.eta.log10()));
+        let is_line = contact.pressure.nrows() == 1;
+        self.pressure = is_line.then(|| contact.pressure.iter().copied().collect());
+    }
+
+    /// The final pressure along a line.
+    pub(super) fn pressure(&self) -> Option<&[f64]> {
+        self.pressure.as_deref()
     }
 
     /// Records all of it under `root`, each value at its own step.
@@ -64,6 +74,7 @@ mod tests {
     use super::super::{Options, Recording};
     use super::*;
     use crate::contact::{Gfmd, PolonskyKeer, Solver, Stop};
+    use crate::{Grid, Indenter, Problem};
     use std::path::Path;
     use std::sync::Arc;
 
@@ -79,10 +90,20 @@ mod tests {
         contact.work.iterations
     }
 
+    /// Whether the recording draws the pressure of an earlier solve.
+    fn draws_pressure(path: &Path) -> bool {
+        let mut file = std::fs::File::open(path).unwrap();
+        let stores = rerun::ChunkStore::from_rrd_reader(&rerun::ChunkStoreConfig::ALL_DISABLED, &mut file).unwrap();
+        let mut chunks = stores.values().flat_map(|store| store.iter_physical_chunks());
+        chunks.any(|chunk| chunk.entity_path().to_string() == "/cylinder/pressure/curves/ghost")
+    }
+
     #[test]
     fn the_earlier_curves_stand_at_their_own_steps() {
         let mut ghost = Ghost::new("slow");
-        let contact = Gfmd::default().solve(&cylinder(), &Stop::default(), &mut ghost).unwrap();
+        let finer = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(96, 4.0).unwrap()).unwrap();
+        let finer = Problem::new(finer, 1.0, 1e-2).unwrap();
+        let contact = Gfmd::default().solve(&finer, &Stop::default(), &mut ghost).unwrap();
         ghost.close(&contact);
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("two.rrd");
@@ -97,13 +118,15 @@ mod tests {
         };
         assert_eq!(last("/cylinder/ghost/certificate"), Some(earlier as i64));
         assert_eq!(last("/cylinder/trace/certificate"), Some(steps as i64));
+        assert!(draws_pressure(&path));
     }
 
     #[test]
-    fn without_one_nothing_of_it_is_recorded() {
+    fn nothing_of_an_earlier_solve_is_recorded_without_one() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("one.rrd");
         record(&path, None);
         assert!(!rows(&path).keys().any(|entity| entity.contains("ghost")));
+        assert!(!draws_pressure(&path));
     }
 }

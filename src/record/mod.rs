@@ -187,8 +187,8 @@ impl Recording {
         for (i, (stage, scene)) in self.stages.iter().zip(scenes).enumerate() {
             stream.log_static(stage.description(), &stage.described("still running, or ended by force"))?;
             stage.log_static(stream, scene, several.then_some(i))?;
-            if let Some(ghost) = self.options.ghost.as_ref().filter(|_| stage.what.has(Part::Traces)) {
-                ghost.log(stream, &stage.root)?;
+            if let Some(ghost) = &self.options.ghost {
+                stage.log_ghost(stream, ghost)?;
             }
         }
         Ok(())

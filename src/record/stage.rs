@@ -4,6 +4,7 @@ use super::Options;
 use super::axes::Frame;
 use super::field::{self, SurfacePicture};
 use super::forecast::Forecast;
+use super::ghost::Ghost;
 use super::line::LinePicture;
 use super::part::{Part, Parts};
 use super::scene::{Extent, Fields, Scene};
@@ -144,6 +145,19 @@ impl Stage {
         match &self.picture {
             Picture::Line(line) => line.log_static(to, root, scene),
             Picture::Surface(surface) => surface.log_static(to, root),
+        }
+    }
+
+    /// Records an earlier solve, as far as this one shows the same.
+    pub fn log_ghost(&self, to: &RecordingStream, ghost: &Ghost) -> RecordingStreamResult<()> {
+        if self.what.has(Part::Traces) {
+            ghost.log(to, &self.root)?;
+        }
+        match (&self.picture, ghost.pressure()) {
+            (Picture::Line(line), Some(pressure)) if self.what.has(Part::Fields) => {
+                line.log_ghost(to, &self.root, pressure)
+            }
+            _ => Ok(()),
         }
     }
 
