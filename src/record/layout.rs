@@ -131,7 +131,8 @@ fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
         return Ok(text);
     }
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
-    let beside = |names: &[&str]| [traces(names), vec![ghost::entity_under(&stage.root, names[0])]].concat();
+    let earlier = |name: &str| stage.has_ghost.then(|| ghost::entity_under(&stage.root, name));
+    let beside = |names: &[&str]| traces(names).into_iter().chain(earlier(names[0])).collect::<Vec<_>>();
     let kappa = beside(&["kappa_r", "kappa", "exact_kappa_r"]);
     let kappa = View::curves("Proportionality kappa_r, kappa", kappa, Some([0.0, stage.ranges.kappa]));
     let area = beside(&["relative_area", "exact_relative_area"]);

@@ -160,7 +160,7 @@ impl LinePicture {
         let nodes = self.window.nodes();
         let pressure: Vec<f64> = (0..nodes).map(|i| pressure[i * pressure.len() / nodes]).collect();
         let curve = self.pressure_curve(&self.window.every(1), &pressure);
-        let line = style(palette::GHOST, Radius::new_ui_points(0.8), 30.0);
+        let line = style(palette::GHOST, Radius::new_ui_points(0.7), 35.0);
         to.log_static(format!("{root}/pressure/curves/ghost"), &line.with_strips([LineStrip2D::from_iter(curve)]))
     }
 

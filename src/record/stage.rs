@@ -28,6 +28,8 @@ pub struct Stage {
     pub what: Parts,
     /// Exact values of the curves.
     pub reference: Reference,
+    /// Whether an earlier solve stands beside it.
+    pub has_ghost: bool,
     /// Upper ends of the axes of curves.
     pub ranges: Ranges,
     /// What is drawn of the fields.
@@ -105,6 +107,7 @@ impl Stage {
             what: options.what,
             grid,
             reference: Reference::of(scene.exact.as_ref()),
+            has_ghost: options.ghost.is_some(),
             ranges: Ranges::of(scene, forecast),
             picture: Picture::new(scene, forecast, &root, &options),
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, &root)),
