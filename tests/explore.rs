@@ -7,6 +7,7 @@ use asperity::contact::Solver;
 use asperity::explore::{Explorer, Geometry, Parameters, Server, Session, Start};
 use assert_cmd::Command;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Cursor, Read, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
@@ -381,6 +382,71 @@ fn a_sweep_goes_from_first_touch_to_full_contact() {
     }
 }
 
+/// The name of a recording, and the rows of each of its entities that change.
+fn recorded(rrd: &[u8]) -> (String, BTreeMap<String, usize>) {
+    let config = &rerun::ChunkStoreConfig::ALL_DISABLED;
+    let stores = rerun::ChunkStore::from_rrd_reader(config, &mut Cursor::new(rrd)).unwrap();
+    let (id, store) = stores.iter().find(|(id, _)| id.kind() == rerun::StoreKind::Recording).unwrap();
+    let mut rows = BTreeMap::new();
+    for chunk in store.iter_physical_chunks().filter(|chunk| !chunk.is_static()) {
+        *rows.entry(chunk.entity_path().to_string()).or_default() += chunk.num_rows();
+    }
+    (id.recording_id().as_str().to_owned(), rows)
+}
+
+#[test]
+fn a_sweep_is_recorded_load_by_load() {
+    let page = Page::open();
+    page.order("/api/sweep", &with(json!({"shape": "sine", "roughness": 0, "points": 512, "record": []})));
+    let sweep = page.wait(|state| state["busy"] == false)["sweep"].clone();
+    let points = sweep["points"].as_array().unwrap();
+    let saved = page.get("/api/run.rrd");
+    assert!(saved.headers.contains("filename=\"asperity-sweep-1.rrd\""), "{}", saved.headers);
+    assert_eq!(page.get("/api/run.npz").status, 409);
+    let (id, rows) = recorded(&saved.body);
+    assert_eq!(sweep["id"], id);
+    for curve in [0, 1, 2, 3, 4, 5, 6].map(|curve| format!("/curve/{curve}")) {
+        assert_eq!(rows[&curve], points.len(), "{curve}");
+    }
+    assert!(rows["/contact/contact/contact"] >= points.len());
+    assert!(!rows.keys().any(|entity| entity.contains("pressure")), "{rows:?}");
+}
+
+#[test]
+fn a_sweep_that_is_ended_leaves_a_whole_recording() {
+    let page = Page::open();
+    let slow = json!({"points": 1 << 17, "cutoff": 1 << 14, "tolerance": 1e-12});
+    page.order("/api/sweep", &with(slow));
+    let id = page.wait(|state| state["sweep"]["points"][0].is_object())["sweep"]["id"].clone();
+    page.post("/api/cancel", "{}");
+    let ended = page.wait(|state| state["busy"] == false);
+    assert_eq!(ended["sweep"]["ended"], true);
+    let (name, rows) = recorded(&page.get(&format!("/run/{}.rrd", id.as_str().unwrap())).body);
+    assert_eq!(id, name);
+    assert_eq!(rows["/curve/0"], ended["sweep"]["points"].as_array().unwrap().len());
+}
+
+#[test]
+fn the_curves_of_a_pinned_run_stand_beside_those_of_later_ones() {
+    let page = Page::open();
+    let small = |seed: u32| with(json!({"seed": seed, "points": 512, "cutoff": 64}));
+    let has_ghost = |run: &Value| {
+        let (_, rows) = recorded(&page.get(&format!("/run/{}.rrd", run["id"].as_str().unwrap())).body);
+        rows.contains_key("/contact/ghost/certificate")
+    };
+    assert_eq!(page.post("/api/pin", "\"run-1\"").status, 400);
+    page.solve(&small(1));
+    assert!(!has_ghost(&page.solve(&small(2))));
+    assert_eq!(page.post("/api/pin", "\"run-1\"").status, 200);
+    for seed in 3..12 {
+        assert!(has_ghost(&page.solve(&small(seed))), "seed {seed}");
+    }
+    assert_eq!(page.get("/run/run-1.rrd").status, 200);
+    assert_eq!(page.get("/run/run-2.rrd").status, 404);
+    assert_eq!(page.post("/api/pin", "null").status, 200);
+    assert!(!has_ghost(&page.solve(&small(1))));
+}
+
 #[test]
 fn what_is_saved_opens() {
     let page = Page::open();
@@ -395,14 +461,10 @@ fn what_is_saved_opens() {
     );
     assert!(!streamed.headers.contains("content-disposition"));
     assert_eq!(saved.body, streamed.body);
-    let config = &rerun::ChunkStoreConfig::ALL_DISABLED;
-    let stores = rerun::ChunkStore::from_rrd_reader(config, &mut Cursor::new(&saved.body)).unwrap();
-    let recording = stores.iter().find(|(id, _)| id.kind() == rerun::StoreKind::Recording).unwrap();
-    assert_eq!(recording.0.recording_id().as_str(), "run-1");
-    let entities: Vec<String> =
-        recording.1.iter_physical_chunks().map(|chunk| chunk.entity_path().to_string()).collect();
-    assert!(entities.iter().any(|entity| entity == "/contact/trace/kappa_r"), "{entities:?}");
-    assert!(entities.iter().any(|entity| entity == "/contact/spectrum/displacement"), "{entities:?}");
+    let (id, rows) = recorded(&saved.body);
+    assert_eq!(id, "run-1");
+    assert!(rows.contains_key("/contact/trace/kappa_r"), "{rows:?}");
+    assert!(rows.contains_key("/contact/spectrum/displacement"), "{rows:?}");
     let mut npz = ndarray_npy::NpzReader::new(Cursor::new(page.get("/api/run.npz").body)).unwrap();
     let pressure: ndarray::Array1<f64> = npz.by_name("pressure").unwrap();
     let contact: ndarray::Array1<bool> = npz.by_name("contact").unwrap();
@@ -467,10 +529,17 @@ fn view_refuses_what_is_no_recording() {
     }
 }
 
-/// The command runs, says where, and an interrupt ends it well.
+/// The command runs, says where, and an interrupt ends it well, as does the wish of the system.
 #[cfg(unix)]
 #[test]
 fn an_interrupt_ends_it() {
+    for signal in ["-INT", "-TERM"] {
+        ends_at(signal);
+    }
+}
+
+#[cfg(unix)]
+fn ends_at(signal: &str) {
     let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_asperity"))
         .args(["explore", "hertz-line", "--no-open", "--port", "0"])
         .stdout(std::process::Stdio::piped())
@@ -483,6 +552,6 @@ fn an_interrupt_ends_it() {
     let page = Page { port };
     page.order("/api/solve", &endless());
     page.wait(|state| state["run"]["numbers"]["status"] == "running");
-    std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-    assert!(child.wait().unwrap().success());
+    std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
+    assert!(child.wait().unwrap().success(), "{signal}");
 }

@@ -78,7 +78,7 @@ function build() {
     groups.get(control.group).append(row(control));
   }
   groups.get("Load").append(element("div", { class: "buttons" },
-    button("sweep", "Sweep the load", "From first touch to full contact, each load from the contact before; draws area, kappa and kappa_r below (key S).", sweep),
+    button("sweep", "Sweep the load", "From first touch to full contact, each load from the contact before: contact, area, kappa and kappa_r in the viewer as they come, and below (key S).", sweep),
     button("cancel", "Stop", "End what is being solved; its latest state stays (Esc).", cancel)));
   byId("controls").addEventListener("submit", (event) => event.preventDefault());
 }
@@ -221,8 +221,11 @@ function heard(news) {
   report = news;
   if (news.fault) fault(news.fault);
   if (news.run) heardRun(news.run);
+  if (news.sweep) heardSweep(news.sweep);
+  showPin(news.pinned);
   byId("cancel").disabled = !news.busy;
-  byId("save-rrd").disabled = byId("save-npz").disabled = !(news.run && news.run.ended);
+  byId("save-rrd").disabled = news.busy || !(news.run || news.sweep);
+  byId("save-npz").disabled = !(news.run && news.run.ended);
   byId("copy-command").disabled = !news.run;
   charts();
   document.body.dataset.revision = news.revision;
@@ -235,8 +238,14 @@ function heard(news) {
 const KEEP = 6;
 let runs = [];
 
+/** A sweep stands among the runs, with loads for steps; one that is older than the latest run was there before the page. */
+function heardSweep(sweep) {
+  const number = (run) => Number(run.id.split("-")[1]);
+  if (runOf(sweep.id) || !(report.run && number(report.run) > number(sweep))) heardRun(sweep);
+}
+
 function heardRun(run) {
-  const known = runs.find((other) => other.id === run.id);
+  const known = runOf(run.id);
   if (known) Object.assign(known, run);
   else {
     runs.push(run);
@@ -278,7 +287,7 @@ function wake() {
 
 /** Notes how long after the change of a control the viewer had the first steps of its run. */
 function watchFirst(run, since) {
-  const range = viewer && viewer.get_timeline_time_range(run.id, "step");
+  const range = viewer && viewer.get_timeline_time_range(run.id, timeline(run));
   if (range) {
     document.body.dataset.shown = `${run.id} ${Math.round(performance.now() - since)} ms`;
     byId("viewer-note").hidden = true;
@@ -300,24 +309,37 @@ let shownRun = null;
 let pinned = null;
 
 const runOf = (id) => runs.find((run) => run.id === id);
-const latest = () => runs[runs.length - 1];
+const isSweep = (run) => "points" in run;
+const timeline = (run) => isSweep(run) ? "load" : "step";
+const latest = () => runs.findLast((run) => !isSweep(run));
 
 /** What a run is compared with. */
 function rival(run) {
-  return pinned && pinned !== run.id ? runOf(pinned) : runs[runs.indexOf(run) - 1];
+  return pinned && pinned !== run.id ? runOf(pinned) : runs.slice(0, runs.indexOf(run)).findLast((other) => !isSweep(other));
+}
+
+/** The run that is shown; behind a sweep the latest one. */
+function shownOrLatest() {
+  const shown = runOf(shownRun);
+  return shown && !isSweep(shown) ? shown : latest();
 }
 
 /** Switches between the latest run and what it is compared with. */
 function swap() {
   const shown = runOf(shownRun) || latest();
-  const other = shown === latest() ? rival(shown) : latest();
+  const other = shown && shown === latest() ? rival(shown) : latest();
   if (other) showRun(other.id);
 }
 
-/** Keeps the run that is shown to compare with, or lets it go. */
+/** Keeps the run that is shown to compare with, its curves beside those of the next ones, or lets it go. */
 function pin() {
-  const shown = runOf(shownRun) || latest();
-  pinned = pinned || !shown ? null : shown.id;
+  const shown = shownOrLatest();
+  post("/api/pin", pinned || !shown ? null : shown.id).then(() => fault(""), (error) => fault(error.message));
+}
+
+function showPin(id) {
+  if (pinned === id) return;
+  pinned = id;
   byId("pin").setAttribute("aria-pressed", String(pinned !== null));
   byId("pin").textContent = pinned ? `Pinned ${pinned}` : "Pin";
   byId("rival").textContent = pinned ? "pinned" : "before";
@@ -358,7 +380,9 @@ const ROWS = [
 ];
 
 function numbers() {
-  const run = runOf(shownRun) || latest();
+  const shown = runOf(shownRun);
+  if (shown && isSweep(shown)) byId("title").textContent = `${shown.title}: ${shown.ended ? "ended" : "running"}, ${shown.points.length} loads`;
+  const run = shownOrLatest();
   if (!run) return;
   const before = rival(run);
   const cell = (text, name) => element("td", { "data-number": name }, text);
@@ -370,7 +394,7 @@ function numbers() {
   });
   byId("numbers").tBodies[0].replaceChildren(...body);
   const status = run.numbers ? run.numbers.status : "begun";
-  byId("title").textContent = `${run.title}: ${status}${run.exact ? `; exact: ${run.exact.name}` : ""}`;
+  if (!shown || shown === run) byId("title").textContent = `${run.title}: ${status}${run.exact ? `; exact: ${run.exact.name}` : ""}`;
   Object.assign(document.body.dataset, { run: run.id, status, ended: run.ended });
 }
 
@@ -418,7 +442,7 @@ function charts() {
     curve("Persson", "persson", (p) => p.persson, 1), curve("exact", "exact", (p) => p.exact?.relative_area, 1), curve("a_rel", "computed", (p) => p.area, 1)]);
   chart(byId("chart-kappa"), "κ, κ_r / p*", 4, [
     curve("Persson", "persson", (p) => p.persson / p.load, 4), curve("exact", "exact", (p) => p.exact?.kappa_r, 4),
-    curve("κ", "second", (p) => p.kappa, 4), curve("κ_r", "computed", (p) => p.kappa_r, 4)]);
+    curve("κ", "computed", (p) => p.kappa, 4), curve("κ_r", "second", (p) => p.kappa_r, 4)]);
   document.body.dataset.sweep = report.sweep ? (report.sweep.ended ? "ended" : points.length) : "none";
 }
 
@@ -433,7 +457,7 @@ async function startViewer() {
   byId("viewer").append(canvas);
   const handle = new wasm_bindgen.WebHandle({
     url: isView ? [`${location.origin}/recording.rrd`] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
-    render_backend: query.get("renderer"), theme: document.documentElement.dataset.theme,
+    render_backend: query.get("renderer"),
     panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
   });
   await handle.start(canvas);
@@ -460,21 +484,23 @@ function noteViewer(sentence) {
 
 let playing = null;
 
-/** The step at a share of the run: early steps, in which most happens, take most of the time. */
-function stepAt(share) {
-  const range = viewer && shownRun && viewer.get_timeline_time_range(shownRun, "step");
+/** The step at a share of the run: early steps, in which most happens, take most of the time. Loads take as long each. */
+function stepAt(run, share) {
+  const range = viewer && run && viewer.get_timeline_time_range(run.id, timeline(run));
   if (!range) return null;
-  return Math.round(range.min + Math.expm1(share * Math.log1p(range.max - range.min)));
+  const length = range.max - range.min;
+  return Math.round(range.min + (isSweep(run) ? share * length : Math.expm1(share * Math.log1p(length))));
 }
 
 function seek(share) {
-  const step = stepAt(share);
+  const run = runOf(shownRun);
+  const step = stepAt(run, share);
   if (step === null) return false;
-  viewer.set_playing(shownRun, false);
-  viewer.set_active_timeline(shownRun, "step");
-  viewer.set_time_for_timeline(shownRun, "step", step);
+  viewer.set_playing(run.id, false);
+  viewer.set_active_timeline(run.id, timeline(run));
+  viewer.set_time_for_timeline(run.id, timeline(run), step);
   byId("scrub").value = 1000 * share;
-  byId("scrub-step").value = `step ${step}`;
+  byId("scrub-step").value = `${timeline(run)} ${step}`;
   return true;
 }
 
@@ -549,7 +575,16 @@ function step(by) {
 
 // ---------------------------------------------------------------- the page
 
+/** The viewer follows the theme of the system and no other: here the page answers for the system. */
+const THEMES = new Map(["dark", "light"].map((theme) => [`(prefers-color-scheme: ${theme})`, new EventTarget()]));
+const askSystem = window.matchMedia.bind(window);
+window.matchMedia = (query) => THEMES.get(query) || askSystem(query);
+
 function paint(theme) {
+  for (const [media, answer] of THEMES) {
+    answer.matches = media.includes(theme);
+    answer.dispatchEvent(new MediaQueryListEvent("change", { media, matches: answer.matches }));
+  }
   document.documentElement.dataset.theme = theme;
   byId("theme").textContent = theme === "dark" ? "Light" : "Dark";
   localStorage.setItem("theme", theme);
@@ -560,7 +595,7 @@ function save(path) {
 }
 
 async function copyCommand() {
-  const run = runOf(shownRun) || latest();
+  const run = shownOrLatest();
   try {
     await navigator.clipboard.writeText(run.command);
     byId("hint").textContent = `Copied: ${run.command}`;
@@ -584,7 +619,7 @@ function toggleTheme() {
 
 async function begin() {
   const wished = new URLSearchParams(location.search).get("theme") || localStorage.getItem("theme");
-  paint(wished === "light" || wished === "dark" ? wished : matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
+  paint(wished === "light" || wished === "dark" ? wished : askSystem("(prefers-color-scheme: light)").matches ? "light" : "dark");
   byId("theme").addEventListener("click", toggleTheme);
   startViewer().catch((error) => {
     document.body.dataset.viewer = "failed";
@@ -592,7 +627,7 @@ async function begin() {
   });
   if (isView) { byId("title").textContent = "a recording, from this machine"; return; }
   const before = await (await fetch("/api/state")).json();
-  parameters = before.run ? before.run.parameters : await (await fetch("/api/start")).json();
+  parameters = before.run ? before.run.parameters : before.sweep ? before.sweep.parameters : await (await fetch("/api/start")).json();
   build();
   show();
   charts();
@@ -614,7 +649,7 @@ async function begin() {
   speed();
   document.addEventListener("keydown", key);
   window.addEventListener("resize", charts);
-  if (before.run) heard(before); else changed();
+  if (before.run || before.sweep) heard(before); else changed();
   listen();
 }
 

@@ -157,6 +157,7 @@ impl Solve {
             what: PartArg::parts(&self.output.record_what, grid)?,
             every: self.output.record_every,
             length_unit: self.output.length_unit.clone(),
+            ..Options::default()
         })
     }
 

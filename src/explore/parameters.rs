@@ -357,13 +357,18 @@ impl Parameters {
 
     /// A name for people.
     pub fn title(&self) -> String {
+        format!("{}, p* = {:.3e}", self.name(), self.load)
+    }
+
+    /// What is pressed, in a few words.
+    pub fn name(&self) -> String {
         let name = match (self.indenter(), self.geometry) {
             (Some(indenter), _) => indenter.name(),
             (None, Geometry::Line) => "rough line",
             (None, Geometry::Surface) => "rough surface",
         };
         let rough = if self.is_rough() && self.shape != Shape::Flat { "rough " } else { "" };
-        format!("{rough}{name}, p* = {:.3e}", self.load)
+        format!("{rough}{name}")
     }
 
     /// What the surface is, in words.

@@ -16,6 +16,8 @@ pub struct Report {
     pub run: Option<Run>,
     /// The latest sweep over the load.
     pub sweep: Option<Sweep>,
+    /// Name of the recording whose curves stand beside those of new ones.
+    pub pinned: Option<String>,
     /// Why the last order was not carried out, in one sentence.
     pub fault: Option<String>,
 }
@@ -88,9 +90,13 @@ pub struct Numbers {
 /// A sweep over the load.
 #[derive(Debug, Clone, Serialize)]
 pub struct Sweep {
-    /// What was swept.
+    /// Name of its recording.
+    pub id: String,
+    /// Name for people.
     pub title: String,
-    /// Whether it is complete.
+    /// What was asked for; the load does not count.
+    pub parameters: Parameters,
+    /// Whether it and its recording are complete.
     pub ended: bool,
     /// Its contacts, from the smallest load on.
     pub points: Vec<Point>,

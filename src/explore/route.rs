@@ -23,8 +23,9 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/api/solve`      | POST   | takes [`Parameters`], ends what runs; the revision from which on news of it come |
 /// | `/api/sweep`      | POST   | the same for a sweep                                                  |
 /// | `/api/cancel`     | POST   | ends what runs                                                        |
-/// | `/run/ID.rrd`     | GET    | the recording of one of the latest solves, as it grows                |
-/// | `/api/run.rrd`    | GET    | the same, to save                                                     |
+/// | `/api/pin`        | POST   | takes the name of a recording, or null: its curves stand beside new ones |
+/// | `/run/ID.rrd`     | GET    | one of the latest recordings, as it grows                             |
+/// | `/api/run.rrd`    | GET    | the latest one, to save                                               |
 /// | `/api/run.npz`    | GET    | the arrays of the latest result, to save                              |
 pub struct Explorer {
     page: Page,
@@ -55,6 +56,10 @@ impl Explorer {
             "/api/solve" => order(Order::Solve),
             "/api/sweep" => order(Order::Sweep),
             "/api/cancel" => Ok(self.session.cancel()),
+            "/api/pin" => match serde_json::from_slice(request.body) {
+                Ok(name) => self.session.pin(name),
+                Err(error) => Err(error.into()),
+            },
             path if self.page.file(path).is_some() || GETS.contains(&path) => return Reply::wrong_method("GET"),
             path => return Reply::missing(path),
         };
@@ -75,11 +80,11 @@ impl Explorer {
                 Some((id, live)) => Reply::Recording(Source::Live(live), Some(format!("asperity-{id}.rrd"))),
                 None => nothing_yet(),
             },
-            "/api/run.npz" => match (self.session.latest(), self.session.archive()) {
-                (Some((id, _)), Some(archive)) => Reply::Download(format!("asperity-{id}.npz"), archive),
-                _ => nothing_yet(),
+            "/api/run.npz" => match self.session.archive() {
+                Some((id, archive)) => Reply::Download(format!("asperity-{id}.npz"), archive),
+                None => nothing_yet(),
             },
-            "/api/solve" | "/api/sweep" | "/api/cancel" => Reply::wrong_method("POST"),
+            "/api/solve" | "/api/sweep" | "/api/cancel" | "/api/pin" => Reply::wrong_method("POST"),
             path => self.page.file(path).or_else(|| self.run(path)).unwrap_or_else(|| Reply::missing(path)),
         }
     }

@@ -67,7 +67,7 @@ impl Server {
         format!("http://127.0.0.1:{}/", self.port)
     }
 
-    /// Serves `site` until the process is interrupted.
+    /// Serves `site` until the process is interrupted or asked to end.
     ///
     /// # Errors
     /// If the system does not let it.
@@ -89,8 +89,23 @@ impl Server {
         tokio::select! {
             served = axum::serve(listener, router) => served,
             interrupted = tokio::signal::ctrl_c() => interrupted,
+            ended = termination() => ended,
         }
     }
+}
+
+/// Waits until the system asks the process to end.
+#[cfg(unix)]
+async fn termination() -> io::Result<()> {
+    use tokio::signal::unix::{SignalKind, signal};
+    signal(SignalKind::terminate())?.recv().await;
+    Ok(())
+}
+
+/// Waits for ever: elsewhere nothing but an interrupt is known.
+#[cfg(not(unix))]
+async fn termination() -> io::Result<()> {
+    std::future::pending().await
 }
 
 /// A site and the port under which it is known.

@@ -5,7 +5,7 @@ use super::report::{Numbers, Report, Run, Sweep, Values};
 use super::sweep;
 use crate::contact::{Contact, Observer, Problem, Step, archive};
 use crate::error::{FileError, SolveError};
-use crate::record::{Live, Options, Recording, Scene, describe};
+use crate::record::{Ghost, Live, Options, Recording, Scene, describe};
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -33,9 +33,38 @@ struct State {
     order: Option<Order>,
     running: bool,
     closed: bool,
-    /// The latest recordings and their names, the newest last.
-    recordings: VecDeque<(String, Live)>,
+    /// The latest recordings, the newest last.
+    recordings: VecDeque<Kept>,
     solved: Option<Arc<Solved>>,
+}
+
+/// A recording that can still be read.
+struct Kept {
+    id: String,
+    live: Live,
+    /// Its curves, once it is complete.
+    curves: Option<Arc<Ghost>>,
+}
+
+impl State {
+    /// Keeps a recording, and drops the oldest one that is not pinned.
+    fn keep(&mut self, id: String, live: Live) {
+        self.recordings.push_back(Kept { id, live, curves: None });
+        if self.recordings.len() > RECORDINGS {
+            let is_free = |kept: &Kept| Some(&kept.id) != self.report.pinned.as_ref();
+            self.recordings.iter().position(is_free).map(|place| self.recordings.remove(place));
+        }
+    }
+
+    fn kept(&mut self, id: &str) -> Option<&mut Kept> {
+        self.recordings.iter_mut().find(|kept| kept.id == id)
+    }
+
+    /// The curves of the recording that is pinned.
+    fn ghost(&mut self) -> Option<Arc<Ghost>> {
+        let pinned = self.report.pinned.clone()?;
+        self.kept(&pinned)?.curves.clone()
+    }
 }
 
 /// Something to do.
@@ -49,6 +78,7 @@ pub enum Order {
 
 /// The latest result.
 struct Solved {
+    id: String,
     problem: Problem,
     contact: Contact,
     rank: usize,
@@ -56,7 +86,7 @@ struct Solved {
 
 /// Why an order was not carried out.
 #[derive(Debug, thiserror::Error)]
-enum Fault {
+pub(super) enum Fault {
     #[error(transparent)]
     Refusal(#[from] Refusal),
     #[error(transparent)]
@@ -119,20 +149,33 @@ impl Session {
         waited.unwrap_or_else(PoisonError::into_inner).0.report.clone()
     }
 
-    /// The recording of the latest solve, and its name.
+    /// Has the curves of the recording of that name stand beside those of new ones, or of none.
+    ///
+    /// # Errors
+    /// If there is no such recording any more.
+    pub fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
+        if let Some(name) = name.as_ref().filter(|name| self.recording(name).is_none()) {
+            return Err(Refusal(format!(
+                "there is no recording {name:?} to pin: choose one of the latest {RECORDINGS}"
+            )));
+        }
+        Ok(self.change(|state| state.report.pinned = name))
+    }
+
+    /// The latest recording and its name.
     pub fn latest(&self) -> Option<(String, Live)> {
-        self.lock().recordings.back().cloned()
+        self.lock().recordings.back().map(|kept| (kept.id.clone(), kept.live.clone()))
     }
 
     /// The recording of that name, if it is one of the latest.
     pub fn recording(&self, name: &str) -> Option<Live> {
-        self.lock().recordings.iter().find(|(id, _)| id == name).map(|(_, live)| live.clone())
+        self.lock().kept(name).map(|kept| kept.live.clone())
     }
 
-    /// The arrays of the latest result as `.npz`; none before there is one.
-    pub fn archive(&self) -> Option<Vec<u8>> {
+    /// The arrays of the latest result as `.npz`, and its name; none before there is one.
+    pub fn archive(&self) -> Option<(String, Vec<u8>)> {
         let solved = self.lock().solved.clone()?;
-        archive(&solved.problem, &solved.contact, solved.rank).ok()
+        Some((solved.id.clone(), archive(&solved.problem, &solved.contact, solved.rank).ok()?))
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
@@ -153,7 +196,7 @@ impl Session {
             let turn = Turn { session: self, generation };
             let done = catch_unwind(AssertUnwindSafe(|| match order {
                 Order::Solve(parameters) => self.solve(turn, &parameters),
-                Order::Sweep(parameters) => Ok(sweep::run(turn, &parameters)?),
+                Order::Sweep(parameters) => sweep::run(turn, &parameters),
             }));
             let fault = match done {
                 Ok(done) => done.err().map(|fault| fault.to_string()),
@@ -181,7 +224,7 @@ impl Session {
         let problem = parameters.problem()?;
         let (solver, stop) = (parameters.solver()?, parameters.stop()?);
         let exact = parameters.exact(&problem);
-        let (id, title) = (format!("run-{}", turn.generation), parameters.title());
+        let (id, title) = (format!("run-{}", turn.number()), parameters.title());
         let values = exact.as_ref().map(Values::of);
         let scene = Scene {
             name: "contact".into(),
@@ -190,7 +233,7 @@ impl Session {
             description: describe(&parameters.description(), &problem, "m", solver.as_ref(), &stop, exact.as_ref()),
             exact,
         };
-        let options = Options { what: parameters.parts(), ..Options::default() };
+        let options = Options { what: parameters.parts(), ghost: self.lock().ghost(), ..Options::default() };
         let (recording, live) = Recording::live(&id, &[scene], options)?;
         let run = Run {
             id: id.clone(),
@@ -201,28 +244,33 @@ impl Session {
             numbers: None,
             exact: values,
         };
-        self.change(|state| {
-            state.recordings.push_back((id, live));
-            if state.recordings.len() > RECORDINGS {
-                state.recordings.pop_front();
-            }
-            state.report.run = Some(run);
-        });
-        let mut recorder = recording.recorder(0);
-        let solved = solver.solve(&problem, &stop, &mut (&mut recorder, &mut Watch::new(turn)));
+        turn.keep(id.clone(), live);
+        self.change(|state| state.report.run = Some(run));
+        let (mut recorder, mut curves) = (recording.recorder(0), Ghost::new(&format!("pinned {id}")));
+        let mut watch = Watch { turn, reported: Instant::now() };
+        let solved = solver.solve(&problem, &stop, &mut (&mut recorder, &mut (&mut curves, &mut watch)));
         let contact = solved.or_else(SolveError::into_contact)?;
         recorder.close(&contact)?;
+        curves.close(&contact);
         recording.finish()?;
-        let numbers = Numbers::of_contact(&contact, &problem);
-        let solved = Arc::new(Solved { problem, contact, rank: parameters.rank() });
+        let solved = Solved { id, problem, contact, rank: parameters.rank() };
+        self.finish(solved, curves);
+        Ok(())
+    }
+
+    /// Keeps what came out of a solve, and reports it.
+    fn finish(&self, solved: Solved, curves: Ghost) {
+        let numbers = Numbers::of_contact(&solved.contact, &solved.problem);
         self.change(|state| {
-            state.solved = Some(solved);
+            if let Some(kept) = state.kept(&solved.id) {
+                kept.curves = Some(Arc::new(curves));
+            }
+            state.solved = Some(Arc::new(solved));
             if let Some(run) = &mut state.report.run {
                 run.ended = true;
                 run.numbers = Some(numbers);
             }
         });
-        Ok(())
     }
 }
 
@@ -230,6 +278,16 @@ impl Turn<'_> {
     /// Whether there was no order since.
     pub fn goes_on(self) -> bool {
         self.session.lock().generation == self.generation
+    }
+
+    /// The number of the order, which names what comes out of it.
+    pub fn number(self) -> u64 {
+        self.generation
+    }
+
+    /// Keeps a recording.
+    pub fn keep(self, id: String, live: Live) {
+        self.session.change(|state| state.keep(id, live));
     }
 
     /// Reports where a sweep stands.
@@ -242,12 +300,6 @@ impl Turn<'_> {
 struct Watch<'a> {
     turn: Turn<'a>,
     reported: Instant,
-}
-
-impl<'a> Watch<'a> {
-    fn new(turn: Turn<'a>) -> Self {
-        Self { turn, reported: Instant::now() }
-    }
 }
 
 impl Observer for Watch<'_> {

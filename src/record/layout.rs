@@ -1,6 +1,7 @@
 //! Which views a scene gets, and where they stand.
 
 use super::blueprint::{Blueprint, Clock, Kind, View};
+use super::ghost;
 use super::part::Part;
 use super::stage::{Picture, Stage};
 use super::traces;
@@ -130,14 +131,13 @@ fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
         return Ok(text);
     }
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
-    let kappa = View::curves(
-        "Proportionality kappa_r, kappa",
-        traces(&["kappa_r", "kappa", "exact_kappa_r"]),
-        Some([0.0, stage.ranges.kappa]),
-    );
-    let area = traces(&["relative_area", "exact_relative_area"]);
+    let earlier = |name: &str| stage.has_ghost.then(|| ghost::entity_under(&stage.root, name));
+    let beside = |names: &[&str]| traces(names).into_iter().chain(earlier(names[0])).collect::<Vec<_>>();
+    let kappa = beside(&["kappa_r", "kappa", "exact_kappa_r"]);
+    let kappa = View::curves("Proportionality kappa_r, kappa", kappa, Some([0.0, stage.ranges.kappa]));
+    let area = beside(&["relative_area", "exact_relative_area"]);
     let area = View::curves("Relative contact area", area, Some([0.0, stage.ranges.area]));
-    let certificate = View::curves("Certificate: log10 of the error bound eta", traces(&["certificate"]), None);
+    let certificate = View::curves("Certificate: log10 of the error bound eta", beside(&["certificate"]), None);
     let mut below = vec![(text, 1.0)];
     for (name, title) in [("mean_gap", "Mean gap"), ("energy", "Energy"), ("patches", "Patches")] {
         below.push((blueprint.view(View::curves(title, traces(&[name]), None))?, 1.0));

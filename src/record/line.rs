@@ -155,6 +155,15 @@ impl LinePicture {
         Ok(())
     }
 
+    /// Records the `pressure` of an earlier solve, on any number of nodes, along the same line.
+    pub fn log_ghost(&self, to: &RecordingStream, root: &str, pressure: &[f64]) -> RecordingStreamResult<()> {
+        let nodes = self.window.nodes();
+        let pressure: Vec<f64> = (0..nodes).map(|i| pressure[i * pressure.len() / nodes]).collect();
+        let curve = self.pressure_curve(&self.window.every(1), &pressure);
+        let line = style(palette::GHOST, Radius::new_ui_points(0.7), 35.0);
+        to.log_static(format!("{root}/pressure/curves/ghost"), &line.with_strips([LineStrip2D::from_iter(curve)]))
+    }
+
     /// How far the fields of a state reach in the window.
     pub fn extent(&self, fields: &Fields<'_>) -> Extent {
         let nodes = self.window.every(fields.stride[1]);

@@ -41,6 +41,7 @@ mod description;
 mod field;
 mod fill;
 mod forecast;
+mod ghost;
 mod layout;
 mod line;
 #[cfg(feature = "explore")]
@@ -63,6 +64,7 @@ mod viewer;
 mod window;
 
 pub use description::describe;
+pub use ghost::Ghost;
 #[cfg(feature = "explore")]
 pub use live::Live;
 pub use loads::{Curve, LoadRecording, Loads};
@@ -79,6 +81,7 @@ use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 use stage::Stage;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Application under which the viewer keeps layouts apart.
@@ -94,12 +97,14 @@ pub struct Options {
     pub every: Option<usize>,
     /// Unit of the lengths of the problems, for the axes. Metres (`m`) are shown as mm, µm or nm.
     pub length_unit: String,
+    /// Curves of an earlier solve, drawn beside those of each scene.
+    pub ghost: Option<Arc<Ghost>>,
 }
 
 impl Default for Options {
-    /// Every part, the automatic schedule, lengths in metres.
+    /// Every part, the automatic schedule, lengths in metres, nothing beside.
     fn default() -> Self {
-        Self { what: Parts::USUAL, every: None, length_unit: "m".into() }
+        Self { what: Parts::USUAL, every: None, length_unit: "m".into(), ghost: None }
     }
 }
 
@@ -182,6 +187,9 @@ impl Recording {
         for (i, (stage, scene)) in self.stages.iter().zip(scenes).enumerate() {
             stream.log_static(stage.description(), &stage.described("still running, or ended by force"))?;
             stage.log_static(stream, scene, several.then_some(i))?;
+            if let Some(ghost) = &self.options.ghost {
+                stage.log_ghost(stream, ghost)?;
+            }
         }
         Ok(())
     }

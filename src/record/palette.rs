@@ -16,6 +16,7 @@ pub const CONTACT: u32 = 0xd5_5e_00;
 pub const PRESSURE: u32 = 0xe6_9f_00;
 pub const GAP: u32 = 0x00_9e_73;
 pub const EXACT: u32 = 0xf2_f2_f2;
+pub const GHOST: u32 = 0x8c_92_9e;
 
 /// Colours of curves that stand side by side.
 pub const SERIES: [u32; 6] = [0xe6_9f_00, 0x56_b4_e9, 0x00_9e_73, 0xcc_79_a7, 0xf0_e4_42, 0xd5_5e_00];

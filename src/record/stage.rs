@@ -4,6 +4,7 @@ use super::Options;
 use super::axes::Frame;
 use super::field::{self, SurfacePicture};
 use super::forecast::Forecast;
+use super::ghost::Ghost;
 use super::line::LinePicture;
 use super::part::{Part, Parts};
 use super::scene::{Extent, Fields, Scene};
@@ -27,6 +28,8 @@ pub struct Stage {
     pub what: Parts,
     /// Exact values of the curves.
     pub reference: Reference,
+    /// Whether an earlier solve stands beside it.
+    pub has_ghost: bool,
     /// Upper ends of the axes of curves.
     pub ranges: Ranges,
     /// What is drawn of the fields.
@@ -104,6 +107,7 @@ impl Stage {
             what: options.what,
             grid,
             reference: Reference::of(scene.exact.as_ref()),
+            has_ghost: options.ghost.is_some(),
             ranges: Ranges::of(scene, forecast),
             picture: Picture::new(scene, forecast, &root, &options),
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, &root)),
@@ -144,6 +148,19 @@ impl Stage {
         match &self.picture {
             Picture::Line(line) => line.log_static(to, root, scene),
             Picture::Surface(surface) => surface.log_static(to, root),
+        }
+    }
+
+    /// Records an earlier solve, as far as this one shows the same.
+    pub fn log_ghost(&self, to: &RecordingStream, ghost: &Ghost) -> RecordingStreamResult<()> {
+        if self.what.has(Part::Traces) {
+            ghost.log(to, &self.root)?;
+        }
+        match (&self.picture, ghost.pressure()) {
+            (Picture::Line(line), Some(pressure)) if self.what.has(Part::Fields) => {
+                line.log_ghost(to, &self.root, pressure)
+            }
+            _ => Ok(()),
         }
     }
 

@@ -12,14 +12,19 @@ pub const SECONDS: &str = "seconds";
 /// Timeline of transforms made by the solver.
 pub const TRANSFORMS: &str = "transforms";
 
+/// Entities that others are compared with, and the names of their curves.
+pub const KAPPA_R: (&str, &str) = ("kappa_r", "kappa_r");
+pub const RELATIVE_AREA: (&str, &str) = ("relative_area", "relative area");
+pub const CERTIFICATE: (&str, &str) = ("certificate", "log10 certificate eta");
+
 /// Entities under `trace` and the names of their curves.
 const SERIES: [(&str, &str); 12] = [
-    ("kappa_r", "kappa_r"),
+    KAPPA_R,
     ("kappa", "kappa"),
     ("exact_kappa_r", "exact kappa_r"),
-    ("relative_area", "relative area"),
+    RELATIVE_AREA,
     ("exact_relative_area", "exact relative area"),
-    ("certificate", "log10 certificate eta"),
+    CERTIFICATE,
     ("mean_gap", "mean gap / h_rms"),
     ("energy", "energy / (p_mean h_rms)"),
     ("patches", "contact patches"),
@@ -29,17 +34,18 @@ const SERIES: [(&str, &str); 12] = [
 ];
 
 /// Where the certificate stands among the series.
-const CERTIFICATE: usize = 5;
+const CERTIFICATE_PLACE: usize = 5;
 
 /// The curves of one scene, collected until they are flushed.
 pub struct Traces {
-    series: Vec<Series>,
+    series: Vec<(EntityPath, Series)>,
     exact_kappa_r: Option<f64>,
     exact_area: Option<f64>,
 }
 
-struct Series {
-    entity: EntityPath,
+/// A number of every step.
+#[derive(Debug, Clone, Default)]
+pub struct Series {
     steps: Vec<i64>,
     seconds: Vec<f64>,
     transforms: Vec<i64>,
@@ -65,7 +71,7 @@ impl Reference {
 impl Traces {
     /// Empty curves under `root`.
     pub fn new(root: &str, reference: Reference) -> Self {
-        let series = |(name, _): &(&str, &str)| Series::new(format!("{root}/trace/{name}").into());
+        let series = |(name, _): &(&str, &str)| (format!("{root}/trace/{name}").into(), Series::default());
         Self {
             series: SERIES.iter().map(series).collect(),
             exact_kappa_r: reference.kappa_r,
@@ -91,29 +97,28 @@ impl Traces {
             of_phase(|phase| phase.outer),
             of_phase(|phase| phase.inner),
         ];
-        for (series, value) in self.series.iter_mut().zip(values) {
+        for ((_, series), value) in self.series.iter_mut().zip(values) {
             series.add(step.work(), value);
         }
     }
 
     /// Adds the certificate of the final state.
     pub fn add_certificate(&mut self, work: Work, eta: f64) {
-        self.series[CERTIFICATE].add(work, Some(eta.log10()));
+        self.series[CERTIFICATE_PLACE].1.add(work, Some(eta.log10()));
     }
 
     /// Sends what was collected.
     pub fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        self.series.iter_mut().filter(|series| !series.values.is_empty()).try_for_each(|series| series.flush(to))
+        for (entity, series) in self.series.iter_mut().filter(|(_, series)| !series.values.is_empty()) {
+            std::mem::take(series).log(to, entity)?;
+        }
+        Ok(())
     }
 }
 
 impl Series {
-    fn new(entity: EntityPath) -> Self {
-        Self { entity, steps: Vec::new(), seconds: Vec::new(), transforms: Vec::new(), values: Vec::new() }
-    }
-
     /// Adds a value; one that cannot be drawn is left out.
-    fn add(&mut self, work: Work, value: Option<f64>) {
+    pub fn add(&mut self, work: Work, value: Option<f64>) {
         let Some(value) = value.filter(|v| v.is_finite()) else { return };
         self.steps.push(work.iterations as i64);
         self.seconds.push(work.seconds);
@@ -121,13 +126,14 @@ impl Series {
         self.values.push(value);
     }
 
-    fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    /// Sends its values under `entity`, each at the time at which it was added.
+    pub fn log(&self, to: &RecordingStream, entity: &EntityPath) -> RecordingStreamResult<()> {
         let times = [
-            TimeColumn::new_sequence(STEP, self.steps.drain(..)),
-            TimeColumn::new_duration_secs(SECONDS, self.seconds.drain(..)),
-            TimeColumn::new_sequence(TRANSFORMS, self.transforms.drain(..)),
+            TimeColumn::new_sequence(STEP, self.steps.iter().copied()),
+            TimeColumn::new_duration_secs(SECONDS, self.seconds.iter().copied()),
+            TimeColumn::new_sequence(TRANSFORMS, self.transforms.iter().copied()),
         ];
-        to.send_columns(self.entity.clone(), times, Scalars::new(self.values.drain(..)).columns_of_unit_batches()?)
+        to.send_columns(entity.clone(), times, Scalars::new(self.values.iter().copied()).columns_of_unit_batches()?)
     }
 }
 

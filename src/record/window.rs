@@ -33,6 +33,11 @@ impl Window {
         Self { start: (peak + nodes - shown / 2) % nodes, shown, nodes }
     }
 
+    /// Nodes of the whole line.
+    pub fn nodes(&self) -> usize {
+        self.nodes
+    }
+
     /// First and last position; a window across the period starts at a negative one.
     pub fn ends(&self, spacing: f64) -> [f64; 2] {
         let start = self.start as f64 - if self.start + self.shown > self.nodes { self.nodes as f64 } else { 0.0 };
