@@ -68,7 +68,7 @@ pub fn rested(page: &mut Page) {
     page.until(
         "fetch('/api/state').then((answer) => answer.json()).then(({ busy, revision, run }) => { \
            const seen = document.body.dataset; \
-           return !busy && run.ended && seen.run === run.id && seen.revision === String(revision) \
+           return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) \
              && (seen.shown || '').split(' ')[0] === run.id \
              && JSON.stringify(parameters) === JSON.stringify(run.parameters); })",
         120,

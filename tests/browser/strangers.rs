@@ -74,7 +74,10 @@ fn pages_of_others_get_nothing() {
     let solve = "fetch('/api/start').then((it) => it.text()).then((body) => fetch('/api/solve', \
         { method: 'POST', headers: { 'Content-Type': 'application/json' }, body })).then((it) => it.status)";
     assert_eq!(page.value(solve), 200, "the explorer refuses its own origin");
-    page.until("fetch('/api/state').then((it) => it.json()).then((state) => !state.busy && state.run.ended)", 60);
+    page.until(
+        "fetch('/api/state').then((it) => it.json()).then((state) => !state.busy && state.run && state.run.ended)",
+        60,
+    );
     for address in [stranger(), "data:text/html,<title>nowhere</title><body></body>".into()] {
         page.open(&address);
         tries(&mut page, &explorer);
