@@ -1,0 +1,186 @@
+//! Chromium without a window, led over a pipe in its DevTools protocol. Messages stay JSON: none is lost for being new.
+
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// How long an answer may take: a page that draws in software is slow to answer.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// No name is found but one that leads here, so that neither page nor browser gets out of this machine.
+const FLAGS: &[&str] = &[
+    "--headless=new",
+    "--remote-debugging-pipe",
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+    "--disable-dev-shm-usage",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-default-apps",
+    "--disable-extensions",
+    "--disable-sync",
+    "--host-resolver-rules=MAP rebound.test 127.0.0.1, MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
+    "--window-size=1280,720",
+];
+
+/// Pipes 3 and 4 are those of the protocol.
+const PIPED: &str = r#"exec "$0" "$@" 3<&0 4>&1 </dev/null >/dev/null 2>/dev/null"#;
+
+/// A browser with one page, and all that it told.
+pub struct Chromium {
+    process: Child,
+    orders: ChildStdin,
+    messages: Receiver<Value>,
+    calls: u64,
+    session: String,
+    events: Vec<Value>,
+    folder: TempDir,
+}
+
+/// The program, if it is installed; if not, says so.
+pub fn installed() -> Option<PathBuf> {
+    let named = ["CHROME", "CHROMIUM"].iter().find_map(std::env::var_os).map(PathBuf::from);
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let on_path =
+        |name: &&str| std::env::split_paths(&path).map(|folder| folder.join(name)).find(|file| file.is_file());
+    let found =
+        named.or_else(|| ["chromium", "chromium-browser", "google-chrome"].iter().find_map(|name| on_path(&name)));
+    if found.is_none() {
+        eprintln!("The browser test was skipped: no Chromium is installed.");
+    }
+    found
+}
+
+impl Chromium {
+    /// Starts `program` with an empty page.
+    pub fn start(program: &Path) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let mut process = Command::new("sh")
+            .args(["-c", PIPED])
+            .arg(program)
+            .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
+            .args(FLAGS)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let (told, messages) = channel();
+        let mut pieces = BufReader::new(process.stdout.take().unwrap()).split(0);
+        std::thread::spawn(move || {
+            while let Some(Ok(piece)) = pieces.next() {
+                told.send(serde_json::from_slice(&piece).unwrap()).ok();
+            }
+        });
+        let orders = process.stdin.take().unwrap();
+        let (calls, session, events) = (0, String::new(), Vec::new());
+        let mut chromium = Self { process, orders, messages, calls, session, events, folder };
+        chromium.attach();
+        chromium
+    }
+
+    fn attach(&mut self) {
+        let folder = self.downloads();
+        self.browser(
+            "Browser.setDownloadBehavior",
+            json!({"behavior": "allow", "downloadPath": folder, "eventsEnabled": true}),
+        );
+        let target = self.browser("Target.createTarget", json!({"url": "about:blank"}))["targetId"].clone();
+        let attached = self.browser("Target.attachToTarget", json!({"targetId": target, "flatten": true}));
+        self.session = attached["sessionId"].as_str().unwrap().into();
+    }
+
+    /// Where downloads are put.
+    pub fn downloads(&self) -> PathBuf {
+        self.folder.path().join("downloads")
+    }
+
+    /// Calls a method of the browser.
+    pub fn browser(&mut self, method: &str, parameters: Value) -> Value {
+        self.call("", method, parameters)
+    }
+
+    /// Calls a method of the page.
+    pub fn page(&mut self, method: &str, parameters: Value) -> Value {
+        let session = self.session.clone();
+        self.call(&session, method, parameters)
+    }
+
+    fn call(&mut self, session: &str, method: &str, parameters: Value) -> Value {
+        let id = self.send(session, method, parameters);
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            let message = self.message(deadline).unwrap_or_else(|| panic!("no answer to {method}"));
+            if message["id"] == id {
+                assert!(message["error"].is_null(), "{method}: {}", message["error"]);
+                return message["result"].clone();
+            }
+        }
+    }
+
+    fn send(&mut self, session: &str, method: &str, parameters: Value) -> u64 {
+        self.calls += 1;
+        let mut message = json!({"id": self.calls, "method": method, "params": parameters});
+        if !session.is_empty() {
+            message["sessionId"] = session.into();
+        }
+        write!(self.orders, "{message}\0").expect("Chromium has gone");
+        self.calls
+    }
+
+    /// The next message. Events are kept, and what starts is watched from its first request on.
+    fn message(&mut self, deadline: Instant) -> Option<Value> {
+        let message = self.messages.recv_timeout(deadline.saturating_duration_since(Instant::now())).ok()?;
+        if message["method"] == "Target.attachedToTarget" {
+            self.watch(message["params"]["sessionId"].as_str().unwrap());
+        }
+        if message["method"].is_string() {
+            self.events.push(message.clone());
+        }
+        Some(message)
+    }
+
+    /// Has a page or a worker report its requests, errors and workers.
+    fn watch(&mut self, session: &str) {
+        for method in ["Network.enable", "Runtime.enable", "Log.enable"] {
+            self.send(session, method, json!({}));
+        }
+        let workers = json!({"autoAttach": true, "waitForDebuggerOnStart": true, "flatten": true});
+        self.send(session, "Target.setAutoAttach", workers);
+        self.send(session, "Runtime.runIfWaitingForDebugger", json!({}));
+    }
+
+    /// What it told under the name `method` until now.
+    pub fn events(&self, method: &str) -> impl Iterator<Item = &Value> {
+        self.events.iter().filter(move |event| event["method"] == method).map(|event| &event["params"])
+    }
+
+    /// Waits for something that it tells.
+    pub fn told(&mut self, method: &str, is_so: impl Fn(&Value) -> bool) -> Value {
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            if let Some(event) = self.events(method).find(|event| is_so(event)) {
+                return event.clone();
+            }
+            assert!(self.message(deadline).is_some(), "{method} never came");
+        }
+    }
+}
+
+impl Drop for Chromium {
+    fn drop(&mut self) {
+        self.send("", "Browser.close", json!({}));
+        let deadline = Instant::now() + Duration::from_secs(5);
+        while self.message(deadline).is_some() {}
+        self.process.kill().ok(); // it has most likely gone
+        self.process.wait().ok();
+    }
+}

@@ -1,0 +1,76 @@
+//! The explorer as a process of its own, and its page in a browser.
+
+use crate::chromium::Chromium;
+use crate::page::Page;
+use serde_json::Value;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+
+/// `asperity explore` on a port of its own.
+pub struct Explorer {
+    process: Child,
+    pub port: u16,
+}
+
+impl Explorer {
+    pub fn start() -> Self {
+        let mut process = Command::new(env!("CARGO_BIN_EXE_asperity"))
+            .args(["explore", "--no-open", "--port", "0"])
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut said = String::new();
+        BufReader::new(process.stdout.take().unwrap()).read_line(&mut said).unwrap();
+        let port = said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap();
+        Self { process, port }
+    }
+
+    pub fn id(&self) -> u32 {
+        self.process.id()
+    }
+
+    pub fn origin(&self) -> String {
+        format!("http://127.0.0.1:{}", self.port)
+    }
+
+    /// What the server says of its state, without a browser.
+    pub fn state(&self) -> Value {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
+        write!(stream, "GET /api/state HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n\r\n", self.port)
+            .unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        serde_json::from_str(answer.split_once("\r\n\r\n").unwrap().1).unwrap()
+    }
+}
+
+impl Drop for Explorer {
+    fn drop(&mut self) {
+        self.process.kill().ok(); // it has most likely not gone
+        self.process.wait().ok();
+    }
+}
+
+/// The page with its viewer, at the end of its first run.
+pub fn opened(program: &Path) -> (Explorer, Page) {
+    let explorer = Explorer::start();
+    let mut page = Page { chromium: Chromium::start(program) };
+    page.open(&format!("{}/?renderer=webgl&theme=dark", explorer.origin()));
+    page.until("document.body.dataset.viewer === 'started'", 120);
+    rested(&mut page);
+    (explorer, page)
+}
+
+/// Waits until nothing is solved, and page and viewer show the run that the controls ask for.
+pub fn rested(page: &mut Page) {
+    page.until(
+        "fetch('/api/state').then((answer) => answer.json()).then(({ busy, revision, run }) => { \
+           const seen = document.body.dataset; \
+           return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) \
+             && (seen.shown || '').split(' ')[0] === run.id \
+             && JSON.stringify(parameters) === JSON.stringify(run.parameters); })",
+        120,
+    );
+}

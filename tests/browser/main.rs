@@ -1,0 +1,11 @@
+//! The explorer in a browser: what a person sees, what leaves the page, and what pages of others can do.
+//!
+//! Without Chromium the tests pass and say that they were skipped. `CHROME` or `CHROMIUM` names one that is not on the path.
+#![cfg(unix)]
+
+mod chromium;
+mod explorer;
+mod measures;
+mod page;
+mod person;
+mod strangers;

@@ -1,0 +1,121 @@
+//! Measurements of the explorer in a browser, asked for by name:
+//! `cargo test --release --features explore --test browser -- --ignored --nocapture --test-threads 1`.
+
+use crate::chromium::installed;
+use crate::explorer::{Explorer, opened, rested};
+use crate::page::Page;
+use serde_json::{Value, json};
+
+/// Sets a control as a hand does: value and input event.
+const TURN: &str = "const turn = (id, value) => { const it = document.getElementById(`control-${id}`); \
+    it.value = value; it.dispatchEvent(new Event('input', { bubbles: true })); };";
+
+/// Times, in milliseconds, from an input event to the first steps of its run in the viewer, to the next frame of the page
+/// after them, and to the numbers of the converged run in the page.
+const WATCH: &str = "(seed) => new Promise((told) => { \
+    const seen = document.body.dataset; const before = seen.run; const begun = performance.now(); const at = {}; \
+    turn('seed', seed); \
+    const look = () => { const now = performance.now() - begun; \
+      const isNew = seen.run !== before && parameters.seed === latest().parameters.seed; \
+      if (isNew && !at.first && (seen.shown || '').startsWith(`${seen.run} `)) { \
+        at.first = now; requestAnimationFrame(() => requestAnimationFrame(() => { at.drawn = performance.now() - begun; })); } \
+      if (isNew && !at.converged && seen.status === 'converged') at.converged = now; \
+      if (at.first && at.drawn && at.converged) told(at); else setTimeout(look, 1); }; \
+    look(); })";
+
+fn median_and_most(mut times: Vec<f64>) -> String {
+    times.sort_by(f64::total_cmp);
+    format!("median {:.0} ms, most {:.0} ms", times[times.len() / 2], times[times.len() - 1])
+}
+
+fn latencies(page: &mut Page, name: &str) {
+    let times: Vec<Value> = (100..120)
+        .map(|seed| {
+            rested(page);
+            page.value(&format!("(() => {{ {TURN} return ({WATCH})({seed}); }})()"))
+        })
+        .collect();
+    for (moment, what) in
+        [("first", "first steps in the viewer"), ("drawn", "drawn"), ("converged", "converged in the page")]
+    {
+        let of = |time: &Value| time[moment].as_f64().unwrap();
+        println!("{name}: {what}: {}", median_and_most(times.iter().map(of).collect()));
+    }
+}
+
+/// From a knob to its picture, for a line of 4096 points and a surface of 256 x 256.
+#[test]
+#[ignore = "a measurement"]
+fn latency() {
+    let Some(program) = installed() else { return };
+    let (_explorer, mut page) = opened(&program);
+    latencies(&mut page, "line of 4096");
+    page.value(&format!("(() => {{ {TURN} turn('geometry', 'surface'); }})()"));
+    latencies(&mut page, "surface of 256 x 256");
+}
+
+/// Resident memory of a process in MB, 0 of one that has gone.
+fn resident(process: &str) -> f64 {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
+    line.map_or(0.0, |line| line.trim().trim_end_matches(" kB").parse::<f64>().unwrap() / 1024.0)
+}
+
+/// Memory of server, page and graphics process in MB, after collecting what is dropped.
+fn memory(explorer: &Explorer, page: &mut Page) -> [f64; 3] {
+    page.chromium.page("HeapProfiler.collectGarbage", json!({}));
+    let told = page.chromium.browser("SystemInfo.getProcessInfo", json!({}));
+    let of = |kind: &str| {
+        let processes = told["processInfo"].as_array().unwrap().iter().filter(|process| process["type"] == kind);
+        processes.map(|process| resident(&process["id"].to_string())).sum()
+    };
+    [resident(&explorer.id().to_string()), of("renderer"), of("GPU")]
+}
+
+/// The change of a knob that comes at place `at`: mixed controls, some of them slow to solve.
+fn knob(at: usize) -> String {
+    match at % 10 {
+        0 => format!("turn('seed', {at})"),
+        1 => format!("turn('load', {})", -3.0 + (at % 37) as f64 / 10.0),
+        2 => format!("turn('hurst', {})", 0.3 + (at % 7) as f64 / 10.0),
+        3 => format!("turn('roughness', {})", 0.0002 * (1 + at % 11) as f64),
+        4 => "turn('solver', 'gfmd')".into(),
+        5 => format!("turn('damping', {})", -(((at / 10) % 10) as f64) / 10.0),
+        6 => "turn('solver', 'multilevel')".into(),
+        7 => format!("turn('shape', '{}')", ["round", "sine", "flat"][(at / 10) % 3]),
+        8 => format!("turn('rolloff', {})", 1 + at % 9),
+        _ => format!("turn('geometry', '{}')", ["surface", "line"][(at / 10) % 2]),
+    }
+}
+
+/// 500 knobs in a row: the end is that of the last one, and memory stays.
+#[test]
+#[ignore = "a measurement"]
+fn soak() {
+    let Some(program) = installed() else { return };
+    let (explorer, mut page) = opened(&program);
+    let mut measured = Vec::new();
+    for at in 0..500 {
+        page.value(&format!("(() => {{ {TURN} {}; }})()", knob(at)));
+        if at % 5 == 4 {
+            std::thread::sleep(std::time::Duration::from_millis(150)); // some solves come to their pictures, some do not
+        }
+        if at % 50 == 49 {
+            rested(&mut page);
+            let state = explorer.state();
+            assert_eq!(page.text("shownRun"), state["run"]["id"].as_str().unwrap());
+            assert_eq!(page.value("document.getElementById('fault').hidden"), true);
+            let memory = memory(&explorer, &mut page);
+            println!(
+                "{} knobs: server {:.0} MB, page {:.0} MB, graphics {:.0} MB",
+                at + 1,
+                memory[0],
+                memory[1],
+                memory[2]
+            );
+            measured.push(memory);
+        }
+    }
+    let (first, last) = (measured[1], measured[measured.len() - 1]);
+    assert!(last[0] < 1.5 * first[0] + 50.0, "the server has grown from {} to {} MB", first[0], last[0]);
+}

@@ -1,0 +1,104 @@
+//! A page as a person has it: keys, clicks, and what is to be seen.
+
+use crate::chromium::Chromium;
+use base64::prelude::{BASE64_STANDARD, Engine};
+use serde_json::{Value, json};
+use std::io::Cursor;
+use std::time::{Duration, Instant};
+
+/// Keys, their codes and what they type.
+const KEYS: &[(&str, u32, &str)] = &[
+    ("ArrowDown", 40, ""),
+    ("ArrowLeft", 37, ""),
+    ("ArrowRight", 39, ""),
+    ("ArrowUp", 38, ""),
+    ("End", 35, ""),
+    ("Home", 36, ""),
+];
+
+/// A page in a browser of its own.
+pub struct Page {
+    pub chromium: Chromium,
+}
+
+impl Page {
+    /// Goes to an address.
+    pub fn open(&mut self, address: &str) {
+        self.chromium.page("Page.navigate", json!({"url": address}));
+        self.until(&format!("location.href === {} && document.readyState === 'complete'", json!(address)), 30);
+    }
+
+    /// The value of an expression in the page, awaited.
+    pub fn value(&mut self, expression: &str) -> Value {
+        let asked = json!({"expression": expression, "returnByValue": true, "awaitPromise": true});
+        let answer = self.chromium.page("Runtime.evaluate", asked);
+        assert!(answer["exceptionDetails"].is_null(), "{expression}: {}", answer["exceptionDetails"]);
+        answer["result"]["value"].clone()
+    }
+
+    pub fn text(&mut self, expression: &str) -> String {
+        let value = self.value(expression);
+        value.as_str().unwrap_or_else(|| panic!("{expression} is {value}")).to_owned()
+    }
+
+    /// Waits until a condition holds.
+    pub fn until(&mut self, condition: &str, seconds: u64) {
+        let deadline = Instant::now() + Duration::from_secs(seconds);
+        while self.value(&format!("(async () => Boolean(await ({condition})))()")) != true {
+            if Instant::now() > deadline {
+                let seen = self.value("({...document.body.dataset, text: document.body.innerText.slice(0, 2000)})");
+                panic!("after {seconds} s it is not so: {condition}\n{seen:#}");
+            }
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    /// Presses a key that has a name, or a letter, where the focus is.
+    pub fn press(&mut self, key: &str) {
+        let letter = (key, key.to_uppercase().bytes().next().unwrap().into(), key);
+        let (_, code, typed) = KEYS.iter().find(|known| known.0 == key).copied().unwrap_or(letter);
+        for kind in ["keyDown", "keyUp"] {
+            let text = if kind == "keyDown" { typed } else { "" };
+            let event = json!({"type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code, "text": text});
+            self.chromium.page("Input.dispatchKeyEvent", event);
+        }
+    }
+
+    /// Focuses a control and presses a key.
+    pub fn press_at(&mut self, id: &str, key: &str) {
+        self.value(&format!("document.getElementById('{id}').focus()"));
+        assert_eq!(self.text("document.activeElement.id"), id);
+        self.press(key);
+    }
+
+    /// Clicks the middle of an element.
+    pub fn click(&mut self, id: &str) {
+        let [x, y, width, height] = self.place(id);
+        for (kind, pressed) in [("mousePressed", 1), ("mouseReleased", 0)] {
+            let (x, y) = (x + width / 2.0, y + height / 2.0);
+            let event = json!({"type": kind, "x": x, "y": y, "button": "left", "buttons": pressed, "clickCount": 1});
+            self.chromium.page("Input.dispatchMouseEvent", event);
+        }
+    }
+
+    /// Left, top, width and height of an element, scrolled into view.
+    fn place(&mut self, id: &str) -> [f64; 4] {
+        let place = self.value(&format!(
+            "(() => {{ const it = document.getElementById('{id}'); it.scrollIntoView({{ block: 'nearest' }}); \
+             const box = it.getBoundingClientRect(); return [box.x, box.y, box.width, box.height]; }})()"
+        ));
+        serde_json::from_value(place).unwrap()
+    }
+
+    /// The pixels of an element.
+    pub fn picture(&mut self, id: &str) -> Vec<[u8; 3]> {
+        let [x, y, width, height] = self.place(id);
+        let clip = json!({"x": x, "y": y, "width": width, "height": height, "scale": 1});
+        let shot = self.chromium.page("Page.captureScreenshot", json!({"format": "png", "clip": clip}));
+        let png = BASE64_STANDARD.decode(shot["data"].as_str().unwrap()).unwrap();
+        let mut reader = png::Decoder::new(Cursor::new(png)).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        pixels[..info.buffer_size()].chunks(info.color_type.samples()).map(|p| [p[0], p[1], p[2]]).collect()
+    }
+}

@@ -1,0 +1,273 @@
+//! What a person does at the page, and what is to be seen then.
+
+use crate::chromium::{Chromium, installed};
+use crate::explorer::{Explorer, opened, rested};
+use crate::page::Page;
+use rerun::{ChunkStore, ChunkStoreConfig, StoreKind};
+use serde_json::{Value, json};
+use std::collections::HashSet;
+use std::fs::File;
+use std::time::{Duration, Instant};
+
+/// The latest run as the server tells it.
+fn run(explorer: &Explorer) -> Value {
+    explorer.state()["run"].clone()
+}
+
+/// The number in the first column of the table, in the row that begins with a name.
+fn number(page: &mut Page, row: &str) -> f64 {
+    page.text(&format!("document.querySelector('#numbers td[data-number=\"{row}\"]').innerText")).parse().unwrap()
+}
+
+/// Table and controls hold what the server tells of the latest run.
+fn agrees(explorer: &Explorer, page: &mut Page) -> Value {
+    rested(page);
+    let run = run(explorer);
+    assert_eq!(page.text("document.body.dataset.status"), run["numbers"]["status"].as_str().unwrap());
+    let rows = [
+        ("κ = a_rel / p*", "kappa"),
+        ("κ_r", "kappa_r"),
+        ("area a_rel", "relative_area"),
+        ("certificate η", "certificate"),
+    ];
+    for (row, name) in rows {
+        let (shown, told) = (number(page, row), run["numbers"][name].as_f64().unwrap());
+        assert!((shown / told - 1.0).abs() < 6e-3, "{row} shows {shown} and is {told}");
+    }
+    run
+}
+
+/// The picture of the viewer, once it stands still.
+fn settled(page: &mut Page) -> Vec<[u8; 3]> {
+    let deadline = Instant::now() + Duration::from_secs(60);
+    let mut before = page.picture("canvas");
+    while Instant::now() < deadline {
+        let now = page.picture("canvas");
+        if now == before {
+            return now;
+        }
+        before = now;
+    }
+    panic!("the viewer never stands still");
+}
+
+/// The share of pixels that differ.
+fn difference(one: &[[u8; 3]], other: &[[u8; 3]]) -> f64 {
+    assert_eq!(one.len(), other.len());
+    one.iter().zip(other).filter(|(a, b)| a != b).count() as f64 / one.len() as f64
+}
+
+fn the_viewer_draws(page: &mut Page) {
+    let picture = settled(page);
+    let background = picture[0];
+    let (drawn, colours) =
+        (difference(&picture, &vec![background; picture.len()]), HashSet::<_>::from_iter(&picture).len());
+    assert!(drawn > 0.02 && colours > 30, "{drawn} of the viewer is not background, in {colours} colours");
+    assert_eq!(page.value("document.getElementById('viewer-note').hidden"), true);
+}
+
+fn the_load_moves_the_contact(explorer: &Explorer, page: &mut Page) {
+    let (before, picture) = (agrees(explorer, page), settled(page));
+    for _ in 0..25 {
+        page.press_at("control-load", "ArrowRight");
+    }
+    let after = agrees(explorer, page);
+    let load = |run: &Value| run["parameters"]["load"].as_f64().unwrap();
+    assert!((load(&after) / load(&before) / 10f64.sqrt() - 1.0).abs() < 1e-2, "{} to {}", load(&before), load(&after));
+    let kappa = |run: &Value| run["numbers"]["kappa"].as_f64().unwrap();
+    assert!(kappa(&after) < 0.9 * kappa(&before), "{} to {}", kappa(&before), kappa(&after));
+    let changed = difference(&picture, &settled(page));
+    assert!(changed > 0.01, "{changed} of the viewer has changed");
+}
+
+fn solvers_and_geometries_switch(explorer: &Explorer, page: &mut Page) {
+    let line = agrees(explorer, page)["numbers"].clone();
+    page.press_at("control-solver", "ArrowDown");
+    let gradients = agrees(explorer, page);
+    assert_eq!(gradients["parameters"]["solver"], "polonsky-keer");
+    assert_eq!(gradients["numbers"]["relative_area"], line["relative_area"]);
+    assert_ne!(gradients["numbers"]["transforms"], line["transforms"]);
+    assert_eq!(page.value("document.getElementById('row-masses').hidden"), true);
+    page.press_at("control-solver", "ArrowDown");
+    assert_eq!(page.value("document.getElementById('row-masses').hidden"), false);
+    assert_eq!(agrees(explorer, page)["parameters"]["solver"], "gfmd");
+    page.press_at("control-solver", "Home");
+    agrees(explorer, page);
+    page.press_at("control-geometry", "ArrowDown");
+    let surface = agrees(explorer, page);
+    assert_eq!(
+        (&surface["parameters"]["geometry"], &surface["parameters"]["points"]),
+        (&json!("surface"), &json!(256))
+    );
+    page.press_at("control-geometry", "ArrowUp");
+    assert_eq!(agrees(explorer, page)["parameters"]["geometry"], "line");
+}
+
+fn runs_are_compared(explorer: &Explorer, page: &mut Page) {
+    let first = agrees(explorer, page);
+    page.click("pin");
+    page.click("dice");
+    let second = agrees(explorer, page);
+    assert_ne!(first["parameters"]["seed"], second["parameters"]["seed"]);
+    let shown = |run: &Value| format!("document.body.dataset.run === {}", run["id"]);
+    page.click("swap");
+    page.until(&shown(&first), 10);
+    page.click("swap");
+    page.until(&shown(&second), 10);
+    page.click("pin");
+    assert_eq!(page.value("document.getElementById('runs').options.length"), 6);
+}
+
+fn a_run_plays(page: &mut Page) {
+    let picture = settled(page);
+    page.value("document.getElementById('scrub').value = 1000");
+    page.press_at("scrub", "Home");
+    assert_eq!(page.text("document.getElementById('scrub-step').value"), "step 0");
+    let changed = difference(&picture, &settled(page));
+    assert!(changed > 0.001, "{changed} of the viewer differs at the first step");
+    page.value("document.getElementById('speed').value = 4");
+    page.click("play");
+    page.until(
+        "document.getElementById('play').textContent === 'Play' && document.getElementById('scrub').value === '1000'",
+        60,
+    );
+}
+
+fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
+    page.click("sweep");
+    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
+    let points = explorer.state()["sweep"]["points"].as_array().unwrap().clone();
+    assert!(points.last().unwrap()["area"].as_f64().unwrap() > 0.9999);
+    for chart in ["chart-area", "chart-kappa"] {
+        let drawn = page.value(&format!("document.querySelector('#{chart} polyline.computed').points.numberOfItems"));
+        assert_eq!(drawn, points.len(), "{chart}");
+    }
+}
+
+fn what_is_saved_opens(explorer: &Explorer, page: &mut Page) {
+    let id = run(explorer)["id"].as_str().unwrap().to_owned();
+    for (button, kind) in [("save-rrd", "rrd"), ("save-npz", "npz")] {
+        page.click(button);
+        let name = format!("asperity-{id}.{kind}");
+        let begun = page.chromium.told("Browser.downloadWillBegin", |event| event["suggestedFilename"] == name);
+        let is_whole = |event: &Value| event["guid"] == begun["guid"] && event["state"] == "completed";
+        page.chromium.told("Browser.downloadProgress", is_whole);
+    }
+    let saved = page.chromium.downloads().join(format!("asperity-{id}.rrd"));
+    let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut File::open(saved).unwrap()).unwrap();
+    let (store_id, store) = stores.iter().find(|(id, _)| id.kind() == StoreKind::Recording).unwrap();
+    assert_eq!(store_id.recording_id().as_str(), id);
+    assert!(store.iter_physical_chunks().any(|chunk| chunk.entity_path().to_string() == "/contact/trace/kappa_r"));
+    let saved = page.chromium.downloads().join(format!("asperity-{id}.npz"));
+    let mut arrays = ndarray_npy::NpzReader::new(File::open(saved).unwrap()).unwrap();
+    let pressure: ndarray::Array1<f64> = arrays.by_name("pressure").unwrap();
+    assert_eq!(run(explorer)["parameters"]["points"], pressure.len());
+}
+
+fn lessons_lead_to_their_end(page: &mut Page) {
+    let mut told = HashSet::new();
+    for (letter, steps) in [("h", 5), ("w", 4)] {
+        page.press_at("lesson", letter);
+        for at in 0..steps {
+            page.until(&format!("document.body.dataset.lesson === '{at}'"), 10);
+            assert!(told.insert(page.text("document.getElementById('lesson-text').innerText")));
+            let is_last = page.value("document.getElementById('lesson-next').disabled");
+            assert_eq!(is_last, at + 1 == steps);
+            if is_last == false {
+                rested(page);
+                page.click("lesson-next");
+            }
+        }
+        page.until("document.body.dataset.busy === 'false'", 120);
+        page.click("lesson-close");
+        assert_eq!(page.value("document.getElementById('lesson-card').hidden"), true);
+    }
+}
+
+/// Requests to elsewhere that the policy of the page did not block.
+fn outward(chromium: &Chromium, origin: &str) -> Vec<String> {
+    let own = format!("{origin}/");
+    let is_own = |url: &str| ["data:", "blob:", "about:", &own].iter().any(|start| url.starts_with(start));
+    let blocked: HashSet<&Value> = chromium
+        .events("Network.loadingFailed")
+        .filter(|event| event["blockedReason"] == "csp")
+        .map(|event| &event["requestId"])
+        .collect();
+    let requests = chromium.events("Network.requestWillBeSent").filter(|event| !blocked.contains(&event["requestId"]));
+    let sockets = chromium.events("Network.webSocketCreated").chain(chromium.events("Network.webTransportCreated"));
+    let addresses = requests.map(|event| &event["request"]["url"]).chain(sockets.map(|event| &event["url"]));
+    addresses.map(|url| url.as_str().unwrap().to_owned()).filter(|url| !is_own(url)).collect()
+}
+
+/// Page and workers talk to their own server only, and could not do otherwise.
+fn the_policy_blocks(explorer: &Explorer, page: &mut Page) {
+    let own = format!("{}/run/", explorer.origin());
+    let runs = page
+        .chromium
+        .events("Network.requestWillBeSent")
+        .filter(|event| event["request"]["url"].as_str().unwrap().starts_with(&own));
+    assert!(runs.count() > 10, "the log of requests lacks those of the viewer");
+    println!("The policy blocked {} requests of the viewer.", blocked(&page.chromium));
+    let fetch = "fetch('http://elsewhere.test/').then(() => 'sent', () => 'refused')";
+    assert_eq!(page.text(fetch), "refused");
+    let worker = format!(
+        "new Promise((told) => {{ const code = new Blob([`{}.then(postMessage)`]); \
+         new Worker(URL.createObjectURL(code)).onmessage = (event) => told(event.data); }})",
+        fetch.replace("elsewhere", "worker.elsewhere")
+    );
+    assert_eq!(page.text(&worker), "refused");
+    assert_eq!(outward(&page.chromium, &explorer.origin()), [""; 0], "requests that were not blocked");
+}
+
+/// How many requests the policy of the page blocked.
+fn blocked(chromium: &Chromium) -> usize {
+    let entries = chromium.events("Log.entryAdded").map(|event| &event["entry"]);
+    entries.filter(|entry| entry["source"] == "security" && is_of_the_policy(entry)).count()
+}
+
+fn is_of_the_policy(entry: &Value) -> bool {
+    entry["text"].as_str().is_some_and(|text| text.contains("Content Security Policy"))
+}
+
+/// Errors in the console, but for those about what the policy blocked.
+fn errors(chromium: &Chromium) -> Vec<String> {
+    let entries = chromium.events("Log.entryAdded").map(|event| &event["entry"]);
+    let logged = entries.filter(|entry| entry["level"] == "error" && !is_of_the_policy(entry));
+    let is_error = |call: &&Value| call["type"] == "error" || call["type"] == "assert";
+    let told = |call: &Value| call["args"].to_string();
+    let (refused, called): (Vec<_>, Vec<_>) = chromium
+        .events("Runtime.consoleAPICalled")
+        .filter(is_error)
+        .map(told)
+        .partition(|text| text.contains("Failed to fetch"));
+    let unexplained = refused.into_iter().skip(blocked(chromium)); // the viewer complains of each
+    let thrown = chromium.events("Runtime.exceptionThrown").map(|event| event["exceptionDetails"].to_string());
+    logged.map(Value::to_string).chain(called).chain(unexplained).chain(thrown).collect()
+}
+
+#[test]
+fn a_person_at_the_page() {
+    let Some(program) = installed() else { return };
+    let begun = Instant::now();
+    let done = |what: &str| println!("{:6.1} s  {what}", begun.elapsed().as_secs_f64());
+    let (explorer, mut page) = opened(&program);
+    done("the page is open");
+    the_viewer_draws(&mut page);
+    done("the viewer draws");
+    the_load_moves_the_contact(&explorer, &mut page);
+    done("the load moves the contact");
+    solvers_and_geometries_switch(&explorer, &mut page);
+    done("solvers and geometries switch");
+    runs_are_compared(&explorer, &mut page);
+    a_run_plays(&mut page);
+    done("a run plays");
+    a_sweep_draws_its_curves(&explorer, &mut page);
+    done("a sweep draws its curves");
+    what_is_saved_opens(&explorer, &mut page);
+    done("what is saved opens");
+    lessons_lead_to_their_end(&mut page);
+    done("lessons lead to their end");
+    assert_eq!(page.value("document.getElementById('fault').hidden"), true);
+    assert_eq!(errors(&page.chromium), [""; 0]);
+    the_policy_blocks(&explorer, &mut page);
+}
