@@ -53,7 +53,7 @@ pub fn installed() -> Option<PathBuf> {
     let on_path =
         |name: &&str| std::env::split_paths(&path).map(|folder| folder.join(name)).find(|file| file.is_file());
     let found =
-        named.or_else(|| ["chromium", "chromium-browser", "google-chrome"].iter().find_map(|name| on_path(&name)));
+        named.or_else(|| ["chromium", "chromium-browser", "google-chrome"].iter().find_map(|name| on_path(name)));
     if found.is_none() {
         eprintln!("The browser test was skipped: no Chromium is installed.");
     }
