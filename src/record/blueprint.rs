@@ -166,3 +166,28 @@ impl Blueprint {
         Uuid { bytes }
     }
 }
+
+/// Store and storage hold one another: without this, both stay for ever, and two threads with them.
+impl Drop for Blueprint {
+    fn drop(&mut self) {
+        self.store.disconnect();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_of_it_is_left_when_it_is_sent() {
+        let (recording, storage) = RecordingStreamBuilder::new("test").enabled(true).memory().unwrap();
+        let mut blueprint = Blueprint::new("test".into()).unwrap();
+        let store = blueprint.store.clone_weak();
+        let text = blueprint.view(View::text("text", "/text".into())).unwrap();
+        assert!(store.ref_count() > 0);
+        blueprint.send(vec![(text, 1.0)], Clock { timeline: "step", pace: 1.0 }, &recording).unwrap();
+        assert_eq!(store.ref_count(), 0);
+        assert!(!storage.take().is_empty());
+        recording.disconnect();
+    }
+}
