@@ -7,6 +7,7 @@ use rerun::{ChunkStore, ChunkStoreConfig, StoreKind};
 use serde_json::{Value, json};
 use std::collections::HashSet;
 use std::fs::File;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// The latest run as the server tells it.
@@ -138,27 +139,40 @@ fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
     page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
     let points = explorer.state()["sweep"]["points"].as_array().unwrap().clone();
     assert!(points.last().unwrap()["area"].as_f64().unwrap() > 0.9999);
-    for chart in ["chart-area", "chart-kappa"] {
-        let drawn = page.value(&format!("document.querySelector('#{chart} polyline.computed').points.numberOfItems"));
-        assert_eq!(drawn, points.len(), "{chart}");
+    for curve in ["chart-area polyline.computed", "chart-kappa polyline.second"] {
+        let drawn = page.value(&format!("document.querySelector('#{curve}').points.numberOfItems"));
+        assert_eq!(drawn, points.len(), "{curve}");
     }
+    let id = explorer.state()["sweep"]["id"].as_str().unwrap().to_owned();
+    page.until(&format!("(document.body.dataset.shown || '').startsWith('{id} ')"), 60);
+    let (name, store) = recording(&save(page, "save-rrd", &format!("asperity-{id}.rrd")));
+    let mut curves =
+        store.iter_physical_chunks().filter(|chunk| chunk.entity_path().to_string().starts_with("/curve/"));
+    assert!(name == id && curves.any(|chunk| chunk.timelines().contains_key(&"load".into())));
+}
+
+/// Saves by a button what goes by `name`, and returns where it is.
+fn save(page: &mut Page, button: &str, name: &str) -> PathBuf {
+    page.click(button);
+    let begun = page.chromium.told("Browser.downloadWillBegin", |event| event["suggestedFilename"] == name);
+    let is_whole = |event: &Value| event["guid"] == begun["guid"] && event["state"] == "completed";
+    page.chromium.told("Browser.downloadProgress", is_whole);
+    page.chromium.downloads().join(name)
+}
+
+/// What a file records, without its layout, and its name.
+fn recording(path: &Path) -> (String, ChunkStore) {
+    let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut File::open(path).unwrap()).unwrap();
+    let (id, store) = stores.into_iter().find(|(id, _)| id.kind() == StoreKind::Recording).unwrap();
+    (id.recording_id().as_str().to_owned(), store)
 }
 
 fn what_is_saved_opens(explorer: &Explorer, page: &mut Page) {
     let id = run(explorer)["id"].as_str().unwrap().to_owned();
-    for (button, kind) in [("save-rrd", "rrd"), ("save-npz", "npz")] {
-        page.click(button);
-        let name = format!("asperity-{id}.{kind}");
-        let begun = page.chromium.told("Browser.downloadWillBegin", |event| event["suggestedFilename"] == name);
-        let is_whole = |event: &Value| event["guid"] == begun["guid"] && event["state"] == "completed";
-        page.chromium.told("Browser.downloadProgress", is_whole);
-    }
-    let saved = page.chromium.downloads().join(format!("asperity-{id}.rrd"));
-    let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut File::open(saved).unwrap()).unwrap();
-    let (store_id, store) = stores.iter().find(|(id, _)| id.kind() == StoreKind::Recording).unwrap();
-    assert_eq!(store_id.recording_id().as_str(), id);
+    let (name, store) = recording(&save(page, "save-rrd", &format!("asperity-{id}.rrd")));
+    assert_eq!(name, id);
     assert!(store.iter_physical_chunks().any(|chunk| chunk.entity_path().to_string() == "/contact/trace/kappa_r"));
-    let saved = page.chromium.downloads().join(format!("asperity-{id}.npz"));
+    let saved = save(page, "save-npz", &format!("asperity-{id}.npz"));
     let mut arrays = ndarray_npy::NpzReader::new(File::open(saved).unwrap()).unwrap();
     let pressure: ndarray::Array1<f64> = arrays.by_name("pressure").unwrap();
     assert_eq!(run(explorer)["parameters"]["points"], pressure.len());
@@ -261,10 +275,10 @@ fn a_person_at_the_page() {
     runs_are_compared(&explorer, &mut page);
     a_run_plays(&mut page);
     done("a run plays");
-    a_sweep_draws_its_curves(&explorer, &mut page);
-    done("a sweep draws its curves");
     what_is_saved_opens(&explorer, &mut page);
     done("what is saved opens");
+    a_sweep_draws_its_curves(&explorer, &mut page);
+    done("a sweep draws its curves, and its recording opens");
     lessons_lead_to_their_end(&mut page);
     done("lessons lead to their end");
     assert_eq!(page.value("document.getElementById('fault').hidden"), true);
