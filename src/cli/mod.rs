@@ -26,8 +26,6 @@ mod surface;
 mod view;
 
 use asperity::error::{FileError, GridError, ProblemError, SettingError, SolveError, StudyError, SurfaceError};
-#[cfg(feature = "record")]
-use asperity::record as description;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 

@@ -1,13 +1,12 @@
 //! The solvers side by side in one recording.
 
-use super::super::description::describe;
 use super::super::progress::Progress;
 use crate::cli::contender::Contender;
 use anyhow::Result;
 use asperity::Problem;
 use asperity::contact::Stop;
 use asperity::error::SolveError;
-use asperity::record::{Options, Recording, Scene};
+use asperity::record::{Options, Recording, Scene, describe};
 use std::path::Path;
 
 /// Records one run of each solver on `problem`: its certificate along seconds and transforms, next to its fields.

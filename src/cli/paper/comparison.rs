@@ -124,9 +124,7 @@ impl Comparison {
         }
         self.write_reasons(out)
     }
-}
 
-impl Comparison {
     /// Writes why numbers differ, each reason once.
     fn write_reasons(&self, out: &mut impl Write) -> Result<()> {
         let mut told: Vec<&str> = Vec::new();

@@ -42,25 +42,25 @@ pub fn make(study: &Study) -> Result<Made> {
     let x = Axis::log("p_r* = p / (g_r E*)", RANGE);
     let mut panel = Panel::new("smooth indenters", x, Axis::linear("κ_r = a_rel / p_r*", [1.3, 2.0]), Corner::TopRight);
     let cases = [
-        ("cylinder", "cylinder", Colour::VERMILION, Symbol::Circle, hertz::KAPPA_R_LINE),
-        ("sphere", "sphere", Colour::BLUE, Symbol::Square, hertz::KAPPA_R_POINT),
+        ("cylinder", Colour::VERMILION, Symbol::Circle, hertz::KAPPA_R_LINE),
+        ("sphere", Colour::BLUE, Symbol::Square, hertz::KAPPA_R_POINT),
     ];
-    for (name, title, colour, symbol, exact) in cases {
+    for (name, colour, symbol, exact) in cases {
         let level = RANGE.map(|p| Point::at(p, exact)).to_vec();
-        panel.series.push(Series::new(format!("{title}, analytical: {exact:.4}"), colour, Mark::Line, level));
+        panel.series.push(Series::new(format!("{name}, analytical: {exact:.4}"), colour, Mark::Line, level));
         let measured = |quantity: Quantity| {
             let rows = points.0.iter().filter(|row| row.name == name);
             rows.map(|row| Point::at(row.reduced_pressure_contact, quantity(row))).collect::<Vec<_>>()
         };
         let mark = |filled| Mark::Symbol { symbol, filled };
         panel.series.push(Series::new(
-            format!("{title}, nodes counted"),
+            format!("{name}, nodes counted"),
             colour,
             mark(true),
             measured(|row| row.kappa_r),
         ));
         let corrected = measured(|row| row.kappa_r_corrected);
-        panel.series.push(Series::new(format!("{title}, corrected"), colour, mark(false), corrected));
+        panel.series.push(Series::new(format!("{name}, corrected"), colour, mark(false), corrected));
     }
     let periodic = periodic_cylinder(0.2);
     panel.series.push(Series::new("cylinders side by side, exact", Colour::VERMILION, Mark::Dashed, periodic));

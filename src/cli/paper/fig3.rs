@@ -4,9 +4,10 @@ use super::Made;
 use super::comparison::Finding;
 use super::means::{Points, Quantity};
 use super::part::Part;
+use super::rough::along;
 use super::study::Study;
 use anyhow::Result;
-use asperity::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
+use asperity::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Series};
 use asperity::study::{Fit, Row};
 use asperity::theory::persson;
 use serde::Serialize;
@@ -83,18 +84,13 @@ fn panel(study: &Study, points: &Points, fits: &[Fitted]) -> Panel {
     let [low, high] = study.lines.ends();
     let x = Axis::log("p*", [low / 1.3, (high * 1.3).max(1.0)]);
     let mut panel = Panel::new("fitted and measured", x, Axis::linear("κ_fit", [1.0, 4.6]), Corner::TopRight);
-    let curve = |kappa: &dyn Fn(f64) -> f64| {
-        let [low, high] = [panel.x.range[0].log10(), panel.x.range[1].log10()];
-        let load = |i: i32| 10f64.powf(low + (high - low) * f64::from(i) / 100.0);
-        (0..=100).map(load).map(|p| Point::at(p, kappa(p))).collect::<Vec<_>>()
-    };
     let mut series = Vec::new();
     for fit in fits {
         let (colour, mark) =
             if fit.hurst.is_some() { (Colour::VERMILION, Mark::Line) } else { (Colour::GREEN, Mark::Dashed) };
-        series.push(Series::new(fit.name(), colour, mark, curve(&|p| fit.kappa_at(p))));
+        series.push(Series::new(fit.name(), colour, mark, along(&panel.x, |p| fit.kappa_at(p))));
     }
-    let persson = curve(&|p| persson::relative_area(p) / p);
+    let persson = along(&panel.x, |p| persson::relative_area(p) / p);
     series.push(Series::new("Persson, erf(√2 p*)/p*", Colour::BLACK, Mark::Dotted, persson));
     for (hurst, symbol) in study.lines.exponents() {
         let of: [Quantity; 2] = [|row| row.reduced_pressure, |row: &Row| row.kappa];

@@ -4,13 +4,14 @@ use super::Made;
 use super::comparison::Finding;
 use super::means::{Points, Quantity};
 use super::part::Part;
+use super::rough::along;
 use super::study::Study;
 use anyhow::Result;
-use asperity::plot::{Colour, Figure, Mark, Panel, Point, Series};
+use asperity::plot::{Colour, Figure, Mark, Panel, Series};
 use asperity::study::{Fit, Realisation};
 
 /// Why values move from grid to grid.
-const FINER: &str = "Counted nodes exceed the area, the more so the coarser the grid; with the paper's spectrum its values come out on about 4096^2 points.";
+const FINER: &str = "Counted nodes exceed the area, the more so the coarser the grid; with the paper's spectrum the paper's values come out on about 4096^2 points.";
 /// Why the fit lies below the points.
 const HEAVY: &str = "The squares of the fit weigh most at the heaviest loads, where kappa is smallest.";
 
@@ -39,14 +40,12 @@ pub fn make(study: &Study) -> Result<Made> {
 
 /// The empirical fit, one constant in Persson's error function.
 fn add_fit(panel: &mut Panel, fit: &Fit) {
-    let [low, high] = panel.x.range.map(f64::log10);
-    let load = |i: i32| 10f64.powf(low + (high - low) * f64::from(i) / 100.0);
-    let curve = (0..=100).map(load).map(|p| Point::at(p, fit.area.kappa(p))).collect();
+    let curve = along(&panel.x, |p| fit.area.kappa(p));
     let name = format!("erf(√π κ p*/2)/p*, κ = {:.3}", fit.area.kappa(0.0));
     panel.series.push(Series::new(name, Colour::VERMILION, Mark::Dashed, curve));
 }
 
-/// On each grid, as on the paper's, and without spacing.
+/// On each grid, from two on extrapolated to the paper's, and of the fit.
 fn findings(study: &Study, points: &Points, fit: Option<Fit>) -> Vec<Finding> {
     let mut findings = Vec::new();
     let grids = points.grids();

@@ -2,8 +2,9 @@
 
 use super::means::{Points, Quantity};
 use super::part::Part;
+use super::rough::Rough;
 use super::smooth::realisation;
-use super::study::{Rough, Study};
+use super::study::Study;
 use super::{beyond, fig1, fig3, fig5};
 use anyhow::Result;
 use asperity::Problem;

@@ -1,10 +1,9 @@
 //! Self-affine lines and surfaces, and the panels of their figures.
 
 use super::means::{Points, Quantity};
-use super::study::Rough;
 use anyhow::Result;
 use asperity::Grid;
-use asperity::plot::{Axis, Colour, Corner, Mark, Panel, Series, Symbol};
+use asperity::plot::{Axis, Colour, Corner, Mark, Panel, Point, Series, Symbol};
 use asperity::study::{Realisation, Shape};
 use asperity::surface::Spectrum;
 
@@ -18,6 +17,20 @@ const SIDE: f64 = 4.0;
 const POINTS_PER_WAVE: f64 = 64.0;
 
 const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
+
+/// Rough surfaces of several Hurst exponents and seeds on one or more grids.
+pub struct Rough {
+    /// Points along each side, coarsest first.
+    pub points: Vec<usize>,
+    /// Hurst exponents.
+    pub hurst: Vec<f64>,
+    /// Seeds.
+    pub seeds: Vec<u64>,
+    /// Shortest wavelength over the roll-off, `eps_f`.
+    pub cutoff: f64,
+    /// Reduced pressures, lightest first.
+    pub loads: Vec<f64>,
+}
 
 impl Rough {
     /// Its lines, grid by grid, exponent by exponent, seed by seed.
@@ -128,4 +141,11 @@ impl Rough {
             panel.series.push(Series::new(format!("H = {hurst}"), Colour::BLACK, mark, Vec::new()));
         }
     }
+}
+
+/// A function of the load, along a logarithmic axis.
+pub fn along(axis: &Axis, of: impl Fn(f64) -> f64) -> Vec<Point> {
+    let [low, high] = axis.range.map(f64::log10);
+    let load = |i: i32| 10f64.powf(low + (high - low) * f64::from(i) / 100.0);
+    (0..=100).map(load).map(|p| Point::at(p, of(p))).collect()
 }

@@ -5,6 +5,7 @@ use super::bar::Bar;
 use super::means::Points;
 use super::options::Options;
 use super::part::Part;
+use super::rough::Rough;
 use anyhow::Result;
 use asperity::Stop;
 use asperity::error::FileError;
@@ -23,7 +24,7 @@ const MAX_ITERATIONS: usize = 2000;
 const SMOOTH_TOLERANCE: f64 = 1e-12;
 /// The share of the free memory that sweeps may fill.
 const MEMORY: f64 = 0.8;
-/// No surface at these loads has more `kappa = a_rel/p*`, to tell memory.
+/// More `kappa = a_rel/p*` than rough surfaces have at these loads, to tell memory.
 const MOST_KAPPA: f64 = 4.0;
 /// Least and largest reduced pressure, and the number of loads, as in the paper.
 const LOADS: ([f64; 2], usize) = ([1e-3, 1e-1], 13);
@@ -45,20 +46,6 @@ pub struct Study {
     pub record: bool,
     /// Points above the tolerance.
     unconverged: RefCell<Vec<Row>>,
-}
-
-/// Rough surfaces of several Hurst exponents and seeds on one or more grids.
-pub struct Rough {
-    /// Points along each side, coarsest first.
-    pub points: Vec<usize>,
-    /// Hurst exponents.
-    pub hurst: Vec<f64>,
-    /// Seeds.
-    pub seeds: Vec<u64>,
-    /// Shortest wavelength over the roll-off, `eps_f`.
-    pub cutoff: f64,
-    /// Reduced pressures, lightest first.
-    pub loads: Vec<f64>,
 }
 
 impl Study {
