@@ -1,7 +1,8 @@
 //! What can go wrong: one enum per concern, every variant with the offending numbers and what to do.
 
-use crate::contact::Contact;
+use std::error::Error;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// A grid that cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -191,35 +192,31 @@ pub enum SettingError {
 }
 
 /// A solve that did not reach its tolerance, or cannot be done.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, Clone, thiserror::Error)]
 pub enum SolveError {
-    /// The iterations or the attainable accuracy ran out. The best state found is inside; nothing is lost.
-    #[error(
-        "not converged: {} stopped after {} iterations ({}) at a certificate of {:.3e}",
-        .0.solver, .0.work.iterations, .0.status, .0.certificate.eta
-    )]
-    NotConverged(Box<Contact>),
+    /// The iterations or the attainable accuracy ran out.
+    #[error("not converged: {solver} stopped after {iterations} iterations ({reason}) at a certificate of {certificate:.3e}")]
+    NotConverged {
+        /// The solver.
+        solver: String,
+        /// Its iterations.
+        iterations: usize,
+        /// Why it stopped.
+        reason: String,
+        /// The certificate reached.
+        certificate: f64,
+    },
+    /// An observer failed, which ended the run.
+    #[error("{0}")]
+    Observer(Arc<Box<dyn Error + Send + Sync>>),
     /// A solver that moves under a force was given a mean gap.
     #[error(
         "{solver} works under a given mean pressure: give one, or choose the solver multilevel or polonsky-keer for a mean gap"
     )]
     NeedsPressure {
         /// The solver.
-        solver: &'static str,
+        solver: String,
     },
-}
-
-impl SolveError {
-    /// The best state found.
-    ///
-    /// # Errors
-    /// The error itself where there is none.
-    pub fn into_contact(self) -> Result<Contact, Self> {
-        match self {
-            Self::NotConverged(contact) => Ok(*contact),
-            Self::NeedsPressure { .. } => Err(self),
-        }
-    }
 }
 
 /// A study that cannot be made.

@@ -61,7 +61,9 @@ pub mod error;
 pub mod explore;
 pub mod fourier;
 pub mod grid;
+#[cfg(feature = "figures")]
 pub mod plot;
+pub mod quantity;
 #[cfg(feature = "record")]
 pub mod record;
 pub mod study;

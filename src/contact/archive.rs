@@ -1,6 +1,6 @@
 //! The fields of a contact in one file.
 
-use crate::contact::{Contact, Problem, Status};
+use crate::contact::Contact;
 use crate::surface::Field;
 use ndarray::{Array2, arr0};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
@@ -13,10 +13,10 @@ use std::io::Cursor;
 ///
 /// # Errors
 /// Those of the format, which fields of doubles do not meet.
-pub fn archive(problem: &Problem, contact: &Contact, rank: usize) -> Result<Vec<u8>, WriteNpzError> {
+pub fn archive(contact: &Contact, rank: usize) -> Result<Vec<u8>, WriteNpzError> {
     let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
     let fields: [(&str, &Field); 4] = [
-        ("height", &problem.surface().heights_as_given()),
+        ("height", &contact.problem.surface().heights_as_given()),
         ("pressure", &contact.pressure),
         ("gap", &contact.gap),
         ("displacement", &contact.displacement),
@@ -25,7 +25,7 @@ pub fn archive(problem: &Problem, contact: &Contact, rank: usize) -> Result<Vec<
         add(&mut npz, name, field, rank)?;
     }
     add(&mut npz, "contact", &contact.mask(), rank)?;
-    npz.add_array("converged", &arr0(contact.status == Status::Converged))?;
+    npz.add_array("converged", &arr0(contact.is_converged()))?;
     npz.add_array("certificate", &arr0(contact.certificate.eta))?;
     Ok(npz.finish()?.into_inner())
 }

@@ -1,8 +1,10 @@
 //! How far a pressure can be from the solution.
 
-use crate::contact::{Load, Problem, chunks};
+use crate::contact::{Problem, chunks};
+use crate::elastic::HalfSpace;
 
-/// A rigorous measure of the error of a feasible pressure `p >= 0`, with `<p>` as given if it is.
+/// A rigorous bound of the error of a feasible pressure `p >= 0`, with `<p>` as given if it is: a duality gap, or
+/// Frank-Wolfe gap, over load and rms height.
 ///
 /// **Under a mean pressure.** With `v = u(p) - h`, every feasible pressure obeys `f(p) - f* <= G`, `G = <p (v - min v)>`: the
 /// solution cannot lie deeper than the load times the lowest point of the linearised energy. `G` vanishes only at the
@@ -18,7 +20,21 @@ use crate::contact::{Load, Problem, chunks};
 ///
 /// where `-d - min v = G / <p>`. So `G / <p> + |D - d|` takes the place of `G / <p>`. Both vanish only at the solution.
 ///
-/// All fields are dimensionless. Where there is no pressure at all, errors are infinite.
+/// All fields are dimensionless. Where there is no pressure at all, and where a value is negative or not finite, nothing is
+/// bounded: the errors are infinite.
+///
+/// ```
+/// use asperity::contact::{Certificate, ContactModulus, Load, Multilevel, Solver};
+/// use asperity::{Grid, Indenter, Problem, Stop};
+/// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
+/// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.01))?;
+/// // a uniform pressure carries the load, but it is not the solution
+/// assert!(Certificate::of(&problem, &[0.01; 256]).eta > 1.0);
+/// // whoever has made a pressure, the certificate says how far off it can be
+/// let contact = Multilevel.solve(&problem, &Stop::default(), &mut ())?.converged()?;
+/// assert!(Certificate::of(&problem, contact.pressure.as_slice().unwrap()).eta < 1e-8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     /// `eta = G / (<p> h_rms)`, the error in energy against load times rms height: what [`crate::contact::Stop`] asks for. At a
@@ -32,39 +48,59 @@ pub struct Certificate {
     pub load_error: f64,
     /// Smallest pressure over the mean pressure; never negative in a result.
     pub min_pressure: f64,
+    /// Largest penetration (negative gap) over `h_rms`. With the datum of the gap where `<p g> = 0`, as under a mean pressure,
+    /// the deepest node lies `G / <p>` below zero, so this **is** `eta`. At a mean gap the datum is `D`, and it is `eta` at the
+    /// most.
+    pub penetration: f64,
 }
 
 impl Certificate {
-    /// Largest penetration (negative gap) over `h_rms`. With the datum of the gap where `<p g> = 0`, as in every result under a
-    /// mean pressure, the deepest node lies `G / <p>` below zero: the penetration **is** `eta`. At a mean gap the datum is
-    /// `D`, and the penetration is `eta` at the most.
-    pub fn penetration(&self) -> f64 {
-        self.eta
+    /// The certificate of no pressure, or of one that is infeasible.
+    const NONE: Self = Self {
+        eta: f64::INFINITY,
+        pressure_error_bound: f64::INFINITY,
+        load_error: f64::INFINITY,
+        min_pressure: 0.0,
+        penetration: f64::INFINITY,
+    };
+
+    /// The certificate of `pressure`, row by row: by one transform pair of its own.
+    ///
+    /// # Panics
+    /// If the length of `pressure` does not fit the grid.
+    pub fn of(problem: &Problem, pressure: &[f64]) -> Self {
+        let mut displacement = vec![0.0; pressure.len()];
+        HalfSpace::new(problem.surface().grid(), problem.contact_modulus()).displacement(pressure, &mut displacement);
+        Self::of_displaced(problem, pressure, &displacement)
     }
 
-    /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is given, both row by row.
-    pub(super) fn of(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
+    /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is at hand, both row by row.
+    pub fn of_displaced(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
         let sums = Sums::of(problem, pressure, displacement);
-        if sums.pressure <= 0.0 {
-            let eta = f64::INFINITY;
-            return Self { eta, pressure_error_bound: eta, load_error: eta, min_pressure: 0.0 };
+        if !(sums.pressure > 0.0 && sums.pressure.is_finite()) {
+            return Self::NONE;
         }
         let mean_v = sums.pressure_v / sums.pressure;
         let mean_pressure = sums.pressure / problem.nodes() as f64;
-        let (load_error, missed_gap) = match problem.load() {
-            Load::MeanPressure(prescribed) => ((mean_pressure / prescribed - 1.0).abs(), 0.0),
-            Load::MeanGap(gap) => {
-                let missed = (mean_v + (sums.reference_v + gap)).abs();
-                (missed / problem.rms_height(), missed)
-            }
+        let min_pressure = sums.lowest_pressure / mean_pressure;
+        if min_pressure < 0.0 {
+            return Self { min_pressure, ..Self::NONE };
+        }
+        // how far the mean of `v` weighted by the pressure lies above minus the mean gap that is prescribed
+        let above_gap = problem.mean_gap().map_or(0.0, |gap| mean_v + (sums.reference_v + gap));
+        let load_error = match problem.mean_pressure() {
+            Some(prescribed) => (mean_pressure / prescribed - 1.0).abs(),
+            None => above_gap.abs() / problem.rms_height(),
         };
-        let excess = (mean_v - sums.lowest_v).max(0.0) + missed_gap;
+        let depth = (mean_v - sums.lowest_v).max(0.0);
+        let excess = depth + above_gap.abs();
         let doubled_energy = sums.elastic / sums.pressure;
         Self {
             eta: excess / problem.rms_height(),
             pressure_error_bound: if doubled_energy > 0.0 { (2.0 * excess / doubled_energy).sqrt() } else { 0.0 },
             load_error,
-            min_pressure: sums.lowest_pressure / mean_pressure,
+            min_pressure,
+            penetration: (mean_v - sums.lowest_v - above_gap).max(0.0) / problem.rms_height(),
         }
     }
 }
@@ -72,7 +108,7 @@ impl Certificate {
 /// The datum `d` of the gap `g = u - h + d`: the prescribed mean gap, or else minus the mean of `u - h` weighted by the
 /// pressure, so that `<p g> = 0`.
 pub(super) fn datum(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
-    if let Load::MeanGap(gap) = problem.load() {
+    if let Some(gap) = problem.mean_gap() {
         return gap;
     }
     let height = problem.height();
@@ -135,18 +171,35 @@ impl Sums {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{ContactModulus, Load};
     use crate::grid::Grid;
     use crate::surface::Indenter;
 
     #[test]
-    fn no_pressure_is_infinitely_wrong_at_a_mean_gap() {
+    fn nothing_is_bounded_without_a_feasible_pressure() {
         let sine = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(16, 1.0).unwrap()).unwrap();
-        let problem = Problem::at_mean_gap(sine, 1.0, 0.5).unwrap();
-        let Certificate { eta, pressure_error_bound, load_error, min_pressure } =
-            Certificate::of(&problem, &[0.0; 16], &[0.0; 16]);
-        assert_eq!(
-            [eta, pressure_error_bound, load_error, min_pressure],
-            [f64::INFINITY, f64::INFINITY, f64::INFINITY, 0.0]
-        );
+        let pressed = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.5)).unwrap();
+        let apart = pressed.clone().with_load(Load::MeanGap(0.5)).unwrap();
+        let with = |value: f64| [[1.0; 15].as_slice(), &[value]].concat();
+        for problem in [pressed, apart] {
+            assert_eq!(Certificate::of(&problem, &[0.0; 16]), Certificate::NONE);
+            for value in [f64::NAN, f64::INFINITY, -1e-3, -100.0] {
+                let Certificate { eta, pressure_error_bound, .. } = Certificate::of(&problem, &with(value));
+                assert_eq!([eta, pressure_error_bound], [f64::INFINITY; 2], "{value}");
+            }
+            assert!(Certificate::of(&problem, &with(1.0)).eta.is_finite());
+        }
+    }
+
+    #[test]
+    fn penetration_is_that_of_the_deepest_node() {
+        let sine = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(16, 1.0).unwrap()).unwrap();
+        let pressed = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(1.0)).unwrap();
+        // under a uniform pressure nothing is displaced: the highest peak lies its height below the mean plane, less the gap
+        let found = Certificate::of(&pressed, &[1.0; 16]);
+        assert!((found.penetration - found.eta).abs() < 1e-15 && (found.eta - 2f64.sqrt()).abs() < 1e-12);
+        let apart = pressed.with_load(Load::MeanGap(0.25)).unwrap();
+        let found = Certificate::of(&apart, &[1.0; 16]);
+        assert!((found.penetration - 0.75 * 2f64.sqrt()).abs() < 1e-12 && found.eta > found.penetration);
     }
 }

@@ -1,28 +1,27 @@
-//! What is prescribed of a contact.
+//! The load that presses the surface on the solid.
 
-/// What presses the surface on the solid: either of two numbers, of which the solution tells the other.
-#[derive(Debug, Clone, Copy, PartialEq)]
+use crate::quantity;
+use serde::{Deserialize, Serialize};
+
+/// The load that presses the surface on the solid: one of three numbers, of which the solution tells the others.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Load {
     /// The mean pressure `<p>`.
-    MeanPressure(f64),
+    MeanPressure(#[serde(deserialize_with = "quantity::pressure")] f64),
+    /// The reduced pressure `p* = <p> / (gbar E*)`, with the rms gradient `gbar` of the surface; dimensionless.
+    ReducedPressure(f64),
     /// The mean gap `D`, a length: how far apart the mean planes of both surfaces are kept.
-    MeanGap(f64),
+    MeanGap(#[serde(deserialize_with = "quantity::length")] f64),
 }
 
 impl Load {
-    /// Its name.
+    /// The name of the quantity that is prescribed.
     pub fn name(&self) -> &'static str {
         match self {
             Self::MeanPressure(_) => "mean pressure",
+            Self::ReducedPressure(_) => "reduced pressure",
             Self::MeanGap(_) => "mean gap",
-        }
-    }
-
-    /// The mean gap, where it is prescribed.
-    pub(super) fn mean_gap(&self) -> Option<f64> {
-        match *self {
-            Self::MeanPressure(_) => None,
-            Self::MeanGap(gap) => Some(gap),
         }
     }
 }

@@ -1,242 +1,120 @@
-//! Watching a solver, step by step.
+//! Watching a solver: its beginning, every step, and its end.
 
-use crate::contact::{Measures, Patches, Problem, Work, certificate, chunks};
-use std::cell::{LazyCell, OnceCell};
-use std::ops::{ControlFlow, Deref};
+use crate::contact::{Contact, Problem, Solver, Step, Stop};
+use std::error::Error;
+use std::ops::ControlFlow;
+
+/// Why an observer cannot go on, such as a full disk.
+pub type Failure = Box<dyn Error + Send + Sync>;
+
+/// What an observer wishes after a step: to go on, to end the run with what it has found, or to end it since the observer failed.
+pub type Wish = Result<ControlFlow<()>, Failure>;
 
 /// Watches a solver. Solvers know this interface and never who watches.
 ///
-/// A closure will do; `&mut ()` watches nothing.
+/// `&mut ()` watches nothing and [`Each`] makes an observer of a closure. Several observers of one run are a tuple, a `Vec` or an
+/// `Option`: each of them sees every step, and the run ends when any of them wishes or fails. A failure ends the run with
+/// [`crate::contact::Status::ObserverFailed`]; [`Contact::converged`] returns it.
 pub trait Observer {
+    /// Sees what will be solved, by which solver, and when that stops.
+    ///
+    /// # Errors
+    /// For an observer that cannot watch: the run ends at its first step.
+    fn begin(&mut self, _solver: &dyn Solver, _problem: &Problem, _stop: &Stop) -> Result<(), Failure> {
+        Ok(())
+    }
+
     /// Sees one relaxation step; `Break` ends the run with what it has found.
-    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()>;
+    ///
+    /// # Errors
+    /// For an observer that cannot go on: the run ends.
+    fn step(&mut self, step: &Step<'_>) -> Wish;
+
+    /// Sees what came out.
+    ///
+    /// # Errors
+    /// For an observer that could not finish.
+    fn end(&mut self, _contact: &Contact) -> Result<(), Failure> {
+        Ok(())
+    }
 }
 
-impl<F: FnMut(&Step<'_>) -> ControlFlow<()>> Observer for F {
-    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()> {
-        self(step)
+/// The observer that calls a closure at each step.
+///
+/// ```
+/// use asperity::contact::{ContactModulus, Each, Load, PolonskyKeer, Solver};
+/// use asperity::{Grid, Indenter, Problem, Stop};
+/// use std::ops::ControlFlow;
+/// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
+/// let problem = Problem::new(sine, ContactModulus(1.0), Load::ReducedPressure(0.1))?;
+/// let mut areas = Vec::new();
+/// let mut watch = Each(|step: &asperity::contact::Step<'_>| {
+///     areas.push(step.measures().relative_area);
+///     ControlFlow::Continue(())
+/// });
+/// let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut watch)?;
+/// assert_eq!(areas.len(), contact.work.iterations + 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Each<F>(pub F);
+
+impl<F: FnMut(&Step<'_>) -> ControlFlow<()>> Observer for Each<F> {
+    fn step(&mut self, step: &Step<'_>) -> Wish {
+        Ok((self.0)(step))
     }
 }
 
 impl Observer for () {
-    fn step(&mut self, _: &Step<'_>) -> ControlFlow<()> {
-        ControlFlow::Continue(())
+    fn step(&mut self, _: &Step<'_>) -> Wish {
+        Ok(ControlFlow::Continue(()))
     }
 }
 
-/// Two observers of one run; it ends when either wishes.
-impl<A: Observer + ?Sized, B: Observer + ?Sized> Observer for (&mut A, &mut B) {
-    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()> {
-        let (a, b) = (self.0.step(step), self.1.step(step));
-        if a.is_break() { a } else { b }
-    }
-}
-
-/// The state of a solver at one step. What is not asked for is not computed, and what is asked for is computed once.
-pub struct Step<'a> {
-    state: State<'a>,
-    gap: OnceCell<Vec<f64>>,
-    measures: OnceCell<Measures>,
-    patches: OnceCell<Patches>,
-}
-
-/// What a solver hands over at a step.
-pub(super) struct State<'a> {
-    pub problem: &'a Problem,
-    pub work: Work,
-    pub pressure: Values<'a>,
-    pub displacement: Values<'a>,
-    /// `d` of the gap `u - h + d`, where the solver knows it.
-    pub datum: Option<f64>,
-    /// `eta`, where the solver knows it.
-    pub certificate: Option<f64>,
-    pub phase: Phase,
-    pub energy: Energy<'a>,
-}
-
-/// A field of a state, at hand or made when it is asked for.
-pub(super) enum Values<'a> {
-    Given(&'a [f64]),
-    Made(Made<'a>),
-}
-
-type Made<'a> = LazyCell<Vec<f64>, Box<dyn FnOnce() -> Vec<f64> + 'a>>;
-
-impl<'a> Values<'a> {
-    /// What `make` will make.
-    pub fn made(make: impl FnOnce() -> Vec<f64> + 'a) -> Self {
-        Self::Made(LazyCell::new(Box::new(make)))
-    }
-}
-
-impl Deref for Values<'_> {
-    type Target = [f64];
-
-    fn deref(&self) -> &[f64] {
-        match self {
-            Self::Given(values) => values,
-            Self::Made(values) => values,
+/// Forwards to the observers that `$self` holds: all see everything, and the first wish or failure counts.
+macro_rules! forward {
+    ($self:ident => $each:expr) => {
+        fn begin(&mut $self, solver: &dyn Solver, problem: &Problem, stop: &Stop) -> Result<(), Failure> {
+            $each.map(|observer| observer.begin(solver, problem, stop)).fold(Ok(()), Result::and)
         }
+
+        fn step(&mut $self, step: &Step<'_>) -> Wish {
+            $each.map(|observer| observer.step(step)).fold(Ok(ControlFlow::Continue(())), both)
+        }
+
+        fn end(&mut $self, contact: &Contact) -> Result<(), Failure> {
+            $each.map(|observer| observer.end(contact)).fold(Ok(()), Result::and)
+        }
+    };
+}
+
+/// The wish of two observers.
+fn both(a: Wish, b: Wish) -> Wish {
+    match (a?, b?) {
+        (ControlFlow::Continue(()), wish) => Ok(wish),
+        (wish, _) => Ok(wish),
     }
 }
 
-/// Where in its scheme a solver stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Phase {
-    /// Grid level: 0 is the finest, each further one has half as many points along a side.
-    pub level: usize,
-    /// Outer steps on this level so far: those that change the contact set.
-    pub outer: usize,
-    /// Inner steps within the outer one so far; 0 at the outer step itself.
-    pub inner: usize,
+impl<O: Observer + ?Sized> Observer for &mut O {
+    forward!(self => std::iter::once(&mut **self));
 }
 
-impl Phase {
-    /// That of a solver on one grid, without inner steps.
-    pub(super) fn finest(outer: usize) -> Self {
-        Self { level: 0, outer, inner: 0 }
-    }
+impl<O: Observer + ?Sized> Observer for Box<O> {
+    forward!(self => std::iter::once(&mut **self));
 }
 
-/// The energy that the method lowers.
-pub(super) enum Energy<'a> {
-    /// `<p u> / 2 - <p h>`, of methods that move the pressure.
-    Complementary,
-    /// `<w k w> / 2 + <p_mean> <w>`, of methods that move the surface `w`, where `k w = p - f - p_mean` with the net `force` `f`.
-    Potential { force: &'a [f64] },
+impl<O: Observer> Observer for Option<O> {
+    forward!(self => self.iter_mut());
 }
 
-impl<'a> Step<'a> {
-    pub(super) fn new(state: State<'a>) -> Self {
-        Self { state, gap: OnceCell::new(), measures: OnceCell::new(), patches: OnceCell::new() }
-    }
-
-    /// The problem being solved; on a coarse level that of its grid, with as many nodes as there are values of each field.
-    pub fn problem(&self) -> &'a Problem {
-        self.state.problem
-    }
-
-    /// Number of this step, from 0, the state at the start.
-    pub fn index(&self) -> usize {
-        self.state.work.iterations
-    }
-
-    /// Grid level, outer and inner step.
-    pub fn phase(&self) -> Phase {
-        self.state.phase
-    }
-
-    /// Work of the solver so far; observers are not counted.
-    pub fn work(&self) -> Work {
-        self.state.work
-    }
-
-    /// Transforms so far.
-    pub fn transforms(&self) -> u64 {
-        self.state.work.transforms
-    }
-
-    /// Seconds so far, without those spent in observers.
-    pub fn seconds(&self) -> f64 {
-        self.state.work.seconds
-    }
-
-    /// Pressure `p >= 0`, row by row. Before convergence its mean may differ from the load (GFMD).
-    pub fn pressure(&self) -> &[f64] {
-        &self.state.pressure
-    }
-
-    /// Displacement of the solid's surface into the solid, row by row; its datum is free.
-    pub fn displacement(&self) -> &[f64] {
-        &self.state.displacement
-    }
-
-    /// Gap `g = u - h + d`, row by row; negative where the surfaces still penetrate.
-    pub fn gap(&self) -> &[f64] {
-        let datum = self.datum();
-        let State { problem, displacement, .. } = &self.state;
-        self.gap.get_or_init(|| displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect())
-    }
-
-    /// Mean gap.
-    pub fn mean_gap(&self) -> f64 {
-        let sum: f64 = self.state.displacement.iter().sum();
-        sum / self.state.displacement.len() as f64 + self.datum()
-    }
-
-    fn datum(&self) -> f64 {
-        let State { problem, pressure, displacement, datum, .. } = &self.state;
-        datum.unwrap_or_else(|| certificate::datum(problem, pressure, displacement))
-    }
-
-    /// The certificate `eta` of this state, where the solver knows it without further work.
-    pub fn certificate(&self) -> Option<f64> {
-        self.state.certificate
-    }
-
-    /// The energy that the method lowers, over `mean_pressure h_rms`: for methods that move the pressure the complementary
-    /// energy `<p u> / 2 - <p h>`, for methods that move the surface the potential energy `<w k w> / 2 + <p> <w>`. They end
-    /// at the same magnitude with opposite signs. At a given mean gap `D` the complementary energy has `D <p>` added, and
-    /// [`Problem::expected_mean_pressure`] stands in for the load.
-    pub fn energy(&self) -> f64 {
-        let State { problem, pressure, displacement, .. } = &self.state;
-        let (p, u): (&[f64], &[f64]) = (pressure, displacement);
-        let (h, load) = (problem.height(), problem.expected_mean_pressure());
-        let gap = problem.load().mean_gap().unwrap_or(0.0);
-        let sum = match self.state.energy {
-            Energy::Complementary => chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i] + gap)),
-            Energy::Potential { force } => chunks::sum(p.len(), |i| 0.5 * u[i] * (load + p[i] - force[i])),
-        };
-        sum / (p.len() as f64 * load * problem.rms_height())
-    }
-
-    /// Area, gradients and proportionality factors.
-    pub fn measures(&self) -> &Measures {
-        self.measures.get_or_init(|| Measures::of(self.state.problem, &self.state.pressure))
-    }
-
-    /// Contact patches.
-    pub fn patches(&self) -> &Patches {
-        self.patches.get_or_init(|| Patches::of(&self.state.pressure, self.state.problem.surface().grid().shape()))
-    }
+impl<O: Observer> Observer for Vec<O> {
+    forward!(self => self.iter_mut());
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::grid::Grid;
-    use crate::surface::Indenter;
-    use std::cell::Cell;
+impl<A: Observer, B: Observer> Observer for (A, B) {
+    forward!(self => [&mut self.0 as &mut dyn Observer, &mut self.1].into_iter());
+}
 
-    #[test]
-    fn fields_are_made_once_and_only_if_they_are_asked_for() {
-        let sine = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(8, 1.0).unwrap()).unwrap();
-        let problem = Problem::new(sine, 1.0, 1.0).unwrap();
-        let made = [const { Cell::new(0) }; 2];
-        let values = |which: usize| {
-            let made = &made[which];
-            Values::made(move || {
-                made.set(made.get() + 1);
-                vec![1.0; 8]
-            })
-        };
-        let step = Step::new(State {
-            problem: &problem,
-            work: Work::default(),
-            pressure: values(0),
-            displacement: values(1),
-            datum: Some(0.0),
-            certificate: Some(1.0),
-            phase: Phase::finest(0),
-            energy: Energy::Complementary,
-        });
-        let made = || [made[0].get(), made[1].get()];
-        assert_eq!((step.index(), step.transforms(), step.certificate(), step.phase().level), (0, 0, Some(1.0), 0));
-        assert_eq!(made(), [0, 0]);
-        assert_eq!((step.measures().contact_nodes, step.patches().count()), (8, 1));
-        assert_eq!(made(), [1, 0]);
-        assert!((step.mean_gap() - 1.0).abs() < 1e-15 && step.gap.get().is_none());
-        assert_eq!((step.gap().len(), step.gap.get().map(Vec::len)), (8, Some(8)));
-        assert_eq!((made(), step.energy().is_finite()), ([1, 1], true));
-    }
+impl<A: Observer, B: Observer, C: Observer> Observer for (A, B, C) {
+    forward!(self => [&mut self.0 as &mut dyn Observer, &mut self.1, &mut self.2].into_iter());
 }

@@ -4,10 +4,7 @@
 //! the displacement under `t`, `tau` the step length. The datum `d` is the mean gap if that is given, or else minus the mean of
 //! `v` over the contact, so that `g` has none.
 
-use crate::contact::observe::{Energy, Phase, State, Values};
-use crate::contact::result::Ended;
-use crate::contact::solver::{Run, first_pressure};
-use crate::contact::{Certificate, Contact, Load, Observer, Problem, Solver, Status, Step, Stop, certificate, chunks};
+use crate::contact::{Certificate, Contact, Observer, Problem, Run, Solver, Status, Step, Stop, certificate, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
@@ -41,20 +38,21 @@ use crate::surface::Field;
 /// [`Certificate`].
 ///
 /// ```
-/// use asperity::{Grid, Problem, Stop, surface::Indenter, contact::{PolonskyKeer, Solver}};
+/// use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
+/// use asperity::{Grid, Indenter, Problem, Stop};
 /// // a sine at half of the pressure of full contact: half of it touches (Westergaard)
 /// let sine = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(1024, 1.0)?)?;
 /// let full = std::f64::consts::PI;
-/// let problem = Problem::new(sine, 1.0, 0.5 * full)?;
-/// let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ())?;
-/// assert!((contact.measures(&problem).relative_area - 0.5).abs() < 2.0 / 1024.0);
+/// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.5 * full))?;
+/// let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ())?.converged()?;
+/// assert!((contact.measures().relative_area - 0.5).abs() < 2.0 / 1024.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PolonskyKeer;
 
 impl Solver for PolonskyKeer {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "polonsky-keer"
     }
 
@@ -69,24 +67,22 @@ impl Solver for PolonskyKeer {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
-        let mut run = Run::new(stop, observer);
+        let mut run = Run::begin(self, problem, stop, observer);
         let mut state = Iterate::new(start, problem);
         let status = loop {
-            let certificate = state.certify(&mut run);
-            let datum = state.datum();
-            if let Some(status) = state.show(&mut run, certificate, datum) {
+            let eta = state.certify(&mut run);
+            let work = run.work(state.half_space.transforms());
+            if let Some(status) = run.show(&Step::new(problem, work, &state.p, &state.u).with_certificate(eta)) {
                 break status;
             }
+            let datum = state.datum();
             state.conjugate(datum);
             state.half_space.displacement(&state.t, &mut state.r);
             let tau = state.step_length(datum);
             state.update(datum, tau);
             run.advance();
         };
-        let half_space = state.into_half_space();
-        let ended = Ended { work: run.work(half_space.transforms()), status, solver: self.name() };
-        let pressure = run.best.pressure.take();
-        run.finish(problem, pressure, half_space, ended)
+        Ok(run.finish(status, state.into_half_space()))
     }
 }
 
@@ -111,7 +107,7 @@ impl<'a> Iterate<'a> {
     fn new(start: Option<&Field>, problem: &'a Problem) -> Self {
         let n = problem.nodes();
         let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
-        let p = first_pressure(start, problem);
+        let p = problem.first_pressure(start);
         let mut u = vec![0.0; n];
         if start.is_some() {
             half_space.displacement(&p, &mut u);
@@ -121,14 +117,14 @@ impl<'a> Iterate<'a> {
     }
 
     /// The certificate of this iterate; one that would end the run is taken from a fresh displacement.
-    fn certify(&mut self, run: &mut Run<'_>) -> Certificate {
-        let mut certificate = Certificate::of(self.problem, &self.p, &self.u);
-        if run.is_converged(certificate.eta) && !self.fresh {
+    fn certify(&mut self, run: &mut Run<'_>) -> f64 {
+        let mut eta = Certificate::of_displaced(self.problem, &self.p, &self.u).eta;
+        if run.is_converged(eta) && !self.fresh {
             self.restart();
-            certificate = Certificate::of(self.problem, &self.p, &self.u);
+            eta = Certificate::of_displaced(self.problem, &self.p, &self.u).eta;
         }
-        run.best.offer(certificate.eta, &self.p, run.iterations());
-        certificate
+        run.offer(eta, &self.p);
+        eta
     }
 
     /// Takes the displacement from a transform of the pressure.
@@ -137,29 +133,15 @@ impl<'a> Iterate<'a> {
         self.fresh = true;
     }
 
-    /// The same, and the next direction from the gradient.
+    /// Takes the displacement from a transform, and the next direction from the gradient.
     fn restart(&mut self) {
         self.refresh();
         self.previous_square = None;
     }
 
-    fn show(&self, run: &mut Run<'_>, certificate: Certificate, datum: f64) -> Option<Status> {
-        let step = Step::new(State {
-            problem: self.problem,
-            work: run.work(self.half_space.transforms()),
-            pressure: Values::Given(&self.p),
-            displacement: Values::Given(&self.u),
-            datum: Some(datum),
-            certificate: Some(certificate.eta),
-            phase: Phase::finest(run.iterations()),
-            energy: Energy::Complementary,
-        });
-        run.show(&step)
-    }
-
-    /// `d` of the gap.
+    /// The datum of this file's `g`.
     fn datum(&self) -> f64 {
-        if let Load::MeanGap(gap) = self.problem.load() {
+        if let Some(gap) = self.problem.mean_gap() {
             return gap;
         }
         let (p, u, h) = (&self.p, &self.u, self.problem.height());
@@ -201,10 +183,8 @@ impl<'a> Iterate<'a> {
             a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
             a
         });
-        let curvature = match self.problem.load() {
-            Load::MeanPressure(_) => sum_rt - sum_r * sum_t / n,
-            Load::MeanGap(_) => sum_rt,
-        };
+        let curvature =
+            if self.problem.mean_pressure().is_some() { sum_rt - sum_r * sum_t / n } else { sum_rt };
         if slope > 0.0 && curvature > 0.0 { slope / curvature } else { self.half_space.softest_stiffness() }
     }
 
@@ -297,19 +277,19 @@ impl<'a> Iterate<'a> {
 
     /// Scales the pressure, whose sum is given, to the load, if that is prescribed, and returns the factor.
     fn carry(&mut self, sum: f64) -> f64 {
-        let Load::MeanPressure(mean) = self.problem.load() else { return 1.0 };
+        let Some(mean) = self.problem.mean_pressure() else { return 1.0 };
         let scale = mean * self.p.len() as f64 / sum;
         chunks::update(&mut self.p, |_, p| p.iter_mut().for_each(|p| *p *= scale));
         scale
     }
 
-    /// What the last transforms need; the rest is freed.
+    /// The half-space, for the last transforms; the rest is freed.
     fn into_half_space(self) -> HalfSpace {
         self.half_space
     }
 }
 
-/// What an update did to the nodes: their load afterwards, and whether any left the contact or entered it.
+/// The effect of an update on the nodes: their load afterwards, and whether any left the contact or entered it.
 struct Change {
     load: f64,
     left: bool,
@@ -337,6 +317,7 @@ impl Way {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{ContactModulus, Each, Load};
     use crate::grid::Grid;
     use crate::surface::Surface;
     use std::ops::ControlFlow;
@@ -347,12 +328,16 @@ mod tests {
         Surface::new(Grid::surface(shape, [1.0, 1.0]).unwrap(), height).unwrap()
     }
 
+    fn pressed(surface: Surface, reduced_pressure: f64) -> Problem {
+        Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(reduced_pressure)).unwrap()
+    }
+
     #[test]
     fn blocks_over_flat_ground_do_not_trap_it() {
         for (shape, width) in [([51, 28], 1), ([51, 28], 2), ([64, 64], 1), ([64, 64], 2), ([7, 90], 1)] {
             for reduced_pressure in [8e-3, 9e-3, 1e-2, 1.2e-2, 1.5e-2, 2e-2, 5e-2] {
-                let problem = Problem::at_reduced_pressure(block(shape, width), 1.0, reduced_pressure).unwrap();
-                let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ());
+                let problem = pressed(block(shape, width), reduced_pressure);
+                let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ()).unwrap().converged();
                 assert!(contact.is_ok(), "{shape:?} {width} {reduced_pressure}: {}", contact.unwrap_err());
             }
         }
@@ -360,17 +345,18 @@ mod tests {
 
     #[test]
     fn the_energy_does_not_rise_when_the_contact_changes() {
-        let problem = Problem::at_reduced_pressure(block([51, 28], 1), 1.0, 2e-2).unwrap();
+        let problem = pressed(block([51, 28], 1), 2e-2);
         let (mut before, mut energy, mut changes) = (Vec::new(), 0.0, 0);
-        let mut watch = |step: &Step<'_>| {
+        let mut watch = Each(|step: &Step<'_>| {
+            let now = step.energy().value();
             let contact: Vec<bool> = step.pressure().iter().map(|&p| p > 0.0).collect();
             if step.index() > 0 && contact != before {
-                assert!(step.energy() <= energy + 1e-12, "{energy} to {} at {}", step.energy(), step.index());
+                assert!(now <= energy + 1e-12, "{energy} to {now} at {}", step.index());
                 changes += 1;
             }
-            (before, energy) = (contact, step.energy());
+            (before, energy) = (contact, now);
             ControlFlow::Continue(())
-        };
+        });
         PolonskyKeer.solve(&problem, &Stop::default(), &mut watch).unwrap();
         assert!(changes > 3);
     }

@@ -2,8 +2,8 @@
 
 use crate::contact::{Load, chunks};
 use crate::error::ProblemError;
-use crate::surface::Surface;
-use std::sync::OnceLock;
+use crate::surface::{Field, Surface};
+use std::sync::{Arc, OnceLock};
 
 /// Per reduced pressure, the mean gap of rough surfaces near full contact falls by this power of e: 5 to 6, as measured.
 const GAP_DECAY: f64 = 5.5;
@@ -29,63 +29,47 @@ const GAP_DECAY: f64 = 5.5;
 /// Any consistent set of units will do; tolerances are dimensionless.
 ///
 /// ```
-/// use asperity::{Grid, Problem, Stop, surface::Indenter, contact::{PolonskyKeer, Solver}};
+/// use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
+/// use asperity::{Grid, Problem, Stop, surface::Indenter};
 /// let sine = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(1024, 1.0)?)?;
-/// let pressed = PolonskyKeer.solve(&Problem::new(sine.clone(), 1.0, 2.0)?, &Stop::default(), &mut ())?;
-/// let problem = Problem::at_mean_gap(sine, 1.0, pressed.mean_gap())?;
-/// let kept_apart = PolonskyKeer.solve(&problem, &Stop::default(), &mut ())?;
-/// assert!((kept_apart.pressure.mean().unwrap() - 2.0).abs() < 1e-3);
+/// let pressed = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(2.0))?;
+/// let contact = PolonskyKeer.solve(&pressed, &Stop::default(), &mut ())?.converged()?;
+/// let apart = pressed.with_load(Load::MeanGap(contact.mean_gap()))?;
+/// let contact = PolonskyKeer.solve(&apart, &Stop::default(), &mut ())?.converged()?;
+/// assert!((contact.mean_pressure() - 2.0).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Problem {
-    surface: Surface,
+    surface: Arc<Surface>,
     contact_modulus: f64,
     load: Load,
+    /// The mean pressure that is prescribed, in whatever form.
+    mean_pressure: Option<f64>,
     expected_mean_pressure: f64,
     rms_height: f64,
     rms_gradient: OnceLock<f64>,
 }
 
+/// The contact modulus `E* = E / (1 - nu^2)` of an elastic half-space, a pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactModulus(pub f64);
+
 impl Problem {
-    /// Poses the problem under a mean pressure.
+    /// Poses the problem of a surface, pressed by a load on a solid of a contact modulus. A mean gap must lie between 0 and the
+    /// highest peak above the mean height.
     ///
     /// # Errors
-    /// [`ProblemError::NotPositive`] for a modulus or pressure that is not positive and finite, [`ProblemError::Flat`] if all
-    /// heights are equal, [`ProblemError::OutOfRange`] for magnitudes whose squares leave the range of doubles.
-    pub fn new(surface: Surface, contact_modulus: f64, mean_pressure: f64) -> Result<Self, ProblemError> {
-        Self::under(surface, contact_modulus, Load::MeanPressure(mean_pressure))
-    }
-
-    /// Poses the problem at a mean gap, which must lie between 0 and the highest peak above the mean height.
-    ///
-    /// # Errors
-    /// As [`Problem::new`], and [`ProblemError::NothingTouches`] or [`ProblemError::EverythingTouches`] for a mean gap at which
-    /// there is nothing to solve.
-    pub fn at_mean_gap(surface: Surface, contact_modulus: f64, mean_gap: f64) -> Result<Self, ProblemError> {
-        Self::under(surface, contact_modulus, Load::MeanGap(mean_gap))
-    }
-
-    /// Poses the problem at the reduced pressure `p* = <p> / (gbar E*)`, with `gbar` of this surface.
-    ///
-    /// # Errors
-    /// As [`Problem::new`].
-    pub fn at_reduced_pressure(
-        surface: Surface,
-        contact_modulus: f64,
-        reduced_pressure: f64,
+    /// [`ProblemError::NotPositive`] for a modulus or load that is not positive and finite, [`ProblemError::Flat`] if all
+    /// heights are equal, [`ProblemError::OutOfRange`] for magnitudes whose squares leave the range of doubles, and
+    /// [`ProblemError::NothingTouches`] or [`ProblemError::EverythingTouches`] for a mean gap at which there is nothing to
+    /// solve.
+    pub fn new(
+        surface: impl Into<Arc<Surface>>,
+        ContactModulus(contact_modulus): ContactModulus,
+        load: Load,
     ) -> Result<Self, ProblemError> {
-        check_magnitude("reduced pressure", reduced_pressure)?;
-        let unloaded = Self::new(surface, contact_modulus, contact_modulus)?;
-        let mean_pressure = reduced_pressure * unloaded.rms_gradient() * contact_modulus;
-        unloaded.with_load(Load::MeanPressure(mean_pressure))
-    }
-
-    /// Poses the problem under either load.
-    ///
-    /// # Errors
-    /// As [`Problem::new`] and [`Problem::at_mean_gap`].
-    pub fn under(surface: Surface, contact_modulus: f64, load: Load) -> Result<Self, ProblemError> {
+        let surface = surface.into();
         check_magnitude("contact modulus", contact_modulus)?;
         let height = surface.heights();
         if height.iter().all(|&h| h == height[0]) {
@@ -94,26 +78,33 @@ impl Problem {
         let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
         check_magnitude("rms height", rms_height)?;
         check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
-        let (expected_mean_pressure, rms_gradient) = (f64::NAN, OnceLock::new());
-        Self { surface, contact_modulus, load, expected_mean_pressure, rms_height, rms_gradient }.with_load(load)
+        let (mean_pressure, expected_mean_pressure, rms_gradient) = (None, f64::NAN, OnceLock::new());
+        Self { surface, contact_modulus, load, mean_pressure, expected_mean_pressure, rms_height, rms_gradient }
+            .with_load(load)
     }
 
-    /// The same surface and solid under another load.
+    /// The problem of the same surface and solid under another load.
     ///
     /// # Errors
-    /// Those of [`Problem::new`] and [`Problem::at_mean_gap`] that concern the load.
+    /// The errors of [`Problem::new`] that concern the load.
     pub fn with_load(self, load: Load) -> Result<Self, ProblemError> {
-        let expected_mean_pressure = match load {
-            Load::MeanPressure(mean_pressure) => {
-                check_magnitude("mean pressure", mean_pressure)?;
-                mean_pressure
+        let mean_pressure = match load {
+            Load::MeanPressure(mean_pressure) => Some(mean_pressure),
+            Load::ReducedPressure(reduced_pressure) => {
+                check_magnitude("reduced pressure", reduced_pressure)?;
+                Some(reduced_pressure * self.rms_gradient() * self.contact_modulus)
             }
             Load::MeanGap(mean_gap) => {
                 self.check_mean_gap(mean_gap)?;
-                self.pressure_at(mean_gap)
+                None
             }
         };
-        Ok(Self { load, expected_mean_pressure, ..self })
+        mean_pressure.map_or(Ok(()), |mean_pressure| check_magnitude("mean pressure", mean_pressure))?;
+        let expected_mean_pressure = match (mean_pressure, load) {
+            (None, Load::MeanGap(mean_gap)) => self.pressure_at(mean_gap),
+            _ => mean_pressure.unwrap_or(f64::NAN),
+        };
+        Ok(Self { load, mean_pressure, expected_mean_pressure, ..self })
     }
 
     fn check_mean_gap(&self, mean_gap: f64) -> Result<(), ProblemError> {
@@ -145,17 +136,49 @@ impl Problem {
         self.contact_modulus
     }
 
-    /// What is prescribed.
+    /// The load, as it was given.
     pub fn load(&self) -> Load {
         self.load
     }
 
+    /// The mean pressure, where it is prescribed, as itself or as a reduced pressure.
+    pub fn mean_pressure(&self) -> Option<f64> {
+        self.mean_pressure
+    }
+
+    /// The mean gap, where it is prescribed.
+    pub fn mean_gap(&self) -> Option<f64> {
+        match self.load {
+            Load::MeanGap(mean_gap) => Some(mean_gap),
+            Load::MeanPressure(_) | Load::ReducedPressure(_) => None,
+        }
+    }
+
     /// The mean pressure that is prescribed or, at a given mean gap, that of `pressure`.
     pub fn mean_pressure_of(&self, pressure: &[f64]) -> f64 {
-        match self.load {
-            Load::MeanPressure(mean_pressure) => mean_pressure,
-            Load::MeanGap(_) => chunks::sum(pressure.len(), |i| pressure[i]) / pressure.len() as f64,
+        self.mean_pressure.unwrap_or_else(|| chunks::sum(pressure.len(), |i| pressure[i]) / pressure.len() as f64)
+    }
+
+    /// The pressure that a run starts from: what `start` holds of one, scaled to the mean pressure if that is given, or the
+    /// uniform pressure. Values that are no pressures (negative, not finite) count as none.
+    ///
+    /// # Panics
+    /// If the shape of `start` is not that of the grid.
+    pub fn first_pressure(&self, start: Option<&Field>) -> Vec<f64> {
+        let load = self.expected_mean_pressure;
+        let Some(start) = start else { return vec![load; self.nodes()] };
+        assert_eq!(start.shape(), self.surface.grid().shape(), "the start must fit the grid");
+        let pressure: Vec<f64> = start.iter().map(|&p| if p.is_finite() { p.max(0.0) } else { 0.0 }).collect();
+        let highest = chunks::visit(pressure.len(), |range| range.fold(0.0, |high: f64, i| high.max(pressure[i])));
+        let highest = highest.into_iter().fold(0.0, f64::max);
+        if highest <= 0.0 {
+            return vec![load; pressure.len()];
         }
+        if self.mean_pressure.is_none() {
+            return pressure;
+        }
+        let mean = chunks::sum(pressure.len(), |i| pressure[i] / highest) / pressure.len() as f64;
+        pressure.into_iter().map(|p| p / highest * (load / mean)).collect()
     }
 
     /// The mean pressure to start from: the one that is prescribed or, at a given mean gap, an estimate that may be several
@@ -180,7 +203,7 @@ impl Problem {
     }
 
     /// Number of nodes.
-    pub(crate) fn nodes(&self) -> usize {
+    pub fn nodes(&self) -> usize {
         self.surface.grid().len()
     }
 }

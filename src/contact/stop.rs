@@ -1,9 +1,11 @@
 //! When a solver stops.
 
 use crate::error::SettingError;
+use serde::{Deserialize, Serialize};
 
 /// When a solver stops, besides at the wish of its observer.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Stop {
     tolerance: f64,
     max_iterations: usize,
@@ -16,13 +18,24 @@ impl Stop {
     /// # Errors
     /// [`SettingError::Range`] for a tolerance that is not positive and finite or for no iterations.
     pub fn new(tolerance: f64, max_iterations: usize) -> Result<Self, SettingError> {
+        let stop = Self { tolerance, max_iterations };
+        stop.check()?;
+        Ok(stop)
+    }
+
+    /// Checks what was read from elsewhere.
+    ///
+    /// # Errors
+    /// As [`Stop::new`].
+    pub fn check(&self) -> Result<(), SettingError> {
+        let Self { tolerance, max_iterations } = *self;
         if !(tolerance.is_finite() && tolerance > 0.0) {
             return Err(SettingError::Range { name: "the tolerance", value: tolerance, range: "(0, infinity)" });
         }
         if max_iterations == 0 {
             return Err(SettingError::Range { name: "the iteration cap", value: 0.0, range: "[1, infinity)" });
         }
-        Ok(Self { tolerance, max_iterations })
+        Ok(())
     }
 
     /// The certificate to reach.

@@ -8,31 +8,39 @@ mod moving;
 mod pace;
 mod probe;
 
-use crate::contact::result::Ended;
-use crate::contact::solver::Run;
-use crate::contact::{Contact, Load, Observer, Problem, Solver, Stop};
+use crate::contact::{Contact, Observer, Problem, Run, Solver, Stop};
 use crate::error::{SettingError, SolveError};
 use crate::surface::Field;
 use moving::Moving;
 use pace::Pace;
 use probe::Probe;
+use serde::{Deserialize, Serialize};
 
 /// Masses of the surface modes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+///
+/// Under uniform masses long waves are `n/2` times softer than short ones and relax last. Under masses proportional to stiffness
+/// all modes swing alike; but waves longer than the distance of contact segments, and the mean, are held by the contacts
+/// and get the mass of the wave that is just as long.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
 pub enum Masses {
-    /// The same mass for every mode, as in the paper: long waves are `n/2` times softer than short ones and relax last.
+    /// The same for all modes, as in the paper
     Uniform,
-    /// Masses proportional to the stiffness of the mode, so that all modes swing alike; but waves longer than the distance of
-    /// contact segments, and the mean, are held by the contacts and get the mass of the wave that is just as long.
+    /// Proportional to the stiffness of the mode
     Stiffness,
 }
 
-/// How the motion is damped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// Damping of the motion.
+///
+/// Under FIRE velocities turn towards the force, and are dropped when the power becomes negative.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
 pub enum Dynamics {
-    /// A constant friction, given in units of the critical damping of the slowest mode.
+    /// Constant friction, in units of the critical damping of the slowest mode
     Damped,
-    /// Fast inertial relaxation: velocities turn towards the force, and are dropped when the power becomes negative.
+    /// Fast inertial relaxation engine
     Fire,
 }
 
@@ -65,43 +73,46 @@ pub enum Dynamics {
 /// Deviations: held nodes and the floor of the masses, as said; the stop by [`crate::contact::Certificate`].
 ///
 /// ```
-/// use asperity::{Grid, Problem, Stop, surface::Indenter, contact::{Gfmd, Solver}};
+/// use asperity::contact::{ContactModulus, Gfmd, Load, Solver};
+/// use asperity::{Grid, Indenter, Problem, Stop};
 /// let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(256, 4.0)?)?;
-/// let problem = Problem::new(cylinder, 1.0, 1e-2)?;
-/// let contact = Gfmd::default().solve(&problem, &Stop::default(), &mut ())?;
+/// let problem = Problem::new(cylinder, ContactModulus(1.0), Load::MeanPressure(1e-2))?;
+/// let contact = Gfmd::default().solve(&problem, &Stop::default(), &mut ())?.converged()?;
 /// // Hertz: a^2 = 4 R P / (pi E*)
 /// let area = 2.0 * (4.0 * 0.04 / std::f64::consts::PI).sqrt() / 4.0;
-/// assert!((contact.measures(&problem).relative_area_corrected - area).abs() < 1.0 / 256.0);
+/// assert!((contact.measures().relative_area_corrected - area).abs() < 1.0 / 256.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Gfmd {
-    masses: Masses,
-    dynamics: Dynamics,
-    time_step: f64,
-    damping: f64,
+    /// Masses of the modes.
+    pub masses: Masses,
+    /// How the motion is damped.
+    pub dynamics: Dynamics,
+    /// Time step over the stability limit of the stiffest mode, above 0 and below 1.
+    pub time_step: f64,
+    /// Friction over the critical one of the slowest mode, positive.
+    pub damping: f64,
 }
 
 impl Gfmd {
-    /// The method with its settings.
-    ///
-    /// | argument    | meaning                                                    | range  |
-    /// |-------------|------------------------------------------------------------|--------|
-    /// | `masses`    | masses of the modes                                        |        |
-    /// | `dynamics`  | how the motion is damped                                   |        |
-    /// | `time_step` | `dt` over the stability limit of the stiffest mode         | (0, 1) |
-    /// | `damping`   | friction over the critical one of the slowest mode         | (0, inf) |
+    /// Fields of doubles that a solve holds at its peak, the heights left out.
+    pub const FIELDS: f64 = 10.0;
+
+    /// Checks the settings.
     ///
     /// # Errors
     /// [`SettingError::Range`] for a time step or damping outside its range.
-    pub fn new(masses: Masses, dynamics: Dynamics, time_step: f64, damping: f64) -> Result<Self, SettingError> {
+    pub fn check(&self) -> Result<(), SettingError> {
+        let Self { time_step, damping, .. } = *self;
         if !(time_step > 0.0 && time_step < 1.0) {
             return Err(SettingError::Range { name: "the time step", value: time_step, range: "(0, 1)" });
         }
         if !(damping > 0.0 && damping.is_finite()) {
             return Err(SettingError::Range { name: "the damping", value: damping, range: "(0, infinity)" });
         }
-        Ok(Self { masses, dynamics, time_step, damping })
+        Ok(())
     }
 }
 
@@ -113,7 +124,7 @@ impl Default for Gfmd {
 }
 
 impl Solver for Gfmd {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "gfmd"
     }
 
@@ -136,27 +147,25 @@ impl Solver for Gfmd {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
-        if let Load::MeanGap(_) = problem.load() {
-            return Err(SolveError::NeedsPressure { solver: self.name() });
+        if problem.mean_gap().is_some() {
+            return Err(SolveError::NeedsPressure { solver: self.name().into() });
         }
-        let mut run = Run::new(stop, observer);
+        let mut run = Run::begin(self, problem, stop, observer);
         let mut surface = Moving::new(start, problem, self.masses);
         let mut probe = Probe::new(problem);
         let mut pace = Pace::new(self, &surface.stiffnesses());
         let status = loop {
             surface.pull();
             let certificate = probe.certify(problem, surface.pressure(), &mut run);
-            let transforms = surface.transforms() + probe.transforms();
-            if let Some(status) = surface.show(&mut run, transforms, certificate) {
+            let work = run.work(surface.transforms() + probe.transforms());
+            if let Some(status) = run.show(&surface.step(work, certificate)) {
                 break status;
             }
             surface.advance(&mut pace);
             run.advance();
         };
-        let work = run.work(surface.transforms() + probe.transforms());
-        let half_space = probe.into_half_space();
+        let transforms = surface.transforms() + probe.transforms();
         drop(surface);
-        let pressure = run.best.pressure.take();
-        run.finish(problem, pressure, half_space, Ended { work, status, solver: self.name() })
+        Ok(run.finish_after(status, transforms, probe.into_half_space()))
     }
 }

@@ -2,9 +2,7 @@
 
 use super::Masses;
 use super::pace::{Pace, Push};
-use crate::contact::observe::{Energy, Phase, State, Values};
-use crate::contact::solver::{Run, first_pressure};
-use crate::contact::{Problem, Status, Step, chunks};
+use crate::contact::{Problem, Step, Work, chunks};
 use crate::elastic::HalfSpace;
 use crate::surface::Field;
 
@@ -29,7 +27,7 @@ impl<'a> Moving<'a> {
         let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
         let mut w = vec![0.0; n];
         if start.is_some() {
-            half_space.displacement(&first_pressure(start, problem), &mut w);
+            half_space.displacement(&problem.first_pressure(start), &mut w);
         }
         let deepest = (0..n).fold(f64::NEG_INFINITY, |deepest, i| deepest.max(h[i] - w[i]));
         w.iter_mut().for_each(|w| *w += deepest);
@@ -64,19 +62,10 @@ impl<'a> Moving<'a> {
         });
     }
 
-    /// Shows this state to the observer.
-    pub fn show(&self, run: &mut Run<'_>, transforms: u64, certificate: Option<f64>) -> Option<Status> {
-        let step = Step::new(State {
-            problem: self.problem,
-            work: run.work(transforms),
-            pressure: Values::Given(&self.p),
-            displacement: Values::Given(&self.w),
-            datum: Some(0.0),
-            certificate,
-            phase: Phase::finest(run.iterations()),
-            energy: Energy::Potential { force: &self.f },
-        });
-        run.show(&step)
+    /// The state as it is shown to observers. Held nodes lie on the wall, so that `<p g> = 0` in the frame of the indenter.
+    pub fn step(&self, work: Work, certificate: Option<f64>) -> Step<'_> {
+        let step = Step::new(self.problem, work, &self.p, &self.w).with_datum(0.0).with_force(&self.f);
+        step.with_certificate(certificate)
     }
 
     /// One step of the dynamics, and back onto the wall where it was passed.

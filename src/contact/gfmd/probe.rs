@@ -1,7 +1,6 @@
 //! The certificate of constraint forces.
 
-use crate::contact::solver::Run;
-use crate::contact::{Certificate, Problem, chunks};
+use crate::contact::{Certificate, Problem, Run, chunks};
 use crate::elastic::HalfSpace;
 
 /// Checks are this many times rarer than the steps made so far: a run passes its end by at most two per cent.
@@ -42,8 +41,8 @@ impl Probe {
         let scale = problem.expected_mean_pressure() * forces.len() as f64 / load;
         chunks::update(&mut self.pressure, |range, p| range.zip(p).for_each(|(i, p)| *p = scale * forces[i]));
         self.half_space.displacement(&self.pressure, &mut self.displacement);
-        let eta = Certificate::of(problem, &self.pressure, &self.displacement).eta;
-        run.best.offer(eta, &self.pressure, iteration);
+        let eta = Certificate::of_displaced(problem, &self.pressure, &self.displacement).eta;
+        run.offer(eta, &self.pressure);
         Some(eta)
     }
 }

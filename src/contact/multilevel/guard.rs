@@ -4,7 +4,7 @@ use super::correction::{dot, remove_mean};
 use super::level::{Level, Watch};
 use super::support::Pressure;
 use crate::chunks;
-use crate::contact::{Load, Status};
+use crate::contact::Status;
 
 impl Level<'_> {
     /// A guarded step: towards the pressure of a whole-set update if that is wished for and `f` falls on that way, else towards
@@ -52,9 +52,9 @@ impl Level<'_> {
         let length = self.cauchy_length();
         let (mut p, u, h) = (self.pressure.spread(), &self.u, self.problem.height());
         chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p -= length * (u[i] - h[i] - lambda)));
-        match self.problem.load() {
-            Load::MeanPressure(mean_pressure) => onto_load(p, mean_pressure),
-            Load::MeanGap(_) => p.into_iter().map(|p| p.max(0.0)).collect(),
+        match self.problem.mean_pressure() {
+            Some(mean_pressure) => onto_load(p, mean_pressure),
+            None => p.into_iter().map(|p| p.max(0.0)).collect(),
         }
     }
 
@@ -62,7 +62,7 @@ impl Level<'_> {
     fn cauchy_length(&mut self) -> f64 {
         let lambda = self.lambda();
         let mut gradient = self.on_set(|v| v - lambda);
-        if let Load::MeanPressure(_) = self.problem.load() {
+        if self.problem.mean_pressure().is_some() {
             remove_mean(&mut gradient);
         }
         let field = self.pressure.support.spread(&gradient);
@@ -103,14 +103,15 @@ mod tests {
     use std::f64::consts::PI;
 
     fn problem(height: Array1<f64>, mean_pressure: f64) -> Problem {
-        Problem::new(Surface::line(height.view(), 1.0).unwrap(), 1.0, mean_pressure).unwrap()
+        let surface = Surface::line(height.view(), 1.0).unwrap();
+        Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(mean_pressure)).unwrap()
     }
 
     /// Surfaces on which whole-set updates are known to stall, collapse or cycle when left alone.
     fn hard() -> Vec<Problem> {
         let indenter = |indenter: Indenter, mean_pressure| {
             let surface = indenter.surface(Grid::line(256, 1.0).unwrap()).unwrap();
-            Problem::new(surface, 1.0, mean_pressure).unwrap()
+            Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(mean_pressure)).unwrap()
         };
         let noise = |i: usize| ((i * i % 251) as f64 * 12.9898).sin() * 43758.5453 % 1.0;
         vec![

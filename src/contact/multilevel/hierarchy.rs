@@ -1,7 +1,7 @@
 //! Nested grids.
 
 use super::support::{Pressure, Support};
-use crate::contact::{Load, Problem};
+use crate::contact::{ContactModulus, Load, Problem};
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
 
@@ -14,11 +14,11 @@ pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
     let coarse = halved(surface.grid())?;
     let height = Field::from_shape_fn(coarse.shape(), |(y, x)| surface.height()[[2 * y, 2 * x]]);
     let surface = Surface::new(coarse, height).ok()?;
-    let load = match problem.load() {
-        Load::MeanGap(gap) => Load::MeanGap(gap - surface.mean_height()),
-        load @ Load::MeanPressure(_) => load,
+    let load = match problem.mean_gap() {
+        Some(gap) => Load::MeanGap(gap - surface.mean_height()),
+        None => Load::MeanPressure(problem.expected_mean_pressure()),
     };
-    Problem::under(surface, problem.contact_modulus(), load).ok()
+    Problem::new(surface, ContactModulus(problem.contact_modulus()), load).ok()
 }
 
 /// The grid of every other node along each side, if the sides are even and long enough.

@@ -92,7 +92,7 @@ impl<'a> Level<'a> {
 
     /// The mean gap, if that is given.
     fn gap(&self) -> Option<f64> {
-        self.problem.load().mean_gap()
+        self.problem.mean_gap()
     }
 
     /// One free update or guarded step, as [`Level::choose_pace`] has it.
@@ -226,7 +226,7 @@ impl<'a> Level<'a> {
         let values = &mut self.pressure.values;
         if values.is_empty() {
             self.admit();
-        } else if let Some(gap) = self.problem.load().mean_gap()
+        } else if let Some(gap) = self.problem.mean_gap()
             && values.len() == self.problem.nodes()
         {
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);

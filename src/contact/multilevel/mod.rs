@@ -38,10 +38,7 @@ mod level;
 mod support;
 
 use crate::contact::best::Best;
-use crate::contact::observe::{Energy, Phase, State, Values};
-use crate::contact::result::Ended;
-use crate::contact::solver::{Run, first_pressure};
-use crate::contact::{Contact, Observer, Problem, Solver, Status, Step, Stop};
+use crate::contact::{Contact, Observer, Phase, Problem, Run, Solver, Status, Step, Stop, Values};
 use crate::error::SolveError;
 use crate::grid::Grid;
 use crate::surface::Field;
@@ -93,11 +90,12 @@ const PATIENCE: usize = 600;
 /// restart, the guard, and the stop by [`crate::contact::Certificate`].
 ///
 /// ```
-/// use asperity::{Grid, Problem, Stop, Surface, surface::Spectrum, contact::{Multilevel, Solver}};
+/// use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
+/// use asperity::{Grid, Problem, Stop, Surface, surface::Spectrum};
 /// let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.125, short_cutoff: 0.004, rms_gradient: 1e-3 };
 /// let surface = Surface::rough(Grid::line(1 << 14, 1.0)?, &spectrum, 1)?;
-/// let problem = Problem::at_reduced_pressure(surface, 1.0, 0.1)?;
-/// let contact = Multilevel.solve(&problem, &Stop::default(), &mut ())?;
+/// let problem = Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(0.1))?;
+/// let contact = Multilevel.solve(&problem, &Stop::default(), &mut ())?.converged()?;
 /// assert!(contact.work.transforms < 200);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -112,7 +110,7 @@ impl Multilevel {
 }
 
 impl Solver for Multilevel {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "multilevel"
     }
 
@@ -127,18 +125,15 @@ impl Solver for Multilevel {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
-        let run = Run::new(stop, observer).with_patience(PATIENCE);
+        let run = Run::begin(self, problem, stop, observer).with_patience(PATIENCE);
         let mut cascade = Cascade { run, finest: problem.nodes(), spent: 0.0 };
         let (mut level, ended) = match start {
             Some(start) => cascade.level_from(start, problem),
             None => cascade.level_on(problem, 0),
         };
         let status = cascade.relax(&mut level, 0, ended).unwrap_or(Status::Stalled);
-        let work = cascade.run.work(cascade.transforms(&level));
-        let half_space = level.into_half_space();
-        let mut run = cascade.run;
-        let pressure = run.best.pressure.take().map(|best| best.spread());
-        run.finish(problem, pressure, half_space, Ended { work, status, solver: self.name() })
+        let transforms = cascade.transforms(&level);
+        Ok(cascade.run.finish_after(status, transforms, level.into_half_space()))
     }
 }
 
@@ -154,7 +149,7 @@ struct Cascade<'a> {
 impl Cascade<'_> {
     /// The finest grid with the pressure `start`, unless coarser grids promise a better one.
     fn level_from<'p>(&mut self, start: &Field, problem: &'p Problem) -> (Level<'p>, Option<Status>) {
-        let mut level = Level::new(problem, |rows| Pressure::of(&first_pressure(Some(start), problem), rows));
+        let mut level = Level::new(problem, |rows| Pressure::of(&problem.first_pressure(Some(start)), rows));
         if level.certify() <= GOOD_START || halved(problem.surface().grid()).is_none() {
             return (level, None);
         }
@@ -185,7 +180,7 @@ impl Cascade<'_> {
         let mut tolerance = COARSE_TOLERANCE;
         for outer in 0.. {
             let eta = level.certify();
-            self.run.best.offer(eta, &level.pressure, self.run.iterations());
+            self.run.offer(eta, &level.pressure);
             if ended.is_some() {
                 break;
             }
@@ -204,16 +199,8 @@ impl Cascade<'_> {
     }
 
     fn show(&mut self, level: &Level<'_>, phase: Phase, eta: f64) -> Option<Status> {
-        let step = Step::new(State {
-            problem: level.problem,
-            work: self.run.work(self.transforms(level)),
-            pressure: Values::made(|| level.pressure.spread()),
-            displacement: Values::Given(&level.u),
-            datum: None,
-            certificate: Some(eta),
-            phase,
-            energy: Energy::Complementary,
-        });
+        let (work, pressure) = (self.run.work(self.transforms(level)), Values::lazy(|| level.pressure.spread()));
+        let step = Step::new(level.problem, work, pressure, &level.u).with_certificate(eta).with_phase(phase);
         let ended = if phase.level == 0 { self.run.show(&step) } else { self.run.pass(&step) };
         if ended.is_none() {
             self.run.advance();
@@ -229,20 +216,13 @@ impl Cascade<'_> {
             phase.inner += 1;
             let transforms = (spent + share * half_space.transforms() as f64).ceil() as u64;
             let feasible = || feasible(support, signed(), problem);
-            let step = Step::new(State {
-                problem,
-                work: run.work(transforms),
-                pressure: Values::made(|| feasible().spread()),
-                displacement: Values::made(|| {
-                    let mut u = vec![0.0; problem.nodes()];
-                    half_space.uncounted(|half_space| displace(&feasible(), half_space, &mut u));
-                    u
-                }),
-                datum: None,
-                certificate: None,
-                phase,
-                energy: Energy::Complementary,
-            });
+            let displaced = || {
+                let mut u = vec![0.0; problem.nodes()];
+                half_space.uncounted(|half_space| displace(&feasible(), half_space, &mut u));
+                u
+            };
+            let pressure = Values::lazy(|| feasible().spread());
+            let step = Step::new(problem, run.work(transforms), pressure, Values::lazy(displaced)).with_phase(phase);
             let ended = run.pass(&step);
             drop(step);
             if ended.is_none() {

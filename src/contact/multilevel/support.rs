@@ -1,7 +1,7 @@
 //! Vectors that live on the contact set.
 
 use crate::chunks;
-use crate::contact::{Load, Problem};
+use crate::contact::Problem;
 use std::ops::Range;
 
 /// A set of nodes, as runs along the rows in which a half-space takes its fields. Values on it are vectors with one entry per
@@ -132,10 +132,7 @@ impl Pressure {
 
     /// The pressure to start from without a better one: the uniform one or, at a given mean gap, none.
     pub fn first(problem: &Problem, [count, width]: [usize; 2]) -> Self {
-        let mean_pressure = match problem.load() {
-            Load::MeanPressure(mean_pressure) => Some(mean_pressure),
-            Load::MeanGap(_) => None,
-        };
+        let mean_pressure = problem.mean_pressure();
         let (support, values) = Support::choose([count, width], |_, nodes| {
             mean_pressure.iter().for_each(|&p| (0..width).for_each(|column| nodes.push(column, p)));
         });
@@ -149,9 +146,15 @@ impl Pressure {
 
     /// Scales it to the mean pressure of `problem`, if that is given.
     pub fn carry(&mut self, problem: &Problem) {
-        let Load::MeanPressure(mean_pressure) = problem.load() else { return };
+        let Some(mean_pressure) = problem.mean_pressure() else { return };
         let values = &self.values;
         let scale = mean_pressure * problem.nodes() as f64 / chunks::sum(values.len(), |i| values[i]);
         chunks::update(&mut self.values, |_, p| p.iter_mut().for_each(|p| *p *= scale));
+    }
+}
+
+impl From<Pressure> for Vec<f64> {
+    fn from(pressure: Pressure) -> Self {
+        pressure.spread()
     }
 }

@@ -1,9 +1,10 @@
-//! What a solver returns.
+//! The contact that a solver returns.
 
-use crate::contact::{Certificate, Measures, Patches, Problem, certificate};
+use crate::contact::{Certificate, Failure, Measures, Patches, Problem, certificate};
 use crate::elastic::HalfSpace;
+use crate::error::SolveError;
 use crate::surface::Field;
-use ndarray::ArrayView2;
+use std::sync::Arc;
 
 /// A solved (or best found) contact.
 ///
@@ -14,6 +15,8 @@ use ndarray::ArrayView2;
 /// | `gap`          | `(ny, nx)` | length   | `u - h + d`, `<p g> = 0` or `d` the mean gap   |
 #[derive(Debug, Clone)]
 pub struct Contact {
+    /// The problem that it solves.
+    pub problem: Problem,
     /// Pressure.
     pub pressure: Field,
     /// Displacement of the solid's surface.
@@ -27,9 +30,9 @@ pub struct Contact {
     /// How the solver stopped.
     pub status: Status,
     /// Name of the solver.
-    pub solver: &'static str,
-    /// Seed of a random surface.
-    pub seed: Option<u64>,
+    pub solver: String,
+    /// Why an observer failed, if one did.
+    pub failure: Option<Arc<Failure>>,
 }
 
 /// Work of a solver.
@@ -55,6 +58,8 @@ pub enum Status {
     Stalled,
     /// The observer wished to stop.
     StoppedByObserver,
+    /// The observer failed.
+    ObserverFailed,
 }
 
 impl std::fmt::Display for Status {
@@ -64,6 +69,7 @@ impl std::fmt::Display for Status {
             Self::IterationCap => "iteration cap reached",
             Self::Stalled => "no further progress",
             Self::StoppedByObserver => "stopped by the observer",
+            Self::ObserverFailed => "the observer failed",
         })
     }
 }
@@ -71,36 +77,74 @@ impl std::fmt::Display for Status {
 impl Contact {
     /// The contact with `pressure`, its displacement and certificate recomputed. No more than two fields are made besides it at
     /// a time, that of the half-space included.
-    pub(super) fn of(problem: &Problem, pressure: Vec<f64>, mut half_space: HalfSpace, ended: Ended) -> Self {
+    pub(super) fn new(
+        problem: &Problem,
+        pressure: Vec<f64>,
+        mut half_space: HalfSpace,
+        work: Work,
+        solver: &str,
+    ) -> Self {
         let mut displacement = vec![0.0; pressure.len()];
         half_space.displacement(&pressure, &mut displacement);
         drop(half_space);
-        let certificate = Certificate::of(problem, &pressure, &displacement);
+        let certificate = Certificate::of_displaced(problem, &pressure, &displacement);
         let datum = certificate::datum(problem, &pressure, &displacement);
         let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
         let shape = problem.surface().grid().shape();
         let field = |values: Vec<f64>| Field::from_shape_vec(shape, values).expect("one value per node");
         Self {
+            problem: problem.clone(),
             pressure: field(pressure),
             displacement: field(displacement),
             gap: field(gap),
             certificate,
-            work: Work { transforms: ended.work.transforms + 2, ..ended.work },
-            status: ended.status,
-            solver: ended.solver,
-            seed: problem.surface().seed(),
+            work: Work { transforms: work.transforms + 2, ..work },
+            status: Status::Stalled,
+            solver: solver.into(),
+            failure: None,
         }
     }
 
+    /// Whether the certificate met the tolerance.
+    pub fn is_converged(&self) -> bool {
+        self.status == Status::Converged
+    }
+
+    /// The contact, if it converged and no observer failed.
+    ///
+    /// # Errors
+    /// [`SolveError::Observer`] with the failure of an observer, [`SolveError::NotConverged`] with the certificate that was
+    /// reached.
+    pub fn converged(self) -> Result<Self, SolveError> {
+        if let Some(failure) = self.failure {
+            return Err(SolveError::Observer(failure));
+        }
+        if self.is_converged() {
+            return Ok(self);
+        }
+        let (iterations, reason, certificate) = (self.work.iterations, self.status.to_string(), self.certificate.eta);
+        Err(SolveError::NotConverged { solver: self.solver, iterations, reason, certificate })
+    }
+
     /// Area, gradients and proportionality factors.
-    pub fn measures(&self, problem: &Problem) -> Measures {
-        Measures::of(problem, values(self.pressure.view()))
+    pub fn measures(&self) -> Measures {
+        Measures::of(&self.problem, self.pressures())
     }
 
     /// Contact patches.
     pub fn patches(&self) -> Patches {
         let [ny, nx] = self.pressure.dim().into();
-        Patches::of(values(self.pressure.view()), [ny, nx])
+        Patches::of(self.pressures(), [ny, nx])
+    }
+
+    /// The pressures, row by row.
+    fn pressures(&self) -> &[f64] {
+        self.pressure.as_slice().expect("results are made in standard layout")
+    }
+
+    /// Mean pressure.
+    pub fn mean_pressure(&self) -> f64 {
+        self.pressure.mean().unwrap_or(0.0)
     }
 
     /// Mean gap.
@@ -117,16 +161,4 @@ impl Contact {
     pub fn mask(&self) -> ndarray::Array2<bool> {
         self.pressure.mapv(|p| p > 0.0)
     }
-}
-
-/// How, where and after what work a run ended.
-#[derive(Clone, Copy)]
-pub(super) struct Ended {
-    pub work: Work,
-    pub status: Status,
-    pub solver: &'static str,
-}
-
-fn values<'a>(field: ArrayView2<'a, f64>) -> &'a [f64] {
-    field.to_slice().expect("results are made in standard layout")
 }

@@ -1,0 +1,156 @@
+//! The bookkeeping of a run.
+
+use crate::contact::best::Best;
+use crate::contact::{Contact, Failure, Observer, Problem, Solver, Status, Step, Stop, Wish, Work};
+use crate::elastic::HalfSpace;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// Iterations without a better state after which a run is given up, see [`Best::is_stale`]: long enough for the plateaus of
+/// conjugate gradients and damped dynamics.
+const PATIENCE: usize = 2000;
+
+/// The bookkeeping of a run: iterations, the clock that halts for observers, the best state, and the reasons to stop.
+///
+/// A solver begins a run, and at each iteration certifies its pressure, offers it as the best one, shows the step, and
+/// advances, until the run says why to stop. Then the run makes the contact of the best pressure, whose certificate comes
+/// from a fresh transform pair.
+///
+/// ```text
+/// let mut run = Run::begin(self, problem, stop, observer);
+/// let status = loop {
+///     let eta = Certificate::of_displaced(problem, &p, &u).eta;
+///     run.offer(eta, &p);
+///     let step = Step::new(problem, run.work(half_space.transforms()), &p, &u).with_certificate(eta);
+///     if let Some(status) = run.show(&step) {
+///         break status;
+///     }
+///     ... // the method: new p and u
+///     run.advance();
+/// };
+/// Ok(run.finish(status, half_space))
+/// ```
+pub struct Run<'a, P = Vec<f64>> {
+    solver: &'a dyn Solver,
+    problem: &'a Problem,
+    observer: &'a mut dyn Observer,
+    stop: Stop,
+    clock: Instant,
+    observed_secs: f64,
+    iterations: usize,
+    patience: usize,
+    failure: Option<Failure>,
+    /// The best state found.
+    pub(super) best: Best<P>,
+}
+
+impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
+    /// Begins a run of `solver` and tells the observer.
+    pub fn begin(
+        solver: &'a dyn Solver,
+        problem: &'a Problem,
+        stop: &Stop,
+        observer: &'a mut dyn Observer,
+    ) -> Self {
+        let failure = observer.begin(solver, problem, stop).err();
+        Self {
+            solver,
+            problem,
+            observer,
+            stop: *stop,
+            clock: Instant::now(),
+            observed_secs: 0.0,
+            iterations: 0,
+            patience: PATIENCE,
+            failure,
+            best: Best::none(0),
+        }
+    }
+
+    /// The run with another number of iterations without a better state after which it is given up.
+    pub fn with_patience(self, patience: usize) -> Self {
+        Self { patience, ..self }
+    }
+
+    /// Iterations so far.
+    pub fn iterations(&self) -> usize {
+        self.iterations
+    }
+
+    /// Work so far, with the transforms that the solver has counted.
+    pub fn work(&self, transforms: u64) -> Work {
+        let seconds = self.clock.elapsed().as_secs_f64() - self.observed_secs;
+        Work { iterations: self.iterations, transforms, seconds }
+    }
+
+    /// Whether a certificate meets the tolerance.
+    pub fn is_converged(&self, eta: f64) -> bool {
+        eta <= self.stop.tolerance()
+    }
+
+    /// Keeps `pressure` if its certificate is the least so far.
+    pub fn offer(&mut self, eta: f64, pressure: &P) {
+        self.best.offer(eta, pressure, self.iterations);
+    }
+
+    /// Shows a step to the observer and says why to stop, if so.
+    pub fn show(&mut self, step: &Step<'_>) -> Option<Status> {
+        let ended = self.pass(step);
+        match step.certificate() {
+            Some(eta) if self.is_converged(eta) && ended != Some(Status::ObserverFailed) => Some(Status::Converged),
+            _ if ended.is_some() => ended,
+            _ if self.best.is_stale(self.iterations, self.patience) => Some(Status::Stalled),
+            _ => None,
+        }
+    }
+
+    /// Shows a step on the way to one that counts, and says why to stop, if so.
+    pub fn pass(&mut self, step: &Step<'_>) -> Option<Status> {
+        match self.watch(step) {
+            Err(failure) => {
+                self.failure = Some(failure);
+                Some(Status::ObserverFailed)
+            }
+            Ok(ControlFlow::Break(())) => Some(Status::StoppedByObserver),
+            Ok(ControlFlow::Continue(())) => {
+                (self.iterations >= self.stop.max_iterations()).then_some(Status::IterationCap)
+            }
+        }
+    }
+
+    /// The observer's wish after a step; its time does not count.
+    fn watch(&mut self, step: &Step<'_>) -> Wish {
+        if let Some(failure) = self.failure.take() {
+            return Err(failure);
+        }
+        let before = Instant::now();
+        let wish = self.observer.step(step);
+        self.observed_secs += before.elapsed().as_secs_f64();
+        wish
+    }
+
+    /// Goes on to the next iteration.
+    pub fn advance(&mut self) {
+        self.iterations += 1;
+    }
+
+    /// Ends the run: the contact with the best pressure that was offered or, without one, with the uniform pressure, which is
+    /// always feasible. The half-space makes its displacement, and its transforms are those of the run.
+    pub fn finish(self, status: Status, half_space: HalfSpace) -> Contact {
+        let transforms = half_space.transforms();
+        self.finish_after(status, transforms, half_space)
+    }
+
+    /// Ends the run like [`Run::finish`], after more transforms than those of one half-space.
+    pub fn finish_after(mut self, status: Status, transforms: u64, half_space: HalfSpace) -> Contact {
+        let work = self.work(transforms);
+        let uniform = || vec![self.problem.expected_mean_pressure(); self.problem.nodes()];
+        let pressure = self.best.pressure.take().map_or_else(uniform, P::into);
+        let mut contact = Contact::new(self.problem, pressure, half_space, work, self.solver.name());
+        let is_missed = status == Status::Converged && !self.is_converged(contact.certificate.eta);
+        contact.status = if is_missed { Status::Stalled } else { status };
+        let ended = self.observer.end(&contact);
+        contact.failure = self.failure.or(ended.err()).map(Into::into);
+        contact
+    }
+}

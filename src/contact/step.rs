@@ -1,0 +1,259 @@
+//! The state of a solver at one relaxation step.
+
+use crate::contact::{Measures, Patches, Problem, Work, certificate, chunks};
+use std::cell::{LazyCell, OnceCell};
+use std::ops::Deref;
+
+/// The state of a solver at one relaxation step. What is not asked for is not computed, and what is asked for is computed
+/// once.
+///
+/// | part           | given by                     | where it is not given                                    |
+/// |----------------|------------------------------|----------------------------------------------------------|
+/// | datum          | [`Step::with_datum`]         | the one where `<p g> = 0`, or the mean gap if it is prescribed |
+/// | certificate    | [`Step::with_certificate`]   | unknown                                                  |
+/// | phase          | [`Step::with_phase`]         | the finest grid, every step an outer one                 |
+/// | energy         | [`Step::with_force`]         | that of methods that move the pressure                   |
+pub struct Step<'a> {
+    problem: &'a Problem,
+    work: Work,
+    pressure: Values<'a>,
+    displacement: Values<'a>,
+    datum: Option<f64>,
+    certificate: Option<f64>,
+    phase: Phase,
+    /// The net force, of methods that move the surface.
+    force: Option<&'a [f64]>,
+    gap: OnceCell<Vec<f64>>,
+    measures: OnceCell<Measures>,
+    patches: OnceCell<Patches>,
+}
+
+/// A field of a state, row by row: at hand, or made when it is asked for.
+pub enum Values<'a> {
+    /// A field that the solver holds.
+    AtHand(&'a [f64]),
+    /// A field that is made when it is first asked for.
+    Lazy(Lazy<'a>),
+}
+
+type Lazy<'a> = LazyCell<Vec<f64>, Box<dyn FnOnce() -> Vec<f64> + 'a>>;
+
+impl<'a> Values<'a> {
+    /// The field that `make` will make.
+    pub fn lazy(make: impl FnOnce() -> Vec<f64> + 'a) -> Self {
+        Self::Lazy(LazyCell::new(Box::new(make)))
+    }
+}
+
+impl<'a> From<&'a [f64]> for Values<'a> {
+    fn from(values: &'a [f64]) -> Self {
+        Self::AtHand(values)
+    }
+}
+
+impl<'a> From<&'a Vec<f64>> for Values<'a> {
+    fn from(values: &'a Vec<f64>) -> Self {
+        Self::AtHand(values)
+    }
+}
+
+impl Deref for Values<'_> {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        match self {
+            Self::AtHand(values) => values,
+            Self::Lazy(values) => values,
+        }
+    }
+}
+
+/// Where in its scheme a solver stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Phase {
+    /// Grid level: 0 is the finest, each further one has half as many points along a side.
+    pub level: usize,
+    /// Outer steps on this level so far: those that change the contact set.
+    pub outer: usize,
+    /// Inner steps within the outer one so far; 0 at the outer step itself.
+    pub inner: usize,
+}
+
+/// The energy that a method lowers, over `<p> h_rms`. At the solution both kinds have the same magnitude and opposite signs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Energy {
+    /// `<p u> / 2 - <p h>`, of methods that move the pressure; at a given mean gap `D` with `D <p>` added.
+    Complementary(f64),
+    /// `<w k w> / 2 + <p> <w>`, of methods that move the surface `w` of the solid.
+    Potential(f64),
+}
+
+impl Energy {
+    /// The number, whichever kind it is.
+    pub fn value(self) -> f64 {
+        match self {
+            Self::Complementary(value) | Self::Potential(value) => value,
+        }
+    }
+}
+
+impl<'a> Step<'a> {
+    /// The step of a solver of `problem` after some work: pressure and displacement, row by row.
+    pub fn new(
+        problem: &'a Problem,
+        work: Work,
+        pressure: impl Into<Values<'a>>,
+        displacement: impl Into<Values<'a>>,
+    ) -> Self {
+        Self {
+            problem,
+            work,
+            pressure: pressure.into(),
+            displacement: displacement.into(),
+            datum: None,
+            certificate: None,
+            phase: Phase { level: 0, outer: work.iterations, inner: 0 },
+            force: None,
+            gap: OnceCell::new(),
+            measures: OnceCell::new(),
+            patches: OnceCell::new(),
+        }
+    }
+
+    /// The step with the datum `d` of its gap `u - h + d`.
+    pub fn with_datum(self, datum: f64) -> Self {
+        Self { datum: Some(datum), ..self }
+    }
+
+    /// The step with the certificate `eta` of its pressure, where it is known.
+    pub fn with_certificate(self, eta: impl Into<Option<f64>>) -> Self {
+        Self { certificate: eta.into(), ..self }
+    }
+
+    /// The step in a phase of the solver's scheme.
+    pub fn with_phase(self, phase: Phase) -> Self {
+        Self { phase, ..self }
+    }
+
+    /// The step of a method that moves the surface `w`, the displacement, under the net force `f`: then
+    /// `k w = p - f - <p>` with the stiffness `k`, and the energy is the potential one.
+    pub fn with_force(self, force: &'a [f64]) -> Self {
+        Self { force: Some(force), ..self }
+    }
+
+    /// The problem being solved; on a coarse level that of its grid, with as many nodes as there are values of each field.
+    pub fn problem(&self) -> &'a Problem {
+        self.problem
+    }
+
+    /// Number of this step, from 0, the state at the start.
+    pub fn index(&self) -> usize {
+        self.work.iterations
+    }
+
+    /// Grid level, outer and inner step.
+    pub fn phase(&self) -> Phase {
+        self.phase
+    }
+
+    /// Work of the solver so far; observers are not counted.
+    pub fn work(&self) -> Work {
+        self.work
+    }
+
+    /// Transforms so far.
+    pub fn transforms(&self) -> u64 {
+        self.work.transforms
+    }
+
+    /// Seconds so far, without those spent in observers.
+    pub fn seconds(&self) -> f64 {
+        self.work.seconds
+    }
+
+    /// Pressure `p >= 0`, row by row. Before convergence its mean may differ from the load (GFMD).
+    pub fn pressure(&self) -> &[f64] {
+        &self.pressure
+    }
+
+    /// Displacement of the solid's surface into the solid, row by row; its datum is free.
+    pub fn displacement(&self) -> &[f64] {
+        &self.displacement
+    }
+
+    /// Gap `g = u - h + d`, row by row; negative where the surfaces still penetrate.
+    pub fn gap(&self) -> &[f64] {
+        let datum = self.datum();
+        let (u, h) = (&self.displacement, self.problem.height());
+        self.gap.get_or_init(|| u.iter().zip(h).map(|(u, h)| u - h + datum).collect())
+    }
+
+    /// Mean gap.
+    pub fn mean_gap(&self) -> f64 {
+        let sum: f64 = self.displacement.iter().sum();
+        sum / self.displacement.len() as f64 + self.datum()
+    }
+
+    fn datum(&self) -> f64 {
+        self.datum.unwrap_or_else(|| certificate::datum(self.problem, &self.pressure, &self.displacement))
+    }
+
+    /// The certificate `eta` of this state, where the solver knows it without further work.
+    pub fn certificate(&self) -> Option<f64> {
+        self.certificate
+    }
+
+    /// The energy that the method lowers. [`Problem::expected_mean_pressure`] stands in for a load that is not prescribed.
+    pub fn energy(&self) -> Energy {
+        let (p, u): (&[f64], &[f64]) = (&self.pressure, &self.displacement);
+        let (h, load) = (self.problem.height(), self.problem.expected_mean_pressure());
+        let unit = p.len() as f64 * load * self.problem.rms_height();
+        if let Some(force) = self.force {
+            return Energy::Potential(chunks::sum(p.len(), |i| 0.5 * u[i] * (load + p[i] - force[i])) / unit);
+        }
+        let gap = self.problem.mean_gap().unwrap_or(0.0);
+        Energy::Complementary(chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i] + gap)) / unit)
+    }
+
+    /// Area, gradients and proportionality factors.
+    pub fn measures(&self) -> &Measures {
+        self.measures.get_or_init(|| Measures::of(self.problem, &self.pressure))
+    }
+
+    /// Contact patches.
+    pub fn patches(&self) -> &Patches {
+        self.patches.get_or_init(|| Patches::of(&self.pressure, self.problem.surface().grid().shape()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{ContactModulus, Load};
+    use crate::grid::Grid;
+    use crate::surface::Indenter;
+    use std::cell::Cell;
+
+    #[test]
+    fn fields_are_made_once_and_only_if_they_are_asked_for() {
+        let sine = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(8, 1.0).unwrap()).unwrap();
+        let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(1.0)).unwrap();
+        let made = [const { Cell::new(0) }; 2];
+        let values = |which: usize| {
+            let made = &made[which];
+            Values::lazy(move || {
+                made.set(made.get() + 1);
+                vec![1.0; 8]
+            })
+        };
+        let step = Step::new(&problem, Work::default(), values(0), values(1)).with_datum(0.0).with_certificate(1.0);
+        let made = || [made[0].get(), made[1].get()];
+        assert_eq!((step.index(), step.transforms(), step.certificate(), step.phase().level), (0, 0, Some(1.0), 0));
+        assert_eq!(made(), [0, 0]);
+        assert_eq!((step.measures().contact_nodes, step.patches().count()), (8, 1));
+        assert_eq!(made(), [1, 0]);
+        assert!((step.mean_gap() - 1.0).abs() < 1e-15 && step.gap.get().is_none());
+        assert_eq!((step.gap().len(), step.gap.get().map(Vec::len)), (8, Some(8)));
+        assert_eq!((made(), step.energy().value().is_finite()), ([1, 1], true));
+    }
+}

@@ -1,0 +1,118 @@
+//! Lengths and pressures as they stand in scenes: numbers in any consistent set of units or, with the feature `units`, texts
+//! such as `"160 um"` and `"1 GPa"`, which are turned into metres and pascals.
+
+use serde::de::{self, Deserializer, Visitor};
+use std::fmt;
+
+/// Reads a length.
+///
+/// # Errors
+/// For anything that is neither a number nor a length with a unit.
+pub fn length<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    from.deserialize_any(Quantity { kind: "a length", example: "\"160 um\"", parse: units::length })
+}
+
+/// Reads a pressure.
+///
+/// # Errors
+/// For anything that is neither a number nor a pressure with a unit.
+pub fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    from.deserialize_any(Quantity { kind: "a pressure", example: "\"1 GPa\"", parse: units::pressure })
+}
+
+/// Reads a number or a text of one kind.
+struct Quantity {
+    kind: &'static str,
+    example: &'static str,
+    parse: fn(&str) -> Option<f64>,
+}
+
+impl Visitor<'_> for Quantity {
+    type Value = f64;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: a number, or one with a unit such as {}", self.kind, self.example)
+    }
+
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<f64, E> {
+        Ok(value)
+    }
+
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<f64, E> {
+        Ok(value as f64)
+    }
+
+    fn visit_u64<E: de::Error>(self, value: u64) -> Result<f64, E> {
+        Ok(value as f64)
+    }
+
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<f64, E> {
+        let number = text.trim().parse().ok();
+        number.or_else(|| (self.parse)(text)).ok_or_else(|| de::Error::invalid_value(de::Unexpected::Str(text), &self))
+    }
+}
+
+#[cfg(feature = "units")]
+mod units {
+    use uom::si::f64::{Length, Pressure};
+    use uom::si::length::meter;
+    use uom::si::pressure::pascal;
+
+    pub fn length(text: &str) -> Option<f64> {
+        spelled(text).parse::<Length>().ok().map(|length| length.get::<meter>())
+    }
+
+    pub fn pressure(text: &str) -> Option<f64> {
+        spelled(text).parse::<Pressure>().ok().map(|pressure| pressure.get::<pascal>())
+    }
+
+    /// The number and its unit with one blank between them, and the prefix `u` as `µ`.
+    fn spelled(text: &str) -> String {
+        let is_number = |at: &usize| text.get(..*at).is_some_and(|number| number.trim().parse::<f64>().is_ok());
+        let (number, unit) = text.split_at((0..=text.len()).rev().find(is_number).unwrap_or(0));
+        let unit = unit.trim();
+        let unit = unit.strip_prefix(['u', 'μ']).map_or(unit.to_owned(), |rest| format!("µ{rest}"));
+        format!("{} {unit}", number.trim())
+    }
+}
+
+#[cfg(not(feature = "units"))]
+mod units {
+    pub fn length(_: &str) -> Option<f64> {
+        None
+    }
+
+    pub fn pressure(_: &str) -> Option<f64> {
+        None
+    }
+}
+
+#[cfg(all(test, feature = "units"))]
+mod tests {
+    use super::*;
+    use serde::de::IntoDeserializer;
+    use serde::de::value::{Error, StrDeserializer};
+
+    fn read(text: &str, read: fn(StrDeserializer<'_, Error>) -> Result<f64, Error>) -> Result<f64, String> {
+        read(text.into_deserializer()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn units_become_metres_and_pascals() {
+        let close = |found: Result<f64, String>, expected: f64| (found.unwrap() / expected - 1.0).abs() < 1e-15;
+        for text in ["160 um", "160um", "1.6e-4 m", " 160 µm ", "160000 nm", "0.16mm", "1.6e-4"] {
+            assert!(close(read(text, length), 1.6e-4), "{text}");
+        }
+        for text in ["2 GPa", "2000MPa", "2e9 Pa", "2e9"] {
+            assert!(close(read(text, pressure), 2e9), "{text}");
+        }
+    }
+
+    #[test]
+    fn other_texts_are_refused_in_one_sentence() {
+        for text in ["", "um", "160 GPa", "160 parsnips", "1 2 um"] {
+            let refused = read(text, length).unwrap_err();
+            assert!(refused.contains(text) && refused.contains("160 um") && refused.contains("a length"), "{refused}");
+        }
+    }
+}
