@@ -59,8 +59,10 @@ pub mod elastic;
 pub mod error;
 #[cfg(feature = "explore")]
 pub mod explore;
+pub mod files;
 pub mod fourier;
 pub mod grid;
+#[cfg(feature = "figures")]
 pub mod plot;
 #[cfg(feature = "record")]
 pub mod record;
