@@ -59,6 +59,7 @@ pub mod elastic;
 pub mod error;
 #[cfg(feature = "explore")]
 pub mod explore;
+pub mod files;
 pub mod fourier;
 pub mod grid;
 #[cfg(feature = "figures")]

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 const LAYERS: &[(&str, u8)] = &[
     ("error", 0),
     ("chunks", 0),
+    ("files", 0),
     ("grid", 0),
     ("Grid", 0),
     ("fourier", 0),

@@ -3,7 +3,7 @@
 use anyhow::Result;
 use asperity::contact::{Contact, Problem, Status, archive};
 use asperity::error::FileError;
-use asperity::surface::write_beside;
+use asperity::files::write_beside;
 use asperity::theory::Exact;
 use serde::Serialize;
 use std::io::{self, Write};

@@ -14,9 +14,9 @@ use asperity::Grid;
 use asperity::Surface;
 use asperity::contact::{Contact, Load, Problem, Solver, Stop};
 use asperity::error::{FileError, SolveError};
+use asperity::files::check_target;
 #[cfg(feature = "record")]
 use asperity::record::Options;
-use asperity::surface::check_target;
 use asperity::theory::Exact;
 #[cfg(feature = "record")]
 use clap::ArgGroup;

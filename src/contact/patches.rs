@@ -1,6 +1,5 @@
 //! Contact patches: connected sets of nodes in contact.
 
-use petgraph::unionfind::UnionFind;
 use std::ops::Range;
 
 /// The contact patches of a pressure field: sets of nodes with `p > 0` that touch along rows or columns, across the period.
@@ -24,24 +23,24 @@ impl Patches {
                 Some(first)
             })
             .collect();
-        let mut union = UnionFind::new(rows.iter().map(Vec::len).sum());
+        let mut forest = Forest::new(rows.iter().map(Vec::len).sum());
         for (row, &at) in rows.iter().zip(&first) {
             if let [head, .., tail] = row.as_slice()
                 && head.start == 0
                 && tail.end == nx
             {
-                union.union(at, at + row.len() - 1);
+                forest.join(at, at + row.len() - 1);
             }
         }
         for y in 0..if ny > 1 { ny } else { 0 } {
             let next = (y + 1) % ny;
             for (a, b) in overlaps(&rows[y], &rows[next]) {
-                union.union(first[y] + a, first[next] + b);
+                forest.join(first[y] + a, first[next] + b);
             }
         }
-        let mut sizes = vec![0; union.len()];
+        let mut sizes = vec![0; forest.parent.len()];
         for (run, nodes) in rows.iter().flatten().map(Range::len).enumerate() {
-            sizes[union.find_mut(run)] += nodes;
+            sizes[forest.root(run)] += nodes;
         }
         sizes.retain(|&nodes| nodes > 0);
         sizes.sort_unstable_by(|a, b| b.cmp(a));
@@ -59,22 +58,41 @@ impl Patches {
     }
 }
 
+/// Disjoint sets of items, each set a tree whose root stands for it.
+struct Forest {
+    parent: Vec<usize>,
+}
+
+impl Forest {
+    fn new(items: usize) -> Self {
+        Self { parent: (0..items).collect() }
+    }
+
+    /// The root over an item; the path there is halved on the way, so that later searches are short.
+    fn root(&mut self, mut item: usize) -> usize {
+        while self.parent[item] != item {
+            self.parent[item] = self.parent[self.parent[item]];
+            item = self.parent[item];
+        }
+        item
+    }
+
+    /// Joins the sets of two items under the earlier root.
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parent[a.max(b)] = a.min(b);
+    }
+}
+
 /// Runs of positive values.
 fn runs(row: &[f64]) -> Vec<Range<usize>> {
-    let mut runs = Vec::new();
-    let mut start = None;
-    for (i, &p) in row.iter().enumerate() {
-        match (p > 0.0, start) {
-            (true, None) => start = Some(i),
-            (false, Some(s)) => {
-                runs.push(s..i);
-                start = None;
-            }
-            _ => {}
-        }
-    }
-    runs.extend(start.map(|s| s..row.len()));
-    runs
+    let mut end = 0;
+    let range = |run: &[f64]| {
+        let start = end;
+        end += run.len();
+        (run[0] > 0.0).then_some(start..end)
+    };
+    row.chunk_by(|a, b| (*a > 0.0) == (*b > 0.0)).filter_map(range).collect()
 }
 
 /// Pairs of runs that share a column, both lists being in order.
@@ -107,5 +125,44 @@ mod tests {
         assert_eq!(patches(&["#..#", ".##.", "....", "#..#"]), [4, 2]);
         assert_eq!(patches(&["#.#.", "###.", "#.#.", "...."]), [7]);
         assert_eq!(patches(&["#...", ".#..", "..#.", "...#"]), [1, 1, 1, 1]);
+    }
+    /// The sizes by filling: each node takes the lowest number of its neighbours until nothing changes.
+    fn filled(pressure: &[f64], [ny, nx]: [usize; 2]) -> Vec<usize> {
+        let mut lowest: Vec<usize> = (0..ny * nx).collect();
+        loop {
+            let before = lowest.clone();
+            for i in (0..ny * nx).filter(|&i| pressure[i] > 0.0) {
+                let (y, x) = (i / nx, i % nx);
+                for j in [
+                    (y + 1) % ny * nx + x,
+                    (y + ny - 1) % ny * nx + x,
+                    y * nx + (x + 1) % nx,
+                    y * nx + (x + nx - 1) % nx,
+                ] {
+                    if pressure[j] > 0.0 {
+                        lowest[i] = lowest[i].min(lowest[j])
+                    }
+                }
+            }
+            if lowest == before {
+                break;
+            }
+        }
+        let mut sizes = vec![0; ny * nx];
+        (0..ny * nx).filter(|&i| pressure[i] > 0.0).for_each(|i| sizes[lowest[i]] += 1);
+        sizes.retain(|&nodes| nodes > 0);
+        sizes.sort_unstable_by(|a, b| b.cmp(a));
+        sizes
+    }
+
+    #[test]
+    fn patches_are_those_of_filling() {
+        for shape in [[1, 40], [7, 5], [31, 32], [64, 48]] {
+            for level in [-0.8, -0.3, 0.0, 0.3, 0.8] {
+                let value = |i: usize| ((i * i) as f64 * 0.7).sin() + level;
+                let pressure: Vec<f64> = (0..shape[0] * shape[1]).map(value).collect();
+                assert_eq!(Patches::of(&pressure, shape).sizes(), filled(&pressure, shape), "{shape:?} {level}");
+            }
+        }
     }
 }

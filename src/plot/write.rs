@@ -4,7 +4,7 @@ use super::font::font;
 use super::sheet::{Align, Element, Sheet};
 use super::{Colour, Figure};
 use crate::error::FileError;
-use crate::surface::write_beside;
+use crate::files::write_beside;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

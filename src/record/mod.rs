@@ -74,7 +74,7 @@ pub use scene::Scene;
 pub use size::Size;
 
 use crate::error::FileError;
-use crate::surface::check_target;
+use crate::files::check_target;
 use output::Output;
 use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};

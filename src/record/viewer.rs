@@ -3,7 +3,7 @@
 use super::output::Output;
 use super::{Options, Recording, Scene, target_error};
 use crate::error::FileError;
-use crate::surface::check_target;
+use crate::files::check_target;
 use rerun::SpawnOptions;
 use rerun::sink::GrpcSink;
 use std::path::Path;

@@ -4,6 +4,7 @@
 //! Realisation { grid, shape, loads } --> Sweep --> Table (CSV) --> Spread, Fit
 //! ```
 
+#[cfg(feature = "figures")]
 mod fit;
 mod realisation;
 mod row;
@@ -11,6 +12,7 @@ mod spread;
 mod sweep;
 mod table;
 
+#[cfg(feature = "figures")]
 pub use fit::Fit;
 pub use realisation::{Pressed, Realisation, Shape};
 pub use row::{Row, Timed};

@@ -2,7 +2,7 @@
 
 use super::row::{Row, Timed};
 use crate::error::FileError;
-use crate::surface::{check_target, write_beside};
+use crate::files::{check_target, write_csv};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::fs::OpenOptions;
@@ -88,8 +88,8 @@ impl Table {
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
     pub fn finish(&self, points: &[Timed]) -> Result<(), FileError> {
-        write_records(&self.path, points.iter().map(|timed| &timed.row))?;
-        write_records(&self.seconds_path(), points.iter().map(Seconds::of))?;
+        write_csv(&self.path, points.iter().map(|timed| &timed.row))?;
+        write_csv(&self.seconds_path(), points.iter().map(Seconds::of))?;
         remove(self.unfinished_path())
     }
 
@@ -136,15 +136,4 @@ fn finished<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>, FileError> {
     let reason = "it holds something else than the points of a study: write elsewhere, or remove it";
     let refuse = |_| FileError::Target { path: path.into(), reason: reason.into() };
     records(path, true)?.collect::<csv::Result<_>>().map_err(refuse)
-}
-
-/// Writes records as CSV in full precision, beside and then renamed.
-fn write_records<T: Serialize>(path: &Path, records: impl Iterator<Item = T>) -> Result<(), FileError> {
-    write_beside(path, |file| {
-        let mut csv = csv::Writer::from_writer(file);
-        for record in records {
-            csv.serialize(record)?;
-        }
-        csv.flush()
-    })
 }

@@ -1,13 +1,13 @@
-//! Height files, and output files that appear whole or not at all.
+//! Height files.
 
 use crate::error::FileError;
+use crate::files::write_beside;
 use ndarray::{ArrayD, ArrayViewD};
 use ndarray_npy::npy::header::Header;
 use ndarray_npy::{ReadNpyError, ReadNpyExt, WriteNpyError, WriteNpyExt};
 use std::fs::File;
-use std::io::{self, BufReader, BufWriter, Read, Seek, Write};
+use std::io::{self, BufReader, Read, Seek};
 use std::path::Path;
-use tempfile::NamedTempFile;
 
 /// Bytes at the start of a file that must hold the whole `.npy` header; NumPy writes 128.
 const HEADER_BYTES: u64 = 4096;
@@ -83,67 +83,6 @@ fn check_header(file: &mut File, bytes: u64) -> Result<Usable, String> {
         Some(expected) if expected == data => Ok(Usable { shape: header.shape, is_single: size == 4 }),
         _ => Err(format!("it holds {data} bytes of data, which is not what its shape {:?} needs", header.shape)),
     }
-}
-
-/// Checks that a file can be made at `path`, so that a long computation does not end in vain.
-///
-/// # Errors
-/// [`FileError::Target`] if `path` is a directory or a device, or nothing can be created in its folder.
-pub fn check_target(path: &Path) -> Result<(), FileError> {
-    beside(path).map(drop)
-}
-
-/// A temporary file in the folder of `path`, deleted unless it is renamed.
-fn beside(path: &Path) -> Result<NamedTempFile, FileError> {
-    let unfit = |reason: String| FileError::Target { path: path.into(), reason };
-    if path.file_name().is_none() || path.as_os_str().as_encoded_bytes().ends_with(b"/") || path.is_dir() {
-        return Err(unfit("it is a directory, give the name of a file".into()));
-    }
-    if path.exists() && !path.is_file() {
-        return Err(unfit("it is not a regular file, give another name".into()));
-    }
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    if !folder.is_dir() {
-        return Err(unfit(format!("there is no folder {}, make it first", folder.display())));
-    }
-    temporary(folder).map_err(|error| unfit(format!("nothing can be created in {}: {error}", folder.display())))
-}
-
-/// A temporary file with the permissions of any new file, less the umask.
-fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".asperity-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
-}
-
-/// Makes the file `path` whole or not at all: `write` fills a temporary file in the same folder, which is flushed,
-/// synced and then renamed over `path`.
-///
-/// # Errors
-/// [`FileError::Target`] as [`check_target`]; [`FileError::Write`] if anything fails later. Neither leaves a new file
-/// behind, nor touches one that was there.
-pub fn write_beside(
-    path: &Path,
-    write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
-) -> Result<(), FileError> {
-    let mut temporary = beside(path)?;
-    let failed = |source| FileError::Write { path: path.into(), source };
-    fill(temporary.as_file_mut(), write).map_err(failed)?;
-    temporary.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
-}
-
-fn fill(file: &mut File, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> io::Result<()> {
-    let mut writer = BufWriter::new(&mut *file);
-    write(&mut writer)?;
-    writer.flush()?;
-    drop(writer);
-    file.sync_all()
 }
 
 /// Writes heights (or any field) as a NumPy `.npy` file of doubles.
@@ -242,47 +181,5 @@ mod tests {
         let nested = [b"\x93NUMPY\x01\x00\x00\x0f", &[b'('; 0x0f00][..]].concat();
         std::fs::write(&path, nested).unwrap();
         assert!(reason(&path).contains("no .npy file"));
-    }
-
-    #[test]
-    fn unfit_targets_are_refused_and_nothing_is_left() {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("file");
-        std::fs::write(&file, "old").unwrap();
-        let missing = folder.path().join("missing/h.npy");
-        for path in [folder.path(), &missing, &file.join("h.npy"), Path::new("/"), Path::new(""), &file.join("")] {
-            assert!(matches!(check_target(path), Err(FileError::Target { .. })), "{path:?}");
-            assert!(matches!(write_beside(path, |_| Ok(())), Err(FileError::Target { .. })), "{path:?}");
-        }
-        assert!(check_target(&file).is_ok() && check_target(Path::new("h.npy")).is_ok());
-        assert_eq!((entries(folder.path()), std::fs::read(&file).unwrap()), (1, b"old".to_vec()));
-    }
-
-    #[test]
-    fn a_failed_write_keeps_the_old_file() {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("file");
-        std::fs::write(&file, "old").unwrap();
-        let failed = write_beside(&file, |writer| {
-            writer.write_all(b"new")?;
-            Err(io::Error::other("disc on fire"))
-        });
-        assert!(matches!(failed, Err(FileError::Write { .. })));
-        assert_eq!((entries(folder.path()), std::fs::read(&file).unwrap()), (1, b"old".to_vec()));
-        write_beside(&file, |writer| writer.write_all(b"new")).unwrap();
-        assert_eq!((entries(folder.path()), std::fs::read(&file).unwrap()), (1, b"new".to_vec()));
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn devices_are_no_targets_and_permissions_are_ordinary() {
-        use std::os::unix::fs::PermissionsExt;
-        assert!(matches!(write_beside(Path::new("/dev/full"), |_| Ok(())), Err(FileError::Target { .. })));
-        let folder = tempfile::tempdir().unwrap();
-        let (ours, plain) = (folder.path().join("ours"), folder.path().join("plain"));
-        write_beside(&ours, |_| Ok(())).unwrap();
-        std::fs::write(&plain, "").unwrap();
-        let mode = |path: &Path| std::fs::metadata(path).unwrap().permissions().mode();
-        assert_eq!(mode(&ours), mode(&plain));
     }
 }

@@ -6,7 +6,7 @@ mod roughness;
 mod spectrum;
 mod synthesis;
 
-pub use files::{check_target, read_heights, read_shape, write_beside, write_heights};
+pub use files::{read_heights, read_shape, write_heights};
 pub use indenter::Indenter;
 pub(crate) use indenter::{offsets, shortest_period};
 pub use roughness::{PowerSpectrum, Roughness};

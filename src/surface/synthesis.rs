@@ -4,8 +4,8 @@ use super::{Field, Spectrum, Surface};
 use crate::error::SurfaceError;
 use crate::fourier::{Complex, Fourier};
 use crate::grid::Grid;
+use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::f64::consts::TAU;
 

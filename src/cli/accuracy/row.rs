@@ -8,7 +8,7 @@ use super::quantity::Values;
 use super::scene::Scene;
 use crate::cli::contender::Contender;
 use asperity::error::FileError;
-use asperity::surface::write_beside;
+use asperity::files::write_csv;
 use serde::Serialize;
 use std::path::Path;
 
@@ -104,11 +104,7 @@ impl<'a> Row<'a> {
 
 /// Writes all points of all scenes as CSV, in full precision.
 pub fn write_rows(path: &Path, scenes: &[Measured]) -> Result<(), FileError> {
-    write_beside(path, |file| {
-        let mut csv = csv::Writer::from_writer(file);
-        scenes.iter().flat_map(rows).try_for_each(|row| csv.serialize(row))?;
-        csv.flush()
-    })
+    write_csv(path, scenes.iter().flat_map(rows))
 }
 
 fn rows(measured: &Measured) -> impl Iterator<Item = Row<'_>> {

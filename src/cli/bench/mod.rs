@@ -11,11 +11,11 @@ use super::{Outcome, usage};
 use anyhow::Result;
 use asperity::contact::{Solver, Status, Stop};
 use asperity::error::SolveError;
-use asperity::surface::check_target;
+use asperity::files::{check_target, write_csv};
 use case::{Case, Group};
 use clap::Args;
 use memory::peak_of;
-use row::{Row, Solved, write_rows};
+use row::{Row, Solved};
 use std::io::{Write, stdout};
 use std::path::PathBuf;
 use std::time::Instant;
@@ -125,7 +125,7 @@ impl Bench {
             write_row(case, &row, &mut stdout())?;
             rows.push(row);
             if let Some(path) = &self.out {
-                write_rows(path, rows)?;
+                write_csv(path, &*rows)?;
             }
         }
         Ok(())

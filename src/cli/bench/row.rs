@@ -2,10 +2,7 @@
 
 use super::case::{Case, Group};
 use asperity::contact::{Contact, Problem, Status};
-use asperity::error::FileError;
-use asperity::surface::write_beside;
 use serde::Serialize;
-use std::path::Path;
 
 /// One case solved by one solver.
 #[derive(Serialize)]
@@ -72,15 +69,6 @@ impl Row {
     pub fn against(self, seconds: f64) -> Self {
         Self { ratio: Some(self.solve_seconds / seconds), ..self }
     }
-}
-
-/// Writes all rows as CSV, in full precision.
-pub fn write_rows(path: &Path, rows: &[Row]) -> Result<(), FileError> {
-    write_beside(path, |file| {
-        let mut csv = csv::Writer::from_writer(file);
-        rows.iter().try_for_each(|row| csv.serialize(row))?;
-        csv.flush()
-    })
 }
 
 fn median(values: &[f64]) -> f64 {

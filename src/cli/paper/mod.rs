@@ -22,16 +22,13 @@ mod table1;
 
 use super::Outcome;
 use anyhow::Result;
-use asperity::error::FileError;
+use asperity::files::write_csv;
 use asperity::plot::{Figure, write_png, write_svg};
 use asperity::study::Row;
-use asperity::surface::write_beside;
 use comparison::{Comparison, Finding};
 use options::Options;
 use part::Part;
-use serde::Serialize;
 use std::io::{Write, stdout};
-use std::path::Path;
 use study::Study;
 
 /// Makes the tables and figures of the paper again, and says for every number of it what is found here.
@@ -89,13 +86,4 @@ impl Paper {
         }
         Ok(if unconverged.is_empty() { Outcome::Done } else { Outcome::NotConverged })
     }
-}
-
-/// Writes records as CSV in full precision, beside and then renamed.
-fn write_csv<T: Serialize>(path: &Path, records: &[T]) -> Result<(), FileError> {
-    write_beside(path, |file| {
-        let mut csv = csv::Writer::from_writer(file);
-        records.iter().try_for_each(|record| csv.serialize(record))?;
-        csv.flush()
-    })
 }

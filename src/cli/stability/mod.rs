@@ -13,10 +13,10 @@ mod verdict;
 use super::contender::Contender;
 use super::{Outcome, usage};
 use anyhow::Result;
-use asperity::surface::check_target;
+use asperity::files::{check_target, write_csv};
 use case::Case;
 use clap::Args;
-use row::{Row, write_rows};
+use row::Row;
 use std::io::{Write, stdout};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -127,7 +127,7 @@ impl Stability {
         write_row(&row, &mut stdout())?;
         rows.push(row);
         if let Some(path) = &self.out {
-            write_rows(path, rows)?;
+            write_csv(path, &*rows)?;
         }
         Ok(())
     }

@@ -4,10 +4,7 @@ use super::case::Solved;
 use super::check::Check;
 use super::verdict::Verdict;
 use asperity::contact::Status;
-use asperity::error::FileError;
-use asperity::surface::write_beside;
 use serde::Serialize;
-use std::path::Path;
 
 /// One case by one solver. There are no figures where nothing was returned.
 #[derive(Serialize)]
@@ -91,13 +88,4 @@ impl Row {
     pub fn demanded(self, as_demanded: bool) -> Self {
         Self { as_demanded, ..self }
     }
-}
-
-/// Writes all rows as CSV, in full precision.
-pub fn write_rows(path: &Path, rows: &[Row]) -> Result<(), FileError> {
-    write_beside(path, |file| {
-        let mut csv = csv::Writer::from_writer(file);
-        rows.iter().try_for_each(|row| csv.serialize(row))?;
-        csv.flush()
-    })
 }

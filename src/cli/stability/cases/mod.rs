@@ -12,8 +12,8 @@ use super::case::Case;
 use anyhow::Result;
 use asperity::surface::{Field, Spectrum};
 use asperity::{Grid, Problem, Surface};
+use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 /// All cases, small if `quick`.
 pub fn all(quick: bool) -> Vec<Case> {

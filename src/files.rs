@@ -1,0 +1,182 @@
+//! Output files that appear whole or not at all.
+
+use crate::error::FileError;
+use serde::Serialize;
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Checks that a file can be made at `path`, so that a long computation does not end in vain.
+///
+/// # Errors
+/// [`FileError::Target`] if `path` is a directory or a device, or nothing can be created in its folder.
+pub fn check_target(path: &Path) -> Result<(), FileError> {
+    Draft::beside(path).map(drop)
+}
+
+/// Makes the file `path` whole or not at all: `write` fills a draft in the same folder, which is flushed, synced and then
+/// renamed over `path`.
+///
+/// # Errors
+/// [`FileError::Target`] as [`check_target`]; [`FileError::Write`] if anything fails later. Neither leaves a new file
+/// behind, nor touches one that was there.
+pub fn write_beside(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
+) -> Result<(), FileError> {
+    let mut draft = Draft::beside(path)?;
+    let written = fill(&mut draft.file, write).and_then(|()| draft.rename(path));
+    written.map_err(|source| FileError::Write { path: path.into(), source })
+}
+
+/// Writes `rows` as CSV under the names of their fields, numbers in full precision, by [`write_beside`].
+///
+/// # Errors
+/// As [`write_beside`].
+///
+/// ```
+/// #[derive(serde::Serialize)]
+/// struct Point {
+///     pressure: f64,
+///     area: Option<f64>,
+/// }
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("points.csv");
+/// let points = [Point { pressure: 0.1, area: Some(0.25) }, Point { pressure: 2.0, area: None }];
+/// asperity::files::write_csv(&path, &points)?;
+/// assert_eq!(std::fs::read_to_string(&path)?, "pressure,area\n0.1,0.25\n2.0,\n");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_csv<T: Serialize>(path: &Path, rows: impl IntoIterator<Item = T>) -> Result<(), FileError> {
+    write_beside(path, |file| {
+        let mut csv = csv::Writer::from_writer(file);
+        rows.into_iter().try_for_each(|row| csv.serialize(row))?;
+        csv.flush()
+    })
+}
+
+/// A new file in the folder of its target, removed unless it is renamed.
+struct Draft {
+    file: File,
+    path: PathBuf,
+    is_renamed: bool,
+}
+
+impl Draft {
+    /// A draft in the folder of `path`, if a file can be made there.
+    fn beside(path: &Path) -> Result<Self, FileError> {
+        let unfit = |reason: String| FileError::Target { path: path.into(), reason };
+        if path.file_name().is_none() || path.as_os_str().as_encoded_bytes().ends_with(b"/") || path.is_dir() {
+            return Err(unfit("it is a directory, give the name of a file".into()));
+        }
+        if path.exists() && !path.is_file() {
+            return Err(unfit("it is not a regular file, give another name".into()));
+        }
+        let folder = match path.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+        if !folder.is_dir() {
+            return Err(unfit(format!("there is no folder {}, make it first", folder.display())));
+        }
+        Self::new(folder).map_err(|error| unfit(format!("nothing can be created in {}: {error}", folder.display())))
+    }
+
+    /// A draft under the first name that no other file has.
+    fn new(folder: &Path) -> io::Result<Self> {
+        static COUNT: AtomicU64 = AtomicU64::new(0);
+        loop {
+            let name = format!(".asperity-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
+            let path = folder.join(name);
+            match OpenOptions::new().write(true).create_new(true).open(&path) {
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                file => return Ok(Self { file: file?, path, is_renamed: false }),
+            }
+        }
+    }
+
+    fn rename(&mut self, target: &Path) -> io::Result<()> {
+        std::fs::rename(&self.path, target)?;
+        self.is_renamed = true;
+        Ok(())
+    }
+}
+
+impl Drop for Draft {
+    fn drop(&mut self) {
+        if !self.is_renamed {
+            let _ = std::fs::remove_file(&self.path);
+        }
+    }
+}
+
+fn fill(file: &mut File, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> io::Result<()> {
+    let mut writer = BufWriter::new(&mut *file);
+    write(&mut writer)?;
+    writer.flush()?;
+    drop(writer);
+    file.sync_all()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn entries(folder: &Path) -> usize {
+        std::fs::read_dir(folder).unwrap().count()
+    }
+
+    #[test]
+    fn unfit_targets_are_refused_and_nothing_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        std::fs::write(&file, "old").unwrap();
+        let missing = folder.path().join("missing/h.npy");
+        for path in [folder.path(), &missing, &file.join("h.npy"), Path::new("/"), Path::new(""), &file.join("")] {
+            assert!(matches!(check_target(path), Err(FileError::Target { .. })), "{path:?}");
+            assert!(matches!(write_beside(path, |_| Ok(())), Err(FileError::Target { .. })), "{path:?}");
+        }
+        assert!(check_target(&file).is_ok() && check_target(Path::new("h.npy")).is_ok());
+        assert_eq!((entries(folder.path()), std::fs::read(&file).unwrap()), (1, b"old".to_vec()));
+    }
+
+    #[test]
+    fn a_failed_write_keeps_the_old_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        std::fs::write(&file, "old").unwrap();
+        let failed = write_beside(&file, |writer| {
+            writer.write_all(b"new")?;
+            Err(io::Error::other("disc on fire"))
+        });
+        assert!(matches!(failed, Err(FileError::Write { .. })));
+        assert_eq!((entries(folder.path()), std::fs::read(&file).unwrap()), (1, b"old".to_vec()));
+        write_beside(&file, |writer| writer.write_all(b"new")).unwrap();
+        assert_eq!((entries(folder.path()), std::fs::read(&file).unwrap()), (1, b"new".to_vec()));
+    }
+
+    #[test]
+    fn drafts_pass_over_names_that_are_taken_and_go_when_a_writer_panics() {
+        let folder = tempfile::tempdir().unwrap();
+        let drafts: Vec<_> = (0..3).map(|_| Draft::new(folder.path()).unwrap()).collect();
+        assert_eq!(entries(folder.path()), 3);
+        drop(drafts);
+        let target = folder.path().join("file");
+        let panicked = std::panic::catch_unwind(|| write_beside(&target, |_| panic!("on purpose")));
+        assert!(panicked.is_err() && entries(folder.path()) == 0);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn devices_are_no_targets_and_permissions_are_ordinary() {
+        use std::os::unix::fs::PermissionsExt;
+        assert!(matches!(write_beside(Path::new("/dev/full"), |_| Ok(())), Err(FileError::Target { .. })));
+        let folder = tempfile::tempdir().unwrap();
+        let (ours, plain) = (folder.path().join("ours"), folder.path().join("plain"));
+        write_beside(&ours, |_| Ok(())).unwrap();
+        std::fs::write(&plain, "").unwrap();
+        let mode = |path: &Path| std::fs::metadata(path).unwrap().permissions().mode();
+        assert_eq!(mode(&ours), mode(&plain));
+    }
+}
