@@ -1,5 +1,6 @@
 //! What can go wrong: one enum per concern, every variant with the offending numbers and what to do.
 
+use crate::quantity::bytes_in_words;
 use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -195,7 +196,9 @@ pub enum SettingError {
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum SolveError {
     /// The iterations or the attainable accuracy ran out.
-    #[error("not converged: {solver} stopped after {iterations} iterations ({reason}) at a certificate of {certificate:.3e}")]
+    #[error(
+        "not converged: {solver} stopped after {iterations} iterations ({reason}) at a certificate of {certificate:.3e}"
+    )]
     NotConverged {
         /// The solver.
         solver: String,
@@ -216,6 +219,94 @@ pub enum SolveError {
     NeedsPressure {
         /// The solver.
         solver: String,
+    },
+}
+
+/// A setup that cannot be read, or that describes nothing that can be solved.
+#[derive(Debug, thiserror::Error)]
+pub enum SetupError {
+    /// The grid is wrong.
+    #[error(transparent)]
+    Grid(#[from] GridError),
+    /// The surface cannot be made.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+    /// The problem cannot be posed.
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    /// A setting of the solver or of its stop cannot be.
+    #[error(transparent)]
+    Setting(#[from] SettingError),
+    /// The solver cannot take the load.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// A height file or a scene cannot be read or written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// Nothing says what is pressed.
+    #[error(
+        "no surface is given: give a height file, an indenter or a spectrum (a Hurst exponent with its wavelengths)"
+    )]
+    NoSurface,
+    /// A seed without roughness.
+    #[error(
+        "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
+    )]
+    SeedWithoutSpectrum,
+    /// Nothing says how many points there are.
+    #[error("the points are missing: give one number for a line, two for a surface")]
+    NoPoints,
+    /// Points beside those of a height file.
+    #[error("points are given beside a height file, which has its own: leave them out")]
+    PointsOfFile,
+    /// Lengths of the cell that do not fit the axes.
+    #[error("the size of the cell has {sizes} lengths for {axes} axes: give one for all axes, or one for each")]
+    Sizes {
+        /// Lengths given.
+        sizes: usize,
+        /// Axes of the array.
+        axes: usize,
+    },
+    /// An array that is neither a line nor a surface.
+    #[error("the grid has {axes} axes: give one for a line, two for a surface")]
+    Axes {
+        /// Axes of the array.
+        axes: usize,
+    },
+    /// A part of a recording that the grid does not have.
+    #[error("the recording asks for the {part}, which a {of} does not have: leave it out")]
+    NoSuchPart {
+        /// The part.
+        part: &'static str,
+        /// `line` or `surface`.
+        of: &'static str,
+    },
+    /// Every 0th step was to be recorded.
+    #[error("every 0th step is to be recorded: give a positive number of steps")]
+    EveryNone,
+    /// A text that is no setup.
+    #[error("{place}{reason}")]
+    Text {
+        /// Where it stands, up to and with a colon and a blank.
+        place: String,
+        /// What is wrong, and what to do.
+        reason: String,
+    },
+    /// A solve that does not fit in memory.
+    #[error(
+        "a grid of {} x {} points does not fit in memory: {what} needs at least {}, {}: give fewer points",
+        shape[0], shape[1], bytes_in_words(*needed),
+        free.map_or("more than the system grants".into(), |free| format!("and {} are free", bytes_in_words(free)))
+    )]
+    Memory {
+        /// Points along y and x.
+        shape: [usize; 2],
+        /// What needs the memory.
+        what: String,
+        /// Bytes that it needs.
+        needed: f64,
+        /// Bytes that are free, where that is why.
+        free: Option<f64>,
     },
 }
 

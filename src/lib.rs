@@ -67,6 +67,7 @@ pub mod plot;
 pub mod quantity;
 #[cfg(feature = "record")]
 pub mod record;
+pub mod setup;
 pub mod study;
 pub mod surface;
 pub mod theory;

@@ -1,4 +1,6 @@
-//! Lengths and pressures as they stand in scenes: numbers in any consistent set of units or, with the feature `units`, texts
+//! Quantities as people write and read them.
+//!
+//! Lengths and pressures in scenes are numbers in any consistent set of units or, with the feature `units`, texts
 //! such as `"160 um"` and `"1 GPa"`, which are turned into metres and pascals.
 
 use serde::de::{self, Deserializer, Visitor};
@@ -18,6 +20,18 @@ pub fn length<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
 /// For anything that is neither a number nor a pressure with a unit.
 pub fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(Quantity { kind: "a pressure", example: "\"1 GPa\"", parse: units::pressure })
+}
+
+/// A number of bytes, for reading.
+pub fn bytes_in_words(bytes: f64) -> String {
+    let (unit, name) = match bytes {
+        ..1e6 => (1e3, "kB"),
+        ..1e9 => (1e6, "MB"),
+        ..1e12 => (1e9, "GB"),
+        _ => (1e12, "TB"),
+    };
+    let value = bytes / unit;
+    if value < 10.0 { format!("{value:.1} {name}") } else { format!("{value:.0} {name}") }
 }
 
 /// Reads a number or a text of one kind.
@@ -95,6 +109,12 @@ mod tests {
 
     fn read(text: &str, read: fn(StrDeserializer<'_, Error>) -> Result<f64, Error>) -> Result<f64, String> {
         read(text.into_deserializer()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn bytes_read_well() {
+        let read: Vec<String> = [200.0, 57_300.0, 2.1e6, 9.99e8, 5.6e11, 1e13].map(bytes_in_words).into();
+        assert_eq!(read, ["0.2 kB", "57 kB", "2.1 MB", "999 MB", "560 GB", "10 TB"]);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! the displacement under `t`, `tau` the step length. The datum `d` is the mean gap if that is given, or else minus the mean of
 //! `v` over the contact, so that `g` has none.
 
-use crate::contact::{Certificate, Contact, Observer, Problem, Run, Solver, Status, Step, Stop, certificate, chunks};
+use crate::contact::{Certificate, Contact, Observer, Problem, Run, Solver, Step, Stop, certificate, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
@@ -50,6 +50,11 @@ use crate::surface::Field;
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PolonskyKeer;
+
+impl PolonskyKeer {
+    /// Fields of doubles that a solve holds at its peak, the heights left out.
+    pub const FIELDS: f64 = 7.0;
+}
 
 impl Solver for PolonskyKeer {
     fn name(&self) -> &str {
@@ -183,8 +188,7 @@ impl<'a> Iterate<'a> {
             a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
             a
         });
-        let curvature =
-            if self.problem.mean_pressure().is_some() { sum_rt - sum_r * sum_t / n } else { sum_rt };
+        let curvature = if self.problem.mean_pressure().is_some() { sum_rt - sum_r * sum_t / n } else { sum_rt };
         if slope > 0.0 && curvature > 0.0 { slope / curvature } else { self.half_space.softest_stiffness() }
     }
 

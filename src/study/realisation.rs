@@ -1,8 +1,8 @@
 //! One surface and the loads it is pressed with.
 
 use super::row::{Identity, Row, Timed};
-use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
-use crate::error::{ProblemError, SolveError, StudyError, SurfaceError};
+use crate::contact::{Contact, ContactModulus, Load, Multilevel, Problem, Solver, Stop};
+use crate::error::{ProblemError, StudyError, SurfaceError};
 use crate::grid::Grid;
 use crate::surface::{Field, Indenter, Spectrum, Surface};
 
@@ -73,12 +73,12 @@ impl Realisation {
     ) -> Result<(), E> {
         let mut start: Option<Field> = None;
         let surface = self.surface().map_err(StudyError::from)?;
-        let mut problem = Problem::new(surface, 1.0, 1.0).map_err(StudyError::from)?;
+        let mut problem =
+            Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(1.0)).map_err(StudyError::from)?;
         for (load, reduced_pressure) in self.loads.iter().enumerate() {
-            let mean_pressure = Load::MeanPressure(reduced_pressure * problem.rms_gradient());
+            let mean_pressure = Load::ReducedPressure(*reduced_pressure);
             problem = problem.with_load(mean_pressure).map_err(StudyError::from)?;
-            let solved = Multilevel.solve_from(start.as_ref(), &problem, stop, &mut ());
-            let contact = solved.or_else(SolveError::into_contact).map_err(StudyError::from)?;
+            let contact = Multilevel.solve_from(start.as_ref(), &problem, stop, &mut ()).map_err(StudyError::from)?;
             each(Pressed { load, problem: &problem, contact: &contact })?;
             start = Some(contact.pressure);
         }

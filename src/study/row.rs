@@ -126,7 +126,7 @@ impl Row {
     ) -> Self {
         let Identity { name, shape: [ny, nx], length, hurst, wavelengths, seed, tolerance, version } =
             Identity::of(realisation, stop.tolerance());
-        let measures = contact.measures(problem);
+        let measures = contact.measures();
         let reduced_pressure = realisation.loads[load];
         Self {
             name: name.into(),

@@ -3,6 +3,8 @@
 use super::{Field, Surface};
 use crate::error::SurfaceError;
 use crate::grid::Grid;
+use crate::quantity;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// A smooth indenter, one per periodic cell, with its highest point at height 0 (waves: at their amplitude).
@@ -34,26 +36,31 @@ use std::f64::consts::TAU;
 /// assert!(surface.heights()[4] > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "shape", rename_all = "kebab-case", rename_all_fields = "kebab-case", deny_unknown_fields)]
 pub enum Indenter {
     /// A parabolic cylinder on a line.
     Cylinder {
         /// Radius of curvature `R`, a length.
+        #[serde(deserialize_with = "quantity::length")]
         radius: f64,
     },
     /// A paraboloid on a surface.
     Sphere {
         /// Radius of curvature `R`, a length.
+        #[serde(deserialize_with = "quantity::length")]
         radius: f64,
     },
     /// One period of a cosine on a line.
     Sine {
         /// Amplitude `D`, a length: half the height from valley to peak.
+        #[serde(deserialize_with = "quantity::length")]
         amplitude: f64,
     },
     /// One period of a product of two cosines on a surface.
     CrossedSine {
         /// Amplitude `D`, a length: half the height from valley to peak.
+        #[serde(deserialize_with = "quantity::length")]
         amplitude: f64,
     },
     /// A wedge on a line.
@@ -76,13 +83,27 @@ pub enum Indenter {
     /// A flat punch: a strip on a line, a disc on a surface.
     Punch {
         /// Half-width or radius `b`, a length below half the shortest period.
+        #[serde(deserialize_with = "quantity::length")]
         half_width: f64,
         /// Height of the step, a length.
+        #[serde(deserialize_with = "quantity::length")]
         depth: f64,
     },
 }
 
 impl Indenter {
+    /// The shapes by their names in scenes, with their heights in words.
+    pub const SHAPES: [(&str, &str); 8] = [
+        ("cylinder", "-x^2 / (2 radius), a line"),
+        ("sphere", "-r^2 / (2 radius), a surface"),
+        ("sine", "amplitude cos(2 pi x / L), a line"),
+        ("crossed-sine", "amplitude cos(2 pi x / Lx) cos(2 pi y / Ly), a surface"),
+        ("wedge", "-slope |x|, a line"),
+        ("cone", "-slope r, a surface"),
+        ("power-law", "-coefficient r^exponent"),
+        ("punch", "flat within half-width, lower by depth outside"),
+    ];
+
     /// Its name.
     pub fn name(&self) -> &'static str {
         match self {
@@ -142,7 +163,8 @@ impl Indenter {
         if needs == has { Ok(()) } else { Err(SurfaceError::WrongDimension { indenter: self.name(), needs, has }) }
     }
 
-    fn parameters(&self) -> Vec<(&'static str, f64)> {
+    /// Its parameters by their names.
+    pub fn parameters(&self) -> Vec<(&'static str, f64)> {
         match *self {
             Self::Cylinder { radius } | Self::Sphere { radius } => vec![("radius", radius)],
             Self::Sine { amplitude } | Self::CrossedSine { amplitude } => vec![("amplitude", amplitude)],

@@ -2,6 +2,8 @@
 
 use crate::error::SurfaceError;
 use crate::grid::Grid;
+use crate::quantity;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// Relative slack within which a wavelength counts as equal to a limit.
@@ -35,13 +37,16 @@ const SLACK: f64 = 1e-12;
 /// assert_eq!(spectrum.density(2.0 * rolloff, true), 0.25);
 /// assert_eq!(spectrum.density(2.0 * rolloff, false), 0.125);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Spectrum {
     /// Hurst exponent `H`, above 0 and at most 1.
     pub hurst: f64,
     /// Roll-off wavelength `lambda_r`, a length.
+    #[serde(deserialize_with = "quantity::length")]
     pub rolloff_wavelength: f64,
     /// Short cut-off wavelength `lambda_sH`, a length.
+    #[serde(deserialize_with = "quantity::length")]
     pub short_cutoff: f64,
     /// Root-mean-square gradient `gbar` that each realisation is scaled to.
     pub rms_gradient: f64,

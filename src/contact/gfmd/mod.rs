@@ -22,12 +22,11 @@ use serde::{Deserialize, Serialize};
 /// all modes swing alike; but waves longer than the distance of contact segments, and the mean, are held by the contacts
 /// and get the mass of the wave that is just as long.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Masses {
-    /// The same for all modes, as in the paper
+    /// The same for all modes, as in the paper.
     Uniform,
-    /// Proportional to the stiffness of the mode
+    /// Proportional to the stiffness of the mode.
     Stiffness,
 }
 
@@ -35,12 +34,11 @@ pub enum Masses {
 ///
 /// Under FIRE velocities turn towards the force, and are dropped when the power becomes negative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Dynamics {
-    /// Constant friction, in units of the critical damping of the slowest mode
+    /// Constant friction, in units of the critical damping of the slowest mode.
     Damped,
-    /// Fast inertial relaxation engine
+    /// Fast inertial relaxation engine.
     Fire,
 }
 

@@ -1,0 +1,101 @@
+//! The cost of a solve, said before it is started.
+
+use super::Setup;
+use crate::contact::Load;
+use crate::error::SetupError;
+use crate::grid::Grid;
+use libm::erf;
+use std::f64::consts::PI;
+
+/// `kappa = a_rel / p*` of rough surfaces at small loads, as van Dokkum et al. (2018) find it; Persson's error function takes
+/// it on to full contact.
+const KAPPA: f64 = 2.2;
+/// Fields that are held while an archive is made in memory.
+const ARCHIVE_FIELDS: f64 = 9.5;
+
+/// The memory and the grids that a solve takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cost {
+    /// The finest grid.
+    pub grid: Grid,
+    /// Coarse grids besides it.
+    pub coarse_grids: usize,
+    /// Bytes at the peak, with the share of the nodes in contact that is expected.
+    pub bytes: f64,
+    /// Bytes that the solve takes however few nodes touch.
+    pub least_bytes: f64,
+}
+
+impl Setup {
+    /// The cost of the solve; `is_recorded` and `is_archived` say whether its steps are recorded and its fields written.
+    ///
+    /// # Errors
+    /// As [`Setup::check`].
+    pub fn cost(&self, is_recorded: bool, is_archived: bool) -> Result<Cost, SetupError> {
+        let grid = self.check()?;
+        let share = |pressure: f64| erf(0.5 * PI.sqrt() * KAPPA * pressure.max(0.0));
+        let contact = match self.load {
+            Load::ReducedPressure(pressure) if self.surface.is_random() => share(pressure),
+            _ => 1.0,
+        };
+        // the heights, the solver or the three fields of the result, and what watches
+        let solved = |contact: f64| 1.0 + self.solver.fields(&grid, contact).max(3.0);
+        let recorded = if is_recorded { self.solver.recorded_fields() } else { 0.0 };
+        let fields = solved(contact) + recorded;
+        let fields = if is_archived { fields.max(ARCHIVE_FIELDS) } else { fields };
+        let coarse_grids = self.solver.coarse_grids(&grid);
+        Ok(Cost { grid, coarse_grids, bytes: bytes(&grid, fields), least_bytes: bytes(&grid, solved(0.0)) })
+    }
+}
+
+impl Cost {
+    /// Bytes of so many fields of doubles.
+    pub fn of_fields(grid: &Grid, fields: f64) -> Self {
+        let bytes = bytes(grid, fields);
+        Self { grid: *grid, coarse_grids: 0, bytes, least_bytes: bytes }
+    }
+
+    /// Refuses what needs more memory than is free, or than the system grants.
+    ///
+    /// # Errors
+    /// [`SetupError::Memory`].
+    pub fn check(&self, what: &str) -> Result<(), SetupError> {
+        let needed = self.least_bytes;
+        let refuse = |free| SetupError::Memory { shape: self.grid.shape(), what: what.into(), needed, free };
+        if let Some(free) = available_bytes().filter(|free| needed > *free) {
+            return Err(refuse(Some(free)));
+        }
+        let mut reserved = Vec::<u8>::new();
+        let granted = reserved.try_reserve_exact(needed as usize);
+        std::hint::black_box(reserved);
+        granted.map_err(|_| refuse(None))
+    }
+}
+
+fn bytes(grid: &Grid, fields: f64) -> f64 {
+    fields * size_of::<f64>() as f64 * grid.len() as f64
+}
+
+/// Bytes of memory that are free, where the system tells.
+pub fn available_bytes() -> Option<f64> {
+    #[cfg(all(target_os = "linux", feature = "figures"))]
+    {
+        use procfs::{Current, Meminfo};
+        Meminfo::current().ok().and_then(|memory| memory.mem_available).map(|bytes| bytes as f64)
+    }
+    #[cfg(not(all(target_os = "linux", feature = "figures")))]
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grids_that_exceed_memory_are_refused_in_numbers() {
+        let grid = Grid::surface([1 << 17, 1 << 17], [1.0, 1.0]).unwrap();
+        let refused = Cost::of_fields(&grid, 1e4).check("a test").unwrap_err().to_string();
+        assert!(refused.contains("131072 x 131072 points") && refused.contains("1374 TB"), "{refused}");
+        assert!(Cost::of_fields(&Grid::line(4, 1.0).unwrap(), 5.0).check("a test").is_ok());
+    }
+}

@@ -1,0 +1,198 @@
+//! The flags of the command line that lay values over a setup.
+
+use super::{Method, Part, Setup, Table};
+use crate::surface::Indenter;
+
+/// A flag of the command line, and the place in a setup that its value is laid over.
+pub struct Flag {
+    /// Its name, without the dashes.
+    pub name: &'static str,
+    /// Keys in a setup, with dots between.
+    pub path: &'static str,
+    /// The kind of its value.
+    pub value: Value,
+    /// A name for its value.
+    pub placeholder: &'static str,
+    /// One sentence.
+    pub help: &'static str,
+}
+
+/// The value of a flag.
+#[derive(Clone, Copy)]
+pub enum Value {
+    /// A number, a quantity with a unit, or a name.
+    One,
+    /// Several of them, with commas between.
+    List,
+    /// One of some names, with a few words on each.
+    Choice(&'static [(&'static str, &'static str)]),
+    /// One of some names, each with keys of its own: it takes the place of all that stands beside it.
+    Variant(&'static [(&'static str, &'static str)]),
+    /// Several of some names.
+    Choices(&'static [(&'static str, &'static str)]),
+}
+
+const MASSES: [(&str, &str); 2] =
+    [("uniform", "The same for all modes"), ("stiffness", "Proportional to the stiffness of the mode")];
+const DYNAMICS: [(&str, &str); 2] = [("damped", "Constant friction"), ("fire", "Fast inertial relaxation engine")];
+
+/// All flags, in the order of a command line.
+#[rustfmt::skip]
+pub const FLAGS: &[Flag] = &[
+    flag("height", "surface.height", Value::One, "FILE.npy", "Heights from a file, of rank 1 (line) or 2 (surface); peaks towards the solid are positive"),
+    flag("indenter", "surface.indenter.shape", Value::Variant(&Indenter::SHAPES), "SHAPE", "A smooth indenter, centred in the cell"),
+    flag("radius", "surface.indenter.radius", Value::One, "R", "Radius of the cylinder or sphere"),
+    flag("amplitude", "surface.indenter.amplitude", Value::One, "D", "Amplitude of the sine or crossed sine (half of its peak-to-valley height)"),
+    flag("slope", "surface.indenter.slope", Value::One, "M", "Slope of the wedge or cone"),
+    flag("coefficient", "surface.indenter.coefficient", Value::One, "A", "Coefficient A of the power law A r^n"),
+    flag("exponent", "surface.indenter.exponent", Value::One, "n", "Exponent n of the power law A r^n"),
+    flag("half-width", "surface.indenter.half-width", Value::One, "B", "Half-width or radius of the punch"),
+    flag("depth", "surface.indenter.depth", Value::One, "D", "Height of the step at the rim of the punch"),
+    flag("hurst", "surface.spectrum.hurst", Value::One, "H", "Self-affine roughness of this Hurst exponent, in (0, 1]; added to what else is given"),
+    flag("rolloff", "surface.spectrum.rolloff-wavelength", Value::One, "LAMBDA", "Wavelength above which the spectrum is flat"),
+    flag("short-cutoff", "surface.spectrum.short-cutoff", Value::One, "LAMBDA", "Wavelength below which the spectrum is zero"),
+    flag("rms-gradient", "surface.spectrum.rms-gradient", Value::One, "G", "Root-mean-square gradient of the roughness, made exact for the realisation"),
+    flag("seed", "surface.seed", Value::One, "SEED", "Seed of the realisation; 1 if none is given"),
+    flag("points", "grid.points", Value::List, "N[,N]", "Points along the array's axes, in their order: one makes a line, two a surface"),
+    flag("size", "grid.size", Value::List, "L[,L]", "Lengths of the cell along the array's axes, in their order; one value serves all axes"),
+    flag("modulus", "solid.contact-modulus", Value::One, "E*", "Contact modulus E* = E / (1 - nu^2) [default: 1]"),
+    flag("pressure", "load.mean-pressure", Value::One, "P", "Mean pressure, in the units of the modulus"),
+    flag("reduced-pressure", "load.reduced-pressure", Value::One, "P*", "Reduced pressure p* = p / (rms gradient x modulus)"),
+    flag("mean-gap", "load.mean-gap", Value::One, "G", "Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd"),
+    flag("solver", "solver.method", Value::Variant(&Method::METHODS), "METHOD", "The method [default: multilevel]"),
+    flag("masses", "solver.masses", Value::Choice(&MASSES), "MASSES", "GFMD: masses of the surface modes [default: uniform]"),
+    flag("dynamics", "solver.dynamics", Value::Choice(&DYNAMICS), "DYNAMICS", "GFMD: damping of the motion [default: damped]"),
+    flag("time-step", "solver.time-step", Value::One, "DT", "GFMD: time step over the stability limit, in (0, 1) [default: 0.5]"),
+    flag("damping", "solver.damping", Value::One, "C", "GFMD: friction over the critical one of the slowest mode [default: 1]"),
+    flag("tolerance", "stop.tolerance", Value::One, "ETA", "Certificate eta to reach: error in energy over load times rms height [default: 1e-8]"),
+    flag("max-iterations", "stop.max-iterations", Value::One, "N", "Iterations at the most [default: 100000]"),
+    flag("record-what", "record.what", Value::Choices(&Part::PARTS), "PART[,PART]", "Parts to record, instead of all that a line or a surface usually has"),
+    flag("record-every", "record.every", Value::One, "N", "Record the fields of every N-th step, instead of all early steps and then ever fewer"),
+    flag("length-unit", "record.length-unit", Value::One, "UNIT", "Unit of lengths in the recording; metres are shown as mm, um or nm [default: m]"),
+];
+
+const fn flag(
+    name: &'static str,
+    path: &'static str,
+    value: Value,
+    placeholder: &'static str,
+    help: &'static str,
+) -> Flag {
+    Flag { name, path, value, placeholder, help }
+}
+
+impl Flag {
+    /// The section of the setup that it belongs to.
+    pub fn section(&self) -> &'static str {
+        self.path.split('.').next().unwrap_or_default()
+    }
+
+    /// The value that its words stand for.
+    fn read(&self, words: &[String]) -> toml::Value {
+        let is_list = matches!(self.value, Value::List | Value::Choices(_));
+        match words {
+            [one] if !is_list => value(one),
+            more => toml::Value::Array(more.iter().map(|word| value(word)).collect()),
+        }
+    }
+}
+
+/// Lays flags with their words over a setup, in the order of [`FLAGS`].
+pub fn lay(given: &[(&Flag, Vec<String>)], over: &mut Table) {
+    if given.iter().any(|(flag, _)| flag.section() == "load") {
+        over.remove("load");
+    }
+    for (flag, words) in given {
+        if let (Value::Variant(_), Some((beside, _))) = (flag.value, flag.path.rsplit_once('.')) {
+            over.remove(beside);
+        }
+        over.lay(flag.path, flag.read(words));
+    }
+}
+
+/// A whole number, a number, or a text.
+fn value(word: &str) -> toml::Value {
+    let whole = word.parse().map(toml::Value::Integer).ok();
+    let number = || word.parse().map(toml::Value::Float).ok();
+    whole.or_else(number).unwrap_or_else(|| toml::Value::String(word.into()))
+}
+
+/// The command line that repeats a setup, to the last digit.
+pub fn command(setup: &Setup) -> String {
+    let table = setup.to_table();
+    let written = |flag: &Flag| table.find(flag.path).map(|value| format!(" --{} {}", flag.name, word(value)));
+    format!("asperity solve{}", FLAGS.iter().filter_map(written).collect::<String>())
+}
+
+/// A value as it is written on a command line.
+fn word(value: &toml::Value) -> String {
+    match value {
+        toml::Value::String(text) => text.clone(),
+        toml::Value::Float(number) => format!("{number:e}"),
+        toml::Value::Array(values) => values.iter().map(word).collect::<Vec<_>>().join(","),
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Dynamics, Gfmd, Load, Masses};
+    use crate::setup::{Cell, Recipe, Record};
+    use crate::surface::Spectrum;
+
+    /// The setup that a command line describes, its flags laid over nothing.
+    fn parsed(command: &str) -> Setup {
+        let words: Vec<&str> = command.split_whitespace().skip(2).collect();
+        let mut table = Table::default();
+        let given: Vec<_> = FLAGS
+            .iter()
+            .filter_map(|flag| {
+                let at = words.iter().position(|word| word.strip_prefix("--") == Some(flag.name))?;
+                Some((flag, words[at + 1].split(',').map(str::to_owned).collect()))
+            })
+            .collect();
+        lay(&given, &mut table);
+        table.setup().unwrap()
+    }
+
+    #[test]
+    fn commands_repeat_their_setups_to_the_last_bit() {
+        let indenters = [
+            Indenter::Cylinder { radius: 0.1 + 0.2 },
+            Indenter::PowerLaw { coefficient: 1.0 / 3.0, exponent: 4.0 },
+            Indenter::Punch { half_width: 0.1, depth: 1e-300 },
+        ];
+        let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 1.0 / 7.0, short_cutoff: 0.01, rms_gradient: 1e-3 };
+        let gfmd = Gfmd { masses: Masses::Stiffness, dynamics: Dynamics::Fire, time_step: 0.3, damping: 0.7 };
+        for indenter in indenters {
+            let surface = Recipe { indenter: Some(indenter), ..Recipe::rough(spectrum, u64::MAX >> 1) };
+            let mut setup = Setup::new(surface, Cell::surface([64, 96], [1.0, 1.5]), Load::ReducedPressure(0.07));
+            assert_eq!(parsed(&command(&setup)), setup);
+            setup.solver = Method::Gfmd(gfmd);
+            setup.record = Record { what: vec![Part::Traces, Part::Mesh], every: Some(3), length_unit: "um".into() };
+            assert_eq!(parsed(&command(&setup)), setup);
+        }
+    }
+
+    #[test]
+    fn every_name_that_can_be_chosen_can_be_read() {
+        let unknown = |path: &str, name: &str| {
+            let setup = Setup::new(Recipe::default(), Cell::line(64, 1.0), Load::MeanGap(1.0));
+            let mut table = setup.to_table();
+            table.lay(path, toml::Value::String(name.into()));
+            table.setup().err().map(|error| error.to_string()).filter(|error| error.contains("unknown variant"))
+        };
+        for (names, path) in [
+            (Indenter::SHAPES.as_slice(), "surface.indenter.shape"),
+            (&Method::METHODS, "solver.method"),
+            (&MASSES, "solver.masses"),
+            (&DYNAMICS, "solver.dynamics"),
+        ] {
+            for (name, _) in names {
+                assert_eq!(unknown(path, name), None);
+            }
+            assert!(path.starts_with("solver.") || unknown(path, "nothing").is_some());
+        }
+    }
+}

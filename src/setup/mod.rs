@@ -1,0 +1,147 @@
+//! The one description of a contact to solve: what is pressed, how hard, by which solver, and what is recorded of it.
+//!
+//! ```text
+//! scene.toml, flags, a result --> Setup --> check, cost --> Problem, Solver
+//!                                   ^                            |
+//!                                   +----- carried by every result
+//! ```
+//!
+//! A setup is read from TOML, or from JSON with the feature `units`. Lengths and pressures are numbers in any consistent set of
+//! units or, with that feature, texts such as `"160 um"` and `"1 GPa"`, which become metres and pascals. A setup that is written
+//! and read again is the same to the last bit.
+//!
+//! ```
+//! use asperity::contact::Solver;
+//! use asperity::setup::Setup;
+//! let setup = Setup::from_toml(
+//!     r#"
+//!     surface = { indenter = { shape = "cylinder", radius = 1.0 } }
+//!     grid = { points = 1024, size = 4.0 }
+//!     load = { mean-pressure = 0.008 }
+//!     "#,
+//! )?;
+//! let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?.converged()?;
+//! assert!((contact.measures().kappa_r / 1.47 - 1.0).abs() < 0.01);
+//! assert_eq!(Setup::from_toml(&setup.to_toml())?, setup);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod cell;
+mod cost;
+mod flag;
+mod method;
+mod part;
+mod recipe;
+mod text;
+
+pub use cell::Cell;
+pub use cost::{Cost, available_bytes};
+pub use flag::{FLAGS, Flag, Value, command, lay};
+pub use method::Method;
+pub use part::{Part, Record};
+pub use recipe::Recipe;
+pub use text::Table;
+
+use crate::contact::{ContactModulus, Load, Problem, Stop};
+use crate::error::{SetupError, SolveError};
+use crate::grid::Grid;
+use crate::quantity;
+use crate::surface::Surface;
+use crate::theory::Exact;
+use serde::{Deserialize, Serialize};
+
+/// The description of a contact to solve.
+///
+/// | section   | holds                                                        | where it is left out            |
+/// |-----------|--------------------------------------------------------------|---------------------------------|
+/// | `surface` | a height file, an indenter, a spectrum, or a sum of them     | must be there                   |
+/// | `grid`    | points and size of the cell                                  | must be there                   |
+/// | `solid`   | the contact modulus                                          | 1                               |
+/// | `load`    | a mean pressure, a reduced pressure or a mean gap            | must be there                   |
+/// | `solver`  | the method and its settings                                  | multilevel                      |
+/// | `stop`    | certificate to reach, and iterations at the most             | 1e-8, 100 000                   |
+/// | `record`  | parts of a recording                                         | the usual parts                 |
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Setup {
+    /// Heights.
+    pub surface: Recipe,
+    /// Points and size.
+    pub grid: Cell,
+    /// The elastic half-space.
+    #[serde(default)]
+    pub solid: Solid,
+    /// The load.
+    pub load: Load,
+    /// The solver with its settings.
+    #[serde(default)]
+    pub solver: Method,
+    /// When the solver stops.
+    #[serde(default)]
+    pub stop: Stop,
+    /// The recording, should one be made.
+    #[serde(default)]
+    pub record: Record,
+}
+
+/// The elastic solid.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Solid {
+    /// Contact modulus `E* = E / (1 - nu^2)`, a pressure.
+    #[serde(deserialize_with = "quantity::pressure")]
+    pub contact_modulus: f64,
+}
+
+impl Default for Solid {
+    /// A contact modulus of 1: pressures are over it.
+    fn default() -> Self {
+        Self { contact_modulus: 1.0 }
+    }
+}
+
+impl Setup {
+    /// The setup of a surface on a grid under a load: modulus 1, the usual solver, stop and recording.
+    pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
+        let (solid, solver, stop, record) = Default::default();
+        Self { surface, grid, solid, load, solver, stop, record }
+    }
+
+    /// Checks all that can be checked without making the surface, and returns the grid. Of a height file only the header is
+    /// read.
+    ///
+    /// # Errors
+    /// For a grid, surface, load, setting or recording that cannot be.
+    pub fn check(&self) -> Result<Grid, SetupError> {
+        let grid = self.surface.grid(&self.grid)?;
+        self.surface.check(&grid)?;
+        self.solver.check()?;
+        self.stop.check()?;
+        self.record.check(&grid)?;
+        if matches!(self.load, Load::MeanGap(_)) && !self.solver.takes_mean_gap() {
+            return Err(SolveError::NeedsPressure { solver: self.solver.name().into() }.into());
+        }
+        Ok(grid)
+    }
+
+    /// The surface.
+    ///
+    /// # Errors
+    /// As [`Setup::check`], and for a height file that cannot be read.
+    pub fn surface(&self) -> Result<Surface, SetupError> {
+        self.surface.surface(self.check()?)
+    }
+
+    /// The problem.
+    ///
+    /// # Errors
+    /// As [`Setup::surface`] and [`Problem::new`].
+    pub fn problem(&self) -> Result<Problem, SetupError> {
+        Ok(Problem::new(self.surface()?, ContactModulus(self.solid.contact_modulus), self.load)?)
+    }
+
+    /// The exact solution under a mean pressure, where the surface is an indenter that has one.
+    pub fn exact(&self, grid: &Grid, mean_pressure: f64) -> Option<Exact> {
+        Exact::of(&self.surface.smooth()?, grid, self.solid.contact_modulus, mean_pressure)
+    }
+}

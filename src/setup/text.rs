@@ -1,0 +1,180 @@
+//! Setups as text.
+
+use super::{Method, Setup};
+use crate::error::{FileError, SetupError};
+use crate::files::write_beside;
+use std::io::Write;
+use std::path::Path;
+
+/// A setup on its way: its sections and keys with any values, to lay others over it before it is read.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Table(toml::Table);
+
+impl Table {
+    /// The sections and keys of a TOML text.
+    ///
+    /// # Errors
+    /// [`SetupError::Text`] with the line for a text that is no TOML.
+    pub fn from_toml(text: &str) -> Result<Self, SetupError> {
+        text.parse().map(Self).map_err(|error: toml::de::Error| {
+            let line = error.span().map_or(1, |span| text[..span.start.min(text.len())].lines().count().max(1));
+            SetupError::Text { place: format!("line {line}: "), reason: one_line(error.message()) }
+        })
+    }
+
+    /// The sections and keys of a JSON text: a setup, or a result that carries one as `setup`.
+    ///
+    /// # Errors
+    /// [`SetupError::Text`] for a text that is no JSON object.
+    #[cfg(feature = "units")]
+    pub fn from_json(text: &str) -> Result<Self, SetupError> {
+        let wrong = |error: &dyn std::fmt::Display| SetupError::Text {
+            place: String::new(),
+            reason: format!("this is no setup in JSON: {error}"),
+        };
+        let mut value: serde_json::Value = serde_json::from_str(text).map_err(|error| wrong(&error))?;
+        let setup = value.get_mut("setup").map(serde_json::Value::take).unwrap_or(value);
+        toml::Table::try_from(setup).map(Self).map_err(|error| wrong(&error))
+    }
+
+    /// The sections and keys of a file, a scene or a result in JSON. Height files in it are found beside it.
+    ///
+    /// # Errors
+    /// [`FileError::Read`] for one that cannot be read, [`SetupError::Text`] for one that is no setup.
+    pub fn read(path: &Path) -> Result<Self, SetupError> {
+        let text = std::fs::read_to_string(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+        let table = match text.trim_start().starts_with('{') {
+            #[cfg(feature = "units")]
+            true => Self::from_json(&text),
+            _ => Self::from_toml(&text),
+        };
+        let mut table = table.map_err(|error| at(path, error))?;
+        if let Some(toml::Value::String(height)) = table.0.get_mut("surface").and_then(|it| it.get_mut("height")) {
+            *height = path.with_file_name(&*height).to_string_lossy().into_owned();
+        }
+        Ok(table)
+    }
+
+    /// Lays a value over what stands at a path of keys, such as `surface.indenter.radius`.
+    pub fn lay(&mut self, path: &str, value: toml::Value) {
+        let (sections, last) = path.rsplit_once('.').unwrap_or(("", path));
+        let mut table = &mut self.0;
+        for key in sections.split_terminator('.') {
+            let entry = table.entry(key).or_insert_with(|| toml::Table::new().into());
+            if !entry.is_table() {
+                *entry = toml::Table::new().into();
+            }
+            table = entry.as_table_mut().expect("a table was just put there");
+        }
+        table.insert(last.into(), value);
+    }
+
+    /// Removes what stands at a path of keys.
+    pub fn remove(&mut self, path: &str) {
+        match path.rsplit_once('.') {
+            None => self.0.remove(path),
+            Some((above, last)) => {
+                let table = above.split('.').try_fold(&mut self.0, |table, key| table.get_mut(key)?.as_table_mut());
+                table.and_then(|table| table.remove(last))
+            }
+        };
+    }
+
+    /// The value at a path of keys.
+    pub(super) fn find(&self, path: &str) -> Option<&toml::Value> {
+        let mut keys = path.split('.');
+        let first = self.0.get(keys.next()?);
+        keys.try_fold(first?, |value, key| value.get(key))
+    }
+
+    /// The setup.
+    ///
+    /// # Errors
+    /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known.
+    pub fn setup(mut self) -> Result<Setup, SetupError> {
+        if let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") {
+            solver.entry("method").or_insert(Method::METHODS[0].0.into());
+        }
+        self.0.try_into().map_err(|error: toml::de::Error| SetupError::Text {
+            place: place(&error.to_string()),
+            reason: explained(error.message()),
+        })
+    }
+}
+
+/// The keys that lead to an error, which its text ends in.
+fn place(text: &str) -> String {
+    let keys = text.lines().find_map(|line| line.trim().strip_prefix("in `")?.strip_suffix('`'));
+    keys.map_or(String::new(), |keys| format!("{keys}: "))
+}
+
+/// The error with the file in front.
+fn at(path: &Path, error: SetupError) -> SetupError {
+    match error {
+        SetupError::Text { place, reason } => {
+            SetupError::Text { place: format!("{}: {place}", path.display()), reason }
+        }
+        other => other,
+    }
+}
+
+fn one_line(message: &str) -> String {
+    message.lines().map(str::trim).collect::<Vec<_>>().join(" ")
+}
+
+/// The message in one line; for an unknown name with the nearest known one.
+fn explained(message: &str) -> String {
+    let message = one_line(message);
+    let names: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+    match (message.starts_with("unknown"), names.split_first()) {
+        (true, Some((unknown, known))) => match nearest(unknown, known) {
+            Some(nearest) => format!("{message}: did you mean `{nearest}`?"),
+            None => format!("{message}: leave it out, or choose what it goes with"),
+        },
+        _ => message,
+    }
+}
+
+#[cfg(feature = "units")]
+fn nearest<'a>(unknown: &str, known: &[&'a str]) -> Option<&'a str> {
+    known.iter().copied().max_by(|a, b| strsim::jaro_winkler(unknown, a).total_cmp(&strsim::jaro_winkler(unknown, b)))
+}
+
+#[cfg(not(feature = "units"))]
+fn nearest<'a>(_: &str, _: &[&'a str]) -> Option<&'a str> {
+    None
+}
+
+impl Setup {
+    /// The setup that a TOML text describes.
+    ///
+    /// # Errors
+    /// [`SetupError::Text`].
+    pub fn from_toml(text: &str) -> Result<Self, SetupError> {
+        Table::from_toml(text)?.setup()
+    }
+
+    /// The setup as TOML, all numbers to the last bit.
+    pub fn to_toml(&self) -> String {
+        toml::to_string(self).expect("a setup has a form in TOML")
+    }
+
+    /// The setup with its sections and keys apart.
+    pub fn to_table(&self) -> Table {
+        Table(toml::Table::try_from(self).expect("a setup has a form in TOML"))
+    }
+
+    /// Writes the setup as a scene, whose height file is named by its full path.
+    ///
+    /// # Errors
+    /// As [`write_beside`].
+    pub fn write(&self, path: &Path) -> Result<(), FileError> {
+        write_beside(path, |file| file.write_all(self.clone().with_full_path().to_toml().as_bytes()))
+    }
+
+    /// The setup whose height file is named by its full path.
+    pub fn with_full_path(mut self) -> Self {
+        self.surface.height = self.surface.height.map(|path| std::path::absolute(&path).unwrap_or(path));
+        self
+    }
+}
