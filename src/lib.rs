@@ -12,6 +12,7 @@
 //!
 //! | module      | what it holds                                                                        |
 //! |-------------|--------------------------------------------------------------------------------------|
+//! | [`files`]   | output files that appear whole or not at all, CSV                                    |
 //! | [`grid`]    | the periodic grid of lines and surfaces                                              |
 //! | [`fourier`] | the real transform pair                                                              |
 //! | [`surface`] | indenters, self-affine roughness, statistics, files                                  |
