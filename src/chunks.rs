@@ -31,7 +31,7 @@ pub(crate) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, 
     values.par_chunks_mut(CHUNK).enumerate().map(with_range).collect()
 }
 
-/// [`update`] of two vectors at once.
+/// Results of `update` on each chunk of two equally long vectors and the range it covers, in order.
 pub(crate) fn update_both<T: Send>(
     a: &mut [f64],
     b: &mut [f64],

@@ -33,7 +33,7 @@ pub fn write_beside(
 /// Writes `rows` as CSV under the names of their fields, numbers in full precision, by [`write_beside`].
 ///
 /// # Errors
-/// As [`write_beside`].
+/// The errors of [`write_beside`].
 ///
 /// ```
 /// #[derive(serde::Serialize)]

@@ -47,7 +47,7 @@ impl Grid {
     /// A surface of `[ny, nx]` points and periods `[ly, lx]`.
     ///
     /// # Errors
-    /// As [`Grid::line`], for either axis.
+    /// The errors of [`Grid::line`], for either axis.
     pub fn surface(shape: [usize; 2], size: [f64; 2]) -> Result<Self, GridError> {
         for (axis, (&n, &length)) in ["y", "x"].iter().zip(shape.iter().zip(&size)) {
             check_points(n, axis)?;
@@ -62,12 +62,12 @@ impl Grid {
         self.shape
     }
 
-    /// Periods along y and x. That of a line along y is nominal: 1.
+    /// Periods along y and x; the period of a line along y is nominally 1.
     pub fn size(&self) -> [f64; 2] {
         self.size
     }
 
-    /// Whether this is a line, the grid of shape `(1, n)`.
+    /// True for a line, the grid of shape `(1, n)`.
     pub fn is_line(&self) -> bool {
         self.shape[0] == 1
     }
@@ -89,7 +89,7 @@ impl Grid {
         (0..self.shape[1]).map(move |i| i as f64 * dx)
     }
 
-    /// The shortest period, over which one wavelength just fits.
+    /// The longest period along which anything varies: the longest wavelength that fits the cell.
     pub fn longest_wavelength(&self) -> f64 {
         if self.is_line() { self.size[1] } else { self.size[0].max(self.size[1]) }
     }
@@ -116,8 +116,8 @@ impl Grid {
         })
     }
 
-    /// How many modes of the full spectrum each stored coefficient stands for (2, or 1 where it is its own mirror image):
-    /// the weights of Parseval's sum, in the order of [`Grid::wavenumbers`].
+    /// Number of modes of the full spectrum that each stored coefficient stands for (2, or 1 where it is its own mirror
+    /// image): the weights of Parseval's sum, in the order of [`Grid::wavenumbers`].
     pub fn multiplicities(&self) -> impl Iterator<Item = f64> + use<> {
         let [ny, nx] = self.shape;
         (0..=nx / 2).flat_map(move |kx| {

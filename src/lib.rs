@@ -12,6 +12,7 @@
 //!
 //! | module      | what it holds                                                                        |
 //! |-------------|--------------------------------------------------------------------------------------|
+//! | [`files`]   | output files that appear whole or not at all, CSV                                    |
 //! | [`grid`]    | the periodic grid of lines and surfaces                                              |
 //! | [`fourier`] | the real transform pair                                                              |
 //! | [`surface`] | indenters, self-affine roughness, statistics, files                                  |
@@ -19,7 +20,7 @@
 //! | [`theory`]  | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson          |
 //! | [`contact`] | the problem, its solvers and their observers, the certificate, area and `kappa_r`    |
 //! | [`study`]   | sweeps over surfaces and loads in tables that a killed run resumes, averages, fits    |
-//! | [`plot`]    | figures as data, written as SVG and PNG                                              |
+//! | `plot`      | figures as data, written as SVG and PNG (feature `figures`)                          |
 //! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
 //! | `explore`   | a page with controls and a live viewer (feature `explore`)                           |
 //!

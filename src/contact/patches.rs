@@ -15,14 +15,11 @@ impl Patches {
     /// of the runs.
     pub fn of(pressure: &[f64], [ny, nx]: [usize; 2]) -> Self {
         let rows: Vec<Vec<Range<usize>>> = pressure.chunks_exact(nx).map(runs).collect();
-        let first: Vec<usize> = rows
-            .iter()
-            .scan(0, |count, row| {
-                let first = *count;
-                *count += row.len();
-                Some(first)
-            })
-            .collect();
+        let count_before = |count: &mut usize, row: &Vec<Range<usize>>| {
+            *count += row.len();
+            Some(*count - row.len())
+        };
+        let first: Vec<usize> = rows.iter().scan(0, count_before).collect();
         let mut forest = Forest::new(rows.iter().map(Vec::len).sum());
         for (row, &at) in rows.iter().zip(&first) {
             if let [head, .., tail] = row.as_slice()

@@ -57,7 +57,7 @@ impl HalfSpace {
         self.transforms
     }
 
-    /// What `work` makes of this half-space, with transforms that do not count.
+    /// The result of `work` on this half-space, with transforms that do not count.
     pub(crate) fn uncounted<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> T {
         let transforms = self.transforms;
         let result = work(self);

@@ -104,7 +104,7 @@ mod tests {
         rows.concat()
     }
 
-    /// By transforms whose test is the definition, with wavenumbers of the grid.
+    /// The field filtered by the plain pair, whose own test is the definition, with wavenumbers of the grid.
     fn by_the_pair(grid: &Grid, field: &[f64]) -> Vec<f64> {
         let mut fourier = Fourier::new(grid);
         let mut spectrum = vec![Complex::default(); grid.modes()];

@@ -150,7 +150,7 @@ impl Twiddles {
         Self { rows: n1, step, coarse: table(n2.div_ceil(step), step), fine: table(step, 1) }
     }
 
-    /// Those of column `j2`.
+    /// The factors of column `j2`.
     fn of(&self, j2: usize) -> impl Iterator<Item = Complex> {
         let coarse = &self.coarse[j2 / self.step * self.rows..][..self.rows];
         let fine = &self.fine[j2 % self.step * self.rows..][..self.rows];

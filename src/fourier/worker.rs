@@ -17,7 +17,7 @@ pub(super) struct Worker {
     pub row: Vec<f64>,
     /// A band of rows or columns of the spectrum.
     pub band: Vec<Complex>,
-    /// What FFTs need.
+    /// Scratch of the FFTs.
     pub scratch: Vec<Complex>,
 }
 

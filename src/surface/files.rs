@@ -37,19 +37,19 @@ pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
 /// The shape of the heights in a file, as its header says.
 ///
 /// # Errors
-/// As [`read_heights`].
+/// The errors of [`read_heights`].
 pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
     Ok(open(path.as_ref())?.1.shape)
 }
 
-/// What a usable header says.
-struct Usable {
+/// Shape and precision of the heights in a file.
+struct Layout {
     shape: Vec<usize>,
     is_single: bool,
 }
 
 /// Opens a file whose header is usable.
-fn open(path: &Path) -> Result<(File, Usable), FileError> {
+fn open(path: &Path) -> Result<(File, Layout), FileError> {
     let unreadable = |source| FileError::Read { path: path.into(), source };
     let malformed = |reason| FileError::Format { path: path.into(), reason };
     if !std::fs::metadata(path).map_err(unreadable)?.is_file() {
@@ -62,7 +62,7 @@ fn open(path: &Path) -> Result<(File, Usable), FileError> {
 }
 
 /// Checks type, rank and length before anything of the claimed size is allocated.
-fn check_header(file: &mut File, bytes: u64) -> Result<Usable, String> {
+fn check_header(file: &mut File, bytes: u64) -> Result<Layout, String> {
     let mut start = Vec::new();
     file.take(HEADER_BYTES).read_to_end(&mut start).map_err(|error| error.to_string())?;
     let mut rest = start.as_slice();
@@ -80,7 +80,7 @@ fn check_header(file: &mut File, bytes: u64) -> Result<Usable, String> {
     let data = bytes - (start.len() - rest.len()) as u64;
     let expected = header.shape.iter().try_fold(size, |product: u64, &n| product.checked_mul(n as u64));
     match expected {
-        Some(expected) if expected == data => Ok(Usable { shape: header.shape, is_single: size == 4 }),
+        Some(expected) if expected == data => Ok(Layout { shape: header.shape, is_single: size == 4 }),
         _ => Err(format!("it holds {data} bytes of data, which is not what its shape {:?} needs", header.shape)),
     }
 }
@@ -88,7 +88,7 @@ fn check_header(file: &mut File, bytes: u64) -> Result<Usable, String> {
 /// Writes heights (or any field) as a NumPy `.npy` file of doubles.
 ///
 /// # Errors
-/// As [`write_beside`].
+/// The errors of [`write_beside`].
 ///
 /// ```
 /// use asperity::surface::{read_heights, write_heights};

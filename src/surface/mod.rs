@@ -60,7 +60,7 @@ impl Surface {
     /// A line of given heights and period.
     ///
     /// # Errors
-    /// As [`Surface::new`] and [`Grid::line`].
+    /// The errors of [`Surface::new`] and [`Grid::line`].
     pub fn line(height: ArrayView1<f64>, length: f64) -> Result<Self, SurfaceError> {
         let grid = Grid::line(height.len(), length)?;
         Self::new(grid, height.to_owned().insert_axis(ndarray::Axis(0)))

@@ -26,7 +26,7 @@ impl Surface {
     /// | `seed`     | which realisation; stored in the surface | -            |
     ///
     /// # Errors
-    /// As [`Spectrum::validate`].
+    /// The errors of [`Spectrum::validate`].
     ///
     /// # Source
     /// Section 3 of the paper and the contact-mechanics challenge (Mueser et al., Tribol. Lett. 65:118, 2017).

@@ -7,7 +7,7 @@ use crate::surface::{Field, Indenter, offsets, shortest_period};
 use rayon::prelude::*;
 use std::f64::consts::{E, PI, TAU};
 
-/// What theory says about an [`Indenter`] on a grid.
+/// The exact solution for an [`Indenter`] on a grid.
 ///
 /// | indenter                             | solution                                                       |
 /// |--------------------------------------|----------------------------------------------------------------|
@@ -33,7 +33,7 @@ use std::f64::consts::{E, PI, TAU};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exact {
-    /// Which theory, and whether it is periodic or isolated.
+    /// Name of the theory, with the word periodic or isolated.
     pub name: &'static str,
     /// Area in contact over the area of the cell.
     pub relative_area: f64,
