@@ -104,10 +104,12 @@ mod units {
 #[cfg(all(test, feature = "units"))]
 mod tests {
     use super::*;
-    use serde::de::IntoDeserializer;
+    use serde::de::IntoDeserializer as _;
     use serde::de::value::{Error, StrDeserializer};
 
-    fn read(text: &str, read: fn(StrDeserializer<'_, Error>) -> Result<f64, Error>) -> Result<f64, String> {
+    type Text<'t> = StrDeserializer<'t, Error>;
+
+    fn read<'t>(text: &'t str, read: fn(Text<'t>) -> Result<f64, Error>) -> Result<f64, String> {
         read(text.into_deserializer()).map_err(|error| error.to_string())
     }
 
