@@ -72,7 +72,8 @@ impl Frame {
             Side::Below => (&self.x, Align::Middle, [1.2, 2.87], self.size[0]),
             Side::Left => (&self.y, Align::Right, [0.6, 4.8], self.size[1]),
         };
-        let tick = |place, length, width| (vec![self.beside(side, place, 0.0), self.beside(side, place, length)], width);
+        let tick =
+            |place, length, width| (vec![self.beside(side, place, 0.0), self.beside(side, place, length)], width);
         let mut ticks = Vec::new();
         for (place, label) in labels(axis) {
             sheet.words(&label, self.beside(side, place, distances[0]), self.text, align);

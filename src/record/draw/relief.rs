@@ -1,14 +1,14 @@
 //! The solid under the indenter as a relief in three dimensions, coloured by the pressure.
 
+use super::fields::{Fields, range};
 use super::forecast::Forecast;
 use super::palette::{self, Map, colour};
 use super::reduce::Blocks;
-use super::scene::{self, Fields, Scene, range};
+use super::ruler::measured;
 use crate::grid::Grid;
+use crate::record::scene::Scene;
 use glam::Vec3;
-use rerun::{
-    Color, EntityPath, LineStrips3D, Mesh3D, Points3D, Radius, RecordingStream, RecordingStreamResult, Transform3D,
-};
+use rerun::{Color, LineStrips3D, Mesh3D, Points3D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
 /// Most vertices along a side, but for the one that closes the period.
 const VERTICES: usize = 128;
@@ -31,8 +31,9 @@ pub struct Relief {
     exaggeration: f64,
     highest_pressure: f64,
     shades: Map,
-    titles: [String; 2],
-    mesh: EntityPath,
+    /// Lengths along y and x, in words.
+    lengths: [String; 2],
+    root: String,
 }
 
 impl Relief {
@@ -45,9 +46,8 @@ impl Relief {
         let [rows, columns] = [0, 1].map(|axis| (0..shape[axis]).step_by(spacing[axis]));
         let of_row = |y: usize| columns.clone().map(move |x| problem.height()[y * shape[1] + x]);
         let height: Vec<f64> = rows.clone().flat_map(of_row).collect();
-        let (low, high) = range(height.iter().copied());
+        let [low, high] = range(height.iter().copied());
         let longest = grid.longest_wavelength();
-        let title = |symbol, length| scene::length_axis(symbol, unit, 0.0, length).full_length();
         Self {
             blocks: Blocks { shape, cells: [rows.len(), columns.len()] },
             spacing,
@@ -56,26 +56,26 @@ impl Relief {
             size: grid.size().map(|length| (LENGTH * length / longest) as f32),
             highest_pressure: forecast.max_pressure,
             shades: Map::inferno(),
-            titles: [title("y", grid.size()[0]), title("x", grid.size()[1])],
-            mesh: format!("{root}/relief/solid").into(),
+            lengths: [0, 1].map(|axis| measured(["y", "x"][axis], unit, grid.size()[axis])),
+            root: format!("{root}/relief"),
         }
     }
 
     /// Records triangles and the outline of the cell.
-    pub fn log_static(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
-        to.log_static(self.mesh.clone(), &Mesh3D::update_fields().with_triangle_indices(self.triangles()))?;
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        to.log_static(self.mesh(), &Mesh3D::update_fields().with_triangle_indices(self.triangles()))?;
         let [y, x] = self.size.map(|length| length / 2.0);
         let base = -RELIEF as f32;
         let outline = [[-x, -y, base], [x, -y, base], [x, y, base], [-x, y, base], [-x, -y, base]];
         let strip = LineStrips3D::new([outline]).with_colors([colour(palette::FAINT)]);
-        to.log_static(format!("{root}/relief/outline"), &strip.with_radii([Radius::new_ui_points(0.8)]))?;
-        let [along_y, along_x] = self.titles.clone();
+        to.log_static(format!("{}/outline", self.root), &strip.with_radii([Radius::new_ui_points(0.8)]))?;
+        let [along_y, along_x] = self.lengths.clone();
         let labels = Points3D::new([[0.0, -1.1 * y, base], [1.1 * x, 0.0, base]])
             .with_labels([along_x, along_y])
             .with_show_labels(true)
             .with_colors([colour(palette::INK)])
             .with_radii([Radius::new_ui_points(0.0)]);
-        to.log_static(format!("{root}/relief/labels"), &labels)
+        to.log_static(format!("{}/labels", self.root), &labels)
     }
 
     /// Records a state at the current time.
@@ -85,20 +85,24 @@ impl Relief {
             .with_vertex_normals(self.normals(&vertices, fields.stride).into_iter().map(|n| n.to_array()))
             .with_vertex_positions(vertices.into_iter().map(|v| v.to_array()))
             .with_vertex_colors(self.colours(fields));
-        to.log(self.mesh.clone(), &mesh)
+        to.log(self.mesh(), &mesh)
     }
 
     /// The lowest and the highest place of a state.
     pub fn extent(&self, fields: &Fields<'_>) -> [f64; 2] {
-        let (low, high) = range(self.vertices(fields).into_iter().map(|v| f64::from(v.z)));
-        [low, high]
+        range(self.vertices(fields).into_iter().map(|v| f64::from(v.z)))
     }
 
     /// Stretches the relief so that the final state, which reaches from `low` to `high`, is [`RELIEF`] high, for all times.
     pub fn settle(&self, to: &RecordingStream, [low, high]: [f64; 2]) -> RecordingStreamResult<()> {
         let stretch = (RELIEF / (high - low).max(f64::MIN_POSITIVE)).min(1e6) as f32;
         let transform = Transform3D::from_scale([1.0, 1.0, stretch]);
-        to.log_static(self.mesh.clone(), &transform.with_translation([0.0, 0.0, -stretch * high as f32]))
+        to.log_static(self.mesh(), &transform.with_translation([0.0, 0.0, -stretch * high as f32]))
+    }
+
+    /// The entity of the mesh.
+    fn mesh(&self) -> String {
+        format!("{}/solid", self.root)
     }
 
     /// Vertices along y and x, with the ones that close the period.
@@ -106,7 +110,7 @@ impl Relief {
         self.blocks.cells.map(|n| n + 1)
     }
 
-    /// What `value` makes of the positions of all vertices along y and x, in nodes of the scene. On a grid coarser than
+    /// The results of `value` at the positions of all vertices along y and x, in nodes of the scene. On a grid coarser than
     /// the mesh, vertices fall on the node before them: what is left of the triangles spans the nodes of that grid.
     fn at_vertices<T>(&self, stride: [usize; 2], value: impl Fn([usize; 2]) -> T) -> Vec<T> {
         let [rows, columns] = self.counts();

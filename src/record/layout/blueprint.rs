@@ -1,6 +1,6 @@
 //! Writes a blueprint, the viewer's description of its own panes, into a recording.
 
-use super::palette::{self, colour};
+use crate::record::draw::{GROUND, colour};
 use rerun::external::re_log_types::{ApplicationId, BlueprintActivationCommand};
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::external::re_sdk_types::datatypes::{self, Uuid};
@@ -14,7 +14,7 @@ pub struct Clock {
     /// Timeline that is active at first.
     pub timeline: &'static str,
     /// Frames per second when the recording is played.
-    pub pace: f64,
+    pub frames_per_sec: f64,
 }
 
 /// A blueprint in the making. Panes are named by their paths.
@@ -24,7 +24,7 @@ pub struct Blueprint {
     panes: u16,
 }
 
-/// A view: what it shows and how.
+/// A view: its content and its properties.
 pub struct View {
     class: &'static str,
     title: String,
@@ -80,7 +80,7 @@ impl View {
 }
 
 fn ground() -> panes::Background {
-    panes::Background::new(components::BackgroundKind::SolidColor).with_color(colour(palette::GROUND))
+    panes::Background::new(components::BackgroundKind::SolidColor).with_color(colour(GROUND))
 }
 
 impl Blueprint {
@@ -151,12 +151,12 @@ impl Blueprint {
         let time = panes::TimePanelBlueprint::new()
             .with_state(components::PanelState::Collapsed)
             .with_timeline(clock.timeline)
-            .with_fps(clock.pace)
+            .with_fps(clock.frames_per_sec)
             .with_play_state(components::PlayState::Following);
         self.store.log("time_panel", &time)
     }
 
-    /// Another identity. It tells classes of panes apart, as the viewer keeps what it knows of a pane when the next recording
+    /// A new identity. It tells classes of panes apart, as the viewer keeps what it knows of a pane when the next recording
     /// brings another layout.
     fn next_id(&mut self, class: &str) -> Uuid {
         self.panes += 1;
@@ -185,7 +185,7 @@ mod tests {
         let store = blueprint.store.clone_weak();
         let text = blueprint.view(View::text("text", "/text".into())).unwrap();
         assert!(store.ref_count() > 0);
-        blueprint.send(vec![(text, 1.0)], Clock { timeline: "step", pace: 1.0 }, &recording).unwrap();
+        blueprint.send(vec![(text, 1.0)], Clock { timeline: "step", frames_per_sec: 1.0 }, &recording).unwrap();
         assert_eq!(store.ref_count(), 0);
         assert!(!storage.take().is_empty());
         recording.disconnect();

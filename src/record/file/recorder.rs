@@ -1,22 +1,19 @@
 //! The observer that records a solve.
 
-use super::part::Part;
-use super::scene::{Fields, with_fields};
+use super::recording::Recording;
+use super::schedule::{Schedule, Thinning};
 use super::snapshot::{Moment, Snapshot};
-use super::stage::{self, Stage};
-use super::thinning::{Pace, Thinning};
-use super::traces::{self, Traces};
-use super::{Options, Recording};
-use crate::contact::{Contact, Observer, Phase, Step};
-use crate::error::FileError;
-use rerun::{RecordingStreamError, RecordingStreamResult};
+use crate::contact::{Contact, Failure, Observer, Phase, Step, Wish};
+use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level};
+use crate::record::part::Part;
+use rerun::RecordingStreamResult;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-/// Records the steps of one scene, as far as the [`Options`] ask for it: numbers at every step, fields at those that they
+/// Records the steps of one scene, as far as the options ask for it: numbers at every step, fields at those that they
 /// pick and at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are recorded.
 ///
-/// A failure to write does not stop the solver; [`Recorder::close`] reports it.
+/// A failure to write ends the run.
 pub struct Recorder<'r> {
     recording: &'r Recording,
     stage: &'r Stage,
@@ -28,58 +25,50 @@ pub struct Recorder<'r> {
     /// The latest state of a coarse grid, as long as it is not drawn.
     undrawn: Option<Snapshot>,
     flushed: Instant,
-    failure: Option<RecordingStreamError>,
 }
 
-impl<'r> Recorder<'r> {
-    pub(super) fn new(recording: &'r Recording, stage: &'r Stage, options: &Options) -> Self {
-        Self {
-            recording,
+impl Recording {
+    /// The observer that records the solve of scene number `scene`.
+    ///
+    /// # Panics
+    /// If there is no such scene.
+    pub fn recorder(&self, scene: usize) -> Recorder<'_> {
+        let stage = &self.stages[scene];
+        let schedule = self.options.every.map_or_else(|| Schedule::on(stage.grid()), Schedule::Every);
+        Recorder {
+            recording: self,
             stage,
-            thinning: Thinning::new(options.every.map_or(stage.pace(), Pace::Every)),
+            thinning: Thinning::new(schedule),
             traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.reference)),
             phase: Phase { level: 0, outer: 0, inner: 0 },
             has_phases: false,
             undrawn: None,
             flushed: Instant::now(),
-            failure: None,
         }
     }
+}
 
-    /// Records the returned state as the last frame and how the run ended, fits the axes to it and flushes.
-    ///
-    /// # Errors
-    /// [`FileError::Write`] if a step could not be recorded or the file not be written.
-    pub fn close(mut self, contact: &Contact) -> Result<(), FileError> {
-        let failure = self.failure.take();
-        let recording = self.recording;
-        recording.write(|_| failure.map_or_else(|| with_fields(contact, |fields| self.log_last(contact, fields)), Err))
-    }
-
-    fn log_last(&mut self, contact: &Contact, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+impl Recorder<'_> {
+    fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
+        let fields = &Fields::of_contact(contact);
         if let Some(traces) = &mut self.traces {
             traces.add_certificate(contact.work, contact.certificate.eta);
         }
         self.log_frame(Moment { work: contact.work, phase: Phase { level: 0, ..self.phase } }, fields)?;
-        self.stage.settle(&self.recording.stream, self.stage.extent(fields))?;
+        self.stage.picture.settle(&self.recording.stream, self.stage.picture.extent(fields))?;
         self.recording.stream.log_static(self.stage.description(), &self.stage.result(contact))?;
         self.flush_traces()
     }
 
     fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {
         let stride = self.stage.stride(step.problem().surface().grid());
-        self.phase = Phase { level: stride.map_or(step.phase().level, stage::level), ..step.phase() };
+        self.phase = Phase { level: stride.map_or(step.phase().level, level), ..step.phase() };
         self.has_phases |= self.phase.level > 0 || self.phase.inner > 0;
         if let Some(traces) = &mut self.traces {
             traces.add(step, self.has_phases.then_some(self.phase));
         }
         if let Some(stride) = stride.filter(|_| self.stage.what.has_pictures()) {
             self.draw(step, stride)?;
-        }
-        if self.flushed.elapsed() >= self.recording.flush_interval {
-            self.flushed = Instant::now();
-            self.flush_traces()?;
-            self.recording.stream.flush_async().ok(); // a failure shows when the recorder is closed
         }
         Ok(())
     }
@@ -107,9 +96,9 @@ impl<'r> Recorder<'r> {
 
     fn log_frame(&self, moment: Moment, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let stream = &self.recording.stream;
-        stream.set_time_sequence(traces::STEP, moment.work.iterations as i64);
-        stream.set_duration_secs(traces::SECONDS, moment.work.seconds);
-        stream.set_time_sequence(traces::TRANSFORMS, moment.work.transforms as i64);
+        stream.set_time_sequence(STEP, moment.work.iterations as i64);
+        stream.set_duration_secs(SECONDS, moment.work.seconds);
+        stream.set_time_sequence(TRANSFORMS, moment.work.transforms as i64);
         if self.has_phases && self.stage.what.has_planes() {
             self.stage.log_caption(stream, self.stage.caption(moment.phase, fields.stride))?;
         }
@@ -118,19 +107,31 @@ impl<'r> Recorder<'r> {
 }
 
 impl Observer for Recorder<'_> {
-    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()> {
-        if self.failure.is_none() {
-            self.failure = self.record(step).err();
+    fn step(&mut self, step: &Step<'_>) -> Wish {
+        let recording = self.recording;
+        recording.log(|_| self.record(step))?;
+        if self.flushed.elapsed() >= recording.flush_interval {
+            self.flushed = Instant::now();
+            recording.log(|_| self.flush_traces())?;
+            recording.flush_soon()?;
         }
-        ControlFlow::Continue(())
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Records the returned state as the last frame and how the run ended, fits the axes to it and flushes. A contact on
+    /// another grid than the scene's, of a solver inside the solver, is left out.
+    fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
+        if contact.problem.surface().grid() == self.stage.grid() {
+            let recording = self.recording;
+            recording.write(|_| self.log_last(contact))?;
+        }
+        Ok(())
     }
 }
 
 /// A run that ended without a contact still keeps its numbers.
 impl Drop for Recorder<'_> {
     fn drop(&mut self) {
-        if self.failure.is_none() {
-            self.flush_traces().ok();
-        }
+        self.flush_traces().ok();
     }
 }

@@ -1,8 +1,19 @@
 //! Curves over the loads.
 
-use super::Curve;
-use crate::record::palette;
+use super::palette;
+use crate::plot::Colour;
 use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, SeriesPoints};
+
+/// A curve over the loads.
+#[derive(Debug, Clone)]
+pub struct Curve {
+    /// Title of the view that the curve shares with others.
+    pub view: String,
+    /// Name in the legend.
+    pub name: String,
+    /// Red, green and blue, as on paper: black is drawn white.
+    pub colour: [u8; 3],
+}
 
 /// The curves of a recording.
 pub struct Curves(Vec<Curve>);
@@ -28,7 +39,7 @@ impl Curves {
     /// Records names and colours.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         for (i, Curve { name, colour, .. }) in self.0.iter().enumerate() {
-            let (name, colour) = (name.as_str(), palette::on_ground(*colour));
+            let (name, colour) = (name.as_str(), palette::on_ground(Colour(*colour)));
             let line = SeriesLines::new().with_names([name]).with_colors([colour]).with_widths([1.8]);
             let points = SeriesPoints::new().with_names([name]).with_colors([colour]).with_marker_sizes([3.0]);
             to.log_static(entity(i), &[&line as &dyn rerun::AsComponents, &points])?;

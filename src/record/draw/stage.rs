@@ -1,30 +1,32 @@
 //! A scene, prepared for recording.
 
-use super::Options;
-use super::axes::Frame;
-use super::field::{self, SurfacePicture};
+use super::canvas;
+use super::fields::Fields;
 use super::forecast::Forecast;
 use super::ghost::Ghost;
 use super::line::LinePicture;
-use super::part::{Part, Parts};
-use super::scene::{Extent, Fields, Scene};
+use super::palette;
+use super::picture::Picture;
 use super::spectrum::SpectrumPicture;
-use super::thinning::Pace;
+use super::surface::SurfacePicture;
 use super::traces::{self, Reference};
 use crate::contact::{Contact, Phase, Status};
 use crate::grid::Grid;
+use crate::record::options::Options;
+use crate::record::part::{Part, Parts};
+use crate::record::scene::Scene;
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 
-/// Everything about a scene that its recorder and its layout need, without the problem itself.
+/// The drawings of a scene and all else that its recorder and its layout need, without the problem itself.
 pub struct Stage {
     /// Root of the entities, with a leading `/`.
     pub root: String,
     /// Title.
     pub title: String,
-    /// What the caller says of it.
+    /// Description by the caller.
     description: String,
     grid: Grid,
-    /// What is recorded.
+    /// Parts that are recorded.
     pub what: Parts,
     /// Exact values of the curves.
     pub reference: Reference,
@@ -32,17 +34,17 @@ pub struct Stage {
     pub has_ghost: bool,
     /// Upper ends of the axes of curves.
     pub ranges: Ranges,
-    /// What is drawn of the fields.
-    pub picture: Picture,
+    /// Pictures of the fields.
+    pub picture: Box<dyn Picture>,
     /// The power spectra, if they are asked for.
     pub spectrum: Option<SpectrumPicture>,
 }
 
 /// Upper ends of the axes of curves, known before solving so that the first steps do not dwarf the last.
 pub struct Ranges {
-    /// Of `kappa` and `kappa_r`.
+    /// End of the axis of `kappa` and `kappa_r`.
     pub kappa: f64,
-    /// Of the relative area.
+    /// End of the axis of the relative area.
     pub area: f64,
 }
 
@@ -53,50 +55,8 @@ impl Ranges {
     }
 }
 
-/// The fields of a line or a surface.
-pub enum Picture {
-    /// Curves.
-    Line(Box<LinePicture>),
-    /// Images and a relief.
-    Surface(Box<SurfacePicture>),
-}
-
-impl Picture {
-    fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
-        if scene.problem.surface().grid().is_line() {
-            Self::Line(Box::new(LinePicture::new(scene, forecast, root, options)))
-        } else {
-            Self::Surface(Box::new(SurfacePicture::new(scene, forecast, root, options)))
-        }
-    }
-
-    /// The frame above which words about all of it stand.
-    fn frame(&self) -> &Frame {
-        match self {
-            Self::Line(line) => line.frame(),
-            Self::Surface(surface) => surface.frame(),
-        }
-    }
-
-    /// Whether the contact has a picture of its own, for want of others to lie in.
-    pub fn shows_contact_alone(&self) -> bool {
-        match self {
-            Self::Line(line) => line.shows_contact_alone(),
-            Self::Surface(surface) => surface.shows_contact_alone(),
-        }
-    }
-
-    /// The part of the canvas that a picture in the plane takes: left, right, top, bottom.
-    pub fn bounds(&self) -> [f64; 4] {
-        match self {
-            Self::Line(line) => line.bounds(),
-            Self::Surface(surface) => surface.bounds(),
-        }
-    }
-}
-
 impl Stage {
-    /// Prepares `scene` under `root`.
+    /// The stage of `scene` under `root`.
     pub fn new(scene: &Scene<'_>, root: String, options: &Options) -> Self {
         let grid = *scene.problem.surface().grid();
         let options = Options { what: options.what.and(Parts::on(&grid)), ..options.clone() };
@@ -109,13 +69,27 @@ impl Stage {
             reference: Reference::of(scene.exact.as_ref()),
             has_ghost: options.ghost.is_some(),
             ranges: Ranges::of(scene, forecast),
-            picture: Picture::new(scene, forecast, &root, &options),
+            picture: if grid.is_line() {
+                Box::new(LinePicture::new(scene, forecast, &root, &options))
+            } else {
+                Box::new(SurfacePicture::new(scene, forecast, &root, &options))
+            },
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, &root)),
             root,
         }
     }
 
-    /// Every how many-th node of the scene `grid` holds along y and x, if it is the scene's grid or a coarser version.
+    /// Whether the scene is a line.
+    pub fn is_line(&self) -> bool {
+        self.grid.is_line()
+    }
+
+    /// The grid of the scene.
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// Distance of the nodes of `grid` along y and x in nodes of the scene, if it is the scene's grid or a coarser version.
     pub fn stride(&self, grid: &Grid) -> Option<[usize; 2]> {
         let (fine, coarse) = (self.grid.shape(), grid.shape());
         let stride = [0, 1].map(|axis| fine[axis] / coarse[axis]);
@@ -123,12 +97,7 @@ impl Stage {
         (grid.size() == self.grid.size() && fits(0) && fits(1)).then_some(stride)
     }
 
-    /// How far apart its frames are unless the caller says otherwise.
-    pub fn pace(&self) -> Pace {
-        Pace::on(&self.grid)
-    }
-
-    /// Records what stays; `place` is that of the scene among several.
+    /// Records everything that stays; `place` is that of the scene among several.
     pub fn log_static(
         &self,
         to: &RecordingStream,
@@ -137,7 +106,7 @@ impl Stage {
     ) -> RecordingStreamResult<()> {
         let Self { root, title, .. } = self;
         if self.what.has(Part::Mask) {
-            to.log_static(root.as_str(), &field::classes())?;
+            to.log_static(root.as_str(), &palette::classes())?;
         }
         if self.what.has(Part::Traces) {
             traces::log_styles(to, root, self.reference, place.map(|place| (place, title.as_str())))?;
@@ -145,10 +114,7 @@ impl Stage {
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_static(to)?;
         }
-        match &self.picture {
-            Picture::Line(line) => line.log_static(to, root, scene),
-            Picture::Surface(surface) => surface.log_static(to, root),
-        }
+        self.picture.log_static(to, scene)
     }
 
     /// Records an earlier solve, as far as this one shows the same.
@@ -156,12 +122,8 @@ impl Stage {
         if self.what.has(Part::Traces) {
             ghost.log(to, &self.root)?;
         }
-        match (&self.picture, ghost.pressure()) {
-            (Picture::Line(line), Some(pressure)) if self.what.has(Part::Fields) => {
-                line.log_ghost(to, &self.root, pressure)
-            }
-            _ => Ok(()),
-        }
+        let pressure = ghost.pressure().filter(|_| self.what.has(Part::Fields));
+        pressure.map_or(Ok(()), |pressure| self.picture.log_ghost(to, pressure))
     }
 
     /// The description with how the run ended.
@@ -189,15 +151,12 @@ impl Stage {
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_frame(to, fields)?;
         }
-        match &self.picture {
-            Picture::Line(line) => line.log_frame(to, fields),
-            Picture::Surface(surface) => surface.log_frame(to, fields),
-        }
+        self.picture.log_frame(to, fields)
     }
 
     /// Records words above the pictures at the current time.
     pub fn log_caption(&self, to: &RecordingStream, words: String) -> RecordingStreamResult<()> {
-        to.log(self.caption_entity(), &self.picture.frame().caption(words))
+        to.log(self.caption_entity(), &canvas::caption(&self.picture.frame(), words))
     }
 
     /// The entity of the words above the pictures.
@@ -205,29 +164,13 @@ impl Stage {
         format!("{}/caption", self.root)
     }
 
-    /// Where the solver stands, in words.
+    /// The place of the solver in its scheme, in words.
     pub fn caption(&self, phase: Phase, stride: [usize; 2]) -> String {
         let [ny, nx] = [0, 1].map(|axis| self.grid.shape()[axis] / stride[axis]);
         let points = if self.grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx}") };
         let Phase { level, outer, inner } = phase;
         let inner = if inner > 0 { format!(", inner {inner}") } else { String::new() };
         format!("level {level}: {points}, outer {outer}{inner}")
-    }
-
-    /// How far the fields of a state reach.
-    pub fn extent(&self, fields: &Fields<'_>) -> Extent {
-        match &self.picture {
-            Picture::Line(line) => line.extent(fields),
-            Picture::Surface(surface) => surface.extent(fields),
-        }
-    }
-
-    /// Fits axes and scales to the final state, or to all states.
-    pub fn settle(&self, to: &RecordingStream, extent: Extent) -> RecordingStreamResult<()> {
-        match &self.picture {
-            Picture::Line(line) => line.settle(to, &self.root, extent),
-            Picture::Surface(surface) => surface.settle(to, extent),
-        }
     }
 }
 
@@ -239,14 +182,19 @@ pub fn level(stride: [usize; 2]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::Problem;
+    use crate::contact::{ContactModulus, Load, Problem};
     use crate::surface::Indenter;
 
     #[test]
     fn coarser_versions_of_the_grid_are_told_from_others() {
         let surface = |shape, size| Grid::surface(shape, size).unwrap();
         let fine = surface([48, 64], [1.0, 2.0]);
-        let problem = Problem::new(Indenter::Sphere { radius: 1.0 }.surface(fine).unwrap(), 1.0, 0.01).unwrap();
+        let problem = Problem::new(
+            Indenter::Sphere { radius: 1.0 }.surface(fine).unwrap(),
+            ContactModulus(1.0),
+            Load::MeanPressure(0.01),
+        )
+        .unwrap();
         let (name, title, description) = ("a".into(), "A".into(), String::new());
         let scene = Scene { name, title, problem: &problem, description, exact: None };
         let stage = Stage::new(&scene, "/a".into(), &Options::default());

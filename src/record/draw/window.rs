@@ -1,7 +1,7 @@
 //! The part of a line that is shown, and the nodes of a grid in it.
 
 use super::reduce::Columns;
-use super::scene::Scene;
+use crate::record::scene::Scene;
 
 /// Width of the window around a contact that is known beforehand, in widths of that contact.
 const WIDTH: f64 = 2.5;

@@ -1,25 +1,21 @@
 //! The power spectra of the solid's surface and of the indenter, as curves on logarithmic axes.
 
-use super::axes::{Axis, Frame, Quantity};
-use super::palette::{self, colour};
-use super::scene::{Fields, Scene};
+use super::canvas::{self, BOX, TEXT, strip, style};
+use super::fields::Fields;
+use super::palette;
 use crate::grid::Grid;
+use crate::plot::{Axis, Frame};
+use crate::record::scene::Scene;
 use crate::surface::{Field, PowerSpectrum, Surface};
-use rerun::{EntityPath, LineStrip2D, LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
+use rerun::{LineStrip2D, Radius, RecordingStream, RecordingStreamResult};
 use std::f64::consts::TAU;
 
-/// Width and height of the box on the canvas.
-const BOX: [f32; 2] = [1000.0, 400.0];
-/// Height of a line of text on the canvas.
-const TEXT: f32 = 20.0;
-/// Decades of density below the largest one of the heights.
-const DECADES: f64 = 16.0;
-/// Decades above it.
-const ABOVE: f64 = 0.5;
+/// Densities on the axis, over the largest one of the heights.
+const DENSITIES: [f64; 2] = [1e-16, 3.0];
 /// Points of a curve in each decade of wavelengths.
 const BINS: f64 = 40.0;
 
-/// How much each wavelength of the displacement weighs, beside that of the heights: in full contact they are the same. Long
+/// The weight of each wavelength in the displacement, beside that in the heights: in full contact they are the same. Long
 /// waves that a solver leaves behind show on the left.
 pub struct SpectrumPicture {
     grid: Grid,
@@ -29,54 +25,46 @@ pub struct SpectrumPicture {
     frame: Frame,
     heights: Vec<[f32; 2]>,
     root: String,
-    displacement: EntityPath,
 }
 
 impl SpectrumPicture {
-    /// The picture of `scene`.
+    /// The picture of `scene` under `root`.
     pub fn new(scene: &Scene<'_>, root: &str) -> Self {
         let surface = scene.problem.surface();
         let spectrum = PowerSpectrum::of(surface);
-        let axis = |symbol, low, high| Axis::new(Quantity { symbol, unit: String::new() }, low, high);
-        let waves = (surface.grid().shape()[1] as f64 / 2.0).log10();
-        let frame = Frame {
-            x: axis("log10 of waves per longest period", 0.0, waves),
-            y: axis("log10 C(q) / C_max", -DECADES, ABOVE),
-            width: BOX[0],
-            height: BOX[1],
-            text: TEXT,
-        };
+        let waves = surface.grid().shape()[1] as f64 / 2.0;
+        let [x, y] = [("waves per longest period", [1.0, waves]), ("C(q) / C_max", DENSITIES)];
+        let [x, y] = [x, y].map(|(name, range)| Axis::log(name, range));
         let mut picture = Self {
             grid: *surface.grid(),
             height: scene.problem.height().to_vec(),
             largest: spectrum.density.iter().copied().fold(f64::MIN_POSITIVE, f64::max),
-            frame,
+            frame: Frame { x, y, corner: [0.0, 0.0], size: BOX, text: TEXT },
             heights: Vec::new(),
             root: format!("{root}/spectrum"),
-            displacement: format!("{root}/spectrum/displacement").into(),
         };
         picture.heights = picture.curve(&spectrum);
         picture
     }
 
-    /// The part of the canvas that it takes.
+    /// The part of the canvas that the picture takes.
     pub fn bounds(&self) -> [f64; 4] {
-        self.frame.bounds()
+        canvas::bounds(&self.frame)
     }
 
     /// Records axes, styles and the spectrum of the heights.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        self.frame.log(to, &format!("{}/axes", self.root))?;
+        canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)?;
+        let style = |rgb, order| style(rgb, Radius::new_ui_points(1.0), order);
         let heights = style(palette::INDENTER, 30.0).with_strips([LineStrip2D::from_iter(self.heights.clone())]);
         to.log_static(format!("{}/heights", self.root), &heights)?;
-        to.log_static(self.displacement.clone(), &style(palette::SOLID, 32.0))
+        to.log_static(format!("{}/displacement", self.root), &style(palette::SOLID, 32.0))
     }
 
     /// Records the spectrum of the displacement at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let Some(solid) = self.solid(fields) else { return Ok(()) };
-        let curve = LineStrip2D::from_iter(self.curve(&PowerSpectrum::of(&solid)));
-        to.log(self.displacement.clone(), &LineStrips2D::update_fields().with_strips([curve]))
+        to.log(format!("{}/displacement", self.root), &strip(self.curve(&PowerSpectrum::of(&solid))))
     }
 
     /// The solid's surface, a gap below the indenter, on every `stride`-th node of the scene.
@@ -93,21 +81,15 @@ impl SpectrumPicture {
     /// Mean densities, where they lie on the axes.
     fn curve(&self, spectrum: &PowerSpectrum) -> Vec<[f32; 2]> {
         let period = self.grid.longest_wavelength();
-        let waves = spectrum.wavenumber.iter().zip(&spectrum.density);
-        let waves: Vec<[f64; 2]> =
-            waves.map(|(&q, density)| [(q * period / TAU).log10(), density / self.largest]).collect();
-        let bin = |wave: &[f64; 2]| (wave[0] * BINS).floor();
-        let bins = waves.chunk_by(|a, b| bin(a) == bin(b));
+        let waves = spectrum.wavenumber.iter().map(|q| (q * period / TAU).log10()).zip(&spectrum.density);
+        let waves: Vec<(f64, f64)> = waves.map(|(wave, density)| (wave, density / self.largest)).collect();
+        let bins = waves.chunk_by(|a, b| (a.0 * BINS).floor() == (b.0 * BINS).floor());
         let places = bins.map(|waves| {
-            let mean = |i: usize| waves.iter().map(|wave| wave[i]).sum::<f64>() / waves.len() as f64;
-            let x = self.frame.x.place(mean(0)) as f32 * self.frame.width;
-            [x, self.frame.place_y(mean(1).log10().clamp(-DECADES, ABOVE))]
+            let mean = |value: fn(&(f64, f64)) -> f64| waves.iter().map(value).sum::<f64>() / waves.len() as f64;
+            let [low, high] = DENSITIES;
+            self.frame.places(10f64.powf(mean(|wave| wave.0)), mean(|wave| wave.1).clamp(low, high))
         });
-        places.filter(|[x, _]| (0.0..=self.frame.width).contains(x)).collect()
+        let inside = places.filter(|[x, _]| (-1e-9..=1.0 + 1e-9).contains(x));
+        inside.map(|places| self.frame.position(places).map(|p| p as f32)).collect()
     }
-}
-
-fn style(rgb: u32, order: f32) -> LineStrips2D {
-    let thin = Radius::new_ui_points(1.0);
-    LineStrips2D::update_fields().with_colors([colour(rgb)]).with_radii([thin]).with_draw_order(order)
 }

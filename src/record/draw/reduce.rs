@@ -1,4 +1,4 @@
-//! Fewer values than nodes without losing an extreme: what is drawn never skips a node.
+//! Reductions: fewer values than nodes without losing an extreme, so that drawings never skip a node.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ fn share(nodes: usize, cells: usize, cell: usize) -> Range<usize> {
     start..((cell + 1) * nodes / cells).max(start + 1)
 }
 
-/// Those of a grid with every `stride`-th of the `nodes`, by their numbers there: the ones in the cell, or the nearest.
+/// Nodes of a cell on a grid with every `stride`-th of the `nodes`, by their numbers there: the ones inside, or the nearest.
 fn share_coarse(nodes: usize, stride: usize, cells: usize, cell: usize) -> Range<usize> {
     let Range { start, end } = share(nodes, cells, cell);
     let inside = start.div_ceil(stride)..end.div_ceil(stride);
@@ -100,7 +100,7 @@ impl Blocks {
         Self { shape, cells: size.map(|length| ((along * length / longest).round() as usize).max(2)) }
     }
 
-    /// What `fold` makes of all nodes of each block, starting from `start`, row by row. The `values` are those of every
+    /// The results of `fold` over all nodes of each block, starting from `start`, row by row. The `values` are those of every
     /// `stride`-th node; where a block has none, the nearest one counts.
     pub fn fold(&self, values: &[f64], stride: [usize; 2], start: f64, fold: impl Fn(f64, f64) -> f64) -> Vec<f64> {
         let share = |axis: usize, cell| share_coarse(self.shape[axis], stride[axis], self.cells[axis], cell);

@@ -1,4 +1,4 @@
-//! Which steps are drawn in full.
+//! The steps whose fields are drawn.
 
 use crate::grid::Grid;
 use std::collections::BTreeMap;
@@ -7,14 +7,14 @@ use std::collections::BTreeMap;
 /// later.
 #[derive(Debug, Clone)]
 pub struct Thinning {
-    pace: Pace,
+    schedule: Schedule,
     /// Steps seen of each level.
     seen: BTreeMap<usize, usize>,
 }
 
-/// How far apart frames are.
+/// Distance from frame to frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pace {
+pub enum Schedule {
     /// Each n-th step; 0 counts as 1.
     Every(usize),
     /// All of the first `dense` steps, then `per_decade` frames for ten times as many steps; fewer on coarse grids.
@@ -26,15 +26,15 @@ pub enum Pace {
     },
 }
 
-impl Pace {
-    /// For lines, whose frames take some 30 kB: 68 frames of 1000 steps, 116 of 100 000.
+impl Schedule {
+    /// The schedule of lines, whose frames take some 30 kB: 68 frames of 1000 steps, 116 of 100 000.
     pub const LINE: Self = Self::Geometric { dense: 32, per_decade: 24.0 };
-    /// For surfaces, whose frames take up to 2 MB: half as many.
+    /// The schedule of surfaces, whose frames take up to 2 MB: half as many.
     pub const SURFACE: Self = Self::Geometric { dense: 16, per_decade: 12.0 };
     /// Frames of a coarse grid, which is left after some tens of steps.
     const COARSE: usize = 4;
 
-    /// The pace on `grid` unless the caller says otherwise.
+    /// The schedule on `grid` unless the caller says otherwise.
     pub fn on(grid: &Grid) -> Self {
         if grid.is_line() { Self::LINE } else { Self::SURFACE }
     }
@@ -52,12 +52,12 @@ impl Pace {
 }
 
 impl Thinning {
-    /// How many times fewer frames coarse grids get.
+    /// Frames of the finest grid for each frame of a coarse one.
     const COARSE: usize = 6;
 
-    /// A schedule that starts with step 0.
-    pub fn new(pace: Pace) -> Self {
-        Self { pace, seen: BTreeMap::new() }
+    /// The choice of `schedule`, before the first step.
+    pub fn new(schedule: Schedule) -> Self {
+        Self { schedule, seen: BTreeMap::new() }
     }
 
     /// Whether no step of this level was seen yet.
@@ -69,9 +69,9 @@ impl Thinning {
     pub fn picks(&mut self, index: usize, level: usize) -> bool {
         let seen = self.seen.entry(level).or_default();
         *seen += 1;
-        match self.pace {
-            Pace::Every(every) => index.is_multiple_of(every.max(1)),
-            Pace::Geometric { dense, per_decade } => {
+        match self.schedule {
+            Schedule::Every(every) => index.is_multiple_of(every.max(1)),
+            Schedule::Geometric { dense, per_decade } => {
                 let fewer = if level == 0 { 1 } else { Self::COARSE };
                 let place = |n: usize| (per_decade / fewer as f64 * (n as f64).log10()).floor();
                 *seen <= dense / fewer || place(*seen) > place(*seen - 1)
@@ -84,21 +84,21 @@ impl Thinning {
 mod tests {
     use super::*;
 
-    fn frames(pace: Pace, steps: usize) -> Vec<usize> {
-        let mut thinning = Thinning::new(pace);
+    fn frames(schedule: Schedule, steps: usize) -> Vec<usize> {
+        let mut thinning = Thinning::new(schedule);
         (0..steps).filter(|&i| thinning.picks(i, 0)).collect()
     }
 
     #[test]
     fn the_automatic_schedule_is_dense_then_geometric() {
-        let picked = frames(Pace::LINE, 100_000);
+        let picked = frames(Schedule::LINE, 100_000);
         assert!(picked[..32].iter().copied().eq(0..32));
         assert!((100..=150).contains(&picked.len()), "{}", picked.len());
         assert!(picked.windows(2).skip(40).all(|w| w[1] as f64 / w[0] as f64 <= 1.14));
-        assert!((50..=75).contains(&frames(Pace::SURFACE, 100_000).len()));
+        assert!((50..=75).contains(&frames(Schedule::SURFACE, 100_000).len()));
         for steps in [5, 16, 100, 1234, 100_000] {
-            for pace in [Pace::LINE, Pace::SURFACE] {
-                let (made, most) = (frames(pace, steps).len() + 1, pace.most_frames(steps, 0));
+            for schedule in [Schedule::LINE, Schedule::SURFACE] {
+                let (made, most) = (frames(schedule, steps).len() + 1, schedule.most_frames(steps, 0));
                 assert!((made..=made + 2).contains(&most), "{made} frames of {steps} steps, not {most}");
             }
         }
@@ -106,13 +106,13 @@ mod tests {
 
     #[test]
     fn each_nth_step_is_picked() {
-        assert_eq!(frames(Pace::Every(4), 10), [0, 4, 8]);
-        assert_eq!(frames(Pace::Every(0), 3), [0, 1, 2]);
+        assert_eq!(frames(Schedule::Every(4), 10), [0, 4, 8]);
+        assert_eq!(frames(Schedule::Every(0), 3), [0, 1, 2]);
     }
 
     #[test]
     fn each_level_starts_anew_and_many_levels_stay_affordable() {
-        let mut thinning = Thinning::new(Pace::LINE);
+        let mut thinning = Thinning::new(Schedule::LINE);
         let mut frames = 0;
         for level in (0..12).rev() {
             assert!(thinning.is_new(level));

@@ -1,7 +1,8 @@
 //! Numbers of every step, sent column by column.
 
 use super::palette::{self, colour};
-use crate::contact::{Phase, Step, Work};
+use crate::contact::{Energy, Phase, Step, Work};
+use crate::plot::Colour;
 use crate::theory::Exact;
 use rerun::{EntityPath, RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
 
@@ -12,13 +13,15 @@ pub const SECONDS: &str = "seconds";
 /// Timeline of transforms made by the solver.
 pub const TRANSFORMS: &str = "transforms";
 
-/// Entities that others are compared with, and the names of their curves.
+/// Entity under `trace` of `kappa_r`, and the name of its curve.
 pub const KAPPA_R: (&str, &str) = ("kappa_r", "kappa_r");
+/// Entity under `trace` of the relative area, and the name of its curve.
 pub const RELATIVE_AREA: (&str, &str) = ("relative_area", "relative area");
+/// Entity under `trace` of the certificate, and the name of its curve.
 pub const CERTIFICATE: (&str, &str) = ("certificate", "log10 certificate eta");
 
 /// Entities under `trace` and the names of their curves.
-const SERIES: [(&str, &str); 12] = [
+const SERIES: [(&str, &str); 13] = [
     KAPPA_R,
     ("kappa", "kappa"),
     ("exact_kappa_r", "exact kappa_r"),
@@ -26,14 +29,15 @@ const SERIES: [(&str, &str); 12] = [
     ("exact_relative_area", "exact relative area"),
     CERTIFICATE,
     ("mean_gap", "mean gap / h_rms"),
-    ("energy", "energy / (p_mean h_rms)"),
+    ("complementary_energy", "complementary energy / (p_mean h_rms)"),
+    ("potential_energy", "potential energy / (p_mean h_rms)"),
     ("patches", "contact patches"),
     ("level", "grid level"),
     ("outer", "outer step"),
     ("inner", "inner step"),
 ];
 
-/// Where the certificate stands among the series.
+/// Place of the certificate among the series.
 const CERTIFICATE_PLACE: usize = 5;
 
 /// The curves of one scene, collected until they are flushed.
@@ -83,6 +87,10 @@ impl Traces {
     pub fn add(&mut self, step: &Step<'_>, phase: Option<Phase>) {
         let of_phase = |number: fn(Phase) -> usize| phase.map(|phase| number(phase) as f64);
         let measures = step.measures();
+        let (complementary, potential) = match step.energy() {
+            Energy::Complementary(energy) => (Some(energy), None),
+            Energy::Potential(energy) => (None, Some(energy)),
+        };
         let values = [
             Some(measures.kappa_r),
             Some(measures.kappa),
@@ -91,7 +99,8 @@ impl Traces {
             self.exact_area,
             step.certificate().map(f64::log10),
             Some(step.mean_gap() / step.problem().rms_height()),
-            Some(step.energy()),
+            complementary,
+            potential,
             Some(step.patches().count() as f64),
             of_phase(|phase| phase.level),
             of_phase(|phase| phase.outer),
@@ -107,7 +116,7 @@ impl Traces {
         self.series[CERTIFICATE_PLACE].1.add(work, Some(eta.log10()));
     }
 
-    /// Sends what was collected.
+    /// Sends the numbers collected so far.
     pub fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
         for (entity, series) in self.series.iter_mut().filter(|(_, series)| !series.values.is_empty()) {
             std::mem::take(series).log(to, entity)?;
@@ -162,7 +171,7 @@ pub fn log_styles(
 }
 
 /// Curves that are compared between scenes take the colour of their scene.
-fn series_colour(entity: &str, i: usize, scene: Option<(usize, &str)>) -> u32 {
+fn series_colour(entity: &str, i: usize, scene: Option<(usize, &str)>) -> Colour {
     let [first, second, rest @ ..] = palette::SERIES;
     match (entity, scene) {
         ("kappa_r" | "certificate" | "relative_area", Some((scene, _))) => {

@@ -1,21 +1,21 @@
 //! A state that outlives its step.
 
-use super::part::Parts;
-use super::scene::Fields;
 use crate::contact::{Phase, Step, Work};
+use crate::record::draw::Fields;
+use crate::record::part::Parts;
 
-/// When a state was taken.
+/// The moment of a state.
 #[derive(Debug, Clone, Copy)]
 pub struct Moment {
     /// Work so far.
     pub work: Work,
-    /// Where in its scheme the solver stood.
+    /// Place of the solver in its scheme.
     pub phase: Phase,
 }
 
-/// The fields of a step, kept until it turns out whether it was the last one of its level.
+/// A copy of the fields of a step, for the case that it turns out to be the last one of its level.
 pub struct Snapshot {
-    /// When it was taken.
+    /// Moment of the step.
     pub moment: Moment,
     stride: [usize; 2],
     pressure: Vec<f64>,
@@ -29,7 +29,7 @@ impl Snapshot {
         Self { moment, stride, pressure: pressure.to_vec(), gap: gap.to_vec() }
     }
 
-    /// The fields.
+    /// The fields of the step.
     pub fn fields(&self) -> Fields<'_> {
         Fields { stride: self.stride, pressure: &self.pressure, gap: &self.gap }
     }

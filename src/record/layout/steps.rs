@@ -1,21 +1,23 @@
-//! Which views a scene gets, and where they stand.
+//! The layout of a recording over steps: the views of each scene, and their places.
 
 use super::blueprint::{Blueprint, Clock, Kind, View};
-use super::ghost;
-use super::part::Part;
-use super::stage::{Picture, Stage};
-use super::traces;
+use crate::record::draw::{STEP, Stage, entity_under};
+use crate::record::part::Part;
 use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Frames per second when the steps are played.
-const PACE: f64 = 30.0;
+const FRAMES_PER_SEC: f64 = 30.0;
 
 /// A pane by its path.
 pub type Placed = RecordingStreamResult<String>;
 
 /// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
-pub fn send(application: ApplicationId, stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
+pub fn send_steps(
+    application: ApplicationId,
+    stages: &[Stage],
+    recording: &RecordingStream,
+) -> RecordingStreamResult<()> {
     let mut blueprint = Blueprint::new(application)?;
     let mut tabs = Vec::new();
     if stages.len() > 1 {
@@ -24,7 +26,7 @@ pub fn send(application: ApplicationId, stages: &[Stage], recording: &RecordingS
     for stage in stages {
         tabs.push((scene(&mut blueprint, stage)?, 1.0));
     }
-    blueprint.send(tabs, Clock { timeline: traces::STEP, pace: PACE }, recording)
+    blueprint.send(tabs, Clock { timeline: STEP, frames_per_sec: FRAMES_PER_SEC }, recording)
 }
 
 /// A picture of each scene, and their proportionality and convergence side by side.
@@ -56,7 +58,7 @@ fn scene(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
 
 /// The views of the pictures, one row below the other, `more` in front of the second row.
 pub fn pictures(blueprint: &mut Blueprint, stage: &Stage, more: Vec<View>) -> Placed {
-    let beside = if let Picture::Line(_) = stage.picture { Kind::Tabs } else { Kind::Horizontal };
+    let beside = if stage.is_line() { Kind::Tabs } else { Kind::Horizontal };
     let mut rows = Vec::new();
     let mut views = views(stage).into_iter();
     let (first, second) = (views.next(), more.into_iter().chain(views.next().unwrap_or_default()).collect());
@@ -80,7 +82,7 @@ pub fn gather(blueprint: &mut Blueprint, kind: Kind, title: &str, views: Vec<Vie
 
 /// The pictures that are recorded, row by row; the first one stands for the scene.
 fn views(stage: &Stage) -> Vec<Vec<View>> {
-    let Stage { title, what, picture, .. } = stage;
+    let Stage { title, what, .. } = stage;
     let mut rows = Vec::new();
     if what.has(Part::Profile) {
         rows.push(vec![plane(stage, "profile", &format!("{title}: indenter above the solid"), true)]);
@@ -89,23 +91,16 @@ fn views(stage: &Stage) -> Vec<Vec<View>> {
         rows.push(vec![relief(stage)]);
     }
     if what.has(Part::Fields) {
-        rows.push(match picture {
-            Picture::Line(_) => {
-                let exact = stage.reference.relative_area.is_some();
-                let pressure = if exact { "Pressure (white: exact)" } else { "Pressure" };
-                vec![plane(stage, "pressure", pressure, true), plane(stage, "gap", "Gap", true)]
-            }
-            Picture::Surface(_) => {
-                let gap = if what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
-                vec![plane(stage, "pressure", "Pressure", false), plane(stage, "gap", gap, true)]
-            }
-        });
+        let is_exact = stage.is_line() && stage.reference.relative_area.is_some();
+        let pressure = if is_exact { "Pressure (white: exact)" } else { "Pressure" };
+        let gap = if !stage.is_line() && what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
+        rows.push(vec![plane(stage, "pressure", pressure, stage.is_line()), plane(stage, "gap", gap, true)]);
     }
     if let Some(spectrum) = &stage.spectrum {
         let (title, origin) = ("Power spectra (blue: displacement, grey: heights)", format!("{}/spectrum", stage.root));
         rows.push(vec![View::plane(title, &origin, vec![format!("{origin}/**")], spectrum.bounds())]);
     }
-    if picture.shows_contact_alone() {
+    if what.has_mask_alone() {
         rows.push(vec![plane(stage, "contact", &format!("{title}: contact"), false)]);
     }
     rows
@@ -131,7 +126,7 @@ fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
         return Ok(text);
     }
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
-    let earlier = |name: &str| stage.has_ghost.then(|| ghost::entity_under(&stage.root, name));
+    let earlier = |name: &str| stage.has_ghost.then(|| entity_under(&stage.root, name));
     let beside = |names: &[&str]| traces(names).into_iter().chain(earlier(names[0])).collect::<Vec<_>>();
     let kappa = beside(&["kappa_r", "kappa", "exact_kappa_r"]);
     let kappa = View::curves("Proportionality kappa_r, kappa", kappa, Some([0.0, stage.ranges.kappa]));
@@ -139,8 +134,13 @@ fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
     let area = View::curves("Relative contact area", area, Some([0.0, stage.ranges.area]));
     let certificate = View::curves("Certificate: log10 of the error bound eta", beside(&["certificate"]), None);
     let mut below = vec![(text, 1.0)];
-    for (name, title) in [("mean_gap", "Mean gap"), ("energy", "Energy"), ("patches", "Patches")] {
-        below.push((blueprint.view(View::curves(title, traces(&[name]), None))?, 1.0));
+    let others: [(&str, &[&str]); 3] = [
+        ("Mean gap", &["mean_gap"]),
+        ("Energy", &["complementary_energy", "potential_energy"]),
+        ("Patches", &["patches"]),
+    ];
+    for (title, names) in others {
+        below.push((blueprint.view(View::curves(title, traces(names), None))?, 1.0));
     }
     below.push((levels(blueprint, traces(&["level"]), traces(&["outer", "inner"]))?, 1.0));
     let mut rows = Vec::new();
@@ -151,7 +151,7 @@ fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
     blueprint.container(Kind::Vertical, "curves", rows)
 }
 
-/// Where solvers with coarse grids and inner steps stand.
+/// The places of solvers with coarse grids and inner steps in their schemes.
 fn levels(blueprint: &mut Blueprint, level: Vec<String>, steps: Vec<String>) -> Placed {
     let level = blueprint.view(View::curves("Grid level (0: finest)", level, None))?;
     let steps = blueprint.view(View::curves("Outer and inner steps on the level", steps, None))?;

@@ -1,9 +1,11 @@
 //! A recording that the installed viewer shows while it is written.
 
 use super::output::Output;
-use super::{Options, Recording, Scene, target_error};
+use super::recording::{Recording, target_error};
 use crate::error::FileError;
 use crate::files::check_target;
+use crate::record::options::Options;
+use crate::record::scene::Scene;
 use rerun::SpawnOptions;
 use rerun::sink::GrpcSink;
 use std::path::Path;
@@ -13,7 +15,7 @@ impl Recording {
     /// it as well.
     ///
     /// # Errors
-    /// [`FileError::NoViewer`] where there is no viewer, else those of [`Recording::create`].
+    /// [`FileError::NoViewer`] where there is no viewer, else the errors of [`Recording::create`].
     pub fn shown(path: &Path, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         check_target(path)?;
         let viewer = start()?;

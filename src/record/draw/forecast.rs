@@ -1,7 +1,7 @@
 //! Area and pressure expected before solving: the ranges of axes and colours that must be fixed at the first frame.
 
-use super::scene::Scene;
 use crate::contact::Problem;
+use crate::record::scene::Scene;
 
 /// `kappa_r` of rough surfaces.
 const KAPPA_R: f64 = 1.9;
@@ -11,7 +11,7 @@ const LARGEST: f64 = 2.0;
 /// Nodes looked at.
 const SAMPLES: usize = 1 << 16;
 
-/// What to expect of a contact.
+/// Area and pressure to expect of a contact.
 #[derive(Debug, Clone, Copy)]
 pub struct Forecast {
     /// Share of the area in contact.
@@ -21,7 +21,7 @@ pub struct Forecast {
 }
 
 impl Forecast {
-    /// The exact values of `scene`, or the estimate where there are none.
+    /// The exact values of `scene`, or an estimate where there are none.
     pub fn of(scene: &Scene<'_>) -> Self {
         let estimate = Self::estimate(scene.problem);
         let Some(exact) = &scene.exact else { return estimate };
@@ -59,6 +59,7 @@ fn highest_first(problem: &Problem) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{ContactModulus, Load};
     use crate::grid::Grid;
     use crate::surface::Indenter;
 
@@ -67,7 +68,7 @@ mod tests {
         let (radius, length, contact) = (1.0_f64, 4.0, 0.3_f64);
         let sphere = Indenter::Sphere { radius }.surface(Grid::surface([256, 256], [length; 2]).unwrap()).unwrap();
         let load = 4.0 / 3.0 * contact.powi(3) / radius;
-        let problem = Problem::new(sphere, 1.0, load / length.powi(2)).unwrap();
+        let problem = Problem::new(sphere, ContactModulus(1.0), Load::MeanPressure(load / length.powi(2))).unwrap();
         let forecast = Forecast::estimate(&problem);
         let area = std::f64::consts::PI * contact.powi(2) / length.powi(2);
         let peak = 2.0 * contact / (std::f64::consts::PI * radius);

@@ -1,18 +1,21 @@
 //! A recording that is read while it is written.
 
+use super::loads::{LoadRecording, Loads};
 use super::output::Output;
-use super::{LoadRecording, Loads, Options, Recording, Scene, target_error};
+use super::recording::{Recording, target_error};
 use crate::error::FileError;
+use crate::record::options::Options;
+use crate::record::scene::Scene;
 use std::fs::File;
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How long a picture may wait before it can be read.
+/// Time after which a picture can be read, at the latest.
 const FLUSH_INTERVAL: Duration = Duration::from_millis(40);
 
-/// The temporary file behind a recording, to be read at any time. It has no name where the system allows that, and goes with
-/// the last copy of this, or with the process.
+/// The temporary file behind a recording, which can be read at any time. It has no name where the system allows that, and
+/// goes with its last `Live`, or with the process.
 #[derive(Clone)]
 pub struct Live {
     file: Arc<File>,
@@ -20,7 +23,7 @@ pub struct Live {
 }
 
 impl Recording {
-    /// Begins a recording under the name `id` in a temporary file, and says how to read it.
+    /// Begins a recording under the name `id` in a temporary file, and returns the means to read it.
     ///
     /// # Errors
     /// [`FileError::Target`] if no temporary file can be made, [`FileError::Write`] if writing to it fails.
@@ -32,10 +35,10 @@ impl Recording {
 }
 
 impl LoadRecording {
-    /// Begins a recording under the name `id` in a temporary file, and says how to read it.
+    /// Begins a recording under the name `id` in a temporary file, and returns the means to read it.
     ///
     /// # Errors
-    /// As [`Recording::live`].
+    /// [`FileError::Target`] if no temporary file can be made, [`FileError::Write`] if writing to it fails.
     pub fn live(id: &str, loads: &Loads<'_>, options: Options) -> Result<(Self, Live), FileError> {
         let live = Live::new()?;
         let recording = Self::begin(live.output.clone(), &std::env::temp_dir(), Some(id), loads, options)?;
@@ -59,7 +62,7 @@ impl Live {
     /// At most `most` bytes from the byte `from` on; fewer only at the end of the file.
     ///
     /// # Errors
-    /// Those of the system.
+    /// Errors of the system.
     pub fn read(&self, from: u64, most: u64) -> io::Result<Vec<u8>> {
         self.output.read(&self.file, from, most)
     }

@@ -11,7 +11,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// What a viewer that does not answer may hold up the end of a recording.
+/// Time by which a viewer that does not answer may hold up the end of a recording.
 const VIEWER_TIMEOUT: Duration = Duration::from_secs(5);
 
 /// A sink that writes each message to the file at once and remembers the first failure, after which it writes no more. (The
