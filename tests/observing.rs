@@ -4,7 +4,7 @@
 mod common;
 
 use asperity::contact::{
-    ContactModulus, Each, Gfmd, Load, Multilevel, PolonskyKeer, Problem, Solver, Status, Step, Stop,
+    ContactModulus, Each, Energy, Gfmd, Load, Multilevel, PolonskyKeer, Problem, Solver, Status, Step, Stop,
 };
 use asperity::error::SolveError;
 use asperity::surface::Spectrum;
@@ -16,6 +16,12 @@ fn rough() -> Problem {
     let spectrum = Spectrum { hurst: 0.5, rolloff_wavelength: 0.2, short_cutoff: 0.02, rms_gradient: 0.01 };
     let surface = Surface::rough(Grid::line(1024, 1.0).unwrap(), &spectrum, 3).unwrap();
     Problem::new(surface, ContactModulus(2.0), Load::ReducedPressure(0.05)).unwrap()
+}
+
+fn rough_surface() -> Problem {
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.1, rms_gradient: 0.01 };
+    let surface = Surface::rough(Grid::surface([128, 96], [1.0, 1.0]).unwrap(), &spectrum, 3).unwrap();
+    Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(0.1)).unwrap()
 }
 
 #[test]
@@ -71,6 +77,55 @@ fn the_last_step_tells_what_the_result_tells() {
         let complementary: f64 = contact.pressure.iter().zip(heights).map(|(p, (u, h))| p * (0.5 * u - h)).sum();
         let scale = problem.expected_mean_pressure() * problem.rms_height() * contact.pressure.len() as f64;
         assert!((energy.abs() / (complementary / scale).abs() - 1.0).abs() < 1e-6, "{}: {energy}", solver.settings());
+    }
+}
+
+/// The gap of every step has the datum where `<p g> = 0`, whichever solver shows it, on every level.
+#[test]
+fn all_solvers_show_the_gap_with_one_datum() {
+    for problem in [rough(), rough_surface()] {
+        for solver in solvers() {
+            let mut watch = Each(|step: &Step<'_>| {
+                let (load, pg) = step
+                    .pressure()
+                    .iter()
+                    .zip(step.gap())
+                    .fold((0.0, 0.0), |(load, pg), (p, gap)| (load + p, pg + p * gap));
+                let unit = load * step.problem().rms_height();
+                assert!(load > 0.0 && f64::abs(pg) < 1e-12 * unit, "{} at {}: {pg}", solver.name(), step.index());
+                ControlFlow::Continue(())
+            });
+            solver.solve(&problem, &Stop::default(), &mut watch).unwrap().converged().unwrap();
+        }
+    }
+}
+
+/// Strong duality: at the solution the energies of methods that move the pressure and of methods that move the surface have
+/// one magnitude and opposite signs.
+#[test]
+fn complementary_and_potential_energy_meet() {
+    for problem in [rough(), rough_surface()] {
+        let (mut complementary, mut potential) = (Vec::new(), Vec::new());
+        for solver in solvers() {
+            let mut last = None;
+            let mut watch = Each(|step: &Step<'_>| {
+                last = Some(step.energy());
+                ControlFlow::Continue(())
+            });
+            let stop = Stop::new(1e-12, 100_000).unwrap();
+            solver.solve(&problem, &stop, &mut watch).unwrap().converged().unwrap();
+            match last.unwrap() {
+                Energy::Complementary(energy) => complementary.push(energy),
+                Energy::Potential(energy) => potential.push(energy),
+            }
+        }
+        assert_eq!((complementary.len(), potential.len()), (2, 4));
+        for least in complementary {
+            assert!(least < -0.1, "{least}");
+            for energy in &potential {
+                assert!((energy / least + 1.0).abs() < 1e-6, "{energy} against {least}");
+            }
+        }
     }
 }
 
