@@ -248,6 +248,9 @@ pub enum SetupError {
         "no surface is given: give a height file, an indenter or a spectrum (a Hurst exponent with its wavelengths)"
     )]
     NoSurface,
+    /// Nothing says how hard it is pressed.
+    #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
+    NoLoad,
     /// A seed without roughness.
     #[error(
         "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
