@@ -3,6 +3,7 @@
 use super::{Method, Setup};
 use crate::error::{FileError, SetupError};
 use crate::files::write_beside;
+use crate::surface::read_text;
 use std::io::Write;
 use std::path::Path;
 
@@ -37,11 +38,23 @@ impl Table {
         toml::Table::try_from(setup).map(Self).map_err(|error| wrong(&error))
     }
 
-    /// The sections and keys of a file, a scene or a result in JSON. Height files in it are found beside it.
+    /// The sections and keys of a file: a scene, or a result in JSON or `.npz`. A height file is found beside a scene; that of
+    /// an `.npz` result is the result itself, which holds the heights.
     ///
     /// # Errors
-    /// [`FileError::Read`] for one that cannot be read, [`SetupError::Text`] for one that is no setup.
+    /// [`FileError::Read`] for one that cannot be read, [`SetupError::Text`] for one that holds no setup.
     pub fn read(path: &Path) -> Result<Self, SetupError> {
+        match read_text(path, "setup") {
+            Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| at(path, error))?.with_heights_of(path)),
+            Ok(None) => Self::read_scene(path),
+            Err(FileError::Format { reason, .. }) => {
+                Err(at(path, SetupError::Text { place: String::new(), reason: format!("no setup is in it: {reason}") }))
+            }
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    fn read_scene(path: &Path) -> Result<Self, SetupError> {
         let text = std::fs::read_to_string(path).map_err(|source| FileError::Read { path: path.into(), source })?;
         let table = match text.trim_start().starts_with('{') {
             #[cfg(feature = "units")]
@@ -53,6 +66,15 @@ impl Table {
             *height = path.with_file_name(&*height).to_string_lossy().into_owned();
         }
         Ok(table)
+    }
+
+    /// The setup whose surface, if it was made with a height file, is the one that a result holds.
+    fn with_heights_of(mut self, result: &Path) -> Self {
+        if self.find("surface.height").is_some() {
+            self.remove("surface");
+            self.lay("surface.height", result.to_string_lossy().into_owned().into());
+        }
+        self
     }
 
     /// Lays a value over what stands at a path of keys, such as `surface.indenter.radius`.

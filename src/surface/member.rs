@@ -1,0 +1,65 @@
+//! Members of `.npz` archives.
+
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
+use std::ops::Range;
+
+/// The start of an archive and of each of its members.
+const MARK: [u8; 4] = *b"PK\x03\x04";
+/// Bytes before the name of a member.
+const HEAD: usize = 30;
+
+/// Whether a file is an archive.
+pub fn is_archive(file: &mut File) -> bool {
+    let mut start = [0; MARK.len()];
+    file.rewind().and_then(|()| file.read_exact(&mut start)).is_ok() && start == MARK
+}
+
+/// The bytes of a member within an archive. Nothing of a claimed size is allocated.
+///
+/// # Errors
+/// The reason, where there is no such member, or it is compressed, or the archive is cut short.
+pub fn find_member(file: &mut File, name: &str) -> Result<Range<u64>, String> {
+    let missing = || format!("it is an archive without the array `{name}`");
+    let cut_short = |error: std::io::Error| format!("it is a broken archive ({error})");
+    let bytes = file.metadata().map_err(cut_short)?.len();
+    let mut at = 0;
+    loop {
+        let mut head = [0; HEAD];
+        file.seek(SeekFrom::Start(at)).and_then(|_| file.read_exact(&mut head)).map_err(|_| missing())?;
+        if head[..MARK.len()] != MARK {
+            return Err(missing());
+        }
+        let mut found = vec![0; number(&head[26..28]) as usize];
+        let mut extra = vec![0; number(&head[28..30]) as usize];
+        file.read_exact(&mut found).and_then(|()| file.read_exact(&mut extra)).map_err(cut_short)?;
+        let start = at + (HEAD + found.len() + extra.len()) as u64;
+        let size = match number(&head[18..22]) {
+            size if size == u64::from(u32::MAX) => long_size(&extra),
+            size => Some(size),
+        };
+        let end = size.and_then(|size| start.checked_add(size)).filter(|&end| end <= bytes);
+        let is_plain = head[6] & 0b1001 == 0;
+        at = end.filter(|_| is_plain).ok_or("it is an archive that is cut short, encrypted or streamed")?;
+        if found.strip_suffix(b".npy") == Some(name.as_bytes()) {
+            let is_stored = number(&head[8..10]) == 0;
+            return if is_stored { Ok(start..at) } else { Err("it is compressed: save it by numpy.savez".into()) };
+        }
+    }
+}
+
+/// The size of a member that does not fit 32 bits, from what stands beside its name.
+fn long_size(mut extra: &[u8]) -> Option<u64> {
+    loop {
+        let (kind, size) = (extra.get(..2)?, number(extra.get(2..4)?) as usize);
+        match number(kind) {
+            1 => return extra.get(12..20).map(number),
+            _ => extra = extra.get(4 + size..)?,
+        }
+    }
+}
+
+/// A number whose lowest byte comes first.
+fn number(bytes: &[u8]) -> u64 {
+    bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
+}
