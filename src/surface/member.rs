@@ -63,3 +63,65 @@ fn long_size(mut extra: &[u8]) -> Option<u64> {
 fn number(bytes: &[u8]) -> u64 {
     bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::FileError;
+    use crate::surface::read_heights;
+    use ndarray::{arr1, arr2};
+    use ndarray_npy::{NpzWriter, WriteNpyExt};
+    use std::path::Path;
+
+    fn reason(path: &Path) -> String {
+        match read_heights(path) {
+            Err(FileError::Format { reason, .. }) => reason,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn heights_are_read_from_archives_and_broken_ones_say_why() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.npz");
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        let heights = arr2(&[[1.0, 2.5], [3.0, -4.0]]);
+        npz.add_array("setup", &arr1(b"text")).unwrap();
+        npz.add_array("height", &heights).unwrap();
+        npz.finish().unwrap();
+        assert_eq!(read_heights(&path).unwrap(), heights.into_dyn());
+        let whole = std::fs::read(&path).unwrap();
+        let end_of_heights = find_member(&mut File::open(&path).unwrap(), "height").unwrap().end as usize;
+        for length in 0..end_of_heights {
+            std::fs::write(&path, &whole[..length]).unwrap();
+            assert!(!reason(&path).is_empty(), "{length}");
+        }
+        for place in 0..end_of_heights {
+            let mut other = whole.clone();
+            other[place] ^= 0xff;
+            std::fs::write(&path, &other).unwrap();
+            let _ = read_heights(&path);
+        }
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        npz.add_array("pressure", &arr1(&[1.0])).unwrap();
+        npz.finish().unwrap();
+        assert!(reason(&path).contains("without the array `height`"));
+    }
+
+    #[test]
+    fn sizes_of_members_may_be_long_as_numpy_writes_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.npz");
+        let mut array = Vec::new();
+        arr1(&[1.0, 2.0]).write_npy(&mut array).unwrap();
+        let size = (array.len() as u64).to_le_bytes();
+        let extra = [&[9, 0, 1, 0, 7, 1, 0, 16, 0][..], &size, &size].concat();
+        let mut head = [MARK.as_slice(), &[0; 14], &[0xff; 8], &[10, 0, extra.len() as u8, 0], b"height.npy"].concat();
+        head.extend(extra.iter().chain(&array));
+        std::fs::write(&path, &head).unwrap();
+        assert_eq!(read_heights(&path).unwrap(), arr1(&[1.0, 2.0]).into_dyn());
+        head[8] = 8;
+        std::fs::write(&path, &head).unwrap();
+        assert!(reason(&path).contains("compressed"));
+    }
+}
