@@ -6,6 +6,7 @@
 
 #[cfg(feature = "figures")]
 mod fit;
+mod identity;
 mod point;
 mod realisation;
 mod spread;
