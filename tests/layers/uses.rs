@@ -82,9 +82,14 @@ impl Map<'_> {
         let needs = |name: &str| code.paths.iter().any(|path| path[0] == name);
         let mut used = BTreeSet::new();
         for import in &code.imports {
-            let is_module = self.modules.contains_key(&import.path);
-            if !is_module && (!import.is_door || needs(&import.name)) {
-                used.extend(self.file(&import.path, 0));
+            let (path, is_glob) = match import.path.split_last() {
+                Some((last, path)) if last == "*" => (path, true),
+                _ => (import.path.as_slice(), false),
+            };
+            // a module is used where the code names something in it
+            let is_needed = is_glob || !self.modules.contains_key(path) && (!import.is_door || needs(&import.name));
+            if is_needed {
+                used.extend(self.file(path, 0));
             }
         }
         for path in code.paths.iter().filter(|path| path.len() > 1) {
@@ -148,7 +153,8 @@ impl Code {
                         path.push(next(2 * path.len()).to_owned());
                     }
                     at += 2 * (path.len() - 1);
-                    code.paths.push(match absolute(&path, module, inside.len(), modules) {
+                    let from_root = if path.len() > 1 { absolute(&path, module, inside.len(), modules) } else { None };
+                    code.paths.push(match from_root {
                         // an empty name stands before paths from the root
                         Some(path) if is_anchor(name) => [vec![String::new()], path].concat(),
                         _ => path,
@@ -201,7 +207,7 @@ fn tree(tokens: &[String]) -> Vec<(Names, String)> {
     let mut name = None;
     let mut add = |heads: &[Names], path: &mut Names, name: Option<String>| {
         let mut whole = [heads.concat(), std::mem::take(path)].concat();
-        whole.pop_if(|last| last == "self" || last == "*");
+        whole.pop_if(|last| last == "self");
         if let Some(last) = whole.last() {
             let name = name.unwrap_or_else(|| last.clone());
             found.push((whole, name));
@@ -268,6 +274,7 @@ fn uses_are_seen_in_every_form() {
         "const A: &str = \"crate::a::A {\";",
         "mod inner { use super::a::A; }",
         "struct A; fn f() -> A {}",
+        "pub(super) struct B; pub(crate) fn f() {} pub(in crate::b) fn g() {}",
         "use crate::a;",
         "\n#[cfg(test)]\nmod tests {\n    use crate::A;\n}",
     ] {
