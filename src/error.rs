@@ -319,12 +319,9 @@ pub enum SetupError {
 /// A study that cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// A surface that cannot be made.
+    /// A setup that cannot be.
     #[error(transparent)]
-    Surface(#[from] SurfaceError),
-    /// A load that cannot be.
-    #[error(transparent)]
-    Problem(#[from] ProblemError),
+    Setup(#[from] SetupError),
     /// A contact that cannot be solved.
     #[error(transparent)]
     Solve(#[from] SolveError),
@@ -333,7 +330,7 @@ pub enum StudyError {
     File(#[from] FileError),
     /// A table that would be lost.
     #[error(
-        "{} holds {points} points of other surfaces, loads, tolerances or versions: write elsewhere, or start afresh to replace it",
+        "{} holds {points} points of other setups, loads or versions: write elsewhere, or start afresh to replace it",
         path.display()
     )]
     OtherStudy {
