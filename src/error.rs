@@ -5,6 +5,9 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+/// Why an observer of a run cannot go on, such as a full disk.
+pub type Failure = Box<dyn Error + Send + Sync>;
+
 /// A grid that cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GridError {
@@ -211,7 +214,7 @@ pub enum SolveError {
     },
     /// An observer failed, which ended the run.
     #[error("{0}")]
-    Observer(Arc<Box<dyn Error + Send + Sync>>),
+    Observer(Arc<Failure>),
     /// A solver that moves under a force was given a mean gap.
     #[error(
         "{solver} works under a given mean pressure: give one, or choose the solver multilevel or polonsky-keer for a mean gap"
