@@ -1,7 +1,8 @@
-//! What the page is told.
+//! The state of a session as the page is told.
 
-use super::parameters::Parameters;
-use crate::contact::{Contact, Measures, Problem, Step, Work};
+use super::knobs::Knobs;
+use crate::contact::{Contact, Measures, Step, Work};
+use crate::setup::{Setup, command};
 use crate::theory::Exact;
 use serde::Serialize;
 
@@ -13,9 +14,9 @@ pub struct Report {
     /// Whether something is being solved.
     pub busy: bool,
     /// The latest solve.
-    pub run: Option<Run>,
+    pub run: Option<RunReport>,
     /// The latest sweep over the load.
-    pub sweep: Option<Sweep>,
+    pub sweep: Option<SweepReport>,
     /// Name of the recording whose curves stand beside those of new ones.
     pub pinned: Option<String>,
     /// Why the last order was not carried out, in one sentence.
@@ -24,27 +25,29 @@ pub struct Report {
 
 /// A solve, running or ended.
 #[derive(Debug, Clone, Serialize)]
-pub struct Run {
+pub struct RunReport {
     /// Name of its recording.
     pub id: String,
     /// Name for people.
     pub title: String,
     /// The command that repeats it.
     pub command: String,
-    /// What was asked for.
-    pub parameters: Parameters,
+    /// The setup that repeats it, in TOML.
+    pub setup: String,
+    /// The state of the knobs.
+    pub knobs: Knobs,
     /// Whether it and its recording are complete.
     pub ended: bool,
     /// Where it stands.
     pub numbers: Option<Numbers>,
     /// Exact values.
-    pub exact: Option<Values>,
+    pub exact: Option<ExactNumbers>,
 }
 
 /// Exact values of a contact.
 #[derive(Debug, Clone, Serialize)]
-pub struct Values {
-    /// The theory.
+pub struct ExactNumbers {
+    /// Name of the theory.
     pub name: &'static str,
     /// Share of the area in contact.
     pub relative_area: f64,
@@ -61,7 +64,7 @@ pub struct Numbers {
     pub reduced_pressure: f64,
     /// Share of the nodes in contact.
     pub relative_area: f64,
-    /// The same less the excess of counting nodes.
+    /// Share of the area in contact: less the excess of counting nodes.
     pub relative_area_corrected: f64,
     /// `kappa = a_rel / p*`.
     pub kappa: f64,
@@ -89,22 +92,22 @@ pub struct Numbers {
 
 /// A sweep over the load.
 #[derive(Debug, Clone, Serialize)]
-pub struct Sweep {
+pub struct SweepReport {
     /// Name of its recording.
     pub id: String,
     /// Name for people.
     pub title: String,
-    /// What was asked for; the load does not count.
-    pub parameters: Parameters,
+    /// The state of the knobs; the load does not count.
+    pub knobs: Knobs,
     /// Whether it and its recording are complete.
     pub ended: bool,
     /// Its contacts, from the smallest load on.
-    pub points: Vec<Point>,
+    pub points: Vec<SweepPoint>,
 }
 
 /// A contact of a sweep, and what theories say.
 #[derive(Debug, Clone, Serialize)]
-pub struct Point {
+pub struct SweepPoint {
     /// `p*`.
     pub load: f64,
     /// Share of the area in contact, corrected.
@@ -116,18 +119,33 @@ pub struct Point {
     /// Persson's relative area.
     pub persson: f64,
     /// Exact values.
-    pub exact: Option<Values>,
+    pub exact: Option<ExactNumbers>,
 }
 
-impl Values {
-    /// Those of `exact`.
-    pub fn of(exact: &Exact) -> Self {
+impl RunReport {
+    /// A solve that begins.
+    pub fn new(id: String, knobs: Knobs, setup: &Setup, exact: Option<&Exact>) -> Self {
+        Self {
+            id,
+            title: format!("{}, p* = {:.3e}", setup.title(), knobs.load),
+            command: command(setup),
+            setup: setup.to_toml(),
+            knobs,
+            ended: false,
+            numbers: None,
+            exact: exact.map(ExactNumbers::from),
+        }
+    }
+}
+
+impl From<&Exact> for ExactNumbers {
+    fn from(exact: &Exact) -> Self {
         Self { name: exact.name, relative_area: exact.relative_area, kappa_r: exact.kappa_r }
     }
 }
 
 impl Numbers {
-    /// Those of a step.
+    /// The numbers of a step.
     pub fn of_step(step: &Step<'_>) -> Self {
         let (problem, phase) = (step.problem(), step.phase());
         Self {
@@ -139,14 +157,14 @@ impl Numbers {
         }
     }
 
-    /// Those of a result.
-    pub fn of_contact(contact: &Contact, problem: &Problem) -> Self {
+    /// The numbers of a result.
+    pub fn of_contact(contact: &Contact) -> Self {
         Self {
             certificate: Some(contact.certificate.eta),
             pressure_error_bound: Some(contact.certificate.pressure_error_bound),
-            mean_gap: contact.mean_gap() / problem.rms_height(),
+            mean_gap: contact.mean_gap() / contact.problem.rms_height(),
             patches: contact.patches().count(),
-            ..Self::measured(&contact.measures(problem), contact.work, contact.status.to_string())
+            ..Self::measured(&contact.measures(), contact.work, contact.status.to_string())
         }
     }
 
