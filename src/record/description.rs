@@ -1,11 +1,11 @@
-//! What a recording says of itself.
+//! Descriptions of scenes.
 
-use crate::contact::{Load, Problem, Solver, Stop};
+use crate::contact::{Problem, Solver, Stop};
 use crate::theory::Exact;
 
-/// Parameters, solver and exact values of one scene, in Markdown; lengths are in `unit`.
+/// Parameters, solver and exact values of one scene, in Markdown: its `surface` in words, lengths in `unit`.
 pub fn describe(
-    what: &str,
+    surface: &str,
     problem: &Problem,
     unit: &str,
     solver: &dyn Solver,
@@ -15,21 +15,19 @@ pub fn describe(
     let grid = problem.surface().grid();
     let along = |values: [String; 2]| if grid.is_line() { values[1].clone() } else { values.join(" x ") };
     let mut rows = vec![
-        ("surface", what.to_owned()),
+        ("surface", surface.to_owned()),
         ("points", along(grid.shape().map(|n| n.to_string()))),
         ("cell", format!("{} {unit}", along(grid.size().map(|l| format!("{l:.4e}"))))),
         ("rms height", format!("{:.4e} {unit}", problem.rms_height())),
         ("rms gradient", format!("{:.4e}", problem.rms_gradient())),
         ("contact modulus E*", format!("{:.4e}", problem.contact_modulus())),
     ];
-    match problem.load() {
-        Load::MeanPressure(mean) => {
-            let reduced = mean / (problem.contact_modulus() * problem.rms_gradient());
-            rows.push(("mean pressure", format!("{mean:.4e}, in the unit of E*")));
-            rows.push(("reduced pressure p*", format!("{reduced:.4e}")));
-        }
-        Load::MeanGap(gap) => rows.push(("mean gap", format!("{gap:.4e} {unit}"))),
+    if let Some(mean) = problem.mean_pressure() {
+        let reduced = mean / (problem.contact_modulus() * problem.rms_gradient());
+        rows.push(("mean pressure", format!("{mean:.4e}, in the unit of E*")));
+        rows.push(("reduced pressure p*", format!("{reduced:.4e}")));
     }
+    rows.extend(problem.mean_gap().map(|gap| ("mean gap", format!("{gap:.4e} {unit}"))));
     rows.extend([
         ("solver", format!("{}: {}", solver.name(), solver.settings())),
         ("tolerance", format!("certificate {:e}, at most {} steps", stop.tolerance(), stop.max_iterations())),

@@ -1,21 +1,24 @@
 //! The parts of a recording.
 
 use crate::grid::Grid;
+use serde::{Deserialize, Serialize};
 
 /// A part of a recording. Lines have no mesh, surfaces no profile.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Part {
-    /// Numbers of every step, as curves.
+    /// Numbers of every step.
     Traces,
     /// Indenter and solid of a line.
     Profile,
     /// Pressure and gap: curves of a line, images of a surface.
     Fields,
-    /// The contact: segments of a line, an image of a surface.
+    /// Contact: segments of a line, an image of a surface.
     Mask,
-    /// The relief of a surface.
+    /// Relief of a surface.
     Mesh,
-    /// Power spectra of displacement and heights.
+    /// Power spectra of displacement and heights; only if asked for.
     Spectrum,
 }
 
@@ -26,6 +29,8 @@ pub struct Parts(u8);
 impl Parts {
     /// Every part but the spectrum, which takes a transform for each frame.
     pub const USUAL: Self = Self(!(1 << Part::Spectrum as u8));
+    /// The parts that are drawn from the fields of a step.
+    pub(super) const PICTURES: Self = Self(!(1 << Part::Traces as u8));
 
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
@@ -44,28 +49,28 @@ impl Parts {
     }
 
     /// Whether any of `parts` is in the set.
-    pub fn has_any<const N: usize>(self, parts: [Part; N]) -> bool {
+    pub fn has_any(self, parts: impl IntoIterator<Item = Part>) -> bool {
         self.and(parts.into_iter().collect()).0 != 0
     }
 
-    /// Those that are drawn of the fields of a step.
-    pub(super) fn pictures(self) -> Self {
-        self.and([Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum].into_iter().collect())
-    }
-
-    /// Whether anything is drawn of the fields of a step.
-    pub(super) fn has_pictures(self) -> bool {
-        self.pictures().0 != 0
-    }
-
-    /// Whether anything is drawn in the plane.
+    /// Whether a picture in the plane is in the set.
     pub(super) fn has_planes(self) -> bool {
         self.has_any([Part::Profile, Part::Fields, Part::Mask])
     }
 
-    /// Whether the gap is drawn.
+    /// Whether anything that shows the gap is in the set.
     pub(super) fn has_gap(self) -> bool {
         self.has_any([Part::Profile, Part::Fields, Part::Mesh, Part::Spectrum])
+    }
+
+    /// Whether the contact has a picture of its own, for want of others to lie in.
+    pub(super) fn has_mask_alone(self) -> bool {
+        self.has(Part::Mask) && !self.has_any([Part::Profile, Part::Fields])
+    }
+
+    /// Whether anything drawn from the fields of a step is in the set.
+    pub(super) fn has_pictures(self) -> bool {
+        self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum])
     }
 }
 

@@ -95,6 +95,7 @@ fn onto_load(mut values: Vec<f64>, mean: f64) -> Vec<f64> {
 mod tests {
     use super::super::level::{Pace, RELEASE, STALE};
     use super::*;
+    use crate::contact::{ContactModulus, Load};
     use crate::contact::Problem;
     use crate::contact::best::Best;
     use crate::grid::Grid;
