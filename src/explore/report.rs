@@ -1,8 +1,7 @@
 //! The state of a session as the page is told.
 
 use super::knobs::Knobs;
-use crate::contact::{Contact, Measures, Step, Work};
-use crate::setup::{Setup, command};
+use crate::contact::{Contact, Observables, Step};
 use crate::theory::Exact;
 use serde::Serialize;
 
@@ -55,39 +54,18 @@ pub struct ExactNumbers {
     pub kappa_r: Option<f64>,
 }
 
-/// The numbers of a state; infinite ones are null in JSON.
+/// The numbers of a state; those that are infinite or not known are null in JSON.
 #[derive(Debug, Clone, Serialize)]
 pub struct Numbers {
     /// How the solve ended, or that it runs.
     pub status: String,
-    /// `p*`.
-    pub reduced_pressure: f64,
-    /// Share of the nodes in contact.
-    pub relative_area: f64,
-    /// Share of the area in contact: less the excess of counting nodes.
-    pub relative_area_corrected: f64,
-    /// `kappa = a_rel / p*`.
-    pub kappa: f64,
-    /// `kappa_r`.
-    pub kappa_r: f64,
-    /// `kappa_r` with the corrected area.
-    pub kappa_r_corrected: f64,
-    /// Mean gap over the rms height.
-    pub mean_gap: f64,
-    /// Contact patches.
-    pub patches: usize,
-    /// The certificate, as far as it is known.
-    pub certificate: Option<f64>,
-    /// Bound of the relative error of the pressure, of an ended solve.
-    pub pressure_error_bound: Option<f64>,
     /// Grid level of a running solve.
     pub level: usize,
-    /// Steps.
-    pub iterations: usize,
-    /// Transforms.
-    pub transforms: u64,
     /// Seconds of the solver, recording left out.
     pub seconds: f64,
+    /// All observables.
+    #[serde(flatten)]
+    pub observables: Observables,
 }
 
 /// A sweep over the load.
@@ -108,34 +86,13 @@ pub struct SweepReport {
 /// A contact of a sweep, and what theories say.
 #[derive(Debug, Clone, Serialize)]
 pub struct SweepPoint {
-    /// `p*`.
-    pub load: f64,
-    /// Share of the area in contact, corrected.
-    pub area: f64,
-    /// `kappa`, of the corrected area.
-    pub kappa: f64,
-    /// `kappa_r`, of the corrected area.
-    pub kappa_r: f64,
+    /// All observables.
+    #[serde(flatten)]
+    pub observables: Observables,
     /// Persson's relative area.
     pub persson: f64,
     /// Exact values.
     pub exact: Option<ExactNumbers>,
-}
-
-impl RunReport {
-    /// A solve that begins.
-    pub fn new(id: String, knobs: Knobs, setup: &Setup, exact: Option<&Exact>) -> Self {
-        Self {
-            id,
-            title: format!("{}, p* = {:.3e}", setup.title(), knobs.load),
-            command: command(setup),
-            setup: setup.to_toml(),
-            knobs,
-            ended: false,
-            numbers: None,
-            exact: exact.map(ExactNumbers::from),
-        }
-    }
 }
 
 impl From<&Exact> for ExactNumbers {
@@ -147,44 +104,13 @@ impl From<&Exact> for ExactNumbers {
 impl Numbers {
     /// The numbers of a step.
     pub fn of_step(step: &Step<'_>) -> Self {
-        let (problem, phase) = (step.problem(), step.phase());
-        Self {
-            level: phase.level,
-            certificate: step.certificate(),
-            mean_gap: step.mean_gap() / problem.rms_height(),
-            patches: step.patches().count(),
-            ..Self::measured(step.measures(), step.work(), "running".into())
-        }
+        let (level, seconds) = (step.phase().level, step.work().seconds);
+        Self { status: "running".into(), level, seconds, observables: Observables::of(step) }
     }
 
     /// The numbers of a result.
     pub fn of_contact(contact: &Contact) -> Self {
-        Self {
-            certificate: Some(contact.certificate.eta),
-            pressure_error_bound: Some(contact.certificate.pressure_error_bound),
-            mean_gap: contact.mean_gap() / contact.problem.rms_height(),
-            patches: contact.patches().count(),
-            ..Self::measured(&contact.measures(), contact.work, contact.status.to_string())
-        }
-    }
-
-    fn measured(measures: &Measures, work: Work, status: String) -> Self {
-        Self {
-            status,
-            reduced_pressure: measures.reduced_pressure,
-            relative_area: measures.relative_area,
-            relative_area_corrected: measures.relative_area_corrected,
-            kappa: measures.kappa,
-            kappa_r: measures.kappa_r,
-            kappa_r_corrected: measures.kappa_r_corrected,
-            mean_gap: f64::NAN,
-            patches: 0,
-            certificate: None,
-            pressure_error_bound: None,
-            level: 0,
-            iterations: work.iterations,
-            transforms: work.transforms,
-            seconds: work.seconds,
-        }
+        let (status, seconds) = (contact.status.to_string(), contact.work.seconds);
+        Self { status, level: 0, seconds, observables: Observables::of(contact) }
     }
 }

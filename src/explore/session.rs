@@ -153,8 +153,8 @@ impl Session {
     /// The arrays of the latest result as `.npz`, and its name; none before there is one.
     pub fn archive(&self) -> Option<(String, Vec<u8>)> {
         let solution = self.lock().solution.clone()?;
-        let rank = solution.setup.grid.points.len();
-        Some((solution.id.clone(), archive(&solution.contact, rank).ok()?))
+        let (rank, setup) = (solution.setup.grid.points.len(), solution.setup.to_toml());
+        Some((solution.id.clone(), archive(&solution.contact, rank, Some(&setup)).ok()?))
     }
 
     /// Waits for an order; none when the session is closed.

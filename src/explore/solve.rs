@@ -1,11 +1,12 @@
 //! One solve, recorded and reported as it goes.
 
 use super::knobs::Knobs;
-use super::report::{Numbers, RunReport};
+use super::report::{ExactNumbers, Numbers, RunReport};
 use super::session::{Solution, Turn};
 use crate::contact::{Failure, Observer, Step, Wish};
 use crate::error::SolveError;
-use crate::record::{Ghost, Options, Recording, Scene, describe};
+use crate::record::{Ghost, Options, Recording, Scene};
+use crate::setup::command;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -16,25 +17,27 @@ const INTERVAL: Duration = Duration::from_millis(60);
 pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
     let setup = knobs.setup()?;
     let problem = setup.problem()?;
-    let (solver, stop) = (setup.solver.solver(), &setup.stop);
     let exact = setup.exact(problem.surface().grid(), problem.expected_mean_pressure());
-    let report = RunReport::new(format!("run-{}", turn.number()), knobs, &setup, exact.as_ref());
-    let id = report.id.clone();
-    let scene = Scene {
-        name: "contact".into(),
-        title: report.title.clone(),
-        problem: &problem,
-        description: describe(&setup.surface.description(), &problem, "m", solver, stop, exact.as_ref()),
-        exact,
+    let report = RunReport {
+        id: format!("run-{}", turn.number()),
+        title: format!("{}, p* = {:.3e}", setup.surface.title(problem.surface().grid()), knobs.load),
+        command: command(&setup),
+        setup: setup.to_toml(),
+        knobs,
+        ended: false,
+        numbers: None,
+        exact: exact.as_ref().map(ExactNumbers::from),
     };
-    let what = setup.record.what.iter().copied().collect();
-    let options = Options { what, ghost: turn.ghost(), ..Options::default() };
+    let id = report.id.clone();
+    let scene = Scene { name: "contact".into(), title: report.title.clone(), ..Scene::of(&setup, &problem) };
+    let options = Options { ghost: turn.ghost(), ..Options::from(&setup.record) };
     let (recording, live) = Recording::live(&id, &[scene], options)?;
     turn.keep(&id, live);
     turn.tell(|news| news.run = Some(report));
     let mut curves = Ghost::new(&format!("pinned {id}"));
     let watch = Watch { turn, reported: Instant::now() };
-    let contact = solver.solve(&problem, stop, &mut (recording.recorder(0), &mut curves, watch))?;
+    let solver = setup.solver.solver();
+    let contact = solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), &mut curves, watch))?;
     recording.finish()?;
     if let Some(failure) = contact.failure {
         return Err(SolveError::Observer(failure).into());

@@ -3,7 +3,7 @@
 use super::knobs::Knobs;
 use super::report::{ExactNumbers, SweepPoint, SweepReport};
 use super::session::Turn;
-use crate::contact::{Contact, Each, Failure, Load, Multilevel, Problem, Solver, Step};
+use crate::contact::{Contact, Each, Failure, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
 use crate::record::{Curve, Live, LoadRecording, Loads, Options, Scene};
 use crate::setup::{Part, Setup};
@@ -31,11 +31,11 @@ const BLACK: [u8; 3] = [0; 3];
 
 /// Curves of every sweep, and behind them those of an exact solution.
 const CURVES: [PointCurve; 5] = [
-    (AREA, "a_rel", BLUE, |point| point.area),
+    (AREA, "a_rel", BLUE, |point| point.observables.relative_area_corrected),
     (AREA, "Persson", GREY, |point| point.persson),
-    (KAPPA, "kappa_r", ORANGE, |point| point.kappa_r),
-    (KAPPA, "kappa", BLUE, |point| point.kappa),
-    (KAPPA, "Persson", GREY, |point| point.persson / point.load),
+    (KAPPA, "kappa_r", ORANGE, |point| point.observables.kappa_r_corrected),
+    (KAPPA, "kappa", BLUE, |point| point.observables.kappa_corrected),
+    (KAPPA, "Persson", GREY, |point| point.persson / point.observables.reduced_pressure),
 ];
 const EXACT: [PointCurve; 2] = [
     (AREA, "exact", BLACK, |point| point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)),
@@ -53,7 +53,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
     };
     let report = SweepReport {
         id: format!("sweep-{}", turn.number()),
-        title: format!("{}, load sweep", setup.title()),
+        title: format!("{}, load sweep", setup.surface.title(problem.surface().grid())),
         knobs,
         ended: false,
         points: Vec::new(),
@@ -104,10 +104,11 @@ fn record(
         captions: loads.iter().map(|load| format!("p* = {load:.3e}")).collect(),
         curves: curves.iter().map(|&(view, name, colour, _)| Curve { view: view.into(), name: name.into(), colour }).collect(),
         figure: None,
-        scenes: &[Scene { name: "contact".into(), title, problem, description, exact: None }],
+        scenes: &[Scene { name: "contact".into(), title, description, exact: None, ..Scene::of(setup, problem) }],
     };
-    let what = [Part::Traces, Part::Mask].into_iter().chain(setup.record.what.iter().copied()).collect();
-    Ok(LoadRecording::live(&report.id, &loads, Options { what, ..Options::default() })?)
+    let mut parts = setup.record.clone();
+    parts.what.extend([Part::Traces, Part::Mask]);
+    Ok(LoadRecording::live(&report.id, &loads, Options::from(&parts))?)
 }
 
 /// A sweep on its way.
@@ -132,7 +133,7 @@ impl Press<'_> {
                 break;
             }
             self.show(number, load, &contact)?;
-            if self.report.points.last().is_some_and(|point| point.area >= FULL) {
+            if self.report.points.last().is_some_and(|point| point.observables.relative_area_corrected >= FULL) {
                 break;
             }
             start = Some(contact.pressure);
@@ -143,16 +144,11 @@ impl Press<'_> {
     /// Records load number `number`, from 0 on, and reports it if it is more than a few nodes.
     fn show(&mut self, number: usize, load: f64, contact: &Contact) -> Result<(), Failure> {
         self.recording.contact(0, number, contact)?;
-        let measures = contact.measures();
-        if measures.contact_nodes < FEWEST_NODES {
+        if contact.measures().contact_nodes < FEWEST_NODES {
             return Ok(());
         }
-        let area = measures.relative_area_corrected;
         let point = SweepPoint {
-            load,
-            area,
-            kappa: area / measures.reduced_pressure,
-            kappa_r: measures.kappa_r_corrected,
+            observables: Observables::of(contact),
             persson: persson::relative_area(load),
             exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),
         };

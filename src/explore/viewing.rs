@@ -2,7 +2,7 @@
 
 use super::page::{Mode, Page};
 use super::site::{Reply, Request, Site};
-use super::stream::Source;
+use super::stream::RecordingBytes;
 use std::fs::File;
 use std::io;
 use std::path::PathBuf;
@@ -28,7 +28,7 @@ impl Site for Viewing {
         match request.path {
             _ if request.method != "GET" => Reply::wrong_method("GET"),
             "/recording.rrd" => match File::open(&self.file) {
-                Ok(file) => Reply::Recording(Source::File(file), None),
+                Ok(file) => Reply::Recording(RecordingBytes::File(file), None),
                 Err(error) => Reply::Error(404, error.to_string()),
             },
             path => self.page.file(path).unwrap_or_else(|| Reply::missing(path)),
