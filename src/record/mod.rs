@@ -6,7 +6,7 @@
 //! Solver --(Step)--> Recorder: traces of every step, frames of the steps that its Schedule picks
 //! ```
 //!
-//! A recording over loads instead of steps is a [`LoadRecording`]. `draw` holds the drawings, `layout` the places of their
+//! A recording carries the setups of its scenes, from which [`setups`] takes them back. A recording over loads instead of steps is a [`LoadRecording`]. `draw` holds the drawings, `layout` the places of their
 //! views in the viewer, `file` the streams into files.
 //!
 //! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pressures are
@@ -21,17 +21,9 @@
 //!
 //! let surface = Indenter::Cylinder { radius: 40e-6 }.surface(Grid::line(4096, 160e-6)?)?;
 //! let problem = Problem::new(surface, ContactModulus(1e9), Load::MeanPressure(1e6))?;
-//! let scene = Scene {
-//!     name: "cylinder".into(),
-//!     title: "Cylinder".into(),
-//!     problem: &problem,
-//!     description: "# Cylinder".into(),
-//!     exact: None,
-//! };
-//! let recording = Recording::create(Path::new("cylinder.rrd"), &[scene], Options::default())?;
-//! let mut recorder = recording.recorder(0);
-//! PolonskyKeer.solve(&problem, &Stop::default(), &mut recorder)?.converged()?;
-//! //! recording.finish()?;
+//! let recording = Recording::create(Path::new("cylinder.rrd"), &[Scene::new("cylinder", &problem)], Options::default())?;
+//! PolonskyKeer.solve(&problem, &Stop::default(), &mut recording.recorder(0))?.converged()?;
+//! recording.finish()?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -40,16 +32,17 @@ mod draw;
 mod file;
 mod layout;
 mod options;
-mod part;
+mod parts;
 mod scene;
+mod setups;
 mod size;
 
-pub use description::describe;
 pub use draw::{Curve, Ghost};
 #[cfg(feature = "explore")]
 pub use file::Live;
 pub use file::{LoadRecording, Loads, Recorder, Recording};
 pub use options::Options;
-pub use part::{Part, Parts};
+pub use parts::Parts;
 pub use scene::Scene;
+pub use setups::setups;
 pub use size::Size;

@@ -1,7 +1,8 @@
 //! Options of recordings.
 
 use super::draw::Ghost;
-use super::part::Parts;
+use super::parts::Parts;
+use crate::setup::Record;
 use std::sync::Arc;
 
 /// Parts and amount of what is recorded.
@@ -22,5 +23,12 @@ impl Default for Options {
     /// Every part but the spectrum, the automatic schedule, lengths in metres, no earlier solve.
     fn default() -> Self {
         Self { what: Parts::USUAL, every: None, length_unit: "m".into(), ghost: None }
+    }
+}
+
+impl From<&Record> for Options {
+    fn from(Record { what, every, length_unit }: &Record) -> Self {
+        let what = if what.is_empty() { Parts::USUAL } else { what.iter().copied().collect() };
+        Self { what, every: *every, length_unit: length_unit.clone(), ghost: None }
     }
 }

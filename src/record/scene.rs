@@ -1,9 +1,11 @@
 //! Scenes: the problems of a recording.
 
 use crate::contact::Problem;
+use crate::setup::Setup;
 use crate::theory::Exact;
 
 /// One contact problem of a recording.
+#[derive(Clone)]
 pub struct Scene<'a> {
     /// Root of the scene's entities, such as `hertz_line`; characters other than letters, digits, `_` and `-` become `_`.
     pub name: String,
@@ -11,9 +13,27 @@ pub struct Scene<'a> {
     pub title: String,
     /// The problem whose steps will be recorded.
     pub problem: &'a Problem,
-    /// Parameters, units, seed, solver and settings, in Markdown.
-    pub description: String,
+    /// The setup that repeats it, if there is one: the recording carries it.
+    pub setup: Option<Setup>,
     /// The exact solution, where there is one; its pressure is drawn beside the computed one. A line is then shown around
     /// its contact only.
     pub exact: Option<Exact>,
+}
+
+impl<'a> Scene<'a> {
+    /// The scene of a problem that no setup describes.
+    pub fn new(name: &str, problem: &'a Problem) -> Self {
+        Self { name: name.into(), title: name.into(), problem, setup: None, exact: None }
+    }
+
+    /// The scene `contact` of the problem of a setup.
+    pub fn of(setup: &Setup, problem: &'a Problem) -> Self {
+        let grid = problem.surface().grid();
+        Self {
+            title: setup.surface.title(grid),
+            setup: Some(setup.clone()),
+            exact: problem.mean_pressure().and_then(|mean_pressure| setup.exact(grid, mean_pressure)),
+            ..Self::new("contact", problem)
+        }
+    }
 }

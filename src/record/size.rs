@@ -2,8 +2,9 @@
 
 use super::draw::{Columns, pixels, vertices};
 use super::file::Schedule;
-use super::part::{Part, Parts};
+use super::parts::Parts;
 use crate::grid::Grid;
+use crate::setup::Part;
 
 /// Bytes of a recording, about: packing makes the pictures smaller by up to half, most at low loads.
 #[derive(Debug, Clone, Copy, PartialEq)]

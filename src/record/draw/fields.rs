@@ -1,7 +1,7 @@
 //! The fields of a frame, and how far they reach.
 
 use crate::contact::{Contact, Step};
-use crate::record::part::Parts;
+use crate::record::parts::Parts;
 
 /// The fields of a frame, row by row.
 #[derive(Clone, Copy)]

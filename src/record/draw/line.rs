@@ -10,8 +10,9 @@ use super::ruler::Ruler;
 use super::window::{Samples, Window};
 use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
-use crate::record::part::{Part, Parts};
+use crate::record::parts::Parts;
 use crate::record::scene::Scene;
+use crate::setup::Part;
 use rerun::{LineStrip2D, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
 const WIDTH: f32 = BOX[0] as f32;

@@ -5,7 +5,7 @@ use super::fill::zigzag;
 use super::palette::{self, colour};
 use super::stage::Stage;
 use crate::plot::{Axis, Frame};
-use crate::record::part::Part;
+use crate::setup::Part;
 use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
 
 /// Bars of a row along the line.

@@ -10,11 +10,14 @@ use super::picture::Picture;
 use super::spectrum::SpectrumPicture;
 use super::surface::SurfacePicture;
 use super::traces::{self, Reference};
-use crate::contact::{Contact, Phase, Status};
+use crate::contact::{Contact, Phase};
 use crate::grid::Grid;
+use crate::record::description;
 use crate::record::options::Options;
-use crate::record::part::{Part, Parts};
+use crate::record::parts::Parts;
 use crate::record::scene::Scene;
+use crate::record::setups::SETUP;
+use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 
 /// The drawings of a scene and all else that its recorder and its layout need, without the problem itself.
@@ -23,7 +26,7 @@ pub struct Stage {
     pub root: String,
     /// Title.
     pub title: String,
-    /// Description by the caller.
+    /// Rows of the table of parameters.
     description: String,
     grid: Grid,
     /// Parts that are recorded.
@@ -63,7 +66,7 @@ impl Stage {
         let forecast = Forecast::of(scene);
         Self {
             title: scene.title.clone(),
-            description: scene.description.clone(),
+            description: description::of_scene(scene, &options.length_unit),
             what: options.what,
             grid,
             reference: Reference::of(scene.exact.as_ref()),
@@ -105,6 +108,9 @@ impl Stage {
         place: Option<usize>,
     ) -> RecordingStreamResult<()> {
         let Self { root, title, .. } = self;
+        if let Some(setup) = &scene.setup {
+            to.log_static(format!("{root}/{SETUP}"), &TextDocument::new(setup.clone().with_full_path().to_toml()))?;
+        }
         if self.what.has(Part::Mask) {
             to.log_static(root.as_str(), &palette::classes())?;
         }
@@ -126,19 +132,20 @@ impl Stage {
         pressure.map_or(Ok(()), |pressure| self.picture.log_ghost(to, pressure))
     }
 
-    /// The description with how the run ended.
-    pub fn result(&self, contact: &Contact) -> TextDocument {
+    /// How a run ended, in words.
+    pub fn result(contact: &Contact) -> String {
         let Contact { status, certificate, work, .. } = contact;
-        let how = if *status == Status::Converged { status.to_string() } else { format!("not converged ({status})") };
-        self.described(&format!(
+        let how = if contact.is_converged() { status.to_string() } else { format!("not converged ({status})") };
+        format!(
             "{how} at a certificate of {:.2e}, after {} steps, {} transforms and {:.3} s",
             certificate.eta, work.iterations, work.transforms, work.seconds
-        ))
+        )
     }
 
-    /// The description with a result.
-    pub fn described(&self, result: &str) -> TextDocument {
-        TextDocument::from_markdown(format!("**Result**: {result}\n\n{}", self.description))
+    /// The description with a result, and further rows on the run.
+    pub fn described(&self, result: &str, run: &str) -> TextDocument {
+        let rows = &self.description;
+        TextDocument::from_markdown(format!("**Result**: {result}\n\n{}{rows}{run}", description::HEAD))
     }
 
     /// The entity of the description.
@@ -195,8 +202,7 @@ mod tests {
             Load::MeanPressure(0.01),
         )
         .unwrap();
-        let (name, title, description) = ("a".into(), "A".into(), String::new());
-        let scene = Scene { name, title, problem: &problem, description, exact: None };
+        let scene = Scene::new("a", &problem);
         let stage = Stage::new(&scene, "/a".into(), &Options::default());
         for (shape, stride) in [
             ([48, 64], Some([1, 1])),

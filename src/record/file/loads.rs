@@ -12,8 +12,9 @@ use crate::plot;
 use crate::record::draw::{Curve, Curves, Extent, Fields, FigurePicture, PatchMap, Stage};
 use crate::record::layout::{Panes, send_loads};
 use crate::record::options::Options;
-use crate::record::part::{Part, Parts};
+use crate::record::parts::Parts;
 use crate::record::scene::Scene;
+use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -130,7 +131,7 @@ impl LoadRecording {
         let stage = &self.recording.stages[scene];
         self.recording.write(|stream| {
             self.turn_to(stream, load)?;
-            stream.log(stage.description(), &stage.result(contact))?;
+            stream.log(stage.description(), &stage.described(&Stage::result(contact), ""))?;
             if stage.what.has_planes() {
                 stage.log_caption(stream, self.captions[load].clone())?;
             }

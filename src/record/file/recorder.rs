@@ -1,11 +1,12 @@
 //! The observer that records a solve.
 
-use super::recording::Recording;
+use super::recording::{Recording, UNFINISHED};
 use super::schedule::{Schedule, Thinning};
 use super::snapshot::{Moment, Snapshot};
-use crate::contact::{Contact, Failure, Observer, Phase, Step, Wish};
+use crate::contact::{Contact, Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
+use crate::record::description;
 use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level};
-use crate::record::part::Part;
+use crate::setup::Part;
 use rerun::RecordingStreamResult;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -25,6 +26,8 @@ pub struct Recorder<'r> {
     /// The latest state of a coarse grid, as long as it is not drawn.
     undrawn: Option<Snapshot>,
     flushed: Instant,
+    /// Rows on the run in the table of parameters.
+    run: String,
 }
 
 impl Recording {
@@ -44,6 +47,7 @@ impl Recording {
             has_phases: false,
             undrawn: None,
             flushed: Instant::now(),
+            run: String::new(),
         }
     }
 }
@@ -56,7 +60,7 @@ impl Recorder<'_> {
         }
         self.log_frame(Moment { work: contact.work, phase: Phase { level: 0, ..self.phase } }, fields)?;
         self.stage.picture.settle(&self.recording.stream, self.stage.picture.extent(fields))?;
-        self.recording.stream.log_static(self.stage.description(), &self.stage.result(contact))?;
+        self.log_description(&Stage::result(contact))?;
         self.flush_traces()
     }
 
@@ -90,6 +94,10 @@ impl Recorder<'_> {
         Ok(())
     }
 
+    fn log_description(&self, result: &str) -> RecordingStreamResult<()> {
+        self.recording.stream.log_static(self.stage.description(), &self.stage.described(result, &self.run))
+    }
+
     fn flush_traces(&mut self) -> RecordingStreamResult<()> {
         self.traces.as_mut().map_or(Ok(()), |traces| traces.flush(&self.recording.stream))
     }
@@ -107,6 +115,11 @@ impl Recorder<'_> {
 }
 
 impl Observer for Recorder<'_> {
+    fn begin(&mut self, solver: &dyn Solver, _: &Problem, stop: &Stop) -> Result<(), Failure> {
+        self.run = description::of_run(solver, stop);
+        Ok(self.recording.log(|_| self.log_description(UNFINISHED))?)
+    }
+
     fn step(&mut self, step: &Step<'_>) -> Wish {
         let recording = self.recording;
         recording.log(|_| self.record(step))?;

@@ -16,6 +16,9 @@ use std::time::Duration;
 /// Application under which the viewer keeps layouts apart.
 const APPLICATION: &str = "asperity";
 
+/// The result of a run until there is one.
+pub(super) const UNFINISHED: &str = "still running, or ended by force";
+
 /// A recording on its way into a file, which can be opened at any moment.
 pub struct Recording {
     pub(super) stream: RecordingStream,
@@ -85,7 +88,7 @@ impl Recording {
         layout::send_steps(self.application(), &self.stages, stream)?;
         let several = scenes.len() > 1;
         for (i, (stage, scene)) in self.stages.iter().zip(scenes).enumerate() {
-            stream.log_static(stage.description(), &stage.described("still running, or ended by force"))?;
+            stream.log_static(stage.description(), &stage.described(UNFINISHED, ""))?;
             stage.log_static(stream, scene, several.then_some(i))?;
             if let Some(ghost) = &self.options.ghost {
                 stage.log_ghost(stream, ghost)?;
@@ -178,13 +181,7 @@ mod tests {
     fn roots_are_safe_and_differ() {
         let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();
         let problem = Problem::new(cylinder, ContactModulus(1.0), Load::MeanPressure(1e-2)).unwrap();
-        let scene = |name: &str| Scene {
-            name: name.into(),
-            title: String::new(),
-            problem: &problem,
-            description: String::new(),
-            exact: None,
-        };
+        let scene = |name: &str| Scene::new(name, &problem);
         assert_eq!(roots(&["a", "a", "b/c d", ""].map(scene)), ["/a", "/a_1", "/b_c_d", "/_3"]);
     }
 }

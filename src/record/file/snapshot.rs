@@ -2,7 +2,7 @@
 
 use crate::contact::{Phase, Step, Work};
 use crate::record::draw::Fields;
-use crate::record::part::Parts;
+use crate::record::parts::Parts;
 
 /// The moment of a state.
 #[derive(Debug, Clone, Copy)]

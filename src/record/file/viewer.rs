@@ -10,15 +10,19 @@ use rerun::SpawnOptions;
 use rerun::sink::GrpcSink;
 use std::path::Path;
 
+/// The file of a recording that is shown only.
+const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
+
 impl Recording {
-    /// Starts the installed viewer, or takes the one that runs, and begins a recording that it shows. The file at `path` gets
-    /// it as well.
+    /// Starts the installed viewer, or takes the one that runs, and begins a recording that it shows. A file at `path` gets it
+    /// as well, if there is one.
     ///
     /// # Errors
     /// [`FileError::NoViewer`] where there is no viewer, else the errors of [`Recording::create`].
-    pub fn shown(path: &Path, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
-        check_target(path)?;
+    pub fn shown(path: Option<&Path>, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
+        path.map_or(Ok(()), check_target)?;
         let viewer = start()?;
+        let path = path.unwrap_or(Path::new(NOWHERE));
         let output = Output::create(path).map_err(|failure| target_error(path, &failure))?;
         output.show(Box::new(viewer));
         Self::begin(output, path, None, scenes, options)

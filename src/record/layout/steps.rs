@@ -2,7 +2,7 @@
 
 use super::blueprint::{Blueprint, Clock, Kind, View};
 use crate::record::draw::{STEP, Stage, entity_under};
-use crate::record::part::Part;
+use crate::setup::Part;
 use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamResult};
 

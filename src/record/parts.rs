@@ -1,26 +1,7 @@
-//! The parts of a recording.
+//! Sets of parts of a recording.
 
 use crate::grid::Grid;
-use serde::{Deserialize, Serialize};
-
-/// A part of a recording. Lines have no mesh, surfaces no profile.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-pub enum Part {
-    /// Numbers of every step.
-    Traces,
-    /// Indenter and solid of a line.
-    Profile,
-    /// Pressure and gap: curves of a line, images of a surface.
-    Fields,
-    /// Contact: segments of a line, an image of a surface.
-    Mask,
-    /// Relief of a surface.
-    Mesh,
-    /// Power spectra of displacement and heights; only if asked for.
-    Spectrum,
-}
+use crate::setup::Part;
 
 /// A set of parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
