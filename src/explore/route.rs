@@ -1,7 +1,7 @@
 //! The paths of the explorer.
 
 use super::knobs::{Knobs, Refusal};
-use super::page::{Mode, Page};
+use super::page::{Page, Purpose};
 use super::session::{Order, Session};
 use super::site::{Reply, Request, Site};
 use super::stream::RecordingBytes;
@@ -45,13 +45,12 @@ impl Explorer {
     /// # Errors
     /// If the viewer is not in the binary.
     pub fn new(session: Arc<Session>, start: Knobs) -> io::Result<Self> {
-        Ok(Self { page: Page::new(Mode::Explore)?, session, start })
+        Ok(Self { page: Page::new(Purpose::Explore)?, session, start })
     }
 
     fn post(&self, request: &Request<'_>) -> Reply {
-        let order = |order: fn(Knobs) -> Order| {
-            Knobs::read(request.body).and_then(|knobs| self.session.order(order(knobs)))
-        };
+        let order =
+            |order: fn(Knobs) -> Order| Knobs::read(request.body).and_then(|knobs| self.session.order(order(knobs)));
         let done = match request.path {
             "/api/solve" => order(Order::Solve),
             "/api/sweep" => order(Order::Sweep),

@@ -17,21 +17,21 @@ const INTERVAL: Duration = Duration::from_millis(60);
 pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
     let setup = knobs.setup()?;
     let problem = setup.problem()?;
-    let exact = setup.exact(problem.surface().grid(), problem.expected_mean_pressure());
+    let scene = Scene::of(&setup, &problem);
+    let title = format!("{}, p* = {:.3e}", scene.title, knobs.load);
     let report = RunReport {
         id: format!("run-{}", turn.number()),
-        title: format!("{}, p* = {:.3e}", setup.surface.title(problem.surface().grid()), knobs.load),
+        title: title.clone(),
         command: command(&setup),
         setup: setup.to_toml(),
         knobs,
         ended: false,
         numbers: None,
-        exact: exact.as_ref().map(ExactNumbers::from),
+        exact: scene.exact.as_ref().map(ExactNumbers::from),
     };
     let id = report.id.clone();
-    let scene = Scene { name: "contact".into(), title: report.title.clone(), ..Scene::of(&setup, &problem) };
     let options = Options { ghost: turn.ghost(), ..Options::from(&setup.record) };
-    let (recording, live) = Recording::live(&id, &[scene], options)?;
+    let (recording, live) = Recording::live(&id, &[Scene { title, ..scene }], options)?;
     turn.keep(&id, live);
     turn.tell(|news| news.run = Some(report));
     let mut curves = Ghost::new(&format!("pinned {id}"));

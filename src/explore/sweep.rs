@@ -64,9 +64,10 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
     let mut press = Press { turn, setup: &setup, report, recording: &recording, curves: &curves };
     press.tell();
     let pressed = press.all(&problem, &loads);
-    recording.finish()?;
     press.report.ended = true;
-    press.tell();
+    let report = press.report;
+    recording.finish()?;
+    turn.tell(|news| news.sweep = Some(report));
     pressed
 }
 
@@ -102,9 +103,12 @@ fn record(
         title: title.clone(),
         description: format!("{description}, each load from the contact before, until contact is full."),
         captions: loads.iter().map(|load| format!("p* = {load:.3e}")).collect(),
-        curves: curves.iter().map(|&(view, name, colour, _)| Curve { view: view.into(), name: name.into(), colour }).collect(),
+        curves: curves
+            .iter()
+            .map(|&(view, name, colour, _)| Curve { view: view.into(), name: name.into(), colour })
+            .collect(),
         figure: None,
-        scenes: &[Scene { name: "contact".into(), title, description, exact: None, ..Scene::of(setup, problem) }],
+        scenes: &[Scene { title, exact: None, ..Scene::of(setup, problem) }],
     };
     let mut parts = setup.record.clone();
     parts.what.extend([Part::Traces, Part::Mask]);
@@ -124,7 +128,8 @@ impl Press<'_> {
     /// Solves and records load after load.
     fn all(&mut self, problem: &Problem, loads: &[f64]) -> Result<(), Failure> {
         let turn = self.turn;
-        let mut watch = Each(|_: &Step<'_>| if turn.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
+        let mut watch =
+            Each(|_: &Step<'_>| if turn.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
         let mut start = None;
         for (number, &load) in loads.iter().enumerate() {
             let problem = at_load(problem, load)?;

@@ -1,6 +1,6 @@
 //! A recording in the viewer of the page, and nothing else.
 
-use super::page::{Mode, Page};
+use super::page::{Page, Purpose};
 use super::site::{Reply, Request, Site};
 use super::stream::RecordingBytes;
 use std::fs::File;
@@ -19,7 +19,7 @@ impl Viewing {
     /// # Errors
     /// If the viewer is not in the binary.
     pub fn new(file: PathBuf) -> io::Result<Self> {
-        Ok(Self { page: Page::new(Mode::View)?, file })
+        Ok(Self { page: Page::new(Purpose::View)?, file })
     }
 }
 
