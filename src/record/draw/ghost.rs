@@ -1,20 +1,18 @@
 //! The curves of an earlier solve, in grey beside those of a later one.
 
 use super::palette::{self, colour};
-use super::traces::{CERTIFICATE, KAPPA_R, RELATIVE_AREA, Series};
-use crate::contact::{Contact, Failure, Observer, Step, Wish};
+use super::traces::{COMPARED, Series, drawn, title, traced};
+use crate::contact::{Contact, Failure, Observable, Observer, State, Step, Wish};
 use rerun::{RecordingStream, RecordingStreamResult, SeriesLines};
 use std::ops::ControlFlow;
-
-/// Entities under `ghost`, named as those under `trace`, and the names of their curves.
-const SERIES: [(&str, &str); 3] = [KAPPA_R, RELATIVE_AREA, CERTIFICATE];
 
 /// The curves of `kappa_r`, relative area and certificate of a solve, and of a line its final pressure, for later
 /// recordings: see [`crate::record::Options`]. It observes the solve.
 #[derive(Debug, Clone)]
 pub struct Ghost {
     name: String,
-    series: [Series; 3],
+    /// Curves of the observables that are compared, in the order of their table.
+    series: [Series; COMPARED.len()],
     /// Final pressure along a line.
     pressure: Option<Vec<f64>>,
 }
@@ -32,14 +30,19 @@ impl Ghost {
 
     /// Records all curves under `root`, each value at its own step.
     pub fn log(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
-        for ((entity, name), series) in SERIES.into_iter().zip(&self.series) {
-            let entity = entity_under(root, entity);
-            let style = SeriesLines::new().with_names([format!("{}: {name}", self.name)]);
+        for (observable, series) in compared().zip(&self.series) {
+            let entity = entity_under(root, observable.name);
+            let style = SeriesLines::new().with_names([format!("{}: {}", self.name, title(observable))]);
             to.log_static(entity.as_str(), &style.with_colors([colour(palette::GHOST)]).with_widths([1.8]))?;
             series.log(to, &entity.into())?;
         }
         Ok(())
     }
+}
+
+/// The observables that are compared.
+fn compared() -> impl Iterator<Item = &'static Observable> {
+    traced().filter(|observable| COMPARED.contains(&observable.name))
 }
 
 /// The entity of the ghost that belongs to that of the same name under `trace`.
@@ -49,18 +52,20 @@ pub fn entity_under(root: &str, name: &str) -> String {
 
 impl Observer for Ghost {
     fn step(&mut self, step: &Step<'_>) -> Wish {
-        let measures = step.measures();
-        let certificate = step.certificate().map(f64::log10);
-        let values = [Some(measures.kappa_r), Some(measures.relative_area), certificate];
-        for (series, value) in self.series.iter_mut().zip(values) {
-            series.add(step.work(), value);
+        let state = State::from(step);
+        for (series, observable) in self.series.iter_mut().zip(compared()) {
+            series.add(step.work(), Some(drawn(observable, &state)));
         }
         Ok(ControlFlow::Continue(()))
     }
 
     /// Adds the certificate of the final state and, of a line, its pressure.
     fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
-        self.series[2].add(contact.work, Some(contact.certificate.eta.log10()));
+        let certificate =
+            self.series.iter_mut().zip(compared()).find(|(_, observable)| observable.name == "certificate");
+        if let Some((series, observable)) = certificate {
+            series.add(contact.work, Some(drawn(observable, &State::from(contact))));
+        }
         let is_line = contact.problem.surface().grid().is_line();
         self.pressure = is_line.then(|| contact.pressure.iter().copied().collect());
         Ok(())

@@ -30,4 +30,4 @@ pub use reduce::Columns;
 pub use relief::vertices;
 pub use stage::{Stage, level};
 pub use surface::pixels;
-pub use traces::{SECONDS, STEP, TRANSFORMS, Traces};
+pub use traces::{SECONDS, STEP, TRANSFORMS, Traces, title, traced};

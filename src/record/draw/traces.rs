@@ -1,7 +1,7 @@
 //! Numbers of every step, sent column by column.
 
 use super::palette::{self, colour};
-use crate::contact::{Energy, Phase, Step, Work};
+use crate::contact::{Energy, OBSERVABLES, Observable, Phase, State, Step, Work};
 use crate::plot::Colour;
 use crate::theory::Exact;
 use rerun::{EntityPath, RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
@@ -13,38 +13,48 @@ pub const SECONDS: &str = "seconds";
 /// Timeline of transforms made by the solver.
 pub const TRANSFORMS: &str = "transforms";
 
-/// Entity under `trace` of `kappa_r`, and the name of its curve.
-pub const KAPPA_R: (&str, &str) = ("kappa_r", "kappa_r");
-/// Entity under `trace` of the relative area, and the name of its curve.
-pub const RELATIVE_AREA: (&str, &str) = ("relative_area", "relative area");
-/// Entity under `trace` of the certificate, and the name of its curve.
-pub const CERTIFICATE: (&str, &str) = ("certificate", "log10 certificate eta");
+/// Observables that are compared between scenes and with an earlier solve.
+pub const COMPARED: [&str; 3] = ["kappa_r", "relative_area", "certificate"];
 
-/// Entities under `trace` and the names of their curves.
-const SERIES: [(&str, &str); 13] = [
-    KAPPA_R,
-    ("kappa", "kappa"),
+/// Entities under `trace` besides those of the observables, and the names of their curves.
+const BESIDES: [(&str, &str); 7] = [
     ("exact_kappa_r", "exact kappa_r"),
-    RELATIVE_AREA,
     ("exact_relative_area", "exact relative area"),
-    CERTIFICATE,
-    ("mean_gap", "mean gap / h_rms"),
     ("complementary_energy", "complementary energy / (p_mean h_rms)"),
     ("potential_energy", "potential energy / (p_mean h_rms)"),
-    ("patches", "contact patches"),
     ("level", "grid level"),
     ("outer", "outer step"),
     ("inner", "inner step"),
 ];
 
-/// Place of the certificate among the series.
-const CERTIFICATE_PLACE: usize = 5;
+/// The observables that are drawn step by step; the certificate as its logarithm.
+pub fn traced() -> impl Iterator<Item = &'static Observable> {
+    OBSERVABLES.iter().filter(|observable| observable.is_traced)
+}
+
+/// The name of the curve of an observable.
+pub fn title(observable: &Observable) -> String {
+    let name = observable.name.replace('_', " ").replace("kappa r", "kappa_r");
+    if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
+}
+
+/// The value of an observable as it is drawn.
+pub fn drawn(observable: &Observable, state: &State<'_>) -> f64 {
+    let value = (observable.value)(state);
+    if is_logarithmic(observable) { value.log10() } else { value }
+}
+
+fn is_logarithmic(observable: &Observable) -> bool {
+    observable.name == "certificate"
+}
 
 /// The curves of one scene, collected until they are flushed.
 pub struct Traces {
-    series: Vec<(EntityPath, Series)>,
-    exact_kappa_r: Option<f64>,
-    exact_area: Option<f64>,
+    root: String,
+    /// Curves of the observables, in their order.
+    observables: Vec<Series>,
+    besides: [Series; BESIDES.len()],
+    reference: Reference,
 }
 
 /// A number of every step.
@@ -75,51 +85,49 @@ impl Reference {
 impl Traces {
     /// Empty curves under `root`.
     pub fn new(root: &str, reference: Reference) -> Self {
-        let series = |(name, _): &(&str, &str)| (format!("{root}/trace/{name}").into(), Series::default());
-        Self {
-            series: SERIES.iter().map(series).collect(),
-            exact_kappa_r: reference.kappa_r,
-            exact_area: reference.relative_area,
-        }
+        let observables = traced().map(|_| Series::default()).collect();
+        Self { root: root.into(), observables, besides: Default::default(), reference }
     }
 
     /// Adds the numbers of a step, in a `phase` if its solver has any.
     pub fn add(&mut self, step: &Step<'_>, phase: Option<Phase>) {
-        let of_phase = |number: fn(Phase) -> usize| phase.map(|phase| number(phase) as f64);
-        let measures = step.measures();
+        let state = State::from(step);
+        for (series, observable) in self.observables.iter_mut().zip(traced()) {
+            series.add(step.work(), Some(drawn(observable, &state)));
+        }
         let (complementary, potential) = match step.energy() {
             Energy::Complementary(energy) => (Some(energy), None),
             Energy::Potential(energy) => (None, Some(energy)),
         };
+        let of_phase = |number: fn(Phase) -> usize| phase.map(|phase| number(phase) as f64);
         let values = [
-            Some(measures.kappa_r),
-            Some(measures.kappa),
-            self.exact_kappa_r,
-            Some(measures.relative_area),
-            self.exact_area,
-            step.certificate().map(f64::log10),
-            Some(step.mean_gap() / step.problem().rms_height()),
+            self.reference.kappa_r,
+            self.reference.relative_area,
             complementary,
             potential,
-            Some(step.patches().count() as f64),
             of_phase(|phase| phase.level),
             of_phase(|phase| phase.outer),
             of_phase(|phase| phase.inner),
         ];
-        for ((_, series), value) in self.series.iter_mut().zip(values) {
+        for (series, value) in self.besides.iter_mut().zip(values) {
             series.add(step.work(), value);
         }
     }
 
     /// Adds the certificate of the final state.
     pub fn add_certificate(&mut self, work: Work, eta: f64) {
-        self.series[CERTIFICATE_PLACE].1.add(work, Some(eta.log10()));
+        let certificate = self.observables.iter_mut().zip(traced()).find(|(_, observable)| is_logarithmic(observable));
+        if let Some((series, _)) = certificate {
+            series.add(work, Some(eta.log10()));
+        }
     }
 
     /// Sends the numbers collected so far.
     pub fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        for (entity, series) in self.series.iter_mut().filter(|(_, series)| !series.values.is_empty()) {
-            std::mem::take(series).log(to, entity)?;
+        let observables = self.observables.iter_mut().zip(traced().map(|observable| observable.name));
+        let besides = self.besides.iter_mut().zip(BESIDES.map(|(entity, _)| entity));
+        for (series, name) in observables.chain(besides).filter(|(series, _)| !series.values.is_empty()) {
+            std::mem::take(series).log(to, &format!("{}/trace/{name}", self.root).into())?;
         }
         Ok(())
     }
@@ -159,10 +167,12 @@ pub fn log_styles(
         "exact_relative_area" => reference.relative_area.is_some(),
         _ => true,
     };
-    for (i, (entity, name)) in SERIES.iter().enumerate().filter(|(_, (entity, _))| is_drawn(entity)) {
+    let observables = traced().map(|observable| (observable.name, title(observable)));
+    let besides = BESIDES.iter().map(|&(entity, name)| (entity, name.to_owned()));
+    for (i, (entity, name)) in observables.chain(besides).enumerate().filter(|(_, (entity, _))| is_drawn(entity)) {
         let exact = entity.starts_with("exact");
         let rgb = if exact { palette::EXACT } else { series_colour(entity, i, scene) };
-        let name = scene.map_or_else(|| (*name).to_owned(), |(_, title)| format!("{name}, {title}"));
+        let name = scene.map_or_else(|| name.clone(), |(_, title)| format!("{name}, {title}"));
         let style = SeriesLines::new().with_names([name]).with_colors([colour(rgb)]);
         let width = if exact { 1.0 } else { 1.8 };
         to.log_static(format!("{root}/trace/{entity}"), &style.with_widths([width]))?;
@@ -174,9 +184,7 @@ pub fn log_styles(
 fn series_colour(entity: &str, i: usize, scene: Option<(usize, &str)>) -> Colour {
     let [first, second, rest @ ..] = palette::SERIES;
     match (entity, scene) {
-        ("kappa_r" | "certificate" | "relative_area", Some((scene, _))) => {
-            palette::SERIES[scene % palette::SERIES.len()]
-        }
+        (_, Some((scene, _))) if COMPARED.contains(&entity) => palette::SERIES[scene % palette::SERIES.len()],
         ("kappa", Some(_)) => palette::FAINT,
         ("kappa_r", None) => first,
         ("kappa", None) => second,

@@ -1,7 +1,7 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
 use super::blueprint::{Blueprint, Clock, Kind, View};
-use crate::record::draw::{STEP, Stage, entity_under};
+use crate::record::draw::{STEP, Stage, entity_under, title, traced};
 use crate::setup::Part;
 use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamResult};
@@ -134,13 +134,10 @@ fn curves(blueprint: &mut Blueprint, stage: &Stage) -> Placed {
     let area = View::curves("Relative contact area", area, Some([0.0, stage.ranges.area]));
     let certificate = View::curves("Certificate: log10 of the error bound eta", beside(&["certificate"]), None);
     let mut below = vec![(text, 1.0)];
-    let others: [(&str, &[&str]); 3] = [
-        ("Mean gap", &["mean_gap"]),
-        ("Energy", &["complementary_energy", "potential_energy"]),
-        ("Patches", &["patches"]),
-    ];
-    for (title, names) in others {
-        below.push((blueprint.view(View::curves(title, traces(names), None))?, 1.0));
+    let is_elsewhere = |name| ["kappa_r", "kappa", "relative_area", "certificate"].contains(&name);
+    let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| (title(it), vec![it.name]));
+    for (title, names) in others.chain([("energy".into(), vec!["complementary_energy", "potential_energy"])]) {
+        below.push((blueprint.view(View::curves(&title, traces(&names), None))?, 1.0));
     }
     below.push((levels(blueprint, traces(&["level"]), traces(&["outer", "inner"]))?, 1.0));
     let mut rows = Vec::new();
