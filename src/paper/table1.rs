@@ -1,32 +1,22 @@
 //! Table 1: load, gradient and `kappa_r` of cylinder and sphere in terms of the half-width of their contact.
 
-use super::Made;
-use super::comparison::Finding;
-use super::part::Part;
-use super::smooth::{LINE, PERIOD, RADIUS, half_width, realisation, strain, widths};
-use super::study::Study;
-use anyhow::Result;
-use asperity::study::{Realisation, Row, Spread};
-use asperity::theory::Geometry;
+use super::exhibit::Exhibit;
+use super::finding::Finding;
+use super::means::{Points, Quantity};
+use super::smooth::{LINE, PERIOD, RADIUS, cylinder, half_width, sphere, strain, widths};
+use crate::study::{Realisation, Row, Spread};
 
 /// Half-widths of the contacts over the period, from and to: so small that the neighbouring cells do not matter.
 const WIDTHS: [f64; 2] = [0.01, 0.03];
 
-/// Cylinder and sphere.
-pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
-    let [_, side] = study.smooth_surface;
-    Ok(vec![
-        realisation(Geometry::Line, LINE, &widths(WIDTHS, 24))?,
-        realisation(Geometry::Point, side, &widths(WIDTHS, 6))?,
-    ])
+/// Cylinder and sphere, the sphere on a grid of `side` points a side.
+pub fn realisations(side: usize) -> Vec<Realisation> {
+    vec![cylinder(LINE, &widths(WIDTHS, 24)), sphere(side, &widths(WIDTHS, 6))]
 }
 
 /// Load, gradient and `kappa_r` of each, in units of `E*`, `R` and the half-width `c`.
-pub fn make(study: &Study) -> Result<Made> {
-    let points = study.points(Part::Table1)?;
-    let of = |name: &str, quantity: fn(&Row) -> f64| {
-        Spread::of(points.0.iter().filter(|row| row.name == name).map(quantity))
-    };
+pub fn exhibit(points: &Points) -> Exhibit {
+    let of = |name: &str, quantity: Quantity| Spread::of(points.named(name).map(quantity));
     let kappa_r = ["cylinder", "sphere"].map(|name| of(name, |row| row.kappa_r_corrected));
     let findings = vec![
         Finding::number("table1.load.line", "", of("cylinder", line_load)),
@@ -37,7 +27,7 @@ pub fn make(study: &Study) -> Result<Made> {
         Finding::number("table1.kappa_r.point", "corrected", kappa_r[1]),
         Finding::exact("table1.ratio", "corrected", kappa_r[0].mean / kappa_r[1].mean),
     ];
-    Ok(Made { figure: None, findings })
+    Exhibit { figure: None, findings, growth: None }
 }
 
 /// `L R / (E* c^2)`.

@@ -1,57 +1,48 @@
 //! Fig. 2: rough lines.
 
-use super::Made;
-use super::comparison::Finding;
+use super::exhibit::{Exhibit, Growth};
+use super::finding::Finding;
 use super::means::{Points, Quantity};
-use super::part::Part;
-use super::study::Study;
-use anyhow::Result;
-use asperity::plot::Figure;
-use asperity::study::{Realisation, Row, Spread};
+use super::rough::Rough;
+use crate::plot::Figure;
+use crate::study::{Row, Spread};
 
 /// Why corrected values are smaller.
 const COUNTED: &str = "The paper counts nodes, which finds 0.37 of a node too many in each contact segment.";
 
-/// Lines of all Hurst exponents and seeds.
-pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
-    study.lines.lines()
-}
-
 /// The figure, and what the paper says of it.
-pub fn make(study: &Study) -> Result<Made> {
-    let (lines, points) = (&study.lines, study.points(Part::Fig2)?);
-    points.write_means(&study.file("fig2.means", "csv"))?;
-    let title = format!("Fig. 2: rough lines, {} points, {} profiles each", lines.points[0], lines.seeds.len());
-    let panels = vec![lines.area_panel(&points), lines.kappa_panel(&points, [1.5, 4.2])];
-    let nx = lines.points[0];
+pub fn exhibit(lines: &Rough, points: &Points) -> Exhibit {
+    let nx = points.finest();
+    let title = format!("Fig. 2: rough lines, {nx} points, {} profiles each", lines.seeds.len());
+    let panels = vec![lines.area_panel(points), lines.kappa_panel(points, [1.5, 4.2])];
     let mut findings = vec![
         Finding::number("fig2.kappa_r", "nodes counted", points.overall(nx, |row| row.kappa_r)),
         Finding::number("fig2.kappa_r", "corrected", points.overall(nx, |row| row.kappa_r_corrected)).because(COUNTED),
     ];
     if lines.loads.len() > 1 {
-        findings.push(Finding::number("fig2.variation", "nodes counted", variation(&points, nx)));
-        findings.push(is_constant(study, &points));
+        findings.push(Finding::number("fig2.variation", "nodes counted", variation(points)));
+        findings.push(is_constant(lines, points));
     }
     if lines.hurst.len() > 1 {
-        findings.push(depends_on_hurst(study, &points));
+        findings.push(depends_on_hurst(lines, points));
     }
-    Ok(Made { figure: Some(Figure { title, panels }), findings })
+    let growth = Growth { contacts: lines.firsts(lines.lines()), ..lines.growth(points) };
+    Exhibit { figure: Some(Figure { title, panels }), findings, growth: Some(growth) }
 }
 
 /// Fall of `kappa` from the lightest to the heaviest load in per cent of that at the lightest, over all realisations.
-fn variation(points: &Points, nx: usize) -> Spread {
+fn variation(points: &Points) -> Spread {
     let fall = |rows: Vec<&Row>| match rows.as_slice() {
         [first, .., last] => 100.0 * (1.0 - last.kappa / first.kappa),
         _ => f64::NAN,
     };
-    Spread::of(points.realisations(nx).into_iter().map(fall))
+    Spread::of(points.realisations(points.finest()).into_iter().map(fall))
 }
 
 /// Whether `kappa`, averaged over loads, differs between Hurst exponents by more than twice the error of the means.
-fn depends_on_hurst(study: &Study, points: &Points) -> Finding {
-    let lines = &study.lines;
+fn depends_on_hurst(lines: &Rough, points: &Points) -> Finding {
     let mean = |&hurst: &f64| {
-        let groups = points.realisations(lines.points[0]).into_iter().filter(|rows| rows[0].hurst == Some(hurst));
+        let groups = points.realisations(points.finest()).into_iter().filter(|rows| rows[0].hurst == Some(hurst));
         Spread::of(groups.map(|rows| Spread::of(rows.iter().map(|row| row.kappa)).mean))
     };
     let kappa: Vec<Spread> = lines.hurst.iter().map(mean).collect();
@@ -61,11 +52,9 @@ fn depends_on_hurst(study: &Study, points: &Points) -> Finding {
 }
 
 /// Whether `kappa_r` varies over loads and Hurst exponents by less than a fifth of what `kappa` does.
-fn is_constant(study: &Study, points: &Points) -> Finding {
-    let lines = &study.lines;
+fn is_constant(lines: &Rough, points: &Points) -> Finding {
     let range = |quantity: Quantity| {
-        let pairs = lines.hurst.iter().flat_map(|&hurst| lines.loads.iter().map(move |&load| (hurst, load)));
-        let means = pairs.map(|(hurst, load)| points.at(hurst, load, lines.points[0], quantity).mean);
+        let means = lines.pairs().map(|(hurst, load)| points.at(hurst, load, points.finest(), quantity).mean);
         means.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], mean| [low.min(mean), high.max(mean)])
     };
     let [kappa, raw, corrected] =

@@ -1,11 +1,12 @@
-//! Self-affine lines and surfaces, and the panels of their figures.
+//! Self-affine lines and surfaces, the panels of their figures, and their curves over the loads.
 
+use super::exhibit::{Growth, LoadCurve, captions};
 use super::means::{Points, Quantity};
-use anyhow::Result;
-use asperity::Grid;
-use asperity::plot::{Axis, Colour, Corner, Mark, Panel, Point, Series, Symbol};
-use asperity::study::{Realisation, Shape};
-use asperity::surface::Spectrum;
+use crate::contact::Load;
+use crate::plot::{Axis, Colour, Corner, Mark, Panel, Series, Symbol};
+use crate::setup::{Cell, Recipe, Setup};
+use crate::study::Realisation;
+use crate::surface::Spectrum;
 
 /// Roll-off wavelength `lambda_r`, in metres.
 const ROLLOFF: f64 = 20e-6;
@@ -17,8 +18,13 @@ const SIDE: f64 = 4.0;
 const POINTS_PER_WAVE: f64 = 64.0;
 
 const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
+/// Colours of the Hurst exponents in recordings, three shades of a kind.
+pub const WARM: [Colour; 4] = [Colour::VERMILION, Colour::ORANGE, Colour::PURPLE, Colour::GREY];
+/// Colours beside [`WARM`].
+pub const COLD: [Colour; 4] = [Colour::BLUE, Colour::SKY, Colour::GREEN, Colour::GREY];
 
-/// Rough surfaces of several Hurst exponents and seeds on one or more grids.
+/// Rough lines or surfaces of several Hurst exponents and seeds on one or more grids. All lists ascend.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Rough {
     /// Points along each side, coarsest first.
     pub points: Vec<usize>,
@@ -33,49 +39,55 @@ pub struct Rough {
 }
 
 impl Rough {
-    /// Its lines, grid by grid, exponent by exponent, seed by seed.
-    pub fn lines(&self) -> Result<Vec<Realisation>> {
-        self.realisations("rough line", |points| Ok(Grid::line(points, LINE * ROLLOFF)?))
+    /// Lines, grid by grid, exponent by exponent, seed by seed.
+    pub(super) fn lines(&self) -> Vec<Realisation> {
+        self.realisations("rough line", |points| Cell::line(points, LINE * ROLLOFF))
     }
 
-    /// Its surfaces.
-    pub fn surfaces(&self) -> Result<Vec<Realisation>> {
-        let side = SIDE * ROLLOFF;
-        self.realisations("rough surface", |points| Ok(Grid::surface([points; 2], [side; 2])?))
+    /// Surfaces in the same order.
+    pub(super) fn surfaces(&self) -> Vec<Realisation> {
+        self.realisations("rough surface", |points| Cell::surface([points; 2], [SIDE * ROLLOFF; 2]))
     }
 
-    fn realisations(&self, name: &str, grid: impl Fn(usize) -> Result<Grid>) -> Result<Vec<Realisation>> {
+    fn realisations(&self, name: &str, cell: impl Fn(usize) -> Cell) -> Vec<Realisation> {
+        let (short_cutoff, [_, heaviest]) = (self.cutoff * ROLLOFF, self.ends());
         let mut all = Vec::new();
         for &points in &self.points {
-            let grid = grid(points)?;
             for &hurst in &self.hurst {
-                let short_cutoff = self.cutoff * ROLLOFF;
-                let rolloff_wavelength = ROLLOFF;
-                let spectrum = Spectrum { hurst, rolloff_wavelength, short_cutoff, rms_gradient: RMS_GRADIENT };
+                let spectrum =
+                    Spectrum { hurst, rolloff_wavelength: ROLLOFF, short_cutoff, rms_gradient: RMS_GRADIENT };
                 all.extend(self.seeds.iter().map(|&seed| Realisation {
                     name: name.into(),
-                    grid,
-                    shape: Shape::Rough { spectrum, seed },
+                    setup: Setup::new(
+                        Recipe::rough(spectrum, seed),
+                        cell(points),
+                        Load::ReducedPressure(heaviest),
+                    ),
                     loads: self.loads.clone(),
                 }));
             }
         }
-        Ok(all)
+        all
     }
 
     /// Points along a side with which a surface has the paper's 64 points per shortest wavelength.
-    pub fn paper_side(&self) -> usize {
+    pub(super) fn paper_side(&self) -> usize {
         (POINTS_PER_WAVE * SIDE / self.cutoff).round() as usize
     }
 
     /// Points per shortest wavelength of a surface with `side` points along a side.
-    pub fn points_per_wave(&self, side: usize) -> f64 {
+    pub(super) fn points_per_wave(&self, side: usize) -> f64 {
         side as f64 * self.cutoff / SIDE
     }
 
     /// Lightest and heaviest load.
-    pub fn ends(&self) -> [f64; 2] {
-        [self.loads[0], self.loads[self.loads.len() - 1]]
+    pub(super) fn ends(&self) -> [f64; 2] {
+        [self.loads.first(), self.loads.last()].map(|load| load.copied().unwrap_or(f64::NAN))
+    }
+
+    /// All Hurst exponents, each with all loads.
+    pub(super) fn pairs(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.hurst.iter().flat_map(|&hurst| self.loads.iter().map(move |&load| (hurst, load)))
     }
 
     /// The range of loads on an axis, with some room.
@@ -85,7 +97,7 @@ impl Rough {
     }
 
     /// Relative area against `p*` and `p_r*`.
-    pub fn area_panel(&self, points: &Points) -> Panel {
+    pub(super) fn area_panel(&self, points: &Points) -> Panel {
         let [low, high] = self.range();
         let x = Axis::log("p* (red), p_r* (blue)", [low, high]);
         let y = Axis::log("a_rel", [1.5 * low, 3.5 * high]);
@@ -102,7 +114,7 @@ impl Rough {
     }
 
     /// `kappa` against `p*` and `kappa_r` against `p_r*`, raw and corrected.
-    pub fn kappa_panel(&self, points: &Points, range: [f64; 2]) -> Panel {
+    pub(super) fn kappa_panel(&self, points: &Points, range: [f64; 2]) -> Panel {
         let [low, high] = self.range();
         let x = Axis::log("p* (red), p_r* (blue)", [low, high]);
         let mut panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range), Corner::TopRight);
@@ -121,31 +133,53 @@ impl Rough {
 
     /// A curve of symbols for each Hurst exponent, on the finest grid; the colour tells the quantity.
     fn add(&self, panel: &mut Panel, points: &Points, name: &str, (colour, filled): (Colour, bool), of: [Quantity; 2]) {
-        let finest = points.grids().last().copied().unwrap_or(0);
         panel.series.push(Series::new(name, colour, Mark::Line, Vec::new()));
         for (hurst, symbol) in self.exponents() {
-            let curve = points.curve(hurst, &self.loads, finest, of);
+            let curve = points.curve(hurst, &self.loads, of);
             panel.series.push(Series::new("", colour, Mark::Joined { symbol, filled }, curve));
         }
     }
 
-    /// Its Hurst exponents, each with its symbol.
-    pub fn exponents(&self) -> impl Iterator<Item = (f64, Symbol)> {
+    /// The Hurst exponents, each with its symbol.
+    pub(super) fn exponents(&self) -> impl Iterator<Item = (f64, Symbol)> {
         self.hurst.iter().copied().zip(SYMBOLS.into_iter().cycle())
     }
 
     /// Says in the legend what the symbols mean.
-    pub fn add_legend(&self, panel: &mut Panel) {
+    pub(super) fn add_legend(&self, panel: &mut Panel) {
         for (hurst, symbol) in self.exponents() {
             let mark = Mark::Symbol { symbol, filled: false };
             panel.series.push(Series::new(format!("H = {hurst}"), Colour::BLACK, mark, Vec::new()));
         }
     }
-}
+    /// Means over the realisations against the loads, without contacts.
+    pub(super) fn growth(&self, points: &Points) -> Growth {
+        let kinds: [(&str, &str, &[Colour], Quantity); 4] = [
+            ("κ and κ_r", "κ", &WARM, |row| row.kappa),
+            ("κ and κ_r", "κ_r", &COLD, |row| row.kappa_r),
+            ("κ_r corrected", "κ_r corrected", &COLD, |row| row.kappa_r_corrected),
+            ("relative contact area", "log10 a_rel", &WARM, |row| row.relative_area.log10()),
+        ];
+        let mut curves = Vec::new();
+        for (view, name, colours, quantity) in kinds {
+            for (&hurst, colour) in self.hurst.iter().zip(colours.iter().cycle()) {
+                let mean = |&load: &f64| points.at(hurst, load, points.finest(), quantity).mean;
+                let values = self.loads.iter().map(mean).collect();
+                curves.push(LoadCurve::new(view, format!("{name}, H = {hurst}"), *colour, values));
+            }
+        }
+        Growth {
+            captions: captions("p*", &self.loads),
+            cursor: self.loads.clone(),
+            curves,
+            contacts: Vec::new(),
+            length_unit: "m",
+        }
+    }
 
-/// A function of the load, along a logarithmic axis.
-pub fn along(axis: &Axis, of: impl Fn(f64) -> f64) -> Vec<Point> {
-    let [low, high] = axis.range.map(f64::log10);
-    let load = |i: i32| 10f64.powf(low + (high - low) * f64::from(i) / 100.0);
-    (0..=100).map(load).map(|p| Point::at(p, of(p))).collect()
+    /// The first of `realisations` of each Hurst exponent, on the coarsest grid.
+    pub(super) fn firsts(&self, realisations: Vec<Realisation>) -> Vec<Realisation> {
+        let coarsest = self.hurst.len() * self.seeds.len();
+        realisations.into_iter().take(coarsest).step_by(self.seeds.len().max(1)).collect()
+    }
 }

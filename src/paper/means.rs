@@ -1,8 +1,7 @@
 //! Means of solved points over realisations.
 
-use anyhow::Result;
-use asperity::plot::Point;
-use asperity::study::{Line, Row, Spread};
+use crate::plot::Point;
+use crate::study::{Line, Row, Spread};
 
 /// A quantity of a point.
 pub type Quantity = fn(&Row) -> f64;
@@ -11,6 +10,11 @@ pub type Quantity = fn(&Row) -> f64;
 pub struct Points(pub Vec<Row>);
 
 impl Points {
+    /// The points of the realisations of a name.
+    pub fn named(&self, name: &str) -> impl Iterator<Item = &Row> {
+        self.0.iter().filter(move |row| row.name == name)
+    }
+
     /// The points on the grid of `nx` points along x.
     pub fn on(&self, nx: usize) -> impl Iterator<Item = &Row> {
         self.0.iter().filter(move |row| row.nx == nx)
@@ -22,6 +26,11 @@ impl Points {
         grids.sort_unstable();
         grids.dedup();
         grids
+    }
+
+    /// Points along x of the finest grid.
+    pub fn finest(&self) -> usize {
+        self.0.iter().map(|row| row.nx).max().unwrap_or(0)
     }
 
     /// `quantity` at one Hurst exponent and load, over the realisations.
@@ -47,8 +56,9 @@ impl Points {
         groups
     }
 
-    /// One point per load: the means of `x` and `y`, with the scatter of `y`.
-    pub fn curve(&self, hurst: f64, loads: &[f64], nx: usize, [x, y]: [Quantity; 2]) -> Vec<Point> {
+    /// One point per load, on the finest grid: the means of `x` and `y`, with the scatter of `y`.
+    pub fn curve(&self, hurst: f64, loads: &[f64], [x, y]: [Quantity; 2]) -> Vec<Point> {
+        let nx = self.finest();
         let point = |&load: &f64| {
             let (x, y) = (self.at(hurst, load, nx, x), self.at(hurst, load, nx, y));
             Point { x: x.mean, y: y.mean, spread: y.deviation }
@@ -61,8 +71,6 @@ impl Points {
     ///
     /// What a point costs and its certificate are those of the finest grid.
     pub fn extrapolated(&self, nx: Option<usize>) -> Self {
-        let grids = self.grids();
-        let Some(&finest) = grids.last() else { return Self(Vec::new()) };
         let spacing = nx.map_or(0.0, |nx| 1.0 / nx as f64);
         let row = |row: &Row| {
             let others: Vec<&Row> = self.0.iter().filter(|other| is_same_point(row, other)).collect();
@@ -82,19 +90,19 @@ impl Points {
                 ..row.clone()
             }
         };
-        Self(self.on(finest).map(row).collect())
+        Self(self.on(self.finest()).map(row).collect())
     }
 
-    /// Means over realisations as CSV.
-    pub fn write_means(&self, path: &std::path::Path) -> Result<()> {
-        let mut rows: Vec<Mean> = Vec::new();
+    /// Means over the realisations of each grid, Hurst exponent and load.
+    pub fn means(&self) -> Vec<Mean> {
+        let mut means: Vec<Mean> = Vec::new();
         for row in &self.0 {
             let hurst = row.hurst.unwrap_or(f64::NAN);
-            if !rows.iter().any(|mean| mean.is_of(hurst, row)) {
-                rows.push(Mean::of(self, hurst, row));
+            if !means.iter().any(|mean| mean.is_of(hurst, row)) {
+                means.push(Mean::of(self, hurst, row));
             }
         }
-        Ok(super::write_csv(path, &rows)?)
+        means
     }
 }
 
@@ -105,7 +113,7 @@ fn is_same_point(a: &Row, b: &Row) -> bool {
 
 /// Means over realisations with their standard deviations.
 #[derive(serde::Serialize)]
-struct Mean {
+pub struct Mean {
     nx: usize,
     hurst: f64,
     reduced_pressure: f64,
@@ -130,23 +138,26 @@ impl Mean {
     }
 
     fn of(points: &Points, hurst: f64, row: &Row) -> Self {
-        let spread = |quantity: Quantity| points.at(hurst, row.reduced_pressure, row.nx, quantity);
-        let [area, kappa, kappa_corrected, kappa_r, kappa_r_corrected] = [
-            spread(|row| row.relative_area),
-            spread(|row| row.kappa),
-            spread(|row| row.kappa_corrected),
-            spread(|row| row.kappa_r),
-            spread(|row| row.kappa_r_corrected),
+        let quantities: [Quantity; 7] = [
+            |row| row.reduced_pressure_contact,
+            |row| row.relative_area,
+            |row| row.relative_area_corrected,
+            |row| row.kappa,
+            |row| row.kappa_corrected,
+            |row| row.kappa_r,
+            |row| row.kappa_r_corrected,
         ];
+        let [pressure_contact, area, area_corrected, kappa, kappa_corrected, kappa_r, kappa_r_corrected] =
+            quantities.map(|quantity| points.at(hurst, row.reduced_pressure, row.nx, quantity));
         Self {
             nx: row.nx,
             hurst,
             reduced_pressure: row.reduced_pressure,
             realisations: area.count,
-            reduced_pressure_contact: spread(|row| row.reduced_pressure_contact).mean,
+            reduced_pressure_contact: pressure_contact.mean,
             relative_area: area.mean,
             relative_area_deviation: area.deviation,
-            relative_area_corrected: spread(|row| row.relative_area_corrected).mean,
+            relative_area_corrected: area_corrected.mean,
             kappa: kappa.mean,
             kappa_deviation: kappa.deviation,
             kappa_corrected: kappa_corrected.mean,

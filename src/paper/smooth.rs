@@ -1,11 +1,11 @@
 //! Cylinder and sphere of Section 2.
 
-use anyhow::Result;
-use asperity::Grid;
-use asperity::plot::Point;
-use asperity::study::{Realisation, Row, Shape};
-use asperity::surface::Indenter;
-use asperity::theory::{Geometry, Periodic, PowerLaw, hertz};
+use crate::contact::Load;
+use crate::plot::Point;
+use crate::setup::{Cell, Recipe, Setup};
+use crate::study::{Realisation, Row};
+use crate::surface::Indenter;
+use crate::theory::{Geometry, Periodic, PowerLaw, hertz};
 
 /// Points of smooth lines, as in the paper.
 pub const LINE: usize = 1 << 13;
@@ -14,39 +14,38 @@ pub const RADIUS: f64 = 1.0;
 /// Length of the cell: `L/R = 4`.
 pub const PERIOD: f64 = 4.0;
 
-/// A cylinder or sphere on `points` per direction, loaded to the contact half-widths `widths`, over the period.
-pub fn realisation(geometry: Geometry, points: usize, widths: &[f64]) -> Result<Realisation> {
-    let (name, grid, indenter, hertz) = match geometry {
-        Geometry::Line => (
-            "cylinder",
-            Grid::line(points, PERIOD)?,
-            Indenter::Cylinder { radius: RADIUS },
-            hertz::cylinder(RADIUS, 1.0),
-        ),
-        Geometry::Point => (
-            "sphere",
-            Grid::surface([points; 2], [PERIOD; 2])?,
-            Indenter::Sphere { radius: RADIUS },
-            hertz::sphere(RADIUS, 1.0),
-        ),
-    };
-    let loads = widths.iter().map(|width| reduced_pressure(&hertz, *width)).collect();
-    Ok(Realisation { name: name.into(), grid, shape: Shape::Smooth(indenter), loads })
+/// An indenter under rising reduced pressures.
+pub fn realisation(name: &str, indenter: Indenter, cell: Cell, loads: Vec<f64>) -> Realisation {
+    let heaviest = Load::ReducedPressure(loads.last().copied().unwrap_or(f64::NAN));
+    Realisation { name: name.into(), setup: Setup::new(Recipe::indenter(indenter), cell, heaviest), loads }
 }
 
-/// So many half-widths of contacts over the period between two, equally far apart in their logarithm. The nodes of a contact
+/// A cylinder on a line of `points`, loaded to the contact half-widths `widths`, over the period.
+pub fn cylinder(points: usize, widths: &[f64]) -> Realisation {
+    let loads = loads(&hertz::cylinder(RADIUS, 1.0), widths);
+    realisation("cylinder", Indenter::Cylinder { radius: RADIUS }, Cell::line(points, PERIOD), loads)
+}
+
+/// A sphere on a surface of `side` points a side, loaded to the contact radii `widths`, over the period.
+pub fn sphere(side: usize, widths: &[f64]) -> Realisation {
+    let loads = loads(&hertz::sphere(RADIUS, 1.0), widths);
+    realisation("sphere", Indenter::Sphere { radius: RADIUS }, Cell::surface([side; 2], [PERIOD; 2]), loads)
+}
+
+/// `count` half-widths of contacts over the period between two, equally far apart in their logarithm. The nodes of a contact
 /// come in whole numbers: means over many widths are rid of that.
 pub fn widths([low, high]: [f64; 2], count: i32) -> Vec<f64> {
     (0..count).map(|i| low * (high / low).powf(f64::from(i) / f64::from(count - 1))).collect()
 }
 
-/// `p*` at which an isolated contact of a line, or of a sphere, is `2 width` periods wide; `gbar` is that of the cell.
-pub fn reduced_pressure(indenter: &PowerLaw, width: f64) -> f64 {
+/// The reduced pressures `p*` at which isolated contacts of lines, or of spheres, have the half-widths `widths`, over the
+/// period; `gbar` is that of the cell.
+pub fn loads(indenter: &PowerLaw, widths: &[f64]) -> Vec<f64> {
     let PowerLaw { geometry, coefficient, exponent: n, .. } = *indenter;
     let directions = if geometry == Geometry::Line { 1.0 } else { 2.0_f64 };
     let area = if geometry == Geometry::Line { PERIOD } else { PERIOD * PERIOD };
     let slope = coefficient * n * (0.5 * PERIOD).powf(n - 1.0) / (2.0 * n - 1.0).sqrt();
-    indenter.load(width * PERIOD) / (area * directions.sqrt() * slope)
+    widths.iter().map(|width| indenter.load(width * PERIOD) / (area * directions.sqrt() * slope)).collect()
 }
 
 /// Half-width or radius of the contact of a row, from the corrected area.
