@@ -248,6 +248,9 @@ pub enum SetupError {
         "no surface is given: give a height file, an indenter or a spectrum (a Hurst exponent with its wavelengths)"
     )]
     NoSurface,
+    /// Nothing says how hard it is pressed.
+    #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
+    NoLoad,
     /// A seed without roughness.
     #[error(
         "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
@@ -313,12 +316,9 @@ pub enum SetupError {
 /// A study that cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// A surface that cannot be made.
+    /// A setup that cannot be.
     #[error(transparent)]
-    Surface(#[from] SurfaceError),
-    /// A load that cannot be.
-    #[error(transparent)]
-    Problem(#[from] ProblemError),
+    Setup(#[from] SetupError),
     /// A contact that cannot be solved.
     #[error(transparent)]
     Solve(#[from] SolveError),
@@ -327,7 +327,7 @@ pub enum StudyError {
     File(#[from] FileError),
     /// A table that would be lost.
     #[error(
-        "{} holds {points} points of other surfaces, loads, tolerances or versions: write elsewhere, or start afresh to replace it",
+        "{} holds {points} points of other setups, loads or versions: write elsewhere, or start afresh to replace it",
         path.display()
     )]
     OtherStudy {

@@ -1,5 +1,4 @@
 //! The explorer, asked as a browser would ask it.
-#![cfg(feature = "explore")]
 
 use asperity::Stop;
 use asperity::contact::Multilevel;

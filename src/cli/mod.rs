@@ -4,28 +4,24 @@ mod accuracy;
 mod bench;
 #[cfg(feature = "explore")]
 mod browser;
-mod contender;
 #[cfg(feature = "record")]
 mod demo;
 #[cfg(feature = "explore")]
 mod explore;
-mod memory;
-mod method;
+mod flags;
 mod output;
 mod paper;
-#[cfg(feature = "record")]
-mod part;
 mod plan;
 mod progress;
 mod solve;
-mod solver;
-mod source;
 mod stability;
 mod surface;
 #[cfg(feature = "explore")]
 mod view;
 
-use asperity::error::{FileError, GridError, ProblemError, SettingError, SolveError, StudyError, SurfaceError};
+use asperity::error::{
+    FileError, GridError, ProblemError, SettingError, SetupError, SolveError, StudyError, SurfaceError,
+};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -122,13 +118,31 @@ fn is_input(error: &anyhow::Error) -> bool {
         || error.is::<SurfaceError>()
         || error.is::<ProblemError>()
         || error.is::<SettingError>()
-        || matches!(error.downcast_ref(), Some(SolveError::NeedsPressure { .. }))
+        || error.downcast_ref().is_some_and(is_setup_input)
+        || error.downcast_ref().is_some_and(is_solve_input)
         || error.downcast_ref().is_some_and(is_file_input)
         || match error.downcast_ref() {
-            Some(StudyError::Surface(_) | StudyError::Problem(_) | StudyError::OtherStudy { .. }) => true,
+            Some(StudyError::OtherStudy { .. }) => true,
+            Some(StudyError::Setup(setup)) => is_setup_input(setup),
+            Some(StudyError::Solve(solve)) => is_solve_input(solve),
             Some(StudyError::File(file)) => is_file_input(file),
-            Some(StudyError::Solve(_)) | None => false,
+            Some(_) => true,
+            None => false,
         }
+}
+
+/// Whether another setup would do.
+fn is_setup_input(error: &SetupError) -> bool {
+    match error {
+        SetupError::File(file) => is_file_input(file),
+        SetupError::Solve(solve) => is_solve_input(solve),
+        _ => true,
+    }
+}
+
+/// Whether another solver would do.
+fn is_solve_input(error: &SolveError) -> bool {
+    matches!(error, SolveError::NeedsPressure { .. })
 }
 
 /// Whether another file would do.

@@ -1,6 +1,6 @@
 //! A progress bar for people at a terminal.
 
-use asperity::contact::{Observer, Phase, Step};
+use asperity::contact::{Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
@@ -28,15 +28,15 @@ struct Level {
 }
 
 impl Progress {
-    /// A bar that is full at `tolerance`.
-    pub fn new(tolerance: f64, title: &str) -> Self {
+    /// A bar that is full at the tolerance of the run.
+    pub fn new(title: &str) -> Self {
         let bar = if std::io::stderr().is_terminal() { ProgressBar::new(LENGTH) } else { ProgressBar::hidden() };
         if let Ok(style) = ProgressStyle::with_template("{prefix} [{wide_bar}] {msg} ({elapsed})") {
             bar.set_style(style);
         }
         bar.set_prefix(title.to_owned());
         bar.enable_steady_tick(Duration::from_millis(200));
-        Self { bar, tolerance, coarse: 0, level: None }
+        Self { bar, tolerance: f64::NAN, coarse: 0, level: None }
     }
 
     fn show(&mut self, step: usize, phase: Phase, certificate: Option<f64>, seconds: f64) {
@@ -72,11 +72,16 @@ impl Level {
 }
 
 impl Observer for Progress {
-    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()> {
+    fn begin(&mut self, _: &dyn Solver, _: &Problem, stop: &Stop) -> Result<(), Failure> {
+        self.tolerance = stop.tolerance();
+        Ok(())
+    }
+
+    fn step(&mut self, step: &Step<'_>) -> Wish {
         if !self.bar.is_hidden() {
             self.show(step.index(), step.phase(), step.certificate(), self.bar.elapsed().as_secs_f64());
         }
-        ControlFlow::Continue(())
+        Ok(ControlFlow::Continue(()))
     }
 }
 
@@ -154,7 +159,8 @@ mod tests {
 
     #[test]
     fn the_bar_names_level_certificate_and_time_left() {
-        let mut progress = Progress::new(1e-8, "it");
+        let mut progress = Progress::new("it");
+        progress.tolerance = 1e-8;
         let mut message = |step, level, inner, certificate, seconds| {
             progress.show(step, Phase { level, outer: 0, inner }, certificate, seconds);
             progress.message(step, Phase { level, outer: 0, inner }, seconds)

@@ -1,38 +1,25 @@
 //! `asperity solve`: one contact.
 
-use super::output::{Summary, write_fields};
-#[cfg(feature = "record")]
-use super::part::PartArg;
-use super::plan::{Outputs, Plan};
+use super::flags::Scene;
+use super::output::Summary;
+use super::plan;
 use super::progress::Progress;
-use super::solver::SolverArgs;
-use super::source::{Made, Source};
 use super::{Outcome, usage};
 use anyhow::Result;
+use asperity::contact::{Contact, Problem, archive};
+use asperity::files::{check_target, write_beside};
 #[cfg(feature = "record")]
-use asperity::Grid;
-use asperity::Surface;
-use asperity::contact::{Contact, Load, Problem, Solver, Stop};
-use asperity::error::{FileError, SolveError};
-use asperity::files::check_target;
-#[cfg(feature = "record")]
-use asperity::record::Options;
-use asperity::theory::Exact;
-#[cfg(feature = "record")]
-use clap::ArgGroup;
+use asperity::record;
+use asperity::setup::Setup;
 use clap::Args;
-use std::io::{Write, stderr, stdout};
+use std::io::{self, Write, stderr, stdout};
 use std::path::PathBuf;
 
 /// Presses one surface on the solid and reports the contact.
 #[derive(Args)]
 pub struct Solve {
     #[command(flatten)]
-    source: Source,
-    #[command(flatten)]
-    load: LoadArgs,
-    #[command(flatten)]
-    solver: SolverArgs,
+    scene: Scene<true>,
     #[command(flatten)]
     output: Output,
     /// Say what the solve would take in memory, transforms and recording, and do none of it
@@ -41,25 +28,7 @@ pub struct Solve {
 }
 
 #[derive(Args)]
-#[command(next_help_heading = "Load (one of --pressure, --reduced-pressure, --mean-gap)")]
-struct LoadArgs {
-    /// Mean pressure, in the units of the modulus
-    #[arg(long, value_name = "P", allow_negative_numbers = true)]
-    pressure: Option<f64>,
-    /// Reduced pressure p* = p / (rms gradient x modulus)
-    #[arg(long, value_name = "P*", allow_negative_numbers = true)]
-    reduced_pressure: Option<f64>,
-    /// Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd
-    #[arg(long, value_name = "G", allow_negative_numbers = true)]
-    mean_gap: Option<f64>,
-    /// Contact modulus E* = E / (1 - nu^2)
-    #[arg(long, value_name = "E*", default_value_t = 1.0, allow_negative_numbers = true)]
-    modulus: f64,
-}
-
-#[derive(Args)]
 #[command(next_help_heading = "Output")]
-#[cfg_attr(feature = "record", command(group = ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
 struct Output {
     /// Record every relaxation step for the Rerun viewer
     #[cfg(feature = "record")]
@@ -69,189 +38,110 @@ struct Output {
     #[cfg(feature = "record")]
     #[arg(long)]
     live: bool,
-    /// Record the fields of every N-th step, instead of all early steps and then ever fewer
-    #[cfg(feature = "record")]
-    #[arg(long, value_name = "N", requires = "recorded")]
-    record_every: Option<usize>,
-    /// Parts to record, instead of all that a line or a surface has
-    #[cfg(feature = "record")]
-    #[arg(long, value_enum, value_name = "PART[,PART]", value_delimiter = ',', requires = "recorded")]
-    record_what: Vec<PartArg>,
-    /// Unit of lengths in the recording; metres are shown as mm, um or nm
-    #[cfg(feature = "record")]
-    #[arg(long, value_name = "UNIT", default_value = "m")]
-    length_unit: String,
-    /// Write height, pressure, gap, displacement and contact, shaped as the input
+    /// Write height, pressure, gap, displacement and contact, shaped as the input, and the setup
     #[arg(long, value_name = "FILE.npz")]
     out: Option<PathBuf>,
+    /// Write what was solved as a scene, all numbers to the last bit
+    #[arg(long, value_name = "SCENE.toml")]
+    save_setup: Option<PathBuf>,
     /// Print one JSON object instead of a summary
     #[arg(long)]
     json: bool,
 }
 
-impl Solve {
-    /// Runs the command.
-    pub fn run(&self) -> Result<Outcome> {
-        let solver = self.solver.solver()?;
-        let stop = self.solver.stop()?;
-        if self.load.mean_gap.is_some() && self.solver.needs_pressure() {
-            return Err(SolveError::NeedsPressure { solver: solver.name() }.into());
-        }
-        let plan = self.plan()?;
-        self.load.given()?;
-        if let Some(path) = &self.output.out {
-            check_target(path)?;
-        }
-        if self.dry_run {
-            return self.announce(&plan);
-        }
-        plan.check()?;
-        let (surface, made) = self.source.surface()?;
-        let problem = self.load.problem(surface)?;
-        let Watched { contact, outcome, recorded } = self.watch(&problem, &made, solver.as_ref(), &stop)?;
-        if let Some(path) = &self.output.out {
-            write_fields(path, &problem, &contact, made.rank)?;
-        }
-        let exact = exact(&made, &problem, contact.pressure.mean().unwrap_or(0.0));
-        let summary = Summary::of(&problem, &contact, made.rank, exact.as_ref());
-        if self.output.json {
-            summary.write_json(&mut stdout())?;
-        } else {
-            summary.write_text(&made.title, &mut stdout())?;
-        }
-        recorded?;
-        Ok(outcome)
-    }
-
-    /// What the solve will take.
-    fn plan(&self) -> Result<Plan> {
-        let grid = self.source.check()?;
-        let reduced_pressure = self.load.reduced_pressure.filter(|_| self.source.is_random());
-        #[cfg(feature = "record")]
-        let recording = self.output.record.is_some();
-        #[cfg(not(feature = "record"))]
-        let recording = false;
-        let outputs = Outputs { recording, fields: self.output.out.is_some() };
-        Ok(Plan::new(grid, self.solver.method(), reduced_pressure, outputs))
-    }
-
-    /// Says what the solve would take.
-    fn announce(&self, plan: &Plan) -> Result<Outcome> {
-        let mut said = Vec::new();
-        plan.write(&mut said)?;
-        #[cfg(feature = "record")]
-        if self.output.record.is_some() {
-            plan.write_recording(&self.options(plan.grid())?, &self.solver.stop()?, &mut said)?;
-        }
-        stdout().write_all(&said)?;
-        Ok(Outcome::Done)
-    }
-
-    /// How the solve is recorded.
+impl Output {
+    /// The recording.
     #[cfg(feature = "record")]
-    fn options(&self, grid: &Grid) -> Result<Options> {
-        if self.output.record_every == Some(0) {
-            return usage("--record-every is 0: give a positive number of steps");
-        }
-        Ok(Options {
-            what: PartArg::parts(&self.output.record_what, grid)?,
-            every: self.output.record_every,
-            length_unit: self.output.length_unit.clone(),
-            ..Options::default()
-        })
-    }
-
-    #[cfg(feature = "record")]
-    fn watch(&self, problem: &Problem, made: &Made, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
-        use asperity::record::{Recording, Scene, describe};
-        let options = self.options(problem.surface().grid())?;
-        if self.output.record.is_none() && !self.output.live {
-            return watch_progress(problem, solver, stop);
-        }
-        if let Some(path) = self.output.record.as_ref().filter(|path| Some(*path) == self.output.out.as_ref()) {
-            return usage(format!("--record and --out both name {}: give two files", path.display()));
-        }
-        let exact = match problem.load() {
-            Load::MeanPressure(mean_pressure) => exact(made, problem, mean_pressure),
-            Load::MeanGap(_) => None,
-        };
-        let scene = Scene {
-            name: "contact".into(),
-            title: made.title.clone(),
-            problem,
-            description: describe(&made.description, problem, &self.output.length_unit, solver, stop, exact.as_ref()),
-            exact,
-        };
-        let unseen = tempfile::NamedTempFile::new()?;
-        let path = self.output.record.as_deref().unwrap_or(unseen.path());
-        let begin = if self.output.live { Recording::shown } else { Recording::create };
-        let recording = begin(path, &[scene], options)?;
-        let mut recorder = recording.recorder(0);
-        let mut progress = Progress::new(stop.tolerance(), solver.name());
-        let (contact, outcome) = settle(solver.solve(problem, stop, &mut (&mut recorder, &mut progress)))?;
-        let recorded = recorder.close(&contact).and_then(|()| recording.finish());
-        Ok(Watched { contact, outcome, recorded })
+    fn recording(&self) -> Option<&PathBuf> {
+        self.record.as_ref()
     }
 
     #[cfg(not(feature = "record"))]
-    fn watch(&self, problem: &Problem, _: &Made, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
-        watch_progress(problem, solver, stop)
+    fn recording(&self) -> Option<&PathBuf> {
+        None
     }
-}
 
-/// A contact, and what became of its recording, which must not stand in the way of the other outputs.
-struct Watched {
-    contact: Contact,
-    outcome: Outcome,
-    recorded: Result<(), FileError>,
-}
-
-fn watch_progress(problem: &Problem, solver: &dyn Solver, stop: &Stop) -> Result<Watched> {
-    let mut progress = Progress::new(stop.tolerance(), solver.name());
-    let (contact, outcome) = settle(solver.solve(problem, stop, &mut progress))?;
-    Ok(Watched { contact, outcome, recorded: Ok(()) })
-}
-
-/// The contact, converged or not; what stands in the way of convergence is said on standard error. An error if there is none.
-pub fn settle(solved: Result<Contact, SolveError>) -> Result<(Contact, Outcome), SolveError> {
-    match solved {
-        Ok(contact) => Ok((contact, Outcome::Done)),
-        Err(error) => {
-            let warning = format!("warning: {error}");
-            let contact = error.into_contact()?;
-            writeln!(stderr(), "{warning}").ok();
-            Ok((contact, Outcome::NotConverged))
+    /// Refuses places where nothing can be written, and one file for two outputs.
+    fn check(&self) -> Result<()> {
+        let named =
+            [("--record", self.recording()), ("--out", self.out.as_ref()), ("--save-setup", self.save_setup.as_ref())];
+        let named: Vec<_> = named.into_iter().filter_map(|(flag, path)| Some((flag, path?))).collect();
+        for (i, (flag, path)) in named.iter().enumerate() {
+            check_target(path)?;
+            if let Some((other, _)) = named[..i].iter().find(|(_, earlier)| earlier == path) {
+                return usage(format!("{other} and {flag} both name {}: give two files", path.display()));
+            }
         }
+        Ok(())
     }
 }
 
-/// The exact solution under a mean pressure, where the surface has one.
-fn exact(made: &Made, problem: &Problem, mean_pressure: f64) -> Option<Exact> {
-    let indenter = made.indenter.as_ref()?;
-    Exact::of(indenter, problem.surface().grid(), problem.contact_modulus(), mean_pressure)
-}
-
-/// The one load that is given.
-enum Given {
-    Load(Load),
-    ReducedPressure(f64),
-}
-
-impl LoadArgs {
-    fn given(&self) -> Result<Given> {
-        match (self.pressure, self.reduced_pressure, self.mean_gap) {
-            (Some(pressure), None, None) => Ok(Given::Load(Load::MeanPressure(pressure))),
-            (None, Some(reduced), None) => Ok(Given::ReducedPressure(reduced)),
-            (None, None, Some(gap)) => Ok(Given::Load(Load::MeanGap(gap))),
-            (None, None, None) => usage("no load is given: use --pressure, --reduced-pressure or --mean-gap"),
-            _ => usage("more than one load is given: use only one of --pressure, --reduced-pressure and --mean-gap"),
+impl Solve {
+    /// Runs the command.
+    pub fn run(&self) -> Result<Outcome> {
+        let setup = self.scene.table()?.setup()?;
+        let cost = setup.cost(self.output.recording().is_some(), self.output.out.is_some())?;
+        self.output.check()?;
+        if self.dry_run {
+            let mut said = Vec::new();
+            plan::write(&setup, &cost, self.output.recording().is_some(), &mut said)?;
+            stdout().write_all(&said)?;
+            return Ok(Outcome::Done);
         }
+        cost.check(setup.solver.name())?;
+        let contact = self.watch(&setup, &setup.problem()?)?;
+        self.write(&setup, &contact)?;
+        settle(&contact)
     }
 
-    fn problem(&self, surface: Surface) -> Result<Problem> {
-        Ok(match self.given()? {
-            Given::Load(load) => Problem::under(surface, self.modulus, load)?,
-            Given::ReducedPressure(reduced) => Problem::at_reduced_pressure(surface, self.modulus, reduced)?,
-        })
+    /// Writes and prints what came out.
+    fn write(&self, setup: &Setup, contact: &Contact) -> Result<()> {
+        let rank = setup.surface.rank(&setup.grid)?;
+        if let Some(path) = &self.output.out {
+            let text = setup.clone().with_full_path().to_toml();
+            let bytes = archive(contact, rank, Some(&text));
+            write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
+        }
+        if let Some(path) = &self.output.save_setup {
+            setup.write(path)?;
+        }
+        let summary = Summary::of(setup, contact, rank);
+        if self.output.json { summary.write_json(&mut stdout()) } else { Ok(summary.write_text(&mut stdout())?) }
+    }
+
+    /// Solves, and shows the steps to whom it concerns.
+    fn watch(&self, setup: &Setup, problem: &Problem) -> Result<Contact> {
+        let solver = setup.solver.solver();
+        let mut progress = Progress::new(solver.name());
+        #[cfg(feature = "record")]
+        if self.output.record.is_some() || self.output.live {
+            let scenes = [record::Scene::of(setup, problem)];
+            let options = record::Options::from(&setup.record);
+            let path = self.output.record.as_deref();
+            let recording = match path {
+                Some(path) if !self.output.live => record::Recording::create(path, &scenes, options)?,
+                _ => record::Recording::shown(path, &scenes, options)?,
+            };
+            let mut recorder = recording.recorder(0);
+            let mut contact = solver.solve(problem, &setup.stop, &mut (&mut recorder, &mut progress))?;
+            drop(recorder);
+            if let Err(failure) = recording.finish() {
+                contact.fail(failure);
+            }
+            return Ok(contact);
+        }
+        Ok(solver.solve(problem, &setup.stop, &mut progress)?)
+    }
+}
+
+/// How a solve ended. That it has not converged is said on standard error; the failure of an observer is an error.
+pub fn settle(contact: &Contact) -> Result<Outcome> {
+    match contact.fault() {
+        None => Ok(Outcome::Done),
+        Some(fault) if contact.failure.is_some() => Err(fault.into()),
+        Some(fault) => {
+            writeln!(stderr(), "warning: {fault}").ok();
+            Ok(Outcome::NotConverged)
+        }
     }
 }

@@ -1,11 +1,11 @@
 //! `asperity surface`: makes a surface, or describes one.
 
 use super::Outcome;
-use super::memory;
-use super::source::{Made, Source};
+use super::flags::Scene;
 use anyhow::Result;
 use asperity::Surface;
 use asperity::files::check_target;
+use asperity::setup::{Cost, Setup};
 use asperity::surface::{Roughness, write_heights};
 use clap::Args;
 use serde::Serialize;
@@ -19,7 +19,7 @@ const FIELDS: f64 = 3.0;
 #[derive(Args)]
 pub struct Describe {
     #[command(flatten)]
-    source: Source,
+    scene: Scene<false>,
     /// Write the heights
     #[arg(long, value_name = "FILE.npy", help_heading = "Output")]
     out: Option<PathBuf>,
@@ -28,19 +28,15 @@ pub struct Describe {
     json: bool,
 }
 
+/// The statistics of a surface as they are printed.
 #[derive(Serialize)]
 struct Statistics {
     points: Vec<usize>,
     size: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
-    rms_height: f64,
-    rms_gradient: f64,
-    rms_curvature: f64,
-    peak: f64,
-    valley: f64,
-    skewness: f64,
-    kurtosis: f64,
+    #[serde(flatten)]
+    roughness: Roughness,
 }
 
 impl Describe {
@@ -49,45 +45,31 @@ impl Describe {
         if let Some(path) = &self.out {
             check_target(path)?;
         }
-        memory::check(&self.source.check()?, "a surface", FIELDS)?;
-        let (surface, made) = self.source.surface()?;
+        let (recipe, cell) = self.scene.table()?.surface()?;
+        let grid = recipe.grid(&cell)?;
+        recipe.check(&grid)?;
+        Cost::of_fields(&grid, FIELDS).check("a surface")?;
+        let (surface, rank) = (recipe.surface(grid)?, recipe.rank(&cell)?);
         if let Some(path) = &self.out {
             let height = surface.heights_as_given();
-            if made.rank == 1 {
-                write_heights(path, height.row(0).into_dyn())?;
-            } else {
-                write_heights(path, height.view().into_dyn())?;
-            }
+            write_heights(path, if rank == 1 { height.row(0).into_dyn() } else { height.view().into_dyn() })?;
         }
-        let statistics = Statistics::of(&surface, &made);
+        let statistics = Statistics::of(&surface, rank);
         let mut out = stdout();
         if self.json {
             writeln!(out, "{}", serde_json::to_string(&statistics)?)?;
         } else {
-            statistics.write(&made.description, &mut out)?;
+            statistics.write(&recipe.description(), &mut out)?;
         }
         Ok(Outcome::Done)
     }
 }
 
 impl Statistics {
-    fn of(surface: &Surface, made: &Made) -> Self {
-        let grid = surface.grid();
-        let outer = if made.rank == 1 { 1 } else { 0 };
-        let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } =
-            Roughness::of(surface);
-        Self {
-            points: grid.shape()[outer..].to_vec(),
-            size: grid.size()[outer..].to_vec(),
-            seed: surface.seed(),
-            rms_height,
-            rms_gradient,
-            rms_curvature,
-            peak,
-            valley,
-            skewness,
-            kurtosis,
-        }
+    fn of(surface: &Surface, rank: usize) -> Self {
+        let (grid, outer) = (surface.grid(), 2 - rank);
+        let (points, size) = (grid.shape()[outer..].to_vec(), grid.size()[outer..].to_vec());
+        Self { points, size, seed: surface.seed(), roughness: Roughness::of(surface) }
     }
 
     fn write(&self, description: &str, out: &mut impl Write) -> std::io::Result<()> {
@@ -95,14 +77,15 @@ impl Statistics {
         writeln!(out, "{description}")?;
         writeln!(out, "  points         {}", join(self.points.iter().map(usize::to_string).collect()))?;
         writeln!(out, "  size           {}", join(self.size.iter().map(f64::to_string).collect()))?;
+        let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } = self.roughness;
         let rows = [
-            ("rms height", self.rms_height),
-            ("rms gradient", self.rms_gradient),
-            ("rms curvature", self.rms_curvature),
-            ("highest peak", self.peak),
-            ("deepest valley", self.valley),
-            ("skewness", self.skewness),
-            ("kurtosis", self.kurtosis),
+            ("rms height", rms_height),
+            ("rms gradient", rms_gradient),
+            ("rms curvature", rms_curvature),
+            ("highest peak", peak),
+            ("deepest valley", valley),
+            ("skewness", skewness),
+            ("kurtosis", kurtosis),
         ];
         for (name, value) in rows {
             writeln!(out, "  {name:<14} {value:.6e}")?;

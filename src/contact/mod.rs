@@ -14,6 +14,8 @@ mod gfmd;
 mod load;
 mod measure;
 mod multilevel;
+
+mod observables;
 mod observe;
 mod outcome;
 mod patches;
@@ -32,6 +34,7 @@ pub use gfmd::{Dynamics, Gfmd, Masses};
 pub use load::Load;
 pub use measure::{Measures, NODE_EXCESS_PER_SWITCH_LINE, NODE_EXCESS_PER_SWITCH_SURFACE};
 pub use multilevel::Multilevel;
+pub use observables::{OBSERVABLES, Observable, Observables, State};
 pub use observe::{Each, Failure, Observer, Wish};
 pub use outcome::{Contact, Status, Work};
 pub use patches::Patches;

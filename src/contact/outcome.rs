@@ -113,17 +113,25 @@ impl Contact {
     /// The contact, if it converged and no observer failed.
     ///
     /// # Errors
-    /// [`SolveError::Observer`] with the failure of an observer, [`SolveError::NotConverged`] with the certificate that was
-    /// reached.
+    /// The [`Contact::fault`].
     pub fn converged(self) -> Result<Self, SolveError> {
-        if let Some(failure) = self.failure {
-            return Err(SolveError::Observer(failure));
-        }
-        if self.is_converged() {
-            return Ok(self);
+        self.fault().map_or(Ok(self), Err)
+    }
+
+    /// Why the contact is not what was asked for, if it is not: [`SolveError::Observer`] with the failure of an observer, or
+    /// [`SolveError::NotConverged`] with the certificate that was reached.
+    pub fn fault(&self) -> Option<SolveError> {
+        if let Some(failure) = &self.failure {
+            return Some(SolveError::Observer(failure.clone()));
         }
         let (iterations, reason, certificate) = (self.work.iterations, self.status.to_string(), self.certificate.eta);
-        Err(SolveError::NotConverged { solver: self.solver, iterations, reason, certificate })
+        let fault = SolveError::NotConverged { solver: self.solver.clone(), iterations, reason, certificate };
+        (!self.is_converged()).then_some(fault)
+    }
+
+    /// Notes that something that watched the run failed after it.
+    pub fn fail(&mut self, failure: impl Into<Failure>) {
+        self.failure.get_or_insert_with(|| Arc::new(failure.into()));
     }
 
     /// Area, gradients and proportionality factors.

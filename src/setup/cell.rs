@@ -3,7 +3,7 @@
 use crate::error::{GridError, SetupError};
 use crate::grid::Grid;
 use crate::quantity;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// Points and lengths along the axes of the arrays, in their order: one makes a line, two make a surface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -68,20 +68,44 @@ fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
 
 /// A list that may be a single value.
 mod one_or_more {
-    use super::*;
+    use serde::de::value::SeqAccessDeserializer;
+    use serde::de::{Deserialize, Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
+    use serde::{Serialize, Serializer};
+    use std::fmt;
+    use std::marker::PhantomData;
 
-    #[derive(Deserialize)]
-    #[serde(untagged)]
-    enum OneOrMore<T> {
-        One(T),
-        More(Vec<T>),
+    struct OneOrMore<T>(PhantomData<T>);
+
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrMore<T> {
+        type Value = Vec<T>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("one value, or a list with one for each axis")
+        }
+
+        fn visit_i64<E: Error>(self, value: i64) -> Result<Vec<T>, E> {
+            T::deserialize(value.into_deserializer()).map(|value| vec![value])
+        }
+
+        fn visit_u64<E: Error>(self, value: u64) -> Result<Vec<T>, E> {
+            T::deserialize(value.into_deserializer()).map(|value| vec![value])
+        }
+
+        fn visit_f64<E: Error>(self, value: f64) -> Result<Vec<T>, E> {
+            T::deserialize(value.into_deserializer()).map(|value| vec![value])
+        }
+
+        fn visit_str<E: Error>(self, value: &str) -> Result<Vec<T>, E> {
+            T::deserialize(value.into_deserializer()).map(|value| vec![value])
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, values: A) -> Result<Vec<T>, A::Error> {
+            Vec::deserialize(SeqAccessDeserializer::new(values))
+        }
     }
 
     pub fn deserialize<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<Vec<T>, D::Error> {
-        Ok(match OneOrMore::deserialize(from)? {
-            OneOrMore::One(value) => vec![value],
-            OneOrMore::More(values) => values,
-        })
+        from.deserialize_any(OneOrMore(PhantomData))
     }
 
     pub fn serialize<S: Serializer, T: Serialize>(values: &[T], into: S) -> Result<S::Ok, S::Error> {

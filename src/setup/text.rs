@@ -1,8 +1,10 @@
 //! Setups as text.
 
-use super::{Method, Setup};
+use super::{Cell, Method, Recipe, Setup};
 use crate::error::{FileError, SetupError};
 use crate::files::write_beside;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use std::io::Write;
 use std::path::Path;
 
@@ -92,8 +94,34 @@ impl Table {
     /// # Errors
     /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known.
     pub fn setup(mut self) -> Result<Setup, SetupError> {
+        if !self.0.contains_key("load") {
+            return Err(SetupError::NoLoad);
+        }
         if let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") {
             solver.entry("method").or_insert(Method::METHODS[0].0.into());
+        }
+        self.read_as()
+    }
+
+    /// The recipe of a surface and its cell, whatever else there is.
+    ///
+    /// # Errors
+    /// As [`Table::setup`].
+    pub fn surface(mut self) -> Result<(Recipe, Cell), SetupError> {
+        #[derive(Deserialize)]
+        struct Part {
+            surface: Recipe,
+            grid: Cell,
+        }
+        self.0.retain(|section, _| section == "surface" || section == "grid");
+        let Part { surface, grid } = self.read_as()?;
+        Ok((surface, grid))
+    }
+
+    /// Reads it with sections for a surface and a grid, be they empty.
+    fn read_as<T: DeserializeOwned>(mut self) -> Result<T, SetupError> {
+        for section in ["surface", "grid"] {
+            self.0.entry(section).or_insert_with(|| toml::Table::new().into());
         }
         self.0.try_into().map_err(|error: toml::de::Error| SetupError::Text {
             place: place(&error.to_string()),
@@ -122,15 +150,16 @@ fn one_line(message: &str) -> String {
     message.lines().map(str::trim).collect::<Vec<_>>().join(" ")
 }
 
-/// The message in one line; for an unknown name with the nearest known one.
+/// The message in one line with what to do; for an unknown name with the nearest known one.
 fn explained(message: &str) -> String {
     let message = one_line(message);
     let names: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
-    match (message.starts_with("unknown"), names.split_first()) {
-        (true, Some((unknown, known))) => match nearest(unknown, known) {
+    match names.split_first() {
+        Some((unknown, known)) if message.starts_with("unknown") => match nearest(unknown, known) {
             Some(nearest) => format!("{message}: did you mean `{nearest}`?"),
             None => format!("{message}: leave it out, or choose what it goes with"),
         },
+        Some(_) if message.starts_with("missing") => format!("{message}: give it as well"),
         _ => message,
     }
 }

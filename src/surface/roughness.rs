@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 /// assert!((roughness.kurtosis - 1.5).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Roughness {
     /// `sqrt <z^2>`, a length.
     pub rms_height: f64,

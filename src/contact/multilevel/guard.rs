@@ -97,6 +97,7 @@ mod tests {
     use super::*;
     use crate::contact::Problem;
     use crate::contact::best::Best;
+    use crate::contact::{ContactModulus, Load};
     use crate::grid::Grid;
     use crate::surface::{Indenter, Surface};
     use ndarray::Array1;
