@@ -1,8 +1,8 @@
 //! Beyond the paper: `kappa_r` is not the same for all indenters, nor up to full contact.
 
-use super::exhibit::{Exhibit, Growth, LoadCurve};
 use super::finding::Finding;
 use super::means::{Points, Quantity};
+use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::smooth::{LINE, PERIOD, half_width, loads, realisation, widths};
 use super::theory_lines::level;
 use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series, Symbol};
@@ -52,17 +52,17 @@ fn sine() -> Realisation {
 }
 
 /// The figure, and theory beside what is measured.
-pub fn exhibit(points: &Points) -> Exhibit {
+pub fn reproduce(points: &Points) -> Reproduction {
     let power = |(_, name, _, _, key): (_, _, _, _, &'static str)| {
         let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * WIDEST * PERIOD);
-        Finding::number(key, "corrected", Spread::of(narrow.map(|row| row.kappa_r_corrected)))
+        Finding::number(key, "corrected", Spread::of(narrow.map(|row| row.observables.kappa_r_corrected)))
     };
     let mut findings: Vec<Finding> = POWERS.map(power).into();
-    let half = points.named("sine").find(|row| row.reduced_pressure == 0.5 / SQRT_2);
-    findings.extend(half.map(|row| Finding::exact("beyond.sine", "corrected", row.kappa_r_corrected)));
+    let half = points.named("sine").find(|row| row.observables.reduced_pressure == 0.5 / SQRT_2);
+    findings.extend(half.map(|row| Finding::exact("beyond.sine", "corrected", row.observables.kappa_r_corrected)));
     let title = "Beyond the paper: other shapes, and up to full contact".into();
     let figure = Figure { title, panels: vec![power_panel(points), sine_panel(points)] };
-    Exhibit { figure: Some(figure), findings, growth: Some(growth(points)) }
+    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(points)) }
 }
 
 fn power_panel(points: &Points) -> Panel {
@@ -73,7 +73,10 @@ fn power_panel(points: &Points) -> Panel {
         let exact = power_law(exponent).kappa_r();
         let exact_line = level(&panel.x, exact);
         panel.series.push(Series::new(format!("n = {exponent}, exact {exact:.4}"), colour, Mark::Line, exact_line));
-        let measured = points.named(name).map(|row| Point::at(row.reduced_pressure_contact, row.kappa_r_corrected));
+        let measured = points
+            .named(name)
+            .map(|row| row.observables)
+            .map(|it| Point::at(it.reduced_pressure_contact, it.kappa_r_corrected));
         panel.series.push(Series::new("", colour, Mark::Symbol { symbol, filled: false }, measured.collect()));
     }
     panel
@@ -86,13 +89,16 @@ fn sine_panel(points: &Points) -> Panel {
     let full = PI * AMPLITUDE / PERIOD;
     type Kind = (&'static str, Colour, Symbol, fn(f64) -> f64, Quantity);
     let kinds: [Kind; 2] = [
-        ("a_rel", Colour::VERMILION, Symbol::Circle, |p| WAVE.relative_area(p), |row| row.relative_area_corrected),
-        ("κ_r", Colour::BLUE, Symbol::Square, |p| WAVE.kappa_r(p), |row| row.kappa_r_corrected),
+        ("a_rel", Colour::VERMILION, Symbol::Circle, |p| WAVE.relative_area(p), |it| it.relative_area_corrected),
+        ("κ_r", Colour::BLUE, Symbol::Square, |p| WAVE.kappa_r(p), |it| it.kappa_r_corrected),
     ];
     for (name, colour, symbol, exact, quantity) in kinds {
         let exact_curve = (1..=200).map(|i| 0.005 * f64::from(i)).map(|s| Point::at(s, exact(s * full)));
         panel.series.push(Series::new(format!("{name}, exact"), colour, Mark::Line, exact_curve.collect()));
-        let measured = points.named("sine").map(|row| Point::at(row.reduced_pressure * SQRT_2, quantity(row)));
+        let measured = points
+            .named("sine")
+            .map(|row| row.observables)
+            .map(|it| Point::at(it.reduced_pressure * SQRT_2, quantity(&it)));
         let mark = Mark::Symbol { symbol, filled: false };
         panel.series.push(Series::new(format!("{name}, corrected"), colour, mark, measured.collect()));
     }
@@ -100,16 +106,16 @@ fn sine_panel(points: &Points) -> Panel {
 }
 
 /// The sine to full contact.
-fn growth(points: &Points) -> Growth {
+fn ramp(points: &Points) -> Ramp {
     let curve = |name, colour, quantity: Quantity| {
-        LoadCurve::new("sine", name, colour, points.named("sine").map(quantity).collect())
+        RampCurve::new("sine", name, colour, points.values("sine", quantity).collect())
     };
-    Growth {
+    Ramp {
         captions: SINE.map(|share| format!("p/p_full = {share}")).to_vec(),
         cursor: SINE.to_vec(),
         curves: vec![
-            curve("a_rel corrected", Colour::VERMILION, |row| row.relative_area_corrected),
-            curve("κ_r corrected", Colour::BLUE, |row| row.kappa_r_corrected),
+            curve("a_rel corrected", Colour::VERMILION, |it| it.relative_area_corrected),
+            curve("κ_r corrected", Colour::BLUE, |it| it.kappa_r_corrected),
         ],
         contacts: vec![sine()],
         length_unit: "L/4",

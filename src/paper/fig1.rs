@@ -1,12 +1,12 @@
 //! Fig. 1: `kappa_r` of cylinder and sphere against `p_r*`.
 
-use super::exhibit::{Exhibit, Growth, LoadCurve, captions};
 use super::finding::Finding;
 use super::means::{Points, Quantity};
+use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::smooth::{LINE, PERIOD, cylinder, half_width, periodic_cylinder, sphere, widths};
 use super::theory_lines::level;
-use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series, Symbol};
-use crate::study::{Realisation, Row, Spread};
+use crate::plot::{self, Axis, Colour, Corner, Figure, Mark, Panel, Series, Symbol};
+use crate::study::{Point, Realisation, Spread};
 use crate::theory::hertz;
 
 /// Half-widths of the contacts over the period, from and to.
@@ -28,20 +28,20 @@ pub fn realisations(side: usize) -> Vec<Realisation> {
 }
 
 /// The figure and how far it is from the analytical lines.
-pub fn exhibit(points: &Points) -> Exhibit {
+pub fn reproduce(points: &Points) -> Reproduction {
     let title = "Fig. 1: κ_r of smooth indenters, L/R = 4".into();
     let figure = Figure { title, panels: vec![panel(points)] };
     let mean = |name: &str, quantity: Quantity| {
         let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * WIDEST * PERIOD);
-        Spread::of(narrow.map(quantity))
+        Spread::of(narrow.map(|row| quantity(&row.observables)))
     };
     let findings = vec![
-        Finding::number("fig1.line", "nodes counted", mean("cylinder", |row| row.kappa_r)),
-        Finding::number("fig1.line", "corrected", mean("cylinder", |row| row.kappa_r_corrected)),
-        Finding::number("fig1.point", "nodes counted", mean("sphere", |row| row.kappa_r)),
-        Finding::number("fig1.point", "corrected", mean("sphere", |row| row.kappa_r_corrected)),
+        Finding::number("fig1.line", "nodes counted", mean("cylinder", |it| it.kappa_r)),
+        Finding::number("fig1.line", "corrected", mean("cylinder", |it| it.kappa_r_corrected)),
+        Finding::number("fig1.point", "nodes counted", mean("sphere", |it| it.kappa_r)),
+        Finding::number("fig1.point", "corrected", mean("sphere", |it| it.kappa_r_corrected)),
     ];
-    Exhibit { figure: Some(figure), findings, growth: Some(growth(points)) }
+    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(points)) }
 }
 
 fn panel(points: &Points) -> Panel {
@@ -55,11 +55,17 @@ fn panel(points: &Points) -> Panel {
         let exact_line = level(&panel.x, exact);
         panel.series.push(Series::new(format!("{name}, analytical: {exact:.4}"), colour, Mark::Line, exact_line));
         let kinds: [(&str, bool, Quantity); 2] =
-            [("nodes counted", true, |row| row.kappa_r), ("corrected", false, |row| row.kappa_r_corrected)];
+            [("nodes counted", true, |it| it.kappa_r), ("corrected", false, |it| it.kappa_r_corrected)];
         for (kind, filled, quantity) in kinds {
-            let point = |row: &Row| Point::at(row.reduced_pressure_contact, quantity(row));
+            let point =
+                |row: &Point| plot::Point::at(row.observables.reduced_pressure_contact, quantity(&row.observables));
             let measured = points.named(name).map(point).collect();
-            panel.series.push(Series::new(format!("{name}, {kind}"), colour, Mark::Symbol { symbol, filled }, measured));
+            panel.series.push(Series::new(
+                format!("{name}, {kind}"),
+                colour,
+                Mark::Symbol { symbol, filled },
+                measured,
+            ));
         }
     }
     let periodic = periodic_cylinder(0.2);
@@ -68,25 +74,22 @@ fn panel(points: &Points) -> Panel {
 }
 
 /// Cylinder and sphere with contacts of the same widths, on grids for the eye.
-fn growth(points: &Points) -> Growth {
+fn ramp(points: &Points) -> Ramp {
     let widths = widths(WIDTHS, SPHERES);
     let rows = |name: &str| {
-        let rows: Vec<&Row> = points.named(name).collect();
+        let rows: Vec<&Point> = points.named(name).collect();
         let every = (rows.len().saturating_sub(1) / (widths.len() - 1)).max(1);
         rows.into_iter().step_by(every).collect::<Vec<_>>()
     };
     let [cylinders, spheres] = ["cylinder", "sphere"].map(rows);
-    let curve = |name, colour, rows: &[&Row]| {
-        let values = rows.iter().map(|row| row.kappa_r_corrected).collect();
-        LoadCurve::new("κ_r corrected", name, colour, values)
+    let curve = |name, colour, rows: &[&Point]| {
+        let values = rows.iter().map(|row| row.observables.kappa_r_corrected).collect();
+        RampCurve::new("κ_r corrected", name, colour, values)
     };
-    Growth {
+    Ramp {
         captions: captions("a/L", &widths),
-        cursor: cylinders.iter().map(|row| row.reduced_pressure_contact).collect(),
-        curves: vec![
-            curve("cylinder", Colour::VERMILION, &cylinders),
-            curve("sphere", Colour::BLUE, &spheres),
-        ],
+        cursor: cylinders.iter().map(|row| row.observables.reduced_pressure_contact).collect(),
+        curves: vec![curve("cylinder", Colour::VERMILION, &cylinders), curve("sphere", Colour::BLUE, &spheres)],
         contacts: vec![cylinder(SHOWN_LINE, &widths), sphere(SHOWN_SIDE, &widths)],
         length_unit: "R",
     }

@@ -1,13 +1,12 @@
 //! Fig. 3: fits of Eq. 11 to the rough lines, for each Hurst exponent and for all.
 
-use super::exhibit::{Exhibit, Growth, LoadCurve};
 use super::finding::Finding;
 use super::fit::Fit;
 use super::means::{Points, Quantity};
+use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough};
 use super::theory_lines::along;
 use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Series};
-use crate::study::Row;
 use crate::theory::persson::{self, CorrectedArea};
 use serde::Serialize;
 
@@ -36,7 +35,8 @@ pub struct FitRow {
 impl FitRow {
     fn of(points: &Points, hurst: Option<f64>, area: &'static str, quantity: Quantity) -> Option<Self> {
         let rows = points.on(points.finest()).filter(|row| hurst.is_none() || row.hurst == hurst);
-        let pairs: Vec<(f64, f64)> = rows.map(|row| (row.reduced_pressure, quantity(row))).collect();
+        let pairs: Vec<(f64, f64)> =
+            rows.map(|row| (row.observables.reduced_pressure, quantity(&row.observables))).collect();
         let Fit { area: form, residual } = Fit::of(&pairs)?;
         let CorrectedArea { b1, b2 } = form;
         Some(Self { hurst, area, b1, b2, kappa: form.kappa(0.0), residual, points: pairs.len() })
@@ -57,7 +57,7 @@ impl FitRow {
 /// The fits to the counted and the corrected area, each for every Hurst exponent and in the end for all.
 pub fn fits(lines: &Rough, points: &Points) -> [Vec<FitRow>; 2] {
     let areas: [(&'static str, Quantity); 2] =
-        [("counted", |row| row.relative_area), ("corrected", |row| row.relative_area_corrected)];
+        [("counted", |it| it.relative_area), ("corrected", |it| it.relative_area_corrected)];
     areas.map(|(area, quantity)| {
         let exponents = lines.hurst.iter().copied().map(Some).chain([None]);
         exponents.filter_map(|hurst| FitRow::of(points, hurst, area, quantity)).collect()
@@ -65,7 +65,7 @@ pub fn fits(lines: &Rough, points: &Points) -> [Vec<FitRow>; 2] {
 }
 
 /// The figure, and what the paper says of it, of the fits to the counted area.
-pub fn exhibit(lines: &Rough, points: &Points, fits: &[FitRow]) -> Exhibit {
+pub fn reproduce(lines: &Rough, points: &Points, fits: &[FitRow]) -> Reproduction {
     let mut findings = Vec::new();
     if !fits.is_empty() {
         findings.push(is_level(fits));
@@ -73,7 +73,7 @@ pub fn exhibit(lines: &Rough, points: &Points, fits: &[FitRow]) -> Exhibit {
     }
     let title = "Fig. 3: κ_fit of rough lines by Eq. 11".into();
     let figure = Figure { title, panels: vec![panel(lines, points, fits)] };
-    Exhibit { figure: Some(figure), findings, growth: Some(growth(lines, points, fits)) }
+    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(lines, points, fits)) }
 }
 
 fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
@@ -89,7 +89,7 @@ fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
     let persson = along(&panel.x, |p| persson::relative_area(p) / p);
     panel.series.push(Series::new("Persson, erf(√2 p*)/p*", Colour::BLACK, Mark::Dotted, persson));
     for (hurst, symbol) in lines.exponents() {
-        let of: [Quantity; 2] = [|row| row.reduced_pressure, |row: &Row| row.kappa];
+        let of: [Quantity; 2] = [|it| it.reduced_pressure, |it| it.kappa];
         let curve = points.curve(hurst, &lines.loads, of);
         let mark = Mark::Symbol { symbol, filled: false };
         panel.series.push(Series::new(format!("κ, H = {hurst}"), Colour::GREY, mark, curve));
@@ -98,14 +98,14 @@ fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
 }
 
 /// The fits beside what is fitted; no contacts.
-fn growth(lines: &Rough, points: &Points, fits: &[FitRow]) -> Growth {
-    let growth = lines.growth(points);
-    let measured = growth.curves.into_iter().filter(|curve| curve.name.starts_with("κ,"));
+fn ramp(lines: &Rough, points: &Points, fits: &[FitRow]) -> Ramp {
+    let ramp = lines.ramp(points);
+    let measured = ramp.curves.into_iter().filter(|curve| curve.name.starts_with("κ,"));
     let fits = fits.iter().zip(COLD.iter().cycle()).map(|(fit, colour)| {
         let values = lines.loads.iter().map(|&load| fit.kappa_at(load)).collect();
-        LoadCurve::new("κ and κ_r", fit.name(), *colour, values)
+        RampCurve::new("κ and κ_r", fit.name(), *colour, values)
     });
-    Growth { curves: measured.chain(fits).collect(), ..growth }
+    Ramp { curves: measured.chain(fits).collect(), ..ramp }
 }
 
 /// Whether the fits of single exponents lie on either side of the one of all.

@@ -1,9 +1,9 @@
 //! Fig. 4: rough surfaces.
 
-use super::exhibit::{Exhibit, Growth};
 use super::finding::Finding;
 use super::fit::Fit;
 use super::means::{Points, Quantity};
+use super::reproduction::{Ramp, Reproduction};
 use super::rough::Rough;
 use super::theory_lines::along;
 use crate::plot::{Colour, Figure, Mark, Panel, Series};
@@ -14,9 +14,10 @@ const FINER: &str = "Counted nodes exceed the area, the more so the coarser the 
 const HEAVY: &str = "The squares of the fit weigh most at the heaviest loads, where kappa is smallest.";
 
 /// The figure, and what the paper says of it.
-pub fn exhibit(surfaces: &Rough, points: &Points) -> Exhibit {
+pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
     let finest = points.finest();
-    let pairs: Vec<(f64, f64)> = points.on(finest).map(|row| (row.reduced_pressure, row.relative_area)).collect();
+    let found = points.on(finest).map(|row| row.observables);
+    let pairs: Vec<(f64, f64)> = found.map(|it| (it.reduced_pressure, it.relative_area)).collect();
     let fit = Fit::proportional(&pairs);
     let mut panel = surfaces.kappa_panel(points, [1.6, 3.2]);
     if let Some(fit) = fit {
@@ -25,8 +26,8 @@ pub fn exhibit(surfaces: &Rough, points: &Points) -> Exhibit {
     let waves = surfaces.points_per_wave(finest);
     let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points, {waves} per shortest wavelength");
     let figure = Figure { title, panels: vec![surfaces.area_panel(points), panel] };
-    let growth = Growth { contacts: surfaces.firsts(surfaces.surfaces()), ..surfaces.growth(points) };
-    Exhibit { figure: Some(figure), findings: findings(surfaces, points, fit), growth: Some(growth) }
+    let ramp = Ramp { contacts: surfaces.firsts(surfaces.surfaces()), ..surfaces.ramp(points) };
+    Reproduction { figure: Some(figure), findings: findings(surfaces, points, fit), ramp: Some(ramp) }
 }
 
 /// The empirical fit, one constant in Persson's error function.
@@ -44,9 +45,9 @@ fn findings(surfaces: &Rough, points: &Points, fit: Option<Fit>) -> Vec<Finding>
         let number = |key, how: &str, quantity: Quantity| {
             Finding::number(key, format!("{how}, {place}"), points.overall(nx, quantity)).because(FINER)
         };
-        findings.push(number("fig4.kappa", "counted", |row| row.kappa));
-        findings.push(number("fig4.kappa_r", "counted", |row| row.kappa_r));
-        findings.push(number("fig4.kappa_r", "corrected", |row| row.kappa_r_corrected));
+        findings.push(number("fig4.kappa", "counted", |it| it.kappa));
+        findings.push(number("fig4.kappa_r", "counted", |it| it.kappa_r));
+        findings.push(number("fig4.kappa_r", "corrected", |it| it.kappa_r_corrected));
     };
     grids.iter().for_each(|&nx| add(points, nx, format!("{nx}^2")));
     if grids.len() > 1 {

@@ -1,8 +1,8 @@
 //! Fig. 5: the proportionality factors of lines over those of surfaces.
 
-use super::exhibit::{Exhibit, Growth, LoadCurve};
 use super::finding::Finding;
 use super::means::{Points, Quantity};
+use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough, WARM};
 use super::theory_lines::level;
 use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
@@ -38,23 +38,23 @@ pub fn ratios([lines, surfaces]: [&Rough; 2], [of_lines, of_surfaces]: [&Points;
         Ratio {
             hurst,
             reduced_pressure: load,
-            kappa: over(&raw, |row| row.kappa),
-            kappa_r: over(&raw, |row| row.kappa_r),
-            kappa_finest: over(of_surfaces, |row| row.kappa),
-            kappa_r_finest: over(of_surfaces, |row| row.kappa_r),
-            kappa_corrected: over(&limit, |row| row.kappa_corrected),
-            kappa_r_corrected: over(&limit, |row| row.kappa_r_corrected),
+            kappa: over(&raw, |it| it.kappa),
+            kappa_r: over(&raw, |it| it.kappa_r),
+            kappa_finest: over(of_surfaces, |it| it.kappa),
+            kappa_r_finest: over(of_surfaces, |it| it.kappa_r),
+            kappa_corrected: over(&limit, |it| it.kappa_corrected),
+            kappa_r_corrected: over(&limit, |it| it.kappa_r_corrected),
         }
     };
     lines.pairs().map(ratio).collect()
 }
 
 /// The figure, and what the paper says of it; surfaces have `finest` points along a side at the most.
-pub fn exhibit(lines: &Rough, finest: usize, ratios: &[Ratio]) -> Exhibit {
+pub fn reproduce(lines: &Rough, finest: usize, ratios: &[Ratio]) -> Reproduction {
     let title = "Fig. 5: lines over surfaces".into();
     let figure = Figure { title, panels: vec![panel(lines, ratios)] };
     let findings = findings(ratios, &format!("counted, surfaces of {finest}^2"));
-    Exhibit { figure: Some(figure), findings, growth: Some(growth(lines, ratios)) }
+    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(lines, ratios)) }
 }
 
 fn panel(lines: &Rough, ratios: &[Ratio]) -> Panel {
@@ -83,17 +83,17 @@ fn panel(lines: &Rough, ratios: &[Ratio]) -> Panel {
 }
 
 /// The ratios against the loads; no contacts.
-fn growth(lines: &Rough, ratios: &[Ratio]) -> Growth {
+fn ramp(lines: &Rough, ratios: &[Ratio]) -> Ramp {
     type Kind = (&'static str, &'static [Colour], fn(&Ratio) -> f64);
     let kinds: [Kind; 2] = [("κ", &WARM, |ratio| ratio.kappa), ("κ_r", &COLD, |ratio| ratio.kappa_r)];
     let mut curves = Vec::new();
     for (name, colours, quantity) in kinds {
         for (hurst, colour) in lines.hurst.iter().zip(colours.iter().cycle()) {
             let values = ratios.iter().filter(|ratio| ratio.hurst == *hurst).map(quantity).collect();
-            curves.push(LoadCurve::new("lines over surfaces", format!("{name}, H = {hurst}"), *colour, values));
+            curves.push(RampCurve::new("lines over surfaces", format!("{name}, H = {hurst}"), *colour, values));
         }
     }
-    Growth { curves, ..lines.growth(&Points(Vec::new())) }
+    Ramp { curves, ..lines.ramp(&Points(Vec::new())) }
 }
 
 fn findings(ratios: &[Ratio], finest: &str) -> Vec<Finding> {

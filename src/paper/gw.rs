@@ -1,7 +1,7 @@
 //! Section 6: the model of Greenwood and Williamson, with the gradient taken over the contact.
 
-use super::exhibit::{Exhibit, Growth, LoadCurve};
 use super::finding::Finding;
+use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::theory_lines::level;
 use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
 use crate::theory::SummitHeights::{self, Exponential, Gaussian};
@@ -41,7 +41,7 @@ pub fn separations() -> Vec<Separation> {
 }
 
 /// The figure, and what the paper says of it.
-pub fn exhibit(rows: &[Separation]) -> Exhibit {
+pub fn reproduce(rows: &[Separation]) -> Reproduction {
     let y = Axis::linear("κ_r", [1.70, 1.80]);
     let mut panel = Panel::new("independent spheres", Axis::linear("d/σ", RANGE), y, Corner::BottomRight);
     let limit = std::f64::consts::PI.sqrt();
@@ -58,7 +58,7 @@ pub fn exhibit(rows: &[Separation]) -> Exhibit {
         Finding::exact("gw.gaussian", "", Gaussian.kappa_r(FAR)),
         depends_on_separation(),
     ];
-    Exhibit { figure: Some(Figure { title, panels: vec![panel] }), findings, growth: Some(growth()) }
+    Reproduction { figure: Some(Figure { title, panels: vec![panel] }), findings, ramp: Some(ramp()) }
 }
 
 /// Whether Gaussian heights differ from their limit by more than the printed digits show.
@@ -68,13 +68,13 @@ fn depends_on_separation() -> Finding {
 }
 
 /// Both kinds of heights against whole separations; no contacts.
-fn growth() -> Growth {
+fn ramp() -> Ramp {
     let separations: Vec<f64> = (0..=10).map(f64::from).collect();
     let curve = |(name, colour, heights): (&str, Colour, SummitHeights)| {
         let values = separations.iter().map(|&separation| heights.kappa_r(separation)).collect();
-        LoadCurve::new("κ_r", name, colour, values)
+        RampCurve::new("κ_r", name, colour, values)
     };
-    Growth {
+    Ramp {
         captions: separations.iter().map(|separation| format!("d/σ = {separation}")).collect(),
         curves: KINDS.map(curve).into(),
         cursor: separations,

@@ -2,6 +2,7 @@
 
 /// A table, a figure or a section of the paper.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Item {
     /// Contact parameters of cylinder and sphere.
     Table1,

@@ -1,22 +1,28 @@
 //! Means of solved points over realisations.
 
-use crate::plot::Point;
-use crate::study::{Line, Row, Spread};
+use crate::contact::Observables;
+use crate::plot;
+use crate::study::{Line, Point, Spread};
 
 /// A quantity of a point.
-pub type Quantity = fn(&Row) -> f64;
+pub type Quantity = fn(&Observables) -> f64;
 
 /// Solved points, all converged.
-pub struct Points(pub Vec<Row>);
+pub struct Points(pub Vec<Point>);
 
 impl Points {
     /// The points of the realisations of a name.
-    pub fn named(&self, name: &str) -> impl Iterator<Item = &Row> {
+    pub fn named(&self, name: &str) -> impl Iterator<Item = &Point> {
         self.0.iter().filter(move |row| row.name == name)
     }
 
+    /// A quantity of the points of the realisations of a name.
+    pub fn values(&self, name: &str, quantity: Quantity) -> impl Iterator<Item = f64> {
+        self.named(name).map(move |row| quantity(&row.observables))
+    }
+
     /// The points on the grid of `nx` points along x.
-    pub fn on(&self, nx: usize) -> impl Iterator<Item = &Row> {
+    pub fn on(&self, nx: usize) -> impl Iterator<Item = &Point> {
         self.0.iter().filter(move |row| row.nx == nx)
     }
 
@@ -35,18 +41,22 @@ impl Points {
 
     /// `quantity` at one Hurst exponent and load, over the realisations.
     pub fn at(&self, hurst: f64, load: f64, nx: usize, quantity: Quantity) -> Spread {
-        let is_it = |row: &&Row| row.hurst == Some(hurst) && row.reduced_pressure == load;
-        Spread::of(self.on(nx).filter(is_it).map(quantity))
+        let is_it = |row: &&Point| row.hurst == Some(hurst) && row.observables.reduced_pressure == load;
+        Spread::of(self.on(nx).filter(is_it).map(|row| quantity(&row.observables)))
     }
 
     /// `quantity` averaged over the loads of each realisation, over all realisations.
     pub fn overall(&self, nx: usize, quantity: Quantity) -> Spread {
-        Spread::of(self.realisations(nx).into_iter().map(|rows| Spread::of(rows.into_iter().map(quantity)).mean))
+        Spread::of(
+            self.realisations(nx)
+                .into_iter()
+                .map(|rows| Spread::of(rows.iter().map(|row| quantity(&row.observables))).mean),
+        )
     }
 
     /// The points of each realisation on a grid.
-    pub fn realisations(&self, nx: usize) -> Vec<Vec<&Row>> {
-        let mut groups: Vec<Vec<&Row>> = Vec::new();
+    pub fn realisations(&self, nx: usize) -> Vec<Vec<&Point>> {
+        let mut groups: Vec<Vec<&Point>> = Vec::new();
         for row in self.on(nx) {
             match groups.last_mut() {
                 Some(group) if (group[0].hurst, group[0].seed) == (row.hurst, row.seed) => group.push(row),
@@ -57,11 +67,11 @@ impl Points {
     }
 
     /// One point per load, on the finest grid: the means of `x` and `y`, with the scatter of `y`.
-    pub fn curve(&self, hurst: f64, loads: &[f64], [x, y]: [Quantity; 2]) -> Vec<Point> {
+    pub fn curve(&self, hurst: f64, loads: &[f64], [x, y]: [Quantity; 2]) -> Vec<plot::Point> {
         let nx = self.finest();
         let point = |&load: &f64| {
             let (x, y) = (self.at(hurst, load, nx, x), self.at(hurst, load, nx, y));
-            Point { x: x.mean, y: y.mean, spread: y.deviation }
+            plot::Point { x: x.mean, y: y.mean, spread: y.deviation }
         };
         loads.iter().map(point).collect()
     }
@@ -72,23 +82,25 @@ impl Points {
     /// What a point costs and its certificate are those of the finest grid.
     pub fn extrapolated(&self, nx: Option<usize>) -> Self {
         let spacing = nx.map_or(0.0, |nx| 1.0 / nx as f64);
-        let row = |row: &Row| {
-            let others: Vec<&Row> = self.0.iter().filter(|other| is_same_point(row, other)).collect();
+        let row = |row: &Point| {
+            let others: Vec<&Point> = self.0.iter().filter(|other| is_same_point(row, other)).collect();
             let value = |quantity: Quantity| {
-                let points: Vec<_> = others.iter().map(|row| (1.0 / row.nx as f64, quantity(row))).collect();
+                let points: Vec<_> =
+                    others.iter().map(|row| (1.0 / row.nx as f64, quantity(&row.observables))).collect();
                 Line::through(&points).at(spacing)
             };
-            Row {
-                reduced_pressure_contact: value(|row| row.reduced_pressure_contact),
-                relative_area: value(|row| row.relative_area),
-                relative_area_corrected: value(|row| row.relative_area_corrected),
-                rms_gradient_contact: value(|row| row.rms_gradient_contact),
-                kappa: value(|row| row.kappa),
-                kappa_corrected: value(|row| row.kappa_corrected),
-                kappa_r: value(|row| row.kappa_r),
-                kappa_r_corrected: value(|row| row.kappa_r_corrected),
-                ..row.clone()
-            }
+            let observables = Observables {
+                reduced_pressure_contact: value(|it| it.reduced_pressure_contact),
+                relative_area: value(|it| it.relative_area),
+                relative_area_corrected: value(|it| it.relative_area_corrected),
+                rms_gradient_contact: value(|it| it.rms_gradient_contact),
+                kappa: value(|it| it.kappa),
+                kappa_corrected: value(|it| it.kappa_corrected),
+                kappa_r: value(|it| it.kappa_r),
+                kappa_r_corrected: value(|it| it.kappa_r_corrected),
+                ..row.observables
+            };
+            Point { observables, ..row.clone() }
         };
         Self(self.on(self.finest()).map(row).collect())
     }
@@ -107,8 +119,8 @@ impl Points {
 }
 
 /// Whether two points differ in their grid alone.
-fn is_same_point(a: &Row, b: &Row) -> bool {
-    (a.hurst, a.seed, a.reduced_pressure) == (b.hurst, b.seed, b.reduced_pressure)
+fn is_same_point(a: &Point, b: &Point) -> bool {
+    (a.hurst, a.seed, a.observables.reduced_pressure) == (b.hurst, b.seed, b.observables.reduced_pressure)
 }
 
 /// Means over realisations with their standard deviations.
@@ -133,26 +145,26 @@ pub struct Mean {
 }
 
 impl Mean {
-    fn is_of(&self, hurst: f64, row: &Row) -> bool {
-        (self.nx, self.hurst, self.reduced_pressure) == (row.nx, hurst, row.reduced_pressure)
+    fn is_of(&self, hurst: f64, row: &Point) -> bool {
+        (self.nx, self.hurst, self.reduced_pressure) == (row.nx, hurst, row.observables.reduced_pressure)
     }
 
-    fn of(points: &Points, hurst: f64, row: &Row) -> Self {
+    fn of(points: &Points, hurst: f64, row: &Point) -> Self {
         let quantities: [Quantity; 7] = [
-            |row| row.reduced_pressure_contact,
-            |row| row.relative_area,
-            |row| row.relative_area_corrected,
-            |row| row.kappa,
-            |row| row.kappa_corrected,
-            |row| row.kappa_r,
-            |row| row.kappa_r_corrected,
+            |it| it.reduced_pressure_contact,
+            |it| it.relative_area,
+            |it| it.relative_area_corrected,
+            |it| it.kappa,
+            |it| it.kappa_corrected,
+            |it| it.kappa_r,
+            |it| it.kappa_r_corrected,
         ];
         let [pressure_contact, area, area_corrected, kappa, kappa_corrected, kappa_r, kappa_r_corrected] =
-            quantities.map(|quantity| points.at(hurst, row.reduced_pressure, row.nx, quantity));
+            quantities.map(|quantity| points.at(hurst, row.observables.reduced_pressure, row.nx, quantity));
         Self {
             nx: row.nx,
             hurst,
-            reduced_pressure: row.reduced_pressure,
+            reduced_pressure: row.observables.reduced_pressure,
             realisations: area.count,
             reduced_pressure_contact: pressure_contact.mean,
             relative_area: area.mean,

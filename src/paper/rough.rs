@@ -1,12 +1,14 @@
 //! Self-affine lines and surfaces, the panels of their figures, and their curves over the loads.
 
-use super::exhibit::{Growth, LoadCurve, captions};
 use super::means::{Points, Quantity};
+use super::reproduction::{Ramp, RampCurve, captions};
 use crate::contact::Load;
+use crate::error::StudyError;
 use crate::plot::{Axis, Colour, Corner, Mark, Panel, Series, Symbol};
 use crate::setup::{Cell, Recipe, Setup};
 use crate::study::Realisation;
 use crate::surface::Spectrum;
+use std::fmt::Debug;
 
 /// Roll-off wavelength `lambda_r`, in metres.
 const ROLLOFF: f64 = 20e-6;
@@ -58,16 +60,20 @@ impl Rough {
                     Spectrum { hurst, rolloff_wavelength: ROLLOFF, short_cutoff, rms_gradient: RMS_GRADIENT };
                 all.extend(self.seeds.iter().map(|&seed| Realisation {
                     name: name.into(),
-                    setup: Setup::new(
-                        Recipe::rough(spectrum, seed),
-                        cell(points),
-                        Load::ReducedPressure(heaviest),
-                    ),
+                    setup: Setup::new(Recipe::rough(spectrum, seed), cell(points), Load::ReducedPressure(heaviest)),
                     loads: self.loads.clone(),
                 }));
             }
         }
         all
+    }
+
+    /// Checks that there is something to solve, in the right order.
+    pub(super) fn check(&self) -> Result<(), StudyError> {
+        check_ascending("points along a side", &self.points)?;
+        check_ascending("Hurst exponents", &self.hurst)?;
+        check_ascending("seeds", &self.seeds)?;
+        check_ascending("reduced pressures", &self.loads)
     }
 
     /// Points along a side with which a surface has the paper's 64 points per shortest wavelength.
@@ -103,11 +109,11 @@ impl Rough {
         let y = Axis::log("a_rel", [1.5 * low, 3.5 * high]);
         let mut panel = Panel::new("(a) relative contact area", x, y, Corner::BottomRight);
         let curves: [(&str, Colour, Quantity); 2] = [
-            ("a_rel against p*", Colour::VERMILION, |row| row.reduced_pressure),
-            ("a_rel against p_r*", Colour::BLUE, |row| row.reduced_pressure_contact),
+            ("a_rel against p*", Colour::VERMILION, |it| it.reduced_pressure),
+            ("a_rel against p_r*", Colour::BLUE, |it| it.reduced_pressure_contact),
         ];
         for (name, colour, x) in curves {
-            self.add(&mut panel, points, name, (colour, true), [x, |row| row.relative_area]);
+            self.add(&mut panel, points, name, (colour, true), [x, |it| it.relative_area]);
         }
         self.add_legend(&mut panel);
         panel
@@ -120,9 +126,9 @@ impl Rough {
         let mut panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range), Corner::TopRight);
         let p_r: Quantity = |row| row.reduced_pressure_contact;
         let curves: [(&str, Colour, bool, [Quantity; 2]); 3] = [
-            ("κ", Colour::VERMILION, true, [|row| row.reduced_pressure, |row| row.kappa]),
-            ("κ_r", Colour::BLUE, true, [p_r, |row| row.kappa_r]),
-            ("κ_r corrected", Colour::SKY, false, [p_r, |row| row.kappa_r_corrected]),
+            ("κ", Colour::VERMILION, true, [|it| it.reduced_pressure, |it| it.kappa]),
+            ("κ_r", Colour::BLUE, true, [p_r, |it| it.kappa_r]),
+            ("κ_r corrected", Colour::SKY, false, [p_r, |it| it.kappa_r_corrected]),
         ];
         for (name, colour, filled, quantities) in curves {
             self.add(&mut panel, points, name, (colour, filled), quantities);
@@ -153,22 +159,22 @@ impl Rough {
         }
     }
     /// Means over the realisations against the loads, without contacts.
-    pub(super) fn growth(&self, points: &Points) -> Growth {
+    pub(super) fn ramp(&self, points: &Points) -> Ramp {
         let kinds: [(&str, &str, &[Colour], Quantity); 4] = [
-            ("κ and κ_r", "κ", &WARM, |row| row.kappa),
-            ("κ and κ_r", "κ_r", &COLD, |row| row.kappa_r),
-            ("κ_r corrected", "κ_r corrected", &COLD, |row| row.kappa_r_corrected),
-            ("relative contact area", "log10 a_rel", &WARM, |row| row.relative_area.log10()),
+            ("κ and κ_r", "κ", &WARM, |it| it.kappa),
+            ("κ and κ_r", "κ_r", &COLD, |it| it.kappa_r),
+            ("κ_r corrected", "κ_r corrected", &COLD, |it| it.kappa_r_corrected),
+            ("relative contact area", "log10 a_rel", &WARM, |it| it.relative_area.log10()),
         ];
         let mut curves = Vec::new();
         for (view, name, colours, quantity) in kinds {
             for (&hurst, colour) in self.hurst.iter().zip(colours.iter().cycle()) {
                 let mean = |&load: &f64| points.at(hurst, load, points.finest(), quantity).mean;
                 let values = self.loads.iter().map(mean).collect();
-                curves.push(LoadCurve::new(view, format!("{name}, H = {hurst}"), *colour, values));
+                curves.push(RampCurve::new(view, format!("{name}, H = {hurst}"), *colour, values));
             }
         }
-        Growth {
+        Ramp {
             captions: captions("p*", &self.loads),
             cursor: self.loads.clone(),
             curves,
@@ -181,5 +187,12 @@ impl Rough {
     pub(super) fn firsts(&self, realisations: Vec<Realisation>) -> Vec<Realisation> {
         let coarsest = self.hurst.len() * self.seeds.len();
         realisations.into_iter().take(coarsest).step_by(self.seeds.len().max(1)).collect()
+    }
+}
+
+fn check_ascending<T: PartialOrd + Debug>(what: &'static str, values: &[T]) -> Result<(), StudyError> {
+    match !values.is_empty() && values.is_sorted_by(|a, b| a < b) {
+        true => Ok(()),
+        false => Err(StudyError::List { what, values: format!("{values:?}") }),
     }
 }

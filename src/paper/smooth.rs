@@ -1,9 +1,9 @@
 //! Cylinder and sphere of Section 2.
 
 use crate::contact::Load;
-use crate::plot::Point;
+use crate::plot;
 use crate::setup::{Cell, Recipe, Setup};
-use crate::study::{Realisation, Row};
+use crate::study::{Point, Realisation};
 use crate::surface::Indenter;
 use crate::theory::{Geometry, Periodic, PowerLaw, hertz};
 
@@ -49,25 +49,25 @@ pub fn loads(indenter: &PowerLaw, widths: &[f64]) -> Vec<f64> {
 }
 
 /// Half-width or radius of the contact of a row, from the corrected area.
-pub fn half_width(row: &Row) -> f64 {
+pub fn half_width(row: &Point) -> f64 {
     match row.ny {
-        1 => 0.5 * row.relative_area_corrected * PERIOD,
-        _ => (row.relative_area_corrected / std::f64::consts::PI).sqrt() * PERIOD,
+        1 => 0.5 * row.observables.relative_area_corrected * PERIOD,
+        _ => (row.observables.relative_area_corrected / std::f64::consts::PI).sqrt() * PERIOD,
     }
 }
 
 /// Mean pressure of a row over the contact modulus.
-pub fn strain(row: &Row) -> f64 {
-    row.reduced_pressure * row.rms_gradient
+pub fn strain(row: &Point) -> f64 {
+    row.observables.reduced_pressure * row.observables.rms_gradient
 }
 
 /// The exact `kappa_r` of periodic cylinders against `p_r*`, up to contacts `2 widest` periods wide.
-pub fn periodic_cylinder(widest: f64) -> Vec<Point> {
+pub fn periodic_cylinder(widest: f64) -> Vec<plot::Point> {
     let cylinder = Periodic { slope: |s| s / RADIUS, period: PERIOD, contact_modulus: 1.0 };
     let point = |i: i32| {
         let a = widest * PERIOD * 10f64.powf(-2.0 + f64::from(i) / 50.0);
         let reduced = cylinder.load(a) / PERIOD / cylinder.rms_gradient_contact(a);
-        Point::at(reduced, cylinder.kappa_r(a))
+        plot::Point::at(reduced, cylinder.kappa_r(a))
     };
     (0..=100).map(point).collect()
 }

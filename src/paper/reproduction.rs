@@ -5,23 +5,23 @@ use crate::plot::{Colour, Figure};
 use crate::study::Realisation;
 
 /// A table or figure that was made again.
-pub struct Exhibit {
+pub struct Reproduction {
     /// The figure, if it is one.
     pub figure: Option<Figure>,
     /// The paper's numbers beside those found here.
     pub findings: Vec<Finding>,
     /// Curves and contacts for a recording over loads.
-    pub growth: Option<Growth>,
+    pub ramp: Option<Ramp>,
 }
 
 /// Curves over loads, and contacts that grow with them.
-pub struct Growth {
+pub struct Ramp {
     /// The loads in words, lightest first.
     pub captions: Vec<String>,
     /// Where each load stands in the panels of the figure.
     pub cursor: Vec<f64>,
     /// Curves over the loads.
-    pub curves: Vec<LoadCurve>,
+    pub curves: Vec<RampCurve>,
     /// Surfaces under these loads.
     pub contacts: Vec<Realisation>,
     /// Unit of lengths.
@@ -29,7 +29,7 @@ pub struct Growth {
 }
 
 /// A curve over loads.
-pub struct LoadCurve {
+pub struct RampCurve {
     /// Title of the view that it shares with others.
     pub view: &'static str,
     /// Name in the legend.
@@ -40,7 +40,7 @@ pub struct LoadCurve {
     pub values: Vec<f64>,
 }
 
-impl LoadCurve {
+impl RampCurve {
     /// A curve of a view.
     pub fn new(view: &'static str, name: impl Into<String>, colour: Colour, values: Vec<f64>) -> Self {
         Self { view, name: name.into(), colour, values }
