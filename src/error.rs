@@ -328,6 +328,14 @@ pub enum StudyError {
     /// A table that cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A list of loads, grids or surfaces that is empty or out of order.
+    #[error("the {what} are {values}: give at least one, in ascending order, each once")]
+    List {
+        /// The name of its values.
+        what: &'static str,
+        /// The values.
+        values: String,
+    },
     /// A table that would be lost.
     #[error(
         "{} holds {points} points of other setups, loads or versions: write elsewhere, or start afresh to replace it",

@@ -1,41 +1,33 @@
 //! Fig. 4: rough surfaces.
 
-use super::Made;
-use super::comparison::Finding;
+use super::finding::Finding;
+use super::fit::Fit;
 use super::means::{Points, Quantity};
-use super::part::Part;
-use super::rough::along;
-use super::study::Study;
-use anyhow::Result;
-use asperity::plot::{Colour, Figure, Mark, Panel, Series};
-use asperity::study::{Fit, Realisation};
+use super::reproduction::{Ramp, Reproduction};
+use super::rough::Rough;
+use super::theory_lines::along;
+use crate::plot::{Colour, Figure, Mark, Panel, Series};
 
 /// Why values move from grid to grid.
 const FINER: &str = "Counted nodes exceed the area, the more so the coarser the grid; with the paper's spectrum the paper's values come out on about 4096^2 points.";
 /// Why the fit lies below the points.
 const HEAVY: &str = "The squares of the fit weigh most at the heaviest loads, where kappa is smallest.";
 
-/// Surfaces of all grids, Hurst exponents and seeds.
-pub fn realisations(study: &Study) -> Result<Vec<Realisation>> {
-    study.surfaces.surfaces()
-}
-
 /// The figure, and what the paper says of it.
-pub fn make(study: &Study) -> Result<Made> {
-    let points = study.points(Part::Fig4)?;
-    points.write_means(&study.file("fig4.means", "csv"))?;
-    let surfaces = &study.surfaces;
-    let finest = points.grids().last().copied().unwrap_or(0);
-    let pairs: Vec<(f64, f64)> = points.on(finest).map(|row| (row.reduced_pressure, row.relative_area)).collect();
+pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
+    let finest = points.finest();
+    let found = points.on(finest).map(|row| row.observables);
+    let pairs: Vec<(f64, f64)> = found.map(|it| (it.reduced_pressure, it.relative_area)).collect();
     let fit = Fit::proportional(&pairs);
-    let mut panel = surfaces.kappa_panel(&points, [1.6, 3.2]);
+    let mut panel = surfaces.kappa_panel(points, [1.6, 3.2]);
     if let Some(fit) = fit {
         add_fit(&mut panel, &fit);
     }
     let waves = surfaces.points_per_wave(finest);
     let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points, {waves} per shortest wavelength");
-    let figure = Figure { title, panels: vec![surfaces.area_panel(&points), panel] };
-    Ok(Made { figure: Some(figure), findings: findings(study, &points, fit) })
+    let figure = Figure { title, panels: vec![surfaces.area_panel(points), panel] };
+    let ramp = Ramp { contacts: surfaces.firsts(surfaces.surfaces()), ..surfaces.ramp(points) };
+    Reproduction { figure: Some(figure), findings: findings(surfaces, points, fit), ramp: Some(ramp) }
 }
 
 /// The empirical fit, one constant in Persson's error function.
@@ -46,21 +38,20 @@ fn add_fit(panel: &mut Panel, fit: &Fit) {
 }
 
 /// On each grid, from two on extrapolated to the paper's, and of the fit.
-fn findings(study: &Study, points: &Points, fit: Option<Fit>) -> Vec<Finding> {
+fn findings(surfaces: &Rough, points: &Points, fit: Option<Fit>) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let grids = points.grids();
-    let finest = grids.last().copied().unwrap_or(0);
+    let (grids, finest) = (points.grids(), points.finest());
     let mut add = |points: &Points, nx: usize, place: String| {
         let number = |key, how: &str, quantity: Quantity| {
             Finding::number(key, format!("{how}, {place}"), points.overall(nx, quantity)).because(FINER)
         };
-        findings.push(number("fig4.kappa", "counted", |row| row.kappa));
-        findings.push(number("fig4.kappa_r", "counted", |row| row.kappa_r));
-        findings.push(number("fig4.kappa_r", "corrected", |row| row.kappa_r_corrected));
+        findings.push(number("fig4.kappa", "counted", |it| it.kappa));
+        findings.push(number("fig4.kappa_r", "counted", |it| it.kappa_r));
+        findings.push(number("fig4.kappa_r", "corrected", |it| it.kappa_r_corrected));
     };
     grids.iter().for_each(|&nx| add(points, nx, format!("{nx}^2")));
     if grids.len() > 1 {
-        let side = study.surfaces.paper_side();
+        let side = surfaces.paper_side();
         add(&points.extrapolated(Some(side)), finest, format!("extrapolated to {side}^2"));
     }
     findings.extend(fit.map(|fit| {

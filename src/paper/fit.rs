@@ -29,7 +29,7 @@ impl Fit {
     /// Eq. 11 of the paper, and what it says around Fig. 3.
     ///
     /// ```
-    /// use asperity::study::Fit;
+    /// use asperity::paper::Fit;
     /// use asperity::theory::persson::CorrectedArea;
     /// let lines = CorrectedArea { b1: 0.6, b2: 2.0 };
     /// let points: Vec<_> = (1..20).map(|i| 0.05 * f64::from(i)).map(|p| (p, lines.relative_area(p))).collect();
@@ -46,7 +46,7 @@ impl Fit {
     /// form of Persson's theory for surfaces, with its slope fitted.
     ///
     /// ```
-    /// use asperity::study::Fit;
+    /// use asperity::paper::Fit;
     /// let points: Vec<_> = (1..20).map(|i| 0.05 * f64::from(i)).map(|p| (p, libm::erf(1.9 * p))).collect();
     /// let kappa = Fit::proportional(&points).unwrap().area.kappa(0.0);
     /// assert!((kappa - 1.9 * 2.0 / std::f64::consts::PI.sqrt()).abs() < 1e-9);
