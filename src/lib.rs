@@ -20,6 +20,7 @@
 //! | [`theory`]  | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson          |
 //! | [`contact`] | the problem, its solvers and their observers, the certificate, area and `kappa_r`    |
 //! | [`study`]   | sweeps over surfaces and loads in tables that a killed run resumes, averages, fits    |
+//! | `lab`       | accuracy, speed and stability of the solvers, measured (feature `figures`)           |
 //! | `plot`      | figures as data, written as SVG and PNG (feature `figures`)                          |
 //! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
 //! | `explore`   | a page with controls and a live viewer (feature `explore`)                           |
@@ -63,6 +64,8 @@ pub mod explore;
 pub mod files;
 pub mod fourier;
 pub mod grid;
+#[cfg(feature = "figures")]
+pub mod lab;
 #[cfg(feature = "figures")]
 pub mod plot;
 pub mod quantity;
