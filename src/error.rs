@@ -5,6 +5,9 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+/// Why an observer of a run cannot go on, such as a full disk.
+pub type Failure = Box<dyn Error + Send + Sync>;
+
 /// A grid that cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GridError {
@@ -219,7 +222,7 @@ pub enum SolveError {
     },
     /// An observer failed, which ended the run.
     #[error("{0}")]
-    Observer(Arc<Box<dyn Error + Send + Sync>>),
+    Observer(Arc<Failure>),
     /// A solver that moves under a force was given a mean gap.
     #[error(
         "{solver} works under a given mean pressure: give one, or choose the solver multilevel or polonsky-keer for a mean gap"
@@ -324,21 +327,26 @@ pub enum SetupError {
 /// A study that cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// A surface that cannot be made.
+    /// A setup that cannot be.
     #[error(transparent)]
-    Surface(#[from] SurfaceError),
-    /// A load that cannot be.
-    #[error(transparent)]
-    Problem(#[from] ProblemError),
+    Setup(#[from] SetupError),
     /// A contact that cannot be solved.
     #[error(transparent)]
     Solve(#[from] SolveError),
     /// A table that cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A list of loads, grids or surfaces that is empty or out of order.
+    #[error("the {what} are {values}: give at least one, in ascending order, each once")]
+    List {
+        /// The name of its values.
+        what: &'static str,
+        /// The values.
+        values: String,
+    },
     /// A table that would be lost.
     #[error(
-        "{} holds {points} points of other surfaces, loads, tolerances or versions: write elsewhere, or start afresh to replace it",
+        "{} holds {points} points of other setups, loads or versions: write elsewhere, or start afresh to replace it",
         path.display()
     )]
     OtherStudy {

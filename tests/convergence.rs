@@ -5,7 +5,7 @@
 #[allow(dead_code, reason = "not every test file uses every helper")]
 mod common;
 
-use asperity::contact::{PolonskyKeer, Problem};
+use asperity::contact::{ContactModulus, Load, PolonskyKeer, Problem};
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter};
 use common::{relative_l2, solve};
@@ -27,9 +27,11 @@ struct Errors {
 impl Errors {
     fn of(indenter: &Indenter, grid: Grid, mean_pressure: f64) -> Self {
         let exact = Exact::of(indenter, &grid, 1.0, mean_pressure).unwrap();
-        let problem = Problem::new(indenter.surface(grid).unwrap(), 1.0, mean_pressure).unwrap();
+        let problem =
+            Problem::new(indenter.surface(grid).unwrap(), ContactModulus(1.0), Load::MeanPressure(mean_pressure))
+                .unwrap();
         let contact = solve(&PolonskyKeer, &problem, 1e-11);
-        let measures = contact.measures(&problem);
+        let measures = contact.measures();
         Self {
             pressure: relative_l2(&contact.pressure, &exact.pressure),
             area: measures.relative_area / exact.relative_area - 1.0,

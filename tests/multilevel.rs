@@ -3,7 +3,9 @@
 #[allow(dead_code, reason = "not every test file uses every helper")]
 mod common;
 
-use asperity::contact::{Contact, Load, Multilevel, PolonskyKeer, Problem, Solver, Status, Step, Stop};
+use asperity::contact::{
+    Contact, ContactModulus, Each, Load, Multilevel, PolonskyKeer, Problem, Solver, Status, Step, Stop,
+};
 use asperity::surface::Spectrum;
 use asperity::{Grid, Indenter, Surface};
 use common::{relative_l2, solve, solvers};
@@ -31,7 +33,7 @@ fn rough(grid: Grid, hurst: f64, reduced_pressure: f64) -> Problem {
         rms_gradient: 1e-3,
     };
     let surface = Surface::rough(grid, &spectrum, 1).unwrap();
-    Problem::at_reduced_pressure(surface, 1.0, reduced_pressure).unwrap()
+    Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(reduced_pressure)).unwrap()
 }
 
 fn assert_exact(name: &str, problem: &Problem) -> Contact {
@@ -48,7 +50,10 @@ fn sines_parabolas_combs_spikes_and_noise_do_not_trap_it() {
     for area in [0.01, 0.1, 0.5, 0.9, 0.99] {
         for points in [512, 61, 255] {
             let load = 0.01 * PI * (0.5 * PI * area).sin().powi(2);
-            assert_exact(&format!("sine of {area}"), &Problem::new(sine(points), 1.0, load).unwrap());
+            assert_exact(
+                &format!("sine of {area}"),
+                &Problem::new(sine(points), ContactModulus(1.0), Load::MeanPressure(load)).unwrap(),
+            );
         }
     }
     let parabola = Indenter::Cylinder { radius: 0.25 }.surface(Grid::line(1024, 1.0).unwrap()).unwrap();
@@ -60,7 +65,10 @@ fn sines_parabolas_combs_spikes_and_noise_do_not_trap_it() {
         [("parabola", parabola), ("comb", comb), ("spike", spike), ("plateaus", plateaus), ("noise", white)]
     {
         for load in [1e-3, 0.05, 0.2, 1.0] {
-            assert_exact(&format!("{name} at {load}"), &Problem::new(surface.clone(), 1.0, load).unwrap());
+            assert_exact(
+                &format!("{name} at {load}"),
+                &Problem::new(surface.clone(), ContactModulus(1.0), Load::MeanPressure(load)).unwrap(),
+            );
         }
     }
 }
@@ -70,8 +78,8 @@ fn white_noise_on_a_surface_from_one_per_cent_to_full_contact() {
     let field = Array2::from_shape_fn((48, 64), |(i, j)| noise(64 * i + j));
     let surface = Surface::new(Grid::surface([48, 64], [1.0, 1.0]).unwrap(), field).unwrap();
     let areas = [0.01, 1.0, 20.0, 100.0].map(|load| {
-        let problem = Problem::new(surface.clone(), 1.0, load).unwrap();
-        assert_exact("noise", &problem).measures(&problem).relative_area
+        let problem = Problem::new(surface.clone(), ContactModulus(1.0), Load::MeanPressure(load)).unwrap();
+        assert_exact("noise", &problem).measures().relative_area
     });
     assert!(areas[0] < 0.03 && areas[3] == 1.0 && areas.is_sorted(), "{areas:?}");
 }
@@ -96,7 +104,7 @@ fn the_area_rises_with_the_load_from_first_touch_to_beyond_full_contact() {
     let mut before = 0.0;
     for reduced_pressure in [1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1.0, 2.0, 4.0] {
         let problem = rough(Grid::line(1 << 12, 1.0).unwrap(), 0.8, reduced_pressure);
-        let area = solve(&Multilevel, &problem, 1e-9).measures(&problem).relative_area;
+        let area = solve(&Multilevel, &problem, 1e-9).measures().relative_area;
         assert!(area >= before, "{area} after {before} at {reduced_pressure}");
         before = area;
     }
@@ -115,9 +123,15 @@ fn a_load_ramp_is_followed_up_and_down() {
         for &load in loads.iter().chain(loads.iter().rev().skip(1)) {
             problem = problem.with_load(Load::MeanPressure(load)).unwrap();
             let start = contacts.last().map(|contact| &contact.pressure);
-            contacts.push(Multilevel.solve_from(start, &problem, &Stop::new(1e-10, 1000).unwrap(), &mut ()).unwrap());
+            contacts.push(
+                Multilevel
+                    .solve_from(start, &problem, &Stop::new(1e-10, 1000).unwrap(), &mut ())
+                    .unwrap()
+                    .converged()
+                    .unwrap(),
+            );
         }
-        let areas: Vec<f64> = contacts.iter().map(|contact| contact.measures(&problem).relative_area).collect();
+        let areas: Vec<f64> = contacts.iter().map(|contact| contact.measures().relative_area).collect();
         assert!(areas[..17].is_sorted() && areas[16..].iter().rev().is_sorted() && areas[16] == 1.0, "{areas:?}");
         for (up, down) in contacts.iter().zip(contacts.iter().rev()) {
             assert!(relative_l2(&up.pressure, &down.pressure) < 1e-4);
@@ -139,13 +153,21 @@ fn any_start_leads_to_the_same_contact() {
     for solver in solvers() {
         let expected = solve(solver.as_ref(), &problem, 1e-10);
         for start in &starts {
-            let found = solver.solve_from(Some(start), &problem, &Stop::new(1e-10, 100_000).unwrap(), &mut ()).unwrap();
+            let found = solver
+                .solve_from(Some(start), &problem, &Stop::new(1e-10, 100_000).unwrap(), &mut ())
+                .unwrap()
+                .converged()
+                .unwrap();
             assert!(relative_l2(&found.pressure, &expected.pressure) < 1e-4, "{}", solver.name());
         }
     }
     for solver in [&PolonskyKeer as &dyn Solver, &Multilevel] {
         let solution = solve(solver, &problem, 1e-10).pressure;
-        let again = solver.solve_from(Some(&solution), &problem, &Stop::new(1e-9, 10).unwrap(), &mut ()).unwrap();
+        let again = solver
+            .solve_from(Some(&solution), &problem, &Stop::new(1e-9, 10).unwrap(), &mut ())
+            .unwrap()
+            .converged()
+            .unwrap();
         assert_eq!(again.work.iterations, 0, "{}: a solution is a good start", solver.name());
     }
 }
@@ -155,7 +177,7 @@ fn any_start_leads_to_the_same_contact() {
 fn all_levels_and_inner_steps_are_shown() {
     let problem = rough(Grid::surface([128, 128], [1.0, 1.0]).unwrap(), 0.8, 0.05);
     let mut seen = Vec::new();
-    let mut watch = |step: &Step<'_>| {
+    let mut watch = Each(|step: &Step<'_>| {
         let nodes = step.problem().surface().grid().len();
         assert_eq!(nodes, (128 * 128) >> (2 * step.phase().level));
         assert!(step.pressure().len() == nodes && step.gap().len() == nodes);
@@ -165,12 +187,12 @@ fn all_levels_and_inner_steps_are_shown() {
         assert_eq!(step.index(), seen.len());
         seen.push((step.phase(), step.transforms()));
         ControlFlow::Continue(())
-    };
-    let shown = Multilevel.solve(&problem, &Stop::default(), &mut watch).unwrap();
+    });
+    let shown = Multilevel.solve(&problem, &Stop::default(), &mut watch).unwrap().converged().unwrap();
     assert_eq!((seen[0].0.level, seen[0].0.outer), (2, 0));
     assert!(seen.windows(2).all(|pair| pair[0].0.level >= pair[1].0.level && pair[0].1 <= pair[1].1));
     assert!((0..=2).all(|level| seen.iter().any(|(phase, _)| phase.level == level && phase.inner > 0)));
-    let unseen = Multilevel.solve(&problem, &Stop::default(), &mut ()).unwrap();
+    let unseen = Multilevel.solve(&problem, &Stop::default(), &mut ()).unwrap().converged().unwrap();
     assert_eq!((shown.work.transforms, &shown.pressure), (unseen.work.transforms, &unseen.pressure));
 }
 
@@ -180,9 +202,11 @@ fn it_stops_on_any_level_when_told_to() {
     let problem = rough(Grid::line(1 << 9, 1.0).unwrap(), 0.8, 0.05);
     let steps = solve(&Multilevel, &problem, 1e-8).work.iterations;
     for last in 0..steps {
-        let mut watch = |step: &Step<'_>| {
-            if step.index() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        };
+        let mut watch = Each(
+            |step: &Step<'_>| {
+                if step.index() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            },
+        );
         let contact = Multilevel.solve(&problem, &Stop::default(), &mut watch).unwrap();
         assert_eq!((contact.status, contact.work.iterations), (Status::StoppedByObserver, last));
         assert!(contact.certificate.load_error < 1e-12 && contact.certificate.min_pressure >= 0.0);
@@ -192,7 +216,9 @@ fn it_stops_on_any_level_when_told_to() {
 /// Transforms of the finest grid to a certificate of 1e-8; the table is printed with `-- --nocapture`.
 #[test]
 fn its_work_stays_low() {
-    let smooth = |indenter: Indenter, grid: Grid, load: f64| Problem::new(indenter.surface(grid).unwrap(), 1.0, load);
+    let smooth = |indenter: Indenter, grid: Grid, load: f64| {
+        Problem::new(indenter.surface(grid).unwrap(), ContactModulus(1.0), Load::MeanPressure(load))
+    };
     let long = Grid::line(1 << 16, 1.0).unwrap();
     let wide = Grid::surface([256, 256], [1.0, 1.0]).unwrap();
     let cases = [

@@ -6,7 +6,7 @@
 #[allow(dead_code, reason = "not every test file uses every helper")]
 mod common;
 
-use asperity::contact::{Dynamics, Gfmd, Masses, Measures, Problem};
+use asperity::contact::{ContactModulus, Dynamics, Gfmd, Load, Masses, Measures, Problem};
 use asperity::surface::Spectrum;
 use asperity::{Grid, Surface};
 use common::solve;
@@ -22,9 +22,10 @@ fn profile(hurst: f64, seed: u64) -> Surface {
 }
 
 fn measures(hurst: f64, reduced_pressure: f64) -> Measures {
-    let problem = Problem::at_reduced_pressure(profile(hurst, 1), 1.0, reduced_pressure).unwrap();
-    let solver = Gfmd::new(Masses::Stiffness, Dynamics::Fire, 0.5, 1.0).unwrap();
-    solve(&solver, &problem, 1e-8).measures(&problem)
+    let problem =
+        Problem::new(profile(hurst, 1), ContactModulus(1.0), Load::ReducedPressure(reduced_pressure)).unwrap();
+    let solver = Gfmd { masses: Masses::Stiffness, dynamics: Dynamics::Fire, ..Gfmd::default() };
+    solve(&solver, &problem, 1e-8).measures()
 }
 
 #[test]

@@ -1,5 +1,4 @@
 //! What a recording holds, read back from the file.
-#![cfg(feature = "record")]
 
 use asperity::contact::{Contact, Gfmd, Multilevel, Observer, PolonskyKeer, Solver, Step};
 use asperity::error::SolveError;

@@ -3,7 +3,7 @@
 #[allow(dead_code, reason = "not every test file uses every helper")]
 mod common;
 
-use asperity::contact::Problem;
+use asperity::contact::{ContactModulus, Load, Problem};
 use asperity::surface::Spectrum;
 use asperity::{Grid, Indenter, Surface};
 use common::{relative_l2, solve, solvers};
@@ -34,7 +34,7 @@ fn rough(grid: Grid, hurst: f64, reduced_pressure: f64) -> Problem {
         rms_gradient: 1e-3,
     };
     let surface = Surface::rough(grid, &spectrum, 7).unwrap();
-    Problem::at_reduced_pressure(surface, 1.0, reduced_pressure).unwrap()
+    Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(reduced_pressure)).unwrap()
 }
 
 #[test]
@@ -50,7 +50,10 @@ fn on_smooth_lines_and_surfaces() {
         (Indenter::CrossedSine { amplitude: 0.01 }, surface, 0.02),
     ];
     for (indenter, grid, mean_pressure) in smooth {
-        assert_agreement(&Problem::new(indenter.surface(grid).unwrap(), 1.0, mean_pressure).unwrap());
+        assert_agreement(
+            &Problem::new(indenter.surface(grid).unwrap(), ContactModulus(1.0), Load::MeanPressure(mean_pressure))
+                .unwrap(),
+        );
     }
 }
 
@@ -84,8 +87,8 @@ fn on_the_smallest_grids() {
     let field = ndarray::Array2::from_shape_fn((4, 4), |(i, j)| ((3 * i + 5 * j * j) as f64).sin());
     let surface = Surface::new(Grid::surface([4, 4], [1.0, 2.0]).unwrap(), field).unwrap();
     for load in [1e-6, 1e-2, 1.0, 100.0] {
-        assert_agreement(&Problem::new(line.clone(), 1.0, load).unwrap());
-        assert_agreement(&Problem::new(surface.clone(), 1.0, load).unwrap());
+        assert_agreement(&Problem::new(line.clone(), ContactModulus(1.0), Load::MeanPressure(load)).unwrap());
+        assert_agreement(&Problem::new(surface.clone(), ContactModulus(1.0), Load::MeanPressure(load)).unwrap());
     }
 }
 
@@ -94,11 +97,11 @@ fn a_surface_without_variation_along_y_is_a_line() {
     let line = rough(Grid::line(256, 1.0).unwrap(), 0.8, 0.05);
     let height = line.surface().height().broadcast((8, 256)).unwrap().to_owned();
     let ridged = Surface::new(Grid::surface([8, 256], [0.1, 1.0]).unwrap(), height).unwrap();
-    let ridged = Problem::new(ridged, 1.0, line.expected_mean_pressure()).unwrap();
+    let ridged = Problem::new(ridged, ContactModulus(1.0), Load::MeanPressure(line.expected_mean_pressure())).unwrap();
     let solver = asperity::contact::PolonskyKeer;
     let (of_line, of_surface) = (solve(&solver, &line, TOLERANCE), solve(&solver, &ridged, TOLERANCE));
     for row in of_surface.pressure.rows() {
         assert!(relative_l2(row, &of_line.pressure) < AGREEMENT);
     }
-    assert!((of_surface.measures(&ridged).kappa_r / of_line.measures(&line).kappa_r - 1.0).abs() < 1e-9);
+    assert!((of_surface.measures().kappa_r / of_line.measures().kappa_r - 1.0).abs() < 1e-9);
 }

@@ -1,6 +1,6 @@
 //! Results are dimensionless: units of length and pressure, and the zero of heights, do not matter.
 
-use asperity::contact::{Dynamics, Gfmd, Masses, Measures, PolonskyKeer, Solver};
+use asperity::contact::{ContactModulus, Dynamics, Gfmd, Load, Masses, Measures, PolonskyKeer, Solver};
 use asperity::surface::Spectrum;
 use asperity::{Contact, Grid, Indenter, Problem, Stop, Surface};
 
@@ -55,19 +55,20 @@ fn rough_surface(unit: f64) -> Surface {
 
 impl Case {
     fn problem(&self, [length, modulus]: [f64; 2]) -> Problem {
-        Problem::new((self.surface)(length), modulus, self.strain * modulus).unwrap()
+        Problem::new((self.surface)(length), ContactModulus(modulus), Load::MeanPressure(self.strain * modulus))
+            .unwrap()
     }
 }
 
 fn solvers() -> [Box<dyn Solver>; 3] {
-    let fire = Gfmd::new(Masses::Stiffness, Dynamics::Fire, 0.5, 1.0).unwrap();
+    let fire = Gfmd { masses: Masses::Stiffness, dynamics: Dynamics::Fire, ..Gfmd::default() };
     [Box::new(PolonskyKeer), Box::new(Gfmd::default()), Box::new(fire)]
 }
 
 /// So far converged that iterations which differ by rounding end at the same place.
 fn solve(solver: &dyn Solver, problem: &Problem) -> (Contact, Measures) {
-    let contact = solver.solve(problem, &Stop::new(1e-12, 50_000).unwrap(), &mut ()).unwrap();
-    let measures = contact.measures(problem);
+    let contact = solver.solve(problem, &Stop::new(1e-12, 50_000).unwrap(), &mut ()).unwrap().converged().unwrap();
+    let measures = contact.measures();
     (contact, measures)
 }
 
@@ -117,7 +118,8 @@ fn units_that_are_powers_of_two_change_not_a_single_bit() {
 #[test]
 fn a_reduced_pressure_poses_the_same_problem_in_any_units() {
     for units in DECIMAL {
-        let problem = Problem::at_reduced_pressure(rough_surface(units[0]), units[1], 0.05).unwrap();
+        let problem =
+            Problem::new(rough_surface(units[0]), ContactModulus(units[1]), Load::ReducedPressure(0.05)).unwrap();
         let strain = problem.expected_mean_pressure() / units[1];
         assert!((strain / (0.05 * 0.1) - 1.0).abs() < 1e-12, "{units:?}: {strain}");
     }
@@ -132,7 +134,10 @@ fn the_zero_of_heights_does_not_matter() {
             for offset in [1e3, -1e3] {
                 let lifted = problem.surface().height() + offset * problem.rms_height();
                 let surface = Surface::new(*problem.surface().grid(), lifted).unwrap();
-                let (found, moved) = solve(solver.as_ref(), &Problem::new(surface, 1.0, case.strain).unwrap());
+                let (found, moved) = solve(
+                    solver.as_ref(),
+                    &Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(case.strain)).unwrap(),
+                );
                 let what = format!("{} by {} lifted by {offset:e}", case.name, solver.name());
                 assert_eq!(moved.relative_area, measures.relative_area, "{what}");
                 assert!((moved.kappa_r / measures.kappa_r - 1.0).abs() < 1e-8, "{what}: {}", moved.kappa_r);

@@ -102,7 +102,9 @@ impl Bench {
     /// The name of a group and a few words on it.
     fn title(&self, group: Group) -> String {
         let value = group.to_possible_value();
-        let words = value.as_ref().map(|value| (value.get_name(), value.get_help().map_or_else(String::new, ToString::to_string)));
+        let words = value
+            .as_ref()
+            .map(|value| (value.get_name(), value.get_help().map_or_else(String::new, ToString::to_string)));
         let (name, help) = words.unwrap_or_default();
         format!("{name}{}: {help}", if self.quick { ", shrunk" } else { "" })
     }

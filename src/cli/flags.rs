@@ -72,7 +72,11 @@ impl<const WHOLE: bool> clap::Args for Scene<WHOLE> {
                     .conflicts_with("scene"),
             )
             .args(Self::flags().map(arg));
-        if WHOLE { command.group(ArgGroup::new("load").args(["pressure", "reduced-pressure", "mean-gap"])) } else { command }
+        if WHOLE {
+            command.group(ArgGroup::new("load").args(["pressure", "reduced-pressure", "mean-gap"]))
+        } else {
+            command
+        }
     }
 
     fn augment_args_for_update(command: Command) -> Command {

@@ -20,7 +20,9 @@ mod surface;
 #[cfg(feature = "explore")]
 mod view;
 
-use asperity::error::{FileError, GridError, ProblemError, SettingError, SetupError, SolveError, StudyError, SurfaceError};
+use asperity::error::{
+    FileError, GridError, ProblemError, SettingError, SetupError, SolveError, StudyError, SurfaceError,
+};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 

@@ -63,7 +63,8 @@ impl Output {
 
     /// Refuses places where nothing can be written, and one file for two outputs.
     fn check(&self) -> Result<()> {
-        let named = [("--record", self.recording()), ("--out", self.out.as_ref()), ("--save-setup", self.save_setup.as_ref())];
+        let named =
+            [("--record", self.recording()), ("--out", self.out.as_ref()), ("--save-setup", self.save_setup.as_ref())];
         let named: Vec<_> = named.into_iter().filter_map(|(flag, path)| Some((flag, path?))).collect();
         for (i, (flag, path)) in named.iter().enumerate() {
             check_target(path)?;

@@ -3,10 +3,10 @@
 use super::Outcome;
 use super::flags::Scene;
 use anyhow::Result;
+use asperity::Surface;
 use asperity::files::check_target;
 use asperity::setup::{Cost, Setup};
 use asperity::surface::{Roughness, write_heights};
-use asperity::Surface;
 use clap::Args;
 use serde::Serialize;
 use std::io::{Write, stdout};

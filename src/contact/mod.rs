@@ -14,6 +14,8 @@ mod gfmd;
 mod load;
 mod measure;
 mod multilevel;
+
+mod observables;
 mod observe;
 mod outcome;
 mod patches;
@@ -26,18 +28,20 @@ mod stop;
 
 use crate::chunks;
 
+pub use crate::error::Failure;
 pub use archive::archive;
 pub use certificate::Certificate;
 pub use gfmd::{Dynamics, Gfmd, Masses};
 pub use load::Load;
 pub use measure::{Measures, NODE_EXCESS_PER_SWITCH_LINE, NODE_EXCESS_PER_SWITCH_SURFACE};
 pub use multilevel::Multilevel;
-pub use observe::{Each, Failure, Observer, Wish};
+pub use observables::{OBSERVABLES, Observable, Observables, State};
+pub use observe::Each;
 pub use outcome::{Contact, Status, Work};
 pub use patches::Patches;
 pub use polonsky_keer::PolonskyKeer;
 pub use problem::{ContactModulus, Problem};
 pub use run::Run;
-pub use solver::Solver;
+pub use solver::{Observer, Solver, Wish};
 pub use step::{Energy, Phase, Step, Values};
 pub use stop::Stop;

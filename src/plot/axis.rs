@@ -1,6 +1,6 @@
-//! Axes: where values lie, and where ticks stand.
+//! Axes: the places of values along them, and their ticks.
 
-/// How values are spaced along an axis.
+/// Spacing of values along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
     /// Equal differences are equally long.
@@ -12,11 +12,11 @@ pub enum Scale {
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What is drawn along it, with its unit.
+    /// Name of the quantity, with its unit.
     pub name: String,
-    /// How its values are spaced.
+    /// Spacing of the values.
     pub scale: Scale,
-    /// Values at its start and its end.
+    /// Values at the start and the end.
     pub range: [f64; 2],
 }
 
@@ -49,7 +49,7 @@ impl Axis {
         (at - start) / (end - start)
     }
 
-    /// The ticks that have a label, with it, in ascending order; none on a range that is empty or not finite.
+    /// The ticks that have a label, each with it, in ascending order; none on a range that is empty or not finite.
     ///
     /// A logarithmic axis has powers of ten, `10⁻³`, below two decades also `2·10⁻³` and `5·10⁻³`; a linear one has steps
     /// of 1, 2 or 5 times a power of ten.
@@ -67,8 +67,8 @@ impl Axis {
         ticks.into_iter().map(|(value, digit, exponent)| (value, log_label(digit, exponent))).collect()
     }
 
-    /// The ticks of a logarithmic axis that have no label, some of those that have one among them.
-    pub(super) fn minor_ticks(&self) -> Vec<f64> {
+    /// The short ticks of a logarithmic axis, at some of which there is a labelled one, too.
+    pub fn minor_ticks(&self) -> Vec<f64> {
         if self.scale == Scale::Linear || !self.is_drawable() {
             return Vec::new();
         }
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_range_has_no_ticks() {
+    fn a_range_that_is_empty_or_not_finite_has_no_ticks() {
         let ranges = [[1.0, 1.0], [f64::NAN, 1.0], [0.0, f64::INFINITY], [-1e308, 1e308], [0.0, 5e-324]];
         for [start, end] in ranges {
             assert!(Axis::linear("x", [start, end]).ticks().is_empty(), "{start} to {end}");

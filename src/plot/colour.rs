@@ -1,6 +1,6 @@
-//! Colours.
+//! The palette: one set of colours for figures and recordings.
 
-/// Red, green and blue. The named ones are told apart by the colour-blind (Okabe & Ito, "Color Universal Design", 2008).
+/// Red, green and blue. The named colours are told apart by the colour-blind (Okabe & Ito, "Color Universal Design", 2008).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Colour(pub [u8; 3]);
 
@@ -17,12 +17,14 @@ impl Colour {
     pub const ORANGE: Self = Self([230, 159, 0]);
     /// Sky blue.
     pub const SKY: Self = Self([86, 180, 233]);
+    /// Yellow, too pale for white paper.
+    pub const YELLOW: Self = Self([240, 228, 66]);
     /// Black.
     pub const BLACK: Self = Self([0, 0, 0]);
-    /// Grey of what stands behind.
+    /// Grey of axes and of references in the background.
     pub const GREY: Self = Self([110, 110, 110]);
-    /// Lines of the grid.
-    pub(super) const PALE: Self = Self([225, 225, 225]);
-    /// The ground.
-    pub(super) const WHITE: Self = Self([255, 255, 255]);
+    /// Pale grey of grid lines.
+    pub(crate) const PALE: Self = Self([225, 225, 225]);
+    /// White of the paper.
+    pub(crate) const WHITE: Self = Self([255, 255, 255]);
 }

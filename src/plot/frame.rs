@@ -1,202 +1,104 @@
-//! A panel on the sheet: its frame, axes and titles.
+//! A frame: a box with two axes, their ticks, labels and names.
 
-use super::font::width;
-use super::legend::draw_legend;
-use super::series::draw_series;
+use super::axis::Axis;
+use super::colour::Colour;
 use super::sheet::{Align, Sheet, rectangle};
-use super::{Axis, Colour, Figure, Panel};
 
-/// Width and height of a panel with all that belongs to it.
-const SIZE: [u32; 2] = [600, 480];
-/// Panels in a row, at most.
-const IN_A_ROW: usize = 2;
-/// Height of the title of a figure.
-const HEAD: u32 = 40;
-/// Above the frame, for the title of a panel; without one half of it is free.
-const ABOVE: f64 = 34.0;
-const BELOW: f64 = 62.0;
-const RIGHT: f64 = 22.0;
-/// Left of the labels of the y axis, for its name.
-const NAME: f64 = 34.0;
-/// Room for labels, which aligns panels whose labels are not longer.
-const LABELS: f64 = 54.0;
-
-const FIGURE_TITLE: f64 = 20.0;
-const PANEL_TITLE: f64 = 17.0;
-const AXIS_NAME: f64 = 17.0;
-const LABEL: f64 = 15.0;
-
-const TICK: f64 = 6.0;
-const MINOR_TICK: f64 = 3.5;
-
-impl Sheet {
-    /// Draws `figure`.
-    pub fn of(figure: &Figure) -> Self {
-        let columns = figure.panels.len().clamp(1, IN_A_ROW);
-        let rows = figure.panels.len().div_ceil(columns).max(1);
-        let head = if figure.title.is_empty() { 0 } else { HEAD };
-        let size = [columns as u32 * SIZE[0], head + rows as u32 * SIZE[1]];
-        let mut sheet = Self { size, elements: Vec::new() };
-        let middle = 0.5 * f64::from(size[0]);
-        sheet.fitted_text(&figure.title, [middle, 0.6 * f64::from(head)], FIGURE_TITLE, 1.9 * middle, false);
-        for (i, panel) in figure.panels.iter().enumerate() {
-            let [column, row] = [i % columns, i / columns].map(|i| i as u32);
-            let corner = [column * SIZE[0], head + row * SIZE[1]];
-            Frame::of(panel, corner.map(f64::from)).draw(&mut sheet);
-        }
-        sheet
-    }
+/// A box with two axes on a sheet.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// Axis to the right.
+    pub x: Axis,
+    /// Axis upwards.
+    pub y: Axis,
+    /// Upper left corner of the box.
+    pub corner: [f64; 2],
+    /// Width and height of the box.
+    pub size: [f64; 2],
+    /// Size of the labels, by which ticks and distances are measured, too.
+    pub text: f64,
 }
 
-/// The rectangle between the axes of a panel.
-pub struct Frame<'a> {
-    pub panel: &'a Panel,
-    pub left: f64,
-    pub top: f64,
-    pub width: f64,
-    pub height: f64,
+/// A side of the box with an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Lower side, with the x axis.
+    Below,
+    /// Left side, with the y axis.
+    Left,
 }
 
-impl<'a> Frame<'a> {
-    /// The frame of a panel whose top left corner is at `[x, y]`.
-    pub fn of(panel: &'a Panel, [x, y]: [f64; 2]) -> Self {
-        let labels = panel.y.ticks().iter().map(|(_, label)| width(label, LABEL)).fold(LABELS, f64::max);
-        let [left, above] = [NAME + labels, if panel.title.is_empty() { 0.5 * ABOVE } else { ABOVE }];
-        let [width, height] = SIZE.map(f64::from);
-        Self { panel, left: x + left, top: y + above, width: width - left - RIGHT, height: height - above - BELOW }
-    }
+/// Width of the lines of box and ticks.
+const LINE: f64 = 1.2;
+const TICK: f64 = 0.4;
+const MINOR_TICK: f64 = 0.23;
+const NAME: f64 = 1.13;
 
+impl Frame {
     /// Places of a point along both axes.
     pub fn places(&self, x: f64, y: f64) -> [f64; 2] {
-        [self.panel.x.place(x), self.panel.y.place(y)]
+        [self.x.place(x), self.y.place(y)]
     }
 
     /// The position on the sheet of places along both axes.
     pub fn position(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [self.left + x * self.width, self.top + (1.0 - y) * self.height]
+        let [[left, top], [width, height]] = [self.corner, self.size];
+        [left + x * width, top + (1.0 - y) * height]
     }
 
-    fn draw(&self, sheet: &mut Sheet) {
-        self.draw_x_axis(sheet);
-        self.draw_y_axis(sheet);
-        let middle = self.left + 0.5 * self.width;
-        sheet.fitted_text(&self.panel.title, [middle, self.top - 0.5 * ABOVE], PANEL_TITLE, self.width, false);
-        self.panel.series.iter().for_each(|series| draw_series(sheet, self, series));
-        let corners = rectangle([self.left, self.top], [self.left + self.width, self.top + self.height]);
-        sheet.edge(&corners, Colour::GREY, 1.2);
-        draw_legend(sheet, self);
+    /// Draws pale lines across the box at the ticks that have labels.
+    pub fn draw_grid(&self, sheet: &mut Sheet) {
+        for (place, _) in labels(&self.x) {
+            sheet.line([0.0, 1.0].map(|y| self.position([place, y])).to_vec(), Colour::PALE, 1.0);
+        }
+        for (place, _) in labels(&self.y) {
+            sheet.line([0.0, 1.0].map(|x| self.position([x, place])).to_vec(), Colour::PALE, 1.0);
+        }
     }
 
-    fn draw_x_axis(&self, sheet: &mut Sheet) {
-        let bottom = self.top + self.height;
-        let at = |place: f64| self.left + place * self.width;
-        for (place, label) in labels(&self.panel.x) {
-            sheet.line(vec![[at(place), self.top], [at(place), bottom]], Colour::PALE, 1.0);
-            sheet.line(vec![[at(place), bottom], [at(place), bottom + TICK]], Colour::GREY, 1.2);
-            sheet.text(&label, [at(place), bottom + 18.0], LABEL, Align::Middle);
-        }
-        for place in minors(&self.panel.x) {
-            sheet.line(vec![[at(place), bottom], [at(place), bottom + MINOR_TICK]], Colour::GREY, 1.0);
-        }
-        sheet.fitted_text(&self.panel.x.name, [at(0.5), bottom + 43.0], AXIS_NAME, self.width, false);
+    /// Draws the box.
+    pub fn draw_box(&self, sheet: &mut Sheet) {
+        sheet.edge(&rectangle(self.corner, self.size), Colour::GREY, LINE);
     }
 
-    fn draw_y_axis(&self, sheet: &mut Sheet) {
-        let left = self.left;
-        let at = |place: f64| self.top + (1.0 - place) * self.height;
-        for (place, label) in labels(&self.panel.y) {
-            sheet.line(vec![[left, at(place)], [left + self.width, at(place)]], Colour::PALE, 1.0);
-            sheet.line(vec![[left, at(place)], [left - TICK, at(place)]], Colour::GREY, 1.2);
-            sheet.text(&label, [left - 9.0, at(place)], LABEL, Align::Right);
-        }
-        for place in minors(&self.panel.y) {
-            sheet.line(vec![[left, at(place)], [left - MINOR_TICK, at(place)]], Colour::GREY, 1.0);
-        }
-        let name = [left - LABELS - 18.0, at(0.5)];
-        sheet.fitted_text(&self.panel.y.name, name, AXIS_NAME, self.height, true);
+    /// Draws the side of the box that an axis lies along.
+    pub fn draw_side(&self, sheet: &mut Sheet, side: Side) {
+        sheet.line([0.0, 1.0].map(|place| self.beside(side, place, 0.0)).to_vec(), Colour::GREY, LINE);
     }
-}
 
-fn labels(axis: &Axis) -> Vec<(f64, String)> {
-    axis.ticks().into_iter().map(|(value, label)| (axis.place(value).clamp(0.0, 1.0), label)).collect()
-}
-
-fn minors(axis: &Axis) -> Vec<f64> {
-    axis.minor_ticks().into_iter().map(|value| axis.place(value).clamp(0.0, 1.0)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::sheet::Element;
-    use super::super::{Corner, Mark, Point, Series, Symbol};
-    use super::*;
-
-    const ODD: Colour = Colour([1, 2, 3]);
-
-    /// What a series without a name adds to a panel from 0 to 1 (linear) and from 1e-2 to 1 (logarithmic).
-    fn drawn(mark: Mark, points: &[[f64; 3]]) -> Vec<Element> {
-        let points = points.iter().map(|&[x, y, spread]| Point { x, y, spread }).collect();
-        let [x, y] = [Axis::linear("x", [0.0, 1.0]), Axis::log("y", [1e-2, 1.0])];
-        let mut panel = Panel::new("", x, y, Corner::TopLeft);
-        panel.series.push(Series::new("", ODD, mark, points));
-        let sheet = Sheet::of(&Figure { title: String::new(), panels: vec![panel] });
-        let is_odd = |element: &Element| match element {
-            Element::Line { colour, .. } | Element::Shape { colour, .. } => *colour == ODD,
-            Element::Text { .. } => false,
+    /// Draws the ticks, labels and name of an axis.
+    pub fn draw_axis(&self, sheet: &mut Sheet, side: Side) {
+        let (axis, align, distances, room) = match side {
+            Side::Below => (&self.x, Align::Middle, [1.2, 2.87], self.size[0]),
+            Side::Left => (&self.y, Align::Right, [0.6, 4.8], self.size[1]),
         };
-        sheet.elements.into_iter().filter(is_odd).collect()
-    }
-
-    /// The frame of that panel: left, right, top, bottom.
-    fn edges() -> [f64; 4] {
-        match &drawn(Mark::Line, &[[0.0, 1e-2, 0.0], [1.0, 1.0, 0.0]])[..] {
-            [Element::Line { points, .. }] => [points[0][0], points[1][0], points[1][1], points[0][1]],
-            other => panic!("{other:?}"),
+        let tick =
+            |place, length, width| (vec![self.beside(side, place, 0.0), self.beside(side, place, length)], width);
+        let mut ticks = Vec::new();
+        for (place, label) in labels(axis) {
+            sheet.words(&label, self.beside(side, place, distances[0]), self.text, align);
+            ticks.push(tick(place, TICK, LINE));
         }
+        ticks.extend(axis.minor_ticks().into_iter().map(|value| tick(edge(axis, value), MINOR_TICK, 1.0)));
+        ticks.into_iter().for_each(|(points, width)| sheet.line(points, Colour::GREY, width));
+        let name = self.beside(side, 0.5, distances[1]);
+        sheet.fitted_words(&axis.name, name, NAME * self.text, room, side == Side::Left);
     }
 
-    #[test]
-    fn lines_are_cut_at_the_frame() {
-        let [left, right, top, bottom] = edges();
-        let across = drawn(Mark::Line, &[[-9.0, 0.1, 0.0], [9.0, 0.1, 0.0], [9.0, -1.0, 0.0], [0.5, 0.1, 0.0]]);
-        let [Element::Line { points, .. }] = &across[..] else { panic!("{across:?}") };
-        let middle = 0.5 * (top + bottom);
-        for (point, expected) in points.iter().zip([[left, middle], [right, middle]]) {
-            assert!((0..2).all(|i| (point[i] - expected[i]).abs() < 1e-9), "{points:?}");
-        }
-        assert!(drawn(Mark::Dashed, &[[0.0, 2.0, 0.0], [1.0, 3.0, 0.0]]).is_empty());
-        assert!(drawn(Mark::Dotted, &[[0.0, 0.1, 0.0], [1.0, 0.1, 0.0]]).len() > 50);
+    /// The position at `place` along a side and `out` sizes of a label outside the box.
+    fn beside(&self, side: Side, place: f64, out: f64) -> [f64; 2] {
+        let places = if side == Side::Below { [place, 0.0] } else { [0.0, place] };
+        let [x, y] = self.position(places);
+        if side == Side::Below { [x, y + out * self.text] } else { [x - out * self.text, y] }
     }
+}
 
-    #[test]
-    fn symbols_outside_are_left_out() {
-        let symbol = Mark::Symbol { symbol: Symbol::Circle, filled: true };
-        let points = [[0.5, 0.1, 0.0], [1.0, 1.0, 0.0], [1.1, 0.1, 0.0], [0.5, 1e-3, 0.0], [0.5, -1.0, 0.0]];
-        assert_eq!(drawn(symbol, &points).len(), 2);
-        assert!(drawn(symbol, &[[f64::NAN, 0.1, 0.1], [0.5, f64::INFINITY, 0.1]]).is_empty());
-    }
+/// Places and labels of an axis.
+fn labels(axis: &Axis) -> impl Iterator<Item = (f64, String)> {
+    axis.ticks().into_iter().map(|(value, label)| (edge(axis, value), label))
+}
 
-    #[test]
-    fn error_bars_are_cut_and_keep_the_caps_inside() {
-        let [_, _, top, bottom] = edges();
-        let symbol = Mark::Symbol { symbol: Symbol::Square, filled: false };
-        assert_eq!(drawn(symbol, &[[0.5, 0.1, 0.05]]).len(), 1 + 3);
-        let cut = drawn(symbol, &[[0.5, 0.1, 0.2]]);
-        assert_eq!(cut.len(), 1 + 2);
-        let Element::Line { points, .. } = &cut[0] else { panic!("{cut:?}") };
-        assert!(points[0][1] == bottom && points[1][1] > top, "{points:?}");
-        assert!(drawn(symbol, &[[2.0, 0.1, 0.05], [0.5, 3.0, 0.5]]).is_empty());
-    }
-
-    #[test]
-    fn sheets_have_two_panels_in_a_row() {
-        let panel = Panel::new("", Axis::linear("x", [0.0, 1.0]), Axis::linear("y", [0.0, 1.0]), Corner::TopLeft);
-        let size =
-            |title: &str, panels| Sheet::of(&Figure { title: title.into(), panels: vec![panel.clone(); panels] }).size;
-        assert_eq!(
-            [size("", 0), size("", 1), size("", 2), size("", 3)],
-            [[600, 480], [600, 480], [1200, 480], [1200, 960]]
-        );
-        assert_eq!(size("title", 1), [600, 520]);
-    }
+/// The place of a tick, which rounding may have put outside.
+fn edge(axis: &Axis, value: f64) -> f64 {
+    axis.place(value).clamp(0.0, 1.0)
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// How a series is drawn.
+/// The style of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
     /// A solid line.
@@ -13,14 +13,14 @@ pub enum Mark {
     Dotted,
     /// A symbol at each point.
     Symbol {
-        /// Its shape.
+        /// Shape of the symbol.
         symbol: Symbol,
         /// Filled, or an outline on white.
         filled: bool,
     },
     /// Symbols joined by a line.
     Joined {
-        /// Their shape.
+        /// Shape of the symbols.
         symbol: Symbol,
         /// Filled, or outlines on white.
         filled: bool,
@@ -28,13 +28,13 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// Whether a line joins the points.
-    pub(super) fn is_line(self) -> bool {
+    /// True if a line joins the points.
+    pub fn is_line(self) -> bool {
         !matches!(self, Self::Symbol { .. })
     }
 
-    /// Lengths of dashes and of what is between them, for lines that have them.
-    pub(super) fn pattern(self) -> Option<[f64; 2]> {
+    /// Lengths of the dashes of a line and of the spaces between them; none for a solid line.
+    pub fn pattern(self) -> Option<[f64; 2]> {
         match self {
             Self::Dashed => Some([7.0, 4.5]),
             Self::Dotted => Some([2.0, 3.5]),
@@ -43,7 +43,7 @@ impl Mark {
     }
 
     /// The symbol, and whether it is filled.
-    pub(super) fn symbol(self) -> Option<(Symbol, bool)> {
+    pub fn symbol(self) -> Option<(Symbol, bool)> {
         match self {
             Self::Symbol { symbol, filled } | Self::Joined { symbol, filled } => Some((symbol, filled)),
             Self::Line | Self::Dashed | Self::Dotted => None,
@@ -66,7 +66,7 @@ pub enum Symbol {
 
 impl Symbol {
     /// Corners, right and down from its middle, of a symbol about nine units wide, with its edge `inset` further in.
-    pub(super) fn outline(self, inset: f64) -> Vec<[f64; 2]> {
+    pub fn outline(self, inset: f64) -> Vec<[f64; 2]> {
         let (corners, turn, radius) = match self {
             Self::Circle => (24, 0.0, 4.8),
             Self::Square => (4, 0.125, 6.0),

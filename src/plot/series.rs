@@ -1,16 +1,17 @@
-//! How a series is drawn: error bars, then lines, then symbols.
+//! Series between axes: error bars, then lines, then symbols.
 
 use super::clip::{dashes, runs};
+use super::colour::Colour;
+use super::figure::{Point, Series};
 use super::frame::Frame;
 use super::sheet::Sheet;
-use super::{Colour, Point, Series};
 
 const LINE: f64 = 2.0;
 const FINE_LINE: f64 = 1.4;
 /// From the middle of an error bar to the end of a cap.
 const CAP: f64 = 4.0;
 
-/// Draws what lies inside `frame`.
+/// Draws the part of a series inside `frame`.
 pub fn draw_series(sheet: &mut Sheet, frame: &Frame, series: &Series) {
     series.points.iter().for_each(|point| draw_bar(sheet, frame, series.colour, point));
     let places: Vec<[f64; 2]> = series.points.iter().map(|point| frame.places(point.x, point.y)).collect();
@@ -22,7 +23,7 @@ pub fn draw_series(sheet: &mut Sheet, frame: &Frame, series: &Series) {
     }
 }
 
-/// The line of a series through `points` of the sheet, if it has one.
+/// Draws the line of a series through `points` of the sheet, if it has one.
 pub fn draw_line(sheet: &mut Sheet, series: &Series, points: Vec<[f64; 2]>) {
     match series.mark.pattern() {
         _ if !series.mark.is_line() => {}
@@ -31,7 +32,7 @@ pub fn draw_line(sheet: &mut Sheet, series: &Series, points: Vec<[f64; 2]>) {
     }
 }
 
-/// The symbol of a series at a place on the sheet, if it has one.
+/// Draws the symbol of a series at a position on the sheet, if it has one.
 pub fn draw_symbol(sheet: &mut Sheet, series: &Series, [x, y]: [f64; 2]) {
     let Some((symbol, filled)) = series.mark.symbol() else { return };
     let outline = |inset| symbol.outline(inset).into_iter().map(|[right, down]| [x + right, y + down]).collect();
@@ -41,7 +42,7 @@ pub fn draw_symbol(sheet: &mut Sheet, series: &Series, [x, y]: [f64; 2]) {
     }
 }
 
-/// An error bar as far as it lies inside, with caps where it ends there.
+/// Draws an error bar as far as it lies inside, with caps where it ends there.
 fn draw_bar(sheet: &mut Sheet, frame: &Frame, colour: Colour, point: &Point) {
     let ends = [-1.0, 1.0].map(|sign| frame.places(point.x, point.y + sign * point.spread));
     let is_bar = point.y.is_finite() && point.spread > 0.0;

@@ -1,74 +1,93 @@
-//! What a figure comes to: lines, shapes and texts on a sheet.
+//! A drawing: lines, shapes and words on a sheet.
 
-use super::Colour;
+use super::colour::Colour;
 use super::font::width;
 
-/// Lines, shapes and texts, the later over the earlier, on white. Positions are right and down from the top left corner.
-#[derive(Debug, PartialEq)]
+/// Lines, shapes and words, the later over the earlier, on white. Positions are right and down from the top left corner.
+#[derive(Debug, Default, PartialEq)]
 pub struct Sheet {
     /// Width and height, in units.
     pub size: [u32; 2],
+    /// Everything on the sheet.
     pub elements: Vec<Element>,
 }
 
-/// Something on a sheet.
+/// A thing on a sheet.
 #[derive(Debug, PartialEq)]
 pub enum Element {
+    /// A line through points.
     Line {
+        /// Positions.
         points: Vec<[f64; 2]>,
+        /// Colour.
         colour: Colour,
+        /// Width in units.
         width: f64,
     },
+    /// A filled convex shape.
     Shape {
+        /// Corners in order.
         corners: Vec<[f64; 2]>,
+        /// Colour.
         colour: Colour,
+        /// Share of the light that the shape holds back.
         opacity: f64,
     },
-    /// One line of black text, half of it above the height `at[1]`, or along a vertical at `at[0]`.
-    Text {
-        text: String,
+    /// One line of black words, half of it above the height `at[1]`, or to either side of the vertical at `at[0]`.
+    Words {
+        /// Letters.
+        words: String,
+        /// Position.
         at: [f64; 2],
+        /// Size of the font.
         size: f64,
+        /// Part of the words at the position.
         align: Align,
+        /// Direction: upwards, or to the right.
         upwards: bool,
     },
 }
 
-/// Which part of a text is at its place.
+/// A part of a line of words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Align {
+    /// Its start.
     Left,
+    /// Its middle.
     Middle,
+    /// Its end.
     Right,
 }
 
 impl Sheet {
+    /// Adds a line.
     pub fn line(&mut self, points: Vec<[f64; 2]>, colour: Colour, width: f64) {
         self.elements.push(Element::Line { points, colour, width });
     }
 
+    /// Adds a shape.
     pub fn shape(&mut self, corners: Vec<[f64; 2]>, colour: Colour, opacity: f64) {
         self.elements.push(Element::Shape { corners, colour, opacity });
     }
 
-    /// A line around a shape.
+    /// Adds a line around a shape.
     pub fn edge(&mut self, corners: &[[f64; 2]], colour: Colour, width: f64) {
         self.line(corners.iter().chain(corners.first()).copied().collect(), colour, width);
     }
 
-    /// A text from left to right.
-    pub fn text(&mut self, text: &str, at: [f64; 2], size: f64, align: Align) {
-        self.elements.push(Element::Text { text: text.into(), at, size, align, upwards: false });
+    /// Adds words from left to right.
+    pub fn words(&mut self, words: &str, at: [f64; 2], size: f64, align: Align) {
+        self.elements.push(Element::Words { words: words.into(), at, size, align, upwards: false });
     }
 
-    /// A text around its middle, smaller where it would be longer than `room`.
-    pub fn fitted_text(&mut self, text: &str, at: [f64; 2], size: f64, room: f64, upwards: bool) {
-        let size = size * (room / width(text, size)).min(1.0);
-        self.elements.push(Element::Text { text: text.into(), at, size, align: Align::Middle, upwards });
+    /// Adds words around their middle, smaller where they would be longer than `room`.
+    pub fn fitted_words(&mut self, words: &str, at: [f64; 2], size: f64, room: f64, upwards: bool) {
+        let size = size * (room / width(words, size)).min(1.0);
+        self.elements.push(Element::Words { words: words.into(), at, size, align: Align::Middle, upwards });
     }
 }
 
 /// The corners of a rectangle.
-pub fn rectangle([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Vec<[f64; 2]> {
-    vec![[left, top], [right, top], [right, bottom], [left, bottom]]
+pub fn rectangle([left, top]: [f64; 2], [width, height]: [f64; 2]) -> Vec<[f64; 2]> {
+    vec![[left, top], [left + width, top], [left + width, top + height], [left, top + height]]
 }

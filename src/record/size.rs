@@ -1,22 +1,21 @@
-//! How large a recording becomes.
+//! The size of a recording.
 
-use super::field;
-use super::part::{Part, Parts};
-use super::reduce::Columns;
-use super::relief;
-use super::thinning::Pace;
+use super::draw::{Columns, pixels, vertices};
+use super::file::Schedule;
+use super::parts::Parts;
 use crate::grid::Grid;
+use crate::setup::Part;
 
 /// Bytes of a recording, about: packing makes the pictures smaller by up to half, most at low loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Size {
-    /// What does not change, the layout included.
+    /// Everything that does not change, the layout included.
     pub still: f64,
     /// The pictures of a frame.
     pub frame: f64,
     /// The numbers of a step.
     pub step: f64,
-    pace: Pace,
+    schedule: Schedule,
 }
 
 impl Size {
@@ -25,7 +24,7 @@ impl Size {
     /// Some ten numbers of a step and the times that go with each, packed.
     const STEP: f64 = 200.0;
 
-    /// The size of those `parts` that a scene on `grid` can show.
+    /// The size of `parts`, as far as a scene on `grid` can show them.
     pub fn of(parts: Parts, grid: &Grid) -> Self {
         let parts = parts.and(Parts::on(grid));
         let bytes = |part: Part| if parts.has(part) { bytes(part, grid) } else { 0.0 };
@@ -33,20 +32,20 @@ impl Size {
             still: Self::STILL,
             frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum].map(bytes).iter().sum(),
             step: if parts.has(Part::Traces) { Self::STEP } else { 0.0 },
-            pace: Pace::on(grid),
+            schedule: Schedule::on(grid),
         }
     }
 
     /// Frames of the automatic schedule at the most, of so many steps on the finest grid above `coarser` ones.
     pub fn frames(&self, steps: usize, coarser: usize) -> usize {
-        self.pace.most_frames(steps, coarser)
+        self.schedule.most_frames(steps, coarser)
     }
 }
 
 /// Bytes of a part in a frame, which are single precision but for the classes of a mask.
 fn bytes(part: Part, grid: &Grid) -> f64 {
     let points = grid.len().min(2 * Columns::MOST) as f64;
-    let [pixels, vertices] = [field::pixels(grid), relief::vertices(grid)].map(|count| count as f64);
+    let [pixels, vertices] = [pixels(grid), vertices(grid)].map(|count| count as f64);
     match (part, grid.is_line()) {
         (Part::Profile, _) => 12.0 * points,
         (Part::Fields, true) => 16.0 * points,

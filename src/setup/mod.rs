@@ -28,6 +28,7 @@
 
 mod cell;
 mod cost;
+mod fingerprint;
 mod flag;
 mod method;
 mod part;

@@ -1,47 +1,42 @@
 //! Surfaces under rising loads, several at a time.
 
-use super::realisation::{Pressed, Realisation};
-use super::row::{Row, Timed};
+use super::identity::Identity;
+use super::point::Point;
+use super::realisation::Realisation;
 use super::table::Table;
-use crate::contact::Stop;
 use crate::error::StudyError;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Realisations, each pressed with its loads by the multilevel solver, and every load started from the contact of the one
-/// before.
+/// Realisations, each solved under its loads, every load started from the contact of the one before.
 ///
-/// The numbers depend on the realisation, its loads and the tolerance alone: not on how many are solved at a time, nor
-/// on what was solved before and kept in a table.
+/// The numbers depend on the setups and their loads alone: not on how many are solved at a time, nor on what was solved before
+/// and kept in a table.
 ///
 /// | field          | meaning                                             |
 /// |----------------|-----------------------------------------------------|
-/// | `realisations` | the surfaces and their loads                        |
-/// | `stop`         | certificate to reach, and the most iterations       |
+/// | `realisations` | the setups and their loads                          |
 /// | `workers`      | realisations solved at a time, each in its thread   |
 ///
 /// ```
-/// use asperity::study::{Realisation, Shape, Sweep, Table};
-/// use asperity::{Grid, Indenter, Stop};
+/// use asperity::Indenter;
+/// use asperity::contact::Load;
+/// use asperity::setup::{Cell, Recipe, Setup};
+/// use asperity::study::{Realisation, Sweep, Table};
 ///
-/// let cylinder = Realisation {
-///     name: "cylinder".into(),
-///     grid: Grid::line(8192, 4.0)?,
-///     shape: Shape::Smooth(Indenter::Cylinder { radius: 1.0 }),
-///     loads: vec![1e-3, 2e-3],
-/// };
+/// let recipe = Recipe::indenter(Indenter::Cylinder { radius: 1.0 });
+/// let setup = Setup::new(recipe, Cell::line(8192, 4.0), Load::ReducedPressure(1e-3));
+/// let cylinder = Realisation { name: "cylinder".into(), setup, loads: vec![1e-3, 2e-3] };
 /// let folder = tempfile::tempdir()?;
-/// let sweep = Sweep { realisations: vec![cylinder], stop: Stop::default(), workers: 1 };
+/// let sweep = Sweep { realisations: vec![cylinder], workers: 1 };
 /// let points = sweep.run(&Table::new(folder.path().join("cylinder.csv")), &|_| ())?;
-/// assert!((points[1].row.kappa_r_corrected / 1.47 - 1.0).abs() < 0.01);
+/// assert!((points[1].observables.kappa_r_corrected / 1.47 - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Sweep {
-    /// The surfaces and their loads.
+    /// The setups and their loads.
     pub realisations: Vec<Realisation>,
-    /// When a solve ends.
-    pub stop: Stop,
     /// Realisations solved at a time.
     pub workers: usize,
 }
@@ -53,11 +48,13 @@ impl Sweep {
     /// # Errors
     /// For surfaces and loads that cannot be, files that cannot be read or written, and a table of another study, which would
     /// be lost.
-    pub fn run(&self, table: &Table, watch: &(dyn Fn(&Row) + Sync)) -> Result<Vec<Timed>, StudyError> {
+    pub fn run(&self, table: &Table, watch: &(dyn Fn(&Point) + Sync)) -> Result<Vec<Point>, StudyError> {
         self.check()?;
-        let there = self.there(table)?;
-        let solved = self.solve(self.known(&there), table, watch)?;
-        let points: Vec<Timed> = solved.into_iter().flatten().collect();
+        let identities = self.identities()?;
+        let there = self.there(&identities, table)?;
+        let known = identities.iter().map(|identity| identity.find(&there)).collect();
+        let solved = self.solve(&identities, known, table, watch)?;
+        let points: Vec<Point> = solved.into_iter().flatten().collect();
         if points != there {
             table.finish(&points)?;
         }
@@ -69,7 +66,7 @@ impl Sweep {
     /// # Errors
     /// As [`Realisation::check`].
     pub fn check(&self) -> Result<(), StudyError> {
-        self.realisations.iter().try_for_each(Realisation::check)
+        self.realisations.iter().try_for_each(|realisation| Ok(realisation.check().map(drop)?))
     }
 
     /// Refuses a table that would be lost.
@@ -77,64 +74,65 @@ impl Sweep {
     /// # Errors
     /// [`StudyError::OtherStudy`] for one with points of another study, [`StudyError::File`] for one that cannot be read.
     pub fn check_table(&self, table: &Table) -> Result<(), StudyError> {
-        self.there(table).map(drop)
+        self.there(&self.identities()?, table).map(drop)
     }
 
-    /// The points of `table`, if all are its own.
-    fn there(&self, table: &Table) -> Result<Vec<Timed>, StudyError> {
+    /// How many points of the sweep `table` holds.
+    ///
+    /// # Errors
+    /// As [`Table::read`], and for a height file that cannot be read.
+    pub fn points_in(&self, table: &Table) -> Result<usize, StudyError> {
         let there = table.read()?;
-        let others = there.iter().filter(|timed| !self.includes(&timed.row)).count();
-        match others {
+        Ok(self.identities()?.iter().filter_map(|identity| identity.find(&there)).map(|points| points.len()).sum())
+    }
+
+    /// The identities of the realisations.
+    fn identities(&self) -> Result<Vec<Identity<'_>>, StudyError> {
+        self.realisations.iter().map(Identity::of).collect()
+    }
+
+    /// The points of `table`, if all belong to the sweep.
+    fn there(&self, identities: &[Identity<'_>], table: &Table) -> Result<Vec<Point>, StudyError> {
+        let there = table.read()?;
+        let is_other = |point: &&Point| !identities.iter().any(|identity| identity.includes(point));
+        match there.iter().filter(is_other).count() {
             0 => Ok(there),
             points => Err(StudyError::OtherStudy { path: table.path().into(), points }),
         }
     }
 
-    /// How many of its points `table` holds.
-    ///
-    /// # Errors
-    /// As [`Table::read`].
-    pub fn points_in(&self, table: &Table) -> Result<usize, StudyError> {
-        Ok(self.known(&table.read()?).iter().flatten().map(Vec::len).sum())
-    }
-
-    /// Whether a point is one of its own.
-    fn includes(&self, row: &Row) -> bool {
-        self.realisations.iter().any(|realisation| realisation.includes(row, self.stop.tolerance()))
-    }
-
-    /// The points of each realisation, if they are all there.
-    fn known(&self, there: &[Timed]) -> Vec<Option<Vec<Timed>>> {
-        self.realisations.iter().map(|realisation| realisation.find(there, self.stop.tolerance())).collect()
-    }
-
-    /// Points of all realisations.
+    /// Number of points of all realisations.
     pub fn points(&self) -> usize {
         self.realisations.iter().map(|realisation| realisation.loads.len()).sum()
     }
 
     /// Nodes of all points together, a measure of the work.
-    pub fn nodes(&self) -> u64 {
-        self.realisations.iter().map(|realisation| (realisation.grid.len() * realisation.loads.len()) as u64).sum()
+    ///
+    /// # Errors
+    /// As [`Realisation::check`].
+    pub fn nodes(&self) -> Result<u64, StudyError> {
+        let nodes = |it: &Realisation| Ok((it.check()?.len() * it.loads.len()) as u64);
+        self.realisations.iter().map(nodes).sum()
     }
 
     /// Solves the realisations that are not known, `workers` at a time, first come first served.
     fn solve(
         &self,
-        known: Vec<Option<Vec<Timed>>>,
+        identities: &[Identity<'_>],
+        known: Vec<Option<Vec<Point>>>,
         table: &Table,
-        watch: &(dyn Fn(&Row) + Sync),
-    ) -> Result<Vec<Vec<Timed>>, StudyError> {
+        watch: &(dyn Fn(&Point) + Sync),
+    ) -> Result<Vec<Vec<Point>>, StudyError> {
         let (next, failed) = (AtomicUsize::new(0), AtomicBool::new(false));
         let done = Mutex::new(known.clone());
         let work = || -> Result<(), StudyError> {
             while !failed.load(Ordering::Relaxed) {
                 let i = next.fetch_add(1, Ordering::Relaxed);
-                let Some(realisation) = self.realisations.get(i) else { break };
+                let Some(identity) = identities.get(i) else { break };
                 if known[i].is_some() {
                     continue;
                 }
-                let points = self.press(realisation, watch)?;
+                let points = identity.solve(watch)?;
                 let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
                 table.append(&points)?;
                 done[i] = Some(points);
@@ -150,18 +148,5 @@ impl Sweep {
         })?;
         let done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
         Ok(done.into_iter().flatten().collect())
-    }
-
-    /// The points of a realisation.
-    fn press(&self, realisation: &Realisation, watch: &(dyn Fn(&Row) + Sync)) -> Result<Vec<Timed>, StudyError> {
-        let mut points = Vec::new();
-        realisation.press(&self.stop, |pressed| {
-            let Pressed { load, problem, contact } = pressed;
-            let row = Row::of(realisation, load, &self.stop, problem, contact);
-            watch(&row);
-            points.push(Timed { row, seconds: contact.work.seconds });
-            Ok::<(), StudyError>(())
-        })?;
-        Ok(points)
     }
 }

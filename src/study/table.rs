@@ -1,9 +1,10 @@
 //! A table of points on disk, which grows while a study runs.
 
-use super::row::{Row, Timed};
+use super::point::Point;
+use crate::contact::Observables;
 use crate::error::FileError;
 use crate::files::{check_target, write_csv};
-use serde::de::DeserializeOwned;
+use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 use std::fs::OpenOptions;
 use std::io::{self, Write};
@@ -34,9 +35,9 @@ struct Seconds {
 }
 
 impl Seconds {
-    fn of(Timed { row, seconds }: &Timed) -> Self {
-        let Row { name, ny, nx, hurst, seed, reduced_pressure, .. } = row.clone();
-        Self { name, ny, nx, hurst, seed, reduced_pressure, seconds: *seconds }
+    fn of(point: &Point) -> Self {
+        let Point { name, ny, nx, hurst, seed, seconds, observables, .. } = point.clone();
+        Self { name, ny, nx, hurst, seed, reduced_pressure: observables.reduced_pressure, seconds }
     }
 }
 
@@ -56,13 +57,16 @@ impl Table {
     /// # Errors
     /// [`FileError::Read`] for files that are there and cannot be read, [`FileError::Target`] for a finished table that holds
     /// anything else than points: it is not ours to replace.
-    pub fn read(&self) -> Result<Vec<Timed>, FileError> {
-        let rows = finished(&self.path)?;
-        let mut seconds = finished(&self.seconds_path())?.into_iter().map(|Seconds { seconds, .. }| seconds);
-        let timed = rows.into_iter().map(|row| Timed { row, seconds: seconds.next().unwrap_or(f64::NAN) });
-        let mut points: Vec<Timed> = timed.collect();
-        let whole = records(&self.unfinished_path(), false)?.flatten();
-        points.extend(whole.map(|(row, seconds)| Timed { row, seconds }));
+    pub fn read(&self) -> Result<Vec<Point>, FileError> {
+        let seconds = finished(&self.seconds_path(), |record, names| record.deserialize(Some(names)))?;
+        let mut seconds = seconds.into_iter().map(|Seconds { seconds, .. }| seconds);
+        let mut points = finished(&self.path, |record, names| {
+            let observables = record.deserialize(Some(names))?;
+            Ok(Point { observables, seconds: seconds.next().unwrap_or(f64::NAN), ..record.deserialize(Some(names))? })
+        })?;
+        let unfinished = reader(&self.unfinished_path(), false)?.into_deserialize::<(Point, Observables, f64)>();
+        let whole = unfinished.flatten().map(|(point, observables, seconds)| Point { observables, seconds, ..point });
+        points.extend(whole);
         Ok(points)
     }
 
@@ -70,13 +74,14 @@ impl Table {
     ///
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
-    pub fn append(&self, points: &[Timed]) -> Result<(), FileError> {
+    pub fn append(&self, points: &[Point]) -> Result<(), FileError> {
         let path = self.unfinished_path();
         check_target(&path)?;
         let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         let failed = |source| FileError::Write { path: path.clone(), source };
-        for Timed { row, seconds } in points {
-            csv.serialize((row, seconds)).map_err(|error| failed(io::Error::other(error)))?;
+        for point in points {
+            csv.serialize((point, point.observables, point.seconds))
+                .map_err(|error| failed(io::Error::other(error)))?;
         }
         let text = csv.into_inner().map_err(|error| failed(error.into_error()))?;
         let mut file = OpenOptions::new().create(true).append(true).open(&path).map_err(failed)?;
@@ -87,8 +92,8 @@ impl Table {
     ///
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
-    pub fn finish(&self, points: &[Timed]) -> Result<(), FileError> {
-        write_csv(&self.path, points.iter().map(|timed| &timed.row))?;
+    pub fn finish(&self, points: &[Point]) -> Result<(), FileError> {
+        write_csv(&self.path, points.iter().map(|point| (point, point.observables)))?;
         write_csv(&self.seconds_path(), points.iter().map(Seconds::of))?;
         remove(self.unfinished_path())
     }
@@ -119,21 +124,22 @@ fn remove(path: PathBuf) -> Result<(), FileError> {
 }
 
 /// The records of a file; none if it is missing.
-fn records<T: DeserializeOwned>(
-    path: &Path,
-    has_headers: bool,
-) -> Result<impl Iterator<Item = csv::Result<T>> + use<T>, FileError> {
+fn reader(path: &Path, has_headers: bool) -> Result<csv::Reader<io::Cursor<Vec<u8>>>, FileError> {
     let text = match std::fs::read(path) {
         Err(source) if source.kind() == io::ErrorKind::NotFound => Vec::new(),
         other => other.map_err(|source| FileError::Read { path: path.into(), source })?,
     };
-    let csv = csv::ReaderBuilder::new().has_headers(has_headers).from_reader(io::Cursor::new(text));
-    Ok(csv.into_deserialize())
+    Ok(csv::ReaderBuilder::new().has_headers(has_headers).from_reader(io::Cursor::new(text)))
 }
 
-/// The records of a table that is whole.
-fn finished<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>, FileError> {
+/// What `read` makes of the records of a table that is whole, under the names of its columns.
+fn finished<T>(
+    path: &Path,
+    mut read: impl FnMut(&StringRecord, &StringRecord) -> csv::Result<T>,
+) -> Result<Vec<T>, FileError> {
     let reason = "it holds something else than the points of a study: write elsewhere, or remove it";
     let refuse = |_| FileError::Target { path: path.into(), reason: reason.into() };
-    records(path, true)?.collect::<csv::Result<_>>().map_err(refuse)
+    let mut csv = reader(path, true)?;
+    let names = csv.headers().map_err(refuse)?.clone();
+    csv.records().map(|record| read(&record?, &names)).collect::<csv::Result<_>>().map_err(refuse)
 }

@@ -5,12 +5,13 @@ use asperity::contact::{Contact, Dynamics, Gfmd, Masses, Multilevel, PolonskyKee
 /// Solves to a certificate of `tolerance`.
 pub fn solve(solver: &dyn Solver, problem: &Problem, tolerance: f64) -> Contact {
     let stop = Stop::new(tolerance, 200_000).unwrap();
-    solver.solve(problem, &stop, &mut ()).unwrap_or_else(|error| panic!("{}: {error}", solver.settings()))
+    let contact = solver.solve(problem, &stop, &mut ()).and_then(Contact::converged);
+    contact.unwrap_or_else(|error| panic!("{}: {error}", solver.settings()))
 }
 
 /// Every solver, with every kind of masses and dynamics.
 pub fn solvers() -> Vec<Box<dyn Solver>> {
-    let gfmd = |masses, dynamics| Box::new(Gfmd::new(masses, dynamics, 0.5, 1.0).unwrap()) as Box<dyn Solver>;
+    let gfmd = |masses, dynamics| Box::new(Gfmd { masses, dynamics, ..Gfmd::default() }) as Box<dyn Solver>;
     vec![
         Box::new(PolonskyKeer),
         Box::new(Multilevel),

@@ -95,9 +95,9 @@ fn onto_load(mut values: Vec<f64>, mean: f64) -> Vec<f64> {
 mod tests {
     use super::super::level::{Pace, RELEASE, STALE};
     use super::*;
-    use crate::contact::{ContactModulus, Load};
     use crate::contact::Problem;
     use crate::contact::best::Best;
+    use crate::contact::{ContactModulus, Load};
     use crate::grid::Grid;
     use crate::surface::{Indenter, Surface};
     use ndarray::Array1;

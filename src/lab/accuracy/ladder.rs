@@ -59,7 +59,9 @@ impl Ladder {
 
     /// The orders in the spacing from the coarsest grid to the finest.
     pub fn orders(&self) -> Values {
-        let (Some(first), Some(last)) = (self.rungs.first(), self.rungs.last()) else { return [None; QUANTITIES.len()] };
+        let (Some(first), Some(last)) = (self.rungs.first(), self.rungs.last()) else {
+            return [None; QUANTITIES.len()];
+        };
         let octaves = (last.side() as f64 / first.side() as f64).log2();
         std::array::from_fn(|i| Some((first.errors[i]? / last.errors[i]?).log2() / octaves).filter(|o| o.is_finite()))
     }
@@ -88,7 +90,8 @@ fn truth(
 ) -> Result<(String, Vec<Values>), SetupError> {
     let finest = sides.iter().copied().max().unwrap_or_default();
     if let Some(exact) = scene.exact(finest, scene.mean_pressure())? {
-        let all = loads(scene).map(|load| Ok(scene.exact(finest, load)?.map_or_else(Values::default, |e| of_exact(&e))));
+        let all =
+            loads(scene).map(|load| Ok(scene.exact(finest, load)?.map_or_else(Values::default, |e| of_exact(&e))));
         return Ok((format!("the exact solution ({})", exact.name), all.collect::<Result<_, SetupError>>()?));
     }
     let finer = REFINEMENT * finest;
@@ -97,13 +100,7 @@ fn truth(
 }
 
 /// The contact on one grid under all loads.
-fn solved(
-    scene: Scene,
-    side: usize,
-    seed: u64,
-    stop: &Stop,
-    watch: &mut Watch<'_>,
-) -> Result<Vec<Solved>, SetupError> {
+fn solved(scene: Scene, side: usize, seed: u64, stop: &Stop, watch: &mut Watch<'_>) -> Result<Vec<Solved>, SetupError> {
     let problem = scene.setup(side, seed).problem()?;
     let solve_under = |(i, load): (usize, f64)| {
         let problem = problem.clone().with_load(Load::MeanPressure(load))?;

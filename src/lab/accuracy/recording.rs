@@ -22,7 +22,7 @@ pub fn record(path: &Path, experiment: &Experiment, watch: &mut Watch<'_>) -> Re
     let setups = Rival::ALL.map(|rival| Setup { solver: rival.method, ..setup.clone() });
     let scene = |(rival, setup): (&Rival, _)| {
         let [name, title] = [rival.title; 2].map(String::from);
-        Scene { name, title, ..Scene::of(setup, &problem) }
+        Scene { name, title, exact: None, ..Scene::of(setup, &problem) }
     };
     let scenes: Vec<Scene<'_>> = Rival::ALL.iter().zip(&setups).map(scene).collect();
     let recording = Recording::create(path, &scenes, options)?;

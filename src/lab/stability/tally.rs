@@ -44,9 +44,6 @@ impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { converged, refused, not_converged, wrong, .. } = self;
         let runs = converged + refused + not_converged + wrong;
-        write!(
-            f,
-            "{runs} runs: {converged} converged, {refused} refused, {not_converged} not converged, {wrong} wrong"
-        )
+        write!(f, "{runs} runs: {converged} converged, {refused} refused, {not_converged} not converged, {wrong} wrong")
     }
 }

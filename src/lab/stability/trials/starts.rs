@@ -10,8 +10,8 @@ const BELOW_ROUNDING: f64 = 1e-16;
 pub fn trials(grids: Grids) -> Vec<Trial> {
     let rough = |name, grid| Trial::of(name, setup(rough(grid), grid, LOAD));
     let starts = GARBAGE.map(|garbage| rough(format!("start-{garbage:e}"), grids.line).from(garbage));
-    let limits = grids.named().map(|(kind, grid)| {
-        rough(format!("tolerance-1e-16-{kind}"), grid).to(BELOW_ROUNDING).demanding(Demand::Limit)
-    });
+    let limits = grids
+        .named()
+        .map(|(kind, grid)| rough(format!("tolerance-1e-16-{kind}"), grid).to(BELOW_ROUNDING).demanding(Demand::Limit));
     starts.into_iter().chain(limits).collect()
 }

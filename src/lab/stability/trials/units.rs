@@ -16,9 +16,11 @@ const TOLERANCE: f64 = 1e-12;
 pub fn trials(grids: Grids) -> Vec<Trial> {
     let [_, points] = grids.line.shape();
     let trial = |[length, modulus]: [f64; 2]| {
-        Trial::new(format!("length-{length:e}-modulus-{modulus:e}"), move || posed(points, [length; 2], modulus, STRAIN * modulus))
-            .like(move || posed(points, [1.0; 2], 1.0, STRAIN))
-            .to(TOLERANCE)
+        Trial::new(format!("length-{length:e}-modulus-{modulus:e}"), move || {
+            posed(points, [length; 2], modulus, STRAIN * modulus)
+        })
+        .like(move || posed(points, [1.0; 2], 1.0, STRAIN))
+        .to(TOLERANCE)
     };
     UNITS.map(trial).into()
 }

@@ -1,0 +1,191 @@
+//! The observables: all numbers that are told of a contact, in one table.
+//!
+//! A row of the table is all that a new one takes: results, tables of studies, the explorer and the curves of recordings show
+//! what is in it.
+
+use crate::contact::{Certificate, Contact, Load, Measures, Problem, Step, Work};
+use ndarray::ArrayView1;
+use serde::{Deserialize, Serialize};
+use std::cell::LazyCell;
+
+/// A number that is told of a contact.
+pub struct Observable {
+    /// Its name, with its unit where two are possible.
+    pub name: &'static str,
+    /// The symbol of the field.
+    pub symbol: &'static str,
+    /// Its unit: `length`, `pressure`, or `1` for a pure number.
+    pub unit: &'static str,
+    /// Whether it is drawn step by step: it changes while a contact is solved, and a step knows it.
+    pub is_traced: bool,
+    /// One sentence.
+    pub sentence: &'static str,
+    /// Takes it from a state; NaN where the state does not know it.
+    pub value: fn(&State<'_>) -> f64,
+}
+
+/// A contact, or the state of a solver at a step, to take observables from. What costs a pass over the nodes is computed when
+/// it is first asked for, and once.
+pub struct State<'a> {
+    problem: &'a Problem,
+    work: Work,
+    /// The certificate; NaN where it is not known.
+    certificate: Certificate,
+    measures: Lazy<'a, Measures>,
+    patches: Lazy<'a, usize>,
+    mean_gap: Lazy<'a, f64>,
+    mean_pressure: Lazy<'a, f64>,
+    max_pressure: Lazy<'a, f64>,
+}
+
+type Lazy<'a, T> = LazyCell<T, Box<dyn FnOnce() -> T + 'a>>;
+
+fn lazy<'a, T>(make: impl FnOnce() -> T + 'a) -> Lazy<'a, T> {
+    LazyCell::new(Box::new(make))
+}
+
+/// Makes of the rows the struct [`Observables`] and the table [`OBSERVABLES`].
+macro_rules! observables {
+    ($($name:ident: $type:ty, $symbol:literal, $unit:literal, $is_traced:literal, $of:expr, $sentence:literal;)+) => {
+        /// The observables of a contact; those that are not known are NaN.
+        ///
+        /// ```
+        /// use asperity::contact::{Observables, OBSERVABLES, Solver};
+        /// use asperity::setup::Setup;
+        /// let setup = Setup::from_toml("
+        ///     surface = { indenter = { shape = 'sine', amplitude = 0.01 } }
+        ///     grid = { points = 256, size = 1.0 }
+        ///     load = { reduced-pressure = 0.1 }
+        /// ")?;
+        /// let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?;
+        /// let found = Observables::of(&contact);
+        /// assert_eq!((found.patches, found.kappa_r), (1, contact.measures().kappa_r));
+        /// assert!(OBSERVABLES.iter().any(|row| row.name == "mean_gap" && row.unit == "length"));
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+        pub struct Observables {
+            $(#[doc = $sentence] pub $name: $type,)+
+        }
+
+        /// The table of observables.
+        pub const OBSERVABLES: &[Observable] = &[$(Observable {
+            name: stringify!($name),
+            symbol: $symbol,
+            unit: $unit,
+            is_traced: $is_traced,
+            sentence: $sentence,
+            value: |state| {
+                let of: fn(&State<'_>) -> $type = $of;
+                of(state) as f64
+            },
+        },)+];
+
+        impl Observables {
+            /// Takes all observables from a contact, or from a step.
+            pub fn of<'a>(state: impl Into<State<'a>>) -> Self {
+                let state = state.into();
+                Self {
+                    $($name: {
+                        let of: fn(&State<'_>) -> $type = $of;
+                        of(&state)
+                    },)+
+                }
+            }
+        }
+    };
+}
+
+// name: type, symbol, unit, whether it is traced, how it is had from a state, one sentence
+#[rustfmt::skip]
+observables! {
+    mean_pressure: f64, "<p>", "pressure", false, |it| *it.mean_pressure,
+        "Mean pressure.";
+    reduced_pressure: f64, "p*", "1", false, |it| it.reduced_pressure(),
+        "Reduced pressure, the mean pressure over rms gradient and contact modulus.";
+    reduced_pressure_contact: f64, "p_r*", "1", false, |it| it.measures.reduced_pressure_contact,
+        "Reduced pressure with the rms gradient of the nodes in contact.";
+    relative_area: f64, "a_rel", "1", true, |it| it.measures.relative_area,
+        "Relative contact area, the share of nodes in contact.";
+    relative_area_corrected: f64, "a_rel, corrected", "1", false, |it| it.measures.relative_area_corrected,
+        "Relative contact area less the excess of counting nodes along the perimeter.";
+    rms_height: f64, "h_rms", "length", false, |it| it.problem.rms_height(),
+        "Root mean square of the heights about their mean.";
+    rms_gradient: f64, "g_rms", "1", false, |it| it.problem.rms_gradient(),
+        "Root-mean-square gradient of the surface.";
+    rms_gradient_contact: f64, "g_r", "1", false, |it| it.measures.rms_gradient_contact,
+        "Root-mean-square gradient of the nodes in contact.";
+    kappa: f64, "kappa", "1", true, |it| it.measures.kappa,
+        "Relative contact area over reduced pressure.";
+    kappa_corrected: f64, "kappa, corrected", "1", false, |it| it.measures.relative_area_corrected / it.measures.reduced_pressure,
+        "Corrected relative contact area over reduced pressure.";
+    kappa_r: f64, "kappa_r", "1", true, |it| it.measures.kappa_r,
+        "Relative contact area over the reduced pressure with the rms gradient of the nodes in contact.";
+    kappa_r_corrected: f64, "kappa_r, corrected", "1", false, |it| it.measures.kappa_r_corrected,
+        "Corrected relative contact area over the reduced pressure with the rms gradient of the nodes in contact.";
+    mean_gap: f64, "<g>", "length", false, |it| *it.mean_gap,
+        "Mean gap between the surfaces.";
+    mean_gap_over_rms_height: f64, "<g> / h_rms", "1", true, |it| *it.mean_gap / it.problem.rms_height(),
+        "Mean gap over the rms height.";
+    max_pressure: f64, "p_max", "pressure", false, |it| *it.max_pressure,
+        "Largest pressure.";
+    max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
+        "Largest pressure over the contact modulus.";
+    patches: usize, "n", "1", true, |it| *it.patches,
+        "Number of contact patches.";
+    certificate: f64, "eta", "1", true, |it| it.certificate.eta,
+        "Certificate: a bound of the error in energy over load times rms height.";
+    pressure_error_bound: f64, "|dp| / |p|", "1", false, |it| it.certificate.pressure_error_bound,
+        "Bound of the relative error of the pressure in the energy norm.";
+    penetration: f64, "-min g / h_rms", "1", false, |it| it.certificate.penetration,
+        "Largest penetration over the rms height.";
+    load_error: f64, "|dl| / l", "1", false, |it| it.certificate.load_error,
+        "Distance from the load that is prescribed: over it, or for a mean gap over the rms height.";
+    iterations: usize, "iterations", "1", false, |it| it.work.iterations,
+        "Relaxation steps of the solver.";
+    transforms: u64, "transforms", "1", false, |it| it.work.transforms,
+        "Fourier transforms, forward and inverse counted alike.";
+}
+
+impl State<'_> {
+    /// The reduced pressure: that which is prescribed, to the last bit, or else the one that is found.
+    fn reduced_pressure(&self) -> f64 {
+        match self.problem.load() {
+            Load::ReducedPressure(prescribed) => prescribed,
+            Load::MeanPressure(_) | Load::MeanGap(_) => self.measures.reduced_pressure,
+        }
+    }
+}
+
+impl<'a> From<&'a Contact> for State<'a> {
+    fn from(contact: &'a Contact) -> Self {
+        Self {
+            problem: &contact.problem,
+            work: contact.work,
+            certificate: contact.certificate,
+            measures: lazy(|| contact.measures()),
+            patches: lazy(|| contact.patches().count()),
+            mean_gap: lazy(|| contact.mean_gap()),
+            mean_pressure: lazy(|| contact.mean_pressure()),
+            max_pressure: lazy(|| contact.max_pressure()),
+        }
+    }
+}
+
+impl<'a> From<&'a Step<'_>> for State<'a> {
+    fn from(step: &'a Step<'_>) -> Self {
+        let pressure = || ArrayView1::from(step.pressure());
+        let [pressure_error_bound, load_error, min_pressure, penetration] = [f64::NAN; 4];
+        let eta = step.certificate().unwrap_or(f64::NAN);
+        Self {
+            problem: step.problem(),
+            work: step.work(),
+            certificate: Certificate { eta, pressure_error_bound, load_error, min_pressure, penetration },
+            measures: lazy(|| *step.measures()),
+            patches: lazy(|| step.patches().count()),
+            mean_gap: lazy(|| step.mean_gap()),
+            mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),
+            max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),
+        }
+    }
+}

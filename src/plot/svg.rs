@@ -1,0 +1,170 @@
+//! Figures as SVG, and as pixels drawn from the same SVG.
+
+use super::colour::Colour;
+use super::drawing::drawing;
+use super::figure::Figure;
+use super::font::{self, FAMILY, escaped};
+use super::sheet::{Align, Element, Sheet};
+use crate::error::FileError;
+use crate::files::write_beside;
+use resvg::tiny_skia::{Pixmap, Transform};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Pixels along a unit.
+const PIXELS: u32 = 2;
+/// From the middle of a line of words down to its baseline, over the size of the font.
+const BASELINE: f64 = 0.36;
+
+/// Writes a scalable figure, in units of about a pixel.
+///
+/// # Errors
+/// [`FileError::Target`] for a place where no file can be, [`FileError::Write`] if writing fails; nothing is left then.
+pub fn write_svg(path: &Path, figure: &Figure) -> Result<(), FileError> {
+    write_beside(path, |file| file.write_all(svg(&drawing(figure)).as_bytes()))
+}
+
+/// Writes a figure of pixels, two per unit.
+///
+/// # Errors
+/// [`FileError::Target`] for a place where no file can be, [`FileError::Write`] if writing fails; nothing is left then.
+pub fn write_png(path: &Path, figure: &Figure) -> Result<(), FileError> {
+    write_beside(path, |file| file.write_all(&pixels(&drawing(figure))?.encode_png().map_err(io::Error::other)?))
+}
+
+fn svg(sheet: &Sheet) -> String {
+    let [width, height] = sheet.size;
+    let elements: String = sheet.elements.iter().map(element).collect();
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
+         font-family=\"{FAMILY}\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"white\"/>\n{elements}</svg>\n"
+    )
+}
+
+fn element(element: &Element) -> String {
+    match element {
+        Element::Line { points, colour, width } => {
+            let (points, colour) = (list(points), hex(*colour));
+            format!(
+                "<polyline points=\"{points}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" \
+                 stroke-linejoin=\"round\"/>\n"
+            )
+        }
+        Element::Shape { corners, colour, opacity } => {
+            let (points, colour) = (list(corners), hex(*colour));
+            format!("<polygon points=\"{points}\" fill=\"{colour}\" fill-opacity=\"{opacity}\"/>\n")
+        }
+        Element::Words { words, at: [x, y], size, align, upwards } => {
+            let anchor = match align {
+                Align::Left => "start",
+                Align::Middle => "middle",
+                Align::Right => "end",
+            };
+            let (turn, down) = (if *upwards { " rotate(-90)" } else { "" }, BASELINE * size);
+            format!(
+                "<text transform=\"translate({x:.2} {y:.2}){turn}\" y=\"{down:.2}\" font-size=\"{size:.2}\" \
+                 text-anchor=\"{anchor}\">{}</text>\n",
+                escaped(words)
+            )
+        }
+    }
+}
+
+fn list(points: &[[f64; 2]]) -> String {
+    points.iter().map(|[x, y]| format!("{x:.2},{y:.2}")).collect::<Vec<_>>().join(" ")
+}
+
+fn hex(Colour([red, green, blue]): Colour) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+fn pixels(sheet: &Sheet) -> io::Result<Pixmap> {
+    let tree = font::tree(&svg(sheet)).map_err(io::Error::other)?;
+    let [width, height] = sheet.size.map(|length| PIXELS * length);
+    let mut pixels = Pixmap::new(width, height).ok_or_else(|| io::Error::other("the figure is too large"))?;
+    let scale = PIXELS as f32;
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    Ok(pixels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::axis::Axis;
+    use super::super::figure::{Corner, Panel, Point, Series};
+    use super::super::mark::{Mark, Symbol};
+    use super::*;
+
+    fn figure() -> Figure {
+        let panel = |title: &str| {
+            let mut panel =
+                Panel::new(title, Axis::log("p*", [1e-3, 1.0]), Axis::linear("κ_r", [0.0, 2.5]), Corner::TopRight);
+            let points = vec![Point { x: 1e-2, y: 1.75, spread: 0.1 }, Point::at(0.1, 1.7)];
+            let joined = Mark::Joined { symbol: Symbol::Diamond, filled: false };
+            panel.series.push(Series::new("H = 0.8 < 1", Colour::BLUE, joined, points.clone()));
+            panel.series.push(Series::new("", Colour::BLACK, Mark::Dashed, points));
+            panel
+        };
+        Figure { title: "both".into(), panels: vec![panel("lines"), panel("surfaces")] }
+    }
+
+    fn written(name: &str, write: fn(&Path, &Figure) -> Result<(), FileError>) -> Vec<u8> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(name);
+        write(&path, &figure()).unwrap();
+        std::fs::read(path).unwrap()
+    }
+
+    #[test]
+    fn an_svg_says_all_that_the_figure_says() {
+        let text = String::from_utf8(written("figure.svg", write_svg)).unwrap();
+        assert!(text.contains("width=\"1200\" height=\"520\" viewBox=\"0 0 1200 520\""), "{text}");
+        for (words, times) in
+            [("both", 1), ("lines", 1), ("surfaces", 1), ("p*", 2), ("κ_r", 2), ("10⁻³", 2), ("H = 0.8 &lt; 1", 2)]
+        {
+            assert_eq!(text.matches(&format!(">{words}</text>")).count(), times, "{words} in {text}");
+        }
+    }
+
+    #[test]
+    fn a_png_has_two_pixels_per_unit_and_the_colours() {
+        let pixels = Pixmap::decode_png(&written("figure.png", write_png)).unwrap();
+        assert_eq!([pixels.width(), pixels.height()], [2400, 1040]);
+        let is = |pixel: &[u8], colour: Colour| pixel[..3] == colour.0 && pixel[3] == 255;
+        let count = |colour: Colour| pixels.data().chunks_exact(4).filter(|pixel| is(pixel, colour)).count();
+        assert!(is(&pixels.data()[..4], Colour::WHITE));
+        assert!(count(Colour::BLUE) > 500 && count(Colour::BLACK) > 500 && count(Colour::GREEN) == 0);
+    }
+
+    #[test]
+    fn words_stand_where_they_should() {
+        let at = [[20.0, 10.0], [60.0, 30.0]];
+        let words = |at, upwards| Element::Words { words: "H".into(), at, size: 10.0, align: Align::Middle, upwards };
+        let elements = vec![words(at[0], false), words(at[1], true)];
+        let pixels = pixels(&Sheet { size: [80, 40], elements }).unwrap();
+        let dark = |[x, y]: [u32; 2]| pixels.pixel(x, y).is_some_and(|pixel| pixel.red() < 128);
+        for (half, at) in [[0, 40], [40, 40]].into_iter().zip(at) {
+            let all = (0..80).flat_map(|y| (half[0] * 2..(half[0] + half[1]) * 2).map(move |x| [x, y]));
+            let dark: Vec<[u32; 2]> = all.filter(|place| dark(*place)).collect();
+            assert!(!dark.is_empty());
+            let mean = |axis: usize| dark.iter().map(|place| f64::from(place[axis])).sum::<f64>() / dark.len() as f64;
+            assert!((0..2).all(|axis| (mean(axis) / 2.0 - at[axis]).abs() < 0.8), "{} {}", mean(0), mean(1));
+        }
+    }
+
+    #[test]
+    fn a_figure_is_the_same_bytes_every_time() {
+        assert_eq!(written("figure.svg", write_svg), written("figure.svg", write_svg));
+        assert_eq!(written("figure.png", write_png), written("figure.png", write_png));
+    }
+
+    #[test]
+    fn a_place_without_room_for_a_file_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        for write in [write_svg, write_png] {
+            for path in [folder.path().to_owned(), folder.path().join("missing/figure")] {
+                assert!(matches!(write(&path, &figure()), Err(FileError::Target { .. })), "{path:?}");
+            }
+        }
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+}

@@ -1,0 +1,142 @@
+//! Canvases: drawings on sheets as lines and words of the viewer, whose flat views have neither axes nor filled shapes.
+
+use super::fill;
+use super::palette::{INK, colour, on_ground};
+use crate::plot::{Align, Colour, Element, Frame, Sheet, Side, width};
+use rerun::{Color, LineStrip2D, LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
+
+/// Width and height of the box of a curve.
+pub const BOX: [f64; 2] = [1000.0, 400.0];
+/// Size of words beside a curve.
+pub const TEXT: f64 = 15.0;
+/// Room left, right, above and below the box of a frame, over the size of its words.
+const MARGINS: [f64; 4] = [5.6, 2.4, 3.5, 4.8];
+/// From a box up to the words above it, over their size.
+const HEAD: f64 = 2.5;
+/// From the middle of words up to their position, over their size: the viewer hangs words below their positions.
+const RISE: f64 = 0.72;
+/// Distance of the lines that fill a shape.
+const PITCH: f32 = 1.0;
+
+/// A strip, its colour and its radius.
+type Strip = (Vec<[f32; 2]>, Color, Radius);
+
+/// The part of the canvas that box, ticks and words of a frame take: left, right, top, bottom.
+pub fn bounds(frame: &Frame) -> [f64; 4] {
+    let ([x, y], [width, height]) = (frame.corner, frame.size);
+    let [left, right, above, below] = MARGINS.map(|margin| margin * frame.text);
+    [x - left, x + width + right, y - above, y + height + below]
+}
+
+/// The height of the words above a frame.
+pub fn head(frame: &Frame) -> f64 {
+    frame.corner[1] - HEAD * frame.text
+}
+
+/// Words above the middle of a frame.
+pub fn caption(frame: &Frame, words: String) -> Points2D {
+    labels(vec![([(frame.corner[0] + 0.5 * frame.size[0]) as f32, head(frame) as f32], words)])
+}
+
+/// Draws the box and both axes of a frame under `entity`, for all times.
+pub fn log_axes(to: &RecordingStream, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
+    let mut sheet = Sheet::default();
+    frame.draw_box(&mut sheet);
+    [Side::Below, Side::Left].into_iter().for_each(|side| frame.draw_axis(&mut sheet, side));
+    log_sheet(to, entity, &sheet, head(frame))
+}
+
+/// Draws the lower side of a frame with its axis under `entity`, for all times.
+pub fn log_floor(to: &RecordingStream, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
+    let mut sheet = Sheet::default();
+    frame.draw_side(&mut sheet, Side::Below);
+    frame.draw_axis(&mut sheet, Side::Below);
+    log_sheet(to, entity, &sheet, head(frame))
+}
+
+/// Draws `sheet` under `entity`, for all times. Words that read upwards on paper cannot do so here and stand at the height `head`.
+pub fn log_sheet(to: &RecordingStream, entity: &str, sheet: &Sheet, head: f64) -> RecordingStreamResult<()> {
+    to.log_static(format!("{entity}/lines"), &strips(sheet.elements.iter().filter_map(outline)).with_draw_order(20.0))?;
+    to.log_static(format!("{entity}/words"), &labels(sheet.elements.iter().filter_map(|it| words(it, head)).collect()))
+}
+
+/// Strips in their colours and radii.
+pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
+    let (mut points, mut colours, mut radii) = (Vec::new(), Vec::new(), Vec::new());
+    for (strip, colour, radius) in strips {
+        points.push(strip);
+        colours.push(colour);
+        radii.push(radius);
+    }
+    LineStrips2D::new(points).with_colors(colours).with_radii(radii)
+}
+
+/// A strip without its style, which is recorded once.
+pub fn strip(points: Vec<[f32; 2]>) -> LineStrips2D {
+    LineStrips2D::update_fields().with_strips([LineStrip2D::from_iter(points)])
+}
+
+/// The style of a strip.
+pub fn style(rgb: Colour, radius: Radius, order: f32) -> LineStrips2D {
+    LineStrips2D::update_fields().with_colors([colour(rgb)]).with_radii([radius]).with_draw_order(order)
+}
+
+/// Words at points that do not show themselves.
+pub fn labels(labels: Vec<([f32; 2], String)>) -> Points2D {
+    let (positions, words): (Vec<_>, Vec<_>) = labels.into_iter().unzip();
+    Points2D::new(positions)
+        .with_labels(words)
+        .with_show_labels(true)
+        .with_colors([colour(INK)])
+        .with_radii([Radius::new_ui_points(0.0)])
+        .with_draw_order(40.0)
+}
+
+/// A line, or the line that fills a shape.
+fn outline(element: &Element) -> Option<Strip> {
+    let single = |points: &[[f64; 2]]| points.iter().map(|point| point.map(|p| p as f32)).collect::<Vec<_>>();
+    match element {
+        Element::Line { points, colour, width } => {
+            Some((single(points), on_ground(*colour), Radius::new_ui_points(0.5 * *width as f32)))
+        }
+        Element::Shape { corners, colour, .. } => {
+            let line = fill::shape(&single(corners), PITCH);
+            Some((line, on_ground(*colour), Radius::new_scene_units(0.7 * PITCH)))
+        }
+        Element::Words { .. } => None,
+    }
+}
+
+/// Words, and the middle of their upper edge.
+fn words(element: &Element, head: f64) -> Option<([f32; 2], String)> {
+    let Element::Words { words, at: [x, y], size, align, upwards } = element else { return None };
+    let half = 0.5 * width(words, *size);
+    let [x, y] = match align {
+        _ if *upwards => [half.max(*x), head],
+        Align::Left => [x + half, y - RISE * size],
+        Align::Middle => [*x, y - RISE * size],
+        Align::Right => [x - half, y - RISE * size],
+    };
+    (!words.is_empty()).then(|| ([x as f32, y as f32], words.clone()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::Axis;
+
+    #[test]
+    fn all_words_of_a_frame_are_there_and_the_name_of_the_y_axis_stands_above_it() {
+        let (x, y) = (Axis::linear("across", [0.0, 1.0]), Axis::linear("up", [0.0, 1.0]));
+        let frame = Frame { x, y, corner: [0.0, 0.0], size: [100.0, 100.0], text: 10.0 };
+        let mut sheet = Sheet::default();
+        [Side::Below, Side::Left].into_iter().for_each(|side| frame.draw_axis(&mut sheet, side));
+        let all: Vec<_> = sheet.elements.iter().filter_map(|element| words(element, head(&frame))).collect();
+        let [left, right, top, bottom] = bounds(&frame);
+        for word in ["across", "0.2", "up"] {
+            let ([x, y], _) = all.iter().find(|(_, words)| words == word).unwrap();
+            assert!((left..right).contains(&f64::from(*x)) && (top..bottom).contains(&f64::from(*y)), "{word}");
+            assert_eq!(*y == -25.0, word == "up");
+        }
+    }
+}

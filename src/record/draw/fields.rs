@@ -1,0 +1,70 @@
+//! The fields of a frame, and how far they reach.
+
+use crate::contact::{Contact, Step};
+use crate::record::parts::Parts;
+
+/// The fields of a frame, row by row.
+#[derive(Clone, Copy)]
+pub struct Fields<'a> {
+    /// Distance of their nodes along y and x, in nodes of the scene: 1 on its own grid, a power of two on coarser ones.
+    pub stride: [usize; 2],
+    /// Pressure.
+    pub pressure: &'a [f64],
+    /// Gap; empty if nothing shows it.
+    pub gap: &'a [f64],
+}
+
+impl<'a> Fields<'a> {
+    /// The fields of `step` that `parts` show.
+    pub fn of(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
+        let gap = if parts.has_gap() { step.gap() } else { &[] };
+        Self { stride, pressure: step.pressure(), gap }
+    }
+
+    /// The fields of `contact`.
+    pub fn of_contact(contact: &'a Contact) -> Self {
+        let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
+        Self { stride: [1, 1], pressure, gap }
+    }
+}
+
+/// The reach of the fields of some states.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extent {
+    /// The largest pressure.
+    pub pressure: f64,
+    /// The largest gap.
+    pub gap: f64,
+    /// The lowest and the highest place of the relief.
+    pub relief: [f64; 2],
+}
+
+impl Extent {
+    /// The extent of no state.
+    pub const NONE: Self = Self { pressure: 0.0, gap: 0.0, relief: [f64::INFINITY, f64::NEG_INFINITY] };
+
+    /// The extent of the states of both.
+    pub fn and(self, other: Self) -> Self {
+        let [low, high] = [f64::min(self.relief[0], other.relief[0]), f64::max(self.relief[1], other.relief[1])];
+        Self { pressure: self.pressure.max(other.pressure), gap: self.gap.max(other.gap), relief: [low, high] }
+    }
+}
+
+/// Smallest and largest finite value.
+pub fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let finite = values.into_iter().filter(|v| v.is_finite());
+    finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extents_reach_as_far_as_all_states() {
+        let near = Extent { pressure: 1.0, gap: 5.0, relief: [0.0, 1.0] };
+        let far = Extent { pressure: 3.0, gap: 2.0, relief: [-1.0, 0.5] };
+        assert_eq!(near.and(far), Extent { pressure: 3.0, gap: 5.0, relief: [-1.0, 1.0] });
+        assert_eq!(Extent::NONE.and(far), far);
+    }
+}

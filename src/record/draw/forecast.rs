@@ -1,0 +1,78 @@
+//! Area and pressure expected before solving: the ranges of axes and colours that must be fixed at the first frame.
+
+use crate::contact::Problem;
+use crate::record::scene::Scene;
+
+/// `kappa_r` of rough surfaces.
+const KAPPA_R: f64 = 1.9;
+/// Largest pressure over `E* gbar_r`: pressures in contact follow a Rayleigh law of width 1/2 (from Persson's theory), and
+/// one in a few thousand independent points exceeds four widths.
+const LARGEST: f64 = 2.0;
+/// Nodes looked at.
+const SAMPLES: usize = 1 << 16;
+
+/// Area and pressure to expect of a contact.
+#[derive(Debug, Clone, Copy)]
+pub struct Forecast {
+    /// Share of the area in contact.
+    pub relative_area: f64,
+    /// Largest pressure.
+    pub max_pressure: f64,
+}
+
+impl Forecast {
+    /// The exact values of `scene`, or an estimate where there are none.
+    pub fn of(scene: &Scene<'_>) -> Self {
+        let estimate = Self::estimate(scene.problem);
+        let Some(exact) = &scene.exact else { return estimate };
+        let max_pressure = exact.max_pressure.filter(|p| p.is_finite()).unwrap_or(estimate.max_pressure);
+        Self { relative_area: exact.relative_area, max_pressure }
+    }
+
+    /// The highest nodes touch, as many as `a_rel = kappa_r p_mean / (gbar_r E*)` asks for with the `gbar_r` of them.
+    fn estimate(problem: &Problem) -> Self {
+        let strain = problem.expected_mean_pressure() / problem.contact_modulus();
+        let squares = highest_first(problem);
+        let (mut sum, mut gradient, mut area) = (0.0, 0.0, 1.0);
+        for (i, square) in squares.iter().enumerate() {
+            sum += square;
+            let touching = (i + 1) as f64;
+            gradient = f64::sqrt(sum / touching);
+            area = touching / squares.len() as f64;
+            if area * gradient >= KAPPA_R * strain {
+                break;
+            }
+        }
+        let max_pressure = problem.expected_mean_pressure() / area + LARGEST * problem.contact_modulus() * gradient;
+        Self { relative_area: area, max_pressure }
+    }
+}
+
+/// Square gradients of a sample of nodes, those of the highest first.
+fn highest_first(problem: &Problem) -> Vec<f64> {
+    let (height, square_gradient) = (problem.height(), problem.surface().square_gradient());
+    let mut nodes: Vec<usize> = (0..height.len()).step_by((height.len() / SAMPLES) | 1).collect();
+    nodes.sort_unstable_by(|&a, &b| height[b].total_cmp(&height[a]));
+    nodes.into_iter().map(square_gradient).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{ContactModulus, Load};
+    use crate::grid::Grid;
+    use crate::surface::Indenter;
+
+    #[test]
+    fn a_sphere_is_forecast_within_a_factor_of_two() {
+        let (radius, length, contact) = (1.0_f64, 4.0, 0.3_f64);
+        let sphere = Indenter::Sphere { radius }.surface(Grid::surface([256, 256], [length; 2]).unwrap()).unwrap();
+        let load = 4.0 / 3.0 * contact.powi(3) / radius;
+        let problem = Problem::new(sphere, ContactModulus(1.0), Load::MeanPressure(load / length.powi(2))).unwrap();
+        let forecast = Forecast::estimate(&problem);
+        let area = std::f64::consts::PI * contact.powi(2) / length.powi(2);
+        let peak = 2.0 * contact / (std::f64::consts::PI * radius);
+        assert!((0.5..2.0).contains(&(forecast.relative_area / area)), "{}", forecast.relative_area / area);
+        assert!((0.5..5.0).contains(&(forecast.max_pressure / peak)), "{}", forecast.max_pressure / peak);
+    }
+}

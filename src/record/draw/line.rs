@@ -1,0 +1,194 @@
+//! The pictures of a line: the indenter above the solid, the pressure and the gap along it.
+
+use super::canvas::{self, BOX, TEXT, strip, style};
+use super::fields::{Extent, Fields, range};
+use super::fill;
+use super::forecast::Forecast;
+use super::palette::{self, CONTACT_CLASS};
+use super::picture::Picture;
+use super::ruler::Ruler;
+use super::window::{Samples, Window};
+use crate::plot::{Axis, Frame};
+use crate::record::options::Options;
+use crate::record::parts::Parts;
+use crate::record::scene::Scene;
+use crate::setup::Part;
+use rerun::{LineStrip2D, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
+
+const WIDTH: f32 = BOX[0] as f32;
+const HEIGHT: f32 = BOX[1] as f32;
+/// Room above and below the profile, in heights of the profile.
+const ROOM: f64 = 0.06;
+
+type Points = Vec<[f32; 2]>;
+
+/// Pictures of a line; the pictures that are shown lie at the same place of the canvas.
+pub struct LinePicture {
+    what: Parts,
+    root: String,
+    window: Window,
+    /// Height of the indenter on the canvas, for all nodes of the window; empty if it is not shown.
+    indenter: Vec<f32>,
+    x: Axis,
+    profile: Ruler,
+    pressure: Ruler,
+    gap: Ruler,
+}
+
+impl LinePicture {
+    /// The pictures of `scene` under `root`.
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
+        let problem = scene.problem;
+        let window = Window::around(scene);
+        let nodes = window.every(1);
+        let [low, high] = range(nodes.of(problem.height()));
+        let room = ROOM * (high - low);
+        let length = |symbol, range| Ruler::length(symbol, &options.length_unit, range);
+        let profile = length("z", [-high - 2.0 * room, -low + room]);
+        let shown = options.what.has(Part::Profile).then(|| nodes.of(problem.height()));
+        Self {
+            what: options.what,
+            root: root.into(),
+            window,
+            indenter: shown.into_iter().flatten().map(|h| HEIGHT * (1.0 - profile.place(-h)) as f32).collect(),
+            x: length("x", window.ends(problem.surface().grid().spacing()[1])).axis,
+            profile,
+            pressure: Ruler::pressure(forecast.max_pressure, problem.contact_modulus()),
+            gap: Ruler::gap(high - low, problem.rms_height()),
+        }
+    }
+
+    fn frame_with(&self, y: &Axis) -> Frame {
+        Frame { x: self.x.clone(), y: y.clone(), corner: [0.0, 0.0], size: BOX, text: TEXT }
+    }
+
+    fn log_profile(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        let root = format!("{}/profile", self.root);
+        canvas::log_axes(to, &format!("{root}/axes"), &self.frame())?;
+        let bars = Radius::new_scene_units(fill::radius(WIDTH));
+        to.log_static(format!("{root}/solid"), &style(palette::SOLID, Radius::new_ui_points(1.0), 32.0))?;
+        to.log_static(format!("{root}/solid_fill"), &style(palette::SOLID_FILL, bars, 10.0))?;
+        let curve = curve(&self.window.every(1), |i| self.indenter[i]);
+        let body = style(palette::INDENTER_FILL, bars, 8.0);
+        let body = body.with_strips([LineStrip2D::from_iter(fill::under(&curve, WIDTH, 0.0, f32::min))]);
+        to.log_static(format!("{root}/indenter_fill"), &body)?;
+        let line = style(palette::INDENTER, Radius::new_ui_points(0.8), 30.0);
+        to.log_static(format!("{root}/indenter"), &line.with_strips([LineStrip2D::from_iter(curve)]))
+    }
+
+    fn log_fields(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()> {
+        let [pressure, gap] = ["pressure", "gap"].map(|name| format!("{}/{name}/curves", self.root));
+        to.log_static(format!("{pressure}/pressure"), &style(palette::PRESSURE, Radius::new_ui_points(1.4), 32.0))?;
+        to.log_static(format!("{gap}/gap"), &style(palette::GAP, Radius::new_ui_points(1.0), 32.0))?;
+        if let Some(exact) = &scene.exact {
+            let values = exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect::<Vec<_>>();
+            let curve = LineStrip2D::from_iter(rising(&self.window.every(1), &values, &self.pressure));
+            let line = style(palette::EXACT, Radius::new_ui_points(0.5), 36.0);
+            to.log_static(format!("{pressure}/exact"), &line.with_strips([curve]))?;
+        }
+        self.log_scaled(to, [self.pressure.axis.clone(), self.gap.axis.clone()])
+    }
+
+    /// The axes of pressure and gap, and the curves stretched to them: frames recorded before stay right.
+    fn log_scaled(&self, to: &RecordingStream, axes: [Axis; 2]) -> RecordingStreamResult<()> {
+        for ((name, ruler), axis) in [("pressure", &self.pressure), ("gap", &self.gap)].into_iter().zip(axes) {
+            canvas::log_axes(to, &format!("{}/{name}/axes", self.root), &self.frame_with(&axis))?;
+            let stretch = axis.place(ruler.axis.range[1]) as f32;
+            let transform = Transform3D::from_translation([0.0, HEIGHT * (1.0 - stretch), 0.0]);
+            to.log_static(format!("{}/{name}/curves", self.root), &transform.with_scale([1.0, stretch, 1.0]))?;
+        }
+        Ok(())
+    }
+
+    /// The solid, a gap below the nodes of the indenter.
+    fn solid(&self, nodes: &Samples, gap: &[f64]) -> Points {
+        let level = |i| self.indenter[nodes.offset(i)] + HEIGHT * self.profile.share(gap[nodes.node(i)]) as f32;
+        curve(nodes, |i| level(i).clamp(0.0, HEIGHT))
+    }
+}
+
+impl Picture for LinePicture {
+    fn frame(&self) -> Frame {
+        self.frame_with(&self.profile.axis)
+    }
+
+    fn bounds(&self) -> [f64; 4] {
+        canvas::bounds(&self.frame())
+    }
+
+    fn log_static(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()> {
+        if self.what.has(Part::Profile) {
+            self.log_profile(to)?;
+        }
+        if self.what.has(Part::Fields) {
+            self.log_fields(to, scene)?;
+        }
+        if self.what.has(Part::Mask) {
+            let contact = style(palette::CONTACT, Radius::new_ui_points(2.5), 34.0);
+            let contact = contact.with_class_ids([CONTACT_CLASS]).with_show_labels(false);
+            to.log_static(format!("{}/contact", self.root), &contact)?;
+        }
+        if self.what.has_mask_alone() {
+            canvas::log_floor(to, &format!("{}/contact/axes", self.root), &self.frame())?;
+        }
+        Ok(())
+    }
+
+    fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        let (root, nodes) = (&self.root, self.window.every(fields.stride[1]));
+        if self.what.has(Part::Profile) {
+            let solid = self.solid(&nodes, fields.gap);
+            to.log(format!("{root}/profile/solid_fill"), &strip(fill::under(&solid, WIDTH, HEIGHT, f32::max)))?;
+            to.log(format!("{root}/profile/solid"), &strip(solid))?;
+        }
+        if self.what.has(Part::Fields) {
+            let pressure = rising(&nodes, fields.pressure, &self.pressure);
+            to.log(format!("{root}/pressure/curves/pressure"), &strip(pressure))?;
+            to.log(format!("{root}/gap/curves/gap"), &strip(rising(&nodes, fields.gap, &self.gap)))?;
+        }
+        if self.what.has(Part::Mask) {
+            let segments = self.segments(fields).into_iter().map(|ends| ends.map(|x| [x, HEIGHT]));
+            to.log(format!("{root}/contact"), &LineStrips2D::update_fields().with_strips(segments))?;
+        }
+        Ok(())
+    }
+
+    fn log_ghost(&self, to: &RecordingStream, pressure: &[f64]) -> RecordingStreamResult<()> {
+        let nodes = self.window.nodes();
+        let pressure: Vec<f64> = (0..nodes).map(|i| pressure[i * pressure.len() / nodes]).collect();
+        let curve = LineStrip2D::from_iter(rising(&self.window.every(1), &pressure, &self.pressure));
+        let line = style(palette::GHOST, Radius::new_ui_points(0.7), 35.0);
+        to.log_static(format!("{}/pressure/curves/ghost", self.root), &line.with_strips([curve]))
+    }
+
+    fn extent(&self, fields: &Fields<'_>) -> Extent {
+        let nodes = self.window.every(fields.stride[1]);
+        let [pressure, gap] = [fields.pressure, fields.gap].map(|values| range(nodes.of(values))[1]);
+        Extent { pressure, gap, ..Extent::NONE }
+    }
+
+    fn settle(&self, to: &RecordingStream, extent: Extent) -> RecordingStreamResult<()> {
+        if !self.what.has(Part::Fields) {
+            return Ok(());
+        }
+        self.log_scaled(to, [self.pressure.fitted(extent.pressure), self.gap.fitted(extent.gap)])
+    }
+
+    /// Runs of nodes in contact; a node in contact is half a spacing long to either side.
+    fn segments(&self, fields: &Fields<'_>) -> Vec<[f32; 2]> {
+        let nodes = self.window.every(fields.stride[1]);
+        let runs = nodes.columns().runs(|i| fields.pressure[nodes.node(i)] > 0.0);
+        let end = |i: usize| ((nodes.place(i) - 0.5 * nodes.spacing()) * WIDTH).clamp(0.0, WIDTH);
+        runs.into_iter().map(|run| [end(run.start), end(run.end)]).collect()
+    }
+}
+
+/// Values upwards from the lower edge of the box.
+fn rising(nodes: &Samples, values: &[f64], ruler: &Ruler) -> Points {
+    curve(nodes, |i| HEIGHT - HEIGHT * ruler.share(values[nodes.node(i)]) as f32)
+}
+
+/// A curve with the height `y(i)` at sample `i`.
+fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Points {
+    nodes.columns().extremes(y).into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect()
+}

@@ -1,0 +1,67 @@
+//! The contacts of a line under all loads, one row above the other: how patches grow and merge.
+
+use super::canvas;
+use super::fill::zigzag;
+use super::palette::{self, colour};
+use super::stage::Stage;
+use crate::plot::{Axis, Frame};
+use crate::setup::Part;
+use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
+
+/// Bars of a row along the line.
+const BARS: f32 = 1024.0;
+/// Share of its room that a row fills.
+const FILL: f64 = 0.86;
+/// Rows that there is room for at least, so that the numbers of the loads are whole.
+const FEWEST: usize = 4;
+
+/// A map of the contact, the position to the right and the load upwards. It grows with the load.
+pub struct PatchMap {
+    frame: Frame,
+    root: String,
+}
+
+impl PatchMap {
+    /// The map of a line under so many loads, if contacts are recorded.
+    pub fn new(stage: &Stage, loads: usize) -> Option<Self> {
+        let y = Axis::linear("load", [0.5, loads.max(FEWEST) as f64 + 0.5]);
+        let map = Self { frame: Frame { y, ..stage.picture.frame() }, root: format!("{}/patches", stage.root) };
+        (stage.is_line() && stage.what.has(Part::Mask)).then_some(map)
+    }
+
+    /// Root of the map's entities.
+    pub fn root(&self) -> &str {
+        &self.root
+    }
+
+    /// The part of the canvas that the map takes.
+    pub fn bounds(&self) -> [f64; 4] {
+        canvas::bounds(&self.frame)
+    }
+
+    /// Records the axes.
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)
+    }
+
+    /// Records the contact under load number `load` at the current time, as the ends of its segments; it stays for heavier loads.
+    pub fn log(&self, to: &RecordingStream, load: usize, segments: &[[f32; 2]]) -> RecordingStreamResult<()> {
+        let y = |side: f64| self.frame.position([0.0, self.frame.y.place(load as f64 + 1.0 + FILL * side)])[1] as f32;
+        let ends = [y(-0.5), y(0.5)];
+        let width = self.frame.size[0] as f32;
+        let fill = |segment: &[f32; 2]| {
+            let bars = ((segment[1] - segment[0]) / width * BARS).ceil().max(1.0) as usize;
+            zigzag(*segment, bars, |_, _| ends)
+        };
+        let row = LineStrips2D::new(segments.iter().map(fill))
+            .with_colors([colour(palette::CONTACT)])
+            .with_radii([Radius::new_scene_units(width / BARS)])
+            .with_draw_order(10.0);
+        to.log(format!("{}/row/{}", self.root, load + 1), &row)?;
+        let cursor = LineStrips2D::new([0.0, width].map(|x| ends.map(|y| [x, y])))
+            .with_colors([colour(palette::EXACT)])
+            .with_radii([Radius::new_ui_points(2.0)])
+            .with_draw_order(30.0);
+        to.log(format!("{}/cursor", self.root), &cursor)
+    }
+}

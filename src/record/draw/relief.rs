@@ -1,0 +1,191 @@
+//! The solid under the indenter as a relief in three dimensions, coloured by the pressure.
+
+use super::fields::{Fields, range};
+use super::forecast::Forecast;
+use super::palette::{self, Map, colour};
+use super::reduce::Blocks;
+use super::ruler::measured;
+use crate::grid::Grid;
+use crate::record::scene::Scene;
+use glam::Vec3;
+use rerun::{Color, LineStrips3D, Mesh3D, Points3D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
+
+/// Most vertices along a side, but for the one that closes the period.
+const VERTICES: usize = 128;
+/// Length of the longer side.
+const LENGTH: f64 = 10.0;
+/// Height of the final relief.
+const RELIEF: f64 = 1.6;
+
+/// A mesh over the cell. Its heights are exaggerated so that the final relief is [`RELIEF`] high.
+///
+/// A block of nodes belongs to each vertex, which lies at the first of them.
+pub struct Relief {
+    blocks: Blocks,
+    /// Nodes from vertex to vertex along y and x.
+    spacing: [usize; 2],
+    /// Height of the indenter at the vertices.
+    height: Vec<f64>,
+    size: [f32; 2],
+    /// Height of the drawing over that of the solid, before the final state is known.
+    exaggeration: f64,
+    highest_pressure: f64,
+    shades: Map,
+    /// Lengths along y and x, in words.
+    lengths: [String; 2],
+    root: String,
+}
+
+impl Relief {
+    /// The relief of `scene`, with lengths in `unit`.
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
+        let problem = scene.problem;
+        let grid = problem.surface().grid();
+        let shape = grid.shape();
+        let spacing = spacing(grid);
+        let [rows, columns] = [0, 1].map(|axis| (0..shape[axis]).step_by(spacing[axis]));
+        let of_row = |y: usize| columns.clone().map(move |x| problem.height()[y * shape[1] + x]);
+        let height: Vec<f64> = rows.clone().flat_map(of_row).collect();
+        let [low, high] = range(height.iter().copied());
+        let longest = grid.longest_wavelength();
+        Self {
+            blocks: Blocks { shape, cells: [rows.len(), columns.len()] },
+            spacing,
+            exaggeration: RELIEF / (high - low).max(f64::MIN_POSITIVE),
+            height,
+            size: grid.size().map(|length| (LENGTH * length / longest) as f32),
+            highest_pressure: forecast.max_pressure,
+            shades: Map::inferno(),
+            lengths: [0, 1].map(|axis| measured(["y", "x"][axis], unit, grid.size()[axis])),
+            root: format!("{root}/relief"),
+        }
+    }
+
+    /// Records triangles and the outline of the cell.
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        to.log_static(self.mesh(), &Mesh3D::update_fields().with_triangle_indices(self.triangles()))?;
+        let [y, x] = self.size.map(|length| length / 2.0);
+        let base = -RELIEF as f32;
+        let outline = [[-x, -y, base], [x, -y, base], [x, y, base], [-x, y, base], [-x, -y, base]];
+        let strip = LineStrips3D::new([outline]).with_colors([colour(palette::FAINT)]);
+        to.log_static(format!("{}/outline", self.root), &strip.with_radii([Radius::new_ui_points(0.8)]))?;
+        let [along_y, along_x] = self.lengths.clone();
+        let labels = Points3D::new([[0.0, -1.1 * y, base], [1.1 * x, 0.0, base]])
+            .with_labels([along_x, along_y])
+            .with_show_labels(true)
+            .with_colors([colour(palette::INK)])
+            .with_radii([Radius::new_ui_points(0.0)]);
+        to.log_static(format!("{}/labels", self.root), &labels)
+    }
+
+    /// Records a state at the current time.
+    pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        let vertices = self.vertices(fields);
+        let mesh = Mesh3D::update_fields()
+            .with_vertex_normals(self.normals(&vertices, fields.stride).into_iter().map(|n| n.to_array()))
+            .with_vertex_positions(vertices.into_iter().map(|v| v.to_array()))
+            .with_vertex_colors(self.colours(fields));
+        to.log(self.mesh(), &mesh)
+    }
+
+    /// The lowest and the highest place of a state.
+    pub fn extent(&self, fields: &Fields<'_>) -> [f64; 2] {
+        range(self.vertices(fields).into_iter().map(|v| f64::from(v.z)))
+    }
+
+    /// Stretches the relief so that the final state, which reaches from `low` to `high`, is [`RELIEF`] high, for all times.
+    pub fn settle(&self, to: &RecordingStream, [low, high]: [f64; 2]) -> RecordingStreamResult<()> {
+        let stretch = (RELIEF / (high - low).max(f64::MIN_POSITIVE)).min(1e6) as f32;
+        let transform = Transform3D::from_scale([1.0, 1.0, stretch]);
+        to.log_static(self.mesh(), &transform.with_translation([0.0, 0.0, -stretch * high as f32]))
+    }
+
+    /// The entity of the mesh.
+    fn mesh(&self) -> String {
+        format!("{}/solid", self.root)
+    }
+
+    /// Vertices along y and x, with the ones that close the period.
+    fn counts(&self) -> [usize; 2] {
+        self.blocks.cells.map(|n| n + 1)
+    }
+
+    /// The results of `value` at the positions of all vertices along y and x, in nodes of the scene. On a grid coarser than
+    /// the mesh, vertices fall on the node before them: what is left of the triangles spans the nodes of that grid.
+    fn at_vertices<T>(&self, stride: [usize; 2], value: impl Fn([usize; 2]) -> T) -> Vec<T> {
+        let [rows, columns] = self.counts();
+        let node = |axis: usize, i: usize| {
+            let node = (i * self.spacing[axis]).min(self.blocks.shape[axis]);
+            node - node % stride[axis]
+        };
+        (0..rows * columns).map(|i| value([node(0, i / columns), node(1, i % columns)])).collect()
+    }
+
+    /// The block whose vertex lies at `node`, which may be the one that closes the period.
+    fn block(&self, node: [usize; 2]) -> usize {
+        let [y, x] = self.within(node);
+        y / self.spacing[0] * self.blocks.cells[1] + x / self.spacing[1]
+    }
+
+    /// `node`, or its image in the period.
+    fn within(&self, node: [usize; 2]) -> [usize; 2] {
+        [0, 1].map(|axis| node[axis] % self.blocks.shape[axis])
+    }
+
+    /// Exaggerated positions of the solid's surface.
+    fn vertices(&self, fields: &Fields<'_>) -> Vec<Vec3> {
+        let Fields { stride, gap, .. } = *fields;
+        let ([ny, nx], [ly, lx]) = (self.blocks.shape, self.size);
+        let place = |node: usize, nodes: usize, length: f32| (node as f32 / nodes as f32 - 0.5) * length;
+        self.at_vertices(stride, |node| {
+            let [y, x] = self.within(node);
+            let level = self.height[self.block(node)] + gap[y / stride[0] * (nx / stride[1]) + x / stride[1]];
+            Vec3::new(place(node[1], nx, lx), place(node[0], ny, ly), (-level * self.exaggeration) as f32)
+        })
+    }
+
+    fn normals(&self, vertices: &[Vec3], stride: [usize; 2]) -> Vec<Vec3> {
+        let [rows, columns] = self.counts();
+        let [down, right] = [0, 1].map(|axis| (stride[axis] / self.spacing[axis]).max(1));
+        let at = |row: usize, column: usize| vertices[row.min(rows - 1) * columns + column.min(columns - 1)];
+        let normal = |i: usize| {
+            let (row, column) = (i / columns, i % columns);
+            let along_x = at(row, column + right) - at(row, column.saturating_sub(right));
+            let along_y = at(row + down, column) - at(row.saturating_sub(down), column);
+            along_x.cross(along_y).normalize_or(Vec3::Z)
+        };
+        (0..vertices.len()).map(normal).collect()
+    }
+
+    fn colours(&self, fields: &Fields<'_>) -> Vec<Color> {
+        let pressure = self.blocks.fold(fields.pressure, fields.stride, 0.0, f64::max);
+        let shade = |p: f64| {
+            if p > 0.0 {
+                self.shades.at(0.25 + 0.75 * p / self.highest_pressure)
+            } else {
+                colour(palette::SOLID_RELIEF)
+            }
+        };
+        self.at_vertices(fields.stride, |node| shade(pressure[self.block(node)]))
+    }
+
+    fn triangles(&self) -> Vec<[u32; 3]> {
+        let [rows, columns] = self.counts().map(|n| n as u32);
+        let square = |row: u32, column: u32| {
+            let corner = row * columns + column;
+            [[corner, corner + 1, corner + columns + 1], [corner, corner + columns + 1, corner + columns]]
+        };
+        (0..rows - 1).flat_map(|row| (0..columns - 1).flat_map(move |column| square(row, column))).collect()
+    }
+}
+
+/// Nodes from vertex to vertex along y and x.
+fn spacing(grid: &Grid) -> [usize; 2] {
+    grid.shape().map(|nodes| nodes.div_ceil(VERTICES).next_power_of_two())
+}
+
+/// Vertices of the mesh of a surface on `grid`.
+pub fn vertices(grid: &Grid) -> usize {
+    let (shape, spacing) = (grid.shape(), spacing(grid));
+    (0..2).map(|axis| shape[axis].div_ceil(spacing[axis]) + 1).product()
+}

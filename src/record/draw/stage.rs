@@ -1,0 +1,219 @@
+//! A scene, prepared for recording.
+
+use super::canvas;
+use super::fields::Fields;
+use super::forecast::Forecast;
+use super::ghost::Ghost;
+use super::line::LinePicture;
+use super::palette;
+use super::picture::Picture;
+use super::spectrum::SpectrumPicture;
+use super::surface::SurfacePicture;
+use super::traces::{self, Reference};
+use crate::contact::{Contact, Phase};
+use crate::grid::Grid;
+use crate::record::description;
+use crate::record::options::Options;
+use crate::record::parts::Parts;
+use crate::record::scene::Scene;
+use crate::record::setups::SETUP;
+use crate::setup::Part;
+use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
+
+/// The drawings of a scene and all else that its recorder and its layout need, without the problem itself.
+pub struct Stage {
+    /// Root of the entities, with a leading `/`.
+    pub root: String,
+    /// Title.
+    pub title: String,
+    /// Rows of the table of parameters.
+    description: String,
+    grid: Grid,
+    /// Parts that are recorded.
+    pub what: Parts,
+    /// Exact values of the curves.
+    pub reference: Reference,
+    /// Whether an earlier solve stands beside it.
+    pub has_ghost: bool,
+    /// Upper ends of the axes of curves.
+    pub ranges: Ranges,
+    /// Pictures of the fields.
+    pub picture: Box<dyn Picture>,
+    /// The power spectra, if they are asked for.
+    pub spectrum: Option<SpectrumPicture>,
+}
+
+/// Upper ends of the axes of curves, known before solving so that the first steps do not dwarf the last.
+pub struct Ranges {
+    /// End of the axis of `kappa` and `kappa_r`.
+    pub kappa: f64,
+    /// End of the axis of the relative area.
+    pub area: f64,
+}
+
+impl Ranges {
+    fn of(scene: &Scene<'_>, forecast: Forecast) -> Self {
+        let exact = scene.exact.as_ref().and_then(|exact| exact.kappa_r);
+        Self { kappa: exact.map_or(4.0, |kappa_r| 1.8 * kappa_r), area: (2.5 * forecast.relative_area).min(1.05) }
+    }
+}
+
+impl Stage {
+    /// The stage of `scene` under `root`.
+    pub fn new(scene: &Scene<'_>, root: String, options: &Options) -> Self {
+        let grid = *scene.problem.surface().grid();
+        let options = Options { what: options.what.and(Parts::on(&grid)), ..options.clone() };
+        let forecast = Forecast::of(scene);
+        Self {
+            title: scene.title.clone(),
+            description: description::of_scene(scene, &options.length_unit),
+            what: options.what,
+            grid,
+            reference: Reference::of(scene.exact.as_ref()),
+            has_ghost: options.ghost.is_some(),
+            ranges: Ranges::of(scene, forecast),
+            picture: if grid.is_line() {
+                Box::new(LinePicture::new(scene, forecast, &root, &options))
+            } else {
+                Box::new(SurfacePicture::new(scene, forecast, &root, &options))
+            },
+            spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, &root)),
+            root,
+        }
+    }
+
+    /// Whether the scene is a line.
+    pub fn is_line(&self) -> bool {
+        self.grid.is_line()
+    }
+
+    /// The grid of the scene.
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// Distance of the nodes of `grid` along y and x in nodes of the scene, if it is the scene's grid or a coarser version.
+    pub fn stride(&self, grid: &Grid) -> Option<[usize; 2]> {
+        let (fine, coarse) = (self.grid.shape(), grid.shape());
+        let stride = [0, 1].map(|axis| fine[axis] / coarse[axis]);
+        let fits = |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse[axis] == fine[axis];
+        (grid.size() == self.grid.size() && fits(0) && fits(1)).then_some(stride)
+    }
+
+    /// Records everything that stays; `place` is that of the scene among several.
+    pub fn log_static(
+        &self,
+        to: &RecordingStream,
+        scene: &Scene<'_>,
+        place: Option<usize>,
+    ) -> RecordingStreamResult<()> {
+        let Self { root, title, .. } = self;
+        if let Some(setup) = &scene.setup {
+            to.log_static(format!("{root}/{SETUP}"), &TextDocument::new(setup.clone().with_full_path().to_toml()))?;
+        }
+        if self.what.has(Part::Mask) {
+            to.log_static(root.as_str(), &palette::classes())?;
+        }
+        if self.what.has(Part::Traces) {
+            traces::log_styles(to, root, self.reference, place.map(|place| (place, title.as_str())))?;
+        }
+        if let Some(spectrum) = &self.spectrum {
+            spectrum.log_static(to)?;
+        }
+        self.picture.log_static(to, scene)
+    }
+
+    /// Records an earlier solve, as far as this one shows the same.
+    pub fn log_ghost(&self, to: &RecordingStream, ghost: &Ghost) -> RecordingStreamResult<()> {
+        if self.what.has(Part::Traces) {
+            ghost.log(to, &self.root)?;
+        }
+        let pressure = ghost.pressure().filter(|_| self.what.has(Part::Fields));
+        pressure.map_or(Ok(()), |pressure| self.picture.log_ghost(to, pressure))
+    }
+
+    /// How a run ended, in words.
+    pub fn result(contact: &Contact) -> String {
+        let Contact { status, certificate, work, .. } = contact;
+        let how = if contact.is_converged() { status.to_string() } else { format!("not converged ({status})") };
+        format!(
+            "{how} at a certificate of {:.2e}, after {} steps, {} transforms and {:.3} s",
+            certificate.eta, work.iterations, work.transforms, work.seconds
+        )
+    }
+
+    /// The description with a result, and further rows on the run.
+    pub fn described(&self, result: &str, run: &str) -> TextDocument {
+        let rows = &self.description;
+        TextDocument::from_markdown(format!("**Result**: {result}\n\n{}{rows}{run}", description::HEAD))
+    }
+
+    /// The entity of the description.
+    pub fn description(&self) -> String {
+        format!("{}/description", self.root)
+    }
+
+    /// Records a state at the current time.
+    pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        if let Some(spectrum) = &self.spectrum {
+            spectrum.log_frame(to, fields)?;
+        }
+        self.picture.log_frame(to, fields)
+    }
+
+    /// Records words above the pictures at the current time.
+    pub fn log_caption(&self, to: &RecordingStream, words: String) -> RecordingStreamResult<()> {
+        to.log(self.caption_entity(), &canvas::caption(&self.picture.frame(), words))
+    }
+
+    /// The entity of the words above the pictures.
+    pub fn caption_entity(&self) -> String {
+        format!("{}/caption", self.root)
+    }
+
+    /// The place of the solver in its scheme, in words.
+    pub fn caption(&self, phase: Phase, stride: [usize; 2]) -> String {
+        let [ny, nx] = [0, 1].map(|axis| self.grid.shape()[axis] / stride[axis]);
+        let points = if self.grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx}") };
+        let Phase { level, outer, inner } = phase;
+        let inner = if inner > 0 { format!(", inner {inner}") } else { String::new() };
+        format!("level {level}: {points}, outer {outer}{inner}")
+    }
+}
+
+/// The level of a grid with every `stride`-th node.
+pub fn level(stride: [usize; 2]) -> usize {
+    stride[0].max(stride[1]).ilog2() as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{ContactModulus, Load, Problem};
+    use crate::surface::Indenter;
+
+    #[test]
+    fn coarser_versions_of_the_grid_are_told_from_others() {
+        let surface = |shape, size| Grid::surface(shape, size).unwrap();
+        let fine = surface([48, 64], [1.0, 2.0]);
+        let problem = Problem::new(
+            Indenter::Sphere { radius: 1.0 }.surface(fine).unwrap(),
+            ContactModulus(1.0),
+            Load::MeanPressure(0.01),
+        )
+        .unwrap();
+        let scene = Scene::new("a", &problem);
+        let stage = Stage::new(&scene, "/a".into(), &Options::default());
+        for (shape, stride) in [
+            ([48, 64], Some([1, 1])),
+            ([12, 16], Some([4, 4])),
+            ([48, 8], Some([1, 8])),
+            ([16, 64], None),
+            ([96, 64], None),
+        ] {
+            assert_eq!(stage.stride(&surface(shape, [1.0, 2.0])), stride, "{shape:?}");
+            assert_eq!(stage.stride(&surface(shape, [1.0, 1.0])), None);
+        }
+        assert_eq!([[1, 1], [4, 4], [1, 8]].map(level), [0, 2, 3]);
+    }
+}

@@ -1,0 +1,202 @@
+//! The pictures of a surface: pressure, gap and contact as images in the plane, the solid as a relief.
+
+use super::canvas;
+use super::fields::{Extent, Fields, range};
+use super::forecast::Forecast;
+use super::palette::{CONTACT_CLASS, GAP_CLASS, Map};
+use super::picture::Picture;
+use super::reduce::Blocks;
+use super::relief::Relief;
+use super::ruler::Ruler;
+use crate::grid::Grid;
+use crate::plot::{Align, Axis, Frame, Sheet};
+use crate::record::options::Options;
+use crate::record::parts::Parts;
+use crate::record::scene::Scene;
+use crate::setup::Part;
+use rerun::components::{MagnificationFilter, ValueRange};
+use rerun::datatypes::{ChannelDatatype, ImageFormat};
+use rerun::{DepthImage, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, SegmentationImage};
+
+/// Pixels along the longer side of an image.
+const PIXELS: usize = 512;
+/// Size of words, in lengths of the longer side.
+const TEXT: f64 = 0.0435;
+/// Bars of a colour scale.
+const SHADES: usize = 64;
+
+/// Pictures of a surface; the flat ones lie at the same place of the canvas.
+pub struct SurfacePicture {
+    what: Parts,
+    root: String,
+    blocks: Blocks,
+    pressure: Image,
+    gap: Image,
+    relief: Option<Relief>,
+}
+
+/// A field in colours, its frame and its scale.
+struct Image {
+    root: String,
+    frame: Frame,
+    scale: Ruler,
+    map: Map,
+}
+
+impl SurfacePicture {
+    /// The pictures of `scene` under `root`.
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
+        let Options { what, length_unit, .. } = options;
+        let problem = scene.problem;
+        let grid = problem.surface().grid();
+        let blocks = Blocks::square(grid.shape(), grid.size(), PIXELS);
+        let [height, width] = blocks.cells.map(|n| n as f64);
+        let [y, x] = [0, 1].map(|i| Ruler::length(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
+        let frame = Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) };
+        let image = |name, scale, map| Image { root: format!("{root}/{name}"), frame: frame.clone(), scale, map };
+        let [low, high] = range(problem.height().iter().copied());
+        let pressure = Ruler::pressure(forecast.max_pressure, problem.contact_modulus());
+        Self {
+            what: *what,
+            root: root.into(),
+            blocks,
+            pressure: image("pressure", pressure, Map::inferno()),
+            gap: image("gap", Ruler::gap(high - low, problem.rms_height()), Map::viridis()),
+            relief: what.has(Part::Mesh).then(|| Relief::new(scene, forecast, root, length_unit)),
+        }
+    }
+
+    fn log_images(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        let pressure = self.blocks.fold(fields.pressure, fields.stride, 0.0, f64::max);
+        if self.what.has(Part::Mask) {
+            let classes = self.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
+            let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
+            to.log(format!("{}/contact", self.root), &mask)?;
+        }
+        if self.what.has(Part::Fields) {
+            self.pressure.log(to, self.rows_down(&pressure))?;
+            let gap = self.blocks.fold(fields.gap, fields.stride, f64::INFINITY, f64::min);
+            self.gap.log(to, self.rows_down(&gap))?;
+        }
+        Ok(())
+    }
+
+    /// Pixels row by row from the upper edge, where y is largest.
+    fn rows_down<'a>(&self, blocks: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
+        blocks.rchunks(self.blocks.cells[1]).flatten().copied()
+    }
+}
+
+impl Picture for SurfacePicture {
+    fn frame(&self) -> Frame {
+        self.pressure.frame.clone()
+    }
+
+    /// The part of the canvas that an image and its colour scale take.
+    fn bounds(&self) -> [f64; 4] {
+        let frame = &self.pressure.frame;
+        let [left, right, top, bottom] = canvas::bounds(frame);
+        [left, right + 4.0 * frame.text, top, bottom]
+    }
+
+    fn log_static(&self, to: &RecordingStream, _: &Scene<'_>) -> RecordingStreamResult<()> {
+        if self.what.has(Part::Fields) {
+            self.pressure.log_static(to)?;
+            self.gap.log_static(to)?;
+        }
+        let contact = format!("{}/contact", self.root);
+        if self.what.has(Part::Mask) {
+            let style = SegmentationImage::update_fields().with_opacity(0.9).with_draw_order(10.0);
+            let format = format(&self.pressure.frame, ChannelDatatype::U8);
+            to.log_static(contact.as_str(), &style.with_format(format))?;
+        }
+        if self.what.has_mask_alone() {
+            canvas::log_axes(to, &format!("{contact}/axes"), &self.pressure.frame)?;
+        }
+        self.relief.as_ref().map_or(Ok(()), |relief| relief.log_static(to))
+    }
+
+    fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        if self.what.has_planes() {
+            self.log_images(to, fields)?;
+        }
+        self.relief.as_ref().map_or(Ok(()), |relief| relief.log_frame(to, fields))
+    }
+
+    fn extent(&self, fields: &Fields<'_>) -> Extent {
+        let [pressure, gap] = [fields.pressure, fields.gap].map(|values| range(values.iter().copied())[1]);
+        let relief = self.relief.as_ref().map_or(Extent::NONE.relief, |relief| relief.extent(fields));
+        Extent { pressure, gap, relief }
+    }
+
+    fn settle(&self, to: &RecordingStream, extent: Extent) -> RecordingStreamResult<()> {
+        if self.what.has(Part::Fields) {
+            for (image, highest) in [(&self.pressure, extent.pressure), (&self.gap, extent.gap)] {
+                image.log_scale(to, &image.scale.fitted(highest))?;
+            }
+        }
+        self.relief.as_ref().map_or(Ok(()), |relief| relief.settle(to, extent.relief))
+    }
+}
+
+impl Image {
+    fn pixels(&self) -> String {
+        format!("{}/image", self.root)
+    }
+
+    fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)?;
+        let style = DepthImage::update_fields()
+            .with_format(format(&self.frame, ChannelDatatype::F32))
+            .with_meter(1.0)
+            .with_colormap(self.map.viewer)
+            .with_magnification_filter(MagnificationFilter::Nearest)
+            .with_draw_order(0.0);
+        to.log_static(self.pixels(), &style)?;
+        self.log_scale(to, &self.scale.axis)
+    }
+
+    fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
+        let bytes: Vec<u8> = values.flat_map(|value| ((value / self.scale.unit) as f32).to_le_bytes()).collect();
+        to.log(self.pixels(), &DepthImage::update_fields().with_buffer(bytes))
+    }
+
+    /// Records the range of the colours, and beside the image the bar that explains it.
+    fn log_scale(&self, to: &RecordingStream, scale: &Axis) -> RecordingStreamResult<()> {
+        let range = DepthImage::update_fields().with_depth_range(ValueRange::from(scale.range));
+        to.log_static(self.pixels(), &range)?;
+        to.log_static(format!("{}/scale/colours", self.root), &self.colour_bar())?;
+        canvas::log_sheet(to, &format!("{}/scale", self.root), &self.scale_words(scale), canvas::head(&self.frame))
+    }
+
+    /// Shades one above the other, each overlapped by the next.
+    fn colour_bar(&self) -> LineStrips2D {
+        let Frame { size, text, .. } = &self.frame;
+        let (x, height, text) = ((size[0] + 1.5 * text) as f32, size[1] as f32, *text as f32);
+        let y = |shade: usize| (1.0 - shade as f32 / SHADES as f32) * height;
+        let bars = (0..SHADES).map(|shade| [[x, y(shade)], [x, y((shade + 2).min(SHADES))]]);
+        let colours = (0..SHADES).map(|shade| self.map.at((shade as f64 + 0.5) / SHADES as f64));
+        LineStrips2D::new(bars).with_colors(colours).with_radii([Radius::new_scene_units(0.4 * text)])
+    }
+
+    /// Numbers beside the colour bar, and their name above it.
+    fn scale_words(&self, scale: &Axis) -> Sheet {
+        let Frame { size: [width, height], text, .. } = self.frame;
+        let mut sheet = Sheet::default();
+        for (value, label) in scale.ticks() {
+            let at = [width + 2.3 * text, (1.0 - scale.place(value)) * height];
+            sheet.words(&label, at, text, Align::Left);
+        }
+        sheet.words(&scale.name, [width + 1.5 * text, canvas::head(&self.frame) + 0.72 * text], text, Align::Middle);
+        sheet
+    }
+}
+
+fn format(frame: &Frame, datatype: ChannelDatatype) -> ImageFormat {
+    ImageFormat::depth(frame.size.map(|n| n as u32), datatype)
+}
+
+/// Pixels of an image of a surface on `grid`.
+pub fn pixels(grid: &Grid) -> usize {
+    Blocks::square(grid.shape(), grid.size(), PIXELS).cells.iter().product()
+}

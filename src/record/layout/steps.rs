@@ -1,0 +1,126 @@
+//! The layout of a recording over steps: the views of each scene, and their places.
+
+use super::blueprint::{Clock, Kind, Pane, View, send};
+use crate::record::draw::{STEP, Stage, entity_under, title, traced};
+use crate::setup::Part;
+use rerun::external::re_log_types::ApplicationId;
+use rerun::{RecordingStream, RecordingStreamResult};
+
+/// Frames per second when the steps are played.
+const FRAMES_PER_SEC: f64 = 30.0;
+
+/// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
+pub fn send_steps(
+    application: ApplicationId,
+    stages: &[Stage],
+    recording: &RecordingStream,
+) -> RecordingStreamResult<()> {
+    let overview = (stages.len() > 1).then(|| overview(stages));
+    let tabs = overview.into_iter().chain(stages.iter().map(scene)).collect();
+    send(application, tabs, Clock { timeline: STEP, frames_per_sec: FRAMES_PER_SEC }, recording)
+}
+
+/// A picture of each scene, and their proportionality and convergence side by side.
+fn overview(stages: &[Stage]) -> Pane {
+    let mut panes = Vec::new();
+    let pictures: Vec<Pane> = stages.iter().filter_map(|stage| views(stage).into_iter().flatten().next()).collect();
+    if !pictures.is_empty() {
+        panes.push((Pane::even(Kind::Grid, "pictures", pictures), 2.4));
+    }
+    if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
+        let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
+        let most = stages.iter().map(|stage| stage.ranges.kappa).fold(0.0, f64::max);
+        let kappa_r = View::curves("kappa_r of all scenes", all("kappa_r"), Some([0.0, most]));
+        let certificate = View::curves("log10 certificate of all scenes", all("certificate"), None);
+        panes.push((Pane::even(Kind::Vertical, "curves", vec![kappa_r, certificate]), 1.0));
+    }
+    Pane::container(Kind::Horizontal, "Overview", panes)
+}
+
+/// Pictures on the left, curves and text on the right.
+fn scene(stage: &Stage) -> Pane {
+    let pictures = stage.what.has_pictures().then(|| (pictures(stage, None), 1.9));
+    Pane::container(Kind::Horizontal, &stage.title, pictures.into_iter().chain([(curves(stage), 1.0)]).collect())
+}
+
+/// The views of the pictures, one row below the other, `more` in front of the second row.
+pub fn pictures(stage: &Stage, more: Option<Pane>) -> Pane {
+    let beside = if stage.is_line() { Kind::Tabs } else { Kind::Horizontal };
+    let mut rows = views(stage);
+    if let Some(more) = more {
+        rows.resize_with(rows.len().max(2), Vec::new);
+        rows[1].insert(0, more);
+    }
+    let rows = rows.into_iter().filter(|row| !row.is_empty());
+    let rows = rows.map(|row| (Pane::even(beside, "pictures", row), 1.0)).collect();
+    Pane::container(Kind::Vertical, &stage.title, rows)
+}
+
+/// The pictures that are recorded, row by row; the first one stands for the scene.
+fn views(stage: &Stage) -> Vec<Vec<Pane>> {
+    let Stage { title, what, .. } = stage;
+    let mut rows = Vec::new();
+    if what.has(Part::Profile) {
+        rows.push(vec![plane(stage, "profile", &format!("{title}: indenter above the solid"), true)]);
+    }
+    if what.has(Part::Mesh) {
+        rows.push(vec![relief(stage)]);
+    }
+    if what.has(Part::Fields) {
+        let is_exact = stage.is_line() && stage.reference.relative_area.is_some();
+        let pressure = if is_exact { "Pressure (white: exact)" } else { "Pressure" };
+        let gap = if !stage.is_line() && what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
+        rows.push(vec![plane(stage, "pressure", pressure, stage.is_line()), plane(stage, "gap", gap, true)]);
+    }
+    if let Some(spectrum) = &stage.spectrum {
+        let (title, origin) = ("Power spectra (blue: displacement, grey: heights)", format!("{}/spectrum", stage.root));
+        rows.push(vec![View::plane(title, &origin, vec![format!("{origin}/**")], spectrum.bounds())]);
+    }
+    if what.has_mask_alone() {
+        rows.push(vec![plane(stage, "contact", &format!("{title}: contact"), false)]);
+    }
+    rows
+}
+
+fn relief(stage: &Stage) -> Pane {
+    let title = format!("{}: the solid's surface, coloured by pressure", stage.title);
+    let origin = format!("{}/relief", stage.root);
+    View::space(&title, &origin, vec![format!("{origin}/**")], [4.8, -10.4, 7.2])
+}
+
+fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> Pane {
+    let root = &stage.root;
+    let mut contents = vec![format!("{root}/{picture}/**"), stage.caption_entity()];
+    contents.extend((contact && stage.what.has(Part::Mask)).then(|| format!("{root}/contact")));
+    View::plane(title, root, contents, stage.picture.bounds())
+}
+
+/// Curves of every step and the text, or the text alone.
+fn curves(stage: &Stage) -> Pane {
+    let text = View::text("Parameters", stage.description());
+    if !stage.what.has(Part::Traces) {
+        return text;
+    }
+    let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
+    let earlier = |name: &str| stage.has_ghost.then(|| entity_under(&stage.root, name));
+    let beside = |names: &[&str]| traces(names).into_iter().chain(earlier(names[0])).collect::<Vec<_>>();
+    let kappa = beside(&["kappa_r", "kappa", "exact_kappa_r"]);
+    let area = beside(&["relative_area", "exact_relative_area"]);
+    let free = |title: &str, names: &[&str]| View::curves(title, traces(names), None);
+    let levels = vec![
+        free("Grid level (0: finest)", &["level"]),
+        free("Outer and inner steps on the level", &["outer", "inner"]),
+    ];
+    let is_elsewhere = |name| ["kappa_r", "kappa", "relative_area", "certificate"].contains(&name);
+    let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[it.name]));
+    let mut more: Vec<Pane> = [text].into_iter().chain(others).collect();
+    more.push(free("energy", &["complementary_energy", "potential_energy"]));
+    more.push(Pane::even(Kind::Vertical, "Levels", levels));
+    let rows = vec![
+        (View::curves("Proportionality kappa_r, kappa", kappa, Some([0.0, stage.ranges.kappa])), 1.3),
+        (View::curves("Relative contact area", area, Some([0.0, stage.ranges.area])), 0.9),
+        (View::curves("Certificate: log10 of the error bound eta", beside(&["certificate"]), None), 1.2),
+        (Pane::even(Kind::Tabs, "more", more), 1.2),
+    ];
+    Pane::container(Kind::Vertical, "curves", rows)
+}

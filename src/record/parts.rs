@@ -1,0 +1,77 @@
+//! Sets of parts of a recording.
+
+use crate::grid::Grid;
+use crate::setup::Part;
+
+/// A set of parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Parts(u8);
+
+impl Parts {
+    /// Every part but the spectrum, which takes a transform for each frame.
+    pub const USUAL: Self = Self(!(1 << Part::Spectrum as u8));
+    /// The parts that are drawn from the fields of a step.
+    pub(super) const PICTURES: Self = Self(!(1 << Part::Traces as u8));
+
+    /// The parts that a scene on `grid` can show.
+    pub fn on(grid: &Grid) -> Self {
+        let own = if grid.is_line() { Part::Profile } else { Part::Mesh };
+        [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect()
+    }
+
+    /// The parts in both sets.
+    pub fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// Whether `part` is in the set.
+    pub fn has(self, part: Part) -> bool {
+        self.has_any([part])
+    }
+
+    /// Whether any of `parts` is in the set.
+    pub fn has_any(self, parts: impl IntoIterator<Item = Part>) -> bool {
+        self.and(parts.into_iter().collect()).0 != 0
+    }
+
+    /// Whether a picture in the plane is in the set.
+    pub(super) fn has_planes(self) -> bool {
+        self.has_any([Part::Profile, Part::Fields, Part::Mask])
+    }
+
+    /// Whether anything that shows the gap is in the set.
+    pub(super) fn has_gap(self) -> bool {
+        self.has_any([Part::Profile, Part::Fields, Part::Mesh, Part::Spectrum])
+    }
+
+    /// Whether the contact has a picture of its own, for want of others to lie in.
+    pub(super) fn has_mask_alone(self) -> bool {
+        self.has(Part::Mask) && !self.has_any([Part::Profile, Part::Fields])
+    }
+
+    /// Whether anything drawn from the fields of a step is in the set.
+    pub(super) fn has_pictures(self) -> bool {
+        self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum])
+    }
+}
+
+impl FromIterator<Part> for Parts {
+    fn from_iter<I: IntoIterator<Item = Part>>(parts: I) -> Self {
+        Self(parts.into_iter().fold(0, |bits, part| bits | 1 << part as u8))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_have_no_mesh_and_surfaces_no_profile() {
+        let line = Parts::on(&Grid::line(4, 1.0).unwrap());
+        let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
+        assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
+        assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
+        assert_eq!(line.and(surface), [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect());
+        assert!(line.has(Part::Spectrum) && !Parts::USUAL.and(line).has(Part::Spectrum));
+    }
+}

@@ -1,0 +1,49 @@
+//! Setups out of recordings.
+
+use crate::error::FileError;
+use rerun::{ChunkStore, ChunkStoreConfig, StoreKind, TextDocument};
+use std::fs::File;
+use std::io::{self, Read, Seek};
+use std::path::Path;
+
+/// First bytes of a recording.
+const MAGIC: &[u8] = b"RRF";
+
+/// Name of the entities that hold the setups, below the roots of the scenes.
+pub(super) const SETUP: &str = "setup";
+
+/// The setups that a recording carries, as TOML, one for each scene that has one; `None` for a file that is no recording.
+///
+/// # Errors
+/// [`FileError::Read`] for a file that is missing or unreadable, or a recording that is damaged.
+pub fn setups(path: &Path) -> Result<Option<Vec<String>>, FileError> {
+    let unreadable = |source| FileError::Read { path: path.into(), source };
+    if !is_recording(path)? {
+        return Ok(None);
+    }
+    let mut file = File::open(path).map_err(unreadable)?;
+    file.rewind().map_err(unreadable)?;
+    let damaged = |error| unreadable(io::Error::other(format!("the recording is damaged: {error}")));
+    let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut file).map_err(damaged)?;
+    let component = TextDocument::descriptor_text().component;
+    let mut setups = Vec::new();
+    for (_, store) in stores.iter().filter(|(id, _)| id.kind() == StoreKind::Recording) {
+        let is_setup = |entity: String| entity.rsplit('/').next() == Some(SETUP);
+        for chunk in store.iter_physical_chunks().filter(|chunk| is_setup(chunk.entity_path().to_string())) {
+            setups.extend(chunk.iter_slices::<String>(component).flatten().map(|text| text.to_string()));
+        }
+    }
+    Ok(Some(setups))
+}
+
+/// Whether a file begins like a recording.
+///
+/// # Errors
+/// [`FileError::Read`] for a file that is missing or unreadable.
+pub fn is_recording(path: &Path) -> Result<bool, FileError> {
+    let unreadable = |source| FileError::Read { path: path.into(), source };
+    let mut first = Vec::new();
+    let file = File::open(path).map_err(unreadable)?;
+    file.take(MAGIC.len() as u64).read_to_end(&mut first).map_err(unreadable)?;
+    Ok(first == MAGIC)
+}
