@@ -193,6 +193,14 @@ pub enum SettingError {
         /// The range allowed.
         range: &'static str,
     },
+    /// A grid that is not finer than the one before it.
+    #[error("the grids go from {from} to {to} points a side: give ever finer grids")]
+    NotFiner {
+        /// Points along each side of one grid.
+        from: usize,
+        /// Points along each side of the next.
+        to: usize,
+    },
 }
 
 /// A solve that did not reach its tolerance, or cannot be done.
@@ -334,6 +342,14 @@ pub enum StudyError {
     /// A table that cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A list of loads, grids or surfaces that is empty or out of order.
+    #[error("the {what} are {values}: give at least one, in ascending order, each once")]
+    List {
+        /// The name of its values.
+        what: &'static str,
+        /// The values.
+        values: String,
+    },
     /// A table that would be lost.
     #[error(
         "{} holds {points} points of other setups, loads or versions: write elsewhere, or start afresh to replace it",

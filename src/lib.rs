@@ -19,9 +19,11 @@
 //! | [`elastic`] | the half-space: compliance and stiffness                                             |
 //! | [`theory`]  | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson          |
 //! | [`contact`] | the problem, its solvers and their observers, the certificate, area and `kappa_r`    |
-//! | [`study`]   | sweeps over surfaces and loads in tables that a killed run resumes, averages, fits    |
+//! | [`study`]   | sweeps over surfaces and loads in tables that a killed run resumes, averages          |
 //! | `plot`      | figures as data, written as SVG and PNG (feature `figures`)                          |
 //! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
+//! | `lab`       | accuracy, speed and stability of the solvers, measured (feature `figures`)           |
+//! | `paper`     | the tables and figures of van Dokkum et al. (2018), made again (feature `figures`)   |
 //! | `explore`   | a page with controls and a live viewer (feature `explore`)                           |
 //!
 //! # Conventions
@@ -63,6 +65,10 @@ pub mod explore;
 pub mod files;
 pub mod fourier;
 pub mod grid;
+#[cfg(feature = "figures")]
+pub mod lab;
+#[cfg(feature = "figures")]
+pub mod paper;
 #[cfg(feature = "figures")]
 pub mod plot;
 pub mod quantity;

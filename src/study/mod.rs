@@ -4,16 +4,13 @@
 //! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Line
 //! ```
 
-#[cfg(feature = "figures")]
-mod fit;
+mod identity;
 mod point;
 mod realisation;
 mod spread;
 mod sweep;
 mod table;
 
-#[cfg(feature = "figures")]
-pub use fit::Fit;
 pub use point::Point;
 pub use realisation::Realisation;
 pub use spread::{Line, Spread};

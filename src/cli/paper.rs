@@ -1,0 +1,207 @@
+//! `asperity paper`: the tables and figures of van Dokkum et al. (2018), made again.
+
+use super::{Outcome, usage};
+use anyhow::Result;
+use asperity::paper::{Effort, Event, Item, Paper as Library};
+use asperity::study::Point;
+use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::collections::BTreeSet;
+use std::io::{IsTerminal, Write, stdout};
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Makes the tables and figures of the paper again, and says for every number of it what is found here.
+///
+/// The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018). Each figure comes as a CSV of every
+/// solved point, SVG, PNG and a recording; comparison.csv holds the final table. Started again after it was killed it goes
+/// on where it was, and the CSV is the same to the last bit. With other Hurst exponents, seeds, loads and sizes the same
+/// command makes a study of your own. Lengths are those of the paper: a roll-off of 20 um, of which 8 fit a line and 4 a side
+/// of a surface.
+#[derive(clap::Args)]
+pub struct Paper {
+    /// What to make, in this order
+    #[arg(value_name = "PART", default_value = "all", value_parser = parts())]
+    parts: Vec<String>,
+    /// Folder of all files
+    #[arg(long, value_name = "DIR", default_value = "paper")]
+    out: PathBuf,
+    /// Hurst exponents [default: 0.2,0.5,0.8]
+    #[arg(long, value_name = "H,H,...", value_delimiter = ',', allow_negative_numbers = true)]
+    hurst: Vec<f64>,
+    /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1; with --full 1e-3, 1e-2, 1e-1]
+    #[arg(long, value_name = "P,P,...", value_delimiter = ',', allow_negative_numbers = true)]
+    loads: Vec<f64>,
+    /// Seeds of rough lines, such as 1-10 or 3,5,8 [default: 1-10]
+    #[arg(long, value_name = "SEEDS", value_delimiter = ',', value_parser = seeds)]
+    line_seeds: Vec<RangeInclusive<u64>>,
+    /// Seeds of rough surfaces [default: 1-2; with --full 1]
+    #[arg(long, value_name = "SEEDS", value_delimiter = ',', value_parser = seeds)]
+    surface_seeds: Vec<RangeInclusive<u64>>,
+    /// Points of a rough line [default: 262144]
+    #[arg(long, value_name = "N")]
+    line_points: Option<usize>,
+    /// Points along a side of rough surfaces, coarsest first; from two on, values are extrapolated in the spacing
+    /// [default: 2048,4096, that is 8 and 16 per shortest wavelength; with --full the paper's 16384, that is 64]
+    #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
+    surface_points: Vec<usize>,
+    /// Shortest wavelength of rough lines, as a share of the roll-off [default: 1/512]
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
+    line_cutoff: Option<f64>,
+    /// Shortest wavelength of rough surfaces, as a share of the roll-off [default: 1/64]
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
+    surface_cutoff: Option<f64>,
+    /// Certificate eta of each point
+    #[arg(long, value_name = "ETA", default_value = "1e-8", allow_negative_numbers = true)]
+    tolerance: f64,
+    /// Realisations solved at a time [default: as many as there are threads, if they fit in memory]
+    #[arg(long, value_name = "N")]
+    workers: Option<usize>,
+    /// Small grids, short spectra and few loads, to see that it works
+    #[arg(long, conflicts_with = "full")]
+    quick: bool,
+    /// Rough surfaces at the paper's own size, 16384 points a side, one for each Hurst exponent
+    #[arg(long)]
+    full: bool,
+    /// Solve all points again, and replace those that are there
+    #[arg(long)]
+    fresh: bool,
+    /// Write no recordings
+    #[cfg(feature = "record")]
+    #[arg(long)]
+    no_record: bool,
+}
+
+impl Paper {
+    /// Runs the command.
+    pub fn run(&self) -> Result<Outcome> {
+        if self.workers == Some(0) {
+            return usage("--workers is 0: give a positive number of realisations to solve at a time");
+        }
+        let (items, paper, bar) = (self.items(), self.paper(), bar());
+        let comparison = paper.run(&items, &|event| show(&bar, event))?;
+        writeln!(stdout())?;
+        comparison.write_text(&mut stdout())?;
+        writeln!(stdout(), "\nAll of it is in {}", self.out.display())?;
+        let unconverged = paper.unconverged(&items)?;
+        unconverged.iter().try_for_each(tell)?;
+        Ok(if unconverged.is_empty() { Outcome::Done } else { Outcome::NotConverged })
+    }
+
+    /// The items asked for, each once.
+    fn items(&self) -> Vec<Item> {
+        let mut items: Vec<Item> = Vec::new();
+        for name in &self.parts {
+            let asked = Item::from_str(name, false).map_or(Item::ALL.to_vec(), |item| vec![item]);
+            asked.into_iter().for_each(|item| items.extend((!items.contains(&item)).then_some(item)));
+        }
+        items
+    }
+
+    /// The paper of this effort, with all that is given.
+    fn paper(&self) -> Library {
+        let effort = match (self.quick, self.full) {
+            (true, _) => Effort::Quick,
+            (_, true) => Effort::Full,
+            _ => Effort::Usual,
+        };
+        let mut paper = Library::new(&self.out, effort);
+        let Library { lines, surfaces, .. } = &mut paper;
+        for rough in [&mut *lines, &mut *surfaces] {
+            replace(&mut rough.hurst, sorted(&self.hurst));
+            replace(&mut rough.loads, sorted(&self.loads));
+        }
+        replace(&mut lines.points, self.line_points.into_iter().collect());
+        replace(&mut surfaces.points, self.surface_points.clone());
+        replace(&mut lines.seeds, each_once(&self.line_seeds));
+        replace(&mut surfaces.seeds, each_once(&self.surface_seeds));
+        lines.cutoff = self.line_cutoff.unwrap_or(lines.cutoff);
+        surfaces.cutoff = self.surface_cutoff.unwrap_or(surfaces.cutoff);
+        Library {
+            tolerance: self.tolerance,
+            workers: self.workers,
+            is_fresh: self.fresh,
+            #[cfg(feature = "record")]
+            is_recorded: !self.no_record,
+            ..paper
+        }
+    }
+}
+
+/// The names of all items, and of all together.
+fn parts() -> PossibleValuesParser {
+    let items = Item::value_variants().iter().filter_map(ValueEnum::to_possible_value);
+    items.chain([PossibleValue::new("all").help("All of these")]).collect::<Vec<_>>().into()
+}
+
+/// Puts what is given, if anything, in the place of what is usual.
+fn replace<T>(usual: &mut Vec<T>, given: Vec<T>) {
+    if !given.is_empty() {
+        *usual = given;
+    }
+}
+
+/// In order, each once.
+fn sorted(values: &[f64]) -> Vec<f64> {
+    let mut values = values.to_vec();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
+}
+
+fn each_once(seeds: &[RangeInclusive<u64>]) -> Vec<u64> {
+    seeds.iter().cloned().flatten().collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+/// `7` or `1-10`.
+fn seeds(text: &str) -> Result<RangeInclusive<u64>, String> {
+    let (first, last) = text.split_once('-').unwrap_or((text, text));
+    let parse = |seed: &str| seed.trim().parse::<u64>().map_err(|_| format!("{seed:?} is no seed: give whole numbers"));
+    let seeds = parse(first)?..=parse(last)?;
+    let count = seeds.end().saturating_sub(*seeds.start());
+    match seeds.is_empty() || count > 100_000 {
+        true => Err(format!("{text} holds no seeds, or too many: give a range such as 1-10")),
+        false => Ok(seeds),
+    }
+}
+
+/// A bar that shows which share of the nodes of an item is solved and the time left, on standard error, if that is a
+/// terminal.
+fn bar() -> ProgressBar {
+    let bar = if std::io::stderr().is_terminal() { ProgressBar::no_length() } else { ProgressBar::hidden() };
+    match ProgressStyle::with_template("{prefix} [{wide_bar}] {percent} %, {msg} ({eta} left)") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
+fn show(bar: &ProgressBar, event: Event<'_>) {
+    match event {
+        Event::Begin { item, nodes } => {
+            bar.reset();
+            bar.set_length(nodes);
+            bar.set_prefix(item.name());
+            bar.enable_steady_tick(Duration::from_millis(200));
+        }
+        Event::Solved(Point { name, ny, nx, hurst, observables, .. }) => {
+            let hurst = hurst.map_or(String::new(), |hurst| format!(", H = {hurst}"));
+            bar.set_message(format!("{name}{hurst}, p* = {:.2e}", observables.reduced_pressure));
+            bar.inc((ny * nx) as u64);
+        }
+        Event::End { item, new, points, seconds } => {
+            bar.finish_and_clear();
+            if new > 0 {
+                println!("{}: {new} of {points} points solved in {seconds:.1} s", item.name());
+            }
+        }
+    }
+}
+
+fn tell(Point { name, ny, nx, hurst, seed, observables, .. }: &Point) -> Result<()> {
+    let [hurst, seed] = [hurst.unwrap_or(f64::NAN), seed.map_or(f64::NAN, |seed| seed as f64)];
+    let (p, eta) = (observables.reduced_pressure, observables.certificate);
+    let place = format!("{name}, {ny} x {nx} points, H {hurst}, seed {seed}, p* {p:.3e}");
+    Ok(writeln!(stdout(), "not converged, left out of all averages: {place}: certificate {eta:.1e}")?)
+}

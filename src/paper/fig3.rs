@@ -1,0 +1,125 @@
+//! Fig. 3: fits of Eq. 11 to the rough lines, for each Hurst exponent and for all.
+
+use super::finding::Finding;
+use super::fit::Fit;
+use super::means::{Points, Quantity};
+use super::reproduction::{Ramp, RampCurve, Reproduction};
+use super::rough::{COLD, Rough};
+use super::theory_lines::along;
+use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Series};
+use crate::theory::persson::{self, CorrectedArea};
+use serde::Serialize;
+
+/// Up to which `p*` a fit should be level.
+const LEVEL: f64 = 1e-1;
+
+/// Why the fits are not level.
+const BENT: &str =
+    "Eq. 11 bends where its points do: kappa itself falls from p* = 0.01 to 0.1, where the squares weigh most.";
+
+/// A fit to the points of one Hurst exponent, or of all.
+#[derive(Serialize)]
+pub struct FitRow {
+    hurst: Option<f64>,
+    /// Counted or corrected.
+    area: &'static str,
+    b1: f64,
+    b2: f64,
+    /// `kappa_fit` at small loads.
+    kappa: f64,
+    /// Root mean square of the relative residuals of the area.
+    residual: f64,
+    points: usize,
+}
+
+impl FitRow {
+    fn of(points: &Points, hurst: Option<f64>, area: &'static str, quantity: Quantity) -> Option<Self> {
+        let rows = points.on(points.finest()).filter(|row| hurst.is_none() || row.hurst == hurst);
+        let pairs: Vec<(f64, f64)> =
+            rows.map(|row| (row.observables.reduced_pressure, quantity(&row.observables))).collect();
+        let Fit { area: form, residual } = Fit::of(&pairs)?;
+        let CorrectedArea { b1, b2 } = form;
+        Some(Self { hurst, area, b1, b2, kappa: form.kappa(0.0), residual, points: pairs.len() })
+    }
+
+    /// `kappa_fit` at a load.
+    fn kappa_at(&self, reduced_pressure: f64) -> f64 {
+        CorrectedArea { b1: self.b1, b2: self.b2 }.kappa(reduced_pressure)
+    }
+
+    /// The points that it is a fit to, and its parameters.
+    fn name(&self) -> String {
+        let of = self.hurst.map_or("all H".into(), |hurst| format!("H = {hurst}"));
+        format!("κ_fit, {of}: b1 = {:.3}, b2 = {:.2}", self.b1, self.b2)
+    }
+}
+
+/// The fits to the counted and the corrected area, each for every Hurst exponent and in the end for all.
+pub fn fits(lines: &Rough, points: &Points) -> [Vec<FitRow>; 2] {
+    let areas: [(&'static str, Quantity); 2] =
+        [("counted", |it| it.relative_area), ("corrected", |it| it.relative_area_corrected)];
+    areas.map(|(area, quantity)| {
+        let exponents = lines.hurst.iter().copied().map(Some).chain([None]);
+        exponents.filter_map(|hurst| FitRow::of(points, hurst, area, quantity)).collect()
+    })
+}
+
+/// The figure, and what the paper says of it, of the fits to the counted area.
+pub fn reproduce(lines: &Rough, points: &Points, fits: &[FitRow]) -> Reproduction {
+    let mut findings = Vec::new();
+    if !fits.is_empty() {
+        findings.push(is_level(fits));
+        findings.extend((lines.hurst.len() > 1).then(|| strongly_depends(fits)));
+    }
+    let title = "Fig. 3: κ_fit of rough lines by Eq. 11".into();
+    let figure = Figure { title, panels: vec![panel(lines, points, fits)] };
+    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(lines, points, fits)) }
+}
+
+fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
+    let [low, high] = lines.ends();
+    let x = Axis::log("p*", [low / 1.3, (high * 1.3).max(1.0)]);
+    let mut panel = Panel::new("fitted and measured", x, Axis::linear("κ_fit", [1.0, 4.6]), Corner::TopRight);
+    for fit in fits {
+        let (colour, mark) =
+            if fit.hurst.is_some() { (Colour::VERMILION, Mark::Line) } else { (Colour::GREEN, Mark::Dashed) };
+        let curve = along(&panel.x, |p| fit.kappa_at(p));
+        panel.series.push(Series::new(fit.name(), colour, mark, curve));
+    }
+    let persson = along(&panel.x, |p| persson::relative_area(p) / p);
+    panel.series.push(Series::new("Persson, erf(√2 p*)/p*", Colour::BLACK, Mark::Dotted, persson));
+    for (hurst, symbol) in lines.exponents() {
+        let of: [Quantity; 2] = [|it| it.reduced_pressure, |it| it.kappa];
+        let curve = points.curve(hurst, &lines.loads, of);
+        let mark = Mark::Symbol { symbol, filled: false };
+        panel.series.push(Series::new(format!("κ, H = {hurst}"), Colour::GREY, mark, curve));
+    }
+    panel
+}
+
+/// The fits beside what is fitted; no contacts.
+fn ramp(lines: &Rough, points: &Points, fits: &[FitRow]) -> Ramp {
+    let ramp = lines.ramp(points);
+    let measured = ramp.curves.into_iter().filter(|curve| curve.name.starts_with("κ,"));
+    let fits = fits.iter().zip(COLD.iter().cycle()).map(|(fit, colour)| {
+        let values = lines.loads.iter().map(|&load| fit.kappa_at(load)).collect();
+        RampCurve::new("κ and κ_r", fit.name(), *colour, values)
+    });
+    Ramp { curves: measured.chain(fits).collect(), ..ramp }
+}
+
+/// Whether the fits of single exponents lie on either side of the one of all.
+fn strongly_depends(fits: &[FitRow]) -> Finding {
+    let words: Vec<String> = fits.iter().map(|fit| format!("{:.2}", fit.kappa)).collect();
+    let all = fits.iter().find(|fit| fit.hurst.is_none()).map_or(f64::NAN, |fit| fit.kappa);
+    let single = || fits.iter().filter(|fit| fit.hurst.is_some());
+    let holds = single().any(|fit| fit.kappa > 1.02 * all) && single().any(|fit| fit.kappa < 0.98 * all);
+    Finding::statement("fig3.hurst", format!("{} (last: all H)", words.join(", ")), holds)
+}
+
+/// Whether each fit is level to 5 % up to `p* = 0.1`.
+fn is_level(fits: &[FitRow]) -> Finding {
+    let change = |p: f64| fits.iter().map(|fit| 100.0 * (fit.kappa_at(p) / fit.kappa - 1.0).abs()).fold(0.0, f64::max);
+    let words = format!("to {:.0} %; to {:.0} % at 0.01", change(LEVEL), change(0.1 * LEVEL));
+    Finding::statement("fig3.level", words, change(LEVEL) < 5.0).because(BENT)
+}

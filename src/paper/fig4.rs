@@ -1,0 +1,62 @@
+//! Fig. 4: rough surfaces.
+
+use super::finding::Finding;
+use super::fit::Fit;
+use super::means::{Points, Quantity};
+use super::reproduction::{Ramp, Reproduction};
+use super::rough::Rough;
+use super::theory_lines::along;
+use crate::plot::{Colour, Figure, Mark, Panel, Series};
+
+/// Why values move from grid to grid.
+const FINER: &str = "Counted nodes exceed the area, the more so the coarser the grid; with the paper's spectrum the paper's values come out on about 4096^2 points.";
+/// Why the fit lies below the points.
+const HEAVY: &str = "The squares of the fit weigh most at the heaviest loads, where kappa is smallest.";
+
+/// The figure, and what the paper says of it.
+pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
+    let finest = points.finest();
+    let found = points.on(finest).map(|row| row.observables);
+    let pairs: Vec<(f64, f64)> = found.map(|it| (it.reduced_pressure, it.relative_area)).collect();
+    let fit = Fit::proportional(&pairs);
+    let mut panel = surfaces.kappa_panel(points, [1.6, 3.2]);
+    if let Some(fit) = fit {
+        add_fit(&mut panel, &fit);
+    }
+    let waves = surfaces.points_per_wave(finest);
+    let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points, {waves} per shortest wavelength");
+    let figure = Figure { title, panels: vec![surfaces.area_panel(points), panel] };
+    let ramp = Ramp { contacts: surfaces.firsts(surfaces.surfaces()), ..surfaces.ramp(points) };
+    Reproduction { figure: Some(figure), findings: findings(surfaces, points, fit), ramp: Some(ramp) }
+}
+
+/// The empirical fit, one constant in Persson's error function.
+fn add_fit(panel: &mut Panel, fit: &Fit) {
+    let curve = along(&panel.x, |p| fit.area.kappa(p));
+    let name = format!("erf(√π κ p*/2)/p*, κ = {:.3}", fit.area.kappa(0.0));
+    panel.series.push(Series::new(name, Colour::VERMILION, Mark::Dashed, curve));
+}
+
+/// On each grid, from two on extrapolated to the paper's, and of the fit.
+fn findings(surfaces: &Rough, points: &Points, fit: Option<Fit>) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let (grids, finest) = (points.grids(), points.finest());
+    let mut add = |points: &Points, nx: usize, place: String| {
+        let number = |key, how: &str, quantity: Quantity| {
+            Finding::number(key, format!("{how}, {place}"), points.overall(nx, quantity)).because(FINER)
+        };
+        findings.push(number("fig4.kappa", "counted", |it| it.kappa));
+        findings.push(number("fig4.kappa_r", "counted", |it| it.kappa_r));
+        findings.push(number("fig4.kappa_r", "corrected", |it| it.kappa_r_corrected));
+    };
+    grids.iter().for_each(|&nx| add(points, nx, format!("{nx}^2")));
+    if grids.len() > 1 {
+        let side = surfaces.paper_side();
+        add(&points.extrapolated(Some(side)), finest, format!("extrapolated to {side}^2"));
+    }
+    findings.extend(fit.map(|fit| {
+        let how = format!("of the empirical fit on {finest}^2");
+        Finding::exact("fig4.kappa", how, fit.area.kappa(0.0)).because(HEAVY)
+    }));
+    findings
+}

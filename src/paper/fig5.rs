@@ -1,0 +1,110 @@
+//! Fig. 5: the proportionality factors of lines over those of surfaces.
+
+use super::finding::Finding;
+use super::means::{Points, Quantity};
+use super::reproduction::{Ramp, RampCurve, Reproduction};
+use super::rough::{COLD, Rough, WARM};
+use super::theory_lines::level;
+use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
+use crate::study::Spread;
+use crate::theory::hertz;
+use serde::Serialize;
+
+/// Why ratios are larger.
+const FINER: &str = "kappa_r of surfaces falls on finer grids, see fig4, and that of lines hardly.";
+
+/// The ratios at one Hurst exponent and load.
+#[derive(Serialize)]
+pub struct Ratio {
+    hurst: f64,
+    reduced_pressure: f64,
+    kappa: f64,
+    kappa_r: f64,
+    kappa_finest: f64,
+    kappa_r_finest: f64,
+    kappa_corrected: f64,
+    kappa_r_corrected: f64,
+}
+
+/// The ratios at all Hurst exponents and loads.
+///
+/// Raw ones compare lines and surfaces with the paper's points per shortest wavelength, to which surfaces of several grids are
+/// extrapolated, and `finest` ones those on the finest grid; corrected ones those without spacing.
+pub fn ratios([lines, surfaces]: [&Rough; 2], [of_lines, of_surfaces]: [&Points; 2]) -> Vec<Ratio> {
+    let [raw, limit] = [Some(surfaces.paper_side()), None].map(|side| of_surfaces.extrapolated(side));
+    let ratio = |(hurst, load): (f64, f64)| {
+        let mean = |points: &Points, quantity| points.at(hurst, load, points.finest(), quantity).mean;
+        let over = |surfaces: &Points, quantity: Quantity| mean(of_lines, quantity) / mean(surfaces, quantity);
+        Ratio {
+            hurst,
+            reduced_pressure: load,
+            kappa: over(&raw, |it| it.kappa),
+            kappa_r: over(&raw, |it| it.kappa_r),
+            kappa_finest: over(of_surfaces, |it| it.kappa),
+            kappa_r_finest: over(of_surfaces, |it| it.kappa_r),
+            kappa_corrected: over(&limit, |it| it.kappa_corrected),
+            kappa_r_corrected: over(&limit, |it| it.kappa_r_corrected),
+        }
+    };
+    lines.pairs().map(ratio).collect()
+}
+
+/// The figure, and what the paper says of it; surfaces have `finest` points along a side at the most.
+pub fn reproduce(lines: &Rough, finest: usize, ratios: &[Ratio]) -> Reproduction {
+    let title = "Fig. 5: lines over surfaces".into();
+    let figure = Figure { title, panels: vec![panel(lines, ratios)] };
+    let findings = findings(ratios, &format!("counted, surfaces of {finest}^2"));
+    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(lines, ratios)) }
+}
+
+fn panel(lines: &Rough, ratios: &[Ratio]) -> Panel {
+    let [low, high] = lines.ends();
+    let x = Axis::log("p*", [low / 1.3, high * 1.3]);
+    let mut panel = Panel::new("proportionality factors", x, Axis::linear("1D / 2D", [0.8, 1.8]), Corner::TopRight);
+    type Curve = (&'static str, Colour, bool, fn(&Ratio) -> f64);
+    let curves: [Curve; 3] = [
+        ("κ", Colour::VERMILION, true, |ratio| ratio.kappa),
+        ("κ_r", Colour::BLUE, true, |ratio| ratio.kappa_r),
+        ("κ_r corrected", Colour::SKY, false, |ratio| ratio.kappa_r_corrected),
+    ];
+    for (name, colour, filled, quantity) in curves {
+        panel.series.push(Series::new(name, colour, Mark::Line, Vec::new()));
+        for (hurst, symbol) in lines.exponents() {
+            let rows = ratios.iter().filter(|ratio| ratio.hurst == hurst);
+            let points = rows.map(|ratio| Point::at(ratio.reduced_pressure, quantity(ratio))).collect();
+            panel.series.push(Series::new("", colour, Mark::Joined { symbol, filled }, points));
+        }
+    }
+    lines.add_legend(&mut panel);
+    let smooth = hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT;
+    let (name, smooth) = (format!("κ_r, cylinder over sphere: {smooth:.3}"), level(&panel.x, smooth));
+    panel.series.push(Series::new(name, Colour::BLACK, Mark::Dashed, smooth));
+    panel
+}
+
+/// The ratios against the loads; no contacts.
+fn ramp(lines: &Rough, ratios: &[Ratio]) -> Ramp {
+    type Kind = (&'static str, &'static [Colour], fn(&Ratio) -> f64);
+    let kinds: [Kind; 2] = [("κ", &WARM, |ratio| ratio.kappa), ("κ_r", &COLD, |ratio| ratio.kappa_r)];
+    let mut curves = Vec::new();
+    for (name, colours, quantity) in kinds {
+        for (hurst, colour) in lines.hurst.iter().zip(colours.iter().cycle()) {
+            let values = ratios.iter().filter(|ratio| ratio.hurst == *hurst).map(quantity).collect();
+            curves.push(RampCurve::new("lines over surfaces", format!("{name}, H = {hurst}"), *colour, values));
+        }
+    }
+    Ramp { curves, ..lines.ramp(&Points(Vec::new())) }
+}
+
+fn findings(ratios: &[Ratio], finest: &str) -> Vec<Finding> {
+    let spread = |quantity: fn(&Ratio) -> f64| Spread::of(ratios.iter().map(quantity));
+    let kappa_r = |how: &str, quantity| Finding::number("fig5.kappa_r", how, spread(quantity)).because(FINER);
+    vec![
+        kappa_r("counted, surfaces extrapolated", |ratio| ratio.kappa_r),
+        kappa_r(finest, |ratio| ratio.kappa_r_finest),
+        kappa_r("corrected", |ratio| ratio.kappa_r_corrected),
+        Finding::number("fig5.kappa", "counted, surfaces extrapolated", spread(|ratio| ratio.kappa)),
+        Finding::number("fig5.kappa", finest, spread(|ratio| ratio.kappa_finest)),
+        Finding::exact("fig5.smooth", "", hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT),
+    ]
+}

@@ -1,0 +1,62 @@
+//! The tables, figures and sections of the paper.
+
+/// A table, a figure or a section of the paper.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum Item {
+    /// Contact parameters of cylinder and sphere.
+    Table1,
+    /// `kappa_r` of cylinder and sphere against `p_r*`.
+    Fig1,
+    /// Rough lines: `a_rel`, `kappa` and `kappa_r`.
+    Fig2,
+    /// Fits of Eq. 11 to the points of Fig. 2.
+    Fig3,
+    /// Rough surfaces: `a_rel`, `kappa` and `kappa_r`.
+    Fig4,
+    /// Lines over surfaces, from the points of Figs. 2 and 4.
+    Fig5,
+    /// Section 6: Greenwood and Williamson with the gradient over the contact.
+    Gw,
+    /// Indenters that the paper leaves out: power laws, and a sine to full contact.
+    Beyond,
+}
+
+impl Item {
+    /// All items, in the order of the paper.
+    pub const ALL: [Self; 8] =
+        [Self::Table1, Self::Fig1, Self::Fig2, Self::Fig3, Self::Fig4, Self::Fig5, Self::Gw, Self::Beyond];
+
+    /// The name, as on the command line and in file names.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Table1 => "table1",
+            Self::Fig1 => "fig1",
+            Self::Fig2 => "fig2",
+            Self::Fig3 => "fig3",
+            Self::Fig4 => "fig4",
+            Self::Fig5 => "fig5",
+            Self::Gw => "gw",
+            Self::Beyond => "beyond",
+        }
+    }
+
+    /// The items whose solved points it is made of.
+    pub fn sources(self) -> &'static [Self] {
+        match self {
+            Self::Table1 => &[Self::Table1],
+            Self::Fig1 => &[Self::Fig1],
+            Self::Fig2 | Self::Fig3 => &[Self::Fig2],
+            Self::Fig4 => &[Self::Fig4],
+            Self::Fig5 => &[Self::Fig2, Self::Fig4],
+            Self::Gw => &[],
+            Self::Beyond => &[Self::Beyond],
+        }
+    }
+
+    /// Whether the item is of single indenters. Their contacts may be so narrow that the rms height, which the certificate is
+    /// over, is no measure of what happens in them.
+    pub(super) fn is_smooth(self) -> bool {
+        matches!(self, Self::Table1 | Self::Fig1 | Self::Beyond)
+    }
+}

@@ -1,0 +1,48 @@
+//! The tables and figures of van Dokkum et al. (2018) made again, each of the paper's numbers beside the one found here.
+//!
+//! The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018).
+//!
+//! ```text
+//! Paper { lines, surfaces, ... } --> Sweep --> points (CSV) --> Reproduction { figure, findings, ramp }
+//!                                                                  |            |         |
+//!                                                              SVG, PNG    Comparison  recording
+//! ```
+//!
+//! ```no_run
+//! use asperity::paper::{Effort, Item, Paper};
+//!
+//! let comparison = Paper::new("paper", Effort::Quick).run(&[Item::Fig2, Item::Fig3], &|_| ())?;
+//! assert!(comparison.verdicts.iter().any(|verdict| verdict.verdict == "agrees"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod beyond;
+mod comparison;
+mod fig1;
+mod fig2;
+mod fig3;
+mod fig4;
+mod fig5;
+mod finding;
+mod fit;
+mod gw;
+mod item;
+mod means;
+mod plan;
+#[cfg(feature = "record")]
+mod recording;
+mod reproduction;
+mod rough;
+mod run;
+mod smooth;
+mod table1;
+mod theory_lines;
+
+pub use comparison::Comparison;
+pub use finding::{Finding, Verdict};
+pub use fit::Fit;
+pub use item::Item;
+pub use plan::{Effort, Paper};
+pub use reproduction::{Ramp, RampCurve, Reproduction};
+pub use rough::Rough;
+pub use run::{Event, Watch};

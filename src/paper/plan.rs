@@ -1,0 +1,186 @@
+//! The surfaces and loads that the paper is made again with.
+
+use super::comparison::Comparison;
+use super::item::Item;
+use super::rough::Rough;
+use super::{beyond, fig1, table1};
+use crate::contact::Stop;
+use crate::error::{FileError, SetupError, StudyError};
+use crate::files::check_target;
+use crate::setup::{Cost, available_bytes};
+use crate::study::{Realisation, Sweep, Table};
+use std::path::PathBuf;
+
+/// Least and largest reduced pressure, as in the paper.
+const LOADS: [f64; 2] = [1e-3, 1e-1];
+/// Iterations at the most; a point takes some tens.
+const MAX_ITERATIONS: usize = 2000;
+/// Certificate of smooth indenters.
+const SMOOTH_TOLERANCE: f64 = 1e-12;
+/// The share of the free memory that sweeps may fill.
+const MEMORY: f64 = 0.8;
+
+/// The surfaces and loads that the paper is made again with, and the folder of all files.
+///
+/// A run that was killed goes on where it was, and its tables are the same to the last bit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Paper {
+    /// Folder of all files; made if it is not there.
+    pub folder: PathBuf,
+    /// Rough lines.
+    pub lines: Rough,
+    /// Rough surfaces.
+    pub surfaces: Rough,
+    /// Points along a side of spheres: of Fig. 1, and of Table 1.
+    pub sphere_sides: [usize; 2],
+    /// Certificate `eta` of each point; smooth indenters have one of `1e-12` at the most.
+    pub tolerance: f64,
+    /// Realisations solved at a time; without a number as many as there are threads, if they fit in memory.
+    pub workers: Option<usize>,
+    /// Whether all points are solved again, and replace earlier ones.
+    pub is_fresh: bool,
+    /// Whether recordings are written.
+    #[cfg(feature = "record")]
+    pub is_recorded: bool,
+}
+
+/// How large grids are, and how many surfaces and loads there are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Effort {
+    /// Small grids, short spectra and few loads, to see that it works.
+    Quick,
+    /// Rough surfaces of up to 4096 points a side, 16 per shortest wavelength.
+    Usual,
+    /// Rough surfaces at the paper's own size, 16384 points a side, one for each Hurst exponent.
+    Full,
+}
+
+impl Paper {
+    /// The paper's own Hurst exponents, with as many points, seeds and loads as an effort allows.
+    pub fn new(folder: impl Into<PathBuf>, effort: Effort) -> Self {
+        let hurst = vec![0.2, 0.5, 0.8];
+        let loads = loads(effort.of([4, 13, 3]));
+        let lines = Rough {
+            points: vec![effort.of([1 << 13, 1 << 18, 1 << 18])],
+            hurst: hurst.clone(),
+            seeds: (1..=effort.of([3, 10, 10])).collect(),
+            cutoff: 1.0 / effort.of([64.0, 512.0, 512.0]),
+            loads: loads.clone(),
+        };
+        let surfaces = Rough {
+            points: effort.of([vec![256, 512], vec![2048, 4096], vec![16384]]),
+            hurst,
+            seeds: (1..=effort.of([1, 2, 1])).collect(),
+            cutoff: 1.0 / effort.of([16.0, 64.0, 64.0]),
+            loads,
+        };
+        Self {
+            folder: folder.into(),
+            lines,
+            surfaces,
+            sphere_sides: effort.of([[1 << 10, 1 << 10], [1 << 13, 1 << 11], [1 << 13, 1 << 11]]),
+            tolerance: 1e-8,
+            workers: None,
+            is_fresh: false,
+            #[cfg(feature = "record")]
+            is_recorded: true,
+        }
+    }
+
+    /// Refuses a folder that cannot be written into, surfaces and loads that cannot be or do not fit in memory, and to replace
+    /// the points of another study.
+    ///
+    /// # Errors
+    /// [`StudyError::List`], [`StudyError::Setup`], [`StudyError::File`] and [`StudyError::OtherStudy`].
+    pub fn check(&self, items: &[Item]) -> Result<(), StudyError> {
+        if self.folder.is_file() {
+            let reason = "it is a file, give a folder".into();
+            return Err(FileError::Target { path: self.folder.clone(), reason }.into());
+        }
+        let comparison = self.file("comparison.csv");
+        check_target(if self.folder.is_dir() { &comparison } else { &self.folder })?;
+        Comparison::read(&comparison)?;
+        self.lines.check()?;
+        self.surfaces.check()?;
+        for &source in items.iter().flat_map(|item| item.sources()) {
+            let sweep = self.sweep(source)?;
+            sweep.check()?;
+            sweep.realisations.iter().try_for_each(|it| it.setup.cost(false, false)?.check("a sweep"))?;
+            if !self.is_fresh {
+                sweep.check_table(&self.table(source))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes the folder; for a fresh run, removes the points of `items`.
+    pub(super) fn prepare(&self, items: &[Item]) -> Result<(), FileError> {
+        let folder = &self.folder;
+        if !folder.is_dir() {
+            std::fs::create_dir(folder).map_err(|source| FileError::Write { path: folder.into(), source })?;
+        }
+        let mut sources = items.iter().filter(|_| self.is_fresh).flat_map(|item| item.sources());
+        sources.try_for_each(|&source| self.table(source).clear())
+    }
+
+    /// The surfaces and loads of an item, as many at a time as fit in memory.
+    pub(super) fn sweep(&self, item: Item) -> Result<Sweep, StudyError> {
+        let realisations = match item {
+            Item::Table1 => table1::realisations(self.sphere_sides[1]),
+            Item::Fig1 => fig1::realisations(self.sphere_sides[0]),
+            Item::Fig2 => self.lines.lines(),
+            Item::Fig4 => self.surfaces.surfaces(),
+            Item::Beyond => beyond::realisations(),
+            Item::Fig3 | Item::Fig5 | Item::Gw => Vec::new(),
+        };
+        let realisations = self.stopping(item, realisations)?;
+        let bytes = realisations.iter().map(bytes).collect::<Result<Vec<_>, _>>()?;
+        let fit = available_bytes().map_or(1.0, |free| MEMORY * free / bytes.into_iter().fold(1.0, f64::max));
+        let workers = self.workers.unwrap_or((fit as usize).clamp(1, rayon::current_num_threads()));
+        Ok(Sweep { realisations, workers })
+    }
+
+    /// Realisations of an item, solved to its certificate.
+    pub(super) fn stopping(&self, item: Item, realisations: Vec<Realisation>) -> Result<Vec<Realisation>, SetupError> {
+        let tolerance = if item.is_smooth() { self.tolerance.min(SMOOTH_TOLERANCE) } else { self.tolerance };
+        let stop = Stop::new(tolerance, MAX_ITERATIONS)?;
+        let stopping = |mut realisation: Realisation| {
+            realisation.setup.stop = stop;
+            realisation
+        };
+        Ok(realisations.into_iter().map(stopping).collect())
+    }
+
+    /// The table of the points of an item.
+    pub(super) fn table(&self, item: Item) -> Table {
+        Table::new(self.file(&format!("{}.csv", item.name())))
+    }
+
+    /// A file in the folder of all.
+    pub(super) fn file(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+}
+
+/// Bytes that solving a realisation takes, the pressure of the load before included.
+fn bytes(realisation: &Realisation) -> Result<f64, SetupError> {
+    let cost = realisation.setup.cost(false, false)?;
+    Ok(cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes)
+}
+
+/// Reduced pressures equally far apart in their logarithm.
+fn loads(count: usize) -> Vec<f64> {
+    let [low, high] = LOADS.map(f64::log10);
+    (0..count).map(|i| 10f64.powf(low + (high - low) * i as f64 / (count - 1) as f64)).collect()
+}
+
+impl Effort {
+    /// The value that suits the effort.
+    fn of<T>(self, [quick, usual, full]: [T; 3]) -> T {
+        match self {
+            Self::Quick => quick,
+            Self::Usual => usual,
+            Self::Full => full,
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! A run: points solved, figures drawn, numbers compared.
+
+use super::comparison::Comparison;
+use super::item::Item;
+use super::means::Points;
+use super::plan::Paper;
+#[cfg(feature = "record")]
+use super::recording;
+use super::reproduction::Reproduction;
+use super::{beyond, fig1, fig2, fig3, fig4, fig5, gw, table1};
+use crate::error::StudyError;
+use crate::files::write_csv;
+use crate::plot::{write_png, write_svg};
+use crate::study::Point;
+use std::collections::BTreeSet;
+use std::time::Instant;
+
+/// An event of a run.
+pub enum Event<'a> {
+    /// The points of an item come next.
+    Begin {
+        /// The item.
+        item: Item,
+        /// Nodes of all its points together, a measure of the work.
+        nodes: u64,
+    },
+    /// A point is solved.
+    Solved(&'a Point),
+    /// The points of an item are there.
+    End {
+        /// The item.
+        item: Item,
+        /// Points that were solved now, and were not in its table.
+        new: usize,
+        /// All its points.
+        points: usize,
+        /// Seconds that it took.
+        seconds: f64,
+    },
+}
+
+/// A watcher of events, which come from all threads that solve.
+pub type Watch<'a> = &'a (dyn Fn(Event<'_>) + Sync);
+
+impl Paper {
+    /// Solves, draws and compares some items, and returns the verdicts on them. `comparison.csv` keeps the verdicts of earlier
+    /// runs on other items.
+    ///
+    /// # Errors
+    /// The errors of [`Paper::check`], before anything is solved, and files that cannot be written.
+    pub fn run(&self, items: &[Item], watch: Watch<'_>) -> Result<Comparison, StudyError> {
+        self.check(items)?;
+        self.prepare(items)?;
+        let path = self.file("comparison.csv");
+        let mut comparison = Comparison::read(&path)?;
+        for &item in items {
+            let reproduction = self.reproduce(item, watch)?;
+            self.draw(item, &reproduction)?;
+            comparison.replace(item, reproduction.findings);
+            comparison.write_csv(&path)?;
+        }
+        Ok(comparison.of(items))
+    }
+
+    /// Makes one item: solves what its tables do not hold yet, and writes all its tables.
+    ///
+    /// # Errors
+    /// As [`Paper::run`].
+    pub fn reproduce(&self, item: Item, watch: Watch<'_>) -> Result<Reproduction, StudyError> {
+        let points = |source| self.points(source, watch);
+        let file = |name: &str| self.file(&format!("{name}.csv"));
+        let Self { lines, surfaces, .. } = self;
+        Ok(match item {
+            Item::Table1 => table1::reproduce(&points(item)?),
+            Item::Fig1 => fig1::reproduce(&points(item)?),
+            Item::Fig2 => {
+                let points = points(item)?;
+                write_csv(&file("fig2.means"), points.means())?;
+                fig2::reproduce(lines, &points)
+            }
+            Item::Fig3 => {
+                let points = points(Item::Fig2)?;
+                let fits = fig3::fits(lines, &points);
+                write_csv(&file("fig3"), fits.iter().flatten())?;
+                fig3::reproduce(lines, &points, &fits[0])
+            }
+            Item::Fig4 => {
+                let points = points(item)?;
+                write_csv(&file("fig4.means"), points.means())?;
+                fig4::reproduce(surfaces, &points)
+            }
+            Item::Fig5 => {
+                let [of_lines, of_surfaces] = [points(Item::Fig2)?, points(Item::Fig4)?];
+                let ratios = fig5::ratios([lines, surfaces], [&of_lines, &of_surfaces]);
+                write_csv(&file("fig5"), &ratios)?;
+                fig5::reproduce(lines, of_surfaces.finest(), &ratios)
+            }
+            Item::Gw => {
+                let separations = gw::separations();
+                write_csv(&file("gw"), &separations)?;
+                gw::reproduce(&separations)
+            }
+            Item::Beyond => beyond::reproduce(&points(item)?),
+        })
+    }
+
+    /// The points of some items that did not reach their certificate, and are left out of all averages.
+    ///
+    /// # Errors
+    /// As [`crate::study::Table::read`].
+    pub fn unconverged(&self, items: &[Item]) -> Result<Vec<Point>, StudyError> {
+        let sources: BTreeSet<Item> = items.iter().flat_map(|item| item.sources()).copied().collect();
+        let tables = sources.into_iter().map(|source| self.table(source).read());
+        let points = tables.collect::<Result<Vec<_>, _>>()?.into_iter().flatten();
+        Ok(points.filter(|point| !point.is_converged()).collect())
+    }
+
+    /// The points of an item, solved now or before, without those above the tolerance.
+    fn points(&self, item: Item, watch: Watch<'_>) -> Result<Points, StudyError> {
+        let (sweep, table, clock) = (self.sweep(item)?, self.table(item), Instant::now());
+        let new = sweep.points() - sweep.points_in(&table)?;
+        watch(Event::Begin { item, nodes: sweep.nodes()? });
+        let points = sweep.run(&table, &|point| watch(Event::Solved(point)))?;
+        watch(Event::End { item, new, points: points.len(), seconds: clock.elapsed().as_secs_f64() });
+        Ok(Points(points.into_iter().filter(Point::is_converged).collect()))
+    }
+
+    /// Writes the figure of an item, if it is one, and its recording.
+    fn draw(&self, item: Item, reproduction: &Reproduction) -> Result<(), StudyError> {
+        let Some(figure) = &reproduction.figure else { return Ok(()) };
+        let path = |ending: &str| self.file(&format!("{}.{ending}", item.name()));
+        write_svg(&path("svg"), figure)?;
+        write_png(&path("png"), figure)?;
+        #[cfg(feature = "record")]
+        if let Some(ramp) = reproduction.ramp.as_ref().filter(|_| self.is_recorded) {
+            let contacts = self.stopping(item, ramp.contacts.clone())?;
+            recording::record(&path("rrd"), figure, ramp, &contacts)?;
+        }
+        Ok(())
+    }
+}

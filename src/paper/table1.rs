@@ -1,0 +1,46 @@
+//! Table 1: load, gradient and `kappa_r` of cylinder and sphere in terms of the half-width of their contact.
+
+use super::finding::Finding;
+use super::means::Points;
+use super::reproduction::Reproduction;
+use super::smooth::{LINE, PERIOD, RADIUS, cylinder, half_width, sphere, strain, widths};
+use crate::study::{Point, Realisation, Spread};
+
+/// Half-widths of the contacts over the period, from and to: so small that the neighbouring cells do not matter.
+const WIDTHS: [f64; 2] = [0.01, 0.03];
+
+/// Cylinder and sphere, the sphere on a grid of `side` points a side.
+pub fn realisations(side: usize) -> Vec<Realisation> {
+    vec![cylinder(LINE, &widths(WIDTHS, 24)), sphere(side, &widths(WIDTHS, 6))]
+}
+
+/// Load, gradient and `kappa_r` of each, in units of `E*`, `R` and the half-width `c`.
+pub fn reproduce(points: &Points) -> Reproduction {
+    let of = |name: &str, quantity: fn(&Point) -> f64| Spread::of(points.named(name).map(quantity));
+    let kappa_r = ["cylinder", "sphere"].map(|name| of(name, |row| row.observables.kappa_r_corrected));
+    let findings = vec![
+        Finding::number("table1.load.line", "", of("cylinder", line_load)),
+        Finding::number("table1.gradient.line", "", of("cylinder", gradient)),
+        Finding::number("table1.kappa_r.line", "corrected", kappa_r[0]),
+        Finding::number("table1.load.point", "", of("sphere", point_load)),
+        Finding::number("table1.gradient.point", "", of("sphere", gradient)),
+        Finding::number("table1.kappa_r.point", "corrected", kappa_r[1]),
+        Finding::exact("table1.ratio", "corrected", kappa_r[0].mean / kappa_r[1].mean),
+    ];
+    Reproduction { figure: None, findings, ramp: None }
+}
+
+/// `L R / (E* c^2)`.
+fn line_load(row: &Point) -> f64 {
+    strain(row) * PERIOD * RADIUS / half_width(row).powi(2)
+}
+
+/// `L R / (E* c^3)`.
+fn point_load(row: &Point) -> f64 {
+    strain(row) * PERIOD * PERIOD * RADIUS / half_width(row).powi(3)
+}
+
+/// `gbar_r R / c`.
+fn gradient(row: &Point) -> f64 {
+    row.observables.rms_gradient_contact * RADIUS / half_width(row)
+}
