@@ -249,7 +249,7 @@ fn malformed_input_gets_a_sentence() {
         (with(json!({"cutoff": 1e9})).to_string(), "cut-off"),
         (with(json!({"rolloff": 500, "cutoff": 100})).to_string(), "cut-off"),
         (with(json!({"rolloff": 0})).to_string(), "roll"),
-        (with(json!({"roughness": -1})).to_string(), "roughness"),
+        (with(json!({"roughness": -1})).to_string(), "gradient"),
         (with(json!({"roughness": 0})).to_string(), "flat"),
         (with(json!({"body": "cube"})).to_string(), "unknown variant"),
         (with(json!({"body": "power-law", "exponent": -1})).to_string(), "exponent"),
