@@ -25,7 +25,7 @@ pub struct Trial {
     pub(super) demand: Demand,
     /// Whether the problem is at a mean gap.
     pub(super) is_at_mean_gap: bool,
-    pose: Pose,
+    pub(super) pose: Pose,
     /// The contact in other units, whose dimensionless results must be the same.
     pub(super) twin: Option<Pose>,
     /// Garbage in two of three values of the pressure to start from; the others are 0.
