@@ -5,6 +5,9 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+/// Why an observer of a run cannot go on, such as a full disk.
+pub type Failure = Box<dyn Error + Send + Sync>;
+
 /// A grid that cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GridError {
@@ -190,6 +193,14 @@ pub enum SettingError {
         /// The range allowed.
         range: &'static str,
     },
+    /// A grid that is not finer than the one before it.
+    #[error("the grids go from {from} to {to} points a side: give ever finer grids")]
+    NotFiner {
+        /// Points along each side of one grid.
+        from: usize,
+        /// Points along each side of the next.
+        to: usize,
+    },
 }
 
 /// A solve that did not reach its tolerance, or cannot be done.
@@ -211,7 +222,7 @@ pub enum SolveError {
     },
     /// An observer failed, which ended the run.
     #[error("{0}")]
-    Observer(Arc<Box<dyn Error + Send + Sync>>),
+    Observer(Arc<Failure>),
     /// A solver that moves under a force was given a mean gap.
     #[error(
         "{solver} works under a given mean pressure: give one, or choose the solver multilevel or polonsky-keer for a mean gap"

@@ -1,9 +1,9 @@
 //! The explorer, asked as a browser would ask it.
 
 use asperity::Stop;
-use asperity::contact::Multilevel;
-use asperity::contact::Solver;
-use asperity::explore::{Explorer, Geometry, Parameters, Server, Session, Start};
+use asperity::contact::{Multilevel, Solver};
+use asperity::explore::{Explorer, Knobs, Server, Session, Start};
+use asperity::setup::Setup;
 use assert_cmd::Command;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -36,7 +36,7 @@ impl Answer {
 impl Page {
     fn open() -> Self {
         let (session, _) = Session::start();
-        let explorer = Explorer::new(session, Start::Rough(Geometry::Line).parameters()).unwrap();
+        let explorer = Explorer::new(session, Start::RoughLine.knobs()).unwrap();
         let server = Server::bind(0).unwrap();
         let port = server.port();
         std::thread::spawn(move || server.run(explorer).unwrap());
@@ -71,13 +71,13 @@ impl Page {
     }
 
     /// Orders a solve and waits for its end.
-    fn solve(&self, parameters: &Value) -> Value {
-        self.order("/api/solve", parameters);
+    fn solve(&self, knobs: &Value) -> Value {
+        self.order("/api/solve", knobs);
         self.wait(|state| state["busy"] == false)["run"].clone()
     }
 
-    fn order(&self, path: &str, parameters: &Value) {
-        let accepted = self.post(path, &parameters.to_string());
+    fn order(&self, path: &str, knobs: &Value) {
+        let accepted = self.post(path, &knobs.to_string());
         assert_eq!(accepted.status, 200, "{}", accepted.text());
     }
 
@@ -121,18 +121,23 @@ fn answer(stream: TcpStream) -> Answer {
     Answer { status: headers.split(' ').nth(1).unwrap().parse().unwrap(), headers, body }
 }
 
-/// The parameters at the start with some of them changed.
+/// The knobs at the start with some of them turned.
 fn with(changes: Value) -> Value {
-    let mut parameters = serde_json::to_value(Start::Rough(Geometry::Line).parameters()).unwrap();
+    let mut knobs = serde_json::to_value(Start::RoughLine.knobs()).unwrap();
     for (name, value) in changes.as_object().unwrap() {
-        parameters[name] = value.clone();
+        knobs[name] = value.clone();
     }
-    parameters
+    knobs
+}
+
+/// The knobs of a stop.
+fn stop(tolerance: f64, max_iterations: u64) -> Value {
+    json!({"tolerance": tolerance, "max-iterations": max_iterations})
 }
 
 /// A solve that takes for ever, nearly.
 fn endless() -> Value {
-    with(json!({"solver": "gfmd", "points": 1 << 15, "tolerance": 1e-13, "max-iterations": 100_000}))
+    with(json!({"solver": {"method": "gfmd"}, "points": 1 << 15, "stop": stop(1e-13, 100_000)}))
 }
 
 #[test]
@@ -234,8 +239,8 @@ fn malformed_input_gets_a_sentence() {
         (with(json!({"points": -1})).to_string(), "invalid value"),
         (with(json!({"points": 1e300})).to_string(), "invalid"),
         (with(json!({"points": 1 << 30})).to_string(), "too many"),
-        (with(json!({"points": 2048, "geometry": "surface"})).to_string(), "too many"),
-        (with(json!({"points": 2, "roughness": 0, "shape": "round"})).to_string(), "too few"),
+        (with(json!({"points": 2048, "domain": "surface"})).to_string(), "too many"),
+        (with(json!({"points": 2, "roughness": 0, "body": "round"})).to_string(), "too few"),
         (with(json!({"load": 0})).to_string(), "the load p*"),
         (with(json!({"load": -1})).to_string(), "the load p*"),
         (with(json!({"load": 1e300})).to_string(), "the load p*"),
@@ -244,14 +249,17 @@ fn malformed_input_gets_a_sentence() {
         (with(json!({"cutoff": 1e9})).to_string(), "cut-off"),
         (with(json!({"rolloff": 500, "cutoff": 100})).to_string(), "cut-off"),
         (with(json!({"rolloff": 0})).to_string(), "roll"),
-        (with(json!({"roughness": -1})).to_string(), "roughness"),
+        (with(json!({"roughness": -1})).to_string(), "gradient"),
         (with(json!({"roughness": 0})).to_string(), "flat"),
-        (with(json!({"shape": "cube"})).to_string(), "unknown variant"),
-        (with(json!({"shape": "power-law", "exponent": -1})).to_string(), "exponent"),
-        (with(json!({"solver": "gfmd", "damping": 0})).to_string(), "damping"),
-        (with(json!({"solver": "gfmd", "time-step": 1})).to_string(), "time step"),
-        (with(json!({"tolerance": 0})).to_string(), "tolerance"),
-        (with(json!({"max-iterations": 1u64 << 40})).to_string(), "too many"),
+        (with(json!({"body": "cube"})).to_string(), "unknown variant"),
+        (with(json!({"body": "power-law", "exponent": -1})).to_string(), "exponent"),
+        (with(json!({"solver": {"method": "gfmd", "damping": 0}})).to_string(), "damping"),
+        (with(json!({"solver": {"method": "gfmd", "time-step": 1}})).to_string(), "time step"),
+        (with(json!({"solver": {"method": "gfmd", "file": 1}})).to_string(), "unknown field"),
+        (with(json!({"solver": {"method": "magic"}})).to_string(), "unknown variant"),
+        (with(json!({"stop": stop(0.0, 10)})).to_string(), "tolerance"),
+        (with(json!({"stop": stop(1e-8, 0)})).to_string(), "iteration cap"),
+        (with(json!({"stop": stop(1e-8, 1 << 40)})).to_string(), "too many"),
         (with(json!({"record": ["everything"]})).to_string(), "unknown variant"),
     ];
     for (body, offence) in &wrong {
@@ -288,32 +296,37 @@ fn hostile_requests_leave_it_running() {
 fn a_solve_gives_the_numbers_of_the_library() {
     let page = Page::open();
     let run = page.solve(&with(json!({})));
-    let parameters = Start::Rough(Geometry::Line).parameters();
-    let problem = parameters.problem().unwrap();
+    let knobs = Start::RoughLine.knobs();
+    let problem = knobs.setup().unwrap().problem().unwrap();
     let contact = Multilevel.solve(&problem, &Stop::new(1e-8, 20_000).unwrap(), &mut ()).unwrap();
-    let measures = contact.measures(&problem);
+    let measures = contact.measures();
     assert_eq!(run["numbers"]["status"], "converged");
     assert_eq!(run["numbers"]["kappa_r"], measures.kappa_r);
     assert_eq!(run["numbers"]["relative_area"], measures.relative_area);
     assert_eq!(run["numbers"]["certificate"], contact.certificate.eta);
     assert_eq!(run["numbers"]["iterations"], contact.work.iterations);
-    assert_eq!(run["parameters"], serde_json::to_value(&parameters).unwrap());
+    assert_eq!(run["numbers"]["mean_gap_over_rms_height"], contact.mean_gap() / problem.rms_height());
+    assert_eq!(run["knobs"], serde_json::to_value(&knobs).unwrap());
 }
 
 #[test]
 fn the_command_repeats_the_run() {
     let page = Page::open();
-    let small_surface = json!({"geometry": "surface", "points": 64, "cutoff": 16});
+    let small_surface = json!({"domain": "surface", "points": 64, "cutoff": 16});
     let cases = [
         json!({"seed": 4294967295u32, "hurst": 0.35, "load": 0.1234}),
-        json!({"shape": "round", "roughness": 0, "load": 0.02}),
-        json!({"shape": "round", "roughness": 0.0022, "points": 1000, "solver": "polonsky-keer"}),
-        json!({"shape": "sine", "roughness": 0, "load": 0.3}),
-        json!({"shape": "power-law", "exponent": 3.5, "roughness": 0, "points": 512}),
-        json!({"solver": "gfmd", "masses": "stiffness", "dynamics": "fire", "time-step": 0.35, "points": 512, "tolerance": 1e-6}),
-        json!({"solver": "gfmd", "damping": 0.45, "points": 256, "tolerance": 1e-5, "cutoff": 32}),
+        json!({"body": "round", "roughness": 0, "load": 0.02}),
+        json!({"body": "round", "roughness": 0.0022, "points": 1000, "solver": {"method": "polonsky-keer"}}),
+        json!({"body": "sine", "roughness": 0, "load": 0.3}),
+        json!({"body": "power-law", "exponent": 3.5, "roughness": 0, "points": 512}),
+        json!({
+            "solver": {"method": "gfmd", "masses": "stiffness", "dynamics": "fire", "time-step": 0.35},
+            "points": 512,
+            "stop": stop(1e-6, 20_000)
+        }),
+        json!({"solver": {"method": "gfmd", "damping": 0.45}, "points": 256, "stop": stop(1e-5, 20_000), "cutoff": 32}),
         small_surface.clone(),
-        json!({"geometry": "surface", "points": 64, "cutoff": 16, "shape": "sine", "roughness": 0.001}),
+        json!({"domain": "surface", "points": 64, "cutoff": 16, "body": "sine", "roughness": 0.001}),
     ];
     for case in cases {
         let run = page.solve(&with(case.clone()));
@@ -329,13 +342,39 @@ fn the_command_repeats_the_run() {
 }
 
 #[test]
+fn the_setup_repeats_the_run() {
+    let page = Page::open();
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("scene.toml");
+    for case in [
+        json!({"seed": 4294967295u32, "hurst": 0.35, "load": 0.1234}),
+        json!({"body": "round", "domain": "surface", "points": 64, "cutoff": 16}),
+        json!({"solver": {"method": "gfmd", "damping": 0.45}, "points": 256, "stop": stop(1e-5, 20_000), "cutoff": 32}),
+    ] {
+        let knobs = with(case);
+        let run = page.solve(&knobs);
+        let text = run["setup"].as_str().unwrap();
+        let setup = Knobs::read(knobs.to_string().as_bytes()).unwrap().setup().unwrap();
+        assert_eq!(Setup::from_toml(text).unwrap(), setup);
+        std::fs::write(&scene, text).unwrap();
+        let output =
+            Command::new(env!("CARGO_BIN_EXE_asperity")).arg("solve").arg(&scene).arg("--json").output().unwrap();
+        assert!(output.status.success(), "{text}: {}", String::from_utf8_lossy(&output.stderr));
+        let repeated: Value = serde_json::from_slice(&output.stdout).unwrap();
+        for name in ["kappa_r", "certificate", "iterations"] {
+            assert_eq!(run["numbers"][name], repeated[name], "{name} of {text}");
+        }
+    }
+}
+
+#[test]
 fn a_smooth_body_stands_beside_its_exact_solution() {
     let page = Page::open();
-    let run = page.solve(&with(json!({"shape": "round", "roughness": 0, "load": 0.02})));
+    let run = page.solve(&with(json!({"body": "round", "roughness": 0, "load": 0.02})));
     let number = |value: &Value| value.as_f64().unwrap();
     let (computed, exact) = (number(&run["numbers"]["kappa_r_corrected"]), number(&run["exact"]["kappa_r"]));
     assert!((computed / exact - 1.0).abs() < 0.01, "{computed} against {exact}");
-    let rough = page.solve(&with(json!({"shape": "round", "roughness": 0.001})));
+    let rough = page.solve(&with(json!({"body": "round", "roughness": 0.001})));
     assert_eq!(rough["exact"], Value::Null);
 }
 
@@ -360,23 +399,26 @@ fn the_latest_order_wins() {
         page.order("/api/solve", &with(json!({"load": f64::from(load) * 1e-2})));
     }
     let state = page.wait(|state| state["busy"] == false);
-    assert_eq!(state["run"]["parameters"]["load"], 0.3);
+    assert_eq!(state["run"]["knobs"]["load"], 0.3);
     assert_eq!(state["run"]["numbers"]["status"], "converged");
     assert_eq!(state["fault"], Value::Null);
 }
 
+/// The area that a sweep draws.
+const AREA: &str = "relative_area_corrected";
+
 #[test]
 fn a_sweep_goes_from_first_touch_to_full_contact() {
     let page = Page::open();
-    page.order("/api/sweep", &with(json!({"shape": "sine", "roughness": 0, "points": 1024})));
+    page.order("/api/sweep", &with(json!({"body": "sine", "roughness": 0, "points": 1024})));
     let state = page.wait(|state| state["sweep"]["ended"] == true);
     let points = state["sweep"]["points"].as_array().unwrap();
     let number = |point: &Value, name: &str| point[name].as_f64().unwrap();
     assert!(points.len() > 30, "{}", points.len());
-    assert!(points.windows(2).all(|w| number(&w[0], "area") <= number(&w[1], "area") + 1e-12));
-    assert!(number(points.last().unwrap(), "area") > 0.999);
-    for point in points.iter().filter(|point| number(point, "area") > 0.1) {
-        let (computed, exact) = (number(point, "area"), number(&point["exact"], "relative_area"));
+    assert!(points.windows(2).all(|w| number(&w[0], AREA) <= number(&w[1], AREA) + 1e-12));
+    assert!(number(points.last().unwrap(), AREA) > 0.999);
+    for point in points.iter().filter(|point| number(point, AREA) > 0.1) {
+        let (computed, exact) = (number(point, AREA), number(&point["exact"], "relative_area"));
         assert!((computed - exact).abs() < 4e-3, "{computed} against {exact}");
     }
 }
@@ -396,7 +438,7 @@ fn recorded(rrd: &[u8]) -> (String, BTreeMap<String, usize>) {
 #[test]
 fn a_sweep_is_recorded_load_by_load() {
     let page = Page::open();
-    page.order("/api/sweep", &with(json!({"shape": "sine", "roughness": 0, "points": 512, "record": []})));
+    page.order("/api/sweep", &with(json!({"body": "sine", "roughness": 0, "points": 512, "record": []})));
     let sweep = page.wait(|state| state["busy"] == false)["sweep"].clone();
     let points = sweep["points"].as_array().unwrap();
     let saved = page.get("/api/run.rrd");
@@ -414,7 +456,7 @@ fn a_sweep_is_recorded_load_by_load() {
 #[test]
 fn a_sweep_that_is_ended_leaves_a_whole_recording() {
     let page = Page::open();
-    let slow = json!({"points": 1 << 17, "cutoff": 1 << 14, "tolerance": 1e-12});
+    let slow = json!({"points": 1 << 17, "cutoff": 1 << 14, "stop": stop(1e-12, 20_000)});
     page.order("/api/sweep", &with(slow));
     let id = page.wait(|state| state["sweep"]["points"][0].is_object())["sweep"]["id"].clone();
     page.post("/api/cancel", "{}");
@@ -469,6 +511,8 @@ fn what_is_saved_opens() {
     let contact: ndarray::Array1<bool> = npz.by_name("contact").unwrap();
     let share = contact.iter().filter(|&&c| c).count() as f64 / pressure.len() as f64;
     assert_eq!(run["numbers"]["relative_area"], share);
+    let setup: ndarray::Array1<u8> = npz.by_name("setup").unwrap();
+    assert_eq!(run["setup"], String::from_utf8(setup.to_vec()).unwrap());
 }
 
 #[test]
@@ -507,11 +551,11 @@ fn a_port_in_use_gives_the_next_one() {
 }
 
 #[test]
-fn parameters_survive_json() {
-    for start in [Start::Hertz(Geometry::Line), Start::Hertz(Geometry::Surface), Start::Rough(Geometry::Surface)] {
-        let parameters = start.parameters();
-        parameters.check().unwrap();
-        assert_eq!(Parameters::read(&serde_json::to_vec(&parameters).unwrap()).unwrap(), parameters);
+fn every_start_stands_for_a_setup_and_survives_json() {
+    for (start, ..) in Start::STARTS {
+        let knobs = start.knobs();
+        knobs.setup().unwrap();
+        assert_eq!(Knobs::read(&serde_json::to_vec(&knobs).unwrap()).unwrap(), knobs);
     }
 }
 

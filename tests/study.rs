@@ -1,9 +1,11 @@
 //! Sweeps and their tables: the same numbers however they are solved, stopped and gone on with.
 
+use asperity::Stop;
+use asperity::contact::{Dynamics, Gfmd, Load, Masses};
 use asperity::error::StudyError;
-use asperity::study::{Realisation, Row, Shape, Sweep, Table};
+use asperity::setup::{Cell as Size, Method, Recipe, Setup};
+use asperity::study::{Point, Realisation, Sweep, Table};
 use asperity::surface::{Indenter, Spectrum};
-use asperity::{Grid, Stop};
 use std::cell::Cell;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,18 +13,21 @@ use std::sync::Mutex;
 
 fn line(hurst: f64, seed: u64, loads: &[f64]) -> Realisation {
     let spectrum = Spectrum { hurst, rolloff_wavelength: 0.125, short_cutoff: 0.004, rms_gradient: 1e-3 };
-    Realisation {
-        name: "rough line".into(),
-        grid: Grid::line(2048, 1.0).unwrap(),
-        shape: Shape::Rough { spectrum, seed },
-        loads: loads.to_vec(),
-    }
+    let setup = Setup::new(Recipe::rough(spectrum, seed), Size::line(2048, 1.0), Load::ReducedPressure(1.0));
+    Realisation { name: "rough line".into(), setup, loads: loads.to_vec() }
 }
 
 fn sweep(workers: usize) -> Sweep {
     let loads = [0.003, 0.004, 0.02, 0.1];
     let realisations = (1..=3).flat_map(|seed| [0.3, 0.8].map(|hurst| line(hurst, seed, &loads))).collect();
-    Sweep { realisations, stop: Stop::default(), workers }
+    Sweep { realisations, workers }
+}
+
+/// The sweep with each of its setups changed.
+fn changed(sweep: &Sweep, change: impl Fn(&mut Setup)) -> Sweep {
+    let mut sweep = sweep.clone();
+    sweep.realisations.iter_mut().for_each(|realisation| change(&mut realisation.setup));
+    sweep
 }
 
 /// The bytes of the finished table of a fresh run.
@@ -58,7 +63,7 @@ fn what_a_killed_run_left_is_kept_and_the_rest_added() {
         let left = fs::read(&unfinished).unwrap();
         fs::write(&unfinished, &left[..cut.min(left.len())]).unwrap();
         let solved = Mutex::new(Vec::new());
-        sweep(2).run(&table, &|row: &Row| solved.lock().unwrap().push(row.seed)).unwrap();
+        sweep(2).run(&table, &|point: &Point| solved.lock().unwrap().push(point.seed)).unwrap();
         let solved = solved.into_inner().unwrap().len();
         assert_eq!(fs::read(&path).unwrap(), expected, "cut at {cut}");
         assert!(!unfinished.exists());
@@ -77,7 +82,7 @@ fn a_finished_table_is_not_solved_again_and_grows_by_what_is_new() {
     let first = Sweep { realisations: sweep(1).realisations[..2].to_vec(), ..sweep(1) };
     first.run(&Table::new(&path), &|_| ()).unwrap();
     let solved = Mutex::new(Cell::new(0));
-    let count = |_: &Row| {
+    let count = |_: &Point| {
         let solved = solved.lock().unwrap();
         solved.set(solved.get() + 1);
     };
@@ -100,7 +105,7 @@ fn the_points_of_another_study_are_not_replaced() {
     let there = fs::read(&path).unwrap();
     let others = [
         Sweep { realisations: sweep(1).realisations[1..].to_vec(), ..sweep(1) },
-        Sweep { stop: Stop::new(1e-9, 100).unwrap(), ..first.clone() },
+        changed(&first, |setup| setup.stop = Stop::new(1e-9, 100).unwrap()),
         Sweep { realisations: vec![line(0.3, 1, &[0.003, 0.004])], ..sweep(1) },
     ];
     for other in others {
@@ -120,13 +125,97 @@ fn the_points_of_another_study_are_not_replaced() {
     assert_eq!(fs::read(&path).unwrap(), b"a,b\n1,2\n");
 }
 
+/// A small surface of an indenter with roughness.
+fn rough_sphere() -> Setup {
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.25, rms_gradient: 1e-2 };
+    let sphere = Recipe::indenter(Indenter::Sphere { radius: 1.0 });
+    let recipe = Recipe { spectrum: Some(spectrum), seed: Some(1), ..sphere };
+    Setup::new(recipe, Size::surface([16, 16], [1.0, 1.0]), Load::ReducedPressure(0.1))
+}
+
+/// The points of one setup that a table holds for another.
+fn points_for(other: &Setup, solved: &Setup, folder: &Path) -> usize {
+    let sweep = |setup: &Setup| Sweep {
+        realisations: vec![Realisation { name: "one name".into(), setup: setup.clone(), loads: vec![0.1, 0.2] }],
+        workers: 1,
+    };
+    let table = Table::new(folder.join("x.csv"));
+    sweep(solved).run(&table, &|_| ()).unwrap();
+    let found = sweep(other).points_in(&table).unwrap();
+    assert_eq!(sweep(other).check_table(&table).is_ok(), found == 2);
+    table.clear().unwrap();
+    found
+}
+
+#[test]
+fn old_points_do_not_come_back_for_another_setup_of_the_same_name() {
+    type Change = fn(&mut Setup);
+    fn spectrum(setup: &mut Setup) -> &mut Spectrum {
+        setup.surface.spectrum.as_mut().unwrap()
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let changes: [Change; 14] = [
+        |it| it.surface.indenter = Some(Indenter::Sphere { radius: 1.0 + f64::EPSILON }),
+        |it| it.surface.indenter = Some(Indenter::Cone { slope: 1.0 }),
+        |it| it.surface.indenter = None,
+        |it| spectrum(it).hurst = 0.7,
+        |it| spectrum(it).rolloff_wavelength = 0.6,
+        |it| spectrum(it).short_cutoff = 0.3,
+        |it| spectrum(it).rms_gradient = 2e-2,
+        |it| it.surface.seed = Some(2),
+        |it| it.grid.size = vec![1.0, 2.0],
+        |it| it.grid.size = vec![2.0, 1.0],
+        |it| it.grid.points = vec![16, 32],
+        |it| it.solid.contact_modulus = 2.0,
+        |it| it.solver = Method::PolonskyKeer {},
+        |it| it.stop = Stop::new(1e-9, 100_000).unwrap(),
+    ];
+    let solved = rough_sphere();
+    let changed = |solved: &Setup, change: &dyn Fn(&mut Setup)| {
+        let mut other = solved.clone();
+        change(&mut other);
+        points_for(&other, solved, folder.path())
+    };
+    for (i, change) in changes.iter().enumerate() {
+        assert_eq!(changed(&solved, change), 0, "change {i}");
+    }
+    assert_eq!(changed(&solved, &|it| it.stop = Stop::new(1e-8, 99_999).unwrap()), 0);
+    let by_dynamics = Setup { solver: Method::Gfmd(Gfmd::default()), ..solved.clone() };
+    let settings = [
+        Gfmd { masses: Masses::Stiffness, ..Gfmd::default() },
+        Gfmd { dynamics: Dynamics::Fire, ..Gfmd::default() },
+        Gfmd { time_step: 0.4, ..Gfmd::default() },
+        Gfmd { damping: 0.9, ..Gfmd::default() },
+    ];
+    for gfmd in settings {
+        assert_eq!(changed(&by_dynamics, &|it| it.solver = Method::Gfmd(gfmd)), 0, "{gfmd:?}");
+    }
+    assert_eq!(changed(&solved, &|it| it.load = Load::MeanPressure(3.0)), 2);
+    assert_eq!(changed(&solved, &|it| it.record.every = Some(7)), 2);
+}
+
+#[test]
+fn a_height_file_is_known_by_its_heights() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, scale: f64| {
+        let path = folder.path().join(name);
+        let heights = ndarray::Array1::from_shape_fn(32, |i| scale * (i as f64).sin());
+        asperity::surface::write_heights(&path, heights.view().into_dyn()).unwrap();
+        let surface = Recipe { height: Some(path), ..Recipe::default() };
+        Setup::new(surface, Size { points: vec![], size: vec![1.0] }, Load::ReducedPressure(0.1))
+    };
+    let [solved, moved, other] = [write("a.npy", 1.0), write("b.npy", 1.0), write("c.npy", 2.0)];
+    assert_eq!(points_for(&moved, &solved, folder.path()), 2);
+    assert_eq!(points_for(&other, &solved, folder.path()), 0);
+}
+
 #[test]
 fn what_does_not_converge_is_kept_and_says_so() {
     let folder = tempfile::tempdir().unwrap();
-    let hasty = Sweep { stop: Stop::new(1e-12, 2).unwrap(), ..sweep(1) };
+    let hasty = changed(&sweep(1), |setup| setup.stop = Stop::new(1e-12, 2).unwrap());
     let points = hasty.run(&Table::new(folder.path().join("x.csv")), &|_| ()).unwrap();
     assert_eq!(points.len(), 24);
-    assert!(points.iter().all(|timed| !timed.row.is_converged() && timed.row.certificate > 1e-12));
+    assert!(points.iter().all(|point| !point.is_converged() && point.observables.certificate > 1e-12));
 }
 
 #[test]
@@ -135,12 +224,14 @@ fn surfaces_and_loads_that_cannot_be_are_refused_before_anything_is_solved() {
     let table = Table::new(folder.path().join("x.csv"));
     let fails = |realisation: Realisation| {
         let sweep = Sweep { realisations: vec![line(0.5, 1, &[0.1]), realisation], ..sweep(1) };
-        sweep.run(&table, &|row| panic!("solved {row:?}")).unwrap_err().to_string()
+        sweep.run(&table, &|point| panic!("solved {point:?}")).unwrap_err().to_string()
     };
     assert!(fails(line(1.5, 1, &[0.1])).contains("Hurst exponent is 1.5"));
     assert!(fails(line(0.5, 1, &[0.1, -1.0])).contains("reduced pressure is -1.0"));
     assert!(fails(line(0.5, 1, &[f64::NAN])).contains("reduced pressure is NaN"));
-    let wide = Shape::Smooth(Indenter::Sphere { radius: 1.0 });
-    assert!(fails(Realisation { shape: wide, ..line(0.5, 1, &[0.1]) }).contains("needs a surface"));
+    let sphere = Recipe::indenter(Indenter::Sphere { radius: 1.0 });
+    let mut on_a_line = line(0.5, 1, &[0.1]);
+    on_a_line.setup.surface = sphere;
+    assert!(fails(on_a_line).contains("needs a surface"));
     assert!(!table.path().exists());
 }

@@ -6,19 +6,19 @@ const isView = document.body.dataset.mode === "view";
 
 // ---------------------------------------------------------------- controls
 
-const power = (p) => p.solver === "gfmd";
-const rough = (p) => p.roughness > 0;
+const isGfmd = (k) => k.solver.method === "gfmd";
+const rough = (k) => k.roughness > 0;
 
-/** Every control: where it stands, the parameter it sets, and what it does in physics. */
+/** Every control: its group, the path of the knob that it sets if that is not its id, and what it does in physics. */
 const CONTROLS = [
   { group: "Load", id: "load", label: "p*", kind: "range", log: true, min: -4, max: 1.5, step: 0.02, wide: "load",
     tip: "Reduced pressure p* = mean pressure / (rms gradient × E*). Contact grows in proportion to it at first, and is full at p* of about 2." },
-  { group: "Surface", id: "geometry", label: "Geometry", kind: "select", options: { line: "Line (2-D)", surface: "Surface (3-D)" },
+  { group: "Surface", id: "domain", label: "Geometry", kind: "select", options: { line: "Line (2-D)", surface: "Surface (3-D)" },
     tip: "A line is a profile in plane strain; a surface has both directions." },
-  { group: "Surface", id: "shape", label: "Shape", kind: "select",
+  { group: "Surface", id: "body", label: "Shape", kind: "select",
     options: { flat: "None: rough only", round: "Cylinder / sphere", sine: "Sine", "power-law": "Power law" },
     tip: "The smooth body under the roughness, one per periodic cell of 160 µm. Without roughness on it the exact solution is known." },
-  { group: "Surface", id: "exponent", label: "Exponent n", kind: "range", min: 1, max: 12, step: 0.5, shown: (p) => p.shape === "power-law",
+  { group: "Surface", id: "exponent", label: "Exponent n", kind: "range", min: 1, max: 12, step: 0.5, shown: (k) => k.body === "power-law",
     tip: "Profile −A rⁿ: 1 is a wedge or cone, 2 the cylinder or sphere, large values a flat punch." },
   { group: "Surface", id: "roughness", label: "Roughness", kind: "range", min: 0, max: 0.01, step: 0.0002, unit: "", digits: 4,
     tip: "Rms gradient of the roughness. At 0 the body is smooth: with the cylinder or sphere that is Hertz. A rough flat has no other scale, so there only p* counts." },
@@ -32,31 +32,34 @@ const CONTROLS = [
     tip: "Which random surface of this spectrum. The same seed gives the same surface everywhere. The dice (key D) takes another." },
   { group: "Surface", id: "points", label: "Points", kind: "range", power2: true, min: 5, max: 18, step: 1,
     tip: "Points of the line, or along each side of the surface (at most 1024). More points cost more, and need no more steps of the multilevel solver." },
-  { group: "Solver", id: "solver", label: "Method", kind: "select",
+  { group: "Solver", id: "solver", path: ["solver", "method"], label: "Method", kind: "select",
     options: { multilevel: "Multilevel", "polonsky-keer": "Conjugate gradients", gfmd: "GFMD" },
     tip: "Multilevel: whole-set updates on nested grids. Conjugate gradients: Polonsky and Keer. GFMD: damped dynamics of the surface modes, the method of the paper." },
-  { group: "Solver", id: "masses", label: "Masses", kind: "select", options: { uniform: "Uniform", stiffness: "∝ stiffness" }, shown: power,
+  { group: "Solver", id: "masses", path: ["solver", "masses"], label: "Masses", kind: "select", options: { uniform: "Uniform", stiffness: "∝ stiffness" }, shown: isGfmd,
     tip: "Uniform: long waves are soft and heavy, and relax last. Proportional to stiffness: all waves swing alike." },
-  { group: "Solver", id: "dynamics", label: "Dynamics", kind: "select", options: { damped: "Damped", fire: "FIRE" }, shown: power,
+  { group: "Solver", id: "dynamics", path: ["solver", "dynamics"], label: "Dynamics", kind: "select", options: { damped: "Damped", fire: "FIRE" }, shown: isGfmd,
     tip: "Damped: constant friction. FIRE: velocities turn towards the force and are dropped when they go uphill." },
-  { group: "Solver", id: "damping", label: "Damping", kind: "range", log: true, min: -1.5, max: 1, step: 0.05, shown: (p) => power(p) && p.dynamics === "damped",
+  { group: "Solver", id: "damping", path: ["solver", "damping"], label: "Damping", kind: "range", log: true, min: -1.5, max: 1, step: 0.05, shown: (k) => isGfmd(k) && k.solver.dynamics === "damped",
     tip: "Friction over the critical friction of the slowest mode. Too little: it rings. Too much: it creeps." },
-  { group: "Solver", id: "time_step", label: "Time step", kind: "range", min: 0.05, max: 0.95, step: 0.05, shown: power,
+  { group: "Solver", id: "time-step", path: ["solver", "time-step"], label: "Time step", kind: "range", min: 0.05, max: 0.95, step: 0.05, shown: isGfmd,
     tip: "Time step over the stability limit of the stiffest mode." },
-  { group: "Solver", id: "tolerance", label: "Tolerance", kind: "range", log: true, min: -12, max: -1, step: 1,
+  { group: "Solver", id: "tolerance", path: ["stop", "tolerance"], label: "Tolerance", kind: "range", log: true, min: -12, max: -1, step: 1,
     tip: "Certificate to reach: a proven bound of the error in energy, over load times rms height." },
   { group: "Recording", id: "record", label: "Fields", kind: "checks",
-    options: { traces: "traces", shape: "shape", fields: "fields", mask: "contact", spectrum: "spectrum" },
+    options: { traces: "traces", "profile mesh": "shape", fields: "fields", mask: "contact", spectrum: "spectrum" },
     tip: "What the viewer gets of each step: curves, profile or relief, pressure and gap, contact, power spectra of each wavelength." },
 ];
 
-let parameters = null;
-const named = (id) => id.replace("_", "-");
+/** The state of the knobs, as the server takes it. */
+let knobs = null;
+/** Settings of GFMD, for when it is chosen again. */
+let gfmd = { masses: "uniform", dynamics: "damped", "time-step": 0.5, damping: 1 };
 
-/** The names of the parameters in JSON have hyphens. */
-const get = (id) => parameters[named(id)];
-const set = (id, value) => { parameters[named(id)] = value; };
-const flat = () => ({ ...parameters, time_step: parameters["time-step"] });
+/** The object that holds the knob of a control, and the name of the knob in it. */
+function place({ id, path }) {
+  const [first, second] = path || [id];
+  return second ? [knobs[first], second] : [knobs, first];
+}
 
 function element(tag, attributes, ...children) {
   const made = document.createElement(tag);
@@ -91,8 +94,8 @@ function button(id, label, tip, action) {
 }
 
 function row(control) {
-  const id = `control-${named(control.id)}`;
-  const line = element("div", { class: `row ${control.wide || ""}`, id: `row-${named(control.id)}`, title: control.tip });
+  const id = `control-${control.id}`;
+  const line = element("div", { class: `row ${control.wide || ""}`, id: `row-${control.id}`, title: control.tip });
   line.append(element("label", { for: id }, control.label));
   if (control.kind === "select") {
     line.classList.add("wide");
@@ -116,53 +119,61 @@ function explain(target, tip) {
   for (const event of ["mouseenter", "focusin"]) target.addEventListener(event, () => { byId("hint").textContent = tip; });
 }
 
+/** The parts of a recording that a box stands for. */
+const parts = (box) => box.value.split(" ");
 const toSlider = (c, v) => c.log ? Math.log10(v) : c.log2 || c.power2 ? Math.log2(v) : v;
 const fromSlider = (c, v) => c.log ? Number((10 ** v).toPrecision(4)) : c.power2 ? 2 ** v : c.log2 ? Math.round(2 ** v) : v;
 
-/** Takes the value of a control into the parameters. */
+/** Takes the value of a control into the knobs. */
 function take(control) {
-  const input = byId(`control-${named(control.id)}`);
-  if (control.kind === "select") set(control.id, input.value);
-  else if (control.kind === "checks") set(control.id, [...input.querySelectorAll("input:checked")].map((box) => box.value));
-  else set(control.id, fromSlider(control, Number(input.value)));
+  const input = byId(`control-${control.id}`);
+  const [holder, name] = place(control);
+  if (control.kind === "select") holder[name] = input.value;
+  else if (control.kind === "checks") holder[name] = [...input.querySelectorAll("input:checked")].flatMap(parts);
+  else holder[name] = fromSlider(control, Number(input.value));
   mend(control.id);
   show();
 }
 
 /** Keeps what goes together together, when a control on which others depend has moved. */
 function mend(id) {
-  if (id === "geometry") {
-    set("points", get("geometry") === "line" ? 4096 : 256);
-    if (get("cutoff") > get("points") / 2) set("cutoff", get("points") / 8);
+  const { method, ...settings } = knobs.solver;
+  if ("masses" in settings) gfmd = settings;
+  knobs.solver = method === "gfmd" ? { method, ...gfmd } : { method };
+  if (id === "domain") {
+    knobs.points = knobs.domain === "line" ? 4096 : 256;
+    if (knobs.cutoff > knobs.points / 2) knobs.cutoff = knobs.points / 8;
   }
-  if (get("geometry") === "surface" && get("points") > 1024) set("points", 1024);
-  if (get("shape") === "flat" && get("roughness") === 0) {
-    if (id === "roughness") set("shape", "round"); else set("roughness", 0.001);
+  if (knobs.domain === "surface" && knobs.points > 1024) knobs.points = 1024;
+  if (knobs.body === "flat" && knobs.roughness === 0) {
+    if (id === "roughness") knobs.body = "round"; else knobs.roughness = 0.001;
   }
-  if (get("cutoff") > get("points") / 2) set(id === "cutoff" ? "points" : "cutoff", id === "cutoff" ? 2 ** Math.ceil(Math.log2(2 * get("cutoff"))) : get("points") / 2);
-  if (get("geometry") === "surface" && get("points") > 1024) { set("points", 1024); set("cutoff", 512); }
-  if (get("rolloff") >= get("cutoff")) set("rolloff", Math.max(1, Math.floor(get("cutoff") / 2)));
+  if (knobs.cutoff > knobs.points / 2) {
+    if (id === "cutoff") knobs.points = 2 ** Math.ceil(Math.log2(2 * knobs.cutoff)); else knobs.cutoff = knobs.points / 2;
+  }
+  if (knobs.domain === "surface" && knobs.points > 1024) { knobs.points = 1024; knobs.cutoff = 512; }
+  if (knobs.rolloff >= knobs.cutoff) knobs.rolloff = Math.max(1, Math.floor(knobs.cutoff / 2));
 }
 
-/** Shows the parameters in the controls. */
+/** Shows the knobs in the controls. */
 function show() {
-  const now = flat();
   for (const control of CONTROLS) {
-    const id = `control-${named(control.id)}`;
+    const id = `control-${control.id}`;
     const input = byId(id);
-    const value = get(control.id);
+    const [holder, name] = place(control);
+    const value = holder[name];
     if (control.kind === "select") input.value = value;
-    else if (control.kind === "checks") input.querySelectorAll("input").forEach((box) => { box.checked = value.includes(box.value); });
+    else if (control.kind === "checks") input.querySelectorAll("input").forEach((box) => { box.checked = value.includes(parts(box)[0]); });
     else if (document.activeElement !== input || control.kind !== "number") input.value = toSlider(control, value);
     const output = byId(`${id}-value`);
     if (output) output.value = control.log && control.id !== "load" ? (value < 0.01 ? value.toExponential(0) : figure(value, 2)) : `${control.power2 ? value : figure(value, 3)}${control.unit ? ` ${control.unit}` : ""}`;
-    byId(`row-${named(control.id)}`).hidden = control.shown ? !control.shown(now) : false;
+    byId(`row-${control.id}`).hidden = control.shown ? !control.shown(knobs) : false;
   }
 }
 
 function dice() {
-  set("seed", Math.floor(Math.random() * 1e6));
-  byId("control-seed").value = get("seed");
+  knobs.seed = Math.floor(Math.random() * 1e6);
+  byId("control-seed").value = knobs.seed;
   changed();
 }
 
@@ -184,12 +195,12 @@ async function changed() {
   asked = performance.now();
   do {
     waiting = false;
-    await post("/api/solve", parameters).then(() => fault(""), (error) => fault(error.message));
+    await post("/api/solve", knobs).then(() => fault(""), (error) => fault(error.message));
   } while (waiting);
   posting = false;
 }
 
-const sweep = () => post("/api/sweep", parameters).then(() => fault(""), (error) => fault(error.message));
+const sweep = () => post("/api/sweep", knobs).then(() => fault(""), (error) => fault(error.message));
 const cancel = () => post("/api/cancel", {}).catch((error) => fault(error.message));
 
 function fault(sentence) {
@@ -226,7 +237,7 @@ function heard(news) {
   byId("cancel").disabled = !news.busy;
   byId("save-rrd").disabled = news.busy || !(news.run || news.sweep);
   byId("save-npz").disabled = !(news.run && news.run.ended);
-  byId("copy-command").disabled = !news.run;
+  byId("save-setup").disabled = byId("copy-command").disabled = !news.run;
   charts();
   document.body.dataset.revision = news.revision;
   document.body.dataset.busy = news.busy;
@@ -277,7 +288,7 @@ function follow(run) {
     byId("scrub").value = 1000;
     byId("scrub-step").value = "latest";
     watchFirst(run, asked);
-  }, Math.max(0, followed + BREATH[run.parameters.geometry] - performance.now()));
+  }, Math.max(0, followed + BREATH[run.knobs.domain] - performance.now()));
 }
 
 /** Has the viewer look at what it was told, which it does when it draws: closing a channel that never was makes it draw. */
@@ -372,7 +383,7 @@ const ROWS = [
   ["κ = a_rel / p*", (n) => n.kappa, null, "Proportionality with the gradient of the whole surface: drifts with load and spectrum"],
   ["κ_r", (n) => n.kappa_r, null, "Proportionality with the gradient in contact only"],
   ["κ_r, corrected", (n) => n.kappa_r_corrected, (e) => e.kappa_r, "With the corrected area: hardly changes with load"],
-  ["mean gap / h_rms", (n) => n.mean_gap, null, "Mean gap over the rms height"],
+  ["mean gap / h_rms", (n) => n.mean_gap_over_rms_height, null, "Mean gap over the rms height"],
   ["contact patches", (n) => n.patches, null, "Connected contacts, counted over the period"],
   ["certificate η", (n) => n.certificate, null, "Proven bound of the error in energy, over load times rms height"],
   ["steps, transforms", (n) => `${n.iterations}, ${n.transforms}`, null, "Work of the solver: a transform is its unit"],
@@ -422,7 +433,7 @@ function chart(target, title, top, curves) {
   svg.append(drawn("text", { class: "title", x: left, y: 13 }, title));
   for (let e = low; e <= high; e++) svg.append(drawn("text", { x: x(10 ** e), y: h - 5, "text-anchor": "middle" }, e === 0 ? "1" : `1e${e}`));
   for (let i = 0; i <= 2; i++) svg.append(drawn("text", { x: left - 4, y: y(i * top / 2) + 4, "text-anchor": "end" }, String(i * top / 2)));
-  if (parameters && get("load") >= 10 ** low && get("load") <= 10 ** high) svg.append(drawn("line", { class: "now", x1: x(get("load")), x2: x(get("load")), y1: above, y2: h - below }));
+  if (knobs && knobs.load >= 10 ** low && knobs.load <= 10 ** high) svg.append(drawn("line", { class: "now", x1: x(knobs.load), x2: x(knobs.load), y1: above, y2: h - below }));
   curves.filter((curve) => curve.points.length).forEach((curve) => {
     svg.append(drawn("polyline", { class: curve.style, points: curve.points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ") }));
   });
@@ -437,12 +448,12 @@ function chart(target, title, top, curves) {
 
 function charts() {
   const points = report.sweep ? report.sweep.points : [];
-  const curve = (name, style, of, top) => ({ name, style, points: points.map((p) => [p.load, of(p)]).filter(([, v]) => Number.isFinite(v) && v <= top) });
+  const curve = (name, style, of, top) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v) && v <= top) });
   chart(byId("chart-area"), "Area / p*", 1, [
-    curve("Persson", "persson", (p) => p.persson, 1), curve("exact", "exact", (p) => p.exact?.relative_area, 1), curve("a_rel", "computed", (p) => p.area, 1)]);
+    curve("Persson", "persson", (p) => p.persson, 1), curve("exact", "exact", (p) => p.exact?.relative_area, 1), curve("a_rel", "computed", (p) => p.relative_area_corrected, 1)]);
   chart(byId("chart-kappa"), "κ, κ_r / p*", 4, [
-    curve("Persson", "persson", (p) => p.persson / p.load, 4), curve("exact", "exact", (p) => p.exact?.kappa_r, 4),
-    curve("κ", "computed", (p) => p.kappa, 4), curve("κ_r", "second", (p) => p.kappa_r, 4)]);
+    curve("Persson", "persson", (p) => p.persson / p.reduced_pressure, 4), curve("exact", "exact", (p) => p.exact?.kappa_r, 4),
+    curve("κ", "computed", (p) => p.kappa_corrected, 4), curve("κ_r", "second", (p) => p.kappa_r_corrected, 4)]);
   document.body.dataset.sweep = report.sweep ? (report.sweep.ended ? "ended" : points.length) : "none";
 }
 
@@ -527,9 +538,10 @@ function stopPlaying() {
 
 // ---------------------------------------------------------------- lessons
 
-const HERTZ = { geometry: "line", shape: "round", roughness: 0, points: 4096, solver: "multilevel", record: ["traces", "shape", "fields", "mask"] };
-const ROUGH = { ...HERTZ, shape: "flat", roughness: 0.001, hurst: 0.8, rolloff: 8, cutoff: 128, seed: 1 };
-const CRAWL = { ...ROUGH, points: 4096, cutoff: 64, load: 0.05, tolerance: 1e-8, solver: "gfmd", masses: "uniform", dynamics: "damped", damping: 1, "time-step": 0.5, record: ["traces", "spectrum"] };
+const HERTZ = { domain: "line", body: "round", roughness: 0, points: 4096, solver: { method: "multilevel" }, record: ["traces", "profile", "mesh", "fields", "mask"] };
+const ROUGH = { ...HERTZ, body: "flat", roughness: 0.001, hurst: 0.8, rolloff: 8, cutoff: 128, seed: 1 };
+const SLOW = { method: "gfmd", masses: "uniform", dynamics: "damped", "time-step": 0.5, damping: 1 };
+const CRAWL = { ...ROUGH, points: 4096, cutoff: 64, load: 0.05, solver: SLOW, stop: { tolerance: 1e-8, "max-iterations": 20000 }, record: ["traces", "spectrum"] };
 
 const LESSONS = {
   "Hertz against rough contact": [
@@ -541,9 +553,9 @@ const LESSONS = {
   ],
   "Why does my solver crawl": [
     [{ ...CRAWL }, "GFMD with the same mass for all waves. Long waves are thousands of times softer than short ones, so they move slowest. Press Play: the blue spectrum of the displacement settles on the right first and on the left last. Finer grids make it worse: four times the points take twice the steps."],
-    [{ ...CRAWL, damping: 0.1 }, "A tenth of the friction. Less damping is not the cure: the slow waves ring, and it takes many times the steps. Look at the certificate."],
-    [{ ...CRAWL, masses: "stiffness" }, "Masses in proportion to stiffness: every wave swings with the same period, so all of them relax together, on any grid in about as many steps. A step costs two transform pairs instead of one; the total still falls."],
-    [{ ...CRAWL, solver: "multilevel" }, "The multilevel solver settles the long waves on coarse grids, where they are short, and needs few steps on the finest one: compare the transforms. That is why it does not crawl."],
+    [{ ...CRAWL, solver: { ...SLOW, damping: 0.1 } }, "A tenth of the friction. Less damping is not the cure: the slow waves ring, and it takes many times the steps. Look at the certificate."],
+    [{ ...CRAWL, solver: { ...SLOW, masses: "stiffness" } }, "Masses in proportion to stiffness: every wave swings with the same period, so all of them relax together, on any grid in about as many steps. A step costs two transform pairs instead of one; the total still falls."],
+    [{ ...CRAWL, solver: { method: "multilevel" } }, "The multilevel solver settles the long waves on coarse grids, where they are short, and needs few steps on the finest one: compare the transforms. That is why it does not crawl."],
   ],
 };
 
@@ -558,7 +570,7 @@ function openLesson(name) {
 function showLesson() {
   const [state, text] = lesson.steps[lesson.at];
   const { sweep: sweeps, ...values } = state;
-  Object.assign(parameters, values);
+  Object.assign(knobs, structuredClone(values));
   show();
   byId("lesson-text").textContent = text;
   byId("lesson-place").textContent = `${lesson.at + 1} / ${lesson.steps.length}`;
@@ -590,8 +602,14 @@ function paint(theme) {
   localStorage.setItem("theme", theme);
 }
 
-function save(path) {
-  element("a", { href: path, download: "" }).click();
+function save(path, name = "") {
+  element("a", { href: path, download: name }).click();
+}
+
+function saveSetup() {
+  const address = URL.createObjectURL(new Blob([shownOrLatest().setup], { type: "application/toml" }));
+  save(address, "scene.toml");
+  setTimeout(() => URL.revokeObjectURL(address), 60000);
 }
 
 async function copyCommand() {
@@ -627,7 +645,7 @@ async function begin() {
   });
   if (isView) { byId("title").textContent = "a recording, from this machine"; return; }
   const before = await (await fetch("/api/state")).json();
-  parameters = before.run ? before.run.parameters : before.sweep ? before.sweep.parameters : await (await fetch("/api/start")).json();
+  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await (await fetch("/api/start")).json();
   build();
   show();
   charts();
@@ -638,6 +656,7 @@ async function begin() {
   byId("lesson-close").addEventListener("click", () => { byId("lesson").value = ""; openLesson(""); });
   byId("save-rrd").addEventListener("click", () => save("/api/run.rrd"));
   byId("save-npz").addEventListener("click", () => save("/api/run.npz"));
+  byId("save-setup").addEventListener("click", saveSetup);
   byId("copy-command").addEventListener("click", copyCommand);
   byId("runs").addEventListener("change", () => showRun(byId("runs").value));
   byId("play").addEventListener("click", play);

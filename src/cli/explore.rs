@@ -2,16 +2,17 @@
 
 use super::{Outcome, browser, usage};
 use anyhow::Result;
-use asperity::explore::{Explorer, Geometry, Server, Session, Start};
-use clap::{Args, ValueEnum};
+use asperity::explore::{Explorer, Server, Session, Start};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::io::{Write, stdout};
 
 /// Opens a page on this machine: controls on the left, the Rerun viewer on the right, live.
 #[derive(Args)]
 pub struct Explore {
     /// Where to start
-    #[arg(value_enum, default_value = "rough-line")]
-    scene: SceneArg,
+    #[arg(value_name = "START", default_value = "rough-line", value_parser = starts())]
+    start: Start,
     #[command(flatten)]
     page: PageArgs,
 }
@@ -27,34 +28,25 @@ pub struct PageArgs {
     no_open: bool,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum SceneArg {
-    /// A smooth cylinder
-    HertzLine,
-    /// A smooth sphere
-    HertzSurface,
-    /// A self-affine line
-    RoughLine,
-    /// A self-affine surface
-    RoughSurface,
-}
-
 impl Explore {
     /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
-        let start = match self.scene {
-            SceneArg::HertzLine => Start::Hertz(Geometry::Line),
-            SceneArg::HertzSurface => Start::Hertz(Geometry::Surface),
-            SceneArg::RoughLine => Start::Rough(Geometry::Line),
-            SceneArg::RoughSurface => Start::Rough(Geometry::Surface),
-        };
         let (session, solver) = Session::start();
-        let explorer = Explorer::new(session.clone(), start.parameters())?;
+        let explorer = Explorer::new(session.clone(), self.start.knobs())?;
         let served = self.page.open().and_then(|server| Ok(server.run(explorer)?));
         session.close();
         solver.join().ok(); // a solver that failed has said so on the page
         served.map(|()| Outcome::Done)
     }
+}
+
+/// The names of the starts.
+fn starts() -> impl TypedValueParser<Value = Start> {
+    let values = Start::STARTS.map(|(_, name, help)| PossibleValue::new(name).help(help));
+    PossibleValuesParser::new(values).try_map(|given| {
+        let start = Start::STARTS.into_iter().find(|(_, name, _)| *name == given);
+        start.map(|(start, ..)| start).ok_or("this is no start")
+    })
 }
 
 impl PageArgs {

@@ -2,19 +2,23 @@
 
 use crate::contact::Contact;
 use crate::surface::Field;
-use ndarray::{Array2, arr0};
+use ndarray::{Array2, ArrayView1, arr0};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
 
 /// The fields of a contact as `.npz`, of the rank that the heights came in: `height`, `pressure`, `gap`, `displacement`,
-/// `contact` (bool), and the scalars `converged` (bool) and `certificate`.
+/// `contact` (bool), the scalars `converged` (bool) and `certificate`, and the text of the `setup` that repeats it, as bytes:
+/// `bytes(npz["setup"]).decode()` in Python.
 ///
 /// It is made in memory: a `ZipWriter` that meets a full disk complains on standard error by itself.
 ///
 /// # Errors
 /// Those of the format, which fields of doubles do not meet.
-pub fn archive(contact: &Contact, rank: usize) -> Result<Vec<u8>, WriteNpzError> {
+pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
     let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
+    if let Some(text) = setup {
+        npz.add_array("setup", &ArrayView1::from(text.as_bytes()))?;
+    }
     let fields: [(&str, &Field); 4] = [
         ("height", &contact.problem.surface().heights_as_given()),
         ("pressure", &contact.pressure),

@@ -28,6 +28,7 @@ mod stop;
 
 use crate::chunks;
 
+pub use crate::error::Failure;
 pub use archive::archive;
 pub use certificate::Certificate;
 pub use gfmd::{Dynamics, Gfmd, Masses};
@@ -35,12 +36,12 @@ pub use load::Load;
 pub use measure::{Measures, NODE_EXCESS_PER_SWITCH_LINE, NODE_EXCESS_PER_SWITCH_SURFACE};
 pub use multilevel::Multilevel;
 pub use observables::{OBSERVABLES, Observable, Observables, State};
-pub use observe::{Each, Failure, Observer, Wish};
+pub use observe::Each;
 pub use outcome::{Contact, Status, Work};
 pub use patches::Patches;
 pub use polonsky_keer::PolonskyKeer;
 pub use problem::{ContactModulus, Problem};
 pub use run::Run;
-pub use solver::Solver;
+pub use solver::{Observer, Solver, Wish};
 pub use step::{Energy, Phase, Step, Values};
 pub use stop::Stop;

@@ -1,43 +1,7 @@
-//! Watching a solver: its beginning, every step, and its end.
+//! Observers of one closure, of nothing, and of several observers together.
 
-use crate::contact::{Contact, Problem, Solver, Step, Stop};
-use std::error::Error;
+use crate::contact::{Contact, Failure, Observer, Problem, Solver, Step, Stop, Wish};
 use std::ops::ControlFlow;
-
-/// Why an observer cannot go on, such as a full disk.
-pub type Failure = Box<dyn Error + Send + Sync>;
-
-/// What an observer wishes after a step: to go on, to end the run with what it has found, or to end it since the observer failed.
-pub type Wish = Result<ControlFlow<()>, Failure>;
-
-/// Watches a solver. Solvers know this interface and never who watches.
-///
-/// `&mut ()` watches nothing and [`Each`] makes an observer of a closure. Several observers of one run are a tuple, a `Vec` or an
-/// `Option`: each of them sees every step, and the run ends when any of them wishes or fails. A failure ends the run with
-/// [`crate::contact::Status::ObserverFailed`]; [`Contact::converged`] returns it.
-pub trait Observer {
-    /// Sees what will be solved, by which solver, and when that stops.
-    ///
-    /// # Errors
-    /// For an observer that cannot watch: the run ends at its first step.
-    fn begin(&mut self, _solver: &dyn Solver, _problem: &Problem, _stop: &Stop) -> Result<(), Failure> {
-        Ok(())
-    }
-
-    /// Sees one relaxation step; `Break` ends the run with what it has found.
-    ///
-    /// # Errors
-    /// For an observer that cannot go on: the run ends.
-    fn step(&mut self, step: &Step<'_>) -> Wish;
-
-    /// Sees what came out.
-    ///
-    /// # Errors
-    /// For an observer that could not finish.
-    fn end(&mut self, _contact: &Contact) -> Result<(), Failure> {
-        Ok(())
-    }
-}
 
 /// The observer that calls a closure at each step.
 ///

@@ -1,8 +1,9 @@
-//! The interface of all solvers.
+//! The interface of all solvers, and of all that watch one: its beginning, every step, and its end.
 
-use crate::contact::{Contact, Observer, Problem, Stop};
-use crate::error::SolveError;
+use crate::contact::{Contact, Problem, Step, Stop};
+use crate::error::{Failure, SolveError};
 use crate::surface::Field;
+use std::ops::ControlFlow;
 
 /// A solver of contact problems. [`crate::contact::Run`] keeps the books of one.
 pub trait Solver {
@@ -36,4 +37,36 @@ pub trait Solver {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError>;
+}
+
+/// What an observer wishes after a step: to go on, to end the run with what it has found, or to end it since the observer failed.
+pub type Wish = Result<ControlFlow<()>, Failure>;
+
+/// Watches a solver. Solvers know this interface and never who watches.
+///
+/// `&mut ()` watches nothing and [`Each`] makes an observer of a closure. Several observers of one run are a tuple, a `Vec` or an
+/// `Option`: each of them sees every step, and the run ends when any of them wishes or fails. A failure ends the run with
+/// [`crate::contact::Status::ObserverFailed`]; [`Contact::converged`] returns it.
+pub trait Observer {
+    /// Sees what will be solved, by which solver, and when that stops.
+    ///
+    /// # Errors
+    /// For an observer that cannot watch: the run ends at its first step.
+    fn begin(&mut self, _solver: &dyn Solver, _problem: &Problem, _stop: &Stop) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    /// Sees one relaxation step; `Break` ends the run with what it has found.
+    ///
+    /// # Errors
+    /// For an observer that cannot go on: the run ends.
+    fn step(&mut self, step: &Step<'_>) -> Wish;
+
+    /// Sees what came out.
+    ///
+    /// # Errors
+    /// For an observer that could not finish.
+    fn end(&mut self, _contact: &Contact) -> Result<(), Failure> {
+        Ok(())
+    }
 }

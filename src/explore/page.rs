@@ -11,21 +11,21 @@ use std::sync::Arc;
 pub struct Page {
     script: Bytes,
     module: Bytes,
-    mode: Mode,
+    purpose: Purpose,
 }
 
 /// A file of the viewer, which stays where it is.
-struct File(Arc<WebViewerData>, fn(&WebViewerData) -> &[u8]);
+struct ViewerFile(Arc<WebViewerData>, fn(&WebViewerData) -> &[u8]);
 
-impl AsRef<[u8]> for File {
+impl AsRef<[u8]> for ViewerFile {
     fn as_ref(&self) -> &[u8] {
         (self.1)(&self.0)
     }
 }
 
-/// What the page is for.
+/// The purpose of the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mode {
+pub enum Purpose {
     /// Controls and viewer.
     Explore,
     /// The viewer alone.
@@ -37,10 +37,10 @@ impl Page {
     ///
     /// # Errors
     /// If the viewer is not in the binary, as builds for special purposes leave it out.
-    pub fn new(mode: Mode) -> io::Result<Self> {
+    pub fn new(purpose: Purpose) -> io::Result<Self> {
         let viewer = Arc::new(WebViewerData::load(None).map_err(io::Error::other)?);
-        let file = |content| Bytes::from_owner(File(viewer.clone(), content));
-        Ok(Self { script: file(WebViewerData::viewer_js), module: file(WebViewerData::viewer_wasm), mode })
+        let file = |content| Bytes::from_owner(ViewerFile(viewer.clone(), content));
+        Ok(Self { script: file(WebViewerData::viewer_js), module: file(WebViewerData::viewer_wasm), purpose })
     }
 
     /// The file at `path`, if it belongs to the page.
@@ -58,9 +58,9 @@ impl Page {
     }
 
     fn html(&self) -> String {
-        let mode = match self.mode {
-            Mode::Explore => "explore",
-            Mode::View => "view",
+        let mode = match self.purpose {
+            Purpose::Explore => "explore",
+            Purpose::View => "view",
         };
         let html = include_str!("../../assets/explore/explore.html");
         html.replace("{mode}", mode).replace("{version}", env!("CARGO_PKG_VERSION"))

@@ -1,7 +1,7 @@
-//! What the page is told.
+//! The state of a session as the page is told.
 
-use super::parameters::Parameters;
-use crate::contact::{Contact, Measures, Problem, Step, Work};
+use super::knobs::Knobs;
+use crate::contact::{Contact, Observables, Step};
 use crate::theory::Exact;
 use serde::Serialize;
 
@@ -13,9 +13,9 @@ pub struct Report {
     /// Whether something is being solved.
     pub busy: bool,
     /// The latest solve.
-    pub run: Option<Run>,
+    pub run: Option<RunReport>,
     /// The latest sweep over the load.
-    pub sweep: Option<Sweep>,
+    pub sweep: Option<SweepReport>,
     /// Name of the recording whose curves stand beside those of new ones.
     pub pinned: Option<String>,
     /// Why the last order was not carried out, in one sentence.
@@ -24,27 +24,29 @@ pub struct Report {
 
 /// A solve, running or ended.
 #[derive(Debug, Clone, Serialize)]
-pub struct Run {
+pub struct RunReport {
     /// Name of its recording.
     pub id: String,
     /// Name for people.
     pub title: String,
     /// The command that repeats it.
     pub command: String,
-    /// What was asked for.
-    pub parameters: Parameters,
+    /// The setup that repeats it, in TOML.
+    pub setup: String,
+    /// The state of the knobs.
+    pub knobs: Knobs,
     /// Whether it and its recording are complete.
     pub ended: bool,
     /// Where it stands.
     pub numbers: Option<Numbers>,
     /// Exact values.
-    pub exact: Option<Values>,
+    pub exact: Option<ExactNumbers>,
 }
 
 /// Exact values of a contact.
 #[derive(Debug, Clone, Serialize)]
-pub struct Values {
-    /// The theory.
+pub struct ExactNumbers {
+    /// Name of the theory.
     pub name: &'static str,
     /// Share of the area in contact.
     pub relative_area: f64,
@@ -52,121 +54,63 @@ pub struct Values {
     pub kappa_r: Option<f64>,
 }
 
-/// The numbers of a state; infinite ones are null in JSON.
+/// The numbers of a state; those that are infinite or not known are null in JSON.
 #[derive(Debug, Clone, Serialize)]
 pub struct Numbers {
     /// How the solve ended, or that it runs.
     pub status: String,
-    /// `p*`.
-    pub reduced_pressure: f64,
-    /// Share of the nodes in contact.
-    pub relative_area: f64,
-    /// The same less the excess of counting nodes.
-    pub relative_area_corrected: f64,
-    /// `kappa = a_rel / p*`.
-    pub kappa: f64,
-    /// `kappa_r`.
-    pub kappa_r: f64,
-    /// `kappa_r` with the corrected area.
-    pub kappa_r_corrected: f64,
-    /// Mean gap over the rms height.
-    pub mean_gap: f64,
-    /// Contact patches.
-    pub patches: usize,
-    /// The certificate, as far as it is known.
-    pub certificate: Option<f64>,
-    /// Bound of the relative error of the pressure, of an ended solve.
-    pub pressure_error_bound: Option<f64>,
     /// Grid level of a running solve.
     pub level: usize,
-    /// Steps.
-    pub iterations: usize,
-    /// Transforms.
-    pub transforms: u64,
     /// Seconds of the solver, recording left out.
     pub seconds: f64,
+    /// All observables.
+    #[serde(flatten)]
+    pub observables: Observables,
 }
 
 /// A sweep over the load.
 #[derive(Debug, Clone, Serialize)]
-pub struct Sweep {
+pub struct SweepReport {
     /// Name of its recording.
     pub id: String,
     /// Name for people.
     pub title: String,
-    /// What was asked for; the load does not count.
-    pub parameters: Parameters,
+    /// The state of the knobs; the load does not count.
+    pub knobs: Knobs,
     /// Whether it and its recording are complete.
     pub ended: bool,
     /// Its contacts, from the smallest load on.
-    pub points: Vec<Point>,
+    pub points: Vec<SweepPoint>,
 }
 
 /// A contact of a sweep, and what theories say.
 #[derive(Debug, Clone, Serialize)]
-pub struct Point {
-    /// `p*`.
-    pub load: f64,
-    /// Share of the area in contact, corrected.
-    pub area: f64,
-    /// `kappa`, of the corrected area.
-    pub kappa: f64,
-    /// `kappa_r`, of the corrected area.
-    pub kappa_r: f64,
+pub struct SweepPoint {
+    /// All observables.
+    #[serde(flatten)]
+    pub observables: Observables,
     /// Persson's relative area.
     pub persson: f64,
     /// Exact values.
-    pub exact: Option<Values>,
+    pub exact: Option<ExactNumbers>,
 }
 
-impl Values {
-    /// Those of `exact`.
-    pub fn of(exact: &Exact) -> Self {
+impl From<&Exact> for ExactNumbers {
+    fn from(exact: &Exact) -> Self {
         Self { name: exact.name, relative_area: exact.relative_area, kappa_r: exact.kappa_r }
     }
 }
 
 impl Numbers {
-    /// Those of a step.
+    /// The numbers of a step.
     pub fn of_step(step: &Step<'_>) -> Self {
-        let (problem, phase) = (step.problem(), step.phase());
-        Self {
-            level: phase.level,
-            certificate: step.certificate(),
-            mean_gap: step.mean_gap() / problem.rms_height(),
-            patches: step.patches().count(),
-            ..Self::measured(step.measures(), step.work(), "running".into())
-        }
+        let (level, seconds) = (step.phase().level, step.work().seconds);
+        Self { status: "running".into(), level, seconds, observables: Observables::of(step) }
     }
 
-    /// Those of a result.
-    pub fn of_contact(contact: &Contact, problem: &Problem) -> Self {
-        Self {
-            certificate: Some(contact.certificate.eta),
-            pressure_error_bound: Some(contact.certificate.pressure_error_bound),
-            mean_gap: contact.mean_gap() / problem.rms_height(),
-            patches: contact.patches().count(),
-            ..Self::measured(&contact.measures(problem), contact.work, contact.status.to_string())
-        }
-    }
-
-    fn measured(measures: &Measures, work: Work, status: String) -> Self {
-        Self {
-            status,
-            reduced_pressure: measures.reduced_pressure,
-            relative_area: measures.relative_area,
-            relative_area_corrected: measures.relative_area_corrected,
-            kappa: measures.kappa,
-            kappa_r: measures.kappa_r,
-            kappa_r_corrected: measures.kappa_r_corrected,
-            mean_gap: f64::NAN,
-            patches: 0,
-            certificate: None,
-            pressure_error_bound: None,
-            level: 0,
-            iterations: work.iterations,
-            transforms: work.transforms,
-            seconds: work.seconds,
-        }
+    /// The numbers of a result.
+    pub fn of_contact(contact: &Contact) -> Self {
+        let (status, seconds) = (contact.status.to_string(), contact.work.seconds);
+        Self { status, level: 0, seconds, observables: Observables::of(contact) }
     }
 }

@@ -1,10 +1,10 @@
 //! The paths of the explorer.
 
-use super::page::{Mode, Page};
-use super::parameters::{Parameters, Refusal};
+use super::knobs::{Knobs, Refusal};
+use super::page::{Page, Purpose};
 use super::session::{Order, Session};
 use super::site::{Reply, Request, Site};
-use super::stream::Source;
+use super::stream::RecordingBytes;
 use serde::Serialize;
 use std::io;
 use std::sync::Arc;
@@ -18,9 +18,9 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | path              | method | answer                                                                |
 /// |-------------------|--------|-----------------------------------------------------------------------|
 /// | `/`, and its files| GET    | page, script, style, viewer                                           |
-/// | `/api/start`      | GET    | the [`Parameters`] to start with                                      |
+/// | `/api/start`      | GET    | the [`Knobs`] to start with                                      |
 /// | `/api/state`      | GET    | the [`super::Report`], at once or when it is newer than `?since=`     |
-/// | `/api/solve`      | POST   | takes [`Parameters`], ends what runs; the revision from which on news of it come |
+/// | `/api/solve`      | POST   | takes [`Knobs`], ends what runs; the revision from which on news of it come |
 /// | `/api/sweep`      | POST   | the same for a sweep                                                  |
 /// | `/api/cancel`     | POST   | ends what runs                                                        |
 /// | `/api/pin`        | POST   | takes the name of a recording, or null: its curves stand beside new ones |
@@ -30,12 +30,12 @@ const PATIENCE: Duration = Duration::from_millis(900);
 pub struct Explorer {
     page: Page,
     session: Arc<Session>,
-    start: Parameters,
+    start: Knobs,
 }
 
 /// The revision from which on the report speaks of an order.
 #[derive(Serialize)]
-struct Accepted {
+struct Receipt {
     revision: u64,
 }
 
@@ -44,14 +44,13 @@ impl Explorer {
     ///
     /// # Errors
     /// If the viewer is not in the binary.
-    pub fn new(session: Arc<Session>, start: Parameters) -> io::Result<Self> {
-        Ok(Self { page: Page::new(Mode::Explore)?, session, start })
+    pub fn new(session: Arc<Session>, start: Knobs) -> io::Result<Self> {
+        Ok(Self { page: Page::new(Purpose::Explore)?, session, start })
     }
 
     fn post(&self, request: &Request<'_>) -> Reply {
-        let order = |order: fn(Parameters) -> Order| {
-            Parameters::read(request.body).and_then(|parameters| self.session.order(order(parameters)))
-        };
+        let order =
+            |order: fn(Knobs) -> Order| Knobs::read(request.body).and_then(|knobs| self.session.order(order(knobs)));
         let done = match request.path {
             "/api/solve" => order(Order::Solve),
             "/api/sweep" => order(Order::Sweep),
@@ -64,7 +63,7 @@ impl Explorer {
             path => return Reply::missing(path),
         };
         match done {
-            Ok(revision) => Reply::json(&Accepted { revision }),
+            Ok(revision) => Reply::json(&Receipt { revision }),
             Err(Refusal(sentence)) => Reply::Error(400, sentence),
         }
     }
@@ -77,7 +76,7 @@ impl Explorer {
                 Some((_, live)) if live.written().is_some() => {
                     Reply::Error(409, "the solve still runs: wait for its end, or cancel it".into())
                 }
-                Some((id, live)) => Reply::Recording(Source::Live(live), Some(format!("asperity-{id}.rrd"))),
+                Some((id, live)) => Reply::Recording(RecordingBytes::Live(live), Some(format!("asperity-{id}.rrd"))),
                 None => nothing_yet(),
             },
             "/api/run.npz" => match self.session.archive() {
@@ -104,7 +103,7 @@ impl Explorer {
     /// A recording, if the path is that of one of the latest.
     fn run(&self, path: &str) -> Option<Reply> {
         let name = path.strip_prefix("/run/")?.strip_suffix(".rrd")?;
-        Some(Reply::Recording(Source::Live(self.session.recording(name)?), None))
+        Some(Reply::Recording(RecordingBytes::Live(self.session.recording(name)?), None))
     }
 }
 

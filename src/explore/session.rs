@@ -1,25 +1,19 @@
-//! One solver thread, and all of its state in one place.
+//! One session: the orders of the page, and all that came of them, in one place.
 
-use super::parameters::{Parameters, Refusal};
-use super::report::{Numbers, Report, Run, Sweep, Values};
-use super::sweep;
-use crate::contact::{Contact, Observer, Problem, Step, archive};
-use crate::error::{FileError, SolveError};
-use crate::record::{Ghost, Live, Options, Recording, Scene, describe};
+use super::knobs::{Knobs, Refusal};
+use super::report::{Numbers, Report};
+use crate::contact::{Contact, archive};
+use crate::record::{Ghost, Live};
+use crate::setup::Setup;
 use std::collections::VecDeque;
-use std::ops::ControlFlow;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Recordings that can still be read: those that a page asked for a moment ago.
 const RECORDINGS: usize = 6;
 
-/// How often a running solve reports.
-const INTERVAL: Duration = Duration::from_millis(60);
-
-/// What is solved, one order at a time; a new one ends what runs.
+/// The orders of the page, one at a time, and what comes of them; a new order ends the one before.
+#[derive(Default)]
 pub struct Session {
     state: Mutex<State>,
     changed: Condvar,
@@ -34,36 +28,36 @@ struct State {
     running: bool,
     closed: bool,
     /// The latest recordings, the newest last.
-    recordings: VecDeque<Kept>,
-    solved: Option<Arc<Solved>>,
+    recordings: VecDeque<Reel>,
+    solution: Option<Arc<Solution>>,
 }
 
 /// A recording that can still be read.
-struct Kept {
+struct Reel {
     id: String,
     live: Live,
-    /// Its curves, once it is complete.
+    /// Curves of the recording, once it is complete.
     curves: Option<Arc<Ghost>>,
 }
 
 impl State {
     /// Keeps a recording, and drops the oldest one that is not pinned.
     fn keep(&mut self, id: String, live: Live) {
-        self.recordings.push_back(Kept { id, live, curves: None });
+        self.recordings.push_back(Reel { id, live, curves: None });
         if self.recordings.len() > RECORDINGS {
-            let is_free = |kept: &Kept| Some(&kept.id) != self.report.pinned.as_ref();
+            let is_free = |reel: &Reel| Some(&reel.id) != self.report.pinned.as_ref();
             self.recordings.iter().position(is_free).map(|place| self.recordings.remove(place));
         }
     }
 
-    fn kept(&mut self, id: &str) -> Option<&mut Kept> {
-        self.recordings.iter_mut().find(|kept| kept.id == id)
+    fn reel(&mut self, id: &str) -> Option<&mut Reel> {
+        self.recordings.iter_mut().find(|reel| reel.id == id)
     }
 
     /// The curves of the recording that is pinned.
     fn ghost(&mut self) -> Option<Arc<Ghost>> {
         let pinned = self.report.pinned.clone()?;
-        self.kept(&pinned)?.curves.clone()
+        self.reel(&pinned)?.curves.clone()
     }
 }
 
@@ -71,52 +65,36 @@ impl State {
 #[derive(Debug, Clone)]
 pub enum Order {
     /// Solve and record.
-    Solve(Parameters),
+    Solve(Knobs),
     /// Solve from first touch to full contact.
-    Sweep(Parameters),
+    Sweep(Knobs),
 }
 
-/// The latest result.
-struct Solved {
-    id: String,
-    problem: Problem,
-    contact: Contact,
-    rank: usize,
-}
-
-/// Why an order was not carried out.
-#[derive(Debug, thiserror::Error)]
-pub(super) enum Fault {
-    #[error(transparent)]
-    Refusal(#[from] Refusal),
-    #[error(transparent)]
-    Solve(#[from] SolveError),
-    #[error(transparent)]
-    File(#[from] FileError),
+/// The result of a solve, and the setup that repeats it.
+pub struct Solution {
+    /// Name of its recording.
+    pub id: String,
+    /// Its setup.
+    pub setup: Setup,
+    /// The contact.
+    pub contact: Contact,
 }
 
 /// The right to work until the next order.
 #[derive(Clone, Copy)]
-pub(super) struct Turn<'a> {
+pub struct Turn<'a> {
     session: &'a Session,
     generation: u64,
 }
 
 impl Session {
-    /// A session with its solver thread, which ends after [`Session::close`].
-    pub fn start() -> (Arc<Self>, JoinHandle<()>) {
-        let session = Arc::new(Self { state: Mutex::default(), changed: Condvar::new() });
-        let worker = Arc::clone(&session);
-        (session, std::thread::spawn(move || worker.work()))
-    }
-
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
     ///
     /// # Errors
-    /// A sentence on parameters that cannot be; what runs then goes on.
+    /// A sentence on knobs that stand for nothing; what runs then goes on.
     pub fn order(&self, order: Order) -> Result<u64, Refusal> {
-        let (Order::Solve(parameters) | Order::Sweep(parameters)) = &order;
-        parameters.check()?;
+        let (Order::Solve(knobs) | Order::Sweep(knobs)) = &order;
+        knobs.setup()?;
         Ok(self.change(|state| {
             state.generation += 1;
             state.order = Some(order);
@@ -164,18 +142,29 @@ impl Session {
 
     /// The latest recording and its name.
     pub fn latest(&self) -> Option<(String, Live)> {
-        self.lock().recordings.back().map(|kept| (kept.id.clone(), kept.live.clone()))
+        self.lock().recordings.back().map(|reel| (reel.id.clone(), reel.live.clone()))
     }
 
     /// The recording of that name, if it is one of the latest.
     pub fn recording(&self, name: &str) -> Option<Live> {
-        self.lock().kept(name).map(|kept| kept.live.clone())
+        self.lock().reel(name).map(|reel| reel.live.clone())
     }
 
     /// The arrays of the latest result as `.npz`, and its name; none before there is one.
     pub fn archive(&self) -> Option<(String, Vec<u8>)> {
-        let solved = self.lock().solved.clone()?;
-        Some((solved.id.clone(), archive(&solved.problem, &solved.contact, solved.rank).ok()?))
+        let solution = self.lock().solution.clone()?;
+        let (rank, setup) = (solution.setup.grid.points.len(), solution.setup.to_toml());
+        Some((solution.id.clone(), archive(&solution.contact, rank, Some(&setup)).ok()?))
+    }
+
+    /// Waits for an order; none when the session is closed.
+    pub(super) fn next(&self) -> Option<(Turn<'_>, Order)> {
+        let is_idle = |state: &mut State| state.order.is_none() && !state.closed;
+        let waited = self.changed.wait_while(self.lock(), is_idle);
+        let mut state = waited.unwrap_or_else(PoisonError::into_inner);
+        let order = state.order.take().filter(|_| !state.closed)?;
+        state.running = true;
+        Some((Turn { session: self, generation: state.generation }, order))
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
@@ -190,88 +179,6 @@ impl Session {
         self.changed.notify_all();
         state.report.revision
     }
-
-    fn work(&self) {
-        while let Some((generation, order)) = self.next() {
-            let turn = Turn { session: self, generation };
-            let done = catch_unwind(AssertUnwindSafe(|| match order {
-                Order::Solve(parameters) => self.solve(turn, &parameters),
-                Order::Sweep(parameters) => sweep::run(turn, &parameters),
-            }));
-            let fault = match done {
-                Ok(done) => done.err().map(|fault| fault.to_string()),
-                Err(_) => Some("the solver failed on these settings: please report them".into()),
-            };
-            self.change(|state| {
-                state.report.fault = fault.filter(|_| state.generation == generation);
-                state.running = false;
-                state.report.busy = state.order.is_some();
-            });
-        }
-    }
-
-    /// Waits for an order; none when the session is closed.
-    fn next(&self) -> Option<(u64, Order)> {
-        let is_idle = |state: &mut State| state.order.is_none() && !state.closed;
-        let waited = self.changed.wait_while(self.lock(), is_idle);
-        let mut state = waited.unwrap_or_else(PoisonError::into_inner);
-        let order = state.order.take().filter(|_| !state.closed)?;
-        state.running = true;
-        Some((state.generation, order))
-    }
-
-    fn solve(&self, turn: Turn<'_>, parameters: &Parameters) -> Result<(), Fault> {
-        let problem = parameters.problem()?;
-        let (solver, stop) = (parameters.solver()?, parameters.stop()?);
-        let exact = parameters.exact(&problem);
-        let (id, title) = (format!("run-{}", turn.number()), parameters.title());
-        let values = exact.as_ref().map(Values::of);
-        let scene = Scene {
-            name: "contact".into(),
-            title: title.clone(),
-            problem: &problem,
-            description: describe(&parameters.description(), &problem, "m", solver.as_ref(), &stop, exact.as_ref()),
-            exact,
-        };
-        let options = Options { what: parameters.parts(), ghost: self.lock().ghost(), ..Options::default() };
-        let (recording, live) = Recording::live(&id, &[scene], options)?;
-        let run = Run {
-            id: id.clone(),
-            title,
-            command: parameters.command(),
-            parameters: parameters.clone(),
-            ended: false,
-            numbers: None,
-            exact: values,
-        };
-        turn.keep(id.clone(), live);
-        self.change(|state| state.report.run = Some(run));
-        let (mut recorder, mut curves) = (recording.recorder(0), Ghost::new(&format!("pinned {id}")));
-        let mut watch = Watch { turn, reported: Instant::now() };
-        let solved = solver.solve(&problem, &stop, &mut (&mut recorder, &mut (&mut curves, &mut watch)));
-        let contact = solved.or_else(SolveError::into_contact)?;
-        recorder.close(&contact)?;
-        curves.close(&contact);
-        recording.finish()?;
-        let solved = Solved { id, problem, contact, rank: parameters.rank() };
-        self.finish(solved, curves);
-        Ok(())
-    }
-
-    /// Keeps what came out of a solve, and reports it.
-    fn finish(&self, solved: Solved, curves: Ghost) {
-        let numbers = Numbers::of_contact(&solved.contact, &solved.problem);
-        self.change(|state| {
-            if let Some(kept) = state.kept(&solved.id) {
-                kept.curves = Some(Arc::new(curves));
-            }
-            state.solved = Some(Arc::new(solved));
-            if let Some(run) = &mut state.report.run {
-                run.ended = true;
-                run.numbers = Some(numbers);
-            }
-        });
-    }
 }
 
 impl Turn<'_> {
@@ -285,37 +192,42 @@ impl Turn<'_> {
         self.generation
     }
 
+    /// The curves that stand beside new ones.
+    pub fn ghost(self) -> Option<Arc<Ghost>> {
+        self.session.lock().ghost()
+    }
+
     /// Keeps a recording.
-    pub fn keep(self, id: String, live: Live) {
-        self.session.change(|state| state.keep(id, live));
+    pub fn keep(self, id: &str, live: Live) {
+        self.session.change(|state| state.keep(id.into(), live));
     }
 
-    /// Reports where a sweep stands.
-    pub fn show_sweep(self, sweep: Sweep) {
-        self.session.change(|state| state.report.sweep = Some(sweep));
+    /// Changes the report.
+    pub fn tell(self, news: impl FnOnce(&mut Report)) {
+        self.session.change(|state| news(&mut state.report));
     }
-}
 
-/// Reports where a solve stands, and ends it when its turn is over.
-struct Watch<'a> {
-    turn: Turn<'a>,
-    reported: Instant,
-}
+    /// Keeps the result of a solve and the curves of its recording, and reports it.
+    pub fn finish(self, solution: Solution, curves: Ghost) {
+        let numbers = Numbers::of_contact(&solution.contact);
+        self.session.change(|state| {
+            if let Some(reel) = state.reel(&solution.id) {
+                reel.curves = Some(Arc::new(curves));
+            }
+            state.solution = Some(Arc::new(solution));
+            if let Some(run) = &mut state.report.run {
+                run.ended = true;
+                run.numbers = Some(numbers);
+            }
+        });
+    }
 
-impl Observer for Watch<'_> {
-    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()> {
-        if !self.turn.goes_on() {
-            return ControlFlow::Break(());
-        }
-        if self.reported.elapsed() >= INTERVAL {
-            self.reported = Instant::now();
-            let numbers = Numbers::of_step(step);
-            self.turn.session.change(|state| {
-                if let Some(run) = &mut state.report.run {
-                    run.numbers = Some(numbers);
-                }
-            });
-        }
-        ControlFlow::Continue(())
+    /// Ends the turn; a fault is reported unless another order has come.
+    pub fn end(self, fault: Option<String>) {
+        self.session.change(|state| {
+            state.report.fault = fault.filter(|_| state.generation == self.generation);
+            state.running = false;
+            state.report.busy = state.order.is_some();
+        });
     }
 }

@@ -1,6 +1,6 @@
 //! Requests and replies, free of any network.
 
-use super::stream::Source;
+use super::stream::RecordingBytes;
 use axum::body::Bytes;
 
 /// A request that passed the guards.
@@ -24,7 +24,7 @@ pub enum Reply {
     /// Something to save under a name.
     Download(String, Vec<u8>),
     /// A recording, as it grows; with a name it is saved.
-    Recording(Source, Option<String>),
+    Recording(RecordingBytes, Option<String>),
     /// An error and what to say about it.
     Error(u16, String),
 }

@@ -12,21 +12,21 @@ const PIECE: u64 = 1 << 20;
 /// How long to wait for more.
 const PAUSE: Duration = Duration::from_millis(10);
 
-/// Where a recording is.
-pub enum Source {
+/// The bytes of a recording.
+pub enum RecordingBytes {
     /// Being written, or written, by this process.
     Live(Live),
     /// A file that a person named.
     File(File),
 }
 
-impl Source {
+impl RecordingBytes {
     /// The body of a reply.
     pub fn body(self) -> Body {
-        Body::from_stream(stream::try_unfold(Reading { source: self, read: 0 }, Reading::next))
+        Body::from_stream(stream::try_unfold(Reading { bytes: self, read: 0 }, Reading::next))
     }
 
-    /// Bytes that can be read; none if that is all until the end of the file.
+    /// Number of bytes that can be read; none if that is all until the end of the file.
     fn written(&self) -> Option<u64> {
         match self {
             Self::Live(live) => live.written(),
@@ -36,7 +36,7 @@ impl Source {
 }
 
 struct Reading {
-    source: Source,
+    bytes: RecordingBytes,
     read: u64,
 }
 
@@ -45,7 +45,7 @@ impl Reading {
     async fn next(self) -> io::Result<Option<(Bytes, Self)>> {
         let mut reading = self;
         loop {
-            let written = reading.source.written();
+            let written = reading.bytes.written();
             let ready = written.map_or(PIECE, |written| PIECE.min(written - reading.read));
             let read = move || reading.piece(ready);
             let (piece, rest) = tokio::task::spawn_blocking(read).await.map_err(io::Error::other)??;
@@ -61,9 +61,9 @@ impl Reading {
     }
 
     fn piece(mut self, most: u64) -> io::Result<(Vec<u8>, Self)> {
-        let piece = match &mut self.source {
-            Source::Live(live) => live.read(self.read, most)?,
-            Source::File(file) => {
+        let piece = match &mut self.bytes {
+            RecordingBytes::Live(live) => live.read(self.read, most)?,
+            RecordingBytes::File(file) => {
                 let mut piece = Vec::new();
                 file.take(most).read_to_end(&mut piece)?;
                 piece

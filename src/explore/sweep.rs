@@ -1,12 +1,13 @@
 //! Contact from first touch to full, load by load, recorded as it goes.
 
-use super::parameters::{Parameters, PartOf};
-use super::report::{Point, Sweep, Values};
-use super::session::{Fault, Turn};
-use crate::contact::{Contact, Multilevel, Problem, Solver, Step};
-use crate::error::SolveError;
+use super::knobs::Knobs;
+use super::report::{ExactNumbers, SweepPoint, SweepReport};
+use super::session::Turn;
+use crate::contact::{Contact, Each, Failure, Load, Multilevel, Observables, Problem, Solver, Step};
+use crate::error::ProblemError;
 use crate::record::{Curve, Live, LoadRecording, Loads, Options, Scene};
-use crate::theory::persson;
+use crate::setup::{Part, Setup};
+use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
 
 /// Loads of a sweep: `p*` from its first value on, so many to a decade, up to the last if contact is not full before.
@@ -18,8 +19,8 @@ const FULL: f64 = 0.9999;
 /// Below so many nodes in contact the numbers mean little.
 const FEWEST_NODES: usize = 4;
 
-/// A curve of the recording: its view, name and colour, and what it shows of a point.
-type Drawn = (&'static str, &'static str, [u8; 3], fn(&Point) -> f64);
+/// A curve of the recording: its view, name and colour, and its value at a point.
+type PointCurve = (&'static str, &'static str, [u8; 3], fn(&SweepPoint) -> f64);
 
 const AREA: &str = "Relative area, 12 loads a decade from p* = 1e-4";
 const KAPPA: &str = "kappa_r and kappa over the same loads";
@@ -29,42 +30,44 @@ const GREY: [u8; 3] = [0x80; 3];
 const BLACK: [u8; 3] = [0; 3];
 
 /// Curves of every sweep, and behind them those of an exact solution.
-const CURVES: [Drawn; 5] = [
-    (AREA, "a_rel", BLUE, |point| point.area),
+const CURVES: [PointCurve; 5] = [
+    (AREA, "a_rel", BLUE, |point| point.observables.relative_area_corrected),
     (AREA, "Persson", GREY, |point| point.persson),
-    (KAPPA, "kappa_r", ORANGE, |point| point.kappa_r),
-    (KAPPA, "kappa", BLUE, |point| point.kappa),
-    (KAPPA, "Persson", GREY, |point| point.persson / point.load),
+    (KAPPA, "kappa_r", ORANGE, |point| point.observables.kappa_r_corrected),
+    (KAPPA, "kappa", BLUE, |point| point.observables.kappa_corrected),
+    (KAPPA, "Persson", GREY, |point| point.persson / point.observables.reduced_pressure),
 ];
-const EXACT: [Drawn; 2] = [
+const EXACT: [PointCurve; 2] = [
     (AREA, "exact", BLACK, |point| point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)),
     (KAPPA, "exact kappa_r", BLACK, |point| point.exact.as_ref().and_then(|exact| exact.kappa_r).unwrap_or(f64::NAN)),
 ];
 
 /// Solves load after load, each from the contact before, until contact is full or the turn over.
-pub(super) fn run(turn: Turn<'_>, parameters: &Parameters) -> Result<(), Fault> {
+pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
+    let setup = knobs.setup()?;
     let loads: Vec<f64> = loads().collect();
-    let problem = Parameters::at_load(parameters.problem()?, FIRST)?;
-    let curves: Vec<Drawn> = match parameters.exact(&problem) {
+    let problem = at_load(&setup.problem()?, FIRST)?;
+    let curves: Vec<PointCurve> = match exact(&setup, &problem) {
         Some(_) => CURVES.into_iter().chain(EXACT).collect(),
         None => CURVES.to_vec(),
     };
-    let problem = Parameters::at_load(problem, heaviest(&loads))?;
-    let sweep = Sweep {
+    let report = SweepReport {
         id: format!("sweep-{}", turn.number()),
-        title: format!("{}, load sweep", parameters.name()),
-        parameters: parameters.clone(),
+        title: format!("{}, load sweep", setup.surface.title(problem.surface().grid())),
+        knobs,
         ended: false,
         points: Vec::new(),
     };
-    let (recording, live) = record(&sweep, &problem, &loads, &curves)?;
-    turn.keep(sweep.id.clone(), live);
-    turn.show_sweep(sweep.clone());
-    let mut press = Press { turn, sweep, recording: &recording, curves: &curves };
-    let pressed = press.all(problem, &loads);
-    let sweep = Sweep { ended: true, ..press.sweep };
+    let heaviest = at_load(&problem, heaviest(&loads))?;
+    let (recording, live) = record(&report, &setup, &heaviest, &loads, &curves)?;
+    turn.keep(&report.id, live);
+    let mut press = Press { turn, setup: &setup, report, recording: &recording, curves: &curves };
+    press.tell();
+    let pressed = press.all(&problem, &loads);
+    press.report.ended = true;
+    let report = press.report;
     recording.finish()?;
-    turn.show_sweep(sweep);
+    turn.tell(|news| news.sweep = Some(report));
     pressed
 }
 
@@ -79,52 +82,63 @@ fn heaviest(loads: &[f64]) -> f64 {
     loads.iter().copied().find(is_full).unwrap_or(LAST)
 }
 
+fn at_load(problem: &Problem, load: f64) -> Result<Problem, ProblemError> {
+    problem.clone().with_load(Load::ReducedPressure(load))
+}
+
+fn exact(setup: &Setup, problem: &Problem) -> Option<Exact> {
+    setup.exact(problem.surface().grid(), problem.expected_mean_pressure())
+}
+
 /// Begins the recording: the pictures that were asked for, and always curves and contact.
 fn record(
-    Sweep { id, title, parameters, .. }: &Sweep,
+    report: &SweepReport,
+    setup: &Setup,
     problem: &Problem,
     loads: &[f64],
-    curves: &[Drawn],
-) -> Result<(LoadRecording, Live), Fault> {
-    let description = parameters.description();
-    let contact = Scene { name: "contact".into(), title: title.clone(), problem, description, exact: None };
-    let curve = |&(view, name, colour, _): &Drawn| Curve { view: view.into(), name: name.into(), colour };
+    curves: &[PointCurve],
+) -> Result<(LoadRecording, Live), Failure> {
+    let (title, description) = (report.title.clone(), setup.surface.description());
     let loads = Loads {
         title: title.clone(),
-        description: format!("{}, each load from the contact before, until contact is full.", parameters.description()),
+        description: format!("{description}, each load from the contact before, until contact is full."),
         captions: loads.iter().map(|load| format!("p* = {load:.3e}")).collect(),
-        curves: curves.iter().map(curve).collect(),
+        curves: curves
+            .iter()
+            .map(|&(view, name, colour, _)| Curve { view: view.into(), name: name.into(), colour })
+            .collect(),
         figure: None,
-        scenes: &[contact],
+        scenes: &[Scene { title, exact: None, ..Scene::of(setup, problem) }],
     };
-    let record = [PartOf::Traces, PartOf::Mask].into_iter().chain(parameters.record.clone()).collect();
-    let what = Parameters { record, ..parameters.clone() }.parts();
-    Ok(LoadRecording::live(id, &loads, Options { what, ..Options::default() })?)
+    let mut parts = setup.record.clone();
+    parts.what.extend([Part::Traces, Part::Mask]);
+    Ok(LoadRecording::live(&report.id, &loads, Options::from(&parts))?)
 }
 
 /// A sweep on its way.
 struct Press<'a> {
     turn: Turn<'a>,
-    sweep: Sweep,
+    setup: &'a Setup,
+    report: SweepReport,
     recording: &'a LoadRecording,
-    curves: &'a [Drawn],
+    curves: &'a [PointCurve],
 }
 
 impl Press<'_> {
     /// Solves and records load after load.
-    fn all(&mut self, mut problem: Problem, loads: &[f64]) -> Result<(), Fault> {
-        let (turn, stop) = (self.turn, self.sweep.parameters.stop()?);
-        let mut watch = |_: &Step<'_>| if turn.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+    fn all(&mut self, problem: &Problem, loads: &[f64]) -> Result<(), Failure> {
+        let turn = self.turn;
+        let mut watch =
+            Each(|_: &Step<'_>| if turn.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
         let mut start = None;
         for (number, &load) in loads.iter().enumerate() {
-            problem = Parameters::at_load(problem, load)?;
-            let solved = Multilevel.solve_from(start.as_ref(), &problem, &stop, &mut watch);
-            let contact = solved.or_else(SolveError::into_contact)?;
+            let problem = at_load(problem, load)?;
+            let contact = Multilevel.solve_from(start.as_ref(), &problem, &self.setup.stop, &mut watch)?;
             if !turn.goes_on() {
                 break;
             }
-            self.show(number, point(&self.sweep.parameters, &problem, &contact, load), &contact)?;
-            if self.sweep.points.last().is_some_and(|point| point.area >= FULL) {
+            self.show(number, load, &contact)?;
+            if self.report.points.last().is_some_and(|point| point.observables.relative_area_corrected >= FULL) {
                 break;
             }
             start = Some(contact.pressure);
@@ -132,29 +146,25 @@ impl Press<'_> {
         Ok(())
     }
 
-    /// Records load number `number`, from 0 on, and reports it.
-    fn show(&mut self, number: usize, point: Option<Point>, contact: &Contact) -> Result<(), Fault> {
+    /// Records load number `number`, from 0 on, and reports it if it is more than a few nodes.
+    fn show(&mut self, number: usize, load: f64, contact: &Contact) -> Result<(), Failure> {
         self.recording.contact(0, number, contact)?;
-        if let Some(point) = point {
-            let values: Vec<f64> = self.curves.iter().map(|(.., of)| of(&point)).collect();
-            self.recording.values(number, &values)?;
-            self.sweep.points.push(point);
-            self.turn.show_sweep(self.sweep.clone());
+        if contact.measures().contact_nodes < FEWEST_NODES {
+            return Ok(());
         }
+        let point = SweepPoint {
+            observables: Observables::of(contact),
+            persson: persson::relative_area(load),
+            exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),
+        };
+        let values: Vec<f64> = self.curves.iter().map(|(.., of)| of(&point)).collect();
+        self.recording.values(number, &values)?;
+        self.report.points.push(point);
+        self.tell();
         Ok(())
     }
-}
 
-/// What is drawn of a contact, if it is more than a few nodes.
-fn point(parameters: &Parameters, problem: &Problem, contact: &Contact, load: f64) -> Option<Point> {
-    let measures = contact.measures(problem);
-    let exact = parameters.exact(problem);
-    (measures.contact_nodes >= FEWEST_NODES).then(|| Point {
-        load,
-        area: measures.relative_area_corrected,
-        kappa: measures.relative_area_corrected / measures.reduced_pressure,
-        kappa_r: measures.kappa_r_corrected,
-        persson: persson::relative_area(load),
-        exact: exact.as_ref().map(Values::of),
-    })
+    fn tell(&self) {
+        self.turn.tell(|news| news.sweep = Some(self.report.clone()));
+    }
 }

@@ -1,8 +1,8 @@
 //! A recording in the viewer of the page, and nothing else.
 
-use super::page::{Mode, Page};
+use super::page::{Page, Purpose};
 use super::site::{Reply, Request, Site};
-use super::stream::Source;
+use super::stream::RecordingBytes;
 use std::fs::File;
 use std::io;
 use std::path::PathBuf;
@@ -19,7 +19,7 @@ impl Viewing {
     /// # Errors
     /// If the viewer is not in the binary.
     pub fn new(file: PathBuf) -> io::Result<Self> {
-        Ok(Self { page: Page::new(Mode::View)?, file })
+        Ok(Self { page: Page::new(Purpose::View)?, file })
     }
 }
 
@@ -28,7 +28,7 @@ impl Site for Viewing {
         match request.path {
             _ if request.method != "GET" => Reply::wrong_method("GET"),
             "/recording.rrd" => match File::open(&self.file) {
-                Ok(file) => Reply::Recording(Source::File(file), None),
+                Ok(file) => Reply::Recording(RecordingBytes::File(file), None),
                 Err(error) => Reply::Error(404, error.to_string()),
             },
             path => self.page.file(path).unwrap_or_else(|| Reply::missing(path)),

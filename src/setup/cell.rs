@@ -62,6 +62,7 @@ impl Cell {
 /// A list of lengths, or a single one.
 fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     #[derive(Deserialize)]
+    #[serde(transparent)]
     struct Length(#[serde(deserialize_with = "quantity::length")] f64);
     Ok(one_or_more::deserialize::<_, Length>(from)?.into_iter().map(|Length(length)| length).collect())
 }

@@ -3,6 +3,7 @@
 use super::{Cell, Method, Recipe, Setup};
 use crate::error::{FileError, SetupError};
 use crate::files::write_beside;
+use crate::surface::read_text;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use std::io::Write;
@@ -39,11 +40,23 @@ impl Table {
         toml::Table::try_from(setup).map(Self).map_err(|error| wrong(&error))
     }
 
-    /// The sections and keys of a file, a scene or a result in JSON. Height files in it are found beside it.
+    /// The sections and keys of a file: a scene, or a result in JSON or `.npz`. A height file is found beside a scene; that of
+    /// an `.npz` result is the result itself, which holds the heights.
     ///
     /// # Errors
-    /// [`FileError::Read`] for one that cannot be read, [`SetupError::Text`] for one that is no setup.
+    /// [`FileError::Read`] for one that cannot be read, [`SetupError::Text`] for one that holds no setup.
     pub fn read(path: &Path) -> Result<Self, SetupError> {
+        match read_text(path, "setup") {
+            Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| at(path, error))?.with_heights_of(path)),
+            Ok(None) => Self::read_scene(path),
+            Err(FileError::Format { reason, .. }) => {
+                Err(at(path, SetupError::Text { place: String::new(), reason: format!("no setup is in it: {reason}") }))
+            }
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    fn read_scene(path: &Path) -> Result<Self, SetupError> {
         let text = std::fs::read_to_string(path).map_err(|source| FileError::Read { path: path.into(), source })?;
         let table = match text.trim_start().starts_with('{') {
             #[cfg(feature = "units")]
@@ -55,6 +68,15 @@ impl Table {
             *height = path.with_file_name(&*height).to_string_lossy().into_owned();
         }
         Ok(table)
+    }
+
+    /// The setup whose surface, if it was made with a height file, is the one that a result holds.
+    fn with_heights_of(mut self, result: &Path) -> Self {
+        if self.find("surface.height").is_some() {
+            self.remove("surface");
+            self.lay("surface.height", result.to_string_lossy().into_owned().into());
+        }
+        self
     }
 
     /// Lays a value over what stands at a path of keys, such as `surface.indenter.radius`.
@@ -205,5 +227,57 @@ impl Setup {
     pub fn with_full_path(mut self) -> Self {
         self.surface.height = self.surface.height.map(|path| std::path::absolute(&path).unwrap_or(path));
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::archive;
+    use crate::surface::{read_heights, write_heights};
+    use ndarray::Array1;
+
+    /// A result on disk that was solved from a setup.
+    fn result(setup: &Setup, path: &Path) {
+        let contact = setup.solver.solver().solve(&setup.problem().unwrap(), &setup.stop, &mut ()).unwrap();
+        std::fs::write(path, archive(&contact, 1, Some(&setup.to_toml())).unwrap()).unwrap();
+    }
+
+    #[test]
+    fn results_are_repeated_from_themselves() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("result.npz");
+        let smooth = Setup::from_toml(
+            "surface = { indenter = { shape = 'sine', amplitude = 0.1 } }
+             grid = { points = 32, size = 1.0 }
+             load = { reduced-pressure = 0.1 }",
+        );
+        let smooth = smooth.unwrap();
+        result(&smooth, &path);
+        assert_eq!(Table::read(&path).unwrap().setup().unwrap(), smooth);
+
+        let heights = folder.path().join("heights.npy");
+        let values = Array1::from_shape_fn(32, |i| (i as f64).sin());
+        write_heights(&heights, values.view().into_dyn()).unwrap();
+        let mut rough = smooth;
+        (rough.surface.height, rough.grid.points) = (Some(heights.clone()), Vec::new());
+        result(&rough, &path);
+        std::fs::remove_file(heights).unwrap();
+        let again = Table::read(&path).unwrap().setup().unwrap();
+        let (height, found) = (rough_height(&values), read_heights(&path).unwrap());
+        assert!(height.iter().zip(&found).all(|(a, b)| (a - b).abs() < 1e-15));
+        assert_eq!((again.surface.indenter, again.surface.height.as_deref()), (None, Some(path.as_path())));
+        assert_eq!((again.surface.rank(&again.grid).unwrap(), again.check().unwrap().shape()), (1, [1, 32]));
+
+        let contact = again.solver.solver().solve(&again.problem().unwrap(), &again.stop, &mut ()).unwrap();
+        std::fs::write(&path, archive(&contact, 1, None).unwrap()).unwrap();
+        let refused = Table::read(&path).unwrap_err().to_string();
+        assert!(refused.contains("result.npz: no setup is in it"), "{refused}");
+    }
+
+    /// The heights with the sine of the setup above.
+    fn rough_height(values: &Array1<f64>) -> Vec<f64> {
+        let sine = |i: usize| 0.1 * (std::f64::consts::TAU * (i as f64 / 32.0 - 0.5)).cos();
+        values.iter().enumerate().map(|(i, value)| value + sine(i)).collect()
     }
 }

@@ -4,6 +4,7 @@
 //! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Line
 //! ```
 
+mod identity;
 mod point;
 mod realisation;
 mod spread;

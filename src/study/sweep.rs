@@ -1,6 +1,7 @@
 //! Surfaces under rising loads, several at a time.
 
-use super::point::{Identity, Point};
+use super::identity::Identity;
+use super::point::Point;
 use super::realisation::Realisation;
 use super::table::Table;
 use crate::error::StudyError;
@@ -127,11 +128,11 @@ impl Sweep {
         let work = || -> Result<(), StudyError> {
             while !failed.load(Ordering::Relaxed) {
                 let i = next.fetch_add(1, Ordering::Relaxed);
-                let Some(realisation) = self.realisations.get(i) else { break };
+                let Some(identity) = identities.get(i) else { break };
                 if known[i].is_some() {
                     continue;
                 }
-                let points = press(realisation, &identities[i], watch)?;
+                let points = identity.solve(watch)?;
                 let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
                 table.append(&points)?;
                 done[i] = Some(points);
@@ -148,20 +149,4 @@ impl Sweep {
         let done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
         Ok(done.into_iter().flatten().collect())
     }
-}
-
-/// Solves the points of a realisation.
-fn press(
-    realisation: &Realisation,
-    identity: &Identity<'_>,
-    watch: &(dyn Fn(&Point) + Sync),
-) -> Result<Vec<Point>, StudyError> {
-    let mut points = Vec::new();
-    realisation.press(|contact| {
-        let point = identity.point(realisation, points.len() + 1, contact);
-        watch(&point);
-        points.push(point);
-        Ok::<(), StudyError>(())
-    })?;
-    Ok(points)
 }

@@ -2,10 +2,12 @@
 
 mod files;
 mod indenter;
+mod member;
 mod roughness;
 mod spectrum;
 mod synthesis;
 
+pub(crate) use files::read_text;
 pub use files::{read_heights, read_shape, write_heights};
 pub use indenter::Indenter;
 pub(crate) use indenter::{offsets, shortest_period};

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
@@ -46,7 +47,18 @@ pub struct Chromium {
     folder: TempDir,
 }
 
-/// The program, if it is installed; if not, says so.
+/// Browser tests that ran, and those that were skipped.
+static TESTS: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
+
+/// Counts a test as one that ran (0) or was skipped (1), and says how many there were: the last such line tells of all tests.
+/// It goes past the capture of tests that pass.
+fn count(kind: usize) {
+    TESTS[kind].fetch_add(1, Ordering::Relaxed);
+    let [ran, skipped] = TESTS.each_ref().map(|tests| tests.load(Ordering::Relaxed));
+    writeln!(std::io::stderr(), "browser tests: {ran} ran, {skipped} skipped").ok();
+}
+
+/// The program, if it is installed; if not, says that the test is skipped.
 pub fn installed() -> Option<PathBuf> {
     let named = ["CHROME", "CHROMIUM"].iter().find_map(std::env::var_os).map(PathBuf::from);
     let path = std::env::var_os("PATH").unwrap_or_default();
@@ -54,8 +66,10 @@ pub fn installed() -> Option<PathBuf> {
         |name: &&str| std::env::split_paths(&path).map(|folder| folder.join(name)).find(|file| file.is_file());
     let found = named.or_else(|| ["chromium", "chromium-browser", "google-chrome"].iter().find_map(on_path));
     if found.is_none() {
-        let line = "The browser test was skipped: no Chromium is installed.";
-        writeln!(std::io::stderr(), "{line}").ok(); // past the capture of the test, which passes
+        let test = std::thread::current();
+        let test = test.name().unwrap_or("a test");
+        writeln!(std::io::stderr(), "skipped: no Chromium is installed for {test}").ok();
+        count(1);
     }
     found
 }
@@ -158,12 +172,12 @@ impl Chromium {
         self.send(session, "Runtime.runIfWaitingForDebugger", json!({}));
     }
 
-    /// What it told under the name `method` until now.
+    /// Events under the name `method` until now.
     pub fn events(&self, method: &str) -> impl Iterator<Item = &Value> {
         self.events.iter().filter(move |event| event["method"] == method).map(|event| &event["params"])
     }
 
-    /// Waits for something that it tells.
+    /// Waits for an event.
     pub fn told(&mut self, method: &str, is_so: impl Fn(&Value) -> bool) -> Value {
         let deadline = Instant::now() + PATIENCE;
         loop {
@@ -182,5 +196,6 @@ impl Drop for Chromium {
         while self.message(deadline).is_some() {}
         self.process.kill().ok(); // it has most likely gone
         self.process.wait().ok();
+        count(0);
     }
 }

@@ -70,7 +70,7 @@ pub fn rested(page: &mut Page) {
            const seen = document.body.dataset; \
            return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) \
              && (seen.shown || '').split(' ')[0] === run.id \
-             && JSON.stringify(parameters) === JSON.stringify(run.parameters); })",
+             && JSON.stringify(knobs) === JSON.stringify(run.knobs); })",
         120,
     );
 }

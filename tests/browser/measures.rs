@@ -1,5 +1,5 @@
 //! Measurements of the explorer in a browser, asked for by name:
-//! `cargo test --release --features explore --test browser -- --ignored --nocapture --test-threads 1`.
+//! `cargo test --release --test browser -- --ignored --nocapture --test-threads 1`.
 
 use crate::chromium::installed;
 use crate::explorer::{Explorer, opened, rested};
@@ -16,7 +16,7 @@ const WATCH: &str = "(seed) => new Promise((told) => { \
     const seen = document.body.dataset; const before = seen.run; const begun = performance.now(); const at = {}; \
     turn('seed', seed); \
     const look = () => { const now = performance.now() - begun; \
-      const isNew = seen.run !== before && parameters.seed === latest().parameters.seed; \
+      const isNew = seen.run !== before && knobs.seed === latest().knobs.seed; \
       if (isNew && !at.first && (seen.shown || '').startsWith(`${seen.run} `)) { \
         at.first = now; requestAnimationFrame(() => requestAnimationFrame(() => { at.drawn = performance.now() - begun; })); } \
       if (isNew && !at.converged && seen.status === 'converged') at.converged = now; \
@@ -50,7 +50,7 @@ fn latency() {
     let Some(program) = installed() else { return };
     let (_explorer, mut page) = opened(&program);
     latencies(&mut page, "line of 4096");
-    page.value(&format!("(() => {{ {TURN} turn('geometry', 'surface'); }})()"));
+    page.value(&format!("(() => {{ {TURN} turn('domain', 'surface'); }})()"));
     latencies(&mut page, "surface of 256 x 256");
 }
 
@@ -82,9 +82,9 @@ fn knob(at: usize) -> String {
         4 => "turn('solver', 'gfmd')".into(),
         5 => format!("turn('damping', {})", -(((at / 10) % 10) as f64) / 10.0),
         6 => "turn('solver', 'multilevel')".into(),
-        7 => format!("turn('shape', '{}')", ["round", "sine", "flat"][(at / 10) % 3]),
+        7 => format!("turn('body', '{}')", ["round", "sine", "flat"][(at / 10) % 3]),
         8 => format!("turn('rolloff', {})", 1 + at % 9),
-        _ => format!("turn('geometry', '{}')", ["surface", "line"][(at / 10) % 2]),
+        _ => format!("turn('domain', '{}')", ["surface", "line"][(at / 10) % 2]),
     }
 }
 

@@ -2,8 +2,8 @@
 
 use crate::chromium::Chromium;
 use base64::prelude::{BASE64_STANDARD, Engine};
+use resvg::tiny_skia::Pixmap;
 use serde_json::{Value, json};
-use std::io::Cursor;
 use std::time::{Duration, Instant};
 
 /// Keys, their codes and what they type.
@@ -96,9 +96,7 @@ impl Page {
         let clip = json!({"x": x, "y": y, "width": width, "height": height, "scale": 1});
         let shot = self.chromium.page("Page.captureScreenshot", json!({"format": "png", "clip": clip}));
         let png = BASE64_STANDARD.decode(shot["data"].as_str().unwrap()).unwrap();
-        let mut reader = png::Decoder::new(Cursor::new(png)).read_info().unwrap();
-        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut pixels).unwrap();
-        pixels[..info.buffer_size()].chunks(info.color_type.samples()).map(|p| [p[0], p[1], p[2]]).collect()
+        let pixels = Pixmap::decode_png(&png).unwrap();
+        pixels.pixels().iter().map(|p| [p.red(), p.green(), p.blue()]).collect()
     }
 }

@@ -3,6 +3,7 @@
 use crate::chromium::{Chromium, installed};
 use crate::explorer::{Explorer, opened, rested};
 use crate::page::Page;
+use asperity::setup::{Setup, command};
 use rerun::{ChunkStore, ChunkStoreConfig, StoreKind};
 use serde_json::{Value, json};
 use std::collections::HashSet;
@@ -73,7 +74,7 @@ fn the_load_moves_the_contact(explorer: &Explorer, page: &mut Page) {
         page.press_at("control-load", "ArrowRight");
     }
     let after = agrees(explorer, page);
-    let load = |run: &Value| run["parameters"]["load"].as_f64().unwrap();
+    let load = |run: &Value| run["knobs"]["load"].as_f64().unwrap();
     assert!((load(&after) / load(&before) / 10f64.sqrt() - 1.0).abs() < 1e-2, "{} to {}", load(&before), load(&after));
     let kappa = |run: &Value| run["numbers"]["kappa"].as_f64().unwrap();
     assert!(kappa(&after) < 0.9 * kappa(&before), "{} to {}", kappa(&before), kappa(&after));
@@ -85,23 +86,20 @@ fn solvers_and_geometries_switch(explorer: &Explorer, page: &mut Page) {
     let line = agrees(explorer, page)["numbers"].clone();
     page.press_at("control-solver", "ArrowDown");
     let gradients = agrees(explorer, page);
-    assert_eq!(gradients["parameters"]["solver"], "polonsky-keer");
+    assert_eq!(gradients["knobs"]["solver"]["method"], "polonsky-keer");
     assert_eq!(gradients["numbers"]["relative_area"], line["relative_area"]);
     assert_ne!(gradients["numbers"]["transforms"], line["transforms"]);
     assert_eq!(page.value("document.getElementById('row-masses').hidden"), true);
     page.press_at("control-solver", "ArrowDown");
     assert_eq!(page.value("document.getElementById('row-masses').hidden"), false);
-    assert_eq!(agrees(explorer, page)["parameters"]["solver"], "gfmd");
+    assert_eq!(agrees(explorer, page)["knobs"]["solver"]["method"], "gfmd");
     page.press_at("control-solver", "Home");
     agrees(explorer, page);
-    page.press_at("control-geometry", "ArrowDown");
+    page.press_at("control-domain", "ArrowDown");
     let surface = agrees(explorer, page);
-    assert_eq!(
-        (&surface["parameters"]["geometry"], &surface["parameters"]["points"]),
-        (&json!("surface"), &json!(256))
-    );
-    page.press_at("control-geometry", "ArrowUp");
-    assert_eq!(agrees(explorer, page)["parameters"]["geometry"], "line");
+    assert_eq!((&surface["knobs"]["domain"], &surface["knobs"]["points"]), (&json!("surface"), &json!(256)));
+    page.press_at("control-domain", "ArrowUp");
+    assert_eq!(agrees(explorer, page)["knobs"]["domain"], "line");
 }
 
 fn runs_are_compared(explorer: &Explorer, page: &mut Page) {
@@ -109,7 +107,7 @@ fn runs_are_compared(explorer: &Explorer, page: &mut Page) {
     page.click("pin");
     page.click("dice");
     let second = agrees(explorer, page);
-    assert_ne!(first["parameters"]["seed"], second["parameters"]["seed"]);
+    assert_ne!(first["knobs"]["seed"], second["knobs"]["seed"]);
     let shown = |run: &Value| format!("document.body.dataset.run === {}", run["id"]);
     page.click("swap");
     page.until(&shown(&first), 10);
@@ -138,7 +136,7 @@ fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
     page.click("sweep");
     page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
     let points = explorer.state()["sweep"]["points"].as_array().unwrap().clone();
-    assert!(points.last().unwrap()["area"].as_f64().unwrap() > 0.9999);
+    assert!(points.last().unwrap()["relative_area_corrected"].as_f64().unwrap() > 0.9999);
     for curve in ["chart-area polyline.computed", "chart-kappa polyline.second"] {
         let drawn = page.value(&format!("document.querySelector('#{curve}').points.numberOfItems"));
         assert_eq!(drawn, points.len(), "{curve}");
@@ -175,7 +173,10 @@ fn what_is_saved_opens(explorer: &Explorer, page: &mut Page) {
     let saved = save(page, "save-npz", &format!("asperity-{id}.npz"));
     let mut arrays = ndarray_npy::NpzReader::new(File::open(saved).unwrap()).unwrap();
     let pressure: ndarray::Array1<f64> = arrays.by_name("pressure").unwrap();
-    assert_eq!(run(explorer)["parameters"]["points"], pressure.len());
+    assert_eq!(run(explorer)["knobs"]["points"], pressure.len());
+    let scene = std::fs::read_to_string(save(page, "save-setup", "scene.toml")).unwrap();
+    assert_eq!(run(explorer)["setup"], scene);
+    assert_eq!(command(&Setup::from_toml(&scene).unwrap()), run(explorer)["command"].as_str().unwrap());
 }
 
 fn lessons_lead_to_their_end(page: &mut Page) {

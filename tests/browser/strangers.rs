@@ -36,7 +36,7 @@ fn fetched(page: &mut Page, address: &str, options: &str) -> String {
 fn tries(page: &mut Page, explorer: &Explorer) {
     let (state, solve) = (format!("{}/api/state", explorer.origin()), format!("{}/api/solve", explorer.origin()));
     let before = explorer.state();
-    let body = json!(before["run"]["parameters"].to_string());
+    let body = json!(before["run"]["knobs"].to_string());
     assert_eq!(fetched(page, &state, "{}"), "refused");
     let gives_nothing = |it: String| assert!(it == "refused" || it == "opaque 0", "{it}");
     gives_nothing(fetched(page, &state, "{ mode: 'no-cors' }"));

@@ -29,8 +29,9 @@ impl Recording {
     /// [`FileError::Target`] if no temporary file can be made, [`FileError::Write`] if writing to it fails.
     pub fn live(id: &str, scenes: &[Scene<'_>], options: Options) -> Result<(Self, Live), FileError> {
         let live = Live::new()?;
-        let recording = Self::begin(live.output.clone(), &std::env::temp_dir(), Some(id), scenes, options)?;
-        Ok((Self { flush_interval: FLUSH_INTERVAL, ..recording }, live))
+        let mut recording = Self::begin(live.output.clone(), &std::env::temp_dir(), Some(id), scenes, options)?;
+        recording.flush_interval = FLUSH_INTERVAL;
+        Ok((recording, live))
     }
 }
 

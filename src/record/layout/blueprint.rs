@@ -4,7 +4,6 @@ use crate::record::draw::{GROUND, colour};
 use rerun::external::re_log_types::{ApplicationId, BlueprintActivationCommand};
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::external::re_sdk_types::datatypes::{self, Uuid};
-use rerun::sink::MemorySinkStorage;
 use rerun::{AsComponents, RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 
 pub use components::ContainerKind as Kind;
@@ -17,11 +16,27 @@ pub struct Clock {
     pub frames_per_sec: f64,
 }
 
-/// A blueprint in the making. Panes are named by their paths.
-pub struct Blueprint {
-    store: RecordingStream,
-    storage: MemorySinkStorage,
-    panes: u16,
+/// A part of the window: a view, or panes side by side with their shares of the room.
+pub enum Pane {
+    /// A view.
+    View(View),
+    /// A container of panes.
+    Container(Kind, String, Vec<(Pane, f32)>),
+}
+
+impl Pane {
+    /// A container of panes.
+    pub fn container(kind: Kind, title: &str, panes: Vec<(Self, f32)>) -> Self {
+        Self::Container(kind, title.into(), panes)
+    }
+
+    /// A container of panes with the same share of the room each; a single one needs no container.
+    pub fn even(kind: Kind, title: &str, mut panes: Vec<Self>) -> Self {
+        match panes.pop() {
+            Some(only) if panes.is_empty() => only,
+            last => Self::container(kind, title, panes.into_iter().chain(last).map(|pane| (pane, 1.0)).collect()),
+        }
+    }
 }
 
 /// A view: its content and its properties.
@@ -40,14 +55,14 @@ impl View {
     }
 
     /// A picture in the plane, showing `[left, right, top, bottom]` of its canvas.
-    pub fn plane(title: &str, origin: &str, contents: Vec<String>, [left, right, top, bottom]: [f64; 4]) -> Self {
+    pub fn plane(title: &str, origin: &str, contents: Vec<String>, [left, right, top, bottom]: [f64; 4]) -> Pane {
         let range = datatypes::Range2D { x_range: [left, right].into(), y_range: [top, bottom].into() };
         let bounds = panes::VisualBounds2D::new(components::VisualBounds2D(range));
-        Self::new("2D", title, origin, contents).with("VisualBounds2D", bounds).with("Background", ground())
+        Self::new("2D", title, origin, contents).with("VisualBounds2D", bounds).with("Background", ground()).pane()
     }
 
     /// A picture in space, seen from the front, the right and above.
-    pub fn space(title: &str, origin: &str, contents: Vec<String>, eye: [f32; 3]) -> Self {
+    pub fn space(title: &str, origin: &str, contents: Vec<String>, eye: [f32; 3]) -> Pane {
         let eye = panes::EyeControls3D::new()
             .with_kind(components::Eye3DKind::Orbital)
             .with_position(eye)
@@ -57,20 +72,25 @@ impl View {
             .with("EyeControls3D", eye)
             .with("LineGrid3D", panes::LineGrid3D::new().with_visible(false))
             .with("Background", ground())
+            .pane()
     }
 
     /// Curves against time, their axis over `range` where it is known beforehand.
-    pub fn curves(title: &str, contents: Vec<String>, range: Option<[f64; 2]>) -> Self {
+    pub fn curves(title: &str, contents: Vec<String>, range: Option<[f64; 2]>) -> Pane {
         let legend = panes::PlotLegend::new().with_corner(components::Corner2D::RightTop);
         let view = Self::new("TimeSeries", title, "/", contents).with("PlotLegend", legend);
-        let Some(range) = range else { return view };
+        let Some(range) = range else { return view.pane() };
         let range = rerun::components::Range1D(range.into());
-        view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range))
+        view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)).pane()
     }
 
     /// A text.
-    pub fn text(title: &str, entity: String) -> Self {
-        Self::new("TextDocument", title, &entity.clone(), vec![entity])
+    pub fn text(title: &str, entity: String) -> Pane {
+        Self::new("TextDocument", title, &entity.clone(), vec![entity]).pane()
+    }
+
+    fn pane(self) -> Pane {
+        Pane::View(self)
     }
 
     fn with(mut self, name: &'static str, property: impl AsComponents + 'static) -> Self {
@@ -83,17 +103,48 @@ fn ground() -> panes::Background {
     panes::Background::new(components::BackgroundKind::SolidColor).with_color(colour(GROUND))
 }
 
+/// Writes the blueprint of the viewer of `application` with `panes`, as tabs if there are several, into `recording`.
+pub fn send(
+    application: ApplicationId,
+    panes: Vec<Pane>,
+    clock: Clock,
+    recording: &RecordingStream,
+) -> RecordingStreamResult<()> {
+    let builder = RecordingStreamBuilder::new(application).recording_id("default_blueprint").blueprint();
+    let (store, storage) = builder.enabled(true).memory()?;
+    store.set_time_sequence("blueprint", 0);
+    let mut blueprint = Blueprint { store, panes: 0 };
+    blueprint.log(panes, clock)?;
+    let Some(info) = blueprint.store.store_info() else { return Ok(()) };
+    let command = BlueprintActivationCommand { blueprint_id: info.store_id, make_active: true, make_default: true };
+    recording.send_blueprint(storage.take(), command);
+    Ok(())
+}
+
+/// A blueprint in the making, whose panes are named by their paths.
+struct Blueprint {
+    store: RecordingStream,
+    panes: u16,
+}
+
 impl Blueprint {
-    /// An empty blueprint for recordings of `application`.
-    pub fn new(application: ApplicationId) -> RecordingStreamResult<Self> {
-        let builder = RecordingStreamBuilder::new(application).recording_id("default_blueprint").blueprint();
-        let (store, storage) = builder.enabled(true).memory()?;
-        store.set_time_sequence("blueprint", 0);
-        Ok(Self { store, storage, panes: 0 })
+    fn log(&mut self, panes: Vec<Pane>, clock: Clock) -> RecordingStreamResult<()> {
+        let kind = if panes.len() > 1 { Kind::Tabs } else { Kind::Horizontal };
+        let root = self.container(kind, "asperity".into(), panes.into_iter().map(|pane| (pane, 1.0)).collect())?;
+        let viewport = panes::ViewportBlueprint::new().with_root_container(root);
+        self.store.log("viewport", &viewport.with_auto_layout(false).with_auto_views(false))?;
+        self.log_panels(clock)
     }
 
-    /// Adds a view and returns its path.
-    pub fn view(&mut self, view: View) -> RecordingStreamResult<String> {
+    /// Adds a pane and returns its path.
+    fn pane(&mut self, pane: Pane) -> RecordingStreamResult<String> {
+        match pane {
+            Pane::View(view) => self.view(view),
+            Pane::Container(kind, title, panes) => Ok(format!("container/{}", self.container(kind, title, panes)?)),
+        }
+    }
+
+    fn view(&mut self, view: View) -> RecordingStreamResult<String> {
         let path = format!("view/{}", self.next_id(view.class));
         let contents = view.contents.into_iter().map(|entities| components::QueryExpression(entities.into()));
         self.store.log(format!("{path}/ViewContents"), &panes::ViewContents::new(contents))?;
@@ -105,14 +156,10 @@ impl Blueprint {
         Ok(path)
     }
 
-    /// Adds a container of panes, each with its share of the room, and returns its path.
-    pub fn container(&mut self, kind: Kind, title: &str, panes: Vec<(String, f32)>) -> RecordingStreamResult<String> {
-        Ok(format!("container/{}", self.container_id(kind, title, panes)?))
-    }
-
-    fn container_id(&mut self, kind: Kind, title: &str, panes: Vec<(String, f32)>) -> RecordingStreamResult<Uuid> {
+    fn container(&mut self, kind: Kind, title: String, children: Vec<(Pane, f32)>) -> RecordingStreamResult<Uuid> {
+        let (children, shares): (Vec<_>, Vec<_>) = children.into_iter().unzip();
+        let paths = children.into_iter().map(|pane| self.pane(pane)).collect::<RecordingStreamResult<Vec<_>>>()?;
         let id = self.next_id("container");
-        let (paths, shares): (Vec<_>, Vec<_>) = panes.into_iter().unzip();
         let contents = paths.into_iter().map(|path| components::IncludedContent(path.into()));
         let pane = panes::ContainerBlueprint::new(kind).with_display_name(title).with_contents(contents);
         let pane = match kind {
@@ -123,24 +170,6 @@ impl Blueprint {
         };
         self.store.log(format!("container/{id}"), &pane)?;
         Ok(id)
-    }
-
-    /// Ends with the root container and sends everything into `recording`.
-    pub fn send(
-        mut self,
-        panes: Vec<(String, f32)>,
-        clock: Clock,
-        recording: &RecordingStream,
-    ) -> RecordingStreamResult<()> {
-        let kind = if panes.len() > 1 { Kind::Tabs } else { Kind::Horizontal };
-        let root = self.container_id(kind, "asperity", panes)?;
-        let viewport = panes::ViewportBlueprint::new().with_root_container(root);
-        self.store.log("viewport", &viewport.with_auto_layout(false).with_auto_views(false))?;
-        self.log_panels(clock)?;
-        let Some(info) = self.store.store_info() else { return Ok(()) };
-        let command = BlueprintActivationCommand { blueprint_id: info.store_id, make_active: true, make_default: true };
-        recording.send_blueprint(self.storage.take(), command);
-        Ok(())
     }
 
     /// Side panels folded, time at the last frame.
@@ -167,7 +196,7 @@ impl Blueprint {
     }
 }
 
-/// Store and storage hold one another: without this, both stay for ever, and two threads with them.
+/// Store and storage hold one another: unless they are parted, both stay for ever, and two threads with them.
 impl Drop for Blueprint {
     fn drop(&mut self) {
         self.store.disconnect();
@@ -179,15 +208,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_of_it_is_left_when_it_is_sent() {
+    fn a_blueprint_arrives_and_its_store_ends_with_it() {
         let (recording, storage) = RecordingStreamBuilder::new("test").enabled(true).memory().unwrap();
-        let mut blueprint = Blueprint::new("test".into()).unwrap();
-        let store = blueprint.store.clone_weak();
-        let text = blueprint.view(View::text("text", "/text".into())).unwrap();
-        assert!(store.ref_count() > 0);
-        blueprint.send(vec![(text, 1.0)], Clock { timeline: "step", frames_per_sec: 1.0 }, &recording).unwrap();
-        assert_eq!(store.ref_count(), 0);
+        let text = Pane::View(View::text("text", "/text".into()));
+        send("test".into(), vec![text], Clock { timeline: "step", frames_per_sec: 1.0 }, &recording).unwrap();
         assert!(!storage.take().is_empty());
         recording.disconnect();
+        let (store, _storage) = RecordingStreamBuilder::new("test").blueprint().enabled(true).memory().unwrap();
+        let weak = store.clone_weak();
+        drop(Blueprint { store, panes: 0 });
+        assert_eq!(weak.ref_count(), 0);
     }
 }

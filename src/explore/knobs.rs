@@ -1,0 +1,234 @@
+//! The knobs of the page, and the setup that they stand for.
+
+use crate::contact::{Load, Stop};
+use crate::error::SetupError;
+use crate::setup::{Cell, Method, Part, Recipe, Record, Setup, Solid};
+use crate::surface::{Indenter, Spectrum};
+use serde::{Deserialize, Serialize};
+use std::ops::RangeInclusive;
+
+/// Length of the cell (metres) and contact modulus (pascals): results depend only on ratios to them.
+const CELL: f64 = 160e-6;
+const MODULUS: f64 = 1e9;
+/// Radius of the cylinder and the sphere: a slope of 5e-3 at the edge of the cell.
+const RADIUS: f64 = 100.0 * CELL;
+/// Amplitude of the waves.
+const AMPLITUDE: f64 = 1e-3 * CELL;
+/// The most points along a line, and along each side of a surface: more cannot be solved while someone waits.
+const MOST_POINTS: [usize; 2] = [1 << 18, 1 << 10];
+/// The most steps of one solve.
+const MOST_STEPS: usize = 100_000;
+/// Loads that the slider spans.
+const REDUCED_PRESSURES: RangeInclusive<f64> = 1e-5..=1e3;
+
+/// The state of the knobs. Lengths are given in waves per cell, pressures as `p*`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Knobs {
+    /// Line or surface.
+    pub domain: Domain,
+    /// The body that carries the roughness.
+    pub body: Body,
+    /// Exponent of the power law.
+    pub exponent: f64,
+    /// Rms gradient of the roughness; 0 for none.
+    pub roughness: f64,
+    /// Hurst exponent.
+    pub hurst: f64,
+    /// Waves per cell at the roll-off.
+    pub rolloff: f64,
+    /// Waves per cell at the short cut-off.
+    pub cutoff: f64,
+    /// Seed of the roughness.
+    pub seed: u32,
+    /// Points of the line, or along each side of the surface.
+    pub points: usize,
+    /// Reduced pressure `p* = <p> / (gbar E*)`.
+    pub load: f64,
+    /// The solver with its settings.
+    pub solver: Method,
+    /// When the solver stops.
+    pub stop: Stop,
+    /// Parts of the recording; of profile and mesh the one that the domain has.
+    pub record: Vec<Part>,
+}
+
+/// The domain of the heights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Domain {
+    /// A line.
+    Line,
+    /// A surface.
+    Surface,
+}
+
+/// The smooth body under the roughness.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Body {
+    /// A cylinder on a line, a sphere on a surface.
+    Round,
+    /// A sine on a line, crossed sines on a surface.
+    Sine,
+    /// A power of the distance.
+    PowerLaw,
+    /// Nothing but the roughness.
+    Flat,
+}
+
+/// Knobs that stand for nothing, in one sentence.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{0}")]
+pub struct Refusal(pub String);
+
+impl From<SetupError> for Refusal {
+    fn from(error: SetupError) -> Self {
+        Self(error.to_string())
+    }
+}
+
+impl From<serde_json::Error> for Refusal {
+    fn from(error: serde_json::Error) -> Self {
+        Self(error.to_string())
+    }
+}
+
+/// A state of the knobs to start from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Start {
+    /// A smooth cylinder.
+    HertzLine,
+    /// A smooth sphere.
+    HertzSurface,
+    /// A self-affine line.
+    RoughLine,
+    /// A self-affine surface.
+    RoughSurface,
+}
+
+impl Start {
+    /// All starts with their names, in a few words.
+    pub const STARTS: [(Self, &str, &str); 4] = [
+        (Self::HertzLine, "hertz-line", "A smooth cylinder"),
+        (Self::HertzSurface, "hertz-surface", "A smooth sphere"),
+        (Self::RoughLine, "rough-line", "A self-affine line"),
+        (Self::RoughSurface, "rough-surface", "A self-affine surface"),
+    ];
+
+    /// The state of the knobs.
+    pub fn knobs(self) -> Knobs {
+        let (body, roughness) = match self {
+            Self::HertzLine | Self::HertzSurface => (Body::Round, 0.0),
+            Self::RoughLine | Self::RoughSurface => (Body::Flat, 1e-3),
+        };
+        let (domain, points, cutoff) = match self {
+            Self::HertzLine | Self::RoughLine => (Domain::Line, 1 << 12, 128.0),
+            Self::HertzSurface | Self::RoughSurface => (Domain::Surface, 1 << 8, 32.0),
+        };
+        Knobs {
+            domain,
+            body,
+            exponent: 4.0,
+            roughness,
+            hurst: 0.8,
+            rolloff: 4.0,
+            cutoff,
+            seed: 1,
+            points,
+            load: 0.05,
+            solver: Method::default(),
+            stop: Stop::new(1e-8, 20_000).expect("both are positive"),
+            record: vec![Part::Traces, Part::Profile, Part::Mesh, Part::Fields, Part::Mask],
+        }
+    }
+}
+
+impl Knobs {
+    /// The knobs that `json` holds.
+    ///
+    /// # Errors
+    /// A sentence on the fault of the text.
+    pub fn read(json: &[u8]) -> Result<Self, Refusal> {
+        Ok(serde_json::from_slice(json)?)
+    }
+
+    /// The setup that the knobs stand for, checked as far as that takes no surface.
+    ///
+    /// # Errors
+    /// A sentence with the value that cannot be and what to do.
+    pub fn setup(&self) -> Result<Setup, Refusal> {
+        self.check()?;
+        let spectrum = self.spectrum();
+        let seed = spectrum.map(|_| self.seed.into());
+        let surface = Recipe { indenter: self.indenter(), spectrum, seed, ..Recipe::default() };
+        let cell = match self.domain {
+            Domain::Line => Cell::line(self.points, CELL),
+            Domain::Surface => Cell::surface([self.points; 2], [CELL; 2]),
+        };
+        let setup = Setup {
+            solid: Solid { contact_modulus: MODULUS },
+            solver: self.solver,
+            stop: self.stop,
+            record: Record { what: self.parts(), ..Record::default() },
+            ..Setup::new(surface, cell, Load::ReducedPressure(self.load))
+        };
+        setup.check()?;
+        Ok(setup)
+    }
+
+    /// Checks the limits of the page.
+    fn check(&self) -> Result<(), Refusal> {
+        let refuse = |sentence: String| Err(Refusal(sentence));
+        let most = MOST_POINTS[self.domain as usize];
+        if self.points > most {
+            return refuse(format!("{} points are too many here: give at most {most}", self.points));
+        }
+        if self.stop.max_iterations() > MOST_STEPS {
+            return refuse(format!(
+                "{} steps are too many here: give at most {MOST_STEPS}",
+                self.stop.max_iterations()
+            ));
+        }
+        if !REDUCED_PRESSURES.contains(&self.load) {
+            let (low, high) = REDUCED_PRESSURES.into_inner();
+            return refuse(format!("the load p* is {:?}: give {low:e} to {high:e}", self.load));
+        }
+        if self.body == Body::Flat && self.roughness == 0.0 {
+            let sentence = "a flat without roughness touches everywhere: raise the roughness or choose another body";
+            return refuse(sentence.into());
+        }
+        Ok(())
+    }
+
+    fn spectrum(&self) -> Option<Spectrum> {
+        (self.roughness != 0.0).then(|| Spectrum {
+            hurst: self.hurst,
+            rolloff_wavelength: CELL / self.rolloff,
+            short_cutoff: CELL / self.cutoff,
+            rms_gradient: self.roughness,
+        })
+    }
+
+    fn indenter(&self) -> Option<Indenter> {
+        let half = 0.5 * CELL;
+        Some(match (self.body, self.domain) {
+            (Body::Round, Domain::Line) => Indenter::Cylinder { radius: RADIUS },
+            (Body::Round, Domain::Surface) => Indenter::Sphere { radius: RADIUS },
+            (Body::Sine, Domain::Line) => Indenter::Sine { amplitude: AMPLITUDE },
+            (Body::Sine, Domain::Surface) => Indenter::CrossedSine { amplitude: AMPLITUDE },
+            (Body::PowerLaw, _) => {
+                let coefficient = half * half / (2.0 * RADIUS) / half.powf(self.exponent);
+                Indenter::PowerLaw { coefficient, exponent: self.exponent }
+            }
+            (Body::Flat, _) => return None,
+        })
+    }
+
+    /// The parts of the recording that the domain has; without any the traces, since no parts stand for the usual ones.
+    fn parts(&self) -> Vec<Part> {
+        let missing = if self.domain == Domain::Line { Part::Mesh } else { Part::Profile };
+        let parts: Vec<Part> = self.record.iter().copied().filter(|&part| part != missing).collect();
+        if parts.is_empty() { vec![Part::Traces] } else { parts }
+    }
+}

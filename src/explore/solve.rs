@@ -1,0 +1,71 @@
+//! One solve, recorded and reported as it goes.
+
+use super::knobs::Knobs;
+use super::report::{ExactNumbers, Numbers, RunReport};
+use super::session::{Solution, Turn};
+use crate::contact::{Failure, Observer, Step, Wish};
+use crate::error::SolveError;
+use crate::record::{Ghost, Options, Recording, Scene};
+use crate::setup::command;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// How often a running solve reports.
+const INTERVAL: Duration = Duration::from_millis(60);
+
+/// Solves what the knobs stand for, until it is done or the turn over.
+pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
+    let setup = knobs.setup()?;
+    let problem = setup.problem()?;
+    let scene = Scene::of(&setup, &problem);
+    let title = format!("{}, p* = {:.3e}", scene.title, knobs.load);
+    let report = RunReport {
+        id: format!("run-{}", turn.number()),
+        title: title.clone(),
+        command: command(&setup),
+        setup: setup.to_toml(),
+        knobs,
+        ended: false,
+        numbers: None,
+        exact: scene.exact.as_ref().map(ExactNumbers::from),
+    };
+    let id = report.id.clone();
+    let options = Options { ghost: turn.ghost(), ..Options::from(&setup.record) };
+    let (recording, live) = Recording::live(&id, &[Scene { title, ..scene }], options)?;
+    turn.keep(&id, live);
+    turn.tell(|news| news.run = Some(report));
+    let mut curves = Ghost::new(&format!("pinned {id}"));
+    let watch = Watch { turn, reported: Instant::now() };
+    let solver = setup.solver.solver();
+    let contact = solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), &mut curves, watch))?;
+    recording.finish()?;
+    if let Some(failure) = contact.failure {
+        return Err(SolveError::Observer(failure).into());
+    }
+    turn.finish(Solution { id, setup, contact }, curves);
+    Ok(())
+}
+
+/// Reports where a solve stands, and ends it when its turn is over.
+struct Watch<'a> {
+    turn: Turn<'a>,
+    reported: Instant,
+}
+
+impl Observer for Watch<'_> {
+    fn step(&mut self, step: &Step<'_>) -> Wish {
+        if !self.turn.goes_on() {
+            return Ok(ControlFlow::Break(()));
+        }
+        if self.reported.elapsed() >= INTERVAL {
+            self.reported = Instant::now();
+            let numbers = Numbers::of_step(step);
+            self.turn.tell(|news| {
+                if let Some(run) = &mut news.run {
+                    run.numbers = Some(numbers);
+                }
+            });
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+}

@@ -1,0 +1,30 @@
+//! The solver thread of a session.
+
+use super::session::{Order, Session};
+use super::{solve, sweep};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::thread::JoinHandle;
+
+impl Session {
+    /// A session with its solver thread, which ends after [`Session::close`].
+    pub fn start() -> (Arc<Self>, JoinHandle<()>) {
+        let session = Arc::new(Self::default());
+        let worker = Arc::clone(&session);
+        (session, std::thread::spawn(move || work(&worker)))
+    }
+}
+
+/// Carries out one order after the other.
+fn work(session: &Session) {
+    while let Some((turn, order)) = session.next() {
+        let done = catch_unwind(AssertUnwindSafe(|| match order {
+            Order::Solve(knobs) => solve::run(turn, knobs),
+            Order::Sweep(knobs) => sweep::run(turn, knobs),
+        }));
+        turn.end(match done {
+            Ok(done) => done.err().map(|fault| fault.to_string()),
+            Err(_) => Some("the solver failed on these settings: please report them".into()),
+        });
+    }
+}

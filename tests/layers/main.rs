@@ -1,0 +1,143 @@
+//! The layers of the crate, held against its source: a file uses its own layer and lower ones, nothing goes round in a circle,
+//! and each large dependency stays in its one place.
+
+mod source;
+mod uses;
+
+use source::{Source, names, tokens};
+use std::collections::{BTreeMap, BTreeSet};
+use uses::{Uses, circles};
+
+/// Layers by room.
+const LAYERS: &[(&str, u8)] = &[
+    ("chunks", 0),
+    ("error", 0),
+    ("files", 0),
+    ("quantity", 0),
+    ("fourier", 1),
+    ("grid", 1),
+    ("elastic", 2),
+    ("surface", 2),
+    ("theory", 2),
+    ("contact", 3),
+    ("setup", 4),
+    ("plot", 5),
+    ("study", 5),
+    ("record", 6),
+    ("explore", 7),
+    ("lab", 7),
+    ("paper", 7),
+    ("cli", 8),
+    ("lib", 8),
+    ("main", 8),
+];
+
+/// Crates, and the only places that may name them.
+const PLACES: &[(&str, &[&str])] = &[
+    ("anyhow", &["cli/", "main.rs"]),
+    ("axum", &["explore/"]),
+    ("clap", &["cli/", "main.rs"]),
+    ("colorgrad", &["record/"]),
+    ("csv", &["files.rs", "study/", "paper/"]),
+    ("dejavu", &["plot/"]),
+    ("futures_util", &["explore/"]),
+    ("glam", &["record/"]),
+    ("indicatif", &["cli/", "main.rs"]),
+    ("levenberg_marquardt", &["study/fit.rs"]),
+    ("libm", &["theory/", "setup/cost.rs"]),
+    ("nalgebra", &["study/fit.rs"]),
+    ("ndarray_npy", &["surface/files.rs", "contact/archive.rs"]),
+    ("procfs", &["setup/cost.rs", "lab/"]),
+    ("rand", &["surface/synthesis.rs"]),
+    ("rand_distr", &["surface/synthesis.rs"]),
+    ("re_web_viewer_server", &["explore/"]),
+    ("realfft", &["fourier/"]),
+    ("rerun", &["record/"]),
+    ("resvg", &["plot/"]),
+    ("rustfft", &["fourier/"]),
+    ("strsim", &["setup/"]),
+    ("tokio", &["explore/"]),
+    ("toml", &["setup/"]),
+    ("uom", &["quantity.rs"]),
+];
+
+/// The one mention of `clap` in the library: what the command line chooses from.
+const CHOICE: &str = r#"#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]"#;
+
+/// Crates that are gone for good, since others or a few lines do their work.
+const GONE: &[&str] = &["gauss_quad", "petgraph", "plotters", "png", "rand_chacha"];
+
+const LONGEST_FILE: usize = 450;
+
+fn layer(room: &str) -> u8 {
+    let found = LAYERS.iter().find(|(name, _)| *name == room);
+    found.unwrap_or_else(|| panic!("{room} has no layer: give it one in this test")).1
+}
+
+#[test]
+fn files_use_their_own_layer_and_lower_ones() {
+    let sources = Source::all();
+    for (source, used) in sources.iter().zip(Uses::of(&sources, true).of) {
+        for used in used.into_iter().map(|used| &sources[used]) {
+            let [own, other] = [source, used].map(|source| layer(source.room()));
+            assert!(other <= own, "{} is in layer {own} and uses {}", source.path, used.path);
+        }
+    }
+}
+
+/// The arrows inside a circle, one a line.
+fn arrows<'a>(circle: &[usize], uses: &[BTreeSet<usize>], name: impl Fn(usize) -> &'a str) -> String {
+    let inside = |&i: &usize| uses[i].iter().filter(|j| circle.contains(j)).map(move |&j| (i, j));
+    circle.iter().flat_map(inside).map(|(i, j)| format!("  {} uses {}\n", name(i), name(j))).collect()
+}
+
+#[test]
+fn no_files_go_round_in_a_circle() {
+    let uses = Uses::of(&Source::all(), false);
+    let found: Vec<String> = uses.circles().iter().map(|circle| arrows(circle, &uses.of, |i| &uses.files[i])).collect();
+    assert!(found.is_empty(), "{} circles:\n{}", found.len(), found.join("\n"));
+}
+
+#[test]
+fn no_rooms_go_round_in_a_circle() {
+    let sources = Source::all();
+    let rooms: Vec<&str> = sources.iter().map(Source::room).collect::<BTreeSet<_>>().into_iter().collect();
+    let index: BTreeMap<&str, usize> = rooms.iter().enumerate().map(|(i, room)| (*room, i)).collect();
+    let mut uses = vec![BTreeSet::new(); rooms.len()];
+    for (source, used) in sources.iter().zip(Uses::of(&sources, false).of) {
+        let others = used.into_iter().map(|used| sources[used].room()).filter(|room| *room != source.room());
+        uses[index[source.room()]].extend(others.map(|room| index[room]));
+    }
+    let found: Vec<String> = circles(&uses).iter().map(|circle| arrows(circle, &uses, |i| rooms[i])).collect();
+    assert!(found.is_empty(), "{} circles:\n{}", found.len(), found.join("\n"));
+}
+
+#[test]
+fn large_dependencies_stay_in_their_places() {
+    let sources = Source::all();
+    let tokens: Vec<Vec<String>> = sources.iter().map(|source| tokens(&source.text.replace(CHOICE, ""))).collect();
+    let naming = |name: &str| -> Vec<&str> {
+        let named = sources.iter().zip(&tokens).filter(|(_, tokens)| names(tokens, name));
+        named.map(|(source, _)| source.path.as_str()).collect()
+    };
+    for &(name, places) in PLACES {
+        let named = naming(name);
+        assert!(!named.is_empty(), "{name} is named nowhere");
+        for path in named {
+            let is_in_place = places.iter().any(|place| path.starts_with(place));
+            assert!(is_in_place, "{path} names {name}, which belongs in {places:?}");
+        }
+    }
+    for name in GONE {
+        assert_eq!(naming(name), [""; 0], "{name} is back");
+    }
+}
+
+#[test]
+fn files_are_short_and_say_what_they_are() {
+    for source in Source::all() {
+        let lines = source.text.lines().count();
+        assert!(lines <= LONGEST_FILE, "{} has {lines} lines", source.path);
+        assert!(source.text.starts_with("//! "), "{} does not begin with its documentation", source.path);
+    }
+}
