@@ -107,8 +107,10 @@ fn curves(stage: &Stage) -> Pane {
     let kappa = beside(&["kappa_r", "kappa", "exact_kappa_r"]);
     let area = beside(&["relative_area", "exact_relative_area"]);
     let free = |title: &str, names: &[&str]| View::curves(title, traces(names), None);
-    let levels =
-        vec![free("Grid level (0: finest)", &["level"]), free("Outer and inner steps on the level", &["outer", "inner"])];
+    let levels = vec![
+        free("Grid level (0: finest)", &["level"]),
+        free("Outer and inner steps on the level", &["outer", "inner"]),
+    ];
     let is_elsewhere = |name| ["kappa_r", "kappa", "relative_area", "certificate"].contains(&name);
     let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[it.name]));
     let mut more: Vec<Pane> = [text].into_iter().chain(others).collect();
