@@ -193,6 +193,14 @@ pub enum SettingError {
         /// The range allowed.
         range: &'static str,
     },
+    /// A grid that is not finer than the one before it.
+    #[error("the grids go from {from} to {to} points a side: give ever finer grids")]
+    NotFiner {
+        /// Points along each side of one grid.
+        from: usize,
+        /// Points along each side of the next.
+        to: usize,
+    },
 }
 
 /// A solve that did not reach its tolerance, or cannot be done.

@@ -22,6 +22,7 @@
 //! | [`study`]   | sweeps over surfaces and loads in tables that a killed run resumes, averages          |
 //! | `plot`      | figures as data, written as SVG and PNG (feature `figures`)                          |
 //! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
+//! | `lab`       | accuracy, speed and stability of the solvers, measured (feature `figures`)           |
 //! | `paper`     | the tables and figures of van Dokkum et al. (2018), made again (feature `figures`)   |
 //! | `explore`   | a page with controls and a live viewer (feature `explore`)                           |
 //!
@@ -64,6 +65,8 @@ pub mod explore;
 pub mod files;
 pub mod fourier;
 pub mod grid;
+#[cfg(feature = "figures")]
+pub mod lab;
 #[cfg(feature = "figures")]
 pub mod paper;
 #[cfg(feature = "figures")]

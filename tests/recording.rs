@@ -1,8 +1,11 @@
-//! What a recording holds, read back from the file.
+//! The content of recordings, read back from their files.
 
-use asperity::contact::{Contact, Gfmd, Multilevel, Observer, PolonskyKeer, Solver, Step};
-use asperity::error::SolveError;
-use asperity::record::{Options, Part, Parts, Recording, Scene};
+use asperity::contact::{
+    Contact, ContactModulus, Each, Energy, Gfmd, Load, Multilevel, Observer, PolonskyKeer, Solver, Step,
+};
+use asperity::error::{FileError, SolveError};
+use asperity::record::{Options, Parts, Recording, Scene};
+use asperity::setup::Part;
 use asperity::surface::{Field, Spectrum};
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
@@ -14,9 +17,20 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+#[path = "recording/ghost.rs"]
+mod ghost;
+#[path = "recording/loads.rs"]
+mod loads;
+
+fn cylinder() -> Problem {
+    let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();
+    Problem::new(cylinder, ContactModulus(1.0), Load::MeanPressure(1e-2)).unwrap()
+}
+
 fn rough(grid: Grid) -> Problem {
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 0.1, rms_gradient: 0.01 };
-    Problem::at_reduced_pressure(Surface::rough(grid, &spectrum, 5).unwrap(), 1.0, 0.1).unwrap()
+    let surface = Surface::rough(grid, &spectrum, 5).unwrap();
+    Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(0.1)).unwrap()
 }
 
 fn rough_line() -> Problem {
@@ -32,11 +46,9 @@ fn record(path: &Path, problem: &Problem, solver: &dyn Solver, exact: Option<Exa
 }
 
 fn record_with(path: &Path, problem: &Problem, solver: &dyn Solver, exact: Option<Exact>, options: Options) -> Contact {
-    let scene = Scene { name: "it".into(), title: "It".into(), problem, description: "# It".into(), exact };
+    let scene = Scene { exact, ..Scene::new("it", problem) };
     let recording = Recording::create(path, &[scene], options).unwrap();
-    let mut recorder = recording.recorder(0);
-    let contact = solver.solve(problem, &Stop::default(), &mut recorder).unwrap();
-    recorder.close(&contact).unwrap();
+    let contact = solver.solve(problem, &Stop::default(), &mut recording.recorder(0)).unwrap().converged().unwrap();
     recording.finish().unwrap();
     contact
 }
@@ -45,6 +57,22 @@ fn stores(path: &Path, kind: StoreKind) -> Vec<ChunkStore> {
     let mut file = std::fs::File::open(path).unwrap();
     let all = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut file).unwrap();
     all.into_iter().filter(|(id, _)| id.kind() == kind).map(|(_, store)| store).collect()
+}
+
+/// The chunks of a recording that change with time.
+fn chunks(path: &Path) -> Vec<rerun::log::Chunk> {
+    let stores = stores(path, StoreKind::Recording);
+    let chunks = stores.iter().flat_map(|store| store.iter_physical_chunks());
+    chunks.filter(|chunk| !chunk.is_static()).map(|chunk| (**chunk).clone()).collect()
+}
+
+/// Rows of each entity that changes with time.
+fn row_counts(path: &Path) -> BTreeMap<String, usize> {
+    let mut rows = BTreeMap::new();
+    for chunk in chunks(path) {
+        *rows.entry(chunk.entity_path().to_string()).or_default() += chunk.num_rows();
+    }
+    rows
 }
 
 /// The numbers of a trace against a timeline.
@@ -92,13 +120,20 @@ fn every_step_has_its_numbers_on_all_timelines() {
     let problem = rough_line();
     for solver in [&Gfmd::default() as &dyn Solver, &PolonskyKeer] {
         let mut seen = BTreeMap::new();
-        let mut watch = |step: &Step<'_>| {
-            seen.insert(step.index() as i64, [step.measures().kappa_r, step.patches().count() as f64, step.energy()]);
+        let mut energy_name = "";
+        let mut watch = Each(|step: &Step<'_>| {
+            let energy = step.energy();
+            energy_name = match energy {
+                Energy::Complementary(_) => "complementary_energy",
+                Energy::Potential(_) => "potential_energy",
+            };
+            let values = [step.measures().kappa_r, step.patches().count() as f64, energy.value()];
+            seen.insert(step.index() as i64, values);
             ControlFlow::Continue(())
-        };
+        });
         solver.solve(&problem, &Stop::default(), &mut watch).unwrap();
         let contact = record(&path, &problem, solver, None, None);
-        for (i, name) in ["kappa_r", "patches", "energy"].iter().enumerate() {
+        for (i, name) in ["kappa_r", "patches", energy_name].iter().enumerate() {
             let expected: BTreeMap<i64, f64> = seen.iter().map(|(&step, values)| (step, values[i])).collect();
             assert_eq!(trace(&path, name, "step"), expected, "{name} of {}", solver.name());
         }
@@ -109,6 +144,28 @@ fn every_step_has_its_numbers_on_all_timelines() {
         let by_work = trace(&path, "kappa_r", "transforms");
         assert!(by_work.len() > 1 && *by_work.last_key_value().unwrap().0 as u64 <= contact.work.transforms);
         assert!(trace(&path, "kappa_r", "seconds").len() > 1);
+    }
+}
+
+#[test]
+fn every_step_has_numbers_and_the_last_state_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cylinder.rrd");
+    let contact = record(&path, &cylinder(), &PolonskyKeer, None, None);
+    let (steps, rows) = (contact.work.iterations + 1, row_counts(&path));
+    assert_eq!(rows["/it/trace/kappa_r"], steps);
+    assert_eq!(rows["/it/profile/solid"], steps.min(32) + 1);
+    assert!(!rows.contains_key("/it/trace/exact_kappa_r"));
+    assert!(!rows.keys().any(|entity| entity.contains("relief")));
+}
+
+#[test]
+fn places_that_cannot_be_written_are_refused_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let problem = cylinder();
+    for path in [folder.path().to_path_buf(), folder.path().join("missing/a.rrd")] {
+        let created = Recording::create(&path, &[Scene::new("a", &problem)], Options::default());
+        assert!(matches!(created, Err(FileError::Target { .. })));
     }
 }
 
@@ -143,7 +200,7 @@ fn a_scene_records_only_what_it_shows() {
     assert!(has(&surface, "relief") && has(&surface, "/it/pressure") && !has(&surface, "profile"), "{surface:?}");
     let cylinder = Indenter::Cylinder { radius: 1.0 };
     let grid = Grid::line(256, 4.0).unwrap();
-    let problem = Problem::new(cylinder.surface(grid).unwrap(), 1.0, 0.01).unwrap();
+    let problem = Problem::new(cylinder.surface(grid).unwrap(), ContactModulus(1.0), Load::MeanPressure(0.01)).unwrap();
     let exact = Exact::of(&cylinder, &grid, 1.0, 0.01);
     let kappa_r = exact.as_ref().unwrap().kappa_r.unwrap();
     record(&path, &problem, &PolonskyKeer, exact, None);
@@ -212,7 +269,7 @@ fn parts_together_are_what_they_are_alone() {
     let what = [Part::Traces, Part::Profile].into_iter().collect();
     record_with(&part, &problem, &PolonskyKeer, None, Options { what, ..Options::default() });
     assert_eq!(strips(&path, "/it/profile/solid"), strips(&part, "/it/profile/solid"));
-    assert_eq!(trace(&path, "energy", "step"), trace(&part, "energy", "step"));
+    assert_eq!(trace(&path, "complementary_energy", "step"), trace(&part, "complementary_energy", "step"));
     assert!(!strips(&path, "/it/gap/curves/gap").is_empty() && strips(&part, "/it/gap/curves/gap").is_empty());
 }
 
@@ -237,14 +294,15 @@ fn coarse(problem: &Problem, stride: usize) -> Problem {
     let shape = [ny / along_y, nx / stride];
     let height = Array2::from_shape_fn(shape, |(y, x)| problem.height()[y * along_y * nx + x * stride]);
     let grid = if grid.is_line() { Grid::line(shape[1], lx) } else { Grid::surface(shape, [ly, lx]) };
-    Problem::under(Surface::new(grid.unwrap(), height).unwrap(), 1.0, problem.load()).unwrap()
+    let load = Load::MeanPressure(problem.mean_pressure().unwrap());
+    Problem::new(Surface::new(grid.unwrap(), height).unwrap(), ContactModulus(1.0), load).unwrap()
 }
 
 /// Stands in for a solver of ever finer grids; each of them starts at step 0.
 struct Refining(&'static [usize]);
 
 impl Solver for Refining {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "refining"
     }
 
@@ -357,9 +415,7 @@ fn other_grids_and_solvers_without_levels_leave_no_trace_of_levels() {
     record(&path, &problem, &PolonskyKeer, None, None);
     assert!(trace(&path, "level", "step").is_empty() && trace(&path, "inner", "step").is_empty());
     assert!(!entities(&path).contains("/it/caption"));
-    let scene =
-        Scene { name: "it".into(), title: "It".into(), problem: &problem, description: String::new(), exact: None };
-    let recording = Recording::create(&path, &[scene], Options::default()).unwrap();
+    let recording = Recording::create(&path, &[Scene::new("it", &problem)], Options::default()).unwrap();
     let mut recorder = recording.recorder(0);
     let other = PolonskyKeer.solve(&rough_surface(), &Stop::default(), &mut recorder).unwrap();
     drop(recorder);
@@ -370,7 +426,7 @@ fn other_grids_and_solvers_without_levels_leave_no_trace_of_levels() {
 
 /// Starts a run that would take for ever, and kills it when the file has grown beyond its statics and first frames, which
 /// are written entity by entity.
-#[cfg(unix)]
+#[cfg(all(unix, feature = "cli"))]
 #[test]
 fn a_killed_run_leaves_a_recording_that_opens() {
     let folder = tempfile::tempdir().unwrap();

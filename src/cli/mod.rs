@@ -4,6 +4,7 @@ mod accuracy;
 mod bench;
 #[cfg(feature = "explore")]
 mod browser;
+mod choice;
 #[cfg(feature = "record")]
 mod demo;
 #[cfg(feature = "explore")]

@@ -27,6 +27,11 @@ struct Level {
     trend: Trend,
 }
 
+/// A bar with a title, for experiments that watch their runs.
+pub fn bar(title: &str) -> Box<dyn Observer> {
+    Box::new(Progress::new(title))
+}
+
 impl Progress {
     /// A bar that is full at the tolerance of the run.
     pub fn new(title: &str) -> Self {

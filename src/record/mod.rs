@@ -6,8 +6,9 @@
 //! Solver --(Step)--> Recorder: traces of every step, frames of the steps that its Schedule picks
 //! ```
 //!
-//! A recording carries the setups of its scenes, from which [`setups`] takes them back. A recording over loads instead of steps is a [`LoadRecording`]. `draw` holds the drawings, `layout` the places of their
-//! views in the viewer, `file` the streams into files.
+//! A recording carries the setups of its scenes, from which [`setups`] takes them back. A recording over loads instead of
+//! steps is a [`LoadRecording`]. `draw` holds the drawings, `layout` the places of their views in the viewer, `file` the
+//! streams into files.
 //!
 //! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pressures are
 //! recorded over `E*`, gaps over the rms height, both in the power of a thousand that the axes state. Positions are

@@ -32,6 +32,11 @@ impl Method {
         ("gfmd", "Green's function molecular dynamics, the paper's method"),
     ];
 
+    /// The method of a name, with its usual settings.
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Multilevel {}, Self::PolonskyKeer {}, Self::Gfmd(Gfmd::default())].into_iter().find(|m| m.name() == name)
+    }
+
     /// The solver.
     pub fn solver(&self) -> &dyn Solver {
         match self {

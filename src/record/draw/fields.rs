@@ -2,29 +2,35 @@
 
 use crate::contact::{Contact, Step};
 use crate::record::parts::Parts;
+use std::borrow::Cow;
 
 /// The fields of a frame, row by row.
-#[derive(Clone, Copy)]
 pub struct Fields<'a> {
     /// Distance of their nodes along y and x, in nodes of the scene: 1 on its own grid, a power of two on coarser ones.
     pub stride: [usize; 2],
     /// Pressure.
-    pub pressure: &'a [f64],
+    pub pressure: Cow<'a, [f64]>,
     /// Gap; empty if nothing shows it.
-    pub gap: &'a [f64],
+    pub gap: Cow<'a, [f64]>,
 }
 
 impl<'a> Fields<'a> {
     /// The fields of `step` that `parts` show.
     pub fn of(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
         let gap = if parts.has_gap() { step.gap() } else { &[] };
-        Self { stride, pressure: step.pressure(), gap }
+        Self { stride, pressure: step.pressure().into(), gap: gap.into() }
     }
 
     /// The fields of `contact`.
     pub fn of_contact(contact: &'a Contact) -> Self {
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
-        Self { stride: [1, 1], pressure, gap }
+        Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into() }
+    }
+
+    /// A copy that outlives its step.
+    pub fn into_owned(self) -> Fields<'static> {
+        let [pressure, gap] = [self.pressure, self.gap].map(|values| values.into_owned().into());
+        Fields { stride: self.stride, pressure, gap }
     }
 }
 

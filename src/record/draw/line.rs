@@ -43,7 +43,7 @@ impl LinePicture {
         let nodes = window.every(1);
         let [low, high] = range(nodes.of(problem.height()));
         let room = ROOM * (high - low);
-        let length = |symbol, range| Ruler::length(symbol, &options.length_unit, range);
+        let length = |symbol, range| Ruler::new(symbol, &options.length_unit, range);
         let profile = length("z", [-high - 2.0 * room, -low + room]);
         let shown = options.what.has(Part::Profile).then(|| nodes.of(problem.height()));
         Self {
@@ -137,14 +137,14 @@ impl Picture for LinePicture {
     fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let (root, nodes) = (&self.root, self.window.every(fields.stride[1]));
         if self.what.has(Part::Profile) {
-            let solid = self.solid(&nodes, fields.gap);
+            let solid = self.solid(&nodes, &fields.gap);
             to.log(format!("{root}/profile/solid_fill"), &strip(fill::under(&solid, WIDTH, HEIGHT, f32::max)))?;
             to.log(format!("{root}/profile/solid"), &strip(solid))?;
         }
         if self.what.has(Part::Fields) {
-            let pressure = rising(&nodes, fields.pressure, &self.pressure);
+            let pressure = rising(&nodes, &fields.pressure, &self.pressure);
             to.log(format!("{root}/pressure/curves/pressure"), &strip(pressure))?;
-            to.log(format!("{root}/gap/curves/gap"), &strip(rising(&nodes, fields.gap, &self.gap)))?;
+            to.log(format!("{root}/gap/curves/gap"), &strip(rising(&nodes, &fields.gap, &self.gap)))?;
         }
         if self.what.has(Part::Mask) {
             let segments = self.segments(fields).into_iter().map(|ends| ends.map(|x| [x, HEIGHT]));
@@ -163,7 +163,7 @@ impl Picture for LinePicture {
 
     fn extent(&self, fields: &Fields<'_>) -> Extent {
         let nodes = self.window.every(fields.stride[1]);
-        let [pressure, gap] = [fields.pressure, fields.gap].map(|values| range(nodes.of(values))[1]);
+        let [pressure, gap] = [&fields.pressure, &fields.gap].map(|values| range(nodes.of(values))[1]);
         Extent { pressure, gap, ..Extent::NONE }
     }
 

@@ -134,10 +134,10 @@ impl Relief {
 
     /// Exaggerated positions of the solid's surface.
     fn vertices(&self, fields: &Fields<'_>) -> Vec<Vec3> {
-        let Fields { stride, gap, .. } = *fields;
+        let Fields { stride, gap, .. } = fields;
         let ([ny, nx], [ly, lx]) = (self.blocks.shape, self.size);
         let place = |node: usize, nodes: usize, length: f32| (node as f32 / nodes as f32 - 0.5) * length;
-        self.at_vertices(stride, |node| {
+        self.at_vertices(*stride, |node| {
             let [y, x] = self.within(node);
             let level = self.height[self.block(node)] + gap[y / stride[0] * (nx / stride[1]) + x / stride[1]];
             Vec3::new(place(node[1], nx, lx), place(node[0], ny, ly), (-level * self.exaggeration) as f32)
@@ -158,7 +158,7 @@ impl Relief {
     }
 
     fn colours(&self, fields: &Fields<'_>) -> Vec<Color> {
-        let pressure = self.blocks.fold(fields.pressure, fields.stride, 0.0, f64::max);
+        let pressure = self.blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
         let shade = |p: f64| {
             if p > 0.0 {
                 self.shades.at(0.25 + 0.75 * p / self.highest_pressure)

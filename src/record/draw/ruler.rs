@@ -19,8 +19,8 @@ pub struct Ruler {
 }
 
 impl Ruler {
-    /// An axis over `low..high` in `unit`, which may be empty; an empty range is widened.
-    fn new(symbol: &str, unit: &str, [low, high]: [f64; 2]) -> Self {
+    /// An axis over `low..high` in a unit, which may be empty; an empty range is widened.
+    pub fn new(symbol: &str, unit: &str, [low, high]: [f64; 2]) -> Self {
         let high = if high > low { high } else { low + low.abs().max(f64::MIN_POSITIVE) };
         let exponent = engineering_exponent(low.abs().max(high.abs()), unit.is_empty());
         let power = 10f64.powi(exponent);
@@ -39,11 +39,6 @@ impl Ruler {
     pub fn gap(highest: f64, rms_height: f64) -> Self {
         let ruler = Self::new("gap / h_rms", "", [0.0, HEADROOM * highest / rms_height]);
         Self { unit: ruler.unit * rms_height, least: LEAST_GAP * rms_height, ..ruler }
-    }
-
-    /// An axis for positions.
-    pub fn length(symbol: &str, unit: &str, range: [f64; 2]) -> Self {
-        Self::new(symbol, unit, range)
     }
 
     /// The axis fitted to values up to `highest`.
@@ -102,7 +97,7 @@ mod tests {
     use super::*;
 
     fn ruler(high: f64, unit: &str) -> Ruler {
-        Ruler::length("x", unit, [0.0, high])
+        Ruler::new("x", unit, [0.0, high])
     }
 
     #[test]
@@ -121,7 +116,7 @@ mod tests {
         assert!((ruler.place(40e-6) - 0.25).abs() < 1e-12 && (ruler.share(40e-6) - 0.25).abs() < 1e-12);
         let labels: Vec<String> = ruler.axis.ticks().into_iter().map(|(_, label)| label).collect();
         assert_eq!(labels, ["0", "50", "100", "150"]);
-        assert!(Ruler::length("x", "R", [2.0, 2.0]).axis.ticks().len() > 3);
+        assert!(Ruler::new("x", "R", [2.0, 2.0]).axis.ticks().len() > 3);
     }
 
     #[test]

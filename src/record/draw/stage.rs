@@ -132,7 +132,7 @@ impl Stage {
         pressure.map_or(Ok(()), |pressure| self.picture.log_ghost(to, pressure))
     }
 
-    /// How a run ended, in words.
+    /// The end of a run, in words.
     pub fn result(contact: &Contact) -> String {
         let Contact { status, certificate, work, .. } = contact;
         let how = if contact.is_converged() { status.to_string() } else { format!("not converged ({status})") };

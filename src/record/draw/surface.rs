@@ -51,7 +51,7 @@ impl SurfacePicture {
         let grid = problem.surface().grid();
         let blocks = Blocks::square(grid.shape(), grid.size(), PIXELS);
         let [height, width] = blocks.cells.map(|n| n as f64);
-        let [y, x] = [0, 1].map(|i| Ruler::length(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
+        let [y, x] = [0, 1].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
         let frame = Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) };
         let image = |name, scale, map| Image { root: format!("{root}/{name}"), frame: frame.clone(), scale, map };
         let [low, high] = range(problem.height().iter().copied());
@@ -67,7 +67,7 @@ impl SurfacePicture {
     }
 
     fn log_images(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
-        let pressure = self.blocks.fold(fields.pressure, fields.stride, 0.0, f64::max);
+        let pressure = self.blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
         if self.what.has(Part::Mask) {
             let classes = self.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
             let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
@@ -75,7 +75,7 @@ impl SurfacePicture {
         }
         if self.what.has(Part::Fields) {
             self.pressure.log(to, self.rows_down(&pressure))?;
-            let gap = self.blocks.fold(fields.gap, fields.stride, f64::INFINITY, f64::min);
+            let gap = self.blocks.fold(&fields.gap, fields.stride, f64::INFINITY, f64::min);
             self.gap.log(to, self.rows_down(&gap))?;
         }
         Ok(())
@@ -124,7 +124,7 @@ impl Picture for SurfacePicture {
     }
 
     fn extent(&self, fields: &Fields<'_>) -> Extent {
-        let [pressure, gap] = [fields.pressure, fields.gap].map(|values| range(values.iter().copied())[1]);
+        let [pressure, gap] = [&fields.pressure, &fields.gap].map(|values| range(values.iter().copied())[1]);
         let relief = self.relief.as_ref().map_or(Extent::NONE.relief, |relief| relief.extent(fields));
         Extent { pressure, gap, relief }
     }

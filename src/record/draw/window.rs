@@ -66,12 +66,12 @@ impl Samples {
         (self.first + i) % (self.window.nodes / self.stride)
     }
 
-    /// How many nodes of the finest grid sample `i` lies after the start of the window.
+    /// Nodes of the finest grid from the start of the window to sample `i`.
     pub fn offset(&self, i: usize) -> usize {
         (self.first + i) * self.stride - self.window.start
     }
 
-    /// Where sample `i` lies in the window, from 0 to 1.
+    /// The place of sample `i` in the window, from 0 to 1.
     pub fn place(&self, i: usize) -> f32 {
         self.offset(i) as f32 / self.window.shown as f32
     }

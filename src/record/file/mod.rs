@@ -7,7 +7,6 @@ mod output;
 mod recorder;
 mod recording;
 mod schedule;
-mod snapshot;
 mod viewer;
 
 #[cfg(feature = "explore")]

@@ -2,8 +2,7 @@
 
 use super::recording::{Recording, UNFINISHED};
 use super::schedule::{Schedule, Thinning};
-use super::snapshot::{Moment, Snapshot};
-use crate::contact::{Contact, Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
+use crate::contact::{Contact, Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish, Work};
 use crate::record::description;
 use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level};
 use crate::setup::Part;
@@ -24,7 +23,7 @@ pub struct Recorder<'r> {
     /// Whether the solver was seen on a coarse grid or at an inner step; only of such solvers phases are recorded.
     has_phases: bool,
     /// The latest state of a coarse grid, as long as it is not drawn.
-    undrawn: Option<Snapshot>,
+    undrawn: Option<(Work, Phase, Fields<'static>)>,
     flushed: Instant,
     /// Rows on the run in the table of parameters.
     run: String,
@@ -58,7 +57,7 @@ impl Recorder<'_> {
         if let Some(traces) = &mut self.traces {
             traces.add_certificate(contact.work, contact.certificate.eta);
         }
-        self.log_frame(Moment { work: contact.work, phase: Phase { level: 0, ..self.phase } }, fields)?;
+        self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
         self.stage.picture.settle(&self.recording.stream, self.stage.picture.extent(fields))?;
         self.log_description(&Stage::result(contact))?;
         self.flush_traces()
@@ -79,17 +78,17 @@ impl Recorder<'_> {
 
     /// Draws a step if it is its turn, and before the first one of a level the last one of the level before.
     fn draw(&mut self, step: &Step<'_>, stride: [usize; 2]) -> RecordingStreamResult<()> {
-        let moment = Moment { work: step.work(), phase: self.phase };
         if self.thinning.is_new(self.phase.level)
-            && let Some(last) = self.undrawn.take()
+            && let Some((work, phase, fields)) = self.undrawn.take()
         {
-            self.log_frame(last.moment, &last.fields())?;
+            self.log_frame(work, phase, &fields)?;
         }
         if self.thinning.picks(step.index(), self.phase.level) {
             self.undrawn = None;
-            self.log_frame(moment, &Fields::of(step, stride, self.stage.what))?;
+            self.log_frame(step.work(), self.phase, &Fields::of(step, stride, self.stage.what))?;
         } else if self.phase.level > 0 && self.phase.inner == 0 {
-            self.undrawn = Some(Snapshot::of(step, moment, stride, self.stage.what));
+            let fields = Fields::of(step, stride, self.stage.what).into_owned();
+            self.undrawn = Some((step.work(), self.phase, fields));
         }
         Ok(())
     }
@@ -102,13 +101,13 @@ impl Recorder<'_> {
         self.traces.as_mut().map_or(Ok(()), |traces| traces.flush(&self.recording.stream))
     }
 
-    fn log_frame(&self, moment: Moment, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+    fn log_frame(&self, work: Work, phase: Phase, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let stream = &self.recording.stream;
-        stream.set_time_sequence(STEP, moment.work.iterations as i64);
-        stream.set_duration_secs(SECONDS, moment.work.seconds);
-        stream.set_time_sequence(TRANSFORMS, moment.work.transforms as i64);
+        stream.set_time_sequence(STEP, work.iterations as i64);
+        stream.set_duration_secs(SECONDS, work.seconds);
+        stream.set_time_sequence(TRANSFORMS, work.transforms as i64);
         if self.has_phases && self.stage.what.has_planes() {
-            self.stage.log_caption(stream, self.stage.caption(moment.phase, fields.stride))?;
+            self.stage.log_caption(stream, self.stage.caption(phase, fields.stride))?;
         }
         self.stage.log_frame(stream, fields)
     }

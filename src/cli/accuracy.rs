@@ -1,0 +1,128 @@
+//! `asperity accuracy`: error against run time.
+
+use super::choice::count;
+use super::progress::bar;
+use super::{Outcome, usage};
+use anyhow::Result;
+use asperity::contact::Stop;
+use asperity::error::FileError;
+use asperity::files::check_target;
+use asperity::lab::accuracy::{Experiment, Findings, Scene, figure, write_rows};
+use asperity::plot::{write_png, write_svg};
+use clap::Args;
+use std::io::{Write, stdout};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+const ERRORS: &str = "\
+Three errors, all relative, are kept apart:
+  algebraic       of a step against the solution on the same grid
+  discretisation  of a grid against the exact solution, or against a grid four times finer than the finest,
+                  whose own error may hide a quarter of that of the finest
+  model           of a theory against the same
+Area and kappa_r are corrected for counting nodes.";
+
+/// Measures how far each solver has come after which time, and what that is worth.
+#[derive(Args)]
+#[command(after_help = ERRORS)]
+pub struct Accuracy {
+    /// What to solve, in this order
+    #[arg(value_enum, value_name = "SCENE", default_values_t = Scene::ALL)]
+    scenes: Vec<Scene>,
+    /// Points along each side of the grids, coarsest first [default: those of the scene]
+    #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
+    points: Vec<usize>,
+    /// Certificate eta at which the curves end
+    #[arg(long, value_name = "ETA", default_value = "1e-10", allow_negative_numbers = true)]
+    tolerance: f64,
+    /// Certificate eta of the solutions that errors are held against, as far as rounding lets it
+    #[arg(long, value_name = "ETA", default_value = "1e-13", allow_negative_numbers = true)]
+    reference_tolerance: f64,
+    /// Iterations at the most
+    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    max_iterations: usize,
+    /// Seed of the rough surfaces
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Time each curve so many times, after a run to warm up; the median of the seconds is reported
+    #[arg(long, value_name = "N", default_value = "3", value_parser = count)]
+    repeats: NonZeroUsize,
+    /// Use smaller grids
+    #[arg(long, conflicts_with = "points")]
+    quick: bool,
+    /// Write accuracy.csv and a figure of each scene, as SVG and PNG, into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Record the solvers on the finest grid of each scene side by side, into the same folder
+    #[cfg(feature = "record")]
+    #[arg(long, requires = "out")]
+    record: bool,
+}
+
+impl Accuracy {
+    /// Runs the command.
+    pub fn run(&self) -> Result<Outcome> {
+        let experiments = self.scenes.iter().map(|scene| self.experiment(*scene)).collect::<Result<Vec<_>>>()?;
+        experiments.iter().try_for_each(Experiment::check)?;
+        if let Some(folder) = &self.out {
+            make_folder(folder)?;
+        }
+        writeln!(
+            stdout(),
+            "Seconds are those of the solver, without what watches it: median of {} after a warm-up, {} threads",
+            self.repeats,
+            rayon::current_num_threads()
+        )?;
+        let mut all = Vec::new();
+        for experiment in &experiments {
+            let findings = experiment.run(&mut bar)?;
+            write!(stdout(), "\n{findings}")?;
+            all.push(findings);
+            if let Some(folder) = &self.out {
+                write_files(folder, &all)?;
+                #[cfg(feature = "record")]
+                if self.record {
+                    let path = folder.join(format!("{}.rrd", experiment.scene.name()));
+                    asperity::lab::accuracy::record(&path, experiment, &mut bar)?;
+                }
+            }
+        }
+        let mut ends = all.iter().zip(&experiments);
+        let is_converged = ends.all(|(findings, experiment)| findings.is_converged(&experiment.stop));
+        Ok(if is_converged { Outcome::Done } else { Outcome::NotConverged })
+    }
+
+    fn experiment(&self, scene: Scene) -> Result<Experiment> {
+        Ok(Experiment {
+            scene,
+            sides: if self.points.is_empty() { scene.sides(self.quick).into() } else { self.points.clone() },
+            seed: self.seed,
+            stop: Stop::new(self.tolerance, self.max_iterations)?,
+            reference: Stop::new(self.reference_tolerance, self.max_iterations)?,
+            repeats: self.repeats,
+        })
+    }
+}
+
+/// Makes `folder`, in a folder that must be there, and checks that files can be written into it.
+fn make_folder(folder: &Path) -> Result<()> {
+    if folder.is_file() {
+        return usage(format!("--out names {}, which is a file: give a folder", folder.display()));
+    }
+    if !folder.is_dir() {
+        check_target(folder)?;
+        std::fs::create_dir(folder).map_err(|source| FileError::Write { path: folder.into(), source })?;
+    }
+    Ok(check_target(&folder.join("accuracy.csv"))?)
+}
+
+/// The table of all scenes so far, and the figure of the last one.
+fn write_files(folder: &Path, all: &[Findings]) -> Result<()> {
+    write_rows(&folder.join("accuracy.csv"), all)?;
+    if let Some(findings) = all.last() {
+        let path = |ending| folder.join(format!("{}.{ending}", findings.scene.name()));
+        write_svg(&path("svg"), &figure(findings))?;
+        write_png(&path("png"), &figure(findings))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,119 @@
+//! `asperity bench`: how fast the solvers are.
+
+use super::Outcome;
+use super::choice::{choice, count};
+use super::progress::bar;
+use anyhow::Result;
+use asperity::contact::{Status, Stop};
+use asperity::files::{check_target, write_csv};
+use asperity::lab::bench::{Group, HEAD};
+use asperity::setup::Method;
+use clap::{Args, ValueEnum};
+use std::io::{Write, stdout};
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+const COLUMNS: &str = "\
+Each row is one case solved by one solver:
+  steps       iterations; for the multilevel solver outer and inner steps on all grids
+  transforms  Fourier transforms; those of coarser grids count by their share of points
+  solve s     seconds in the solver
+  make s      seconds of making the surface and posing the problem
+  eta         certificate
+  area        relative contact area
+  kappa_r     corrected for counting nodes
+  MiB         peak of resident memory while the surface was made and solved (Linux; else -);
+              what the allocator kept of earlier rows counts; with glibc, the environment
+              MALLOC_MMAP_THRESHOLD_=131072 has it keep next to nothing
+  ratio       solve s over that of the case's first solver (- for a case with one solver)";
+
+/// Solves chosen cases one after the other and reports what that took.
+#[derive(Args)]
+#[command(after_help = COLUMNS)]
+pub struct Bench {
+    /// What to solve, in this order
+    #[arg(value_enum, value_name = "GROUP", default_values_t = Group::USUAL)]
+    groups: Vec<Group>,
+    /// The methods, the first of which the others are held against [default: those of the group]
+    #[arg(long = "solver", value_parser = choice(Method::METHODS, Method::named), value_name = "NAME[,NAME]", value_delimiter = ',')]
+    methods: Vec<Method>,
+    /// Certificate eta to reach [default: 1e-8, large: 1e-6]
+    #[arg(long, value_name = "ETA", allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+    /// Iterations at the most
+    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    max_iterations: usize,
+    /// Seed of the rough surfaces
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Solve each case so many times; the median of the seconds is reported
+    #[arg(long, value_name = "N", default_value = "1", value_parser = count)]
+    repeats: NonZeroUsize,
+    /// Shrink the grids: lines to 2^14 points, surfaces to 256^2, without the waves that are too short for them
+    #[arg(long)]
+    quick: bool,
+    /// Write the rows in full precision, again after each one
+    #[arg(long, value_name = "FILE.csv")]
+    out: Option<PathBuf>,
+    /// Print the cases instead of solving them
+    #[arg(long, conflicts_with = "out")]
+    list: bool,
+}
+
+impl Bench {
+    /// Runs the command.
+    pub fn run(&self) -> Result<Outcome> {
+        if self.list {
+            return self.list();
+        }
+        let stops = self.groups.iter().map(|group| self.stop(*group)).collect::<Result<Vec<_>>>()?;
+        if let Some(path) = &self.out {
+            check_target(path)?;
+        }
+        let mut timings = Vec::new();
+        writeln!(stdout(), "{HEAD}")?;
+        for (&group, &stop) in self.groups.iter().zip(&stops) {
+            writeln!(stdout(), "\n{}", self.title(group))?;
+            for contest in group.contests(self.quick, self.seed) {
+                for timing in contest.timings(self.methods(group), stop, self.repeats, &mut bar) {
+                    timings.push(timing?);
+                    writeln!(stdout(), "{}", timings[timings.len() - 1])?;
+                    if let Some(path) = &self.out {
+                        write_csv(path, &timings)?;
+                    }
+                }
+            }
+        }
+        let all_converged = timings.iter().all(|timing| timing.status == Status::Converged);
+        Ok(if all_converged { Outcome::Done } else { Outcome::NotConverged })
+    }
+
+    fn list(&self) -> Result<Outcome> {
+        for &group in &self.groups {
+            writeln!(stdout(), "\n{}", self.title(group))?;
+            let solvers: Vec<_> = self.methods(group).iter().map(Method::name).collect();
+            for contest in group.contests(self.quick, self.seed) {
+                writeln!(stdout(), "{:<14} {:>11} {}", contest.name, contest.points(), solvers.join(", "))?;
+            }
+        }
+        Ok(Outcome::Done)
+    }
+
+    /// The name of a group and a few words on it.
+    fn title(&self, group: Group) -> String {
+        let value = group.to_possible_value();
+        let words = value
+            .as_ref()
+            .map(|value| (value.get_name(), value.get_help().map_or_else(String::new, ToString::to_string)));
+        let (name, help) = words.unwrap_or_default();
+        format!("{name}{}: {help}", if self.quick { ", shrunk" } else { "" })
+    }
+
+    fn methods(&self, group: Group) -> &[Method] {
+        if self.methods.is_empty() { group.methods() } else { &self.methods }
+    }
+
+    fn stop(&self, group: Group) -> Result<Stop> {
+        Ok(Stop::new(self.tolerance.unwrap_or(group.tolerance()), self.max_iterations)?)
+    }
+}

@@ -1,0 +1,139 @@
+//! `asperity stability`: how the solvers bear stiff and extreme cases.
+
+use super::choice::choice;
+use super::progress::bar;
+use super::{Outcome, usage};
+use anyhow::Result;
+use asperity::files::{check_target, write_csv};
+use asperity::lab::Rival;
+use asperity::lab::stability::{HEAD, Tally, TimeSteps, Trial, judge, trials};
+use clap::Args;
+use std::io::{Write, stdout};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Seconds that a run gets if none are given.
+const BUDGET: f64 = 20.0;
+const QUICK_BUDGET: f64 = 0.5;
+
+const COLUMNS: &str = "\
+Each row is one case solved by one solver:
+  steps    iterations; for the multilevel solver outer and inner steps on all grids
+  seconds  in the solver
+  eta      certificate, recomputed from the returned pressure by code that the solvers do not use
+  verdict  converged      the solver says so, and the check agrees
+           refused        with a clear sentence
+           not converged  and it says so: out of budget, or no further progress
+           WRONG          the solver and the check disagree; a NaN, a tension, a missed load, a panic:
+                          must never happen
+           A case that must come to another end than this has a ! before the verdict.
+The budget of a run is kept by an observer that ends it after the step in which it runs out.
+
+After them the largest stable time steps of molecular dynamics, found by bisection, beside theory.
+
+Exit code 0 if nothing is WRONG, the multilevel solver does what every case demands, and the time steps are
+those of theory; else 3.";
+
+/// Solves stiff and extreme cases by every solver and checks what they return.
+#[derive(Args)]
+#[command(after_help = COLUMNS)]
+pub struct Stability {
+    /// Cases to run: all those whose name contains one of these [default: all]
+    #[arg(value_name = "NAME")]
+    names: Vec<String>,
+    /// The methods [default: all but gfmd-uniform, which runs where stiffness matters]
+    #[arg(long = "solver", value_parser = choice(Rival::ALL.map(|rival| (rival.name, rival.about)), Rival::named), value_name = "NAME[,NAME]", value_delimiter = ',')]
+    rivals: Vec<Rival>,
+    /// Seconds that each run may take [default: 20, quick: 0.5]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    budget: Option<f64>,
+    /// Shrink the grids and the budget
+    #[arg(long)]
+    quick: bool,
+    /// Write the rows in full precision, again after each one
+    #[arg(long, value_name = "FILE.csv")]
+    out: Option<PathBuf>,
+    /// Print the cases instead of solving them
+    #[arg(long, conflicts_with = "out")]
+    list: bool,
+}
+
+impl Stability {
+    /// Runs the command.
+    pub fn run(&self) -> Result<Outcome> {
+        let trials = self.trials()?;
+        if self.list {
+            return self.list(&trials);
+        }
+        let budget = self.budget()?;
+        if let Some(path) = &self.out {
+            check_target(path)?;
+        }
+        let mut reports = Vec::new();
+        writeln!(stdout(), "{HEAD}")?;
+        for trial in &trials {
+            for rival in self.rivals(trial) {
+                reports.push(judge(trial, rival, budget, &mut bar));
+                writeln!(stdout(), "{}", reports[reports.len() - 1])?;
+                if let Some(path) = &self.out {
+                    write_csv(path, &reports)?;
+                }
+            }
+        }
+        let agrees = !self.names.is_empty() || self.measure_time_steps()?;
+        conclude(Tally::of(&reports), agrees)
+    }
+
+    /// The trials whose names were asked for.
+    fn trials(&self) -> Result<Vec<Trial>> {
+        let mut trials = trials(self.quick)?;
+        if let Some(unknown) = self.names.iter().find(|name| !trials.iter().any(|trial| trial.name.contains(*name))) {
+            return usage(format!("no case has {unknown:?} in its name: see asperity stability --list"));
+        }
+        trials.retain(|trial| self.names.is_empty() || self.names.iter().any(|name| trial.name.contains(name)));
+        Ok(trials)
+    }
+
+    fn rivals<'a>(&'a self, trial: &'a Trial) -> &'a [Rival] {
+        if self.rivals.is_empty() { trial.rivals } else { &self.rivals }
+    }
+
+    fn budget(&self) -> Result<Duration> {
+        let seconds = self.budget.unwrap_or(if self.quick { QUICK_BUDGET } else { BUDGET });
+        match Duration::try_from_secs_f64(seconds) {
+            Ok(budget) if !budget.is_zero() => Ok(budget),
+            _ => usage(format!("--budget is {seconds:?}: give a positive, finite number of seconds")),
+        }
+    }
+
+    fn list(&self, trials: &[Trial]) -> Result<Outcome> {
+        for trial in trials {
+            let demand = |rival: &Rival| format!("{} {}", rival.name, trial.demand_of(rival).name());
+            let demands: Vec<_> = self.rivals(trial).iter().map(demand).collect();
+            writeln!(stdout(), "{:<28} {}", trial.name, demands.join(", "))?;
+        }
+        Ok(Outcome::Done)
+    }
+
+    /// Whether the largest stable time steps are those of theory.
+    fn measure_time_steps(&self) -> Result<bool> {
+        let time_steps = TimeSteps::measure()?;
+        write!(stdout(), "\n{time_steps}")?;
+        Ok(time_steps.agrees())
+    }
+}
+
+/// Says how it went.
+fn conclude(tally: Tally, agrees: bool) -> Result<Outcome> {
+    writeln!(stdout(), "\n{tally}")?;
+    if tally.is_stable() && agrees {
+        return Ok(Outcome::Done);
+    }
+    let Tally { wrong, missed, .. } = tally;
+    let steps = if agrees { "" } else { ", and a time step is not what theory says" };
+    writeln!(
+        stdout(),
+        "not stable: {wrong} runs are wrong, the multilevel solver misses the end of {missed} cases{steps}"
+    )?;
+    Ok(Outcome::NotConverged)
+}

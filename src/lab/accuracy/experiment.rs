@@ -1,0 +1,73 @@
+//! The experiment on a scene.
+
+use super::curve::{Curve, Reference};
+use super::findings::Findings;
+use super::ladder::{Ladder, REFINEMENT};
+use super::model::models;
+use super::scene::Scene;
+use crate::contact::Stop;
+use crate::error::{SettingError, SetupError};
+use crate::lab::{Rival, Watch};
+use std::num::NonZeroUsize;
+
+/// The experiment on a scene: its grids, where runs end, and how often they are timed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Experiment {
+    /// The scene.
+    pub scene: Scene,
+    /// Points along each side of the grids, coarsest first.
+    pub sides: Vec<usize>,
+    /// Seed of rough surfaces.
+    pub seed: u64,
+    /// Where the curves end.
+    pub stop: Stop,
+    /// Where the solutions end that errors are held against, as far as rounding lets them.
+    pub reference: Stop,
+    /// Runs that are timed after one to warm up.
+    pub repeats: NonZeroUsize,
+}
+
+impl Experiment {
+    /// Checks all that can be checked before anything runs.
+    ///
+    /// # Errors
+    /// For no grids, grids that do not become finer, and grids that cannot carry the scene.
+    pub fn check(&self) -> Result<(), SetupError> {
+        if let Some(pair) = self.sides.windows(2).find(|pair| pair[0] >= pair[1]) {
+            return Err(SettingError::NotFiner { from: pair[0], to: pair[1] }.into());
+        }
+        self.scene.setup(*self.sides.first().ok_or(SetupError::NoPoints)?, self.seed).check()?;
+        self.scene.cell(self.finest().saturating_mul(REFINEMENT)).grid()?;
+        Ok(())
+    }
+
+    /// Measures the errors of grids, theories and solvers.
+    ///
+    /// # Errors
+    /// As [`Experiment::check`].
+    pub fn run(&self, watch: &mut Watch<'_>) -> Result<Findings, SetupError> {
+        self.check()?;
+        let ladder = Ladder::of(self.scene, &self.sides, self.seed, &self.stop, watch)?;
+        let rms_gradient = self.scene.setup(self.finest(), self.seed).problem()?.rms_gradient();
+        let models = models(self.scene, &ladder.truth, self.scene.mean_pressure() / rms_gradient);
+        let mut curves = Vec::new();
+        for &side in &self.sides {
+            curves.extend(self.curves(side, watch)?);
+        }
+        Ok(Findings { scene: self.scene, ladder, models, curves })
+    }
+
+    /// The curves of all solvers on one grid.
+    fn curves(&self, side: usize, watch: &mut Watch<'_>) -> Result<Vec<Curve>, SetupError> {
+        let title = format!("{} {side},", self.scene.name());
+        let problem = self.scene.setup(side, self.seed).problem()?;
+        let reference = Reference::of(problem, &self.reference, &title, watch)?;
+        let curve = |rival| Curve::of(rival, &reference, &self.stop, self.repeats, &title, watch);
+        Rival::ALL.into_iter().map(curve).collect()
+    }
+
+    /// Points along each side of the finest grid.
+    pub(super) fn finest(&self) -> usize {
+        self.sides.last().copied().unwrap_or_default()
+    }
+}

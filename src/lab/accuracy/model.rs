@@ -1,0 +1,45 @@
+//! The error of theories that stand in for the solution.
+
+use super::quantity::{Values, errors};
+use super::scene::{AMPLITUDE, RADIUS, Scene};
+use crate::theory::{PowerLaw, SummitHeights, hertz, persson};
+use std::f64::consts::{PI, TAU};
+
+/// A theory held against the truth.
+pub struct Model {
+    /// The name of the theory.
+    pub theory: &'static str,
+    /// Relative errors, with their signs.
+    pub errors: Values,
+}
+
+/// The errors of the theories of `scene`, whose true values are `truth`.
+pub fn models(scene: Scene, truth: &Values, reduced_pressure: f64) -> Vec<Model> {
+    let of = |theory, values: Values| Model { theory, errors: errors(&values, truth) };
+    match scene {
+        Scene::Sine => vec![of("Hertz at the crest", isolated(&hertz::cylinder(crest_radius(), 1.0), scene))],
+        Scene::Cylinder => vec![of("Hertz, isolated", isolated(&hertz::cylinder(RADIUS, 1.0), scene))],
+        Scene::Sphere => vec![of("Hertz, isolated", isolated(&hertz::sphere(RADIUS, 1.0), scene))],
+        Scene::RoughLine | Scene::RoughSurface => {
+            let area = |area| [Some(area), None, None, None];
+            vec![
+                of("Persson", area(persson::relative_area(reduced_pressure))),
+                of("Bush-Gibson-Thomas", area(persson::KAPPA_BGT * reduced_pressure)),
+                // exponential heights: no parameter of the model enters
+                of("Greenwood-Williamson", [None, Some(SummitHeights::Exponential.kappa_r(0.0)), None, None]),
+            ]
+        }
+    }
+}
+
+/// An isolated contact in a cell of length 1.
+fn isolated(contact: &PowerLaw, scene: Scene) -> Values {
+    let a = contact.half_width(scene.mean_pressure());
+    let area = if scene.is_line() { 2.0 * a } else { PI * a * a };
+    [Some(area), Some(contact.kappa_r()), None, Some(contact.pressure(a, 0.0))]
+}
+
+/// Radius of curvature of the sine at its crest.
+fn crest_radius() -> f64 {
+    1.0 / (AMPLITUDE * TAU * TAU)
+}

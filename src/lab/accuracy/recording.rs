@@ -1,0 +1,36 @@
+//! The solvers side by side in one recording.
+
+use super::curve::solve;
+use super::experiment::Experiment;
+use crate::error::SetupError;
+use crate::lab::{Rival, Watch};
+use crate::record::{Options, Recording, Scene};
+use crate::setup::{Record, Setup};
+use std::path::Path;
+
+/// Records one run of each solver on the finest grid of an experiment: certificates along seconds and transforms, next to the
+/// fields.
+///
+/// # Errors
+/// As [`Experiment::check`], and for a file that cannot be written.
+pub fn record(path: &Path, experiment: &Experiment, watch: &mut Watch<'_>) -> Result<(), SetupError> {
+    let stop = experiment.stop;
+    let record = Record { length_unit: "L".into(), ..Record::default() };
+    let options = Options::from(&record);
+    let setup = Setup { stop, record, ..experiment.scene.setup(experiment.finest(), experiment.seed) };
+    let problem = setup.problem()?;
+    let setups = Rival::ALL.map(|rival| Setup { solver: rival.method, ..setup.clone() });
+    let scene = |(rival, setup): (&Rival, _)| {
+        let [name, title] = [rival.title; 2].map(String::from);
+        Scene { name, title, exact: None, ..Scene::of(setup, &problem) }
+    };
+    let scenes: Vec<Scene<'_>> = Rival::ALL.iter().zip(&setups).map(scene).collect();
+    let recording = Recording::create(path, &scenes, options)?;
+    for (i, rival) in Rival::ALL.iter().enumerate() {
+        let contact = solve(rival, &problem, &stop, &mut recording.recorder(i), "recording", watch)?;
+        if let Some(fault) = contact.fault().filter(|_| contact.failure.is_some()) {
+            return Err(fault.into());
+        }
+    }
+    Ok(recording.finish()?)
+}

@@ -1,0 +1,155 @@
+//! The tables for reading, 120 columns wide.
+
+use super::advice::{ACCURACIES, Advice, settled};
+use super::curve::Curve;
+use super::findings::Findings;
+use super::ladder::{LOADS, Ladder};
+use super::quantity::{QUANTITIES, Values};
+use crate::lab::table::{or_dash, points};
+use std::fmt::{self, Formatter};
+
+/// Certificates at which the work is told.
+const MILESTONES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
+const INDENT: &str = "    ";
+
+impl fmt::Display for Findings {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", self.scene.name())?;
+        write_ladder(&self.ladder, f)?;
+        write_models(self, f)?;
+        write_work(self, f)?;
+        write_settled(self, f)?;
+        write_advice(self, f)
+    }
+}
+
+fn write_ladder(ladder: &Ladder, f: &mut Formatter<'_>) -> fmt::Result {
+    writeln!(f, "  discretisation: errors against {}, rms over {LOADS} loads", ladder.against)?;
+    write_head("points", f)?;
+    for rung in &ladder.rungs {
+        write_values(&points(rung.shape), &rung.errors, percent, f)?;
+    }
+    write_values("order", &ladder.orders(), |order| format!("{order:.1}"), f)
+}
+
+fn write_models(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
+    writeln!(f, "  model: predictions over the truth, less one")?;
+    write_head("theory", f)?;
+    let mut models = findings.models.iter();
+    models.try_for_each(|model| write_values(model.theory, &model.errors, |e| format!("{:+.2} %", 100.0 * e), f))
+}
+
+fn write_head(first: &str, f: &mut Formatter<'_>) -> fmt::Result {
+    let [a, b, c, d] = QUANTITIES;
+    writeln!(f, "{INDENT}{first:<28} {a:>13} {b:>13} {c:>13} {d:>13}")
+}
+
+fn write_values(name: &str, values: &Values, format: impl Fn(f64) -> String, f: &mut Formatter<'_>) -> fmt::Result {
+    let [a, b, c, d] = values.map(|value| or_dash(value, &format));
+    writeln!(f, "{INDENT}{name:<28} {a:>13} {b:>13} {c:>13} {d:>13}")
+}
+
+/// Seconds with their spread and transforms to reach the milestones on the finest grid.
+fn write_work(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
+    let Some(Curve { shape, reference_eta, .. }) = findings.finest().next() else { return Ok(()) };
+    writeln!(
+        f,
+        "  algebraic: ms (half the spread in %) and transforms to eta, {} points; L2 of p in the end, against eta {:.0e}",
+        points(*shape),
+        reference_eta
+    )?;
+    let [a, b, c, d] = MILESTONES.map(|eta| format!("eta {eta:.0e}"));
+    writeln!(f, "{INDENT}{:<28} {a:>18} {b:>18} {c:>18} {d:>18} {:>8}", "solver", "L2 of p")?;
+    for curve in findings.finest() {
+        let [a, b, c, d] = MILESTONES.map(|eta| work(curve, eta));
+        let last = or_dash(curve.points.last(), |point| format!("{:.0e}", point.pressure_error));
+        writeln!(f, "{INDENT}{:<28} {a:>18} {b:>18} {c:>18} {d:>18} {last:>8}", curve.rival.title)?;
+    }
+    Ok(())
+}
+
+fn work(curve: &Curve, eta: f64) -> String {
+    let Some(point) = curve.reaching(eta) else { return "-".into() };
+    let (least, most) = (point.seconds[0], point.seconds[point.seconds.len() - 1]);
+    let spread = 50.0 * (most - least) / point.median();
+    format!("{} ({spread:.0}) {:>5}", Milliseconds(point.median()), point.transforms)
+}
+
+/// Seconds, shown as milliseconds with three digits or more.
+struct Milliseconds(f64);
+
+impl fmt::Display for Milliseconds {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let milliseconds = 1e3 * self.0;
+        let decimals = (2.0 - milliseconds.log10().floor()).clamp(0.0, 3.0) as usize;
+        write!(f, "{milliseconds:.decimals$}")
+    }
+}
+
+fn write_settled(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
+    writeln!(
+        f,
+        "  when may I stop: the largest eta seen from which on a quantity stays within 1 % / 0.1 % of its final value"
+    )?;
+    let [a, b, c, d] = QUANTITIES;
+    writeln!(f, "{INDENT}{:<28} {a:>19} {b:>19} {c:>19} {d:>19}", "solver")?;
+    for curve in findings.finest() {
+        let [a, b, c, d] = std::array::from_fn(|quantity| {
+            ACCURACIES.map(|accuracy| or_dash(settled(curve, quantity, accuracy), certificate)).join(" / ")
+        });
+        writeln!(f, "{INDENT}{:<28} {a:>19} {b:>19} {c:>19} {d:>19}", curve.rival.title)?;
+    }
+    Ok(())
+}
+
+fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
+    let Findings { curves, ladder, .. } = findings;
+    writeln!(f, "  recommended: the fastest that was measured, total error = discretisation + algebraic")?;
+    for (quantity, name) in QUANTITIES.iter().enumerate() {
+        for accuracy in ACCURACIES {
+            write!(f, "{INDENT}for {name} to {} % ", 100.0 * accuracy)?;
+            match Advice::for_accuracy(curves, ladder, quantity, accuracy) {
+                Some(advice) => writeln!(f, "{}", sentence(&advice))?,
+                None => {
+                    let best = or_dash(Advice::best_error(curves, ladder, quantity), percent);
+                    writeln!(f, "use a finer grid: the best of these has {best}")?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+fn sentence(advice: &Advice) -> String {
+    format!(
+        "use {} points, eta = {}: {} ms by {} ({:.2} + {:.2} %)",
+        points(advice.shape),
+        certificate(advice.eta),
+        Milliseconds(advice.seconds),
+        advice.rival.title,
+        100.0 * advice.discretisation,
+        100.0 * advice.algebraic
+    )
+}
+
+fn percent(value: f64) -> String {
+    if value >= 1e-4 { format!("{:.2} %", 100.0 * value) } else { format!("{:.0e} %", 100.0 * value) }
+}
+
+/// A certificate, rounded down: who stops there has come as far as the point that was findings.
+fn certificate(eta: f64) -> String {
+    let unit = 10f64.powf(eta.log10().floor() - 1.0);
+    format!("{:.1e}", (eta / unit).floor() * unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn certificates_are_rounded_down_and_times_keep_their_digits() {
+        assert_eq!([certificate(1.29e-3), certificate(9.99e-7), certificate(0.5)], ["1.2e-3", "9.9e-7", "5.0e-1"]);
+        let shown = [1.23456, 0.0123456, 1.23456e-4, 1.2e-7].map(|seconds| Milliseconds(seconds).to_string());
+        assert_eq!(shown, ["1235", "12.3", "0.123", "0.000"]);
+    }
+}

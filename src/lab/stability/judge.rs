@@ -1,0 +1,95 @@
+//! One trial of one solver, judged.
+
+use super::check::Check;
+use super::report::Report;
+use super::trial::Trial;
+use super::verdict::{Demand, Verdict};
+use crate::contact::{Contact, Status};
+use crate::error::{SetupError, SolveError};
+use crate::lab::{Rival, Watch};
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Duration;
+
+/// By how much dimensionless results may differ between units.
+const UNITS: f64 = 1e-10;
+/// By how much a solver's certificate may differ from the checked one, besides rounding.
+const AGREEMENT: f64 = 1e-6;
+
+/// Solves a trial within a budget of time, checks what comes back, and judges it.
+pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: &mut Watch<'_>) -> Report {
+    let demand = trial.demand_of(rival);
+    let report = |found: Option<(&Contact, &Check)>, verdict, note| {
+        let is_stalled = found.is_some_and(|(contact, _)| contact.status == Status::Stalled);
+        let as_demanded = demand.is_met(verdict, found.map(|(_, check)| check.eta), is_stalled);
+        Report::new(&trial.name, rival, verdict, as_demanded, note, found)
+    };
+    match catch_unwind(AssertUnwindSafe(|| trial.solve(rival, budget, watch))) {
+        Ok(Ok((contact, twin))) => {
+            let check = Check::of(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
+            let mismatch = || twin.and_then(|twin| mismatch(&contact, &twin));
+            let fault = fault(&contact, &check, trial.tolerance).or_else(mismatch);
+            let (verdict, note) = verdict(contact.status, demand, fault);
+            report(Some((&contact, &check)), verdict, note)
+        }
+        Ok(Err(error)) => report(None, verdict_on(&error), error.to_string()),
+        Err(panic) => report(None, Verdict::Wrong, format!("panic: {}", message(panic.as_ref()))),
+    }
+}
+
+/// The verdict on an error: a refusal, unless something failed on the way.
+fn verdict_on(error: &SetupError) -> Verdict {
+    match error {
+        SetupError::Solve(SolveError::NotConverged { .. } | SolveError::Observer(_)) => Verdict::Wrong,
+        _ => Verdict::Refused,
+    }
+}
+
+/// What is wrong with a returned contact.
+fn fault(contact: &Contact, check: &Check, tolerance: f64) -> Option<String> {
+    let doubt = || check.doubt(tolerance).filter(|_| contact.is_converged());
+    check.fault().or_else(|| disagreement(contact, check)).or_else(doubt)
+}
+
+/// The verdict, and what is wrong or why it has not converged.
+fn verdict(status: Status, demand: Demand, fault: Option<String>) -> (Verdict, String) {
+    match fault {
+        Some(fault) => (Verdict::Wrong, fault),
+        None if demand == Demand::Refusal => (Verdict::Wrong, "this cannot be solved".into()),
+        None if status == Status::Converged => (Verdict::Converged, String::new()),
+        None => (Verdict::NotConverged, status.to_string()),
+    }
+}
+
+/// What the solver says of its result that the check does not find.
+fn disagreement(contact: &Contact, check: &Check) -> Option<String> {
+    if contact.displacement.iter().chain(&contact.gap).any(|value| !value.is_finite()) {
+        return Some("the displacement or the gap is not finite".into());
+    }
+    let said = contact.certificate.eta;
+    let differs = (said - check.eta).abs() > AGREEMENT * check.eta + check.rounding;
+    (said.is_nan() || differs).then(|| format!("the certificate is said to be {said:.1e}, but is {:.1e}", check.eta))
+}
+
+/// How dimensionless results differ, if they do and both have converged.
+fn mismatch(contact: &Contact, twin: &Contact) -> Option<String> {
+    if !(contact.is_converged() && twin.is_converged()) {
+        return None;
+    }
+    let [a, b] = [contact, twin].map(|contact| {
+        let measures = contact.measures();
+        let mean = contact.problem.mean_pressure_of(contact.pressure.as_slice().unwrap_or_default());
+        (measures.relative_area, measures.kappa_r, &contact.pressure / mean)
+    });
+    let largest = b.2.fold(0.0, |most: f64, p| most.max(p.abs()));
+    let pressure = (&a.2 - &b.2).fold(0.0, |most: f64, p| most.max(p.abs())) / largest;
+    let differences = [("area", (a.0 / b.0 - 1.0).abs()), ("kappa_r", (a.1 / b.1 - 1.0).abs()), ("pressure", pressure)];
+    let worst = differences.into_iter().find(|(_, difference)| difference.is_nan() || *difference > UNITS)?;
+    Some(format!("the {} differs by {:.1e} from that in other units", worst.0, worst.1))
+}
+
+/// What a panic says.
+fn message(panic: &(dyn Any + Send)) -> &str {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("without a message")
+}

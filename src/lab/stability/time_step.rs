@@ -1,0 +1,178 @@
+//! The largest stable time step of molecular dynamics, measured beside theory.
+//!
+//! The solver refuses steps beyond its limit, so the motion is integrated here by a few lines of Verlet's scheme: undamped,
+//! on a small line, with the wall holding all nodes of a set. A step is too large if the motion grows. Then the solver
+//! itself runs close to its limit.
+
+use super::check::Check;
+use crate::contact::{Dynamics, Gfmd, Load, Masses, Solver, Stop};
+use crate::elastic::HalfSpace;
+use crate::error::{GridError, SetupError};
+use crate::grid::Grid;
+use crate::setup::{Cell, Recipe, Setup};
+use crate::surface::Spectrum;
+use std::fmt;
+
+/// Points of the integrated line and of the solved one.
+const INTEGRATED: usize = 64;
+const SOLVED: usize = 256;
+/// Steps by which a motion grows by so much, or not at all.
+const STEPS: usize = 4000;
+const GROWTH: f64 = 1e6;
+const BISECTIONS: usize = 20;
+/// Agreement of measured limits with theory.
+const AGREEMENT: f64 = 1e-4;
+/// Time step of the solver, close to its limit of 1.
+const TIME_STEP: f64 = 0.99;
+const TOLERANCE: f64 = 1e-8;
+
+/// A motion whose limit is measured.
+struct Motion {
+    name: &'static str,
+    masses: Masses,
+    is_free: fn(usize) -> bool,
+}
+
+const MOTIONS: [Motion; 3] = [
+    Motion { name: "uniform masses, no wall", masses: Masses::Uniform, is_free: |_| true },
+    Motion { name: "masses by stiffness, no wall", masses: Masses::Stiffness, is_free: |_| true },
+    Motion { name: "masses by stiffness, one free node", masses: Masses::Stiffness, is_free: |i| i == 0 },
+];
+
+const VARIANTS: [(&str, Masses, Dynamics); 4] = [
+    ("uniform masses, damped", Masses::Uniform, Dynamics::Damped),
+    ("uniform masses, FIRE", Masses::Uniform, Dynamics::Fire),
+    ("masses by stiffness, damped", Masses::Stiffness, Dynamics::Damped),
+    ("masses by stiffness, FIRE", Masses::Stiffness, Dynamics::Fire),
+];
+
+/// The largest stable time steps, over `2 sqrt(m / k)`, and solves close to them; displays as a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TimeSteps {
+    /// Name, measured limit and limit in theory of each motion.
+    pub limits: Vec<(&'static str, f64, f64)>,
+    /// Solves close to the limit.
+    pub solves: Vec<NearLimit>,
+}
+
+/// A solve close to the limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearLimit {
+    /// Masses and dynamics.
+    pub name: &'static str,
+    /// Relaxation steps.
+    pub steps: usize,
+    /// Certificate, as checked.
+    pub eta: f64,
+    /// Whether it converged, and the check agrees.
+    pub is_sound: bool,
+}
+
+impl TimeSteps {
+    /// Measures all limits, and runs the solver close to its own.
+    ///
+    /// # Errors
+    /// None that is known: the grids, surfaces and settings are fixed.
+    pub fn measure() -> Result<Self, SetupError> {
+        let limit = |motion: Motion| Ok((motion.name, motion.largest_stable()?, motion.theory()?));
+        let limits = MOTIONS.into_iter().map(limit).collect::<Result<_, SetupError>>()?;
+        let solves = VARIANTS.into_iter().map(NearLimit::of).collect::<Result<_, _>>()?;
+        Ok(Self { limits, solves })
+    }
+
+    /// Whether all is as theory says.
+    pub fn agrees(&self) -> bool {
+        let agrees = |&(_, measured, theory): &(_, f64, f64)| (measured / theory - 1.0).abs() < AGREEMENT;
+        self.limits.iter().all(agrees) && self.solves.iter().all(|solve| solve.is_sound)
+    }
+}
+
+impl fmt::Display for TimeSteps {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "largest stable time step over 2 sqrt(m/k) {:>9} {:>9}", "measured", "theory")?;
+        for (name, measured, theory) in &self.limits {
+            writeln!(f, "{name:<41} {measured:>9.4} {theory:>9.4}")?;
+        }
+        writeln!(f, "\ngfmd at {TIME_STEP} of its limit {:>20} {:>9}", "steps", "eta")?;
+        for NearLimit { name, steps, eta, is_sound } in &self.solves {
+            let verdict = if *is_sound { "converged" } else { "WRONG" };
+            writeln!(f, "{name:<27} {steps:>20} {eta:>9.1e} {verdict}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Motion {
+    /// The largest stable step, by bisection between a step of 0 and twice the limit of free waves.
+    fn largest_stable(&self) -> Result<f64, GridError> {
+        let [mut stable, mut unstable] = [0.0, 2.0];
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (stable + unstable);
+            *(if self.grows(middle)? { &mut unstable } else { &mut stable }) = middle;
+        }
+        Ok(stable)
+    }
+
+    /// The largest stable step in theory. Free waves allow 1. The frequency of a lone free node is `sqrt(<k> <1/m>)`.
+    fn theory(&self) -> Result<f64, GridError> {
+        let grid = Grid::line(INTEGRATED, 1.0)?;
+        if (0..INTEGRATED).all(self.is_free) {
+            return Ok(1.0);
+        }
+        let (mut stiffness, mut mobility) = (0.0, 0.0);
+        for (q, count) in grid.wavenumbers().zip(grid.multiplicities()) {
+            let k = 0.5 * q;
+            stiffness += count * k / INTEGRATED as f64;
+            mobility += count / k.max(softest(&grid)) / INTEGRATED as f64;
+        }
+        Ok(1.0 / (stiffness * mobility).sqrt())
+    }
+
+    /// Whether an undamped motion grows with the time step `step`, in units of the limit of free waves.
+    fn grows(&self, step: f64) -> Result<bool, GridError> {
+        let grid = Grid::line(INTEGRATED, 1.0)?;
+        let mut half_space = HalfSpace::new(&grid, 1.0);
+        let stiffest = half_space.stiffnesses().fold(0.0, f64::max);
+        let (mut f, mut a) = (vec![0.0; INTEGRATED], vec![0.0; INTEGRATED]);
+        let noise = |i: usize| if (self.is_free)(i) { ((i * i) as f64 * 0.7).sin() + 0.1 } else { 0.0 };
+        let mut w: Vec<f64> = (0..INTEGRATED).map(noise).collect();
+        let mut dw = vec![0.0; INTEGRATED];
+        for _ in 0..STEPS {
+            half_space.pressure(&w, &mut f);
+            (0..INTEGRATED).for_each(|i| f[i] = if (self.is_free)(i) { -f[i] } else { 0.0 });
+            match self.masses {
+                Masses::Uniform => (0..INTEGRATED).for_each(|i| a[i] = f[i] / stiffest),
+                Masses::Stiffness => {
+                    half_space.displacement(&f, &mut a);
+                    let mean = f.iter().sum::<f64>() / INTEGRATED as f64 / softest(&grid);
+                    a.iter_mut().for_each(|a| *a += mean);
+                }
+            }
+            for i in (0..INTEGRATED).filter(|&i| (self.is_free)(i)) {
+                dw[i] += 4.0 * step * step * a[i];
+                w[i] += dw[i];
+            }
+            if dw.iter().any(|dw| dw.abs() > GROWTH) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+}
+
+/// Stiffness of the longest wave, whose mass the mean has.
+fn softest(grid: &Grid) -> f64 {
+    HalfSpace::new(grid, 1.0).softest_stiffness()
+}
+
+impl NearLimit {
+    fn of((name, masses, dynamics): (&'static str, Masses, Dynamics)) -> Result<Self, SetupError> {
+        let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 1.0 / 32.0, rms_gradient: 0.1 };
+        let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(SOLVED, 1.0), Load::ReducedPressure(0.1));
+        let solver = Gfmd { masses, dynamics, time_step: TIME_STEP, damping: 1.0 };
+        let contact = solver.solve(&setup.problem()?, &Stop::new(TOLERANCE, 100_000)?, &mut ())?;
+        let check = Check::of(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
+        let is_sound = contact.is_converged() && check.fault().or(check.doubt(TOLERANCE)).is_none();
+        Ok(Self { name, steps: contact.work.iterations, eta: check.eta, is_sound })
+    }
+}

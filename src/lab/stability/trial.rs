@@ -1,0 +1,120 @@
+//! A trial: what is pressed, where the solver starts, how far it must come.
+
+use super::verdict::Demand;
+use crate::contact::{Contact, Each, Problem, Step, Stop};
+use crate::error::SetupError;
+use crate::lab::{Rival, Watch};
+use crate::setup::Setup;
+use crate::surface::Field;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// The certificate to reach where nothing else is said.
+const TOLERANCE: f64 = 1e-8;
+/// Iterations at the most, besides the budget in seconds.
+const MAX_ITERATIONS: usize = 1_000_000;
+
+/// One contact to be solved, or refused.
+pub struct Trial {
+    /// Name in tables.
+    pub name: String,
+    /// The solvers to use if none is named.
+    pub rivals: &'static [Rival],
+    /// The certificate to reach.
+    pub tolerance: f64,
+    demand: Demand,
+    is_at_mean_gap: bool,
+    pose: Pose,
+    twin: Option<Pose>,
+    start: Option<f64>,
+}
+
+type Pose = Box<dyn Fn() -> Result<Problem, SetupError>>;
+
+impl Trial {
+    /// The contact that `pose` poses, to be solved from the flat start.
+    pub(super) fn new(name: impl Into<String>, pose: impl Fn() -> Result<Problem, SetupError> + 'static) -> Self {
+        Self {
+            name: name.into(),
+            rivals: Rival::USUAL,
+            tolerance: TOLERANCE,
+            demand: Demand::Solution,
+            is_at_mean_gap: false,
+            pose: Box::new(pose),
+            twin: None,
+            start: None,
+        }
+    }
+
+    /// The contact of a setup, of which the solver and its stop do not matter.
+    pub(super) fn of(name: impl Into<String>, setup: Setup) -> Self {
+        Self::new(name, move || setup.problem())
+    }
+
+    /// The trial with another end demanded.
+    pub(super) fn demanding(self, demand: Demand) -> Self {
+        Self { demand, ..self }
+    }
+
+    /// The trial to another certificate.
+    pub(super) fn to(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// The trial, said to be at a mean gap.
+    pub(super) fn at_mean_gap(self) -> Self {
+        Self { is_at_mean_gap: true, ..self }
+    }
+
+    /// The trial by other solvers.
+    pub(super) fn by(self, rivals: &'static [Rival]) -> Self {
+        Self { rivals, ..self }
+    }
+
+    /// The trial from a pressure of which two of three values are `garbage`, and the others are 0.
+    pub(super) fn from(self, garbage: f64) -> Self {
+        Self { start: Some(garbage), ..self }
+    }
+
+    /// The trial whose dimensionless results must be those of the contact that `pose` poses.
+    pub(super) fn like(self, pose: impl Fn() -> Result<Problem, SetupError> + 'static) -> Self {
+        Self { twin: Some(Box::new(pose)), ..self }
+    }
+
+    /// What is demanded of a solver: one that cannot take a mean gap must refuse it.
+    pub fn demand_of(&self, rival: &Rival) -> Demand {
+        if self.is_at_mean_gap && !rival.method.takes_mean_gap() { Demand::Refusal } else { self.demand }
+    }
+
+    /// Solves the contact, and the one that it must be like, if there is one.
+    pub(super) fn solve(
+        &self,
+        rival: &Rival,
+        budget: Duration,
+        watch: &mut Watch<'_>,
+    ) -> Result<(Contact, Option<Contact>), SetupError> {
+        let mut solve = |pose: &Pose| self.solve_posed(&pose()?, rival, budget, watch);
+        Ok((solve(&self.pose)?, self.twin.as_ref().map(solve).transpose()?))
+    }
+
+    /// Solves a problem until the step in which the budget runs out.
+    fn solve_posed(
+        &self,
+        problem: &Problem,
+        rival: &Rival,
+        budget: Duration,
+        watch: &mut Watch<'_>,
+    ) -> Result<Contact, SetupError> {
+        let stop = Stop::new(self.tolerance, MAX_ITERATIONS)?;
+        let start = self.start.map(|garbage| start(problem, garbage));
+        let clock = Instant::now();
+        let is_over = || clock.elapsed() >= budget;
+        let budget = Each(|_: &Step<'_>| if is_over() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
+        Ok(rival.method.solver().solve_from(start.as_ref(), problem, &stop, &mut (watch(&self.name), budget))?)
+    }
+}
+
+/// Garbage in two of three diagonals, nothing in the third.
+fn start(problem: &Problem, garbage: f64) -> Field {
+    Field::from_shape_fn(problem.surface().grid().shape(), |(y, x)| if (x + y) % 3 == 0 { 0.0 } else { garbage })
+}

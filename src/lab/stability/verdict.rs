@@ -1,0 +1,71 @@
+//! How a trial ended, and how it should.
+
+use serde::Serialize;
+use std::fmt;
+
+/// How a trial ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// The solver says so, and the check agrees.
+    Converged,
+    /// The solver refused it with a clear sentence.
+    Refused,
+    /// The solver says that it has not converged.
+    NotConverged,
+    /// The solver and the check disagree, or there was a panic: this must never happen.
+    Wrong,
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Converged => "converged",
+            Self::Refused => "refused",
+            Self::NotConverged => "not converged",
+            Self::Wrong => "WRONG",
+        })
+    }
+}
+
+/// The end that a trial demands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Demand {
+    /// It is solved.
+    Solution,
+    /// It is refused.
+    Refusal,
+    /// It is solved or refused.
+    Either,
+    /// The solver comes to [`Demand::ATTAINABLE`] and says that it comes no further.
+    Limit,
+}
+
+impl Demand {
+    /// A certificate that rounding must not prevent.
+    pub const ATTAINABLE: f64 = 1e-12;
+
+    /// The name of the demand.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Solution => "solution",
+            Self::Refusal => "refusal",
+            Self::Either => "either",
+            Self::Limit => "limit",
+        }
+    }
+
+    /// Whether a trial is as demanded that ended in `verdict` with the certificate `eta`, if any, after which there was no
+    /// further progress (`stalled`) or not.
+    pub fn is_met(self, verdict: Verdict, eta: Option<f64>, stalled: bool) -> bool {
+        match self {
+            Self::Solution => verdict == Verdict::Converged,
+            Self::Refusal => verdict == Verdict::Refused,
+            Self::Either => matches!(verdict, Verdict::Converged | Verdict::Refused),
+            Self::Limit => {
+                let ended = verdict == Verdict::Converged || verdict == Verdict::NotConverged && stalled;
+                ended && eta.is_some_and(|eta| eta < Self::ATTAINABLE)
+            }
+        }
+    }
+}
