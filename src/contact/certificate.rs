@@ -92,8 +92,7 @@ impl Certificate {
             Some(prescribed) => (mean_pressure / prescribed - 1.0).abs(),
             None => above_gap.abs() / problem.rms_height(),
         };
-        let depth = (mean_v - sums.lowest_v).max(0.0);
-        let excess = depth + above_gap.abs();
+        let excess = excess(mean_v - sums.lowest_v, above_gap);
         let doubled_energy = sums.elastic / sums.pressure;
         Self {
             eta: excess / problem.rms_height(),
@@ -103,6 +102,12 @@ impl Certificate {
             penetration: (mean_v - sums.lowest_v - above_gap).max(0.0) / problem.rms_height(),
         }
     }
+}
+
+/// `eta h_rms`: the depth of the lowest point of the gap below the datum where `<p g> = 0`, and the distance of that datum from
+/// the mean gap, if it is prescribed.
+pub(super) fn excess(depth: f64, above_gap: f64) -> f64 {
+    depth.max(0.0) + above_gap.abs()
 }
 
 /// The datum `d` of the gap `g = u - h + d`: the prescribed mean gap, or else minus the mean of `u - h` weighted by the

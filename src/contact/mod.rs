@@ -10,6 +10,7 @@
 mod archive;
 mod best;
 mod certificate;
+mod forecast;
 mod gfmd;
 mod load;
 mod measure;
@@ -31,6 +32,7 @@ use crate::chunks;
 pub use crate::error::Failure;
 pub use archive::archive;
 pub use certificate::Certificate;
+pub use forecast::Forecast;
 pub use gfmd::{Dynamics, Gfmd, Masses};
 pub use load::Load;
 pub use measure::{Measures, NODE_EXCESS_PER_SWITCH_LINE, NODE_EXCESS_PER_SWITCH_SURFACE};

@@ -1,6 +1,6 @@
 //! Scenes: the problems of a recording.
 
-use crate::contact::Problem;
+use crate::contact::{Forecast, Problem};
 use crate::setup::Setup;
 use crate::theory::Exact;
 
@@ -35,5 +35,13 @@ impl<'a> Scene<'a> {
             exact: problem.mean_pressure().and_then(|mean_pressure| setup.exact(grid, mean_pressure)),
             ..Self::new("contact", problem)
         }
+    }
+
+    /// The exact area and pressure, or a guess of them where there are none.
+    pub(super) fn forecast(&self) -> Forecast {
+        let guess = Forecast::of(self.problem);
+        let Some(exact) = &self.exact else { return guess };
+        let max_pressure = exact.max_pressure.filter(|p| p.is_finite()).unwrap_or(guess.max_pressure);
+        Forecast { relative_area: exact.relative_area, max_pressure }
     }
 }

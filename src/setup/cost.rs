@@ -1,15 +1,10 @@
 //! The cost of a solve, said before it is started.
 
 use super::Setup;
-use crate::contact::Load;
+use crate::contact::{Forecast, Load};
 use crate::error::SetupError;
 use crate::grid::Grid;
-use libm::erf;
-use std::f64::consts::PI;
 
-/// `kappa = a_rel / p*` of rough surfaces at small loads, as van Dokkum et al. (2018) find it; Persson's error function takes
-/// it on to full contact.
-const KAPPA: f64 = 2.2;
 /// Fields that are held while an archive is made in memory.
 const ARCHIVE_FIELDS: f64 = 9.5;
 
@@ -33,9 +28,8 @@ impl Setup {
     /// As [`Setup::check`].
     pub fn cost(&self, is_recorded: bool, is_archived: bool) -> Result<Cost, SetupError> {
         let grid = self.check()?;
-        let share = |pressure: f64| erf(0.5 * PI.sqrt() * KAPPA * pressure.max(0.0));
         let contact = match self.load {
-            Load::ReducedPressure(pressure) if self.surface.is_random() => share(pressure),
+            Load::ReducedPressure(pressure) if self.surface.is_random() => Forecast::relative_area_at(pressure),
             _ => 1.0,
         };
         // the heights, the solver or the three fields of the result, and what watches

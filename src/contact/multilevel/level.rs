@@ -5,7 +5,7 @@ use super::extension::Extension;
 use super::support::{Pressure, RowOfNodes, Support};
 use crate::chunks;
 use crate::contact::best::Best;
-use crate::contact::{Problem, Status};
+use crate::contact::{Problem, Status, certificate};
 use crate::elastic::HalfSpace;
 use std::ops::Range;
 
@@ -77,8 +77,8 @@ impl<'a> Level<'a> {
             return f64::INFINITY;
         }
         let v = self.extremes_of_v();
-        let missed_gap = self.gap().map_or(0.0, |gap| (v.mean + (v.reference + gap)).abs());
-        ((v.mean - v.lowest).max(0.0) + missed_gap) / self.problem.rms_height()
+        let above_gap = self.gap().map_or(0.0, |gap| v.mean + (v.reference + gap));
+        certificate::excess(v.mean - v.lowest, above_gap) / self.problem.rms_height()
     }
 
     /// `lambda` of this state: the mean of `v` weighted by the pressure or, at a given mean gap, minus that.

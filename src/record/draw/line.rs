@@ -3,11 +3,11 @@
 use super::canvas::{self, BOX, TEXT, strip, style};
 use super::fields::{Extent, Fields, range};
 use super::fill;
-use super::forecast::Forecast;
 use super::palette::{self, CONTACT_CLASS};
 use super::picture::Picture;
 use super::ruler::Ruler;
 use super::window::{Samples, Window};
+use crate::contact::Forecast;
 use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
 use crate::record::parts::Parts;

@@ -5,7 +5,6 @@ mod curves;
 mod fields;
 mod figure;
 mod fill;
-mod forecast;
 mod ghost;
 mod line;
 mod palette;

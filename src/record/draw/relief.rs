@@ -1,10 +1,10 @@
 //! The solid under the indenter as a relief in three dimensions, coloured by the pressure.
 
 use super::fields::{Fields, range};
-use super::forecast::Forecast;
 use super::palette::{self, Map, colour};
 use super::reduce::Blocks;
 use super::ruler::measured;
+use crate::contact::Forecast;
 use crate::grid::Grid;
 use crate::record::scene::Scene;
 use glam::Vec3;

@@ -2,7 +2,6 @@
 
 use super::canvas;
 use super::fields::Fields;
-use super::forecast::Forecast;
 use super::ghost::Ghost;
 use super::line::LinePicture;
 use super::palette;
@@ -10,7 +9,7 @@ use super::picture::Picture;
 use super::spectrum::SpectrumPicture;
 use super::surface::SurfacePicture;
 use super::traces::{self, Reference};
-use crate::contact::{Contact, Phase};
+use crate::contact::{Contact, Forecast, Phase};
 use crate::grid::Grid;
 use crate::record::description;
 use crate::record::options::Options;
@@ -63,7 +62,7 @@ impl Stage {
     pub fn new(scene: &Scene<'_>, root: String, options: &Options) -> Self {
         let grid = *scene.problem.surface().grid();
         let options = Options { what: options.what.and(Parts::on(&grid)), ..options.clone() };
-        let forecast = Forecast::of(scene);
+        let forecast = scene.forecast();
         Self {
             title: scene.title.clone(),
             description: description::of_scene(scene, &options.length_unit),

@@ -2,12 +2,12 @@
 
 use super::canvas;
 use super::fields::{Extent, Fields, range};
-use super::forecast::Forecast;
 use super::palette::{CONTACT_CLASS, GAP_CLASS, Map};
 use super::picture::Picture;
 use super::reduce::Blocks;
 use super::relief::Relief;
 use super::ruler::Ruler;
+use crate::contact::Forecast;
 use crate::grid::Grid;
 use crate::plot::{Align, Axis, Frame, Sheet};
 use crate::record::options::Options;

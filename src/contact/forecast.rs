@@ -1,9 +1,13 @@
-//! Area and pressure expected before solving: the ranges of axes and colours that must be fixed at the first frame.
+//! The one guess of contact area and pressure before solving: for the memory of a solve, and for ranges of axes and colours that
+//! must be fixed at the first frame.
 
 use crate::contact::Problem;
-use crate::record::scene::Scene;
+use libm::erf;
+use std::f64::consts::PI;
 
-/// `kappa_r` of rough surfaces.
+/// `kappa = a_rel / p*` of rough surfaces at small loads, as van Dokkum et al. (2018) find it.
+const KAPPA: f64 = 2.2;
+/// `kappa_r` of rough lines and surfaces, about.
 const KAPPA_R: f64 = 1.9;
 /// Largest pressure over `E* gbar_r`: pressures in contact follow a Rayleigh law of width 1/2 (from Persson's theory), and
 /// one in a few thousand independent points exceeds four widths.
@@ -12,7 +16,7 @@ const LARGEST: f64 = 2.0;
 const SAMPLES: usize = 1 << 16;
 
 /// Area and pressure to expect of a contact.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forecast {
     /// Share of the area in contact.
     pub relative_area: f64,
@@ -21,16 +25,15 @@ pub struct Forecast {
 }
 
 impl Forecast {
-    /// The exact values of `scene`, or an estimate where there are none.
-    pub fn of(scene: &Scene<'_>) -> Self {
-        let estimate = Self::estimate(scene.problem);
-        let Some(exact) = &scene.exact else { return estimate };
-        let max_pressure = exact.max_pressure.filter(|p| p.is_finite()).unwrap_or(estimate.max_pressure);
-        Self { relative_area: exact.relative_area, max_pressure }
+    /// The relative area of a rough surface that is not made yet, under a reduced pressure: `kappa p*` at small loads, and on
+    /// to full contact by Persson's error function.
+    pub fn relative_area_at(reduced_pressure: f64) -> f64 {
+        erf(0.5 * PI.sqrt() * KAPPA * reduced_pressure.max(0.0))
     }
 
-    /// The highest nodes touch, as many as `a_rel = kappa_r p_mean / (gbar_r E*)` asks for with the `gbar_r` of them.
-    fn estimate(problem: &Problem) -> Self {
+    /// The forecast for a problem: the highest nodes touch, as many as `a_rel = kappa_r p_mean / (gbar_r E*)` asks for with the
+    /// `gbar_r` of them.
+    pub fn of(problem: &Problem) -> Self {
         let strain = problem.expected_mean_pressure() / problem.contact_modulus();
         let squares = highest_first(problem);
         let (mut sum, mut gradient, mut area) = (0.0, 0.0, 1.0);
@@ -69,7 +72,7 @@ mod tests {
         let sphere = Indenter::Sphere { radius }.surface(Grid::surface([256, 256], [length; 2]).unwrap()).unwrap();
         let load = 4.0 / 3.0 * contact.powi(3) / radius;
         let problem = Problem::new(sphere, ContactModulus(1.0), Load::MeanPressure(load / length.powi(2))).unwrap();
-        let forecast = Forecast::estimate(&problem);
+        let forecast = Forecast::of(&problem);
         let area = std::f64::consts::PI * contact.powi(2) / length.powi(2);
         let peak = 2.0 * contact / (std::f64::consts::PI * radius);
         assert!((0.5..2.0).contains(&(forecast.relative_area / area)), "{}", forecast.relative_area / area);
