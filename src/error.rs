@@ -407,3 +407,40 @@ pub enum FileError {
         version: String,
     },
 }
+
+impl FileError {
+    /// Whether another file or place would do.
+    pub fn is_input(&self) -> bool {
+        matches!(self, Self::Read { .. } | Self::Format { .. } | Self::Target { .. } | Self::NoViewer { .. })
+    }
+}
+
+impl SolveError {
+    /// Whether another solver or load would do.
+    pub fn is_input(&self) -> bool {
+        matches!(self, Self::NeedsPressure { .. })
+    }
+}
+
+impl SetupError {
+    /// Whether another setup would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::File(error) => error.is_input(),
+            Self::Solve(error) => error.is_input(),
+            _ => true,
+        }
+    }
+}
+
+impl StudyError {
+    /// Whether another study would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Setup(error) => error.is_input(),
+            Self::Solve(error) => error.is_input(),
+            Self::File(error) => error.is_input(),
+            Self::OtherStudy { .. } => true,
+        }
+    }
+}

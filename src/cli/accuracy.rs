@@ -1,8 +1,8 @@
 //! `asperity accuracy`: error against run time.
 
 use super::choice::count;
+use super::outcome::{Outcome, usage};
 use super::progress::bar;
-use super::{Outcome, usage};
 use anyhow::Result;
 use asperity::contact::Stop;
 use asperity::error::FileError;

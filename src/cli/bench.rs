@@ -1,7 +1,7 @@
 //! `asperity bench`: how fast the solvers are.
 
-use super::Outcome;
 use super::choice::{choice, count};
+use super::outcome::Outcome;
 use super::progress::bar;
 use anyhow::Result;
 use asperity::contact::{Status, Stop};

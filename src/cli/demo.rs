@@ -1,6 +1,6 @@
 //! `asperity demo`: Hertz beside rough contact.
 
-use super::Outcome;
+use super::outcome::Outcome;
 use super::progress::Progress;
 use super::solve::settle;
 use anyhow::Result;

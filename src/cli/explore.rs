@@ -1,6 +1,7 @@
 //! `asperity explore`: turn a knob, watch the contact relax.
 
-use super::{Outcome, browser, usage};
+use super::browser;
+use super::outcome::{Outcome, usage};
 use anyhow::Result;
 use asperity::explore::{Explorer, Server, Session, Start};
 use clap::Args;

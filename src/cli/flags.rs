@@ -1,7 +1,7 @@
 //! The flags that describe a contact to solve.
 
 use super::choice::one_of;
-use super::usage;
+use super::outcome::usage;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, Table, Value, lay};
 use clap::{Arg, ArgGroup, ArgMatches, Command, Error, FromArgMatches};

@@ -1,4 +1,4 @@
-//! One file per command, and what they share.
+//! One file per command.
 
 mod accuracy;
 mod bench;
@@ -10,6 +10,7 @@ mod demo;
 #[cfg(feature = "explore")]
 mod explore;
 mod flags;
+mod outcome;
 mod output;
 mod paper;
 mod plan;
@@ -20,11 +21,9 @@ mod surface;
 #[cfg(feature = "explore")]
 mod view;
 
-use asperity::error::{
-    FileError, GridError, ProblemError, SettingError, SetupError, SolveError, StudyError, SurfaceError,
-};
 use clap::{Parser, Subcommand};
-use std::process::ExitCode;
+
+pub use outcome::{Outcome, exit_code};
 
 /// Rough contact: press a rigid surface on an elastic half-space and watch it relax.
 ///
@@ -61,34 +60,6 @@ enum Command {
     View(view::View),
 }
 
-/// How a command ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Outcome {
-    /// All is well.
-    Done,
-    /// What was asked for is written, but a solver did not converge.
-    NotConverged,
-}
-
-impl From<Outcome> for ExitCode {
-    fn from(outcome: Outcome) -> Self {
-        match outcome {
-            Outcome::Done => Self::SUCCESS,
-            Outcome::NotConverged => Self::from(3),
-        }
-    }
-}
-
-/// Options that do not go together, in one sentence.
-#[derive(Debug, thiserror::Error)]
-#[error("{0}")]
-pub struct Usage(pub String);
-
-/// A [`Usage`] error.
-pub fn usage<T>(sentence: impl Into<String>) -> anyhow::Result<T> {
-    Err(Usage(sentence.into()).into())
-}
-
 /// Parses the command line and runs the command.
 pub fn run() -> anyhow::Result<Outcome> {
     match Cli::parse().command {
@@ -105,51 +76,4 @@ pub fn run() -> anyhow::Result<Outcome> {
         #[cfg(feature = "explore")]
         Command::View(view) => view.run(),
     }
-}
-
-/// 2 for what the person at the keyboard can mend, 1 for the rest.
-pub fn exit_code(error: &anyhow::Error) -> ExitCode {
-    ExitCode::from(if is_input(error) { 2 } else { 1 })
-}
-
-/// Whether the person at the keyboard can mend it.
-fn is_input(error: &anyhow::Error) -> bool {
-    error.is::<Usage>()
-        || error.is::<GridError>()
-        || error.is::<SurfaceError>()
-        || error.is::<ProblemError>()
-        || error.is::<SettingError>()
-        || error.downcast_ref().is_some_and(is_setup_input)
-        || error.downcast_ref().is_some_and(is_solve_input)
-        || error.downcast_ref().is_some_and(is_file_input)
-        || match error.downcast_ref() {
-            Some(StudyError::OtherStudy { .. }) => true,
-            Some(StudyError::Setup(setup)) => is_setup_input(setup),
-            Some(StudyError::Solve(solve)) => is_solve_input(solve),
-            Some(StudyError::File(file)) => is_file_input(file),
-            Some(_) => true,
-            None => false,
-        }
-}
-
-/// Whether another setup would do.
-fn is_setup_input(error: &SetupError) -> bool {
-    match error {
-        SetupError::File(file) => is_file_input(file),
-        SetupError::Solve(solve) => is_solve_input(solve),
-        _ => true,
-    }
-}
-
-/// Whether another solver would do.
-fn is_solve_input(error: &SolveError) -> bool {
-    matches!(error, SolveError::NeedsPressure { .. })
-}
-
-/// Whether another file would do.
-fn is_file_input(error: &FileError) -> bool {
-    matches!(
-        error,
-        FileError::Read { .. } | FileError::Format { .. } | FileError::Target { .. } | FileError::NoViewer { .. }
-    )
 }

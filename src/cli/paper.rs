@@ -1,6 +1,6 @@
 //! `asperity paper`: the tables and figures of van Dokkum et al. (2018), made again.
 
-use super::{Outcome, usage};
+use super::outcome::{Outcome, usage};
 use anyhow::Result;
 use asperity::paper::{Effort, Event, Item, Paper as Library};
 use asperity::study::Point;

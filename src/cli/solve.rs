@@ -1,10 +1,10 @@
 //! `asperity solve`: one contact.
 
 use super::flags::Scene;
+use super::outcome::{Outcome, usage};
 use super::output::Summary;
 use super::plan;
 use super::progress::Progress;
-use super::{Outcome, usage};
 use anyhow::Result;
 use asperity::contact::{Contact, Problem, archive};
 use asperity::files::{check_target, write_beside};

@@ -1,8 +1,8 @@
 //! `asperity stability`: how the solvers bear stiff and extreme cases.
 
 use super::choice::choice;
+use super::outcome::{Outcome, usage};
 use super::progress::bar;
-use super::{Outcome, usage};
 use anyhow::Result;
 use asperity::files::{check_target, write_csv};
 use asperity::lab::Rival;

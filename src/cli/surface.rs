@@ -1,7 +1,7 @@
 //! `asperity surface`: makes a surface, or describes one.
 
-use super::Outcome;
 use super::flags::Scene;
+use super::outcome::Outcome;
 use anyhow::Result;
 use asperity::Surface;
 use asperity::files::check_target;

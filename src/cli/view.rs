@@ -1,7 +1,7 @@
 //! `asperity view`: a recording in the viewer that is built in.
 
 use super::explore::PageArgs;
-use super::{Outcome, usage};
+use super::outcome::{Outcome, usage};
 use anyhow::Result;
 use asperity::explore::Viewing;
 use asperity::record::is_recording;

@@ -1,0 +1,48 @@
+//! How commands end.
+
+use asperity::error::{
+    FileError, GridError, ProblemError, SettingError, SetupError, SolveError, StudyError, SurfaceError,
+};
+use std::process::ExitCode;
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// All is well.
+    Done,
+    /// What was asked for is written, but a solver did not converge.
+    NotConverged,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Done => Self::SUCCESS,
+            Outcome::NotConverged => Self::from(3),
+        }
+    }
+}
+
+/// Options that do not go together, in one sentence.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct Usage(pub String);
+
+/// A [`Usage`] error.
+pub fn usage<T>(sentence: impl Into<String>) -> anyhow::Result<T> {
+    Err(Usage(sentence.into()).into())
+}
+
+/// 2 for what the person at the keyboard can mend, 1 for the rest.
+pub fn exit_code(error: &anyhow::Error) -> ExitCode {
+    let is_input = error.is::<Usage>()
+        || error.is::<GridError>()
+        || error.is::<SurfaceError>()
+        || error.is::<ProblemError>()
+        || error.is::<SettingError>()
+        || error.downcast_ref().is_some_and(SetupError::is_input)
+        || error.downcast_ref().is_some_and(SolveError::is_input)
+        || error.downcast_ref().is_some_and(FileError::is_input)
+        || error.downcast_ref().is_some_and(StudyError::is_input);
+    ExitCode::from(if is_input { 2 } else { 1 })
+}
