@@ -214,7 +214,7 @@ fn no_path_leads_out() {
 #[test]
 fn methods_are_kept_apart() {
     let page = Page::open();
-    for path in ["/", "/api/state", "/api/start", "/api/run.rrd"] {
+    for path in ["/", "/api/state", "/api/start", "/api/observables", "/api/run.rrd"] {
         assert_eq!(page.post(path, "{}").status, 405, "{path}");
     }
     for path in ["/api/solve", "/api/sweep", "/api/cancel"] {
@@ -296,6 +296,10 @@ fn hostile_requests_leave_it_running() {
 fn a_solve_gives_the_numbers_of_the_library() {
     let page = Page::open();
     let run = page.solve(&with(json!({})));
+    for observable in page.get("/api/observables").json().as_array().unwrap() {
+        let (name, numbers) = (observable["name"].as_str().unwrap(), run["numbers"].as_object().unwrap());
+        assert!(numbers.contains_key(name) && !observable["sentence"].as_str().unwrap().is_empty(), "{name}");
+    }
     let knobs = Start::RoughLine.knobs();
     let problem = knobs.setup().unwrap().problem().unwrap();
     let contact = Multilevel.solve(&problem, &Stop::new(1e-8, 20_000).unwrap(), &mut ()).unwrap();
