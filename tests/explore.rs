@@ -560,7 +560,7 @@ fn a_port_in_use_gives_the_next_one() {
 
 #[test]
 fn every_start_stands_for_a_setup_and_survives_json() {
-    for (start, ..) in Start::STARTS {
+    for start in [Start::HertzLine, Start::HertzSurface, Start::RoughLine, Start::RoughSurface] {
         let knobs = start.knobs();
         knobs.setup().unwrap();
         assert_eq!(Knobs::read(&serde_json::to_vec(&knobs).unwrap()).unwrap(), knobs);
