@@ -371,24 +371,20 @@ function showRun(id) {
 
 function figure(value, digits = 5) {
   if (value === null || value === undefined) return "–";
-  if (value === 0) return "0";
+  if (Number.isInteger(value)) return String(value);
   const size = Math.abs(value);
   return size < 1e-3 || size >= 1e6 ? value.toExponential(Math.max(0, digits - 3)) : String(Number(value.toPrecision(digits)));
 }
 
-/** Rows of the table: name, value of a state, exact value, what it means. */
-const ROWS = [
-  ["area a_rel", (n) => n.relative_area, null, "Share of the nodes in contact"],
-  ["area, corrected", (n) => n.relative_area_corrected, (e) => e.relative_area, "Less the excess that counting nodes finds along the edge of contact"],
-  ["κ = a_rel / p*", (n) => n.kappa, null, "Proportionality with the gradient of the whole surface: drifts with load and spectrum"],
-  ["κ_r", (n) => n.kappa_r, null, "Proportionality with the gradient in contact only"],
-  ["κ_r, corrected", (n) => n.kappa_r_corrected, (e) => e.kappa_r, "With the corrected area: hardly changes with load"],
-  ["mean gap / h_rms", (n) => n.mean_gap_over_rms_height, null, "Mean gap over the rms height"],
-  ["contact patches", (n) => n.patches, null, "Connected contacts, counted over the period"],
-  ["certificate η", (n) => n.certificate, null, "Proven bound of the error in energy, over load times rms height"],
-  ["steps, transforms", (n) => `${n.iterations}, ${n.transforms}`, null, "Work of the solver: a transform is its unit"],
-  ["seconds", (n) => n.seconds, null, "Of the solver alone, recording left out"],
-];
+/** The observables that the server knows: those that change step by step are shown, and these. */
+let observables = [];
+const SHOWN = ["relative_area_corrected", "kappa_r_corrected", "iterations", "transforms", "seconds"];
+/** The exact values that stand beside corrected observables. */
+const EXACT = { relative_area_corrected: "relative_area", kappa_r_corrected: "kappa_r" };
+const SECONDS = { name: "seconds", sentence: "Seconds of the solver alone, recording left out." };
+
+/** The name of an observable for people. */
+const label = (name) => name.replace("kappa_r", "κ_r").replace("kappa", "κ").replaceAll(/(?<!κ)_/g, " ");
 
 function numbers() {
   const shown = runOf(shownRun);
@@ -397,11 +393,10 @@ function numbers() {
   if (!run) return;
   const before = rival(run);
   const cell = (text, name) => element("td", { "data-number": name }, text);
-  const word = (value) => typeof value === "string" ? value : figure(value);
-  const body = ROWS.map(([name, of, exact, tip]) => {
-    const values = [run, before].map((r) => r && r.numbers ? word(of(r.numbers)) : "–");
-    const theory = exact && run.exact ? figure(exact(run.exact)) : "";
-    return element("tr", { title: tip }, element("th", { scope: "row" }, name), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
+  const body = observables.map(({ name, sentence }) => {
+    const values = [run, before].map((r) => figure(r?.numbers?.[name]));
+    const theory = run.exact && EXACT[name] ? figure(run.exact[EXACT[name]]) : "";
+    return element("tr", { title: sentence }, element("th", { scope: "row" }, label(name)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
   byId("numbers").tBodies[0].replaceChildren(...body);
   const status = run.numbers ? run.numbers.status : "begun";
@@ -644,8 +639,10 @@ async function begin() {
     noteViewer(`The viewer could not start (${error}). Try another browser, or add ?renderer=webgl to the address.`);
   });
   if (isView) { byId("title").textContent = "a recording, from this machine"; return; }
-  const before = await (await fetch("/api/state")).json();
-  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await (await fetch("/api/start")).json();
+  const ask = async (path) => (await fetch(path)).json();
+  const before = await ask("/api/state");
+  observables = [...await ask("/api/observables"), SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
+  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("/api/start");
   build();
   show();
   charts();

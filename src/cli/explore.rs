@@ -5,14 +5,13 @@ use super::outcome::{Outcome, usage};
 use anyhow::Result;
 use asperity::explore::{Explorer, Server, Session, Start};
 use clap::Args;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::io::{Write, stdout};
 
 /// Opens a page on this machine: controls on the left, the Rerun viewer on the right, live.
 #[derive(Args)]
 pub struct Explore {
     /// Where to start
-    #[arg(value_name = "START", default_value = "rough-line", value_parser = starts())]
+    #[arg(value_enum, default_value = "rough-line")]
     start: Start,
     #[command(flatten)]
     page: PageArgs,
@@ -39,15 +38,6 @@ impl Explore {
         solver.join().ok(); // a solver that failed has said so on the page
         served.map(|()| Outcome::Done)
     }
-}
-
-/// The names of the starts.
-fn starts() -> impl TypedValueParser<Value = Start> {
-    let values = Start::STARTS.map(|(_, name, help)| PossibleValue::new(name).help(help));
-    PossibleValuesParser::new(values).try_map(|given| {
-        let start = Start::STARTS.into_iter().find(|(_, name, _)| *name == given);
-        start.map(|(start, ..)| start).ok_or("this is no start")
-    })
 }
 
 impl PageArgs {

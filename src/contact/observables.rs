@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
 
 /// A number that is told of a contact.
+#[derive(Serialize)]
 pub struct Observable {
     /// The name of its field in [`Observables`], with the unit where two are possible.
     pub name: &'static str,
@@ -21,6 +22,7 @@ pub struct Observable {
     /// One sentence.
     pub sentence: &'static str,
     /// The number of a state; NaN where the state does not know it.
+    #[serde(skip)]
     pub value: fn(&State<'_>) -> f64,
 }
 

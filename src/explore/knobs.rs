@@ -96,6 +96,7 @@ impl From<serde_json::Error> for Refusal {
 
 /// A state of the knobs to start from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Start {
     /// A smooth cylinder.
     HertzLine,
@@ -108,14 +109,6 @@ pub enum Start {
 }
 
 impl Start {
-    /// All starts with their names, in a few words.
-    pub const STARTS: [(Self, &str, &str); 4] = [
-        (Self::HertzLine, "hertz-line", "A smooth cylinder"),
-        (Self::HertzSurface, "hertz-surface", "A smooth sphere"),
-        (Self::RoughLine, "rough-line", "A self-affine line"),
-        (Self::RoughSurface, "rough-surface", "A self-affine surface"),
-    ];
-
     /// The state of the knobs.
     pub fn knobs(self) -> Knobs {
         let (body, roughness) = match self {

@@ -5,6 +5,7 @@ use super::page::{Page, Purpose};
 use super::session::{Order, Session};
 use super::site::{Reply, Request, Site};
 use super::stream::RecordingBytes;
+use crate::contact::OBSERVABLES;
 use serde::Serialize;
 use std::io;
 use std::sync::Arc;
@@ -19,6 +20,7 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// |-------------------|--------|-----------------------------------------------------------------------|
 /// | `/`, and its files| GET    | page, script, style, viewer                                           |
 /// | `/api/start`      | GET    | the [`Knobs`] to start with                                      |
+/// | `/api/observables`| GET    | names and meanings of the numbers in a report                         |
 /// | `/api/state`      | GET    | the [`super::Report`], at once or when it is newer than `?since=`     |
 /// | `/api/solve`      | POST   | takes [`Knobs`], ends what runs; the revision from which on news of it come |
 /// | `/api/sweep`      | POST   | the same for a sweep                                                  |
@@ -71,6 +73,7 @@ impl Explorer {
     fn get(&self, request: &Request<'_>) -> Reply {
         match request.path {
             "/api/start" => Reply::json(&self.start),
+            "/api/observables" => Reply::json(&OBSERVABLES),
             "/api/state" => self.state(request.query),
             "/api/run.rrd" => match self.session.latest() {
                 Some((_, live)) if live.written().is_some() => {
@@ -108,7 +111,7 @@ impl Explorer {
 }
 
 /// Paths that are only read.
-const GETS: [&str; 4] = ["/api/start", "/api/state", "/api/run.rrd", "/api/run.npz"];
+const GETS: [&str; 5] = ["/api/start", "/api/observables", "/api/state", "/api/run.rrd", "/api/run.npz"];
 
 fn nothing_yet() -> Reply {
     Reply::Error(409, "there is no result yet: solve something first".into())
