@@ -214,9 +214,9 @@ mod tests {
         send("test".into(), vec![text], Clock { timeline: "step", frames_per_sec: 1.0 }, &recording).unwrap();
         assert!(!storage.take().is_empty());
         recording.disconnect();
-        let (store, _storage) = RecordingStreamBuilder::new("test").blueprint().enabled(true).memory().unwrap();
+        let (store, storage) = RecordingStreamBuilder::new("test").blueprint().enabled(true).memory().unwrap();
         let weak = store.clone_weak();
-        drop(Blueprint { store, panes: 0 });
+        drop((Blueprint { store, panes: 0 }, storage));
         assert_eq!(weak.ref_count(), 0);
     }
 }
