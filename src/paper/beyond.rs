@@ -1,10 +1,10 @@
 //! Beyond the paper: `kappa_r` is not the same for all indenters, nor up to full contact.
 
-use super::finding::Finding;
 use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::smooth::{LINE, PERIOD, half_width, loads, realisation, widths};
 use super::theory_lines::level;
+use super::verdict::Verdict;
 use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series, Symbol};
 use crate::setup::Cell;
 use crate::study::{Realisation, Spread};
@@ -55,14 +55,14 @@ fn sine() -> Realisation {
 pub fn reproduce(points: &Points) -> Reproduction {
     let power = |(_, name, _, _, key): (_, _, _, _, &'static str)| {
         let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * WIDEST * PERIOD);
-        Finding::number(key, "corrected", Spread::of(narrow.map(|row| row.observables.kappa_r_corrected)))
+        Verdict::number(key, "corrected", Spread::of(narrow.map(|row| row.observables.kappa_r_corrected)))
     };
-    let mut findings: Vec<Finding> = POWERS.map(power).into();
+    let mut verdicts: Vec<Verdict> = POWERS.map(power).into();
     let half = points.named("sine").find(|row| row.observables.reduced_pressure == 0.5 / SQRT_2);
-    findings.extend(half.map(|row| Finding::exact("beyond.sine", "corrected", row.observables.kappa_r_corrected)));
+    verdicts.extend(half.map(|row| Verdict::exact("beyond.sine", "corrected", row.observables.kappa_r_corrected)));
     let title = "Beyond the paper: other shapes, and up to full contact".into();
     let figure = Figure { title, panels: vec![power_panel(points), sine_panel(points)] };
-    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(points)) }
+    Reproduction { figure: Some(figure), verdicts, ramp: Some(ramp(points)) }
 }
 
 fn power_panel(points: &Points) -> Panel {
@@ -107,8 +107,9 @@ fn sine_panel(points: &Points) -> Panel {
 
 /// The sine to full contact.
 fn ramp(points: &Points) -> Ramp {
-    let curve = |name, colour, quantity: Quantity| {
-        RampCurve::new("sine", name, colour, points.values("sine", quantity).collect())
+    let curve = |name: &str, colour, quantity: Quantity| {
+        let values = points.values("sine", quantity).collect();
+        RampCurve { view: "sine", name: name.into(), colour, values }
     };
     Ramp {
         captions: SINE.map(|share| format!("p/p_full = {share}")).to_vec(),

@@ -1,7 +1,7 @@
 //! The table of all verdicts, kept from run to run.
 
-use super::finding::{Finding, Verdict};
 use super::item::Item;
+use super::verdict::Verdict;
 use crate::error::FileError;
 use crate::files::write_csv;
 use std::io::{self, ErrorKind, Write};
@@ -31,12 +31,12 @@ impl Comparison {
         Ok(Self { verdicts })
     }
 
-    /// Puts the findings of an item in the place of its earlier ones.
-    pub fn replace(&mut self, item: Item, findings: Vec<Finding>) {
+    /// Puts the verdicts on an item in the place of its earlier ones.
+    pub fn replace(&mut self, item: Item, verdicts: Vec<Verdict>) {
         let order = |name: &str| Item::ALL.iter().position(|item| item.name() == name);
         self.verdicts.retain(|verdict| verdict.item != item.name());
-        let at = self.verdicts.partition_point(|verdict| order(&verdict.item) < order(item.name()));
-        self.verdicts.splice(at..at, findings.into_iter().map(|finding| finding.verdict(item.name())));
+        self.verdicts.extend(verdicts);
+        self.verdicts.sort_by_key(|verdict| order(&verdict.item));
     }
 
     /// The verdicts on some items.
@@ -101,12 +101,12 @@ mod tests {
         let path = folder.path().join("comparison.csv");
         let mut all = Comparison::read(&path).unwrap();
         for (item, key) in [(Item::Beyond, "beyond.n1"), (Item::Table1, "table1.ratio"), (Item::Gw, "gw.finite")] {
-            all.replace(item, vec![Finding::exact(key, "", 2.0)]);
+            all.replace(item, vec![Verdict::exact(key, "", 2.0)]);
         }
         all.write_csv(&path).unwrap();
         let mut again = Comparison::read(&path).unwrap();
         assert_eq!(again, all);
-        again.replace(Item::Gw, vec![Finding::statement("gw.finite", "now", true)]);
+        again.replace(Item::Gw, vec![Verdict::statement("gw.finite", "now".into(), true)]);
         let items: Vec<&str> = again.verdicts.iter().map(|verdict| verdict.item.as_str()).collect();
         assert_eq!(items, ["table1", "gw", "beyond"]);
         assert_eq!((again.verdicts[1].here.as_str(), &again.verdicts[2]), ("now", &all.verdicts[2]));

@@ -1,10 +1,10 @@
 //! Fig. 1: `kappa_r` of cylinder and sphere against `p_r*`.
 
-use super::finding::Finding;
 use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::smooth::{LINE, PERIOD, cylinder, half_width, periodic_cylinder, sphere, widths};
 use super::theory_lines::level;
+use super::verdict::Verdict;
 use crate::plot::{self, Axis, Colour, Corner, Figure, Mark, Panel, Series, Symbol};
 use crate::study::{Point, Realisation, Spread};
 use crate::theory::hertz;
@@ -35,13 +35,13 @@ pub fn reproduce(points: &Points) -> Reproduction {
         let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * WIDEST * PERIOD);
         Spread::of(narrow.map(|row| quantity(&row.observables)))
     };
-    let findings = vec![
-        Finding::number("fig1.line", "nodes counted", mean("cylinder", |it| it.kappa_r)),
-        Finding::number("fig1.line", "corrected", mean("cylinder", |it| it.kappa_r_corrected)),
-        Finding::number("fig1.point", "nodes counted", mean("sphere", |it| it.kappa_r)),
-        Finding::number("fig1.point", "corrected", mean("sphere", |it| it.kappa_r_corrected)),
+    let verdicts = vec![
+        Verdict::number("fig1.line", "nodes counted", mean("cylinder", |it| it.kappa_r)),
+        Verdict::number("fig1.line", "corrected", mean("cylinder", |it| it.kappa_r_corrected)),
+        Verdict::number("fig1.point", "nodes counted", mean("sphere", |it| it.kappa_r)),
+        Verdict::number("fig1.point", "corrected", mean("sphere", |it| it.kappa_r_corrected)),
     ];
-    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(points)) }
+    Reproduction { figure: Some(figure), verdicts, ramp: Some(ramp(points)) }
 }
 
 fn panel(points: &Points) -> Panel {
@@ -82,9 +82,9 @@ fn ramp(points: &Points) -> Ramp {
         rows.into_iter().step_by(every).collect::<Vec<_>>()
     };
     let [cylinders, spheres] = ["cylinder", "sphere"].map(rows);
-    let curve = |name, colour, rows: &[&Point]| {
+    let curve = |name: &str, colour, rows: &[&Point]| {
         let values = rows.iter().map(|row| row.observables.kappa_r_corrected).collect();
-        RampCurve::new("κ_r corrected", name, colour, values)
+        RampCurve { view: "κ_r corrected", name: name.into(), colour, values }
     };
     Ramp {
         captions: captions("a/L", &widths),

@@ -1,11 +1,11 @@
 //! Fig. 3: fits of Eq. 11 to the rough lines, for each Hurst exponent and for all.
 
-use super::finding::Finding;
 use super::fit::Fit;
 use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough};
 use super::theory_lines::along;
+use super::verdict::Verdict;
 use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Series};
 use crate::theory::persson::{self, CorrectedArea};
 use serde::Serialize;
@@ -66,14 +66,14 @@ pub fn fits(lines: &Rough, points: &Points) -> [Vec<FitRow>; 2] {
 
 /// The figure, and what the paper says of it, of the fits to the counted area.
 pub fn reproduce(lines: &Rough, points: &Points, fits: &[FitRow]) -> Reproduction {
-    let mut findings = Vec::new();
+    let mut verdicts = Vec::new();
     if !fits.is_empty() {
-        findings.push(is_level(fits));
-        findings.extend((lines.hurst.len() > 1).then(|| strongly_depends(fits)));
+        verdicts.push(is_level(fits));
+        verdicts.extend((lines.hurst.len() > 1).then(|| strongly_depends(fits)));
     }
     let title = "Fig. 3: κ_fit of rough lines by Eq. 11".into();
     let figure = Figure { title, panels: vec![panel(lines, points, fits)] };
-    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(lines, points, fits)) }
+    Reproduction { figure: Some(figure), verdicts, ramp: Some(ramp(lines, points, fits)) }
 }
 
 fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
@@ -103,23 +103,23 @@ fn ramp(lines: &Rough, points: &Points, fits: &[FitRow]) -> Ramp {
     let measured = ramp.curves.into_iter().filter(|curve| curve.name.starts_with("κ,"));
     let fits = fits.iter().zip(COLD.iter().cycle()).map(|(fit, colour)| {
         let values = lines.loads.iter().map(|&load| fit.kappa_at(load)).collect();
-        RampCurve::new("κ and κ_r", fit.name(), *colour, values)
+        RampCurve { view: "κ and κ_r", name: fit.name(), colour: *colour, values }
     });
     Ramp { curves: measured.chain(fits).collect(), ..ramp }
 }
 
 /// Whether the fits of single exponents lie on either side of the one of all.
-fn strongly_depends(fits: &[FitRow]) -> Finding {
+fn strongly_depends(fits: &[FitRow]) -> Verdict {
     let words: Vec<String> = fits.iter().map(|fit| format!("{:.2}", fit.kappa)).collect();
     let all = fits.iter().find(|fit| fit.hurst.is_none()).map_or(f64::NAN, |fit| fit.kappa);
     let single = || fits.iter().filter(|fit| fit.hurst.is_some());
     let holds = single().any(|fit| fit.kappa > 1.02 * all) && single().any(|fit| fit.kappa < 0.98 * all);
-    Finding::statement("fig3.hurst", format!("{} (last: all H)", words.join(", ")), holds)
+    Verdict::statement("fig3.hurst", format!("{} (last: all H)", words.join(", ")), holds)
 }
 
 /// Whether each fit is level to 5 % up to `p* = 0.1`.
-fn is_level(fits: &[FitRow]) -> Finding {
+fn is_level(fits: &[FitRow]) -> Verdict {
     let change = |p: f64| fits.iter().map(|fit| 100.0 * (fit.kappa_at(p) / fit.kappa - 1.0).abs()).fold(0.0, f64::max);
     let words = format!("to {:.0} %; to {:.0} % at 0.01", change(LEVEL), change(0.1 * LEVEL));
-    Finding::statement("fig3.level", words, change(LEVEL) < 5.0).because(BENT)
+    Verdict::statement("fig3.level", words, change(LEVEL) < 5.0).because(BENT)
 }

@@ -1,11 +1,11 @@
 //! Fig. 4: rough surfaces.
 
-use super::finding::Finding;
 use super::fit::Fit;
 use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, Reproduction};
 use super::rough::Rough;
 use super::theory_lines::along;
+use super::verdict::Verdict;
 use crate::plot::{Colour, Figure, Mark, Panel, Series};
 
 /// Why values move from grid to grid.
@@ -27,7 +27,7 @@ pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
     let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points, {waves} per shortest wavelength");
     let figure = Figure { title, panels: vec![surfaces.area_panel(points), panel] };
     let ramp = Ramp { contacts: surfaces.firsts(surfaces.surfaces()), ..surfaces.ramp(points) };
-    Reproduction { figure: Some(figure), findings: findings(surfaces, points, fit), ramp: Some(ramp) }
+    Reproduction { figure: Some(figure), verdicts: verdicts(surfaces, points, fit), ramp: Some(ramp) }
 }
 
 /// The empirical fit, one constant in Persson's error function.
@@ -38,25 +38,25 @@ fn add_fit(panel: &mut Panel, fit: &Fit) {
 }
 
 /// On each grid, from two on extrapolated to the paper's, and of the fit.
-fn findings(surfaces: &Rough, points: &Points, fit: Option<Fit>) -> Vec<Finding> {
-    let mut findings = Vec::new();
+fn verdicts(surfaces: &Rough, points: &Points, fit: Option<Fit>) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
     let (grids, finest) = (points.grids(), points.finest());
     let mut add = |points: &Points, nx: usize, place: String| {
         let number = |key, how: &str, quantity: Quantity| {
-            Finding::number(key, format!("{how}, {place}"), points.overall(nx, quantity)).because(FINER)
+            Verdict::number(key, &format!("{how}, {place}"), points.overall(nx, quantity)).because(FINER)
         };
-        findings.push(number("fig4.kappa", "counted", |it| it.kappa));
-        findings.push(number("fig4.kappa_r", "counted", |it| it.kappa_r));
-        findings.push(number("fig4.kappa_r", "corrected", |it| it.kappa_r_corrected));
+        verdicts.push(number("fig4.kappa", "counted", |it| it.kappa));
+        verdicts.push(number("fig4.kappa_r", "counted", |it| it.kappa_r));
+        verdicts.push(number("fig4.kappa_r", "corrected", |it| it.kappa_r_corrected));
     };
     grids.iter().for_each(|&nx| add(points, nx, format!("{nx}^2")));
     if grids.len() > 1 {
         let side = surfaces.paper_side();
         add(&points.extrapolated(Some(side)), finest, format!("extrapolated to {side}^2"));
     }
-    findings.extend(fit.map(|fit| {
+    verdicts.extend(fit.map(|fit| {
         let how = format!("of the empirical fit on {finest}^2");
-        Finding::exact("fig4.kappa", how, fit.area.kappa(0.0)).because(HEAVY)
+        Verdict::exact("fig4.kappa", &how, fit.area.kappa(0.0)).because(HEAVY)
     }));
-    findings
+    verdicts
 }

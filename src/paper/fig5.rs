@@ -1,10 +1,10 @@
 //! Fig. 5: the proportionality factors of lines over those of surfaces.
 
-use super::finding::Finding;
 use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough, WARM};
 use super::theory_lines::level;
+use super::verdict::Verdict;
 use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
 use crate::study::Spread;
 use crate::theory::hertz;
@@ -53,8 +53,8 @@ pub fn ratios([lines, surfaces]: [&Rough; 2], [of_lines, of_surfaces]: [&Points;
 pub fn reproduce(lines: &Rough, finest: usize, ratios: &[Ratio]) -> Reproduction {
     let title = "Fig. 5: lines over surfaces".into();
     let figure = Figure { title, panels: vec![panel(lines, ratios)] };
-    let findings = findings(ratios, &format!("counted, surfaces of {finest}^2"));
-    Reproduction { figure: Some(figure), findings, ramp: Some(ramp(lines, ratios)) }
+    let verdicts = verdicts(ratios, &format!("counted, surfaces of {finest}^2"));
+    Reproduction { figure: Some(figure), verdicts, ramp: Some(ramp(lines, ratios)) }
 }
 
 fn panel(lines: &Rough, ratios: &[Ratio]) -> Panel {
@@ -88,23 +88,28 @@ fn ramp(lines: &Rough, ratios: &[Ratio]) -> Ramp {
     let kinds: [Kind; 2] = [("κ", &WARM, |ratio| ratio.kappa), ("κ_r", &COLD, |ratio| ratio.kappa_r)];
     let mut curves = Vec::new();
     for (name, colours, quantity) in kinds {
-        for (hurst, colour) in lines.hurst.iter().zip(colours.iter().cycle()) {
+        for (hurst, &colour) in lines.hurst.iter().zip(colours.iter().cycle()) {
             let values = ratios.iter().filter(|ratio| ratio.hurst == *hurst).map(quantity).collect();
-            curves.push(RampCurve::new("lines over surfaces", format!("{name}, H = {hurst}"), *colour, values));
+            curves.push(RampCurve {
+                view: "lines over surfaces",
+                name: format!("{name}, H = {hurst}"),
+                colour,
+                values,
+            });
         }
     }
     Ramp { curves, ..lines.ramp(&Points(Vec::new())) }
 }
 
-fn findings(ratios: &[Ratio], finest: &str) -> Vec<Finding> {
+fn verdicts(ratios: &[Ratio], finest: &str) -> Vec<Verdict> {
     let spread = |quantity: fn(&Ratio) -> f64| Spread::of(ratios.iter().map(quantity));
-    let kappa_r = |how: &str, quantity| Finding::number("fig5.kappa_r", how, spread(quantity)).because(FINER);
+    let kappa_r = |how: &str, quantity| Verdict::number("fig5.kappa_r", how, spread(quantity)).because(FINER);
     vec![
         kappa_r("counted, surfaces extrapolated", |ratio| ratio.kappa_r),
         kappa_r(finest, |ratio| ratio.kappa_r_finest),
         kappa_r("corrected", |ratio| ratio.kappa_r_corrected),
-        Finding::number("fig5.kappa", "counted, surfaces extrapolated", spread(|ratio| ratio.kappa)),
-        Finding::number("fig5.kappa", finest, spread(|ratio| ratio.kappa_finest)),
-        Finding::exact("fig5.smooth", "", hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT),
+        Verdict::number("fig5.kappa", "counted, surfaces extrapolated", spread(|ratio| ratio.kappa)),
+        Verdict::number("fig5.kappa", finest, spread(|ratio| ratio.kappa_finest)),
+        Verdict::exact("fig5.smooth", "", hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT),
     ]
 }

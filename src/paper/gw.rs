@@ -1,8 +1,8 @@
 //! Section 6: the model of Greenwood and Williamson, with the gradient taken over the contact.
 
-use super::finding::Finding;
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::theory_lines::level;
+use super::verdict::Verdict;
 use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
 use crate::theory::SummitHeights::{self, Exponential, Gaussian};
 use serde::Serialize;
@@ -53,18 +53,18 @@ pub fn reproduce(rows: &[Separation]) -> Reproduction {
     let level = level(&panel.x, limit);
     panel.series.push(Series::new(format!("√π = {limit:.4}"), Colour::BLACK, Mark::Dashed, level));
     let title = "Section 6: Greenwood and Williamson with the gradient over the contact".into();
-    let findings = vec![
-        Finding::exact("gw.exponential", "", Exponential.kappa_r(NEAR)),
-        Finding::exact("gw.gaussian", "", Gaussian.kappa_r(FAR)),
+    let verdicts = vec![
+        Verdict::exact("gw.exponential", "", Exponential.kappa_r(NEAR)),
+        Verdict::exact("gw.gaussian", "", Gaussian.kappa_r(FAR)),
         depends_on_separation(),
     ];
-    Reproduction { figure: Some(Figure { title, panels: vec![panel] }), findings, ramp: Some(ramp()) }
+    Reproduction { figure: Some(Figure { title, panels: vec![panel] }), verdicts, ramp: Some(ramp()) }
 }
 
 /// Whether Gaussian heights differ from their limit by more than the printed digits show.
-fn depends_on_separation() -> Finding {
+fn depends_on_separation() -> Verdict {
     let [near, far] = [NEAR, FAR].map(|separation| Gaussian.kappa_r(separation));
-    Finding::statement("gw.finite", format!("{near:.4} at d/σ = {NEAR}"), (near - far).abs() > READING)
+    Verdict::statement("gw.finite", format!("{near:.4} at d/σ = {NEAR}"), (near - far).abs() > READING)
 }
 
 /// Both kinds of heights against whole separations; no contacts.
@@ -72,7 +72,7 @@ fn ramp() -> Ramp {
     let separations: Vec<f64> = (0..=10).map(f64::from).collect();
     let curve = |(name, colour, heights): (&str, Colour, SummitHeights)| {
         let values = separations.iter().map(|&separation| heights.kappa_r(separation)).collect();
-        RampCurve::new("κ_r", name, colour, values)
+        RampCurve { view: "κ_r", name: name.into(), colour, values }
     };
     Ramp {
         captions: separations.iter().map(|separation| format!("d/σ = {separation}")).collect(),

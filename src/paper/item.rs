@@ -28,17 +28,8 @@ impl Item {
         [Self::Table1, Self::Fig1, Self::Fig2, Self::Fig3, Self::Fig4, Self::Fig5, Self::Gw, Self::Beyond];
 
     /// The name, as on the command line and in file names.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Table1 => "table1",
-            Self::Fig1 => "fig1",
-            Self::Fig2 => "fig2",
-            Self::Fig3 => "fig3",
-            Self::Fig4 => "fig4",
-            Self::Fig5 => "fig5",
-            Self::Gw => "gw",
-            Self::Beyond => "beyond",
-        }
+    pub fn name(self) -> String {
+        format!("{self:?}").to_lowercase()
     }
 
     /// The items whose solved points it is made of.

@@ -3,7 +3,7 @@
 //! The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018).
 //!
 //! ```text
-//! Paper { lines, surfaces, ... } --> Sweep --> points (CSV) --> Reproduction { figure, findings, ramp }
+//! Paper { lines, surfaces, ... } --> Sweep --> points (CSV) --> Reproduction { figure, verdicts, ramp }
 //!                                                                  |            |         |
 //!                                                              SVG, PNG    Comparison  recording
 //! ```
@@ -23,7 +23,6 @@ mod fig2;
 mod fig3;
 mod fig4;
 mod fig5;
-mod finding;
 mod fit;
 mod gw;
 mod item;
@@ -37,12 +36,13 @@ mod run;
 mod smooth;
 mod table1;
 mod theory_lines;
+mod verdict;
 
 pub use comparison::Comparison;
-pub use finding::{Finding, Verdict};
 pub use fit::Fit;
 pub use item::Item;
 pub use plan::{Effort, Paper};
 pub use reproduction::{Ramp, RampCurve, Reproduction};
 pub use rough::Rough;
 pub use run::{Event, Watch};
+pub use verdict::Verdict;

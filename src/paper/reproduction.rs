@@ -1,6 +1,6 @@
 //! The content of a table or figure that was made again.
 
-use super::finding::Finding;
+use super::verdict::Verdict;
 use crate::plot::{Colour, Figure};
 use crate::study::Realisation;
 
@@ -9,7 +9,7 @@ pub struct Reproduction {
     /// The figure, if it is one.
     pub figure: Option<Figure>,
     /// The paper's numbers beside those found here.
-    pub findings: Vec<Finding>,
+    pub verdicts: Vec<Verdict>,
     /// Curves and contacts for a recording over loads.
     pub ramp: Option<Ramp>,
 }
@@ -38,13 +38,6 @@ pub struct RampCurve {
     pub colour: Colour,
     /// One value per load; missing ones are left out.
     pub values: Vec<f64>,
-}
-
-impl RampCurve {
-    /// A curve of a view.
-    pub fn new(view: &'static str, name: impl Into<String>, colour: Colour, values: Vec<f64>) -> Self {
-        Self { view, name: name.into(), colour, values }
-    }
 }
 
 /// Loads in words, such as `p* = 1.00e-3`.

@@ -168,10 +168,10 @@ impl Rough {
         ];
         let mut curves = Vec::new();
         for (view, name, colours, quantity) in kinds {
-            for (&hurst, colour) in self.hurst.iter().zip(colours.iter().cycle()) {
+            for (&hurst, &colour) in self.hurst.iter().zip(colours.iter().cycle()) {
                 let mean = |&load: &f64| points.at(hurst, load, points.finest(), quantity).mean;
                 let values = self.loads.iter().map(mean).collect();
-                curves.push(RampCurve::new(view, format!("{name}, H = {hurst}"), *colour, values));
+                curves.push(RampCurve { view, name: format!("{name}, H = {hurst}"), colour, values });
             }
         }
         Ramp {

@@ -56,7 +56,7 @@ impl Paper {
         for &item in items {
             let reproduction = self.reproduce(item, watch)?;
             self.draw(item, &reproduction)?;
-            comparison.replace(item, reproduction.findings);
+            comparison.replace(item, reproduction.verdicts);
             comparison.write_csv(&path)?;
         }
         Ok(comparison.of(items))

@@ -1,9 +1,9 @@
 //! Table 1: load, gradient and `kappa_r` of cylinder and sphere in terms of the half-width of their contact.
 
-use super::finding::Finding;
 use super::means::Points;
 use super::reproduction::Reproduction;
 use super::smooth::{LINE, PERIOD, RADIUS, cylinder, half_width, sphere, strain, widths};
+use super::verdict::Verdict;
 use crate::study::{Point, Realisation, Spread};
 
 /// Half-widths of the contacts over the period, from and to: so small that the neighbouring cells do not matter.
@@ -18,16 +18,16 @@ pub fn realisations(side: usize) -> Vec<Realisation> {
 pub fn reproduce(points: &Points) -> Reproduction {
     let of = |name: &str, quantity: fn(&Point) -> f64| Spread::of(points.named(name).map(quantity));
     let kappa_r = ["cylinder", "sphere"].map(|name| of(name, |row| row.observables.kappa_r_corrected));
-    let findings = vec![
-        Finding::number("table1.load.line", "", of("cylinder", line_load)),
-        Finding::number("table1.gradient.line", "", of("cylinder", gradient)),
-        Finding::number("table1.kappa_r.line", "corrected", kappa_r[0]),
-        Finding::number("table1.load.point", "", of("sphere", point_load)),
-        Finding::number("table1.gradient.point", "", of("sphere", gradient)),
-        Finding::number("table1.kappa_r.point", "corrected", kappa_r[1]),
-        Finding::exact("table1.ratio", "corrected", kappa_r[0].mean / kappa_r[1].mean),
+    let verdicts = vec![
+        Verdict::number("table1.load.line", "", of("cylinder", line_load)),
+        Verdict::number("table1.gradient.line", "", of("cylinder", gradient)),
+        Verdict::number("table1.kappa_r.line", "corrected", kappa_r[0]),
+        Verdict::number("table1.load.point", "", of("sphere", point_load)),
+        Verdict::number("table1.gradient.point", "", of("sphere", gradient)),
+        Verdict::number("table1.kappa_r.point", "corrected", kappa_r[1]),
+        Verdict::exact("table1.ratio", "corrected", kappa_r[0].mean / kappa_r[1].mean),
     ];
-    Reproduction { figure: None, findings, ramp: None }
+    Reproduction { figure: None, verdicts, ramp: None }
 }
 
 /// `L R / (E* c^2)`.
