@@ -79,7 +79,7 @@ impl Rung {
     }
 }
 
-/// What a solve under one load has found, and its work.
+/// The values that a solve under one load has found, and its work.
 type Solved = (Values, Work);
 
 /// The true values under all loads, and where they come from.

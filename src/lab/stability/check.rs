@@ -15,7 +15,7 @@ const ROUNDINGS: f64 = 64.0;
 /// By how much the mean pressure may miss the prescribed one.
 const LOAD_ERROR: f64 = 1e-12;
 
-/// What a pressure is worth; dimensionless.
+/// The worth of a pressure; dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
     /// Certificate, `sum p (v - min v) / (sum p h_rms)` with `v = u - h`; at a mean gap `D`, `|D - d| / h_rms` more.

@@ -45,7 +45,7 @@ fn verdict_on(error: &SetupError) -> Verdict {
     }
 }
 
-/// What is wrong with a returned contact.
+/// The fault of a returned contact, if it has one.
 fn fault(contact: &Contact, check: &Check, tolerance: f64) -> Option<String> {
     let doubt = || check.doubt(tolerance).filter(|_| contact.is_converged());
     check.fault().or_else(|| disagreement(contact, check)).or_else(doubt)
@@ -61,7 +61,7 @@ fn verdict(status: Status, demand: Demand, fault: Option<String>) -> (Verdict, S
     }
 }
 
-/// What the solver says of its result that the check does not find.
+/// The claim of a solver about its result that the check does not confirm.
 fn disagreement(contact: &Contact, check: &Check) -> Option<String> {
     if contact.displacement.iter().chain(&contact.gap).any(|value| !value.is_finite()) {
         return Some("the displacement or the gap is not finite".into());
@@ -88,7 +88,7 @@ fn mismatch(contact: &Contact, twin: &Contact) -> Option<String> {
     Some(format!("the {} differs by {:.1e} from that in other units", worst.0, worst.1))
 }
 
-/// What a panic says.
+/// The message of a panic.
 fn message(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("without a message")

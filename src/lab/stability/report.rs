@@ -19,11 +19,11 @@ pub struct Report {
     pub case: String,
     /// The solver.
     pub solver: &'static str,
-    /// How it ended.
+    /// How the trial ended.
     pub verdict: Verdict,
-    /// Whether that is what the trial demands.
+    /// Whether the verdict is what the trial demands.
     pub as_demanded: bool,
-    /// What is wrong, or why it was refused or not converged.
+    /// The fault, or why it was refused or not converged.
     pub note: String,
     /// Points along y, 1 for a line.
     pub ny: Option<usize>,

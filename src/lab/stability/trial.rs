@@ -32,7 +32,7 @@ pub struct Trial {
     pub(super) start: Option<f64>,
 }
 
-/// What poses a problem.
+/// A function that poses a problem.
 pub type Pose = Box<dyn Fn() -> Result<Problem, SetupError>>;
 
 impl Trial {
@@ -65,7 +65,7 @@ impl Trial {
         Self { tolerance, ..self }
     }
 
-    /// What is demanded of a solver: one that cannot take a mean gap must refuse it.
+    /// The demand on a solver: one that cannot take a mean gap must refuse it.
     pub fn demand_of(&self, rival: &Rival) -> Demand {
         if self.is_at_mean_gap && !rival.method.takes_mean_gap() { Demand::Refusal } else { self.demand }
     }

@@ -31,13 +31,13 @@ impl fmt::Display for Verdict {
 /// The end that a trial demands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Demand {
-    /// It is solved.
+    /// The contact must be solved.
     Solution,
-    /// It is refused.
+    /// The contact must be refused.
     Refusal,
-    /// It is solved or refused.
+    /// The contact must be solved or refused.
     Either,
-    /// The solver comes to [`Demand::ATTAINABLE`] and says that it comes no further.
+    /// The solver must come to [`Demand::ATTAINABLE`] and say that it comes no further.
     Limit,
 }
 
