@@ -76,6 +76,11 @@ impl Points {
         loads.iter().map(point).collect()
     }
 
+    /// The mean of a quantity under each load, on the finest grid.
+    pub fn along(&self, hurst: f64, loads: &[f64], quantity: Quantity) -> Vec<f64> {
+        loads.iter().map(|&load| self.at(hurst, load, self.finest(), quantity).mean).collect()
+    }
+
     /// The points as on a grid of `nx` points along x: quantity by quantity on the line in the grid spacing through the grids
     /// that there are. Without `nx`, of infinitely many points.
     ///
