@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example hertz`
 
-use asperity::contact::{PolonskyKeer, Solver};
+use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
 use asperity::theory::{Exact, hertz};
 use asperity::{Grid, Indenter, Problem, Stop};
 
@@ -13,9 +13,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("points  area       kappa_r    corrected  mean gap");
     for points in [256, 1024, 4096, 16384] {
         let grid = Grid::line(points, 4.0 * radius)?;
-        let problem = Problem::new(cylinder.surface(grid)?, contact_modulus, mean_pressure)?;
-        let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ())?;
-        let measures = contact.measures(&problem);
+        let problem =
+            Problem::new(cylinder.surface(grid)?, ContactModulus(contact_modulus), Load::MeanPressure(mean_pressure))?;
+        let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ())?.converged()?;
+        let measures = contact.measures();
         println!(
             "{points:>6}  {:.6}  {:.6}  {:.6}  {:.7}",
             measures.relative_area,

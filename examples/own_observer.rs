@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example own_observer`
 
-use asperity::contact::{Gfmd, Observer, Solver, Step};
+use asperity::contact::{ContactModulus, Gfmd, Load, Observer, Solver, Step, Wish};
 use asperity::{Grid, Indenter, Problem, Stop};
 use std::ops::ControlFlow;
 
@@ -14,7 +14,7 @@ struct SettledArea {
 }
 
 impl Observer for SettledArea {
-    fn step(&mut self, step: &Step<'_>) -> ControlFlow<()> {
+    fn step(&mut self, step: &Step<'_>) -> Wish {
         // statistics are computed here, because they are asked for, and only once per step
         let nodes = step.measures().contact_nodes;
         if nodes != self.nodes {
@@ -24,13 +24,13 @@ impl Observer for SettledArea {
             println!("step {:>4}: {nodes:>3} nodes in contact, mean gap {:.6}", step.index(), step.mean_gap());
         }
         let settled = nodes > 0 && step.index() - self.since >= self.patience;
-        if settled { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        Ok(if settled { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
     }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(1024, 1.0)?)?;
-    let problem = Problem::new(sine, 1.0, 0.01)?;
+    let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.01))?;
     let mut observer = SettledArea { patience: 100, nodes: 0, since: 0 };
     let contact = Gfmd::default().solve(&problem, &Stop::default(), &mut observer)?;
     println!("{} after {} steps: {:?}", contact.status, contact.work.iterations, contact.certificate);

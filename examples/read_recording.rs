@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example read_recording [FILE.rrd [SCENE]]`; without a file it records one first.
 
-use asperity::contact::{Gfmd, Solver};
+use asperity::contact::{ContactModulus, Gfmd, Load, Solver};
 use asperity::record::{Options, Recording, Scene};
 use asperity::{Grid, Indenter, Problem, Stop};
 use std::path::{Path, PathBuf};
@@ -12,13 +12,9 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 /// Records a cylinder pressed on the solid, as scene `contact`.
 fn record(path: &Path) -> Result<()> {
     let cylinder = Indenter::Cylinder { radius: 40e-6 }.surface(Grid::line(512, 160e-6)?)?;
-    let problem = Problem::new(cylinder, 1e9, 8e6)?;
-    let (name, title) = ("contact".into(), "Cylinder".into());
-    let scene = Scene { name, title, problem: &problem, description: "A cylinder".into(), exact: None };
-    let recording = Recording::create(path, &[scene], Options::default())?;
-    let mut recorder = recording.recorder(0);
-    let contact = Gfmd::default().solve(&problem, &Stop::default(), &mut recorder)?;
-    recorder.close(&contact)?;
+    let problem = Problem::new(cylinder, ContactModulus(1e9), Load::MeanPressure(8e6))?;
+    let recording = Recording::create(path, &[Scene::new("contact", &problem)], Options::default())?;
+    Gfmd::default().solve(&problem, &Stop::default(), &mut recording.recorder(0))?.converged()?;
     Ok(recording.finish()?)
 }
 

@@ -267,6 +267,12 @@ pub enum SetupError {
         "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
     )]
     SeedWithoutSpectrum,
+    /// A seed that a scene in TOML cannot hold.
+    #[error("the seed {seed} is too large: give at most {}", i64::MAX)]
+    Seed {
+        /// The seed.
+        seed: u64,
+    },
     /// Nothing says how many points there are.
     #[error("the points are missing: give one number for a line, two for a surface")]
     NoPoints,

@@ -1,30 +1,78 @@
-//! Rough contact: a rigid rough surface pressed on an elastic half-space, solved and recorded step by step.
+//! Rough contact: a rigid rough surface pressed on an elastic half-space, solved, certified and recorded step by step.
+//!
+//! # How far is a pressure from the solution?
+//! A [`contact::Certificate`] bounds the error of any pressure, whoever made it, by one transform pair:
+//!
+//! ```
+//! use asperity::contact::{Certificate, ContactModulus, Load};
+//! use asperity::theory::Exact;
+//! use asperity::{Grid, Indenter, Problem};
+//!
+//! let (sine, mean_pressure) = (Indenter::Sine { amplitude: 0.01 }, 0.01);
+//! let grid = Grid::line(1024, 1.0)?;
+//! let problem = Problem::new(sine.surface(grid)?, ContactModulus(1.0), Load::MeanPressure(mean_pressure))?;
+//!
+//! // somebody's pressure, row by row: here that of Westergaard, whose edges fall between the nodes
+//! let exact = Exact::of(&sine, &grid, 1.0, mean_pressure).expect("a sine has an exact solution");
+//! let theirs: Vec<f64> = exact.pressure.into_iter().collect();
+//! assert!(Certificate::of(&problem, &theirs).eta < 1e-3);
+//! // a uniform pressure carries the load as well, but it is not the solution
+//! assert!(Certificate::of(&problem, &[mean_pressure; 1024]).eta > 1.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A rough line
+//! A [`setup::Setup`] describes a contact to solve, in code or as a scene in a file:
+//!
+//! ```
+//! use asperity::contact::{Load, Solver};
+//! use asperity::setup::{Cell, Recipe, Setup};
+//! use asperity::surface::Spectrum;
+//!
+//! let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 20e-6, short_cutoff: 1e-6, rms_gradient: 1e-3 };
+//! let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(4096, 160e-6), Load::ReducedPressure(1e-2));
+//! let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?.converged()?;
+//! assert!(contact.certificate.eta <= 1e-8);
+//! assert!((contact.measures().kappa_r - 1.75).abs() < 0.2);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! # Map
 //! The path of the data is the layout of the crate:
 //!
 //! ```text
-//! surface --> contact::Problem --> contact::Solver --(every contact::Step)--> contact::Observer --> record
-//!                                        |
-//!                                        v
-//!                                 contact::Contact --> contact::Measures --> study --> plot, record
+//! setup --> contact::Problem --> contact::Solver --(begin, each step, end)--> contact::Observer: record, your own
+//!   ^                                   |
+//!   |                                   v
+//!   +------ carried by results --- contact::Contact --> contact::Measures --> study --> lab, paper, explore
 //! ```
 //!
-//! | module      | what it holds                                                                        |
-//! |-------------|--------------------------------------------------------------------------------------|
-//! | [`files`]   | output files that appear whole or not at all, CSV                                    |
-//! | [`grid`]    | the periodic grid of lines and surfaces                                              |
-//! | [`fourier`] | the real transform pair                                                              |
-//! | [`surface`] | indenters, self-affine roughness, statistics, files                                  |
-//! | [`elastic`] | the half-space: compliance and stiffness                                             |
-//! | [`theory`]  | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson          |
-//! | [`contact`] | the problem, its solvers and their observers, the certificate, area and `kappa_r`    |
-//! | [`study`]   | sweeps over surfaces and loads in tables that a killed run resumes, averages          |
-//! | `plot`      | figures as data, written as SVG and PNG (feature `figures`)                          |
-//! | `record`    | an observer that writes recordings for the Rerun viewer (feature `record`)           |
-//! | `lab`       | accuracy, speed and stability of the solvers, measured (feature `figures`)           |
-//! | `paper`     | the tables and figures of van Dokkum et al. (2018), made again (feature `figures`)   |
-//! | `explore`   | a page with controls and a live viewer (feature `explore`)                           |
+//! A module uses those of lower layers and of its own, and nothing goes round in a circle.
+//!
+//! | layer | module       | what it holds                                                                     | feature   |
+//! |-------|--------------|-----------------------------------------------------------------------------------|-----------|
+//! | 0     | [`error`]    | what can go wrong, one enum per concern                                           |           |
+//! | 0     | [`files`]    | output files that appear whole or not at all, CSV                                 |           |
+//! | 0     | [`quantity`] | lengths and pressures as people write them                                        | (`units`) |
+//! | 1     | [`grid`]     | the periodic grid of lines and surfaces                                           |           |
+//! | 1     | [`fourier`]  | the real transform pair                                                           |           |
+//! | 2     | [`surface`]  | indenters, self-affine roughness, statistics, height files                        |           |
+//! | 2     | [`elastic`]  | the half-space: compliance and stiffness                                          |           |
+//! | 2     | [`theory`]   | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson       |           |
+//! | 3     | [`contact`]  | the problem, its certificate, solvers, observers, measures and patches            |           |
+//! | 4     | [`setup`]    | the one description of a contact to solve, and what it costs                      | (`units`) |
+//! | 5     | [`study`]    | sweeps over surfaces and loads in tables that a killed run resumes                |           |
+//! | 5     | `plot`       | figures as data, written as SVG and PNG                                           | `figures` |
+//! | 6     | `record`     | an observer that writes recordings for the Rerun viewer                           | `record`  |
+//! | 7     | `lab`        | accuracy, stability and speed: experiments on the solvers themselves              | `figures` |
+//! | 7     | `paper`      | the tables and figures of van Dokkum et al. (2018), with verdicts                 | `figures` |
+//! | 7     | `explore`    | a page with controls and a live viewer                                            | `explore` |
+//!
+//! Without features the crate is the numerics, with few dependencies. `units` adds lengths and pressures with units and scenes in
+//! JSON; `cli` adds the command line, the layer above all of these.
+//!
+//! A solver outside the crate can do all that those of the crate do: `examples/minimal_polonsky_keer.rs` builds every
+//! [`contact::Step`], leaves the bookkeeping to a [`contact::Run`], and is watched, certified and recorded.
 //!
 //! # Conventions
 //! - Heights `h` of the rigid surface are positive towards the solid; pressure `p` is positive in compression; the
@@ -37,24 +85,9 @@
 //! # Invariants
 //! - Results do not depend on who watches, nor on the number of threads.
 //! - A result states how good it is ([`contact::Certificate`]), what it cost ([`contact::Work`]) and how it ended
-//!   ([`contact::Status`]). Not converged is an error that carries the best state found.
+//!   ([`contact::Status`]). The contact always comes back with the best pressure found; [`Contact::converged`] makes an
+//!   error of one that is not converged.
 //! - Random surfaces come from ChaCha8 and are the same on every machine.
-//!
-//! # Example
-//! A rough line at one per cent reduced pressure:
-//!
-//! ```
-//! use asperity::{Grid, Problem, Stop, Surface, contact::{PolonskyKeer, Solver}, surface::Spectrum};
-//!
-//! let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 20e-6, short_cutoff: 1e-6, rms_gradient: 1e-3 };
-//! let surface = Surface::rough(Grid::line(4096, 160e-6)?, &spectrum, 1)?;
-//! let problem = Problem::at_reduced_pressure(surface, 1.0, 1e-2)?;
-//! let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ())?;
-//! let measures = contact.measures(&problem);
-//! assert!(contact.certificate.eta <= 1e-8);
-//! assert!((measures.kappa_r - 1.75).abs() < 0.2);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
 
 mod chunks;
 pub mod contact;

@@ -1,9 +1,12 @@
-//! `asperity accuracy`, run for real on small grids.
+//! Error against run time, measured for real on small grids.
 
 mod command;
 
+use asperity::Stop;
+use asperity::lab::accuracy::{Experiment, Scene};
 use command::{Folder, text};
 use std::collections::{HashMap, HashSet};
+use std::num::NonZeroUsize;
 
 type Row = HashMap<String, String>;
 
@@ -96,19 +99,19 @@ fn assert_figures(folder: &Folder) {
 
 #[test]
 fn rough_scenes_are_held_against_finer_grids_and_theories() {
-    let folder = Folder::new();
-    let output = folder.run("accuracy rough-line --points 512,1024 --repeats 1 --seed 3 --out out");
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert!(text(&output.stdout).contains("errors against 4096 points"), "{}", text(&output.stdout));
-    let rows = rows(&folder);
-    let theories: Vec<&str> = of_kind(&rows, "model").iter().map(|row| row["theory"].as_str()).collect();
+    let [stop, reference] = [1e-10, 1e-13].map(|tolerance| Stop::new(tolerance, 100_000).unwrap());
+    let (scene, sides, repeats) = (Scene::RoughLine, vec![512, 1024], NonZeroUsize::MIN);
+    let experiment = Experiment { scene, sides, seed: 3, stop, reference, repeats };
+    let findings = experiment.run(&mut |_| Box::new(())).unwrap();
+    assert!(findings.is_converged(&stop) && findings.to_string().contains("errors against 4096 points"), "{findings}");
+    let theories: Vec<&str> = findings.models.iter().map(|model| model.theory).collect();
     assert_eq!(theories, ["Persson", "Bush-Gibson-Thomas", "Greenwood-Williamson"]);
 }
 
 #[test]
 fn a_solver_that_is_cut_short_says_so() {
     let folder = Folder::new();
-    let output = folder.run("accuracy cylinder --points 64,128 --repeats 1 --max-iterations 100 --out out");
+    let output = folder.run("accuracy cylinder --points 64,128 --repeats 1 --seed 3 --max-iterations 100 --out out");
     assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
     assert!(number(curve(&rows(&folder), "gfmd-uniform", "128").last().unwrap(), "eta") > 1e-10);
 }
@@ -121,7 +124,7 @@ fn what_cannot_be_is_refused_before_anything_runs() {
         ("torus", "rough-surface"),
         ("sine --out missing/out", "there is no folder missing"),
         ("sine --out file", "--out names file"),
-        ("sine --repeats 0", "--repeats is 0"),
+        ("sine --repeats 0", "'0' for '--repeats <N>': give a positive whole number"),
         ("sine --tolerance -1", "the tolerance is -1"),
         ("sine --points 512,256", "512 to 256"),
         ("sine --points 2,256", "2 points along x are too few"),

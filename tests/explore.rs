@@ -513,6 +513,10 @@ fn what_is_saved_opens() {
     assert_eq!(run["numbers"]["relative_area"], share);
     let setup: ndarray::Array1<u8> = npz.by_name("setup").unwrap();
     assert_eq!(run["setup"], String::from_utf8(setup.to_vec()).unwrap());
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("run.rrd");
+    std::fs::write(&file, &saved.body).unwrap();
+    assert_eq!(asperity::record::setups(&file).unwrap().unwrap(), [run["setup"].as_str().unwrap()]);
 }
 
 #[test]

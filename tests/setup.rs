@@ -1,1 +1,317 @@
-//! Setups in TOML and JSON: what people write is read, what is wrong is said in one sentence, and what is written is read again.
+//! Setups in TOML and JSON: what people write is read, what is wrong is said in one sentence, and what is written is read
+//! again to the last bit.
+
+use asperity::contact::{Contact, Dynamics, Gfmd, Load, Masses};
+use asperity::error::SetupError;
+use asperity::setup::{Cell, Method, Part, Recipe, Record, Setup, Solid, Table};
+use asperity::surface::{Spectrum, read_heights, write_heights};
+use asperity::{Indenter, Stop, Surface};
+use std::fs;
+
+const SCENE: &str = "surface = { indenter = { shape = \"cylinder\", radius = 1.0 } }
+grid = { points = 64, size = 4.0 }
+load = { mean-pressure = 0.01 }
+";
+
+/// Numbers whose digits do not end.
+fn roughness() -> Spectrum {
+    Spectrum { hurst: 0.1 + 0.2, rolloff_wavelength: 1.0 / 7.0, short_cutoff: 1.0 / 70.0, rms_gradient: 1e-3 / 3.0 }
+}
+
+fn solve(setup: &Setup) -> Contact {
+    setup.solver.solver().solve(&setup.problem().unwrap(), &setup.stop, &mut ()).unwrap().converged().unwrap()
+}
+
+/// Setups with each section in several forms.
+fn setups() -> Vec<Setup> {
+    let line =
+        Setup::new(Recipe::rough(roughness(), i64::MAX as u64), Cell::line(512, 1.0), Load::ReducedPressure(0.07));
+    let crossed = Recipe { indenter: Some(Indenter::CrossedSine { amplitude: 1.0 / 3.0 }), ..Recipe::default() };
+    let wide = Setup {
+        solid: Solid { contact_modulus: 1e9 / 3.0 },
+        solver: Method::Gfmd(Gfmd {
+            masses: Masses::Stiffness,
+            dynamics: Dynamics::Fire,
+            time_step: 0.3,
+            damping: 0.7,
+        }),
+        stop: Stop::new(1e-7 / 3.0, 12_345).unwrap(),
+        record: Record { what: vec![Part::Traces, Part::Mesh], every: Some(3), length_unit: "um".into() },
+        ..Setup::new(crossed, Cell::surface([24, 36], [1.0, 1.0 / 0.7]), Load::MeanPressure(1e8 / 3.0))
+    };
+    let both = Recipe { indenter: Some(Indenter::Cylinder { radius: 0.1 + 0.2 }), ..Recipe::rough(roughness(), 0) };
+    let apart =
+        Setup { solver: Method::PolonskyKeer {}, ..Setup::new(both, Cell::line(255, 1.0), Load::MeanGap(1e-3 / 3.0)) };
+    vec![line, wide, apart]
+}
+
+#[test]
+fn what_is_left_out_has_its_default() {
+    let cylinder = Recipe::indenter(Indenter::Cylinder { radius: 1.0 });
+    let expected = Setup::new(cylinder, Cell::line(64, 4.0), Load::MeanPressure(0.01));
+    assert_eq!(Setup::from_toml(SCENE).unwrap(), expected);
+    let defaults = (Method::Multilevel {}, Stop::new(1e-8, 100_000).unwrap(), Solid { contact_modulus: 1.0 });
+    assert_eq!((expected.solver, expected.stop, expected.solid), defaults);
+}
+
+#[test]
+fn what_is_written_is_read_again_to_the_last_bit() {
+    for setup in setups() {
+        let text = setup.to_toml();
+        assert_eq!(Setup::from_toml(&text).unwrap(), setup, "{text}");
+        assert_eq!(setup.to_table().setup().unwrap(), setup);
+        assert_eq!(Setup::from_toml(&text).unwrap().to_toml(), text);
+    }
+}
+
+#[test]
+fn a_written_scene_gives_the_same_bits() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    for setup in setups() {
+        setup.write(&path).unwrap();
+        let (expected, found) = (solve(&setup), solve(&Table::read(&path).unwrap().setup().unwrap()));
+        assert_eq!((found.pressure, found.gap), (expected.pressure, expected.gap));
+        assert_eq!((found.certificate, found.work.transforms), (expected.certificate, expected.work.transforms));
+    }
+}
+
+#[test]
+fn heights_indenter_and_roughness_add_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let heights = ndarray::Array2::from_shape_fn((20, 24), |(i, j)| ((3 * i + 5 * j) as f64).sin());
+    write_heights(folder.path().join("measured.npy"), heights.view().into_dyn()).unwrap();
+    let scene = folder.path().join("scene.toml");
+    let text = "grid = { size = [2.0, 3.0] }
+        load = { reduced-pressure = 0.1 }
+        [surface]
+        height = \"measured.npy\"
+        seed = 5
+        indenter = { shape = \"sphere\", radius = 3.0 }
+        spectrum = { hurst = 0.8, rolloff-wavelength = 1.5, short-cutoff = 0.5, rms-gradient = 0.2 }";
+    fs::write(&scene, text).unwrap();
+    let setup = Table::read(&scene).unwrap().setup().unwrap();
+    let grid = setup.check().unwrap();
+    let measured = Surface::new(grid, heights).unwrap();
+    let smooth = Indenter::Sphere { radius: 3.0 }.surface(grid).unwrap();
+    let rough = Surface::rough(grid, &setup.surface.spectrum.unwrap(), 5).unwrap();
+    let parts = [measured.heights(), smooth.heights(), rough.heights()];
+    let sum = setup.surface().unwrap();
+    for (i, height) in sum.heights().iter().enumerate() {
+        let expected: f64 = parts.iter().map(|part| part[i]).sum();
+        assert!((height - expected).abs() < 1e-14, "{i}: {height} and not {expected}");
+    }
+    // each part alone is one of the three, and any two are their sum
+    let alone =
+        Setup { surface: Recipe { indenter: None, spectrum: None, seed: None, ..setup.surface.clone() }, ..setup };
+    assert_eq!(alone.surface().unwrap().heights(), measured.heights());
+    assert_eq!(read_heights(alone.surface.height.unwrap()).unwrap().shape(), [20, 24]);
+}
+
+#[test]
+fn a_scene_names_its_height_file_by_its_full_path() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("sub")).unwrap();
+    let heights = ndarray::Array1::from_shape_fn(64, |i| (i as f64).sin());
+    write_heights(folder.path().join("h.npy"), heights.view().into_dyn()).unwrap();
+    let scene = folder.path().join("scene.toml");
+    fs::write(&scene, "surface.height = \"h.npy\"\ngrid.size = 1.0\nload.mean-pressure = 0.01").unwrap();
+    let setup = Table::read(&scene).unwrap().setup().unwrap();
+    let moved = folder.path().join("sub/moved.toml");
+    setup.write(&moved).unwrap();
+    let again = Table::read(&moved).unwrap().setup().unwrap();
+    assert_eq!(solve(&again).pressure, solve(&setup).pressure);
+}
+
+/// What is wrong with the scene once `from` is replaced by `to`.
+fn refusal(from: &str, to: &str) -> String {
+    assert!(SCENE.contains(from), "{from}");
+    let refused = Setup::from_toml(&SCENE.replacen(from, to, 1)).and_then(|setup| setup.problem());
+    refused.map(|_| ()).expect_err(to).to_string()
+}
+
+#[test]
+fn what_is_wrong_is_said_in_one_sentence() {
+    let (cylinder, load) = ("indenter = { shape = \"cylinder\", radius = 1.0 }", "load = { mean-pressure = 0.01 }");
+    let (whole, name) = ("expected a whole number from 0 on", "expected the name of a file");
+    for (from, to, words) in [
+        (load, "", "no load is given: give a mean pressure, a reduced pressure or a mean gap"),
+        (load, "load = {}", "no load is given: give a mean pressure, a reduced pressure or a mean gap"),
+        ("= 0.01", "= 0.01, mean-gap = 1.0", "load: both mean-gap and mean-pressure are given: give one of them"),
+        (load, "load = 3", "load: a name and a number belong here, such as { mean-pressure = 0.01 }"),
+        (load, "load = \"mean-gap\"", "load: a name and a number belong here, such as { mean-pressure = 0.01 }"),
+        (load, "[[load]]\nmean-gap = 1", "load: a name and a number belong here, such as { mean-pressure = 0.01 }"),
+        ("0.01", "true", "load: invalid type: boolean `true`, expected a pressure: a number, or one with a unit"),
+        ("0.01", "-1", "the mean pressure is -1.0: give a positive, finite value"),
+        ("mean-pressure = 0.01", "reduced-pressure = \"1\"", "load: invalid type: text \"1\", expected a number"),
+        (cylinder, "", "no surface is given: give a height file, an indenter or a spectrum"),
+        (
+            "surface = { indenter = { shape = \"cylinder\", radius = 1.0 } }",
+            "",
+            "no surface is given: give a height file",
+        ),
+        ("shape = \"cylinder\", ", "", "surface.indenter: missing field `shape`: give it as well"),
+        (", radius = 1.0", "", "surface.indenter: missing field `radius`: give it as well"),
+        (cylinder, "height = 3", name),
+        (cylinder, "height = \"none.npy\"", "points are given beside a height file, which has its own: leave them out"),
+        ("1.0 }", "1.0 }, seed = 3", "a seed is given without roughness"),
+        ("1.0 }", "1.0 }, seed = -3", "surface.seed: invalid value: number `-3`, expected a whole number from 0 on"),
+        ("64", "64.5", whole),
+        ("64", "\"64\"", whole),
+        ("64", "2", "2 points along x are too few: give at least 4"),
+        ("64", "[8, 8, 8]", "the grid has 3 axes: give one for a line, two for a surface"),
+        ("points = 64, ", "", "the points are missing: give one number for a line, two for a surface"),
+        ("4.0", "[1.0, 2.0]", "the size of the cell has 2 lengths for 1 axes: give one for all axes, or one for each"),
+        ("4.0", "true", "grid.size: invalid type: boolean `true`, expected one value, or a list"),
+        (", size = 4.0", "", "grid: missing field `size`: give it as well"),
+        ("\"cylinder\"", "\"sphere\"", "a sphere needs a surface, but the grid is a line"),
+        (load, "load = { mean-gap = 9.0 }", "at a mean gap of 9.0 nothing touches: give less than 0.66"),
+        ("grid", "solver = \"gfmd\"\ngrid", "solver: invalid type: text \"gfmd\", expected a section for the Method"),
+        (
+            "grid",
+            "solver = { masses = \"uniform\" }\ngrid",
+            "solver: unknown field `masses`, there are none: leave it out",
+        ),
+        ("grid", "stop = { tolerance = 0 }\ngrid", "the tolerance is 0: it must lie in (0, infinity)"),
+        ("grid", "stop = { max-iterations = 1.5 }\ngrid", whole),
+        ("grid", "record = { what = \"mesh\" }\ngrid", "record.what: invalid type: text \"mesh\", expected a list"),
+        ("grid", "record = { what = [\"mesh\"] }\ngrid", "the recording asks for the mesh, which a line does not have"),
+        ("grid", "record = { every = 0 }\ngrid", "every 0th step is to be recorded: give a positive number of steps"),
+        ("grid", "solid = 1e9\ngrid", "solid: invalid type: number `1000000000.0`, expected a section for the Solid"),
+        ("grid", "solid = { contact-modulus = 0 }\ngrid", "the contact modulus is 0.0: give a positive, finite value"),
+        ("1.0 }", "1.0, radius = 2.0 }", "line 1: duplicate key"),
+        ("load =", "load", "line 3: "),
+    ] {
+        let said = refusal(from, to);
+        assert!(said.contains(words), "{to}: {said}");
+        assert!(!said.contains('\n') && !said.contains("usize") && !said.contains("f64"), "{to}: {said}");
+    }
+}
+
+#[test]
+fn a_solver_that_cannot_take_the_load_says_so() {
+    let said = refusal("load = { mean-pressure = 0.01 }", "load = { mean-gap = 0.1 }\nsolver = { method = \"gfmd\" }");
+    assert!(said.starts_with("gfmd works under a given mean pressure: give one, or choose"), "{said}");
+}
+
+#[test]
+fn seeds_that_no_scene_can_hold_are_refused() {
+    let setup = Setup::new(Recipe::rough(roughness(), u64::MAX), Cell::line(512, 1.0), Load::ReducedPressure(0.1));
+    let refused = setup.problem().unwrap_err();
+    assert!(matches!(refused, SetupError::Seed { seed: u64::MAX }), "{refused}");
+}
+
+#[cfg(feature = "units")]
+mod with_units {
+    use super::*;
+
+    #[test]
+    fn lengths_and_pressures_have_units() {
+        let scene = "
+            [surface]
+            seed = 1
+            indenter = { shape = \"cylinder\", radius = \"40 um\" }
+            spectrum = { hurst = 0.8, rolloff-wavelength = \"20um\", short-cutoff = \"1e3 nm\", rms-gradient = 1e-3 }
+            [grid]
+            points = 512
+            size = \"0.16 mm\"
+            [solid]
+            contact-modulus = \"1 GPa\"
+            [load]
+            mean-pressure = \"8000 kPa\"";
+        let found = Setup::from_toml(scene).unwrap();
+        let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 20e-6, short_cutoff: 1e-6, rms_gradient: 1e-3 };
+        let near = |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-15, "{found}, {expected}");
+        let Some(Indenter::Cylinder { radius }) = found.surface.indenter else { panic!("{found:?}") };
+        let Load::MeanPressure(pressure) = found.load else { panic!("{found:?}") };
+        let read = found.surface.spectrum.unwrap();
+        for (found, expected) in [
+            (radius, 40e-6),
+            (read.rolloff_wavelength, spectrum.rolloff_wavelength),
+            (read.short_cutoff, spectrum.short_cutoff),
+            (found.grid.size[0], 160e-6),
+            (found.solid.contact_modulus, 1e9),
+            (pressure, 8e6),
+        ] {
+            near(found, expected);
+        }
+        assert!(solve(&found).measures().relative_area > 0.0);
+        assert_eq!(Setup::from_toml(&found.to_toml()).unwrap(), found);
+    }
+
+    /// The setup with a spectrum and a stop of numbers with few digits.
+    fn with_short_numbers(mut setup: Setup) -> Setup {
+        let short = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 0.01, rms_gradient: 1e-3 };
+        setup.surface.spectrum = setup.surface.spectrum.map(|_| short);
+        setup.stop = Stop::default();
+        setup
+    }
+
+    #[test]
+    fn json_is_read_like_toml_and_as_part_of_a_result() {
+        for setup in setups().into_iter().map(with_short_numbers) {
+            let json = serde_json::to_string(&setup).unwrap();
+            assert_eq!(Table::from_json(&json).unwrap().setup().unwrap(), setup, "{json}");
+            let result = format!("{{\"kappa_r\": 1.75, \"setup\": {json}}}");
+            assert_eq!(Table::from_json(&result).unwrap().setup().unwrap(), setup);
+        }
+        let json = r#"{"surface": {"indenter": {"shape": "sine", "amplitude": "1 um"}},
+            "grid": {"points": 64, "size": "1 mm"}, "load": {"mean-gap": "100 nm"}}"#;
+        let setup = Table::from_json(json).unwrap().setup().unwrap();
+        assert!(matches!(setup.load, Load::MeanGap(gap) if (gap / 100e-9 - 1.0).abs() < 1e-15));
+    }
+
+    #[test]
+    fn json_that_is_no_setup_is_refused_in_one_sentence() {
+        let object = "give an object with sections such as `surface` and `load`, and no value that is null";
+        for (json, words) in [
+            ("", "this is no setup in JSON: EOF while parsing a value at line 1 column 0"),
+            ("{", "this is no setup in JSON: EOF while parsing an object at line 1 column 1"),
+            ("3", object),
+            ("[]", object),
+            ("null", object),
+            ("{\"setup\": 3}", object),
+            ("{\"load\": {\"mean-pressure\": null}}", object),
+            ("{}", "grid: missing field `size`: give it as well"),
+        ] {
+            let said = Table::from_json(json).and_then(Table::setup).unwrap_err().to_string();
+            assert!(said.contains(words) && !said.contains('\n'), "{json}: {said}");
+        }
+    }
+
+    #[test]
+    fn unknown_names_are_refused_with_the_nearest_known_one() {
+        for (from, to, place, nearest) in [
+            ("load =", "loda =", "", "load"),
+            ("mean-pressure", "mean_pressure", "load: ", "mean-pressure"),
+            ("grid", "gird", "", "grid"),
+            ("points", "pionts", "grid: ", "points"),
+            ("indenter", "indentor", "surface: ", "indenter"),
+            ("radius", "raduis", "surface.indenter: ", "radius"),
+            ("cylinder", "cilinder", "surface.indenter.shape: ", "cylinder"),
+            ("grid", "solver = { method = \"gmfd\" }\ngrid", "solver.method: ", "gfmd"),
+            ("grid", "solver = { method = \"gfmd\", timestep = 0.1 }\ngrid", "solver: ", "time-step"),
+            ("grid", "solver = { method = \"gfmd\", masses = \"uniforn\" }\ngrid", "solver: ", "uniform"),
+            ("grid", "stop = { tol = 1e-8 }\ngrid", "stop: ", "tolerance"),
+            ("grid", "solid = { modulus = 1e9 }\ngrid", "solid: ", "contact-modulus"),
+            ("grid", "record = { what = [\"mask\", \"trace\"] }\ngrid", "record.what: ", "traces"),
+        ] {
+            let said = refusal(from, to);
+            assert!(said.starts_with(&format!("{place}unknown ")), "{to}: {said}");
+            assert!(said.ends_with(&format!(": did you mean `{nearest}`?")) && !said.contains('\n'), "{to}: {said}");
+        }
+    }
+
+    #[test]
+    fn units_that_do_not_fit_are_refused() {
+        for (from, to, words) in [
+            ("0.01", "\"1 parsnip\"", "load: invalid value: text \"1 parsnip\", expected a pressure"),
+            ("0.01", "\"1 um\"", "load: invalid value: text \"1 um\", expected a pressure"),
+            ("4.0", "\"4 GPa\"", "grid.size: invalid value: text \"4 GPa\", expected a length"),
+            ("radius = 1.0", "radius = \"wide\"", "surface.indenter: invalid value: text \"wide\", expected a length"),
+        ] {
+            let said = refusal(from, to);
+            assert!(said.starts_with(words) && said.contains("a number, or one with a unit such as"), "{to}: {said}");
+        }
+    }
+}

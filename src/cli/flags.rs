@@ -1,9 +1,9 @@
 //! The flags that describe a contact to solve.
 
+use super::choice::one_of;
 use super::usage;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, Table, Value, lay};
-use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::path::{Path, PathBuf};
 
@@ -88,14 +88,11 @@ impl<const WHOLE: bool> clap::Args for Scene<WHOLE> {
 fn arg(flag: &'static Flag) -> Arg {
     let arg = Arg::new(flag.name).long(flag.name).value_name(flag.placeholder).help(flag.help);
     let arg = arg.help_heading(heading(flag)).allow_negative_numbers(true);
-    let one_of = |names: &'static [(&str, &str)]| {
-        PossibleValuesParser::new(names.iter().map(|&(name, help)| PossibleValue::new(name).help(help)))
-    };
     match flag.value {
         Value::One => arg,
         Value::List => arg.value_delimiter(','),
-        Value::Choice(names) | Value::Variant(names) => arg.value_parser(one_of(names)),
-        Value::Choices(names) => arg.value_delimiter(',').value_parser(one_of(names)),
+        Value::Choice(names) | Value::Variant(names) => arg.value_parser(one_of(names.iter().copied())),
+        Value::Choices(names) => arg.value_delimiter(',').value_parser(one_of(names.iter().copied())),
     }
 }
 

@@ -5,7 +5,7 @@ use super::flags::Scene;
 use anyhow::Result;
 use asperity::Surface;
 use asperity::files::check_target;
-use asperity::setup::{Cost, Setup};
+use asperity::setup::Cost;
 use asperity::surface::{Roughness, write_heights};
 use clap::Args;
 use serde::Serialize;

@@ -10,17 +10,17 @@ use std::cell::LazyCell;
 
 /// A number that is told of a contact.
 pub struct Observable {
-    /// Its name, with its unit where two are possible.
+    /// The name of its field in [`Observables`], with the unit where two are possible.
     pub name: &'static str,
     /// The symbol of the field.
     pub symbol: &'static str,
-    /// Its unit: `length`, `pressure`, or `1` for a pure number.
+    /// The unit: `length`, `pressure`, or `1` for a pure number.
     pub unit: &'static str,
-    /// Whether it is drawn step by step: it changes while a contact is solved, and a step knows it.
+    /// Whether the number is drawn step by step: it changes while a contact is solved, and a step knows it.
     pub is_traced: bool,
     /// One sentence.
     pub sentence: &'static str,
-    /// Takes it from a state; NaN where the state does not know it.
+    /// The number of a state; NaN where the state does not know it.
     pub value: fn(&State<'_>) -> f64,
 }
 
@@ -50,7 +50,7 @@ macro_rules! observables {
         /// The observables of a contact; those that are not known are NaN.
         ///
         /// ```
-        /// use asperity::contact::{Observables, OBSERVABLES, Solver};
+        /// use asperity::contact::{OBSERVABLES, Observables};
         /// use asperity::setup::Setup;
         /// let setup = Setup::from_toml("
         ///     surface = { indenter = { shape = 'sine', amplitude = 0.01 } }

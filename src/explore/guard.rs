@@ -1,4 +1,4 @@
-//! Who may ask: pages of this very server, and nobody else.
+//! The guard at the door: pages of this very server may ask, and nobody else.
 
 use axum::http::header::{CONTENT_LENGTH, CONTENT_TYPE, HOST, HeaderName, ORIGIN};
 use axum::http::{HeaderMap, Method};
@@ -6,7 +6,7 @@ use axum::http::{HeaderMap, Method};
 /// Names under which the loopback interface is known.
 const HOSTS: [&str; 2] = ["127.0.0.1", "localhost"];
 
-/// Why a request is refused: a status and a sentence.
+/// Status and sentence with which a request is refused; none if it may pass.
 pub fn refuse(method: &Method, headers: &HeaderMap, port: u16) -> Option<(u16, String)> {
     let is_own = |host: &str| HOSTS.iter().any(|own| host == format!("{own}:{port}"));
     let text = |name: &HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or("?"));

@@ -18,7 +18,7 @@ pub struct Report {
     pub sweep: Option<SweepReport>,
     /// Name of the recording whose curves stand beside those of new ones.
     pub pinned: Option<String>,
-    /// Why the last order was not carried out, in one sentence.
+    /// The fault that kept the last order from being carried out, in one sentence.
     pub fault: Option<String>,
 }
 
@@ -29,15 +29,15 @@ pub struct RunReport {
     pub id: String,
     /// Name for people.
     pub title: String,
-    /// The command that repeats it.
+    /// Command that repeats the solve.
     pub command: String,
-    /// The setup that repeats it, in TOML.
+    /// Setup that repeats the solve, in TOML.
     pub setup: String,
     /// The state of the knobs.
     pub knobs: Knobs,
-    /// Whether it and its recording are complete.
+    /// Whether solver and recording have ended.
     pub ended: bool,
-    /// Where it stands.
+    /// Numbers of its latest state.
     pub numbers: Option<Numbers>,
     /// Exact values.
     pub exact: Option<ExactNumbers>,
@@ -57,7 +57,7 @@ pub struct ExactNumbers {
 /// The numbers of a state; those that are infinite or not known are null in JSON.
 #[derive(Debug, Clone, Serialize)]
 pub struct Numbers {
-    /// How the solve ended, or that it runs.
+    /// Status in words: `running`, or how the solve ended.
     pub status: String,
     /// Grid level of a running solve.
     pub level: usize,
@@ -77,9 +77,9 @@ pub struct SweepReport {
     pub title: String,
     /// The state of the knobs; the load does not count.
     pub knobs: Knobs,
-    /// Whether it and its recording are complete.
+    /// Whether solver and recording have ended.
     pub ended: bool,
-    /// Its contacts, from the smallest load on.
+    /// Contacts, from the smallest load on.
     pub points: Vec<SweepPoint>,
 }
 

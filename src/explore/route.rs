@@ -10,7 +10,7 @@ use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How long a request for news may wait.
+/// Longest wait of a request for news.
 const PATIENCE: Duration = Duration::from_millis(900);
 
 /// The page and the session behind it.

@@ -21,12 +21,12 @@ pub const MOST_BODY: usize = 1 << 16;
 const THREADS: usize = 32;
 /// Ports tried after the one asked for.
 const FURTHER_PORTS: u16 = 32;
-/// How long the body of a request may take.
+/// Longest time that the body of a request may take.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// How long open connections may go on at the end.
+/// Longest time that open connections go on at the end.
 const FAREWELL: Duration = Duration::from_millis(500);
 
-/// What the page may load and talk to: this server.
+/// Content security policy: the page loads from this server and talks to it, and to no other.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
     img-src 'self' data: blob:; worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; \
     frame-ancestors 'none'";
@@ -57,7 +57,7 @@ impl Server {
         Ok(Self { listener, port })
     }
 
-    /// The port it has.
+    /// Its port.
     pub fn port(&self) -> u16 {
         self.port
     }
@@ -77,15 +77,15 @@ impl Server {
             .max_blocking_threads(THREADS)
             .enable_all()
             .build()?;
-        let served = threads.block_on(self.serve(Arc::new(site)));
+        let served = threads.block_on(self.serve(site));
         threads.shutdown_timeout(FAREWELL);
         served
     }
 
-    async fn serve<S: Site>(self, site: Arc<S>) -> io::Result<()> {
+    async fn serve(self, site: impl Site) -> io::Result<()> {
         let listener = tokio::net::TcpListener::from_std(self.listener)?;
-        let desk = Desk { site, port: self.port };
-        let router = Router::new().fallback(answer::<S>).with_state(desk);
+        let desk = Arc::new(Desk { site, port: self.port });
+        let router = Router::new().fallback(answer).with_state(desk);
         tokio::select! {
             served = axum::serve(listener, router) => served,
             interrupted = tokio::signal::ctrl_c() => interrupted,
@@ -102,7 +102,7 @@ async fn termination() -> io::Result<()> {
     Ok(())
 }
 
-/// Waits for ever: elsewhere nothing but an interrupt is known.
+/// Waits for ever: other systems know nothing but an interrupt.
 #[cfg(not(unix))]
 async fn termination() -> io::Result<()> {
     std::future::pending().await
@@ -110,17 +110,11 @@ async fn termination() -> io::Result<()> {
 
 /// A site and the port under which it is known.
 struct Desk<S> {
-    site: Arc<S>,
+    site: S,
     port: u16,
 }
 
-impl<S> Clone for Desk<S> {
-    fn clone(&self) -> Self {
-        Self { site: Arc::clone(&self.site), port: self.port }
-    }
-}
-
-async fn answer<S: Site>(State(desk): State<Desk<S>>, request: axum::extract::Request) -> Response<Body> {
+async fn answer<S: Site>(State(desk): State<Arc<Desk<S>>>, request: axum::extract::Request) -> Response<Body> {
     let (head, body) = request.into_parts();
     if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, desk.port) {
         return response(Reply::Error(status, sentence));

@@ -61,7 +61,7 @@ impl State {
     }
 }
 
-/// Something to do.
+/// An order of the page.
 #[derive(Debug, Clone)]
 pub enum Order {
     /// Solve and record.
@@ -72,9 +72,9 @@ pub enum Order {
 
 /// The result of a solve, and the setup that repeats it.
 pub struct Solution {
-    /// Name of its recording.
+    /// Name of the recording.
     pub id: String,
-    /// Its setup.
+    /// The setup that was solved.
     pub setup: Setup,
     /// The contact.
     pub contact: Contact,

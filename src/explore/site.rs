@@ -9,7 +9,7 @@ pub struct Request<'a> {
     pub method: &'a str,
     /// Path, from the first `/` on.
     pub path: &'a str,
-    /// What follows the `?`.
+    /// Query, all after the `?`.
     pub query: &'a str,
     /// Body, of at most 64 KiB.
     pub body: &'a [u8],
@@ -21,7 +21,7 @@ pub enum Reply {
     Page(&'static str, Bytes),
     /// A part of the page that is the same for all of a release.
     Fixed(&'static str, Bytes),
-    /// Something to save under a name.
+    /// A file to save under a name.
     Download(String, Vec<u8>),
     /// A recording, as it grows; with a name it is saved.
     Recording(RecordingBytes, Option<String>),
@@ -50,7 +50,7 @@ impl Reply {
     }
 }
 
-/// What a server serves.
+/// The content of a server.
 pub trait Site: Send + Sync + 'static {
     /// Answers a request; it may take its time.
     fn reply(&self, request: &Request<'_>) -> Reply;

@@ -10,7 +10,7 @@ use crate::setup::command;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-/// How often a running solve reports.
+/// Time between two reports of a running solve.
 const INTERVAL: Duration = Duration::from_millis(60);
 
 /// Solves what the knobs stand for, until it is done or the turn over.

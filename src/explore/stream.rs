@@ -7,9 +7,9 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::time::Duration;
 
-/// The most that is read at once.
+/// The most bytes that are read at once.
 const PIECE: u64 = 1 << 20;
-/// How long to wait for more.
+/// Pause before looking for more bytes.
 const PAUSE: Duration = Duration::from_millis(10);
 
 /// The bytes of a recording.

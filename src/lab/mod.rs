@@ -17,7 +17,7 @@
 //! let runs = spikes.flat_map(|trial| trial.rivals.iter().map(move |rival| (trial, rival)));
 //! let budget = Duration::from_secs(10);
 //! let reports: Vec<_> = runs.map(|(trial, rival)| judge(trial, rival, budget, &mut |_| Box::new(()))).collect();
-//! let tally = Tally::of(&reports);
+//! let tally = Tally::of(&reports, None);
 //! assert_eq!((reports.len(), tally.wrong, tally.missed), (6, 0, 0), "{tally}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -17,42 +17,28 @@ pub struct Rival {
 }
 
 impl Rival {
+    /// The fast one, which experiments rely on.
+    pub const MULTILEVEL: Self =
+        rival("multilevel", "multilevel", "Whole-set updates on nested grids", Method::Multilevel {});
     /// All rivals, where stiffness matters.
+    #[rustfmt::skip]
     pub const ALL: [Self; 4] = [
-        Self {
-            name: "multilevel",
-            title: "multilevel",
-            about: "Whole-set updates on nested grids",
-            method: Method::Multilevel {},
-        },
-        Self {
-            name: "polonsky-keer",
-            title: "polonsky-keer",
-            about: "Constrained conjugate gradients",
-            method: Method::PolonskyKeer {},
-        },
-        Self {
-            name: "gfmd",
-            title: "gfmd, stiffness masses, FIRE",
-            about: "Green's function molecular dynamics: masses proportional to stiffness, FIRE",
-            method: gfmd(Masses::Stiffness, Dynamics::Fire),
-        },
-        Self {
-            name: "gfmd-uniform",
-            title: "gfmd, uniform masses",
-            about: "Green's function molecular dynamics: uniform masses and plain damping, which long waves make slow",
-            method: gfmd(Masses::Uniform, Dynamics::Damped),
-        },
+        Self::MULTILEVEL,
+        rival("polonsky-keer", "polonsky-keer", "Constrained conjugate gradients", Method::PolonskyKeer {}),
+        rival("gfmd", "gfmd, stiffness masses, FIRE", "Green's function molecular dynamics: masses proportional to stiffness, FIRE", gfmd(Masses::Stiffness, Dynamics::Fire)),
+        rival("gfmd-uniform", "gfmd, uniform masses", "The paper's molecular dynamics: uniform masses and plain damping, which long waves make slow", gfmd(Masses::Uniform, Dynamics::Damped)),
     ];
     /// The rivals of most experiments.
     pub const USUAL: &'static [Self] = Self::ALL.split_at(3).0;
-    /// The fast one, which experiments rely on.
-    pub const MULTILEVEL: Self = Self::ALL[0];
 
     /// The rival of a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|rival| rival.name == name)
     }
+}
+
+const fn rival(name: &'static str, title: &'static str, about: &'static str, method: Method) -> Rival {
+    Rival { name, title, about, method }
 }
 
 const fn gfmd(masses: Masses, dynamics: Dynamics) -> Method {

@@ -61,11 +61,6 @@ impl Frame {
         sheet.edge(&rectangle(self.corner, self.size), Colour::GREY, LINE);
     }
 
-    /// Draws the side of the box that an axis lies along.
-    pub fn draw_side(&self, sheet: &mut Sheet, side: Side) {
-        sheet.line([0.0, 1.0].map(|place| self.beside(side, place, 0.0)).to_vec(), Colour::GREY, LINE);
-    }
-
     /// Draws the ticks, labels and name of an axis.
     pub fn draw_axis(&self, sheet: &mut Sheet, side: Side) {
         let (axis, align, distances, room) = match side {

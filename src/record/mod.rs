@@ -45,5 +45,5 @@ pub use file::{LoadRecording, Loads, Recorder, Recording};
 pub use options::Options;
 pub use parts::Parts;
 pub use scene::Scene;
-pub use setups::setups;
+pub use setups::{is_recording, setups};
 pub use size::Size;

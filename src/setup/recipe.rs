@@ -78,6 +78,9 @@ impl Recipe {
         if self.seed.is_some() && self.spectrum.is_none() {
             return Err(SetupError::SeedWithoutSpectrum);
         }
+        if self.seed() > i64::MAX as u64 {
+            return Err(SetupError::Seed { seed: self.seed() });
+        }
         self.indenter.map_or(Ok(()), |indenter| indenter.check(grid))?;
         self.spectrum.map_or(Ok(()), |spectrum| spectrum.validate(grid))?;
         Ok(())

@@ -7,7 +7,7 @@ use crate::surface::read_text;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A setup on its way: its sections and keys with any values, to lay others over it before it is read.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -31,13 +31,12 @@ impl Table {
     /// [`SetupError::Text`] for a text that is no JSON object.
     #[cfg(feature = "units")]
     pub fn from_json(text: &str) -> Result<Self, SetupError> {
-        let wrong = |error: &dyn std::fmt::Display| SetupError::Text {
-            place: String::new(),
-            reason: format!("this is no setup in JSON: {error}"),
-        };
-        let mut value: serde_json::Value = serde_json::from_str(text).map_err(|error| wrong(&error))?;
+        let wrong =
+            |why: String| SetupError::Text { place: String::new(), reason: format!("this is no setup in JSON: {why}") };
+        let mut value: serde_json::Value = serde_json::from_str(text).map_err(|error| wrong(error.to_string()))?;
         let setup = value.get_mut("setup").map(serde_json::Value::take).unwrap_or(value);
-        toml::Table::try_from(setup).map(Self).map_err(|error| wrong(&error))
+        let shape = "give an object with sections such as `surface` and `load`, and no value that is null";
+        toml::Table::try_from(setup).map(Self).map_err(|_| wrong(shape.into()))
     }
 
     /// The sections and keys of a file: a scene, or a result in JSON or `.npz`. A height file is found beside a scene; that of
@@ -116,13 +115,26 @@ impl Table {
     /// # Errors
     /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known.
     pub fn setup(mut self) -> Result<Setup, SetupError> {
-        if !self.0.contains_key("load") {
-            return Err(SetupError::NoLoad);
-        }
         if let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") {
             solver.entry("method").or_insert(Method::METHODS[0].0.into());
         }
-        self.read_as()
+        let loads = self.check_load();
+        // an unknown key, such as a misspelt load, is said first
+        self.read_as().and_then(|setup| loads.map(|()| setup))
+    }
+
+    /// Checks that there is one load, and puts one there if there is none, so that the rest can be read.
+    fn check_load(&mut self) -> Result<(), SetupError> {
+        let load = self.0.entry("load").or_insert_with(|| toml::Table::new().into());
+        let keys: Vec<&String> = load.as_table().into_iter().flat_map(toml::Table::keys).collect();
+        let checked = match keys.as_slice() {
+            [_] => return Ok(()),
+            [] if load.is_table() => Err(SetupError::NoLoad),
+            [] => Err(wrong_load("a name and a number belong here, such as { mean-pressure = 0.01 }".into())),
+            [one, other, ..] => Err(wrong_load(format!("both {one} and {other} are given: give one of them"))),
+        };
+        *load = toml::Table::from_iter([("mean-pressure".to_owned(), toml::Value::Float(1.0))]).into();
+        checked
     }
 
     /// The recipe of a surface and its cell, whatever else there is.
@@ -152,6 +164,10 @@ impl Table {
     }
 }
 
+fn wrong_load(reason: String) -> SetupError {
+    SetupError::Text { place: "load: ".into(), reason }
+}
+
 /// The keys that lead to an error, which its text ends in.
 fn place(text: &str) -> String {
     let keys = text.lines().find_map(|line| line.trim().strip_prefix("in `")?.strip_suffix('`'));
@@ -172,9 +188,25 @@ fn one_line(message: &str) -> String {
     message.lines().map(str::trim).collect::<Vec<_>>().join(" ")
 }
 
-/// The message in one line with what to do; for an unknown name with the nearest known one.
+/// Names of types in the messages of serde, and plain words for them.
+const PLAIN: [(&str, &str); 12] = [
+    ("floating point `", "number `"),
+    ("integer `", "number `"),
+    ("string \"", "text \""),
+    ("sequence", "list"),
+    ("expected usize", "expected a whole number from 0 on"),
+    ("expected u64", "expected a whole number from 0 on"),
+    ("expected f64", "expected a number"),
+    ("expected path string", "expected the name of a file"),
+    ("expected variant identifier", "expected a name"),
+    ("expected internally tagged enum", "expected a section for the"),
+    ("expected struct", "expected a section for the"),
+    ("there are no fields", "there are none"),
+];
+
+/// The message in one line of plain words with what to do; for an unknown name with the nearest known one.
 fn explained(message: &str) -> String {
-    let message = one_line(message);
+    let message = PLAIN.iter().fold(one_line(message), |message, (name, plain)| message.replace(name, plain));
     let names: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
     match names.split_first() {
         Some((unknown, known)) if message.starts_with("unknown") => match nearest(unknown, known) {
@@ -225,7 +257,11 @@ impl Setup {
 
     /// The setup whose height file is named by its full path.
     pub fn with_full_path(mut self) -> Self {
-        self.surface.height = self.surface.height.map(|path| std::path::absolute(&path).unwrap_or(path));
+        let full = |path: PathBuf| match std::path::absolute(&path) {
+            Ok(full) if full.to_str().is_some() => full,
+            _ => path,
+        };
+        self.surface.height = self.surface.height.map(full);
         self
     }
 }

@@ -35,7 +35,7 @@ pub struct Point {
     pub setup: String,
     /// Version of the program.
     pub version: String,
-    /// What was found.
+    /// The numbers that were found.
     #[serde(skip)]
     pub observables: Observables,
     /// Seconds of the solver, which are never the same twice.

@@ -10,12 +10,12 @@ use crate::surface::Field;
 ///
 /// | field   | meaning                                       | unit |
 /// |---------|-----------------------------------------------|------|
-/// | `name`  | what it goes by in tables                     | -    |
+/// | `name`  | name in tables                                | -    |
 /// | `setup` | all but the load                              | any  |
 /// | `loads` | reduced pressures `p* = <p>/(gbar E*)` instead of its load, each but the first started from the contact before | - |
 #[derive(Debug, Clone, PartialEq)]
 pub struct Realisation {
-    /// What it goes by in tables.
+    /// Name in tables.
     pub name: String,
     /// The contact, but for its load.
     pub setup: Setup,

@@ -12,7 +12,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Of `values`; the mean of none is NaN.
+    /// The spread of `values`; the mean of none is NaN.
     ///
     /// ```
     /// use asperity::study::Spread;
@@ -44,7 +44,7 @@ pub struct Line {
 }
 
 impl Line {
-    /// Through points `(x, y)`; level through the mean of points that share one `x`.
+    /// The line through points `(x, y)`, level through the mean of points that share one `x`.
     ///
     /// ```
     /// use asperity::study::Line;

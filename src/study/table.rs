@@ -47,7 +47,7 @@ impl Table {
         Self { path: path.into() }
     }
 
-    /// Where the finished table is.
+    /// The path of the finished table.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -98,7 +98,7 @@ impl Table {
         remove(self.unfinished_path())
     }
 
-    /// Removes what is there.
+    /// Removes all files of the table.
     ///
     /// # Errors
     /// [`FileError::Write`].
@@ -132,7 +132,7 @@ fn reader(path: &Path, has_headers: bool) -> Result<csv::Reader<io::Cursor<Vec<u
     Ok(csv::ReaderBuilder::new().has_headers(has_headers).from_reader(io::Cursor::new(text)))
 }
 
-/// What `read` makes of the records of a table that is whole, under the names of its columns.
+/// The records of a table that is whole, each read by `read` under the names of the columns.
 fn finished<T>(
     path: &Path,
     mut read: impl FnMut(&StringRecord, &StringRecord) -> csv::Result<T>,

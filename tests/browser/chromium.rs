@@ -9,7 +9,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// How long an answer may take: a page that draws in software is slow to answer.
+/// Longest wait for an answer: a page that draws in software is slow to answer.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// No name is found but one that leads here, so that neither page nor browser gets out of this machine.
@@ -36,7 +36,7 @@ const FLAGS: &[&str] = &[
 /// Pipes 3 and 4 are those of the protocol.
 const PIPED: &str = r#"exec "$0" "$@" 3<&0 4>&1 </dev/null >/dev/null 2>/dev/null"#;
 
-/// A browser with one page, and all that it told.
+/// A browser with one page, and all events that it told.
 pub struct Chromium {
     process: Child,
     orders: ChildStdin,

@@ -35,7 +35,7 @@ impl Explorer {
         format!("http://127.0.0.1:{}", self.port)
     }
 
-    /// What the server says of its state, without a browser.
+    /// The state that the server reports, asked without a browser.
     pub fn state(&self) -> Value {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
         write!(stream, "GET /api/state HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n\r\n", self.port)

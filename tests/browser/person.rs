@@ -1,4 +1,4 @@
-//! What a person does at the page, and what is to be seen then.
+//! A person at the page: deeds, and the sights that follow.
 
 use crate::chromium::{Chromium, installed};
 use crate::explorer::{Explorer, opened, rested};
@@ -158,7 +158,7 @@ fn save(page: &mut Page, button: &str, name: &str) -> PathBuf {
     page.chromium.downloads().join(name)
 }
 
-/// What a file records, without its layout, and its name.
+/// Name and content of a recording in a file, without its layout.
 fn recording(path: &Path) -> (String, ChunkStore) {
     let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut File::open(path).unwrap()).unwrap();
     let (id, store) = stores.into_iter().find(|(id, _)| id.kind() == StoreKind::Recording).unwrap();
@@ -234,7 +234,7 @@ fn the_policy_blocks(explorer: &Explorer, page: &mut Page) {
     assert_eq!(outward(&page.chromium, &explorer.origin()), [""; 0], "requests that were not blocked");
 }
 
-/// How many requests the policy of the page blocked.
+/// Number of requests that the policy of the page blocked.
 fn blocked(chromium: &Chromium) -> usize {
     let entries = chromium.events("Log.entryAdded").map(|event| &event["entry"]);
     entries.filter(|entry| entry["source"] == "security" && is_of_the_policy(entry)).count()

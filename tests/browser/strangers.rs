@@ -27,7 +27,7 @@ fn stranger() -> String {
     address
 }
 
-/// What a fetch comes to: its status, or `refused` where the browser gives nothing away.
+/// The outcome of a fetch: its status, or `refused` where the browser gives nothing away.
 fn fetched(page: &mut Page, address: &str, options: &str) -> String {
     page.text(&format!("fetch('{address}', {options}).then((it) => `${{it.type}} ${{it.status}}`, () => 'refused')"))
 }

@@ -48,7 +48,7 @@ const PLACES: &[(&str, &[&str])] = &[
     ("nalgebra", &["paper/fit.rs"]),
     ("ndarray_npy", &["surface/files.rs", "contact/archive.rs"]),
     ("procfs", &["setup/cost.rs", "lab/"]),
-    ("rand", &["surface/synthesis.rs"]),
+    ("rand", &["surface/synthesis.rs", "lab/stability/trials/shapes.rs"]),
     ("rand_distr", &["surface/synthesis.rs"]),
     ("re_web_viewer_server", &["explore/"]),
     ("realfft", &["fourier/"]),

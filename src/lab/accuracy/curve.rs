@@ -1,8 +1,8 @@
 //! Work against precision: one solver on one grid.
 
 use super::quantity::{Values, errors, of_contact, of_step};
-use crate::contact::{Contact, Observer, Problem, Step, Stop, Wish};
-use crate::error::{SetupError, SolveError};
+use crate::contact::{Contact, Each, Observer, Problem, Step, Stop};
+use crate::error::SolveError;
 use crate::lab::table::median;
 use crate::lab::{Rival, Watch};
 use std::num::NonZeroUsize;
@@ -48,43 +48,24 @@ pub struct Curve {
     pub points: Vec<Point>,
 }
 
-/// A problem with its all but exact solution on the same grid.
-pub struct Reference {
-    contact: Contact,
-    values: Values,
-}
-
-impl Reference {
-    /// Solves `problem`.
-    pub fn of(problem: Problem, stop: &Stop, title: &str, watch: &mut Watch<'_>) -> Result<Self, SetupError> {
-        let contact = solve(&Rival::MULTILEVEL, &problem, stop, &mut (), title, watch)?;
-        let values = of_contact(&contact);
-        Ok(Self { contact, values })
-    }
-}
-
 impl Curve {
-    /// Measures errors in a first run, which warms up, and seconds in `repeats` further runs, in which nobody looks at the
-    /// fields.
+    /// Measures errors against the all but exact solution `reference` in a first run, which warms up, and seconds in `repeats`
+    /// further runs, in which nobody looks at the fields.
     pub(super) fn of(
         rival: Rival,
-        reference: &Reference,
+        reference: &Contact,
         stop: &Stop,
         repeats: NonZeroUsize,
         title: &str,
         watch: &mut Watch<'_>,
-    ) -> Result<Self, SetupError> {
-        let problem = &reference.contact.problem;
-        let mut sampler = Sampler { reference, tolerance: stop.tolerance(), seen: 0, points: Vec::new() };
-        solve(&rival, problem, stop, &mut sampler, title, watch)?;
-        let mut points = sampler.points;
-        for _ in 0..repeats.get() {
-            let mut clock = Clock { points: &mut points, seen: 0, next: 0 };
-            solve(&rival, problem, stop, &mut clock, title, watch)?;
-        }
+    ) -> Result<Self, SolveError> {
+        let mut points = Vec::new();
+        let mut run = |observer: &mut dyn Observer| solve(&rival, &reference.problem, stop, observer, title, watch);
+        run(&mut sampler(reference, stop.tolerance(), &mut points))?;
+        (0..repeats.get()).try_for_each(|_| run(&mut clock(&mut points)).map(drop))?;
         points.iter_mut().for_each(|point| point.seconds.sort_by(f64::total_cmp));
-        let shape = problem.surface().grid().shape();
-        Ok(Self { rival, shape, reference_eta: reference.contact.certificate.eta, points })
+        let shape = reference.problem.surface().grid().shape();
+        Ok(Self { rival, shape, reference_eta: reference.certificate.eta, points })
     }
 
     /// Points along the longer side.
@@ -116,59 +97,38 @@ pub fn solve(
     rival.method.solver().solve(problem, stop, &mut (observer, others))
 }
 
-/// Makes the points of a curve.
-struct Sampler<'a> {
-    reference: &'a Reference,
-    tolerance: f64,
-    seen: usize,
-    points: Vec<Point>,
-}
-
-impl Sampler<'_> {
-    fn is_wanted(&self, eta: f64) -> bool {
-        let last = self.points.last().map_or(f64::INFINITY, |point| point.eta);
-        eta.is_finite() && (eta <= FALL * last || (eta <= self.tolerance && eta < last))
-    }
-
-    fn point(&self, step: &Step<'_>, eta: f64) -> Point {
-        Point {
-            step: step.index(),
-            eta,
-            transforms: step.transforms(),
-            seconds: Vec::new(),
-            pressure_error: relative_l2(step.pressure(), &self.reference.contact),
-            errors: errors(&of_step(step), &self.reference.values),
-            place: self.seen,
+/// The observer that makes the points of a curve.
+fn sampler(reference: &Contact, tolerance: f64, points: &mut Vec<Point>) -> impl Observer {
+    let (truth, mut seen) = (of_contact(reference), 0);
+    Each(move |step: &Step<'_>| {
+        let last = points.last().map_or(f64::INFINITY, |point| point.eta);
+        let is_wanted = |eta: f64| eta.is_finite() && (eta <= FALL * last || (eta <= tolerance && eta < last));
+        if let Some(eta) = step.certificate().filter(|&eta| step.phase().level == 0 && is_wanted(eta)) {
+            points.push(Point {
+                step: step.index(),
+                eta,
+                transforms: step.transforms(),
+                seconds: Vec::new(),
+                pressure_error: relative_l2(step.pressure(), reference),
+                errors: errors(&of_step(step), &truth),
+                place: seen,
+            });
         }
-    }
+        seen += 1;
+        ControlFlow::Continue(())
+    })
 }
 
-impl Observer for Sampler<'_> {
-    fn step(&mut self, step: &Step<'_>) -> Wish {
-        if let Some(eta) = step.certificate().filter(|&eta| step.phase().level == 0 && self.is_wanted(eta)) {
-            self.points.push(self.point(step, eta));
-        }
-        self.seen += 1;
-        Ok(ControlFlow::Continue(()))
-    }
-}
-
-/// Notes the seconds at the steps of `points`.
-struct Clock<'a> {
-    points: &'a mut [Point],
-    seen: usize,
-    next: usize,
-}
-
-impl Observer for Clock<'_> {
-    fn step(&mut self, step: &Step<'_>) -> Wish {
-        if let Some(point) = self.points.get_mut(self.next).filter(|point| point.place == self.seen) {
+/// The observer that notes the seconds at the steps of the points.
+fn clock(points: &mut [Point]) -> impl Observer {
+    let (mut points, mut seen) = (points.iter_mut().peekable(), 0);
+    Each(move |step: &Step<'_>| {
+        if let Some(point) = points.next_if(|point| point.place == seen) {
             point.seconds.push(step.seconds());
-            self.next += 1;
         }
-        self.seen += 1;
-        Ok(ControlFlow::Continue(()))
-    }
+        seen += 1;
+        ControlFlow::Continue(())
+    })
 }
 
 fn relative_l2(pressure: &[f64], reference: &Contact) -> f64 {

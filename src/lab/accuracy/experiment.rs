@@ -1,6 +1,6 @@
 //! The experiment on a scene.
 
-use super::curve::{Curve, Reference};
+use super::curve::{Curve, solve};
 use super::findings::Findings;
 use super::ladder::{Ladder, REFINEMENT};
 use super::model::models;
@@ -61,8 +61,8 @@ impl Experiment {
     fn curves(&self, side: usize, watch: &mut Watch<'_>) -> Result<Vec<Curve>, SetupError> {
         let title = format!("{} {side},", self.scene.name());
         let problem = self.scene.setup(side, self.seed).problem()?;
-        let reference = Reference::of(problem, &self.reference, &title, watch)?;
-        let curve = |rival| Curve::of(rival, &reference, &self.stop, self.repeats, &title, watch);
+        let reference = solve(&Rival::MULTILEVEL, &problem, &self.reference, &mut (), &title, watch)?;
+        let curve = |rival| Ok(Curve::of(rival, &reference, &self.stop, self.repeats, &title, watch)?);
         Rival::ALL.into_iter().map(curve).collect()
     }
 

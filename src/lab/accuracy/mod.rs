@@ -7,18 +7,6 @@
 //! ```text
 //! Experiment { Scene, grids, stops } --> Findings { Ladder of grids, Models, Curves of the solvers } --> table, figure, CSV
 //! ```
-//!
-//! ```
-//! use asperity::Stop;
-//! use asperity::lab::accuracy::{Experiment, Scene};
-//! use std::num::NonZeroUsize;
-//! let (stop, reference) = (Stop::new(1e-8, 100_000)?, Stop::new(1e-13, 100_000)?);
-//! let experiment =
-//!     Experiment { scene: Scene::Sine, sides: vec![64, 128], seed: 1, stop, reference, repeats: NonZeroUsize::MIN };
-//! let findings = experiment.run(&mut |_| Box::new(()))?;
-//! assert!(findings.to_string().contains("errors against the exact solution (Westergaard, periodic)"));
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
 
 mod advice;
 mod curve;

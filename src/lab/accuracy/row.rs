@@ -1,9 +1,7 @@
 //! The file of all points.
 
-use super::curve::{Curve, Point};
+use super::curve::Point;
 use super::findings::Findings;
-use super::ladder::Rung;
-use super::model::Model;
 use super::quantity::Values;
 use crate::error::FileError;
 use crate::files::write_csv;
@@ -39,10 +37,14 @@ impl Row {
         Self { kind, area_error, kappa_r_error, mean_gap_error, peak_pressure_error, ..Self::default() }
     }
 
-    /// The error of a step against the solution on the same grid.
-    fn of_point(curve: &Curve, point: &Point) -> Self {
+    /// The row with a solver and the points of its grid.
+    fn of(self, rival: &Rival, [ny, nx]: [usize; 2]) -> Self {
+        Self { solver: Some(rival.name), ny: Some(ny), nx: Some(nx), ..self }
+    }
+
+    /// The row with the work and the error of a step.
+    fn at(self, point: &Point) -> Self {
         Self {
-            solver: Some(curve.rival.name),
             step: Some(point.step),
             eta: Some(point.eta),
             transforms: Some(point.transforms),
@@ -50,27 +52,8 @@ impl Row {
             least_seconds: point.seconds.first().copied(),
             most_seconds: point.seconds.last().copied(),
             pressure_error: Some(point.pressure_error),
-            ..Self::new("algebraic", point.errors).on(curve.shape)
+            ..self
         }
-    }
-
-    /// The error of a grid against the truth, root mean square over the loads.
-    fn of_rung(rung: &Rung) -> Self {
-        Self {
-            solver: Some(Rival::MULTILEVEL.name),
-            transforms: Some(rung.work.transforms),
-            seconds: Some(rung.work.seconds),
-            ..Self::new("discretisation", rung.errors).on(rung.shape)
-        }
-    }
-
-    /// The error of a theory against the truth.
-    fn of_model(model: &Model) -> Self {
-        Self { theory: Some(model.theory), ..Self::new("model", model.errors) }
-    }
-
-    fn on(self, [ny, nx]: [usize; 2]) -> Self {
-        Self { ny: Some(ny), nx: Some(nx), ..self }
     }
 }
 
@@ -82,10 +65,16 @@ pub fn write_rows(path: &Path, all: &[Findings]) -> Result<(), FileError> {
     write_csv(path, all.iter().flat_map(rows))
 }
 
-fn rows(findings: &Findings) -> impl Iterator<Item = Row> {
-    let algebraic = findings.curves.iter().flat_map(|c| c.points.iter().map(|point| Row::of_point(c, point)));
-    let discretisation = findings.ladder.rungs.iter().map(Row::of_rung);
-    let model = findings.models.iter().map(Row::of_model);
-    let scene = findings.scene.name();
-    algebraic.chain(discretisation).chain(model).map(move |row| Row { scene, ..row })
+/// Errors of steps against the solution on the same grid, of grids against the truth, and of theories against the truth.
+fn rows(Findings { scene, ladder, models, curves }: &Findings) -> impl Iterator<Item = Row> {
+    let steps = curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)));
+    let algebraic =
+        steps.map(|(curve, point)| Row::new("algebraic", point.errors).of(&curve.rival, curve.shape).at(point));
+    let discretisation = ladder.rungs.iter().map(|rung| Row {
+        transforms: Some(rung.work.transforms),
+        seconds: Some(rung.work.seconds),
+        ..Row::new("discretisation", rung.errors).of(&Rival::MULTILEVEL, rung.shape)
+    });
+    let model = models.iter().map(|model| Row { theory: Some(model.theory), ..Row::new("model", model.errors) });
+    algebraic.chain(discretisation).chain(model).map(|row| Row { scene: scene.name(), ..row })
 }

@@ -103,15 +103,16 @@ fn write_settled(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
 }
 
 fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
-    let Findings { curves, ladder, .. } = findings;
     writeln!(f, "  recommended: the fastest that was measured, total error = discretisation + algebraic")?;
     for (quantity, name) in QUANTITIES.iter().enumerate() {
         for accuracy in ACCURACIES {
             write!(f, "{INDENT}for {name} to {} % ", 100.0 * accuracy)?;
-            match Advice::for_accuracy(curves, ladder, quantity, accuracy) {
+            let all = || Advice::all(findings, quantity);
+            let is_enough = |advice: &Advice| advice.total() <= accuracy;
+            match all().filter(is_enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds)) {
                 Some(advice) => writeln!(f, "{}", sentence(&advice))?,
                 None => {
-                    let best = or_dash(Advice::best_error(curves, ladder, quantity), percent);
+                    let best = or_dash(all().map(|advice| advice.total()).min_by(f64::total_cmp), percent);
                     writeln!(f, "use a finer grid: the best of these has {best}")?;
                 }
             }

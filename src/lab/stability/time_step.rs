@@ -4,14 +4,20 @@
 //! on a small line, with the wall holding all nodes of a set. A step is too large if the motion grows. Then the solver
 //! itself runs close to its limit.
 
-use super::check::Check;
-use crate::contact::{Dynamics, Gfmd, Load, Masses, Solver, Stop};
+use super::judge::judge;
+use super::report::Report;
+use super::trial::Trial;
+use super::verdict::Verdict;
+use crate::contact::{Dynamics, Gfmd, Load, Masses};
 use crate::elastic::HalfSpace;
-use crate::error::{GridError, SetupError};
+use crate::error::GridError;
 use crate::grid::Grid;
-use crate::setup::{Cell, Recipe, Setup};
+use crate::lab::Rival;
+use crate::lab::table::or_dash;
+use crate::setup::{Cell, Method, Recipe, Setup};
 use crate::surface::Spectrum;
 use std::fmt;
+use std::time::Duration;
 
 /// Points of the integrated line and of the solved one.
 const INTEGRATED: usize = 64;
@@ -24,7 +30,6 @@ const BISECTIONS: usize = 20;
 const AGREEMENT: f64 = 1e-4;
 /// Time step of the solver, close to its limit of 1.
 const TIME_STEP: f64 = 0.99;
-const TOLERANCE: f64 = 1e-8;
 
 /// A motion whose limit is measured.
 struct Motion {
@@ -47,43 +52,29 @@ const VARIANTS: [(&str, Masses, Dynamics); 4] = [
 ];
 
 /// The largest stable time steps, over `2 sqrt(m / k)`, and solves close to them; displays as a table.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct TimeSteps {
     /// Name, measured limit and limit in theory of each motion.
     pub limits: Vec<(&'static str, f64, f64)>,
-    /// Solves close to the limit.
-    pub solves: Vec<NearLimit>,
-}
-
-/// A solve close to the limit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NearLimit {
-    /// Masses and dynamics.
-    pub name: &'static str,
-    /// Relaxation steps.
-    pub steps: usize,
-    /// Certificate, as checked.
-    pub eta: f64,
-    /// Whether it converged, and the check agrees.
-    pub is_sound: bool,
+    /// Reports of solves close to the limit.
+    pub reports: Vec<Report>,
 }
 
 impl TimeSteps {
     /// Measures all limits, and runs the solver close to its own.
     ///
     /// # Errors
-    /// None that is known: the grids, surfaces and settings are fixed.
-    pub fn measure() -> Result<Self, SetupError> {
-        let limit = |motion: Motion| Ok((motion.name, motion.largest_stable()?, motion.theory()?));
-        let limits = MOTIONS.into_iter().map(limit).collect::<Result<_, SetupError>>()?;
-        let solves = VARIANTS.into_iter().map(NearLimit::of).collect::<Result<_, _>>()?;
-        Ok(Self { limits, solves })
+    /// None that is known: the grid is fixed.
+    pub fn measure() -> Result<Self, GridError> {
+        let grid = Grid::line(INTEGRATED, 1.0)?;
+        let limits = MOTIONS.map(|motion| (motion.name, motion.largest_stable(&grid), motion.theory(&grid)));
+        Ok(Self { limits: limits.into(), reports: VARIANTS.map(near_the_limit).into() })
     }
 
     /// Whether all is as theory says.
     pub fn agrees(&self) -> bool {
         let agrees = |&(_, measured, theory): &(_, f64, f64)| (measured / theory - 1.0).abs() < AGREEMENT;
-        self.limits.iter().all(agrees) && self.solves.iter().all(|solve| solve.is_sound)
+        self.limits.iter().all(agrees) && self.reports.iter().all(|report| report.verdict == Verdict::Converged)
     }
 }
 
@@ -94,44 +85,51 @@ impl fmt::Display for TimeSteps {
             writeln!(f, "{name:<41} {measured:>9.4} {theory:>9.4}")?;
         }
         writeln!(f, "\ngfmd at {TIME_STEP} of its limit {:>20} {:>9}", "steps", "eta")?;
-        for NearLimit { name, steps, eta, is_sound } in &self.solves {
-            let verdict = if *is_sound { "converged" } else { "WRONG" };
-            writeln!(f, "{name:<27} {steps:>20} {eta:>9.1e} {verdict}")?;
+        for Report { solver, iterations, eta, verdict, .. } in &self.reports {
+            let steps = or_dash(*iterations, |steps| steps.to_string());
+            writeln!(f, "{solver:<27} {steps:>20} {:>9} {verdict}", or_dash(*eta, |eta| format!("{eta:.1e}")))?;
         }
         Ok(())
     }
 }
 
+/// The report of a solve close to the limit.
+fn near_the_limit((name, masses, dynamics): (&'static str, Masses, Dynamics)) -> Report {
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 1.0 / 32.0, rms_gradient: 0.1 };
+    let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(SOLVED, 1.0), Load::ReducedPressure(0.1));
+    let method = Method::Gfmd(Gfmd { masses, dynamics, time_step: TIME_STEP, damping: 1.0 });
+    let rival = Rival { name, title: name, about: "close to the limit of its time step", method };
+    judge(&Trial::of("time-step", setup), &rival, Duration::MAX, &mut |_| Box::new(()))
+}
+
 impl Motion {
     /// The largest stable step, by bisection between a step of 0 and twice the limit of free waves.
-    fn largest_stable(&self) -> Result<f64, GridError> {
+    fn largest_stable(&self, grid: &Grid) -> f64 {
         let [mut stable, mut unstable] = [0.0, 2.0];
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (stable + unstable);
-            *(if self.grows(middle)? { &mut unstable } else { &mut stable }) = middle;
+            *(if self.grows(grid, middle) { &mut unstable } else { &mut stable }) = middle;
         }
-        Ok(stable)
+        stable
     }
 
     /// The largest stable step in theory. Free waves allow 1. The frequency of a lone free node is `sqrt(<k> <1/m>)`.
-    fn theory(&self) -> Result<f64, GridError> {
-        let grid = Grid::line(INTEGRATED, 1.0)?;
+    fn theory(&self, grid: &Grid) -> f64 {
         if (0..INTEGRATED).all(self.is_free) {
-            return Ok(1.0);
+            return 1.0;
         }
         let (mut stiffness, mut mobility) = (0.0, 0.0);
         for (q, count) in grid.wavenumbers().zip(grid.multiplicities()) {
             let k = 0.5 * q;
             stiffness += count * k / INTEGRATED as f64;
-            mobility += count / k.max(softest(&grid)) / INTEGRATED as f64;
+            mobility += count / k.max(softest(grid)) / INTEGRATED as f64;
         }
-        Ok(1.0 / (stiffness * mobility).sqrt())
+        1.0 / (stiffness * mobility).sqrt()
     }
 
     /// Whether an undamped motion grows with the time step `step`, in units of the limit of free waves.
-    fn grows(&self, step: f64) -> Result<bool, GridError> {
-        let grid = Grid::line(INTEGRATED, 1.0)?;
-        let mut half_space = HalfSpace::new(&grid, 1.0);
+    fn grows(&self, grid: &Grid, step: f64) -> bool {
+        let mut half_space = HalfSpace::new(grid, 1.0);
         let stiffest = half_space.stiffnesses().fold(0.0, f64::max);
         let (mut f, mut a) = (vec![0.0; INTEGRATED], vec![0.0; INTEGRATED]);
         let noise = |i: usize| if (self.is_free)(i) { ((i * i) as f64 * 0.7).sin() + 0.1 } else { 0.0 };
@@ -144,7 +142,7 @@ impl Motion {
                 Masses::Uniform => (0..INTEGRATED).for_each(|i| a[i] = f[i] / stiffest),
                 Masses::Stiffness => {
                     half_space.displacement(&f, &mut a);
-                    let mean = f.iter().sum::<f64>() / INTEGRATED as f64 / softest(&grid);
+                    let mean = f.iter().sum::<f64>() / INTEGRATED as f64 / softest(grid);
                     a.iter_mut().for_each(|a| *a += mean);
                 }
             }
@@ -153,26 +151,14 @@ impl Motion {
                 w[i] += dw[i];
             }
             if dw.iter().any(|dw| dw.abs() > GROWTH) {
-                return Ok(true);
+                return true;
             }
         }
-        Ok(false)
+        false
     }
 }
 
 /// Stiffness of the longest wave, whose mass the mean has.
 fn softest(grid: &Grid) -> f64 {
     HalfSpace::new(grid, 1.0).softest_stiffness()
-}
-
-impl NearLimit {
-    fn of((name, masses, dynamics): (&'static str, Masses, Dynamics)) -> Result<Self, SetupError> {
-        let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 1.0 / 32.0, rms_gradient: 0.1 };
-        let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(SOLVED, 1.0), Load::ReducedPressure(0.1));
-        let solver = Gfmd { masses, dynamics, time_step: TIME_STEP, damping: 1.0 };
-        let contact = solver.solve(&setup.problem()?, &Stop::new(TOLERANCE, 100_000)?, &mut ())?;
-        let check = Check::of(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
-        let is_sound = contact.is_converged() && check.fault().or(check.doubt(TOLERANCE)).is_none();
-        Ok(Self { name, steps: contact.work.iterations, eta: check.eta, is_sound })
-    }
 }

@@ -22,14 +22,18 @@ pub struct Trial {
     pub rivals: &'static [Rival],
     /// The certificate to reach.
     pub tolerance: f64,
-    demand: Demand,
-    is_at_mean_gap: bool,
-    pose: Pose,
-    twin: Option<Pose>,
-    start: Option<f64>,
+    pub(super) demand: Demand,
+    /// Whether the problem is at a mean gap.
+    pub(super) is_at_mean_gap: bool,
+    pub(super) pose: Pose,
+    /// The contact in other units, whose dimensionless results must be the same.
+    pub(super) twin: Option<Pose>,
+    /// Garbage in two of three values of the pressure to start from; the others are 0.
+    pub(super) start: Option<f64>,
 }
 
-type Pose = Box<dyn Fn() -> Result<Problem, SetupError>>;
+/// What poses a problem.
+pub type Pose = Box<dyn Fn() -> Result<Problem, SetupError>>;
 
 impl Trial {
     /// The contact that `pose` poses, to be solved from the flat start.
@@ -59,26 +63,6 @@ impl Trial {
     /// The trial to another certificate.
     pub(super) fn to(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
-    }
-
-    /// The trial, said to be at a mean gap.
-    pub(super) fn at_mean_gap(self) -> Self {
-        Self { is_at_mean_gap: true, ..self }
-    }
-
-    /// The trial by other solvers.
-    pub(super) fn by(self, rivals: &'static [Rival]) -> Self {
-        Self { rivals, ..self }
-    }
-
-    /// The trial from a pressure of which two of three values are `garbage`, and the others are 0.
-    pub(super) fn from(self, garbage: f64) -> Self {
-        Self { start: Some(garbage), ..self }
-    }
-
-    /// The trial whose dimensionless results must be those of the contact that `pose` poses.
-    pub(super) fn like(self, pose: impl Fn() -> Result<Problem, SetupError> + 'static) -> Self {
-        Self { twin: Some(Box::new(pose)), ..self }
     }
 
     /// What is demanded of a solver: one that cannot take a mean gap must refuse it.

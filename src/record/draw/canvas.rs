@@ -49,7 +49,7 @@ pub fn log_axes(to: &RecordingStream, entity: &str, frame: &Frame) -> RecordingS
 /// Draws the lower side of a frame with its axis under `entity`, for all times.
 pub fn log_floor(to: &RecordingStream, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
     let mut sheet = Sheet::default();
-    frame.draw_side(&mut sheet, Side::Below);
+    sheet.line([0.0, 1.0].map(|x| frame.position([x, 0.0])).to_vec(), Colour::GREY, 1.2);
     frame.draw_axis(&mut sheet, Side::Below);
     log_sheet(to, entity, &sheet, head(frame))
 }

@@ -210,7 +210,7 @@ mod tests {
     #[test]
     fn a_blueprint_arrives_and_its_store_ends_with_it() {
         let (recording, storage) = RecordingStreamBuilder::new("test").enabled(true).memory().unwrap();
-        let text = Pane::View(View::text("text", "/text".into()));
+        let text = View::text("text", "/text".into());
         send("test".into(), vec![text], Clock { timeline: "step", frames_per_sec: 1.0 }, &recording).unwrap();
         assert!(!storage.take().is_empty());
         recording.disconnect();

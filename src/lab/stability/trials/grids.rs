@@ -35,9 +35,9 @@ fn surface(shape: [usize; 2], size: [f64; 2]) -> Trial {
 
 /// A line whose stiffest wave is half its number of points as stiff as the softest.
 fn stiff(power: u32) -> Trial {
-    Trial::new(format!("stiff-2^{power}"), move || {
+    let trial = Trial::new(format!("stiff-2^{power}"), move || {
         let grid = Grid::line(1 << power, 1.0)?;
         pressed(rough(grid).surface(grid)?, LOAD)
-    })
-    .by(&Rival::ALL)
+    });
+    Trial { rivals: &Rival::ALL, ..trial }
 }

@@ -9,7 +9,10 @@ const BELOW_ROUNDING: f64 = 1e-16;
 
 pub fn trials(grids: Grids) -> Vec<Trial> {
     let rough = |name, grid| Trial::of(name, setup(rough(grid), grid, LOAD));
-    let starts = GARBAGE.map(|garbage| rough(format!("start-{garbage:e}"), grids.line).from(garbage));
+    let starts = GARBAGE.map(|garbage| {
+        let trial = rough(format!("start-{garbage:e}"), grids.line);
+        Trial { start: Some(garbage), ..trial }
+    });
     let limits = grids
         .named()
         .map(|(kind, grid)| rough(format!("tolerance-1e-16-{kind}"), grid).to(BELOW_ROUNDING).demanding(Demand::Limit));

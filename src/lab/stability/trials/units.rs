@@ -4,7 +4,7 @@ use super::shapes::{Grids, STRAIN, rough};
 use crate::contact::{ContactModulus, Load, Problem};
 use crate::error::SetupError;
 use crate::grid::Grid;
-use crate::lab::stability::trial::Trial;
+use crate::lab::stability::trial::{Pose, Trial};
 use crate::surface::Surface;
 
 /// Units of length and pressure.
@@ -16,11 +16,10 @@ const TOLERANCE: f64 = 1e-12;
 pub fn trials(grids: Grids) -> Vec<Trial> {
     let [_, points] = grids.line.shape();
     let trial = |[length, modulus]: [f64; 2]| {
-        Trial::new(format!("length-{length:e}-modulus-{modulus:e}"), move || {
-            posed(points, [length; 2], modulus, STRAIN * modulus)
-        })
-        .like(move || posed(points, [1.0; 2], 1.0, STRAIN))
-        .to(TOLERANCE)
+        let pose = move || posed(points, [length; 2], modulus, STRAIN * modulus);
+        let twin: Pose = Box::new(move || posed(points, [1.0; 2], 1.0, STRAIN));
+        let trial = Trial::new(format!("length-{length:e}-modulus-{modulus:e}"), pose).to(TOLERANCE);
+        Trial { twin: Some(twin), ..trial }
     };
     UNITS.map(trial).into()
 }
