@@ -192,7 +192,7 @@ fn show(bar: &ProgressBar, event: Event<'_>) {
         Event::End { item, new, points, seconds } => {
             bar.finish_and_clear();
             if new > 0 {
-                println!("{}: {new} of {points} points solved in {seconds:.1} s", item.name());
+                let _ = writeln!(stdout(), "{}: {new} of {points} points solved in {seconds:.1} s", item.name());
             }
         }
     }

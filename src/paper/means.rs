@@ -47,11 +47,8 @@ impl Points {
 
     /// `quantity` averaged over the loads of each realisation, over all realisations.
     pub fn overall(&self, nx: usize, quantity: Quantity) -> Spread {
-        Spread::of(
-            self.realisations(nx)
-                .into_iter()
-                .map(|rows| Spread::of(rows.iter().map(|row| quantity(&row.observables))).mean),
-        )
+        let mean = |rows: Vec<&Point>| Spread::of(rows.iter().map(|row| quantity(&row.observables))).mean;
+        Spread::of(self.realisations(nx).into_iter().map(mean))
     }
 
     /// The points of each realisation on a grid.
