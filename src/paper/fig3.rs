@@ -10,7 +10,7 @@ use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Series};
 use crate::theory::persson::{self, CorrectedArea};
 use serde::Serialize;
 
-/// Up to which `p*` a fit should be level.
+/// The reduced pressure up to which a fit should be level.
 const LEVEL: f64 = 1e-1;
 
 /// Title of the view of a recording.

@@ -81,7 +81,7 @@ impl Points {
     /// The points as on a grid of `nx` points along x: quantity by quantity on the line in the grid spacing through the grids
     /// that there are. Without `nx`, of infinitely many points.
     ///
-    /// What a point costs and its certificate are those of the finest grid.
+    /// Cost and certificate of a point are those of the finest grid.
     pub fn extrapolated(&self, nx: Option<usize>) -> Self {
         let spacing = nx.map_or(0.0, |nx| 1.0 / nx as f64);
         let row = |row: &Point| {
