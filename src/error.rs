@@ -440,7 +440,7 @@ impl StudyError {
             Self::Setup(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),
             Self::File(error) => error.is_input(),
-            Self::OtherStudy { .. } => true,
+            Self::OtherStudy { .. } | Self::List { .. } => true,
         }
     }
 }

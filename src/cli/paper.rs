@@ -1,14 +1,20 @@
 //! `asperity paper`: the tables and figures of van Dokkum et al. (2018), made again.
 
+<<<<<<< HEAD
 use super::outcome::{Outcome, usage};
+=======
+use super::Outcome;
+use super::choice::count;
+>>>>>>> refs/heads/paper
 use anyhow::Result;
-use asperity::paper::{Effort, Event, Item, Paper as Library};
+use asperity::paper::{self, Effort, Event, Item};
 use asperity::study::Point;
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeSet;
 use std::io::{IsTerminal, Write, stdout};
+use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -57,8 +63,8 @@ pub struct Paper {
     #[arg(long, value_name = "ETA", default_value = "1e-8", allow_negative_numbers = true)]
     tolerance: f64,
     /// Realisations solved at a time [default: as many as there are threads, if they fit in memory]
-    #[arg(long, value_name = "N")]
-    workers: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = count)]
+    workers: Option<NonZeroUsize>,
     /// Small grids, short spectra and few loads, to see that it works
     #[arg(long, conflicts_with = "full")]
     quick: bool,
@@ -77,9 +83,6 @@ pub struct Paper {
 impl Paper {
     /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
-        if self.workers == Some(0) {
-            return usage("--workers is 0: give a positive number of realisations to solve at a time");
-        }
         let (items, paper, bar) = (self.items(), self.paper(), bar());
         let comparison = paper.run(&items, &|event| show(&bar, event))?;
         writeln!(stdout())?;
@@ -101,14 +104,14 @@ impl Paper {
     }
 
     /// The paper of this effort, with all that is given.
-    fn paper(&self) -> Library {
+    fn paper(&self) -> paper::Paper {
         let effort = match (self.quick, self.full) {
             (true, _) => Effort::Quick,
             (_, true) => Effort::Full,
             _ => Effort::Usual,
         };
-        let mut paper = Library::new(&self.out, effort);
-        let Library { lines, surfaces, .. } = &mut paper;
+        let mut paper = paper::Paper::new(&self.out, effort);
+        let paper::Paper { lines, surfaces, .. } = &mut paper;
         for rough in [&mut *lines, &mut *surfaces] {
             replace(&mut rough.hurst, sorted(&self.hurst));
             replace(&mut rough.loads, sorted(&self.loads));
@@ -119,9 +122,9 @@ impl Paper {
         replace(&mut surfaces.seeds, each_once(&self.surface_seeds));
         lines.cutoff = self.line_cutoff.unwrap_or(lines.cutoff);
         surfaces.cutoff = self.surface_cutoff.unwrap_or(surfaces.cutoff);
-        Library {
+        paper::Paper {
             tolerance: self.tolerance,
-            workers: self.workers,
+            workers: self.workers.map(NonZeroUsize::get),
             is_fresh: self.fresh,
             #[cfg(feature = "record")]
             is_recorded: !self.no_record,
@@ -193,7 +196,7 @@ fn show(bar: &ProgressBar, event: Event<'_>) {
         Event::End { item, new, points, seconds } => {
             bar.finish_and_clear();
             if new > 0 {
-                println!("{}: {new} of {points} points solved in {seconds:.1} s", item.name());
+                let _ = writeln!(stdout(), "{}: {new} of {points} points solved in {seconds:.1} s", item.name());
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Fig. 2: rough lines.
 
 use super::means::{Points, Quantity};
-use super::reproduction::{Ramp, Reproduction};
+use super::reproduction::Reproduction;
 use super::rough::Rough;
 use super::verdict::Verdict;
 use crate::plot::Figure;
@@ -26,8 +26,7 @@ pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
     if lines.hurst.len() > 1 {
         verdicts.push(depends_on_hurst(lines, points));
     }
-    let ramp = Ramp { contacts: lines.firsts(lines.lines()), ..lines.ramp(points) };
-    Reproduction { figure: Some(Figure { title, panels }), verdicts, ramp: Some(ramp) }
+    Reproduction { figure: Some(Figure { title, panels }), verdicts, ramp: Some(lines.ramp_of(points, lines.lines())) }
 }
 
 /// Fall of `kappa` from the lightest to the heaviest load in per cent of that at the lightest, over all realisations.

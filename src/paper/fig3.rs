@@ -3,15 +3,18 @@
 use super::fit::Fit;
 use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
-use super::rough::{COLD, Rough};
+use super::rough::{COLD, Rough, WARM};
 use super::theory_lines::along;
 use super::verdict::Verdict;
 use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Series};
 use crate::theory::persson::{self, CorrectedArea};
 use serde::Serialize;
 
-/// Up to which `p*` a fit should be level.
+/// The reduced pressure up to which a fit should be level.
 const LEVEL: f64 = 1e-1;
+
+/// Title of the view of a recording.
+const VIEW: &str = "κ and κ_r";
 
 /// Why the fits are not level.
 const BENT: &str =
@@ -99,13 +102,13 @@ fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
 
 /// The fits beside what is fitted; no contacts.
 fn ramp(lines: &Rough, points: &Points, fits: &[FitRow]) -> Ramp {
-    let ramp = lines.ramp(points);
-    let measured = ramp.curves.into_iter().filter(|curve| curve.name.starts_with("κ,"));
-    let fits = fits.iter().zip(COLD.iter().cycle()).map(|(fit, colour)| {
+    let kappa: Quantity = |it| it.kappa;
+    let mut ramp = lines.ramp(&[(VIEW, "κ", &WARM, kappa)], |hurst, of| points.along(hurst, &lines.loads, of));
+    ramp.curves.extend(fits.iter().zip(COLD.into_iter().cycle()).map(|(fit, colour)| {
         let values = lines.loads.iter().map(|&load| fit.kappa_at(load)).collect();
-        RampCurve { view: "κ and κ_r", name: fit.name(), colour: *colour, values }
-    });
-    Ramp { curves: measured.chain(fits).collect(), ..ramp }
+        RampCurve { view: VIEW, name: fit.name(), colour, values }
+    }));
+    ramp
 }
 
 /// Whether the fits of single exponents lie on either side of the one of all.

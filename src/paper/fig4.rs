@@ -2,7 +2,7 @@
 
 use super::fit::Fit;
 use super::means::{Points, Quantity};
-use super::reproduction::{Ramp, Reproduction};
+use super::reproduction::Reproduction;
 use super::rough::Rough;
 use super::theory_lines::along;
 use super::verdict::Verdict;
@@ -26,8 +26,11 @@ pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
     let waves = surfaces.points_per_wave(finest);
     let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points, {waves} per shortest wavelength");
     let figure = Figure { title, panels: vec![surfaces.area_panel(points), panel] };
-    let ramp = Ramp { contacts: surfaces.firsts(surfaces.surfaces()), ..surfaces.ramp(points) };
-    Reproduction { figure: Some(figure), verdicts: verdicts(surfaces, points, fit), ramp: Some(ramp) }
+    Reproduction {
+        figure: Some(figure),
+        verdicts: verdicts(surfaces, points, fit),
+        ramp: Some(surfaces.ramp_of(points, surfaces.surfaces())),
+    }
 }
 
 /// The empirical fit, one constant in Persson's error function.

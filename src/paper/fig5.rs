@@ -1,7 +1,7 @@
 //! Fig. 5: the proportionality factors of lines over those of surfaces.
 
 use super::means::{Points, Quantity};
-use super::reproduction::{Ramp, RampCurve, Reproduction};
+use super::reproduction::{Ramp, Reproduction};
 use super::rough::{COLD, Rough, WARM};
 use super::theory_lines::level;
 use super::verdict::Verdict;
@@ -25,6 +25,9 @@ pub struct Ratio {
     kappa_corrected: f64,
     kappa_r_corrected: f64,
 }
+
+/// One of the ratios.
+type Of = fn(&Ratio) -> f64;
 
 /// The ratios at all Hurst exponents and loads.
 ///
@@ -60,22 +63,17 @@ pub fn reproduce(lines: &Rough, finest: usize, ratios: &[Ratio]) -> Reproduction
 fn panel(lines: &Rough, ratios: &[Ratio]) -> Panel {
     let [low, high] = lines.ends();
     let x = Axis::log("p*", [low / 1.3, high * 1.3]);
-    let mut panel = Panel::new("proportionality factors", x, Axis::linear("1D / 2D", [0.8, 1.8]), Corner::TopRight);
-    type Curve = (&'static str, Colour, bool, fn(&Ratio) -> f64);
-    let curves: [Curve; 3] = [
+    let panel = Panel::new("proportionality factors", x, Axis::linear("1D / 2D", [0.8, 1.8]), Corner::TopRight);
+    let curves: [(&str, Colour, bool, Of); 3] = [
         ("κ", Colour::VERMILION, true, |ratio| ratio.kappa),
         ("κ_r", Colour::BLUE, true, |ratio| ratio.kappa_r),
         ("κ_r corrected", Colour::SKY, false, |ratio| ratio.kappa_r_corrected),
     ];
-    for (name, colour, filled, quantity) in curves {
-        panel.series.push(Series::new(name, colour, Mark::Line, Vec::new()));
-        for (hurst, symbol) in lines.exponents() {
-            let rows = ratios.iter().filter(|ratio| ratio.hurst == hurst);
-            let points = rows.map(|ratio| Point::at(ratio.reduced_pressure, quantity(ratio))).collect();
-            panel.series.push(Series::new("", colour, Mark::Joined { symbol, filled }, points));
-        }
-    }
-    lines.add_legend(&mut panel);
+    let points = |hurst, quantity: Of| {
+        let rows = ratios.iter().filter(|ratio| ratio.hurst == hurst);
+        rows.map(|ratio| Point::at(ratio.reduced_pressure, quantity(ratio))).collect()
+    };
+    let mut panel = lines.drawn(panel, &curves, points);
     let smooth = hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT;
     let (name, smooth) = (format!("κ_r, cylinder over sphere: {smooth:.3}"), level(&panel.x, smooth));
     panel.series.push(Series::new(name, Colour::BLACK, Mark::Dashed, smooth));
@@ -84,25 +82,14 @@ fn panel(lines: &Rough, ratios: &[Ratio]) -> Panel {
 
 /// The ratios against the loads; no contacts.
 fn ramp(lines: &Rough, ratios: &[Ratio]) -> Ramp {
-    type Kind = (&'static str, &'static [Colour], fn(&Ratio) -> f64);
-    let kinds: [Kind; 2] = [("κ", &WARM, |ratio| ratio.kappa), ("κ_r", &COLD, |ratio| ratio.kappa_r)];
-    let mut curves = Vec::new();
-    for (name, colours, quantity) in kinds {
-        for (hurst, &colour) in lines.hurst.iter().zip(colours.iter().cycle()) {
-            let values = ratios.iter().filter(|ratio| ratio.hurst == *hurst).map(quantity).collect();
-            curves.push(RampCurve {
-                view: "lines over surfaces",
-                name: format!("{name}, H = {hurst}"),
-                colour,
-                values,
-            });
-        }
-    }
-    Ramp { curves, ..lines.ramp(&Points(Vec::new())) }
+    let view = "lines over surfaces";
+    let curves: [(&str, &str, &[Colour], Of); 2] =
+        [(view, "κ", &WARM, |ratio| ratio.kappa), (view, "κ_r", &COLD, |ratio| ratio.kappa_r)];
+    lines.ramp(&curves, |hurst, of| ratios.iter().filter(|ratio| ratio.hurst == hurst).map(of).collect())
 }
 
 fn verdicts(ratios: &[Ratio], finest: &str) -> Vec<Verdict> {
-    let spread = |quantity: fn(&Ratio) -> f64| Spread::of(ratios.iter().map(quantity));
+    let spread = |quantity: Of| Spread::of(ratios.iter().map(quantity));
     let kappa_r = |how: &str, quantity| Verdict::number("fig5.kappa_r", how, spread(quantity)).because(FINER);
     vec![
         kappa_r("counted, surfaces extrapolated", |ratio| ratio.kappa_r),

@@ -6,13 +6,13 @@
 pub enum Item {
     /// Contact parameters of cylinder and sphere.
     Table1,
-    /// `kappa_r` of cylinder and sphere against `p_r*`.
+    /// kappa_r of cylinder and sphere against p_r*.
     Fig1,
-    /// Rough lines: `a_rel`, `kappa` and `kappa_r`.
+    /// Rough lines: a_rel, kappa and kappa_r.
     Fig2,
     /// Fits of Eq. 11 to the points of Fig. 2.
     Fig3,
-    /// Rough surfaces: `a_rel`, `kappa` and `kappa_r`.
+    /// Rough surfaces: a_rel, kappa and kappa_r.
     Fig4,
     /// Lines over surfaces, from the points of Figs. 2 and 4.
     Fig5,

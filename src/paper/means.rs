@@ -47,11 +47,8 @@ impl Points {
 
     /// `quantity` averaged over the loads of each realisation, over all realisations.
     pub fn overall(&self, nx: usize, quantity: Quantity) -> Spread {
-        Spread::of(
-            self.realisations(nx)
-                .into_iter()
-                .map(|rows| Spread::of(rows.iter().map(|row| quantity(&row.observables))).mean),
-        )
+        let mean = |rows: Vec<&Point>| Spread::of(rows.iter().map(|row| quantity(&row.observables))).mean;
+        Spread::of(self.realisations(nx).into_iter().map(mean))
     }
 
     /// The points of each realisation on a grid.
@@ -76,10 +73,15 @@ impl Points {
         loads.iter().map(point).collect()
     }
 
+    /// The mean of a quantity under each load, on the finest grid.
+    pub fn along(&self, hurst: f64, loads: &[f64], quantity: Quantity) -> Vec<f64> {
+        loads.iter().map(|&load| self.at(hurst, load, self.finest(), quantity).mean).collect()
+    }
+
     /// The points as on a grid of `nx` points along x: quantity by quantity on the line in the grid spacing through the grids
     /// that there are. Without `nx`, of infinitely many points.
     ///
-    /// What a point costs and its certificate are those of the finest grid.
+    /// Cost and certificate of a point are those of the finest grid.
     pub fn extrapolated(&self, nx: Option<usize>) -> Self {
         let spacing = nx.map_or(0.0, |nx| 1.0 / nx as f64);
         let row = |row: &Point| {

@@ -4,7 +4,7 @@ use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, captions};
 use crate::contact::Load;
 use crate::error::StudyError;
-use crate::plot::{Axis, Colour, Corner, Mark, Panel, Series, Symbol};
+use crate::plot::{Axis, Colour, Corner, Mark, Panel, Point, Series, Symbol};
 use crate::setup::{Cell, Recipe, Setup};
 use crate::study::Realisation;
 use crate::surface::Spectrum;
@@ -107,43 +107,45 @@ impl Rough {
         let [low, high] = self.range();
         let x = Axis::log("p* (red), p_r* (blue)", [low, high]);
         let y = Axis::log("a_rel", [1.5 * low, 3.5 * high]);
-        let mut panel = Panel::new("(a) relative contact area", x, y, Corner::BottomRight);
-        let curves: [(&str, Colour, Quantity); 2] = [
-            ("a_rel against p*", Colour::VERMILION, |it| it.reduced_pressure),
-            ("a_rel against p_r*", Colour::BLUE, |it| it.reduced_pressure_contact),
+        let curves: [(&str, Colour, bool, [Quantity; 2]); 2] = [
+            ("a_rel against p*", Colour::VERMILION, true, [|it| it.reduced_pressure, |it| it.relative_area]),
+            ("a_rel against p_r*", Colour::BLUE, true, [|it| it.reduced_pressure_contact, |it| it.relative_area]),
         ];
-        for (name, colour, x) in curves {
-            self.add(&mut panel, points, name, (colour, true), [x, |it| it.relative_area]);
-        }
-        self.add_legend(&mut panel);
-        panel
+        let panel = Panel::new("(a) relative contact area", x, y, Corner::BottomRight);
+        self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
     }
 
     /// `kappa` against `p*` and `kappa_r` against `p_r*`, raw and corrected.
     pub(super) fn kappa_panel(&self, points: &Points, range: [f64; 2]) -> Panel {
-        let [low, high] = self.range();
-        let x = Axis::log("p* (red), p_r* (blue)", [low, high]);
-        let mut panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range), Corner::TopRight);
-        let p_r: Quantity = |row| row.reduced_pressure_contact;
+        let x = Axis::log("p* (red), p_r* (blue)", self.range());
         let curves: [(&str, Colour, bool, [Quantity; 2]); 3] = [
             ("κ", Colour::VERMILION, true, [|it| it.reduced_pressure, |it| it.kappa]),
-            ("κ_r", Colour::BLUE, true, [p_r, |it| it.kappa_r]),
-            ("κ_r corrected", Colour::SKY, false, [p_r, |it| it.kappa_r_corrected]),
+            ("κ_r", Colour::BLUE, true, [|it| it.reduced_pressure_contact, |it| it.kappa_r]),
+            ("κ_r corrected", Colour::SKY, false, [|it| it.reduced_pressure_contact, |it| it.kappa_r_corrected]),
         ];
-        for (name, colour, filled, quantities) in curves {
-            self.add(&mut panel, points, name, (colour, filled), quantities);
-        }
-        self.add_legend(&mut panel);
-        panel
+        let panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range), Corner::TopRight);
+        self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
     }
 
-    /// A curve of symbols for each Hurst exponent, on the finest grid; the colour tells the quantity.
-    fn add(&self, panel: &mut Panel, points: &Points, name: &str, (colour, filled): (Colour, bool), of: [Quantity; 2]) {
-        panel.series.push(Series::new(name, colour, Mark::Line, Vec::new()));
-        for (hurst, symbol) in self.exponents() {
-            let curve = points.curve(hurst, &self.loads, of);
-            panel.series.push(Series::new("", colour, Mark::Joined { symbol, filled }, curve));
+    /// The panel with `curves` of symbols, one for each Hurst exponent; the colour tells the quantity.
+    pub(super) fn drawn<Q: Copy>(
+        &self,
+        mut panel: Panel,
+        curves: &[(&str, Colour, bool, Q)],
+        points: impl Fn(f64, Q) -> Vec<Point>,
+    ) -> Panel {
+        for &(name, colour, filled, quantity) in curves {
+            panel.series.push(Series::new(name, colour, Mark::Line, Vec::new()));
+            for (hurst, symbol) in self.exponents() {
+                let mark = Mark::Joined { symbol, filled };
+                panel.series.push(Series::new("", colour, mark, points(hurst, quantity)));
+            }
         }
+        for (hurst, symbol) in self.exponents() {
+            let mark = Mark::Symbol { symbol, filled: false };
+            panel.series.push(Series::new(format!("H = {hurst}"), Colour::BLACK, mark, Vec::new()));
+        }
+        panel
     }
 
     /// The Hurst exponents, each with its symbol.
@@ -151,42 +153,42 @@ impl Rough {
         self.hurst.iter().copied().zip(SYMBOLS.into_iter().cycle())
     }
 
-    /// Says in the legend what the symbols mean.
-    pub(super) fn add_legend(&self, panel: &mut Panel) {
-        for (hurst, symbol) in self.exponents() {
-            let mark = Mark::Symbol { symbol, filled: false };
-            panel.series.push(Series::new(format!("H = {hurst}"), Colour::BLACK, mark, Vec::new()));
-        }
-    }
-    /// Means over the realisations against the loads, without contacts.
-    pub(super) fn ramp(&self, points: &Points) -> Ramp {
-        let kinds: [(&str, &str, &[Colour], Quantity); 4] = [
+    /// Means over the realisations against the loads, and the first of `realisations` of each Hurst exponent on the coarsest
+    /// grid.
+    pub(super) fn ramp_of(&self, points: &Points, realisations: Vec<Realisation>) -> Ramp {
+        let curves: [(&str, &str, &[Colour], Quantity); 4] = [
             ("κ and κ_r", "κ", &WARM, |it| it.kappa),
             ("κ and κ_r", "κ_r", &COLD, |it| it.kappa_r),
             ("κ_r corrected", "κ_r corrected", &COLD, |it| it.kappa_r_corrected),
             ("relative contact area", "log10 a_rel", &WARM, |it| it.relative_area.log10()),
         ];
-        let mut curves = Vec::new();
-        for (view, name, colours, quantity) in kinds {
-            for (&hurst, &colour) in self.hurst.iter().zip(colours.iter().cycle()) {
-                let mean = |&load: &f64| points.at(hurst, load, points.finest(), quantity).mean;
-                let values = self.loads.iter().map(mean).collect();
-                curves.push(RampCurve { view, name: format!("{name}, H = {hurst}"), colour, values });
-            }
-        }
+        let (seeds, coarsest) = (self.seeds.len(), self.hurst.len() * self.seeds.len());
+        let contacts = realisations.into_iter().take(coarsest).step_by(seeds.max(1)).collect();
+        Ramp { contacts, ..self.ramp(&curves, |hurst, of| points.along(hurst, &self.loads, of)) }
+    }
+
+    /// Curves against the loads by their views, one for each Hurst exponent in a shade of its own; no contacts.
+    pub(super) fn ramp<Q: Copy>(
+        &self,
+        curves: &[(&'static str, &str, &[Colour], Q)],
+        values: impl Fn(f64, Q) -> Vec<f64>,
+    ) -> Ramp {
+        let each = |&(view, name, shades, quantity): &(&'static str, &str, &[Colour], Q)| {
+            let curve = |(&hurst, &colour)| RampCurve {
+                view,
+                name: format!("{name}, H = {hurst}"),
+                colour,
+                values: values(hurst, quantity),
+            };
+            self.hurst.iter().zip(shades.iter().cycle()).map(curve).collect::<Vec<_>>()
+        };
         Ramp {
             captions: captions("p*", &self.loads),
             cursor: self.loads.clone(),
-            curves,
+            curves: curves.iter().flat_map(each).collect(),
             contacts: Vec::new(),
             length_unit: "m",
         }
-    }
-
-    /// The first of `realisations` of each Hurst exponent, on the coarsest grid.
-    pub(super) fn firsts(&self, realisations: Vec<Realisation>) -> Vec<Realisation> {
-        let coarsest = self.hurst.len() * self.seeds.len();
-        realisations.into_iter().take(coarsest).step_by(self.seeds.len().max(1)).collect()
     }
 }
 

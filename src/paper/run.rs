@@ -65,7 +65,7 @@ impl Paper {
     /// Makes one item: solves what its tables do not hold yet, and writes all its tables.
     ///
     /// # Errors
-    /// As [`Paper::run`].
+    /// The errors of [`Paper::run`].
     pub fn reproduce(&self, item: Item, watch: Watch<'_>) -> Result<Reproduction, StudyError> {
         let points = |source| self.points(source, watch);
         let file = |name: &str| self.file(&format!("{name}.csv"));
@@ -107,7 +107,7 @@ impl Paper {
     /// The points of some items that did not reach their certificate, and are left out of all averages.
     ///
     /// # Errors
-    /// As [`crate::study::Table::read`].
+    /// The errors of [`crate::study::Table::read`].
     pub fn unconverged(&self, items: &[Item]) -> Result<Vec<Point>, StudyError> {
         let sources: BTreeSet<Item> = items.iter().flat_map(|item| item.sources()).copied().collect();
         let tables = sources.into_iter().map(|source| self.table(source).read());

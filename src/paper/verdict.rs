@@ -10,7 +10,7 @@ const PRINTED: &str = include_str!("../../assets/paper.csv");
 #[derive(Deserialize)]
 struct Printed {
     key: String,
-    /// Its name, in words.
+    /// The quantity, in words.
     quantity: String,
     /// The number; none for statements.
     value: Option<f64>,
