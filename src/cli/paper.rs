@@ -1,11 +1,7 @@
 //! `asperity paper`: the tables and figures of van Dokkum et al. (2018), made again.
 
-<<<<<<< HEAD
-use super::outcome::{Outcome, usage};
-=======
-use super::Outcome;
 use super::choice::count;
->>>>>>> refs/heads/paper
+use super::outcome::Outcome;
 use anyhow::Result;
 use asperity::paper::{self, Effort, Event, Item};
 use asperity::study::Point;

@@ -46,11 +46,7 @@ const PLACES: &[(&str, &[&str])] = &[
     ("levenberg_marquardt", &["paper/fit.rs"]),
     ("libm", &["theory/", "setup/cost.rs", "paper/fit.rs"]),
     ("nalgebra", &["paper/fit.rs"]),
-<<<<<<< HEAD
     ("ndarray_npy", &["surface/", "contact/archive.rs"]),
-=======
-    ("ndarray_npy", &["surface/files.rs", "contact/archive.rs"]),
->>>>>>> refs/heads/paper
     ("procfs", &["setup/cost.rs", "lab/"]),
     ("rand", &["surface/synthesis.rs", "lab/stability/"]),
     ("rand_distr", &["surface/synthesis.rs"]),
