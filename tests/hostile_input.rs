@@ -199,13 +199,11 @@ fn exactly_one_surface_and_one_load_are_needed() {
     refuse_all(&[
         ("--points 64 --size 1 --pressure 1", "no surface"),
         ("--points 64 --size 1", "no surface"),
-        ("--height old --indenter cylinder --radius 1 --size 1 --pressure 1", "more than one surface"),
-        ("--height old --hurst 0.8 --size 1 --pressure 1", "more than one surface"),
+        ("--height old --indenter cylinder --radius 1 --size 1 --pressure 1", "old is not a usable height file"),
+        ("--height old --hurst 0.8 --size 1 --pressure 1", "--rolloff"),
         (&format!("{CYLINDER} --hurst 0.8 {LOAD}"), "--rolloff"),
         (CYLINDER, "no load"),
-        (&format!("{CYLINDER} --mean-gap 0.1 --pressure 1"), "more than one load"),
         (&format!("{CYLINDER} --mean-gap 0.1 --solver gfmd"), "gfmd works under a given mean pressure"),
-        (&format!("{CYLINDER} --pressure 1 --reduced-pressure 1"), "more than one load"),
     ]);
 }
 
@@ -217,12 +215,12 @@ fn grids_that_cannot_be_are_refused() {
         ("--points 3 --size 1", "3 points"),
         ("--points 3,8 --size 1", "3 points along y"),
         ("--points 8,1 --size 1", "1 points along x"),
-        ("--points 8,8,8 --size 1", "3 numbers"),
+        ("--points 8,8,8 --size 1", "3 axes"),
         ("--points 8 --size 1,1", "2 lengths"),
         ("--points 8,8 --size 1,1,1", "3 lengths"),
-        ("--size 1", "--points"),
+        ("--size 1", "the points are missing"),
         ("--points 8", "--size"),
-        ("--height old --points 8 --size 1", "surface"),
+        ("--height old --points 8 --size 1", "points are given beside a height file"),
     ] {
         refuse_all(&[(&with(grid), offence)]);
     }
@@ -278,13 +276,13 @@ fn settings_out_of_range_are_refused() {
 #[test]
 fn arguments_that_do_not_belong_are_refused() {
     refuse_all(&[
-        (&format!("{CYLINDER} --amplitude 3 {LOAD}"), "--amplitude does not go with this indenter"),
-        (&format!("{CYLINDER} --solver polonsky-keer --masses stiffness {LOAD}"), "--masses"),
-        (&format!("{CYLINDER} --damping 0.5 {LOAD}"), "--solver gfmd only"),
+        (&format!("{CYLINDER} --amplitude 3 {LOAD}"), "unknown field `amplitude`"),
+        (&format!("{CYLINDER} --solver polonsky-keer --masses stiffness {LOAD}"), "unknown field `masses`"),
+        (&format!("{CYLINDER} --damping 0.5 {LOAD}"), "unknown field `damping`"),
     ]);
     let folder = folder();
-    for arguments in ["--rolloff 0.1", "--seed 3"] {
-        assert!(refuse(&folder, &format!("solve {CYLINDER} {arguments} {LOAD}")).contains("--hurst"));
+    for (arguments, offence) in [("--rolloff 0.1", "--hurst"), ("--seed 3", "Hurst exponent")] {
+        refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {arguments} {LOAD}"), offence);
     }
     assert!(refuse(&folder, &format!("solve {ROUGH} --radius 1 {LOAD}")).contains("--indenter"));
     if cfg!(feature = "record") {
@@ -302,10 +300,12 @@ fn words_that_are_no_arguments_are_refused() {
         (format!("{solve} --masses heavy"), "heavy"),
         (format!("{solve} --dynamics wild"), "wild"),
         (format!("{solve} --max-iterations -1"), "-1"),
-        (format!("{solve} --max-iterations 1e3"), "1e3"),
+        (format!("{solve} --max-iterations 1e3"), "1000.0"),
         (format!("{solve} --tolerance small"), "small"),
         (format!("{solve} --seed 1.5"), "1.5"),
         (format!("{solve} --no-such-option"), "--no-such-option"),
+        (format!("{solve} --mean-gap 0.1"), "--mean-gap"),
+        (format!("{solve} --reduced-pressure 0.1"), "--reduced-pressure"),
         (format!("{solve} --pressure 2"), "--pressure"),
         (format!("{solve} stray"), "stray"),
         (solve.replace("64", "64.5"), "64.5"),
@@ -397,7 +397,7 @@ fn height_files_that_are_no_surface_are_not_described() {
         }
     }
     refuse_in_one_sentence(&folder, "surface", "no surface");
-    refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "more than one surface");
+    refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "--rolloff");
 }
 
 #[test]

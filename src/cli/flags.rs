@@ -88,6 +88,8 @@ impl<const WHOLE: bool> clap::Args for Scene<WHOLE> {
 fn arg(flag: &'static Flag) -> Arg {
     let arg = Arg::new(flag.name).long(flag.name).value_name(flag.placeholder).help(flag.help);
     let arg = arg.help_heading(heading(flag)).allow_negative_numbers(true);
+    let needs_recording = flag.section() == "record" && flag.name != "length-unit";
+    let arg = if needs_recording { arg.requires("recorded") } else { arg };
     match flag.value {
         Value::One => arg,
         Value::List => arg.value_delimiter(','),

@@ -29,6 +29,7 @@ pub struct Solve {
 
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
+#[cfg_attr(feature = "record", command(group = clap::ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
 struct Output {
     /// Record every relaxation step for the Rerun viewer
     #[cfg(feature = "record")]

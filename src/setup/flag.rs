@@ -110,11 +110,13 @@ pub fn lay(given: &[(&Flag, Vec<String>)], over: &mut Table) {
     }
 }
 
-/// A whole number, a number, or a text.
+/// A whole number, a number, or a text; whole numbers that are too long stay as they are written.
 fn value(word: &str) -> toml::Value {
-    let whole = word.parse().map(toml::Value::Integer).ok();
-    let number = || word.parse().map(toml::Value::Float).ok();
-    whole.or_else(number).unwrap_or_else(|| toml::Value::String(word.into()))
+    match (word.parse::<i64>(), word.parse()) {
+        (Ok(whole), _) if whole.to_string() == word => toml::Value::Integer(whole),
+        (_, Ok(number)) if !word.bytes().all(|byte| byte.is_ascii_digit()) => toml::Value::Float(number),
+        _ => toml::Value::String(word.into()),
+    }
 }
 
 /// The command line that repeats a setup, to the last digit.

@@ -1,6 +1,6 @@
 //! Setups as text.
 
-use super::{Cell, Method, Recipe, Setup};
+use super::{Cell, FLAGS, Method, Recipe, Setup};
 use crate::error::{FileError, SetupError};
 use crate::files::write_beside;
 use crate::surface::read_text;
@@ -115,12 +115,19 @@ impl Table {
     /// # Errors
     /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known.
     pub fn setup(mut self) -> Result<Setup, SetupError> {
+        self.check_surface()?;
         if let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") {
             solver.entry("method").or_insert(Method::METHODS[0].0.into());
         }
         let loads = self.check_load();
         // an unknown key, such as a misspelt load, is said first
         self.read_as().and_then(|setup| loads.map(|()| setup))
+    }
+
+    /// Checks that there is a surface.
+    fn check_surface(&self) -> Result<(), SetupError> {
+        let is_empty = |surface: &toml::Value| surface.as_table().is_some_and(toml::Table::is_empty);
+        if self.0.get("surface").is_none_or(is_empty) { Err(SetupError::NoSurface) } else { Ok(()) }
     }
 
     /// Checks that there is one load, and puts one there if there is none, so that the rest can be read.
@@ -142,6 +149,7 @@ impl Table {
     /// # Errors
     /// As [`Table::setup`].
     pub fn surface(mut self) -> Result<(Recipe, Cell), SetupError> {
+        self.check_surface()?;
         #[derive(Deserialize)]
         struct Part {
             surface: Recipe,
@@ -152,14 +160,13 @@ impl Table {
         Ok((surface, grid))
     }
 
-    /// Reads it with sections for a surface and a grid, be they empty.
+    /// Reads it with a section for the grid, be it empty.
     fn read_as<T: DeserializeOwned>(mut self) -> Result<T, SetupError> {
-        for section in ["surface", "grid"] {
-            self.0.entry(section).or_insert_with(|| toml::Table::new().into());
-        }
-        self.0.try_into().map_err(|error: toml::de::Error| SetupError::Text {
-            place: place(&error.to_string()),
-            reason: explained(error.message()),
+        self.0.entry("grid").or_insert_with(|| toml::Table::new().into());
+        self.0.try_into().map_err(|error: toml::de::Error| {
+            let keys = keys(&error.to_string());
+            let place = if keys.is_empty() { keys.clone() } else { format!("{keys}: ") };
+            SetupError::Text { place, reason: explained(error.message(), &keys) }
         })
     }
 }
@@ -169,9 +176,9 @@ fn wrong_load(reason: String) -> SetupError {
 }
 
 /// The keys that lead to an error, which its text ends in.
-fn place(text: &str) -> String {
+fn keys(text: &str) -> String {
     let keys = text.lines().find_map(|line| line.trim().strip_prefix("in `")?.strip_suffix('`'));
-    keys.map_or(String::new(), |keys| format!("{keys}: "))
+    keys.unwrap_or_default().into()
 }
 
 /// The error with the file in front.
@@ -204,8 +211,9 @@ const PLAIN: [(&str, &str); 12] = [
     ("there are no fields", "there are none"),
 ];
 
-/// The message in one line of plain words with what to do; for an unknown name with the nearest known one.
-fn explained(message: &str) -> String {
+/// The message on what stands at some keys, in one line of plain words with what to do: for an unknown name the nearest known
+/// one, for a missing one its flag on the command line.
+fn explained(message: &str, keys: &str) -> String {
     let message = PLAIN.iter().fold(one_line(message), |message, (name, plain)| message.replace(name, plain));
     let names: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
     match names.split_first() {
@@ -213,7 +221,11 @@ fn explained(message: &str) -> String {
             Some(nearest) => format!("{message}: did you mean `{nearest}`?"),
             None => format!("{message}: leave it out, or choose what it goes with"),
         },
-        Some(_) if message.starts_with("missing") => format!("{message}: give it as well"),
+        Some((missing, _)) if message.starts_with("missing") => {
+            let flag = FLAGS.iter().find(|flag| flag.path.strip_prefix(keys) == Some(&format!(".{missing}")));
+            let flag = flag.map_or(String::new(), |flag| format!(" (--{})", flag.name));
+            format!("{message}: give it as well{flag}")
+        }
         _ => message,
     }
 }
