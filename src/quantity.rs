@@ -73,20 +73,23 @@ mod units {
     use uom::si::pressure::pascal;
 
     pub fn length(text: &str) -> Option<f64> {
-        spelled(text).parse::<Length>().ok().map(|length| length.get::<meter>())
+        read(text, |unit| unit.parse::<Length>().ok().map(|one| one.get::<meter>()))
     }
 
     pub fn pressure(text: &str) -> Option<f64> {
-        spelled(text).parse::<Pressure>().ok().map(|pressure| pressure.get::<pascal>())
+        read(text, |unit| unit.parse::<Pressure>().ok().map(|one| one.get::<pascal>()))
     }
 
-    /// The number and its unit with one blank between them, and the prefix `u` as `µ`.
-    fn spelled(text: &str) -> String {
-        let is_number = |at: &usize| text.get(..*at).is_some_and(|number| number.trim().parse::<f64>().is_ok());
-        let (number, unit) = text.split_at((0..=text.len()).rev().find(is_number).unwrap_or(0));
-        let unit = unit.trim();
+    /// The longest number that the text begins with, in the unit that follows. What is a whole part of the SI unit divides, so
+    /// that `40 um` is the same number as `40e-6`.
+    fn read(text: &str, one: impl Fn(&str) -> Option<f64>) -> Option<f64> {
+        let number = |at: usize| Some((text.get(..at)?.trim().parse::<f64>().ok()?, text.get(at..)?.trim()));
+        let (number, unit) = (0..=text.len()).rev().find_map(number)?;
         let unit = unit.strip_prefix(['u', 'μ']).map_or(unit.to_owned(), |rest| format!("µ{rest}"));
-        format!("{} {unit}", number.trim())
+        let size = one(&format!("1 {unit}"))?;
+        let parts = size.recip().round();
+        let is_part = parts > 1.0 && (size * parts - 1.0).abs() < 1e-12;
+        Some(if is_part { number / parts } else { number * size })
     }
 }
 
@@ -121,13 +124,14 @@ mod tests {
 
     #[test]
     fn units_become_metres_and_pascals() {
-        let close = |found: Result<f64, String>, expected: f64| (found.unwrap() / expected - 1.0).abs() < 1e-15;
         for text in ["160 um", "160um", "1.6e-4 m", " 160 µm ", "160000 nm", "0.16mm", "1.6e-4"] {
-            assert!(close(read(text, length), 1.6e-4), "{text}");
+            assert_eq!(read(text, length), Ok(160e-6), "{text}");
         }
         for text in ["2 GPa", "2000MPa", "2e9 Pa", "2e9"] {
-            assert!(close(read(text, pressure), 2e9), "{text}");
+            assert_eq!(read(text, pressure), Ok(2e9), "{text}");
         }
+        assert_eq!(read("1 in", length), Ok(0.0254));
+        assert_eq!(read("40 um", length), Ok(40e-6));
     }
 
     #[test]
