@@ -20,6 +20,7 @@
 //! assert!(Check::of(&problem, &shifted).doubt(1e-8).is_some());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+#![doc = include_str!("../../../assets/doc/stability.md")]
 
 mod check;
 mod judge;
