@@ -88,7 +88,8 @@ impl Case<'_> {
                 self.isolated("Galin-Sneddon, isolated", coefficient, exponent)
             }
             Indenter::Punch { half_width, depth } if is_line => self.strip(half_width, depth),
-            Indenter::Punch { half_width, depth } => self.disc(half_width, depth),
+            Indenter::Punch { half_width, depth } if !is_line => self.disc(half_width, depth),
+            _ => None,
         }
     }
 
