@@ -1,9 +1,10 @@
 //! Smooth indenters of one asperity per cell.
 
-use super::{Field, Surface};
+use super::{Field, Surface, check_positive};
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use crate::quantity;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -127,23 +128,12 @@ impl Indenter {
     /// - [`SurfaceError::NonFinite`] for heights beyond the range of doubles.
     pub fn surface(&self, grid: Grid) -> Result<Surface, SurfaceError> {
         self.check(&grid)?;
-        let height = Field::from_shape_vec(grid.shape(), self.heights(&grid)).expect("one height per node");
-        Surface::new(grid, height)
-    }
-
-    /// Heights of all nodes, row by row.
-    fn heights(&self, grid: &Grid) -> Vec<f64> {
-        let mut heights = Vec::with_capacity(grid.len());
-        heights.extend(offsets(grid).map(|offset| self.height(offset, grid.size())));
-        heights
+        Surface::new(grid, about_peak(&grid, |offset| self.height(offset, grid.size())))
     }
 
     /// Whether the parameters make sense on `grid`, see [`Indenter::surface`].
     pub(crate) fn check(&self, grid: &Grid) -> Result<(), SurfaceError> {
-        let positive = self.parameters();
-        if let Some(&(name, value)) = positive.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
-            return Err(SurfaceError::NotPositive { name, value });
-        }
+        check_positive(&self.parameters())?;
         self.check_dimension(grid)?;
         match *self {
             Self::Punch { half_width, .. } if half_width >= 0.5 * shortest_period(grid) => {
@@ -189,13 +179,14 @@ impl Indenter {
     }
 }
 
-/// Offsets `[y, x]` of all nodes, row by row, from the nearest image of the node in the middle of the cell (row `ny/2`,
-/// column `nx/2`), where indenters have their peak.
-pub(crate) fn offsets(grid: &Grid) -> impl Iterator<Item = [f64; 2]> + use<> {
-    let [ny, nx] = grid.shape();
-    let [dy, dx] = grid.spacing();
+/// A field of `value` at the offset `[y, x]` of each node from the nearest image of the node in the middle of the cell
+/// (row `ny/2`, column `nx/2`), where indenters have their peak.
+pub(crate) fn about_peak(grid: &Grid, value: impl Fn([f64; 2]) -> f64 + Sync) -> Field {
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.spacing());
     let offset = |i: usize, n: usize, spacing: f64| (i as f64 - (n / 2) as f64) * spacing;
-    (0..ny).flat_map(move |i| (0..nx).map(move |j| [offset(i, ny, dy), offset(j, nx, dx)]))
+    let at = |node: usize| value([offset(node / nx, ny, dy), offset(node % nx, nx, dx)]);
+    let values = (0..grid.len()).into_par_iter().map(at).collect();
+    Field::from_shape_vec([ny, nx], values).expect("one value per node")
 }
 
 /// The shortest period of the cell along which anything varies.

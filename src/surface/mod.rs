@@ -10,7 +10,7 @@ mod synthesis;
 pub(crate) use files::read_text;
 pub use files::{read_heights, read_shape, write_heights};
 pub use indenter::Indenter;
-pub(crate) use indenter::{offsets, shortest_period};
+pub(crate) use indenter::{about_peak, shortest_period};
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
 
@@ -29,11 +29,6 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// Heights are kept about their mean: only differences matter to a contact. The mean is taken relative to the first height,
 /// so that an offset of a billion rms heights costs no digits beyond those that the heights came without.
-///
-/// | field         | shape      | unit   | meaning                        |
-/// |---------------|------------|--------|--------------------------------|
-/// | `height`      | `(ny, nx)` | length | heights about their mean       |
-/// | `mean_height` | -          | length | the mean that was taken off    |
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     grid: Grid,
@@ -93,11 +88,6 @@ impl Surface {
         }
     }
 
-    fn with_seed(mut self, seed: u64) -> Self {
-        self.seed = Some(seed);
-        self
-    }
-
     /// The grid under the heights.
     pub fn grid(&self) -> &Grid {
         &self.grid
@@ -150,6 +140,14 @@ impl Surface {
     /// The seed of a random surface.
     pub fn seed(&self) -> Option<u64> {
         self.seed
+    }
+}
+
+/// Refuses the first of some named values that is not positive and finite.
+fn check_positive(values: &[(&'static str, f64)]) -> Result<(), SurfaceError> {
+    match values.iter().find(|(_, value)| !(value.is_finite() && *value > 0.0)) {
+        Some(&(name, value)) => Err(SurfaceError::NotPositive { name, value }),
+        None => Ok(()),
     }
 }
 

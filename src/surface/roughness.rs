@@ -3,7 +3,6 @@
 use super::Surface;
 use crate::chunks;
 use crate::fourier::{Complex, Fourier};
-use crate::grid::Grid;
 use std::f64::consts::TAU;
 
 /// Statistics of the heights of a surface.
@@ -90,11 +89,6 @@ fn rms_curvature(surface: &Surface) -> f64 {
 ///
 /// A line has one value per wave. A surface has one per ring `|q| = (i +- 1/2) dq` that holds waves, `dq = 2 pi` over
 /// the shortest period: the averages over its waves of `C` and of `|q|`.
-///
-/// | field        | meaning                                | unit                               |
-/// |--------------|----------------------------------------|------------------------------------|
-/// | `wavenumber` | `q = 2 pi / wavelength`, ascending     | 1/length                           |
-/// | `density`    | `C(q)`                                 | length^3 (line), length^4 (surface) |
 #[derive(Debug, Clone, PartialEq)]
 pub struct PowerSpectrum {
     /// `q = 2 pi / wavelength`, ascending, without `q = 0`; 1/length.
@@ -128,10 +122,14 @@ fn rings(surface: &Surface) -> Vec<Ring> {
     Fourier::new(grid).forward(surface.heights(), &mut spectrum);
     let ([ly, lx], is_line) = (grid.size(), grid.is_line());
     let (step, cell) = if is_line { (TAU / lx, lx / TAU) } else { (TAU / lx.min(ly), lx / TAU * (ly / TAU)) };
-    let mut rings = vec![Ring::default(); ring_of(largest_wavenumber(grid), step) + 1];
+    let mut rings = Vec::new();
     let waves = grid.wavenumbers().zip(grid.multiplicities()).zip(&spectrum).skip(1);
     for ((q, multiplicity), coefficient) in waves {
-        let ring = &mut rings[ring_of(q, step)];
+        let ring = (q / step).round() as usize;
+        if rings.len() <= ring {
+            rings.resize(ring + 1, Ring::default());
+        }
+        let ring = &mut rings[ring];
         ring.waves += multiplicity;
         ring.wavenumber += multiplicity * q;
         ring.density += multiplicity * cell * coefficient.norm_sqr();
@@ -140,17 +138,10 @@ fn rings(surface: &Surface) -> Vec<Ring> {
     rings
 }
 
-fn ring_of(q: f64, step: f64) -> usize {
-    (q / step).round() as usize
-}
-
-fn largest_wavenumber(grid: &Grid) -> f64 {
-    grid.wavenumbers().fold(0.0, f64::max)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Grid;
     use crate::surface::Field;
 
     #[test]

@@ -1,5 +1,6 @@
 //! The power spectrum of self-affine roughness.
 
+use super::check_positive;
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use crate::quantity;
@@ -20,13 +21,6 @@ const SLACK: f64 = 1e-12;
 ///                 0                    otherwise
 /// ```
 ///
-/// | field                | meaning                                                    | unit   |
-/// |----------------------|------------------------------------------------------------|--------|
-/// | `hurst`              | Hurst exponent `H`; fractal dimension `2 - H` or `3 - H`   | -      |
-/// | `rolloff_wavelength` | `lambda_r`, above which the spectrum is flat               | length |
-/// | `short_cutoff`       | `lambda_sH`, at and below which there is no roughness      | length |
-/// | `rms_gradient`       | `gbar` of each realisation (Eq. 8), which sets `C(q_r)`    | -      |
-///
 /// Source: Eq. 10 of the paper; Section 4 for the exponent of surfaces.
 ///
 /// ```
@@ -40,15 +34,15 @@ const SLACK: f64 = 1e-12;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Spectrum {
-    /// Hurst exponent `H`, above 0 and at most 1.
+    /// Hurst exponent `H`, above 0 and at most 1; the fractal dimension is `2 - H` or `3 - H`.
     pub hurst: f64,
-    /// Roll-off wavelength `lambda_r`, a length.
+    /// Roll-off wavelength `lambda_r`, above which the spectrum is flat; a length.
     #[serde(deserialize_with = "quantity::length")]
     pub rolloff_wavelength: f64,
-    /// Short cut-off wavelength `lambda_sH`, a length.
+    /// Short cut-off wavelength `lambda_sH`, at and below which there is no roughness; a length.
     #[serde(deserialize_with = "quantity::length")]
     pub short_cutoff: f64,
-    /// Root-mean-square gradient `gbar` that each realisation is scaled to.
+    /// Root-mean-square gradient `gbar` (Eq. 8) that each realisation is scaled to, which sets `C(q_r)`.
     pub rms_gradient: f64,
 }
 
@@ -97,11 +91,11 @@ impl Spectrum {
 
     fn check_values(&self) -> Result<(), SurfaceError> {
         let Self { hurst, rolloff_wavelength: rolloff, short_cutoff, rms_gradient } = *self;
-        let positive =
-            [("rolloff_wavelength", rolloff), ("short_cutoff", short_cutoff), ("rms_gradient", rms_gradient)];
-        if let Some(&(name, value)) = positive.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
-            return Err(SurfaceError::NotPositive { name, value });
-        }
+        check_positive(&[
+            ("rolloff_wavelength", rolloff),
+            ("short_cutoff", short_cutoff),
+            ("rms_gradient", rms_gradient),
+        ])?;
         if !(hurst > 0.0 && hurst <= 1.0) {
             return Err(SurfaceError::Hurst { value: hurst });
         }

@@ -19,12 +19,6 @@ impl Surface {
     /// The numbers come from ChaCha8 and are drawn wave by wave, in an order set by the periods of the cell and the
     /// spectrum alone. So one seed gives one realisation: a finer grid samples the same waves at more points.
     ///
-    /// | argument   | meaning                                  | unit         |
-    /// |------------|------------------------------------------|--------------|
-    /// | `grid`     | the points                               | length       |
-    /// | `spectrum` | the power spectrum                       | length, -    |
-    /// | `seed`     | which realisation; stored in the surface | -            |
-    ///
     /// # Errors
     /// The errors of [`Spectrum::validate`].
     ///
@@ -44,7 +38,7 @@ impl Surface {
         spectrum.validate(&grid)?;
         let unscaled = Self::new(grid, unscaled(&grid, spectrum, seed))?;
         let scale = spectrum.rms_gradient / unscaled.rms_gradient();
-        Ok(Self::new(grid, unscaled.height * scale)?.with_seed(seed))
+        Ok(Self { seed: Some(seed), ..Self::new(grid, unscaled.height * scale)? })
     }
 }
 

@@ -3,8 +3,7 @@
 use super::periodic::{Periodic, strip_load, strip_mean_penetration, strip_penetration};
 use super::{Geometry, PowerLaw, Westergaard, crossed_full_pressure};
 use crate::grid::Grid;
-use crate::surface::{Field, Indenter, offsets, shortest_period};
-use rayon::prelude::*;
+use crate::surface::{Field, Indenter, about_peak, shortest_period};
 use std::f64::consts::{E, PI, TAU};
 
 /// The exact solution for an [`Indenter`] on a grid.
@@ -101,7 +100,7 @@ impl Case<'_> {
             kappa_r: Some(sine.kappa_r(mean)),
             max_pressure: Some(sine.pressure(mean, 0.0)),
             mean_gap: Some(sine.mean_gap(mean)),
-            pressure: self.field(|[_, x]| sine.pressure(mean, x)),
+            pressure: about_peak(self.grid, |[_, x]| sine.pressure(mean, x)),
         }
     }
 
@@ -115,7 +114,7 @@ impl Case<'_> {
             kappa_r: Some(rms_gradient * modulus / mean),
             max_pressure: Some(mean + full),
             mean_gap: Some(0.0),
-            pressure: self.field(|[y, x]| mean + full * (TAU * x / lx).cos() * (TAU * y / ly).cos()),
+            pressure: about_peak(self.grid, |[y, x]| mean + full * (TAU * x / lx).cos() * (TAU * y / ly).cos()),
         })
     }
 
@@ -134,7 +133,7 @@ impl Case<'_> {
             kappa_r: Some(contact.kappa_r(a)),
             max_pressure,
             mean_gap: Some(contact.mean_gap(a)),
-            pressure: self.field(|[_, x]| profile.at(if x == 0.0 { core } else { x })),
+            pressure: about_peak(self.grid, |[_, x]| profile.at(if x == 0.0 { core } else { x })),
         })
     }
 
@@ -152,7 +151,7 @@ impl Case<'_> {
             kappa_r: Some(contact.kappa_r()),
             max_pressure,
             mean_gap: None,
-            pressure: self.field(|[y, x]| contact.pressure(a, x.hypot(y).max(core))),
+            pressure: about_peak(self.grid, |[y, x]| contact.pressure(a, x.hypot(y).max(core))),
         })
     }
 
@@ -168,7 +167,7 @@ impl Case<'_> {
             kappa_r: None,
             max_pressure: None,
             mean_gap: Some(depth * (1.0 - relative_area) - closed),
-            pressure: self.field(|[_, x]| (load(x + 0.5 * dx) - load(x - 0.5 * dx)) / dx),
+            pressure: about_peak(self.grid, |[_, x]| (load(x + 0.5 * dx) - load(x - 0.5 * dx)) / dx),
         })
     }
 
@@ -186,18 +185,10 @@ impl Case<'_> {
             kappa_r: None,
             max_pressure: None,
             mean_gap: None,
-            pressure: self.field(|[y, x]| {
+            pressure: about_peak(self.grid, |[y, x]| {
                 let r = x.hypot(y);
                 mean((r - half_ring).max(0.0), r + half_ring)
             }),
         })
-    }
-
-    /// `value` at the offset of each node from the peak.
-    fn field(&self, value: impl Fn([f64; 2]) -> f64 + Send + Sync) -> Field {
-        let offsets: Vec<_> = offsets(self.grid).collect();
-        let values = offsets.into_par_iter().map(value).collect();
-        let [ny, nx] = self.grid.shape();
-        Field::from_shape_vec((ny, nx), values).expect("one value per node")
     }
 }

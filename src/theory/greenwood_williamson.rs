@@ -32,18 +32,15 @@ impl SummitHeights {
 
     /// `F_m` in units of `sigma^m`.
     fn moment(self, m: f64, separation: f64) -> f64 {
-        self.scaled_moment(m, separation) * self.scale(separation)
-    }
-
-    /// The factor that [`SummitHeights::scaled_moment`] leaves out, so that no separation underflows.
-    fn scale(self, separation: f64) -> f64 {
-        match self {
+        let scale = match self {
             Self::Exponential => (-separation).exp(),
             Self::Gaussian if separation > 0.0 => (-0.5 * separation * separation).exp(),
             Self::Gaussian => 1.0,
-        }
+        };
+        self.scaled_moment(m, separation) * scale
     }
 
+    /// `F_m` in units of `sigma^m` without its exponential factor, so that no separation underflows.
     fn scaled_moment(self, m: f64, separation: f64) -> f64 {
         match self {
             Self::Exponential => tgamma(m + 1.0),
@@ -77,14 +74,6 @@ fn gaussian_moment(m: f64, d: f64) -> f64 {
 /// ```
 ///
 /// The paper leaves `eta` out (`eta = 1`); it drops out of `gbar_r` and `kappa_r`.
-///
-/// | field             | meaning                       | unit       |
-/// |-------------------|-------------------------------|------------|
-/// | `heights`         | distribution of the heights   | -          |
-/// | `scale`           | `sigma`                       | length     |
-/// | `radius`          | `R` of all summits            | length     |
-/// | `density`         | `eta`, summits per area       | 1/length^2 |
-/// | `contact_modulus` | `E*`                          | pressure   |
 ///
 /// All methods take the separation `d/sigma`.
 ///
@@ -120,10 +109,5 @@ impl GreenwoodWilliamson {
     pub fn rms_gradient_contact(&self, separation: f64) -> f64 {
         let [first, second] = [1.0, 2.0].map(|m| self.heights.scaled_moment(m, separation));
         (0.5 * self.scale / self.radius * second / first).sqrt()
-    }
-
-    /// `kappa_r`, see [`SummitHeights::kappa_r`].
-    pub fn kappa_r(&self, separation: f64) -> f64 {
-        self.heights.kappa_r(separation)
     }
 }

@@ -23,12 +23,6 @@ const LARGEST: f64 = 32.0;
 ///
 /// where `c` is the mean gap that a strip punch of half-width `b` closes per unit of mean pressure.
 ///
-/// | field             | meaning                  | unit     |
-/// |-------------------|--------------------------|----------|
-/// | `slope`           | `-dh/ds`                 | -        |
-/// | `period`          | `L`                      | length   |
-/// | `contact_modulus` | `E*`                     | pressure |
-///
 /// Source: superposition of the strip punches of Koiter; it reproduces Westergaard's load, mean gap and pressure (tests).
 ///
 /// ```

@@ -25,14 +25,7 @@ pub enum Geometry {
 /// and the pressure is that of flat punches superposed, `int P'(b) p_b(x) db` with
 /// `p_b = 1/(pi sqrt(b^2-x^2))` (line) or `1/(2 pi b sqrt(b^2-r^2))` (point).
 ///
-/// | field             | meaning                       | unit              |
-/// |-------------------|-------------------------------|-------------------|
-/// | `geometry`        | line or point                 | -                 |
-/// | `coefficient`     | `A`                           | length^(1-n)      |
-/// | `exponent`        | `n`, from 1 to 64             | -                 |
-/// | `contact_modulus` | `E*`                          | pressure          |
-///
-/// Outside that range of exponents the pressure is NaN.
+/// Outside [`PowerLaw::EXPONENTS`] the pressure is NaN.
 ///
 /// Source: L. A. Galin, *Contact Problems* (1961); I. N. Sneddon, Int. J. Eng. Sci. 3, 47 (1965); Johnson (1985), 5.3.
 ///
@@ -46,7 +39,7 @@ pub enum Geometry {
 pub struct PowerLaw {
     /// Line or point contact.
     pub geometry: Geometry,
-    /// Coefficient `A`, length^(1-n).
+    /// Coefficient `A`, a length to the power `1 - n`.
     pub coefficient: f64,
     /// Exponent `n`.
     pub exponent: f64,

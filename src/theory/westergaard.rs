@@ -14,12 +14,6 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 ///
 /// and from `p_mean = p_full` on the contact is full: `p = p_mean + p_full cos(2 pi x/L)`, `<g> = 0`.
 ///
-/// | field             | meaning                             | unit     |
-/// |-------------------|-------------------------------------|----------|
-/// | `amplitude`       | `D`, half the height                | length   |
-/// | `period`          | `L`                                 | length   |
-/// | `contact_modulus` | `E*`                                | pressure |
-///
 /// Source: H. M. Westergaard, J. Appl. Mech. 6, 49 (1939); Johnson (1985), section 13.2. The mean gap is the integral
 /// of the compliance of the strip punch, see [`super::periodic`].
 ///
@@ -33,7 +27,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Westergaard {
-    /// Amplitude `D`, a length.
+    /// Amplitude `D`, a length: half the height from valley to peak.
     pub amplitude: f64,
     /// Period `L`, a length.
     pub period: f64,
