@@ -13,17 +13,6 @@ use std::f64::consts::TAU;
 /// The peak lies on the node of row `ny/2` and column `nx/2` (integer division; row 0 for a line). `r` is the distance
 /// to it over the periodic cell, `x` that along a line.
 ///
-/// | indenter      | height                             | grid    |
-/// |---------------|------------------------------------|---------|
-/// | `Cylinder`    | `-x^2/(2R)`                        | line    |
-/// | `Sphere`      | `-r^2/(2R)`                        | surface |
-/// | `Sine`        | `D cos(2 pi x/L)`                  | line    |
-/// | `CrossedSine` | `D cos(2 pi x/Lx) cos(2 pi y/Ly)`  | surface |
-/// | `Wedge`       | `-m \|x\|`                         | line    |
-/// | `Cone`        | `-m r`                             | surface |
-/// | `PowerLaw`    | `-A r^n`                           | both    |
-/// | `Punch`       | `0` where `r <= b`, else `-depth`  | both    |
-///
 /// Source: Eq. 2 and Fig. 1 of the paper for the parabolas; K. L. Johnson, *Contact Mechanics* (1985), chapters 4, 5,
 /// 13.
 ///
@@ -40,48 +29,48 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "shape", rename_all = "kebab-case", rename_all_fields = "kebab-case", deny_unknown_fields)]
 pub enum Indenter {
-    /// A parabolic cylinder on a line.
+    /// A parabolic cylinder on a line, `-x^2/(2R)`.
     Cylinder {
         /// Radius of curvature `R`, a length.
         #[serde(deserialize_with = "quantity::length")]
         radius: f64,
     },
-    /// A paraboloid on a surface.
+    /// A paraboloid on a surface, `-r^2/(2R)`.
     Sphere {
         /// Radius of curvature `R`, a length.
         #[serde(deserialize_with = "quantity::length")]
         radius: f64,
     },
-    /// One period of a cosine on a line.
+    /// One period of a cosine on a line, `D cos(2 pi x/L)`.
     Sine {
         /// Amplitude `D`, a length: half the height from valley to peak.
         #[serde(deserialize_with = "quantity::length")]
         amplitude: f64,
     },
-    /// One period of a product of two cosines on a surface.
+    /// One period of a product of two cosines on a surface, `D cos(2 pi x/Lx) cos(2 pi y/Ly)`.
     CrossedSine {
         /// Amplitude `D`, a length: half the height from valley to peak.
         #[serde(deserialize_with = "quantity::length")]
         amplitude: f64,
     },
-    /// A wedge on a line.
+    /// A wedge on a line, `-m |x|`.
     Wedge {
         /// Slope `m` of its flanks, a length per length.
         slope: f64,
     },
-    /// A cone on a surface.
+    /// A cone on a surface, `-m r`.
     Cone {
         /// Slope `m` of its flank, a length per length.
         slope: f64,
     },
-    /// A power of the distance.
+    /// A power of the distance on a line or a surface, `-A r^n`.
     PowerLaw {
         /// Coefficient `A`, a length to the power `1 - n`.
         coefficient: f64,
         /// Exponent `n`, any positive number; 1 is the wedge and the cone, 2 the cylinder and the sphere.
         exponent: f64,
     },
-    /// A flat punch: a strip on a line, a disc on a surface.
+    /// A flat punch, a strip on a line and a disc on a surface: 0 where `r <= b`, else `-depth`.
     Punch {
         /// Half-width or radius `b`, a length below half the shortest period.
         #[serde(deserialize_with = "quantity::length")]

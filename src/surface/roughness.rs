@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 /// Statistics of the heights of a surface.
 ///
-/// With `z = h - <h>`, averages over all nodes and finite differences over nearest neighbours, periodic:
+/// With `z = h - <h>`, averages over all nodes and periodic finite differences over nearest neighbours.
 ///
 /// ```
 /// use asperity::Grid;

@@ -95,12 +95,10 @@ impl Case<'_> {
         let (period, mean) = (self.grid.size()[1], self.mean_pressure);
         let sine = Westergaard { amplitude, period, contact_modulus: self.contact_modulus };
         Exact {
-            name: "Westergaard, periodic",
-            relative_area: sine.relative_area(mean),
             kappa_r: Some(sine.kappa_r(mean)),
             max_pressure: Some(sine.pressure(mean, 0.0)),
             mean_gap: Some(sine.mean_gap(mean)),
-            pressure: about_peak(self.grid, |[_, x]| sine.pressure(mean, x)),
+            ..self.exact("Westergaard, periodic", sine.relative_area(mean), |[_, x]| sine.pressure(mean, x))
         }
     }
 
@@ -108,13 +106,12 @@ impl Case<'_> {
         let (modulus, mean, [ly, lx]) = (self.contact_modulus, self.mean_pressure, self.grid.size());
         let full = crossed_full_pressure(amplitude, [ly, lx], modulus);
         let rms_gradient = 0.5 * TAU * amplitude * lx.recip().hypot(ly.recip());
+        let pressure = |[y, x]: [f64; 2]| mean + full * (TAU * x / lx).cos() * (TAU * y / ly).cos();
         (mean >= full).then(|| Exact {
-            name: "full contact, periodic",
-            relative_area: 1.0,
             kappa_r: Some(rms_gradient * modulus / mean),
             max_pressure: Some(mean + full),
             mean_gap: Some(0.0),
-            pressure: about_peak(self.grid, |[y, x]| mean + full * (TAU * x / lx).cos() * (TAU * y / ly).cos()),
+            ..self.exact("full contact, periodic", 1.0, pressure)
         })
     }
 
@@ -128,12 +125,10 @@ impl Case<'_> {
         let max_pressure = Some(profile.at(0.0)).filter(|p| p.is_finite());
         let core = if max_pressure.is_none() { 0.5 * self.grid.spacing()[1] / E } else { 0.0 };
         Some(Exact {
-            name,
-            relative_area: 2.0 * a / period,
             kappa_r: Some(contact.kappa_r(a)),
             max_pressure,
             mean_gap: Some(contact.mean_gap(a)),
-            pressure: about_peak(self.grid, |[_, x]| profile.at(if x == 0.0 { core } else { x })),
+            ..self.exact(name, 2.0 * a / period, |[_, x]| profile.at(if x == 0.0 { core } else { x }))
         })
     }
 
@@ -145,13 +140,11 @@ impl Case<'_> {
         let max_pressure = Some(contact.pressure(a, 0.0)).filter(|p| p.is_finite());
         let core = if max_pressure.is_none() { (dx * dy / (PI * E)).sqrt() } else { 0.0 };
         let is_known = PowerLaw::EXPONENTS.contains(&exponent) && a < 0.5 * shortest_period(self.grid);
+        let pressure = |[y, x]: [f64; 2]| contact.pressure(a, x.hypot(y).max(core));
         is_known.then(|| Exact {
-            name,
-            relative_area: PI * a * a / (lx * ly),
             kappa_r: Some(contact.kappa_r()),
             max_pressure,
-            mean_gap: None,
-            pressure: about_peak(self.grid, |[y, x]| contact.pressure(a, x.hypot(y).max(core))),
+            ..self.exact(name, PI * a * a / (lx * ly), pressure)
         })
     }
 
@@ -161,13 +154,10 @@ impl Case<'_> {
         let load = |x: f64| mean * period * strip_load(half_width, period, x);
         let relative_area = 2.0 * half_width / period;
         let closed = strip_mean_penetration(mean, half_width, period, modulus);
+        let pressure = |[_, x]: [f64; 2]| (load(x + 0.5 * dx) - load(x - 0.5 * dx)) / dx;
         (strip_penetration(mean, half_width, period, modulus) < depth).then(|| Exact {
-            name: "Koiter, periodic",
-            relative_area,
-            kappa_r: None,
-            max_pressure: None,
             mean_gap: Some(depth * (1.0 - relative_area) - closed),
-            pressure: about_peak(self.grid, |[_, x]| (load(x + 0.5 * dx) - load(x - 0.5 * dx)) / dx),
+            ..self.exact("Koiter, periodic", relative_area, pressure)
         })
     }
 
@@ -176,19 +166,18 @@ impl Case<'_> {
         let load = self.mean_pressure * lx * ly;
         let half_ring = 0.5 * (dx * dy).sqrt();
         let enclosed = |r: f64| load * (1.0 - (1.0 - (r / radius).min(1.0).powi(2)).sqrt());
-        let mean =
-            |inner: f64, outer: f64| (enclosed(outer) - enclosed(inner)) / (PI * (outer - inner) * (outer + inner));
+        let pressure = |[y, x]: [f64; 2]| {
+            let (inner, outer) = ((x.hypot(y) - half_ring).max(0.0), x.hypot(y) + half_ring);
+            (enclosed(outer) - enclosed(inner)) / (PI * (outer - inner) * (outer + inner))
+        };
         let approach = load / (2.0 * self.contact_modulus * radius);
-        (approach < depth).then(|| Exact {
-            name: "disc punch, isolated",
-            relative_area: PI * radius * radius / (lx * ly),
-            kappa_r: None,
-            max_pressure: None,
-            mean_gap: None,
-            pressure: about_peak(self.grid, |[y, x]| {
-                let r = x.hypot(y);
-                mean((r - half_ring).max(0.0), r + half_ring)
-            }),
-        })
+        let relative_area = PI * radius * radius / (lx * ly);
+        (approach < depth).then(|| self.exact("disc punch, isolated", relative_area, pressure))
+    }
+
+    /// A solution of `pressure` at the offset `[y, x]` from the peak, of which nothing else is known.
+    fn exact(&self, name: &'static str, relative_area: f64, pressure: impl Fn([f64; 2]) -> f64 + Sync) -> Exact {
+        let pressure = about_peak(self.grid, pressure);
+        Exact { name, relative_area, kappa_r: None, max_pressure: None, mean_gap: None, pressure }
     }
 }

@@ -82,7 +82,17 @@ impl<S: Fn(f64) -> f64> Periodic<S> {
 
     /// The pressure of a contact of half-width `a`, as a function of the distance from its middle.
     pub fn pressure(&self, a: f64) -> Profile<'_, S> {
-        Profile::new(self, self.tau(a))
+        let (end, angle) = (self.tau(a), |k: usize| PI * (k as f64 + 0.5) / TERMS as f64);
+        let ratio = |k: usize| {
+            let tau = 0.5 * end * (1.0 + angle(k).cos());
+            self.load_rate(tau) / (self.slope)(self.width(tau))
+        };
+        let values: Vec<f64> = (0..TERMS).map(ratio).collect();
+        let term = |j: usize| {
+            let sum: f64 = values.iter().enumerate().map(|(k, value)| value * (j as f64 * angle(k)).cos()).sum();
+            sum * if j == 0 { 1.0 } else { 2.0 } / TERMS as f64
+        };
+        Profile { contact: self, end, series: (0..TERMS).map(term).collect() }
     }
 
     /// `tau` at the half-width `a`.
@@ -141,21 +151,7 @@ pub struct Profile<'a, S> {
 /// Terms of the Chebyshev series.
 const TERMS: usize = 48;
 
-impl<'a, S: Fn(f64) -> f64> Profile<'a, S> {
-    fn new(contact: &'a Periodic<S>, end: f64) -> Self {
-        let angle = |k: usize| PI * (k as f64 + 0.5) / TERMS as f64;
-        let ratio = |k: usize| {
-            let tau = 0.5 * end * (1.0 + angle(k).cos());
-            contact.load_rate(tau) / (contact.slope)(contact.width(tau))
-        };
-        let values: Vec<f64> = (0..TERMS).map(ratio).collect();
-        let term = |j: usize| {
-            let sum: f64 = values.iter().enumerate().map(|(k, value)| value * (j as f64 * angle(k)).cos()).sum();
-            sum * if j == 0 { 1.0 } else { 2.0 } / TERMS as f64
-        };
-        Self { contact, end, series: (0..TERMS).map(term).collect() }
-    }
-
+impl<S: Fn(f64) -> f64> Profile<'_, S> {
     /// Pressure at the distance `x` from the middle of the contact; in the middle itself infinite for a wedge.
     pub fn at(&self, x: f64) -> f64 {
         let inner = (PI * x / self.contact.period).tan().abs();
