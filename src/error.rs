@@ -1,7 +1,10 @@
 //! What can go wrong: one enum per concern. The sentence of a variant says what is wrong, with the offending values, which are
 //! its fields, and what to do.
 
-#![allow(missing_docs, reason = "the fields of a variant are the values in its sentence")]
+#![allow(
+    missing_docs,
+    reason = "fields are the values in the sentence of their variant, and a wrapped error speaks for itself"
+)]
 
 use crate::quantity::bytes_in_words;
 use std::error::Error;
@@ -28,7 +31,6 @@ pub enum GridError {
 /// A surface that cannot be made or used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SurfaceError {
-    /// The grid under the surface is wrong.
     #[error(transparent)]
     Grid(#[from] GridError),
     /// The heights do not have the shape of the grid.
@@ -61,7 +63,7 @@ pub enum SurfaceError {
     /// An indenter that only makes sense on the other kind of grid.
     #[error("a {indenter} needs a {needs}, but the grid is a {has}")]
     WrongDimension { indenter: &'static str, needs: &'static str, has: &'static str },
-    /// An indenter wider than the cell.
+    /// An indenter whose half-width or radius is too large for the cell.
     #[error(
         "a {indenter} of half-width {half_width:?} does not fit the shortest period {period:?}: make it narrower than half of it"
     )]
@@ -127,22 +129,16 @@ pub enum SolveError {
 /// A setup that cannot be read, or that describes nothing that can be solved.
 #[derive(Debug, thiserror::Error)]
 pub enum SetupError {
-    /// The grid is wrong.
     #[error(transparent)]
     Grid(#[from] GridError),
-    /// The surface cannot be made.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
-    /// The problem cannot be posed.
     #[error(transparent)]
     Problem(#[from] ProblemError),
-    /// A setting of the solver or of its stop cannot be.
     #[error(transparent)]
     Setting(#[from] SettingError),
-    /// The solver cannot take the load.
     #[error(transparent)]
     Solve(#[from] SolveError),
-    /// A height file or a scene cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
     /// Nothing says what is pressed.
@@ -182,7 +178,7 @@ pub enum SetupError {
     /// A text that is no setup.
     #[error("{place}{reason}")]
     Text { place: String, reason: String },
-    /// A solve that does not fit in memory.
+    /// A solve that needs more bytes than are free, or than the system grants.
     #[error(
         "a grid of {} x {} points does not fit in memory: {what} needs at least {}, {}: give fewer points",
         shape[0], shape[1], bytes_in_words(*needed),
@@ -194,13 +190,10 @@ pub enum SetupError {
 /// A study that cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// A setup that cannot be.
     #[error(transparent)]
     Setup(#[from] SetupError),
-    /// A contact that cannot be solved.
     #[error(transparent)]
     Solve(#[from] SolveError),
-    /// A table that cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
     /// A list of loads, grids or surfaces that is empty or out of order.

@@ -95,11 +95,9 @@ mod units {
 
 #[cfg(not(feature = "units"))]
 mod units {
-    pub fn length(_: &str) -> Option<f64> {
-        None
-    }
+    pub use length as pressure;
 
-    pub fn pressure(_: &str) -> Option<f64> {
+    pub fn length(_: &str) -> Option<f64> {
         None
     }
 }

@@ -21,20 +21,7 @@ use crate::elastic::HalfSpace;
 /// where `-d - min v = G / <p>`. So `G / <p> + |D - d|` takes the place of `G / <p>`. Both vanish only at the solution.
 ///
 /// All fields are dimensionless. Where there is no pressure at all, and where a value is negative or not finite, nothing is
-/// bounded: the errors are infinite.
-///
-/// ```
-/// use asperity::contact::{Certificate, ContactModulus, Load, Multilevel, Solver};
-/// use asperity::{Grid, Indenter, Problem, Stop};
-/// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
-/// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.01))?;
-/// // a uniform pressure carries the load, but it is not the solution
-/// assert!(Certificate::of(&problem, &[0.01; 256]).eta > 1.0);
-/// // whoever has made a pressure, the certificate says how far off it can be
-/// let contact = Multilevel.solve(&problem, &Stop::default(), &mut ())?.converged()?;
-/// assert!(Certificate::of(&problem, contact.pressure.as_slice().unwrap()).eta < 1e-8);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+/// bounded: the errors are infinite. At the head of the crate the pressure of somebody else is certified.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     /// `eta = G / (<p> h_rms)`, the error in energy against load times rms height: what [`crate::contact::Stop`] asks for. At a

@@ -52,3 +52,43 @@ fn stiffness_undoes_compliance() {
         }
     }
 }
+
+/// Lines in one piece and in many, surfaces on one core and on many.
+fn shared_grids() -> [Grid; 6] {
+    [
+        Grid::line(31, 0.5).unwrap(),
+        Grid::line(1 << 16, 2.0).unwrap(),
+        Grid::line(2 * 3 * 5 * 7 * 11 * 31, 2.0).unwrap(),
+        Grid::surface([7, 5], [2.0, 1.0]).unwrap(),
+        Grid::surface([4, 37], [1.0, 1.0]).unwrap(),
+        Grid::surface([181, 200], [1.0, 3.0]).unwrap(),
+    ]
+}
+
+#[test]
+fn responses_are_the_same_on_any_number_of_threads() {
+    for grid in shared_grids() {
+        let pressure: Vec<f64> = (0..grid.len()).map(|i| ((i % 1009 * (i % 911)) as f64 * 0.7).sin() + 0.3).collect();
+        let on = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                let mut displacement = vec![0.0; grid.len()];
+                HalfSpace::new(&grid, 3.0).displacement(&pressure, &mut displacement);
+                displacement
+            })
+        };
+        let one = on(1);
+        assert!([2, 3, 8].iter().all(|&threads| on(threads) == one), "{grid:?}");
+    }
+}
+
+#[test]
+fn stiffnesses_start_with_the_mean_and_are_nowhere_softer_than_the_softest() {
+    for grid in shared_grids() {
+        let half_space = HalfSpace::new(&grid, 3.0);
+        let stiffnesses: Vec<f64> = half_space.stiffnesses().collect();
+        assert_eq!((stiffnesses.len(), stiffnesses[0]), (grid.modes(), 0.0));
+        let softest = stiffnesses[1..].iter().copied().fold(f64::INFINITY, f64::min);
+        assert!((half_space.softest_stiffness() / softest - 1.0).abs() < 1e-15, "{grid:?}");
+    }
+}

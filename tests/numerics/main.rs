@@ -7,6 +7,7 @@ mod forecast;
 mod fourier;
 mod grid;
 mod half_space;
+mod measures;
 mod patches;
 mod polonsky_keer;
 #[cfg(feature = "units")]
