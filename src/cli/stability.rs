@@ -111,7 +111,7 @@ impl Stability {
 
     fn list(&self, trials: &[Trial]) -> Result<Outcome> {
         for trial in trials {
-            let demand = |rival: &Rival| format!("{} {}", rival.name, trial.demand_of(rival).name());
+            let demand = |rival: &Rival| format!("{} {}", rival.name, trial.demand_of(rival));
             let demands: Vec<_> = self.rivals(trial).iter().map(demand).collect();
             writeln!(stdout(), "{:<28} {}", trial.name, demands.join(", "))?;
         }

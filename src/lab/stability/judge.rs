@@ -18,18 +18,13 @@ const AGREEMENT: f64 = 1e-6;
 
 /// Solves a trial within a budget of time, checks what comes back, and judges it.
 pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: &mut Watch<'_>) -> Report {
-    let demand = trial.demand_of(rival);
-    let report = |found: Option<(&Contact, &Check)>, verdict, note| {
-        let is_stalled = found.is_some_and(|(contact, _)| contact.status == Status::Stalled);
-        let as_demanded = demand.is_met(verdict, found.map(|(_, check)| check.eta), is_stalled);
-        Report::new(&trial.name, rival, verdict, as_demanded, note, found)
-    };
+    let report = |found, verdict, note| Report::new(trial, rival, found, verdict, note);
     match catch_unwind(AssertUnwindSafe(|| trial.solve(rival, budget, watch))) {
         Ok(Ok((contact, twin))) => {
             let check = Check::of(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
             let mismatch = || twin.and_then(|twin| mismatch(&contact, &twin));
             let fault = fault(&contact, &check, trial.tolerance).or_else(mismatch);
-            let (verdict, note) = verdict(contact.status, demand, fault);
+            let (verdict, note) = verdict(contact.status, trial.demand_of(rival), fault);
             report(Some((&contact, &check)), verdict, note)
         }
         Ok(Err(error)) => report(None, verdict_on(&error), error.to_string()),
