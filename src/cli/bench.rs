@@ -6,7 +6,7 @@ use super::progress::bar;
 use anyhow::Result;
 use asperity::contact::{Status, Stop};
 use asperity::files::{check_target, write_csv};
-use asperity::lab::bench::{Group, HEAD};
+use asperity::lab::bench::{Contest, Group, HEAD, Timing};
 use asperity::setup::Method;
 use clap::{Args, ValueEnum};
 use std::io::{Write, stdout};
@@ -74,8 +74,8 @@ impl Bench {
         writeln!(stdout(), "{HEAD}")?;
         for (&group, &stop) in self.groups.iter().zip(&stops) {
             writeln!(stdout(), "\n{}", self.title(group))?;
-            for contest in group.contests(self.quick, self.seed) {
-                for timing in contest.timings(self.methods(group), stop, self.repeats, &mut bar) {
+            for contest in Contest::all(group, self.quick, self.seed) {
+                for timing in Timing::all(&contest, self.methods(group), stop, self.repeats, &mut bar) {
                     timings.push(timing?);
                     writeln!(stdout(), "{}", timings[timings.len() - 1])?;
                     if let Some(path) = &self.out {
@@ -92,7 +92,7 @@ impl Bench {
         for &group in &self.groups {
             writeln!(stdout(), "\n{}", self.title(group))?;
             let solvers: Vec<_> = self.methods(group).iter().map(Method::name).collect();
-            for contest in group.contests(self.quick, self.seed) {
+            for contest in Contest::all(group, self.quick, self.seed) {
                 writeln!(stdout(), "{:<14} {:>11} {}", contest.name, contest.points(), solvers.join(", "))?;
             }
         }

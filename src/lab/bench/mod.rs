@@ -5,9 +5,7 @@
 //! ```
 
 mod contest;
-mod contests;
 mod group;
-mod peak;
 mod timing;
 
 pub use contest::Contest;
