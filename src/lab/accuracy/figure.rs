@@ -1,7 +1,7 @@
 //! The figure of a scene: error against seconds and against transforms, side by side.
 
 use super::curve::{Curve, Point};
-use super::findings::Findings;
+use super::experiment::Findings;
 use super::quantity::KAPPA_R;
 use crate::lab::Rival;
 use crate::plot::{self, Axis, Colour, Corner, Figure, Mark, Panel, Series, Symbol};

@@ -1,8 +1,7 @@
 //! The tables for reading, 120 columns wide.
 
-use super::advice::{ACCURACIES, Advice, settled};
-use super::curve::Curve;
-use super::findings::Findings;
+use super::curve::{Curve, Point};
+use super::experiment::Findings;
 use super::ladder::{LOADS, Ladder};
 use super::quantity::{QUANTITIES, Values};
 use crate::lab::table::{or_dash, points};
@@ -10,6 +9,8 @@ use std::fmt::{self, Formatter};
 
 /// Certificates at which the work is told.
 const MILESTONES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
+/// The accuracies that advice is given for.
+const ACCURACIES: [f64; 2] = [0.01, 0.001];
 const INDENT: &str = "    ";
 
 impl fmt::Display for Findings {
@@ -102,17 +103,23 @@ fn write_settled(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
+/// The largest certificate from which on `quantity` stays within `accuracy` of its final value.
+fn settled(curve: &Curve, quantity: usize, accuracy: f64) -> Option<f64> {
+    let is_settled = |&i: &usize| curve.error_from(i, quantity).is_some_and(|error| error <= accuracy);
+    (0..curve.points.len()).find(is_settled).map(|i| curve.points[i].eta)
+}
+
 fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  recommended: the fastest that was measured, total error = discretisation + algebraic")?;
     for (quantity, name) in QUANTITIES.iter().enumerate() {
         for accuracy in ACCURACIES {
             write!(f, "{INDENT}for {name} to {} % ", 100.0 * accuracy)?;
-            let all = || Advice::all(findings, quantity);
-            let is_enough = |advice: &Advice| advice.total() <= accuracy;
-            match all().filter(is_enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds)) {
-                Some(advice) => writeln!(f, "{}", sentence(&advice))?,
+            let all = || choices(findings, quantity);
+            let is_enough = |choice: &Choice<'_>| choice.total() <= accuracy;
+            match all().filter(is_enough).min_by(|a, b| a.point.median().total_cmp(&b.point.median())) {
+                Some(choice) => writeln!(f, "{}", choice.sentence())?,
                 None => {
-                    let best = or_dash(all().map(|advice| advice.total()).min_by(f64::total_cmp), percent);
+                    let best = or_dash(all().map(|choice| choice.total()).min_by(f64::total_cmp), percent);
                     writeln!(f, "use a finer grid: the best of these has {best}")?;
                 }
             }
@@ -121,23 +128,49 @@ fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-fn sentence(advice: &Advice) -> String {
-    format!(
-        "use {} points, eta = {}: {} ms by {} ({:.2} + {:.2} %)",
-        points(advice.shape),
-        certificate(advice.eta),
-        Milliseconds(advice.seconds),
-        advice.rival.title,
-        100.0 * advice.discretisation,
-        100.0 * advice.algebraic
-    )
+/// A solver on a grid, stopped at a point, with its errors in a quantity.
+struct Choice<'a> {
+    curve: &'a Curve,
+    point: &'a Point,
+    discretisation: f64,
+    algebraic: f64,
+}
+
+/// All points that were measured.
+fn choices(findings: &Findings, quantity: usize) -> impl Iterator<Item = Choice<'_>> {
+    findings.curves.iter().flat_map(move |curve| {
+        let discretisation = findings.ladder.error_from(curve.side(), quantity);
+        let choice = move |(i, point)| {
+            let algebraic = curve.error_from(i, quantity)?;
+            Some(Choice { curve, point, discretisation: discretisation?, algebraic })
+        };
+        curve.points.iter().enumerate().filter_map(choice)
+    })
+}
+
+impl Choice<'_> {
+    fn total(&self) -> f64 {
+        self.discretisation + self.algebraic
+    }
+
+    fn sentence(&self) -> String {
+        format!(
+            "use {} points, eta = {}: {} ms by {} ({:.2} + {:.2} %)",
+            points(self.curve.shape),
+            certificate(self.point.eta),
+            Milliseconds(self.point.median()),
+            self.curve.rival.title,
+            100.0 * self.discretisation,
+            100.0 * self.algebraic
+        )
+    }
 }
 
 fn percent(value: f64) -> String {
     if value >= 1e-4 { format!("{:.2} %", 100.0 * value) } else { format!("{:.0e} %", 100.0 * value) }
 }
 
-/// A certificate, rounded down: who stops there has come as far as the point that was findings.
+/// A certificate, rounded down: who stops there has come as far as the point that was found.
 fn certificate(eta: f64) -> String {
     let unit = 10f64.powf(eta.log10().floor() - 1.0);
     format!("{:.1e}", (eta / unit).floor() * unit)
