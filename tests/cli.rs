@@ -440,6 +440,31 @@ fn a_surface_that_was_written_is_solved_as_if_just_made() {
 }
 
 #[test]
+fn a_result_is_solved_again_to_the_last_bit_from_itself() {
+    let folder = Folder::new();
+    let run = "--indenter cylinder --radius 3um --hurst 0.7 --rolloff 0.3um --short-cutoff 0.1um --rms-gradient 0.0123 \
+               --points 256 --size 7um --modulus 3.3GPa --reduced-pressure 0.0321 --solver polonsky-keer";
+    let (summary, _) = solve(&folder, &format!("{run} --save-setup scene.toml"));
+    std::fs::write(folder.join("result.json"), summary.to_string()).unwrap();
+    std::fs::copy(folder.join("contact.npz"), folder.join("result.npz")).unwrap();
+    let pressure = |folder: &Folder| Fields::read(File::open(folder.join("contact.npz")).unwrap()).pressure;
+    let expected = pressure(&folder);
+    let mut sources = vec!["scene.toml", "--setup-of result.npz", "--setup-of result.json"];
+    if cfg!(feature = "record") {
+        assert!(folder.run(&format!("solve {run} --record result.rrd")).status.success());
+        sources.push("--setup-of result.rrd");
+    }
+    for source in sources {
+        let (again, _) = solve(&folder, source);
+        assert_eq!(pressure(&folder), expected, "{source}");
+        assert_eq!(timeless(again.clone()), timeless(summary.clone()), "{source}");
+        assert_eq!(again["setup"], summary["setup"], "{source}");
+    }
+    let (harder, _) = solve(&folder, "scene.toml --reduced-pressure 0.1");
+    assert_eq!(number(&harder, "reduced_pressure"), 0.1);
+}
+
+#[test]
 fn the_statistics_of_a_surface_are_those_of_its_heights() {
     let folder = Folder::new();
     for (surface, size) in [(ROUGH_LINE, &[1.0][..]), (ROUGH_SURFACE, &[1.0, 1.2])] {

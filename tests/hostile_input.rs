@@ -309,7 +309,7 @@ fn words_that_are_no_arguments_are_refused() {
         (format!("{solve} --pressure 2"), "--pressure"),
         (format!("{solve} stray"), "stray"),
         (solve.replace("64", "64.5"), "64.5"),
-        (solve.replace("64", "64,"), "''"),
+        (solve.replace("64", "64,"), "text \"\""),
         (solve.replace(" 64", "=-64"), "-64"),
         (solve.replace("64", "99999999999999999999999"), "99999999999999999999999"),
         (solve.replace("--size 4", "--size 4,x"), "x"),
@@ -397,7 +397,7 @@ fn height_files_that_are_no_surface_are_not_described() {
         }
     }
     refuse_in_one_sentence(&folder, "surface", "no surface");
-    refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "--rolloff");
+    refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "--size");
 }
 
 #[test]

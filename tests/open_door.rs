@@ -263,3 +263,39 @@ fn a_failure_counts_before_a_wish_and_before_convergence() {
         assert!(contact.failure.is_some());
     }
 }
+
+/// Shows the uniform pressure with a certificate that it has not.
+struct Boaster;
+
+impl Solver for Boaster {
+    fn name(&self) -> &str {
+        "boaster"
+    }
+
+    fn settings(&self) -> String {
+        "none".into()
+    }
+
+    fn solve_from(
+        &self,
+        start: Option<&Field>,
+        problem: &Problem,
+        stop: &Stop,
+        observer: &mut dyn Observer,
+    ) -> Result<Contact, SolveError> {
+        let mut run = Run::begin(self, problem, stop, observer);
+        let p = problem.first_pressure(start);
+        run.offer(0.0, &p);
+        let status = run.show(&Step::new(problem, run.work(0), &p, &vec![0.0; p.len()]).with_certificate(0.0));
+        let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        Ok(run.finish(status.unwrap_or(Status::Converged), half_space))
+    }
+}
+
+#[test]
+fn what_a_solver_says_of_its_convergence_is_checked() {
+    let contact = Boaster.solve(&sine(), &Stop::default(), &mut ()).unwrap();
+    assert!(contact.certificate.eta > 0.1, "{}", contact.certificate.eta);
+    assert_eq!(contact.status, Status::Stalled);
+    assert!(contact.converged().is_err());
+}

@@ -264,7 +264,8 @@ mod with_units {
             ("null", object),
             ("{\"setup\": 3}", object),
             ("{\"load\": {\"mean-pressure\": null}}", object),
-            ("{}", "grid: missing field `size`: give it as well"),
+            ("{}", "no surface is given"),
+            ("{\"surface\": {\"seed\": 1}}", "grid: missing field `size`: give it as well (--size)"),
         ] {
             let said = Table::from_json(json).and_then(Table::setup).unwrap_err().to_string();
             assert!(said.contains(words) && !said.contains('\n'), "{json}: {said}");

@@ -27,7 +27,6 @@ Each row is one case solved by one solver:
               MALLOC_MMAP_THRESHOLD_=131072 has it keep next to nothing
   ratio       solve s over that of the case's first solver (- for a case with one solver)";
 
-/// Solves chosen cases one after the other and reports what that took.
 #[derive(Args)]
 #[command(after_help = COLUMNS)]
 pub struct Bench {
@@ -61,7 +60,6 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         if self.list {
             return self.list();

@@ -15,13 +15,6 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Makes the tables and figures of the paper again, and says for every number of it what is found here.
-///
-/// The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018). Each figure comes as a CSV of every
-/// solved point, SVG, PNG and a recording; comparison.csv holds the final table. Started again after it was killed it goes
-/// on where it was, and the CSV is the same to the last bit. With other Hurst exponents, seeds, loads and sizes the same
-/// command makes a study of your own. Lengths are those of the paper: a roll-off of 20 um, of which 8 fit a line and 4 a side
-/// of a surface.
 #[derive(clap::Args)]
 pub struct Paper {
     /// What to make, in this order
@@ -77,7 +70,6 @@ pub struct Paper {
 }
 
 impl Paper {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         let (items, paper, bar) = (self.items(), self.paper(), bar());
         let comparison = paper.run(&items, &|event| show(&bar, event))?;

@@ -15,7 +15,6 @@ use clap::Args;
 use std::io::{self, Write, stderr, stdout};
 use std::path::PathBuf;
 
-/// Presses one surface on the solid and reports the contact.
 #[derive(Args)]
 pub struct Solve {
     #[command(flatten)]
@@ -78,7 +77,6 @@ impl Output {
 }
 
 impl Solve {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         let setup = self.scene.table()?.setup()?;
         let cost = setup.cost(self.output.recording().is_some(), self.output.out.is_some())?;

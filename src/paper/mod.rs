@@ -15,6 +15,7 @@
 //! assert!(comparison.verdicts.iter().any(|verdict| verdict.verdict == "agrees"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+#![doc = include_str!("../../assets/doc/paper.md")]
 
 mod beyond;
 mod comparison;

@@ -27,6 +27,7 @@
 //! recording.finish()?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+#![doc = include_str!("../../assets/doc/record.md")]
 
 mod description;
 mod draw;

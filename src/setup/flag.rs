@@ -1,6 +1,6 @@
 //! The flags of the command line that lay values over a setup.
 
-use super::{Method, Part, Setup, Table};
+use super::{Method, Part};
 use crate::surface::Indenter;
 
 /// A flag of the command line, and the place in a setup that its value is laid over.
@@ -85,116 +85,5 @@ impl Flag {
     /// The section of the setup that it belongs to.
     pub fn section(&self) -> &'static str {
         self.path.split('.').next().unwrap_or_default()
-    }
-
-    /// The value that its words stand for.
-    fn read(&self, words: &[String]) -> toml::Value {
-        let is_list = matches!(self.value, Value::List | Value::Choices(_));
-        match words {
-            [one] if !is_list => value(one),
-            more => toml::Value::Array(more.iter().map(|word| value(word)).collect()),
-        }
-    }
-}
-
-/// Lays flags with their words over a setup, in the order of [`FLAGS`].
-pub fn lay(given: &[(&Flag, Vec<String>)], over: &mut Table) {
-    if given.iter().any(|(flag, _)| flag.section() == "load") {
-        over.remove("load");
-    }
-    for (flag, words) in given {
-        if let (Value::Variant(_), Some((beside, _))) = (flag.value, flag.path.rsplit_once('.')) {
-            over.remove(beside);
-        }
-        over.lay(flag.path, flag.read(words));
-    }
-}
-
-/// A whole number, a number, or a text; whole numbers that are too long stay as they are written.
-fn value(word: &str) -> toml::Value {
-    match (word.parse::<i64>(), word.parse()) {
-        (Ok(whole), _) if whole.to_string() == word => toml::Value::Integer(whole),
-        (_, Ok(number)) if !word.bytes().all(|byte| byte.is_ascii_digit()) => toml::Value::Float(number),
-        _ => toml::Value::String(word.into()),
-    }
-}
-
-/// The command line that repeats a setup, to the last digit.
-pub fn command(setup: &Setup) -> String {
-    let table = setup.to_table();
-    let written = |flag: &Flag| table.find(flag.path).map(|value| format!(" --{} {}", flag.name, word(value)));
-    format!("asperity solve{}", FLAGS.iter().filter_map(written).collect::<String>())
-}
-
-/// A value as it is written on a command line.
-fn word(value: &toml::Value) -> String {
-    match value {
-        toml::Value::String(text) => text.clone(),
-        toml::Value::Float(number) => format!("{number:e}"),
-        toml::Value::Array(values) => values.iter().map(word).collect::<Vec<_>>().join(","),
-        other => other.to_string(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::contact::{Dynamics, Gfmd, Load, Masses};
-    use crate::setup::{Cell, Recipe, Record};
-    use crate::surface::Spectrum;
-
-    /// The setup that a command line describes, its flags laid over nothing.
-    fn parsed(command: &str) -> Setup {
-        let words: Vec<&str> = command.split_whitespace().skip(2).collect();
-        let mut table = Table::default();
-        let given: Vec<_> = FLAGS
-            .iter()
-            .filter_map(|flag| {
-                let at = words.iter().position(|word| word.strip_prefix("--") == Some(flag.name))?;
-                Some((flag, words[at + 1].split(',').map(str::to_owned).collect()))
-            })
-            .collect();
-        lay(&given, &mut table);
-        table.setup().unwrap()
-    }
-
-    #[test]
-    fn commands_repeat_their_setups_to_the_last_bit() {
-        let indenters = [
-            Indenter::Cylinder { radius: 0.1 + 0.2 },
-            Indenter::PowerLaw { coefficient: 1.0 / 3.0, exponent: 4.0 },
-            Indenter::Punch { half_width: 0.1, depth: 1e-300 },
-        ];
-        let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 1.0 / 7.0, short_cutoff: 0.01, rms_gradient: 1e-3 };
-        let gfmd = Gfmd { masses: Masses::Stiffness, dynamics: Dynamics::Fire, time_step: 0.3, damping: 0.7 };
-        for indenter in indenters {
-            let surface = Recipe { indenter: Some(indenter), ..Recipe::rough(spectrum, u64::MAX >> 1) };
-            let mut setup = Setup::new(surface, Cell::surface([64, 96], [1.0, 1.5]), Load::ReducedPressure(0.07));
-            assert_eq!(parsed(&command(&setup)), setup);
-            setup.solver = Method::Gfmd(gfmd);
-            setup.record = Record { what: vec![Part::Traces, Part::Mesh], every: Some(3), length_unit: "um".into() };
-            assert_eq!(parsed(&command(&setup)), setup);
-        }
-    }
-
-    #[test]
-    fn every_name_that_can_be_chosen_can_be_read() {
-        let unknown = |path: &str, name: &str| {
-            let setup = Setup::new(Recipe::default(), Cell::line(64, 1.0), Load::MeanGap(1.0));
-            let mut table = setup.to_table();
-            table.lay(path, toml::Value::String(name.into()));
-            table.setup().err().map(|error| error.to_string()).filter(|error| error.contains("unknown variant"))
-        };
-        for (names, path) in [
-            (Indenter::SHAPES.as_slice(), "surface.indenter.shape"),
-            (&Method::METHODS, "solver.method"),
-            (&MASSES, "solver.masses"),
-            (&DYNAMICS, "solver.dynamics"),
-        ] {
-            for (name, _) in names {
-                assert_eq!(unknown(path, name), None);
-            }
-            assert!(path.starts_with("solver.") || unknown(path, "nothing").is_some());
-        }
     }
 }

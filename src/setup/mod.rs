@@ -27,6 +27,7 @@
 //! ```
 
 mod cell;
+mod command;
 mod cost;
 mod fingerprint;
 mod flag;
@@ -36,8 +37,9 @@ mod recipe;
 mod text;
 
 pub use cell::Cell;
+pub use command::{command, lay};
 pub use cost::{Cost, available_bytes};
-pub use flag::{FLAGS, Flag, Value, command, lay};
+pub use flag::{FLAGS, Flag, Value};
 pub use method::Method;
 pub use part::{Part, Record};
 pub use recipe::Recipe;

@@ -44,7 +44,7 @@ const PLACES: &[(&str, &[&str])] = &[
     ("glam", &["record/"]),
     ("indicatif", &["cli/", "main.rs"]),
     ("levenberg_marquardt", &["paper/fit.rs"]),
-    ("libm", &["theory/", "setup/cost.rs", "paper/fit.rs"]),
+    ("libm", &["theory/", "contact/forecast.rs", "paper/fit.rs"]),
     ("nalgebra", &["paper/fit.rs"]),
     ("ndarray_npy", &["surface/", "contact/archive.rs"]),
     ("procfs", &["setup/cost.rs", "lab/"]),

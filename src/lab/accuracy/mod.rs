@@ -7,6 +7,7 @@
 //! ```text
 //! Experiment { Scene, grids, stops } --> Findings { Ladder of grids, Models, Curves of the solvers } --> table, figure, CSV
 //! ```
+#![doc = include_str!("../../../assets/doc/accuracy.md")]
 
 mod curve;
 mod experiment;

@@ -3,6 +3,7 @@
 //! ```text
 //! Group --> Contests { name, Setup } --(methods)--> Timings --> table, CSV
 //! ```
+#![doc = include_str!("../../../assets/doc/bench.md")]
 
 mod contest;
 mod group;

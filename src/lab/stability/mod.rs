@@ -4,8 +4,9 @@
 //! trials --> Trial { problem, Demand } --(Rival)--> judge: Check of the pressure --> Report { Verdict } --> Tally
 //! ```
 //!
-//! A trial is judged by a check of the pressure that shares nothing with the solvers and their certificate. [`TimeSteps`]
+//! A trial is judged by a [`Check`] of the pressure that shares nothing with the solvers and their certificate. [`TimeSteps`]
 //! are the largest stable time steps of molecular dynamics, measured beside theory.
+#![doc = include_str!("../../../assets/doc/stability.md")]
 
 mod check;
 mod judge;
@@ -17,6 +18,7 @@ mod trial;
 mod trials;
 mod verdict;
 
+pub use check::Check;
 pub use judge::judge;
 pub use report::HEAD;
 pub use tally::Tally;
