@@ -2,14 +2,15 @@
 
 use super::choice::count;
 use super::outcome::Outcome;
+use super::progress::blank;
 use anyhow::Result;
 use asperity::paper::{self, Effort, Event, Item};
 use asperity::study::Point;
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use std::collections::BTreeSet;
-use std::io::{IsTerminal, Write, stdout};
+use std::io::{Write, stdout};
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -71,7 +72,8 @@ pub struct Paper {
 
 impl Paper {
     pub fn run(&self) -> Result<Outcome> {
-        let (items, paper, bar) = (self.items(), self.paper(), bar());
+        let (items, paper, bar) =
+            (self.items(), self.paper(), blank("{prefix} [{wide_bar}] {percent} %, {msg} ({eta} left)"));
         let comparison = paper.run(&items, &|event| show(&bar, event))?;
         writeln!(stdout())?;
         comparison.write_text(&mut stdout())?;
@@ -158,16 +160,7 @@ fn seeds(text: &str) -> Result<RangeInclusive<u64>, String> {
     }
 }
 
-/// A bar that shows which share of the nodes of an item is solved and the time left, on standard error, if that is a
-/// terminal.
-fn bar() -> ProgressBar {
-    let bar = if std::io::stderr().is_terminal() { ProgressBar::no_length() } else { ProgressBar::hidden() };
-    match ProgressStyle::with_template("{prefix} [{wide_bar}] {percent} %, {msg} ({eta} left)") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
-}
-
+/// Shows which share of the nodes of an item is solved, and the time left.
 fn show(bar: &ProgressBar, event: Event<'_>) {
     match event {
         Event::Begin { item, nodes } => {

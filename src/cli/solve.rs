@@ -51,13 +51,12 @@ struct Output {
 
 impl Output {
     /// The recording.
-    #[cfg(feature = "record")]
     fn recording(&self) -> Option<&PathBuf> {
-        self.record.as_ref()
-    }
-
-    #[cfg(not(feature = "record"))]
-    fn recording(&self) -> Option<&PathBuf> {
+        #[cfg(feature = "record")]
+        {
+            self.record.as_ref()
+        }
+        #[cfg(not(feature = "record"))]
         None
     }
 
@@ -82,9 +81,7 @@ impl Solve {
         let cost = setup.cost(self.output.recording().is_some(), self.output.out.is_some())?;
         self.output.check()?;
         if self.dry_run {
-            let mut said = Vec::new();
-            plan::write(&setup, &cost, self.output.recording().is_some(), &mut said)?;
-            stdout().write_all(&said)?;
+            plan::write(&setup, &cost, self.output.recording().is_some(), &mut stdout())?;
             return Ok(Outcome::Done);
         }
         cost.check(setup.solver.name())?;

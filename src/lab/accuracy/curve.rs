@@ -32,7 +32,7 @@ impl Point {
 /// One solver on one grid: a point for each halving of the certificate.
 pub struct Curve {
     pub rival: Rival,
-    /// Points along y and x.
+    /// Points along y and x, the longer side.
     pub shape: [usize; 2],
     /// Certificate of the solution that errors are held against.
     pub reference_eta: f64,
@@ -57,11 +57,6 @@ impl Curve {
         points.iter_mut().for_each(|point| point.seconds.sort_by(f64::total_cmp));
         let shape = reference.problem.surface().grid().shape();
         Ok(Self { rival, shape, reference_eta: reference.certificate.eta, points })
-    }
-
-    /// Points along the longer side.
-    pub fn side(&self) -> usize {
-        self.shape[1]
     }
 
     /// The largest error of `quantity` at a point or after it.

@@ -63,7 +63,7 @@ impl Ladder {
     /// The largest error of `quantity` on the grid of this many points along a side and on all finer ones: a coarse grid may
     /// be right by chance.
     pub fn error_from(&self, side: usize, quantity: usize) -> Option<f64> {
-        let finer = self.rungs.iter().filter(|rung| rung.side() >= side);
+        let finer = self.rungs.iter().filter(|rung| rung.shape[1] >= side);
         finer.map(|rung| rung.errors[quantity]).try_fold(0.0, |worst: f64, error| Some(worst.max(error?)))
     }
 
@@ -72,15 +72,8 @@ impl Ladder {
         let (Some(first), Some(last)) = (self.rungs.first(), self.rungs.last()) else {
             return [None; QUANTITIES.len()];
         };
-        let octaves = (last.side() as f64 / first.side() as f64).log2();
+        let octaves = (last.shape[1] as f64 / first.shape[1] as f64).log2();
         std::array::from_fn(|i| Some((first.errors[i]? / last.errors[i]?).log2() / octaves).filter(|o| o.is_finite()))
-    }
-}
-
-impl Rung {
-    /// Points along the longer side.
-    pub fn side(&self) -> usize {
-        self.shape[1]
     }
 }
 

@@ -3,7 +3,7 @@
 use super::curve::{Curve, Point};
 use super::experiment::Findings;
 use super::ladder::{LOADS, Ladder};
-use super::quantity::{QUANTITIES, Values};
+use super::quantity::QUANTITIES;
 use crate::lab::table::{or_dash, points};
 use std::fmt::{self, Formatter};
 
@@ -26,28 +26,29 @@ impl fmt::Display for Findings {
 
 fn write_ladder(ladder: &Ladder, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  discretisation: errors against {}, rms over {LOADS} loads", ladder.against)?;
-    write_head("points", f)?;
-    for rung in &ladder.rungs {
-        write_values(&points(rung.shape), &rung.errors, percent, f)?;
-    }
-    write_values("order", &ladder.orders(), |order| format!("{order:.1}"), f)
+    write_row("points", 13, QUANTITIES, f)?;
+    let entry = |error| or_dash(error, percent);
+    ladder.rungs.iter().try_for_each(|rung| write_row(&points(rung.shape), 13, rung.errors.map(entry), f))?;
+    write_row("order", 13, ladder.orders().map(|order| or_dash(order, |order| format!("{order:.1}"))), f)
 }
 
 fn write_models(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  model: predictions over the truth, less one")?;
-    write_head("theory", f)?;
-    let mut models = findings.models.iter();
-    models.try_for_each(|model| write_values(model.theory, &model.errors, |e| format!("{:+.2} %", 100.0 * e), f))
+    write_row("theory", 13, QUANTITIES, f)?;
+    let entry = |error| or_dash(error, |error| format!("{:+.2} %", 100.0 * error));
+    findings.models.iter().try_for_each(|model| write_row(model.theory, 13, model.errors.map(entry), f))
 }
 
-fn write_head(first: &str, f: &mut Formatter<'_>) -> fmt::Result {
-    let [a, b, c, d] = QUANTITIES;
-    writeln!(f, "{INDENT}{first:<28} {a:>13} {b:>13} {c:>13} {d:>13}")
-}
-
-fn write_values(name: &str, values: &Values, format: impl Fn(f64) -> String, f: &mut Formatter<'_>) -> fmt::Result {
-    let [a, b, c, d] = values.map(|value| or_dash(value, &format));
-    writeln!(f, "{INDENT}{name:<28} {a:>13} {b:>13} {c:>13} {d:>13}")
+/// Writes a line of a table: a name, and entries that fill so many columns each.
+fn write_row(
+    name: &str,
+    width: usize,
+    entries: impl IntoIterator<Item = impl fmt::Display>,
+    f: &mut Formatter<'_>,
+) -> fmt::Result {
+    write!(f, "{INDENT}{name:<28}")?;
+    entries.into_iter().try_for_each(|entry| write!(f, " {entry:>width$}"))?;
+    writeln!(f)
 }
 
 /// Seconds with their spread and transforms to reach the milestones on the finest grid.
@@ -92,15 +93,12 @@ fn write_settled(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
         f,
         "  when may I stop: the largest eta seen from which on a quantity stays within 1 % / 0.1 % of its final value"
     )?;
-    let [a, b, c, d] = QUANTITIES;
-    writeln!(f, "{INDENT}{:<28} {a:>19} {b:>19} {c:>19} {d:>19}", "solver")?;
-    for curve in findings.finest() {
-        let [a, b, c, d] = std::array::from_fn(|quantity| {
-            ACCURACIES.map(|accuracy| or_dash(settled(curve, quantity, accuracy), certificate)).join(" / ")
-        });
-        writeln!(f, "{INDENT}{:<28} {a:>19} {b:>19} {c:>19} {d:>19}", curve.rival.title)?;
-    }
-    Ok(())
+    write_row("solver", 19, QUANTITIES, f)?;
+    findings.finest().try_for_each(|curve| {
+        let settled = |quantity, accuracy| or_dash(settled(curve, quantity, accuracy), certificate);
+        let entry = |quantity| ACCURACIES.map(|accuracy| settled(quantity, accuracy)).join(" / ");
+        write_row(curve.rival.title, 19, (0..QUANTITIES.len()).map(entry), f)
+    })
 }
 
 /// The largest certificate from which on `quantity` stays within `accuracy` of its final value.
@@ -139,7 +137,7 @@ struct Choice<'a> {
 /// All points that were measured.
 fn choices(findings: &Findings, quantity: usize) -> impl Iterator<Item = Choice<'_>> {
     findings.curves.iter().flat_map(move |curve| {
-        let discretisation = findings.ladder.error_from(curve.side(), quantity);
+        let discretisation = findings.ladder.error_from(curve.shape[1], quantity);
         let choice = move |(i, point)| {
             let algebraic = curve.error_from(i, quantity)?;
             Some(Choice { curve, point, discretisation: discretisation?, algebraic })
