@@ -30,7 +30,7 @@ use std::f64::consts::{E, PI, TAU};
 /// assert!((exact.pressure.mean().unwrap() / 0.001 - 1.0).abs() < 1e-3);
 /// # Ok::<(), asperity::error::GridError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Exact {
     /// Name of the theory, with the word periodic or isolated.
     pub name: &'static str,
@@ -38,11 +38,12 @@ pub struct Exact {
     pub relative_area: f64,
     /// `kappa_r = a_rel gbar_r E* / p_mean` (Eq. 3); none for punches, which are flat in contact.
     pub kappa_r: Option<f64>,
-    /// Largest pressure; none where it is infinite.
-    pub max_pressure: Option<f64>,
     /// Gap averaged over the cell, a length; none for isolated solutions.
     pub mean_gap: Option<f64>,
+    /// Largest pressure; none where it is infinite.
+    pub max_pressure: Option<f64>,
     /// Pressure at the nodes, shape `(ny, nx)`.
+    #[serde(skip)]
     pub pressure: Field,
 }
 

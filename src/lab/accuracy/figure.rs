@@ -1,7 +1,7 @@
 //! The figure of a scene: error against seconds and against transforms, side by side.
 
 use super::curve::{Curve, Point};
-use super::findings::Findings;
+use super::experiment::Findings;
 use super::quantity::KAPPA_R;
 use crate::lab::Rival;
 use crate::plot::{self, Axis, Colour, Corner, Figure, Mark, Panel, Series, Symbol};
@@ -11,7 +11,7 @@ const TOP: f64 = 10.0;
 
 /// The figure of the findings on a scene.
 pub fn figure(findings: &Findings) -> Figure {
-    let points = findings.finest().next().map_or(0, Curve::side);
+    let points = findings.finest().next().map_or(0, |curve| curve.shape[1]);
     let kind = if findings.scene.is_line() { "points" } else { "points a side" };
     let title = format!("{}, {points} {kind}: error against work", findings.scene.name());
     Figure { title, panels: vec![against_seconds(findings), against_transforms(findings)] }
@@ -51,7 +51,7 @@ fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64) -> Panel {
 /// Points along a side and error of each grid that has one, the largest error first.
 fn grids(findings: &Findings) -> Vec<(usize, f64)> {
     let rungs = findings.ladder.rungs.iter();
-    let mut grids: Vec<_> = rungs.filter_map(|rung| Some((rung.side(), rung.errors[KAPPA_R]?))).collect();
+    let mut grids: Vec<_> = rungs.filter_map(|rung| Some((rung.shape[1], rung.errors[KAPPA_R]?))).collect();
     grids.sort_by(|(_, a), (_, b)| b.total_cmp(a));
     grids
 }
