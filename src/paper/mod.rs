@@ -35,14 +35,12 @@ mod rough;
 mod run;
 mod smooth;
 mod table1;
-mod theory_lines;
 mod verdict;
 
 pub use comparison::Comparison;
 pub use fit::Fit;
 pub use item::Item;
 pub use plan::{Effort, Paper};
-pub use reproduction::{Ramp, RampCurve, Reproduction};
 pub use rough::Rough;
 pub use run::{Event, Watch};
 pub use verdict::Verdict;

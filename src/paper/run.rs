@@ -66,7 +66,7 @@ impl Paper {
     ///
     /// # Errors
     /// The errors of [`Paper::run`].
-    pub fn reproduce(&self, item: Item, watch: Watch<'_>) -> Result<Reproduction, StudyError> {
+    fn reproduce(&self, item: Item, watch: Watch<'_>) -> Result<Reproduction, StudyError> {
         let points = |source| self.points(source, watch);
         let file = |name: &str| self.file(&format!("{name}.csv"));
         let Self { lines, surfaces, .. } = self;
@@ -98,7 +98,7 @@ impl Paper {
             Item::Gw => {
                 let separations = gw::separations();
                 write_csv(&file("gw"), &separations)?;
-                gw::reproduce(&separations)
+                gw::reproduce()
             }
             Item::Beyond => beyond::reproduce(&points(item)?),
         })
@@ -127,14 +127,14 @@ impl Paper {
 
     /// Writes the figure of an item, if it is one, and its recording.
     fn draw(&self, item: Item, reproduction: &Reproduction) -> Result<(), StudyError> {
-        let Some(figure) = &reproduction.figure else { return Ok(()) };
+        let Some((figure, _ramp)) = &reproduction.figure else { return Ok(()) };
         let path = |ending: &str| self.file(&format!("{}.{ending}", item.name()));
         write_svg(&path("svg"), figure)?;
         write_png(&path("png"), figure)?;
         #[cfg(feature = "record")]
-        if let Some(ramp) = reproduction.ramp.as_ref().filter(|_| self.is_recorded) {
-            let contacts = self.stopping(item, ramp.contacts.clone())?;
-            recording::record(&path("rrd"), figure, ramp, &contacts)?;
+        if self.is_recorded {
+            let contacts = self.stopping(item, _ramp.contacts.clone())?;
+            recording::record(&path("rrd"), figure, _ramp, &contacts)?;
         }
         Ok(())
     }
