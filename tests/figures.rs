@@ -74,6 +74,22 @@ fn a_png_has_two_pixels_per_unit_and_the_colours() {
 }
 
 #[test]
+fn words_stand_where_they_should() {
+    let panel = Panel::new("", Axis::linear("", [0.0, 1.0]), Axis::linear("H", [0.0, 1.0]));
+    let figure = Figure { title: "H".into(), panels: vec![panel] };
+    let pixels = Pixmap::decode_png(&written("figure.png", &figure, write_png)).unwrap();
+    let is_dark = |[x, y]: [u32; 2]| pixels.pixel(x, y).is_some_and(|pixel| pixel.red() < 128);
+    // the title, and the name of the y axis, which runs upwards
+    for (width, height, at) in [(1200, 80, [300.0, 24.0]), (60, 1040, [16.0, 257.5])] {
+        let all = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+        let dark: Vec<[u32; 2]> = all.filter(|place| is_dark(*place)).collect();
+        assert!(!dark.is_empty());
+        let mean = |axis: usize| dark.iter().map(|place| f64::from(place[axis])).sum::<f64>() / dark.len() as f64;
+        assert!((0..2).all(|axis| (mean(axis) / 2.0 - at[axis]).abs() < 0.8), "{} {}", mean(0), mean(1));
+    }
+}
+
+#[test]
 fn a_figure_is_the_same_bytes_every_time() {
     for (name, write) in [("figure.svg", write_svg as fn(&Path, &Figure) -> _), ("figure.png", write_png)] {
         assert_eq!(written(name, &figure(), write), written(name, &figure(), write), "{name}");
@@ -102,6 +118,36 @@ fn lines_are_cut_at_the_frame() {
     }
     assert!(drawn(Mark::Dashed, &[[0.0, 2.0, 0.0], [1.0, 3.0, 0.0]]).is_empty());
     assert!(drawn(Mark::Dotted, &[[0.0, 0.1, 0.0], [1.0, 0.1, 0.0]]).len() > 50);
+}
+
+#[test]
+fn lines_are_broken_by_dots_that_are_not_finite_and_cut_at_corners() {
+    let [left, right, top, bottom] = edges();
+    let [y, nan] = [0.1, f64::NAN];
+    let dots = [[0.1, y, 0.0], [0.2, y, 0.0], [nan, y, 0.0], [0.3, y, 0.0], [0.4, y, 0.0], [0.5, 0.0, 0.0]];
+    assert_eq!(drawn(Mark::Line, &dots).iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
+    let turns = drawn(Mark::Line, &[[-1.0, y, 0.0], [0.5, y, 0.0], [0.5, 1e2, 0.0], [2.0, 1e2, 0.0], [0.5, 1e-1, 0.0]]);
+    let [x, middle] = [0.5 * (left + right), 0.5 * (top + bottom)];
+    let near = |a: &[[f64; 2]], b: &[[f64; 2]]| {
+        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (0..2).all(|i| (a[i] - b[i]).abs() < 0.011))
+    };
+    assert!(near(&turns[0], &[[left, middle], [x, middle], [x, top]]), "{turns:?}");
+    assert!(near(&turns[1], &[[right, top], [x, middle]]) && turns.len() == 2, "{turns:?}");
+}
+
+#[test]
+fn dashes_go_around_corners() {
+    let [left, right, _, bottom] = edges();
+    let dashes = drawn(Mark::Dashed, &[[0.5, 1e-2, 0.0], [1.0, 1e-2, 0.0], [1.0, 1.0, 0.0]]);
+    let long = |dash: &Vec<[f64; 2]>| {
+        dash.windows(2).map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1])).sum::<f64>()
+    };
+    let (last, whole) = dashes.split_last().unwrap();
+    assert!(whole.iter().all(|dash| (long(dash) - 7.0).abs() < 0.05) && long(last) < 7.05);
+    let x = 0.5 * (left + right);
+    assert_eq!((dashes[0][0], dashes[1][0][0]), ([x, bottom], x + 11.5));
+    let around: Vec<_> = dashes.iter().filter(|dash| dash.len() == 3).collect();
+    assert!(around.iter().all(|dash| dash[1] == [right, bottom]) && around.len() == 1, "{around:?}");
 }
 
 #[test]

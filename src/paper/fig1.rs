@@ -16,6 +16,7 @@ const SPHERES: i32 = 5;
 /// Points of the cylinder, and along a side of the sphere, that are shown in a recording.
 const SHOWN_LINE: usize = 1 << 12;
 const SHOWN_SIDE: usize = 1 << 9;
+
 /// Cylinder and sphere from narrow to wider contacts, the sphere on a grid of `side` points a side.
 pub fn realisations(side: usize) -> Vec<Realisation> {
     vec![cylinder(LINE, &widths(WIDTHS, CYLINDERS)), sphere(side, &widths(WIDTHS, SPHERES))]

@@ -30,6 +30,7 @@ mod means;
 mod plan;
 #[cfg(feature = "record")]
 mod recording;
+#[cfg_attr(not(feature = "record"), expect(dead_code, reason = "only recordings show curves over loads"))]
 mod reproduction;
 mod rough;
 mod run;

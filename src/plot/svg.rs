@@ -86,24 +86,3 @@ fn pixels(sheet: &Sheet) -> io::Result<Pixmap> {
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
     Ok(pixels)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn words_stand_where_they_should() {
-        let at = [[20.0, 10.0], [60.0, 30.0]];
-        let words = |at, upwards| Element::Words { words: "H".into(), at, size: 10.0, align: Align::Middle, upwards };
-        let elements = vec![words(at[0], false), words(at[1], true)];
-        let pixels = pixels(&Sheet { size: [80, 40], elements }).unwrap();
-        let dark = |[x, y]: [u32; 2]| pixels.pixel(x, y).is_some_and(|pixel| pixel.red() < 128);
-        for (half, at) in [[0, 40], [40, 40]].into_iter().zip(at) {
-            let all = (0..80).flat_map(|y| (half[0] * 2..(half[0] + half[1]) * 2).map(move |x| [x, y]));
-            let dark: Vec<[u32; 2]> = all.filter(|place| dark(*place)).collect();
-            assert!(!dark.is_empty());
-            let mean = |axis: usize| dark.iter().map(|place| f64::from(place[axis])).sum::<f64>() / dark.len() as f64;
-            assert!((0..2).all(|axis| (mean(axis) / 2.0 - at[axis]).abs() < 0.8), "{} {}", mean(0), mean(1));
-        }
-    }
-}
