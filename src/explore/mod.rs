@@ -1,7 +1,7 @@
 //! The explorer: a page on this machine with controls on the left and the viewer on the right.
 //!
 //! ```text
-//! page --(Knobs)--> Session: orders --> worker: solve, sweep --(record::Live)--> GET /run/ID.rrd --> viewer in the page
+//! page --(Knobs)--> Session: orders --> worker: solve, sweep --(record::Output)--> GET /run/ID.rrd --> viewer in the page
 //!   ^                 |                      |
 //!   +----(Report)-----+<---(Turn)------------+
 //! ```

@@ -3,7 +3,7 @@
 use super::knobs::{Knobs, Refusal};
 use super::report::{Numbers, Report};
 use crate::contact::{Contact, archive};
-use crate::record::{Ghost, Live};
+use crate::record::{Ghost, Output};
 use crate::setup::Setup;
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -35,14 +35,14 @@ struct State {
 /// A recording that can still be read.
 struct Reel {
     id: String,
-    live: Live,
+    live: Output,
     /// Curves of the recording, once it is complete.
     curves: Option<Arc<Ghost>>,
 }
 
 impl State {
     /// Keeps a recording, and drops the oldest one that is not pinned.
-    fn keep(&mut self, id: String, live: Live) {
+    fn keep(&mut self, id: String, live: Output) {
         self.recordings.push_back(Reel { id, live, curves: None });
         if self.recordings.len() > RECORDINGS {
             let is_free = |reel: &Reel| Some(&reel.id) != self.report.pinned.as_ref();
@@ -141,12 +141,12 @@ impl Session {
     }
 
     /// The latest recording and its name.
-    pub fn latest(&self) -> Option<(String, Live)> {
+    pub fn latest(&self) -> Option<(String, Output)> {
         self.lock().recordings.back().map(|reel| (reel.id.clone(), reel.live.clone()))
     }
 
     /// The recording of that name, if it is one of the latest.
-    pub fn recording(&self, name: &str) -> Option<Live> {
+    pub fn recording(&self, name: &str) -> Option<Output> {
         self.lock().reel(name).map(|reel| reel.live.clone())
     }
 
@@ -198,7 +198,7 @@ impl Turn<'_> {
     }
 
     /// Keeps a recording.
-    pub fn keep(self, id: &str, live: Live) {
+    pub fn keep(self, id: &str, live: Output) {
         self.session.change(|state| state.keep(id.into(), live));
     }
 

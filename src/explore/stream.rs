@@ -1,6 +1,6 @@
 //! A recording on its way to the browser, while it is still written.
 
-use crate::record::Live;
+use crate::record::Output;
 use axum::body::{Body, Bytes};
 use futures_util::stream;
 use std::fs::File;
@@ -15,7 +15,7 @@ const PAUSE: Duration = Duration::from_millis(10);
 /// The bytes of a recording.
 pub enum RecordingBytes {
     /// Being written, or written, by this process.
-    Live(Live),
+    Live(Output),
     /// A file that a person named.
     File(File),
 }

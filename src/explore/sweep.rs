@@ -5,7 +5,7 @@ use super::report::{ExactNumbers, SweepPoint, SweepReport};
 use super::session::Turn;
 use crate::contact::{Contact, Each, Failure, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
-use crate::record::{Curve, Live, LoadRecording, Loads, Options, Scene};
+use crate::record::{Curve, LoadRecording, Loads, Options, Output, Scene};
 use crate::setup::{Part, Setup};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
@@ -97,7 +97,7 @@ fn record(
     problem: &Problem,
     loads: &[f64],
     curves: &[PointCurve],
-) -> Result<(LoadRecording, Live), Failure> {
+) -> Result<(LoadRecording, Output), Failure> {
     let (title, description) = (report.title.clone(), setup.surface.description());
     let loads = Loads {
         title: title.clone(),

@@ -18,7 +18,8 @@ const FEWEST: usize = 4;
 /// A map of the contact, the position to the right and the load upwards. It grows with the load.
 pub struct PatchMap {
     frame: Frame,
-    root: String,
+    /// Root of the map's entities.
+    pub root: String,
 }
 
 impl PatchMap {
@@ -27,11 +28,6 @@ impl PatchMap {
         let y = Axis::linear("load", [0.5, loads.max(FEWEST) as f64 + 0.5]);
         let map = Self { frame: Frame { y, ..stage.picture.frame() }, root: format!("{}/patches", stage.root) };
         (stage.is_line() && stage.what.has(Part::Mask)).then_some(map)
-    }
-
-    /// Root of the map's entities.
-    pub fn root(&self) -> &str {
-        &self.root
     }
 
     /// The part of the canvas that the map takes.

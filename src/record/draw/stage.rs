@@ -5,6 +5,7 @@ use super::fields::Fields;
 use super::ghost::Ghost;
 use super::line::LinePicture;
 use super::palette;
+use super::patches::PatchMap;
 use super::picture::Picture;
 use super::spectrum::SpectrumPicture;
 use super::surface::SurfacePicture;
@@ -40,6 +41,8 @@ pub struct Stage {
     pub picture: Box<dyn Picture>,
     /// The power spectra, if they are asked for.
     pub spectrum: Option<SpectrumPicture>,
+    /// The map of contact patches over loads, once there are loads.
+    pub patches: Option<PatchMap>,
 }
 
 /// Upper ends of the axes of curves, known before solving so that the first steps do not dwarf the last.
@@ -77,6 +80,7 @@ impl Stage {
                 Box::new(SurfacePicture::new(scene, forecast, &root, &options))
             },
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, &root)),
+            patches: None,
             root,
         }
     }
@@ -118,6 +122,9 @@ impl Stage {
         }
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_static(to)?;
+        }
+        if let Some(patches) = &self.patches {
+            patches.log_static(to)?;
         }
         self.picture.log_static(to, scene)
     }

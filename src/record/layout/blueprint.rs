@@ -8,14 +8,6 @@ use rerun::{AsComponents, RecordingStream, RecordingStreamBuilder, RecordingStre
 
 pub use components::ContainerKind as Kind;
 
-/// The time that the viewer shows, and how it passes.
-pub struct Clock {
-    /// Timeline that is active at first.
-    pub timeline: &'static str,
-    /// Frames per second when the recording is played.
-    pub frames_per_sec: f64,
-}
-
 /// A part of the window: a view, or panes side by side with their shares of the room.
 pub enum Pane {
     /// A view.
@@ -103,11 +95,12 @@ fn ground() -> panes::Background {
     panes::Background::new(components::BackgroundKind::SolidColor).with_color(colour(GROUND))
 }
 
-/// Writes the blueprint of the viewer of `application` with `panes`, as tabs if there are several, into `recording`.
+/// Writes the blueprint of the viewer of `application` into `recording`: `panes`, as tabs if there are several, and the
+/// timeline that is active at first with its frames per second.
 pub fn send(
     application: ApplicationId,
     panes: Vec<Pane>,
-    clock: Clock,
+    clock: (&'static str, f64),
     recording: &RecordingStream,
 ) -> RecordingStreamResult<()> {
     let builder = RecordingStreamBuilder::new(application).recording_id("default_blueprint").blueprint();
@@ -128,7 +121,7 @@ struct Blueprint {
 }
 
 impl Blueprint {
-    fn log(&mut self, panes: Vec<Pane>, clock: Clock) -> RecordingStreamResult<()> {
+    fn log(&mut self, panes: Vec<Pane>, clock: (&'static str, f64)) -> RecordingStreamResult<()> {
         let kind = if panes.len() > 1 { Kind::Tabs } else { Kind::Horizontal };
         let root = self.container(kind, "asperity".into(), panes.into_iter().map(|pane| (pane, 1.0)).collect())?;
         let viewport = panes::ViewportBlueprint::new().with_root_container(root);
@@ -173,14 +166,14 @@ impl Blueprint {
     }
 
     /// Side panels folded, time at the last frame.
-    fn log_panels(&self, clock: Clock) -> RecordingStreamResult<()> {
+    fn log_panels(&self, (timeline, frames_per_sec): (&'static str, f64)) -> RecordingStreamResult<()> {
         let folded = panes::PanelBlueprint::new().with_state(components::PanelState::Collapsed);
         self.store.log("blueprint_panel", &folded)?;
         self.store.log("selection_panel", &folded)?;
         let time = panes::TimePanelBlueprint::new()
             .with_state(components::PanelState::Collapsed)
-            .with_timeline(clock.timeline)
-            .with_fps(clock.frames_per_sec)
+            .with_timeline(timeline)
+            .with_fps(frames_per_sec)
             .with_play_state(components::PlayState::Following);
         self.store.log("time_panel", &time)
     }
@@ -211,7 +204,7 @@ mod tests {
     fn a_blueprint_arrives_and_its_store_ends_with_it() {
         let (recording, storage) = RecordingStreamBuilder::new("test").enabled(true).memory().unwrap();
         let text = View::text("text", "/text".into());
-        send("test".into(), vec![text], Clock { timeline: "step", frames_per_sec: 1.0 }, &recording).unwrap();
+        send("test".into(), vec![text], ("step", 1.0), &recording).unwrap();
         assert!(!storage.take().is_empty());
         recording.disconnect();
         let (store, storage) = RecordingStreamBuilder::new("test").blueprint().enabled(true).memory().unwrap();

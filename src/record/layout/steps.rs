@@ -1,6 +1,6 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
-use super::blueprint::{Clock, Kind, Pane, View, send};
+use super::blueprint::{Kind, Pane, View, send};
 use crate::record::draw::{STEP, Stage, entity_under, title, traced};
 use crate::setup::Part;
 use rerun::external::re_log_types::ApplicationId;
@@ -17,7 +17,7 @@ pub fn send_steps(
 ) -> RecordingStreamResult<()> {
     let overview = (stages.len() > 1).then(|| overview(stages));
     let tabs = overview.into_iter().chain(stages.iter().map(scene)).collect();
-    send(application, tabs, Clock { timeline: STEP, frames_per_sec: FRAMES_PER_SEC }, recording)
+    send(application, tabs, (STEP, FRAMES_PER_SEC), recording)
 }
 
 /// A picture of each scene, and their proportionality and convergence side by side.
@@ -39,17 +39,18 @@ fn overview(stages: &[Stage]) -> Pane {
 
 /// Pictures on the left, curves and text on the right.
 fn scene(stage: &Stage) -> Pane {
-    let pictures = stage.what.has_pictures().then(|| (pictures(stage, None), 1.9));
+    let pictures = stage.what.has_pictures().then(|| (pictures(stage), 1.9));
     Pane::container(Kind::Horizontal, &stage.title, pictures.into_iter().chain([(curves(stage), 1.0)]).collect())
 }
 
-/// The views of the pictures, one row below the other, `more` in front of the second row.
-pub fn pictures(stage: &Stage, more: Option<Pane>) -> Pane {
+/// The views of the pictures, one row below the other, the map of patches in front of the second row.
+pub fn pictures(stage: &Stage) -> Pane {
     let beside = if stage.is_line() { Kind::Tabs } else { Kind::Horizontal };
     let mut rows = views(stage);
-    if let Some(more) = more {
+    if let Some(map) = &stage.patches {
         rows.resize_with(rows.len().max(2), Vec::new);
-        rows[1].insert(0, more);
+        let contents = vec![format!("{}/**", map.root), stage.caption_entity()];
+        rows[1].insert(0, View::plane("Contact patches, load upwards", &stage.root, contents, map.bounds()));
     }
     let rows = rows.into_iter().filter(|row| !row.is_empty());
     let rows = rows.map(|row| (Pane::even(beside, "pictures", row), 1.0)).collect();
