@@ -9,8 +9,8 @@ use super::patches::PatchMap;
 use super::picture::Picture;
 use super::spectrum::SpectrumPicture;
 use super::surface::SurfacePicture;
-use super::traces::{self, Reference};
-use crate::contact::{Contact, Forecast, Phase};
+use super::traces::{self, ExactValues};
+use crate::contact::{Contact, Phase};
 use crate::grid::Grid;
 use crate::record::description;
 use crate::record::options::Options;
@@ -32,11 +32,13 @@ pub struct Stage {
     /// Parts that are recorded.
     pub what: Parts,
     /// Exact values of the curves.
-    pub reference: Reference,
+    pub exact: ExactValues,
     /// Whether an earlier solve stands beside it.
     pub has_ghost: bool,
-    /// Upper ends of the axes of curves.
-    pub ranges: Ranges,
+    /// Upper end of the axis of `kappa` and `kappa_r`, known before solving so that the first steps do not dwarf the last.
+    pub most_kappa: f64,
+    /// Upper end of the axis of the relative area.
+    pub most_area: f64,
     /// Pictures of the fields.
     pub picture: Box<dyn Picture>,
     /// The power spectra, if they are asked for.
@@ -45,35 +47,23 @@ pub struct Stage {
     pub patches: Option<PatchMap>,
 }
 
-/// Upper ends of the axes of curves, known before solving so that the first steps do not dwarf the last.
-pub struct Ranges {
-    /// End of the axis of `kappa` and `kappa_r`.
-    pub kappa: f64,
-    /// End of the axis of the relative area.
-    pub area: f64,
-}
-
-impl Ranges {
-    fn of(scene: &Scene<'_>, forecast: Forecast) -> Self {
-        let exact = scene.exact.as_ref().and_then(|exact| exact.kappa_r);
-        Self { kappa: exact.map_or(4.0, |kappa_r| 1.8 * kappa_r), area: (2.5 * forecast.relative_area).min(1.05) }
-    }
-}
-
 impl Stage {
     /// The stage of `scene` under `root`.
     pub fn new(scene: &Scene<'_>, root: String, options: &Options) -> Self {
         let grid = *scene.problem.surface().grid();
         let options = Options { what: options.what.and(Parts::on(&grid)), ..options.clone() };
         let forecast = scene.forecast();
+        let exact = scene.exact.as_ref();
+        let kappa_r = exact.and_then(|exact| exact.kappa_r);
         Self {
             title: scene.title.clone(),
             description: description::of_scene(scene, &options.length_unit),
             what: options.what,
             grid,
-            reference: Reference::of(scene.exact.as_ref()),
+            exact: [kappa_r, exact.map(|exact| exact.relative_area)],
             has_ghost: options.ghost.is_some(),
-            ranges: Ranges::of(scene, forecast),
+            most_kappa: kappa_r.map_or(4.0, |kappa_r| 1.8 * kappa_r),
+            most_area: (2.5 * forecast.relative_area).min(1.05),
             picture: if grid.is_line() {
                 Box::new(LinePicture::new(scene, forecast, &root, &options))
             } else {
@@ -118,7 +108,7 @@ impl Stage {
             to.log_static(root.as_str(), &palette::classes())?;
         }
         if self.what.has(Part::Traces) {
-            traces::log_styles(to, root, self.reference, place.map(|place| (place, title.as_str())))?;
+            traces::log_styles(to, root, self.exact, place.map(|place| (place, title.as_str())))?;
         }
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_static(to)?;

@@ -41,7 +41,7 @@ impl Recording {
             recording: self,
             stage,
             thinning: Thinning::new(schedule),
-            traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.reference)),
+            traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.exact)),
             phase: Phase { level: 0, outer: 0, inner: 0 },
             has_phases: false,
             undrawn: None,
@@ -55,7 +55,7 @@ impl Recorder<'_> {
     fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
         let fields = &Fields::of_contact(contact);
         if let Some(traces) = &mut self.traces {
-            traces.add_certificate(contact.work, contact.certificate.eta);
+            traces.add_certificate(contact);
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
         self.stage.picture.settle(&self.recording.stream, self.stage.picture.extent(fields))?;

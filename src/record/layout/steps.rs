@@ -29,7 +29,7 @@ fn overview(stages: &[Stage]) -> Pane {
     }
     if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
         let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
-        let most = stages.iter().map(|stage| stage.ranges.kappa).fold(0.0, f64::max);
+        let most = stages.iter().map(|stage| stage.most_kappa).fold(0.0, f64::max);
         let kappa_r = View::curves("kappa_r of all scenes", all("kappa_r"), Some([0.0, most]));
         let certificate = View::curves("log10 certificate of all scenes", all("certificate"), None);
         panes.push((Pane::even(Kind::Vertical, "curves", vec![kappa_r, certificate]), 1.0));
@@ -68,7 +68,7 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
         rows.push(vec![relief(stage)]);
     }
     if what.has(Part::Fields) {
-        let is_exact = stage.is_line() && stage.reference.relative_area.is_some();
+        let is_exact = stage.is_line() && stage.exact[1].is_some();
         let pressure = if is_exact { "Pressure (white: exact)" } else { "Pressure" };
         let gap = if !stage.is_line() && what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
         rows.push(vec![plane(stage, "pressure", pressure, stage.is_line()), plane(stage, "gap", gap, true)]);
@@ -118,8 +118,8 @@ fn curves(stage: &Stage) -> Pane {
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(Pane::even(Kind::Vertical, "Levels", levels));
     let rows = vec![
-        (View::curves("Proportionality kappa_r, kappa", kappa, Some([0.0, stage.ranges.kappa])), 1.3),
-        (View::curves("Relative contact area", area, Some([0.0, stage.ranges.area])), 0.9),
+        (View::curves("Proportionality kappa_r, kappa", kappa, Some([0.0, stage.most_kappa])), 1.3),
+        (View::curves("Relative contact area", area, Some([0.0, stage.most_area])), 0.9),
         (View::curves("Certificate: log10 of the error bound eta", beside(&["certificate"]), None), 1.2),
         (Pane::even(Kind::Tabs, "more", more), 1.2),
     ];
