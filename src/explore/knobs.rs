@@ -25,48 +25,39 @@ const REDUCED_PRESSURES: RangeInclusive<f64> = 1e-5..=1e3;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Knobs {
-    /// Line or surface.
-    pub domain: Domain,
-    /// The body that carries the roughness.
-    pub body: Body,
+    domain: Domain,
+    body: Body,
     /// Exponent of the power law.
-    pub exponent: f64,
+    exponent: f64,
     /// Rms gradient of the roughness; 0 for none.
-    pub roughness: f64,
-    /// Hurst exponent.
-    pub hurst: f64,
+    roughness: f64,
+    hurst: f64,
     /// Waves per cell at the roll-off.
-    pub rolloff: f64,
+    rolloff: f64,
     /// Waves per cell at the short cut-off.
-    pub cutoff: f64,
-    /// Seed of the roughness.
-    pub seed: u32,
+    cutoff: f64,
+    seed: u32,
     /// Points of the line, or along each side of the surface.
-    pub points: usize,
+    points: usize,
     /// Reduced pressure `p* = <p> / (gbar E*)`.
-    pub load: f64,
-    /// The solver with its settings.
-    pub solver: Method,
-    /// When the solver stops.
-    pub stop: Stop,
+    pub(super) load: f64,
+    solver: Method,
+    stop: Stop,
     /// Parts of the recording; of profile and mesh the one that the domain has.
-    pub record: Vec<Part>,
+    record: Vec<Part>,
 }
 
-/// The domain of the heights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Domain {
-    /// A line.
+enum Domain {
     Line,
-    /// A surface.
     Surface,
 }
 
 /// The smooth body under the roughness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Body {
+enum Body {
     /// A cylinder on a line, a sphere on a surface.
     Round,
     /// A sine on a line, crossed sines on a surface.

@@ -20,14 +20,10 @@ mod site;
 mod solve;
 mod stream;
 mod sweep;
-mod viewing;
 mod worker;
 
-pub use knobs::{Body, Domain, Knobs, Refusal, Start};
-pub use report::{Numbers, Report};
+pub use knobs::{Knobs, Refusal, Start};
+pub use page::Viewing;
 pub use route::Explorer;
 pub use server::Server;
-pub use session::{Order, Session};
-pub use site::{Reply, Request, Site};
-pub use stream::RecordingBytes;
-pub use viewing::Viewing;
+pub use session::Session;

@@ -61,12 +61,9 @@ impl State {
     }
 }
 
-/// An order of the page.
-#[derive(Debug, Clone)]
+/// An order of the page: one solve, or solves from first touch to full contact.
 pub enum Order {
-    /// Solve and record.
     Solve(Knobs),
-    /// Solve from first touch to full contact.
     Sweep(Knobs),
 }
 
@@ -74,9 +71,7 @@ pub enum Order {
 pub struct Solution {
     /// Name of the recording.
     pub id: String,
-    /// The setup that was solved.
     pub setup: Setup,
-    /// The contact.
     pub contact: Contact,
 }
 
@@ -89,10 +84,8 @@ pub struct Turn<'a> {
 
 impl Session {
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
-    ///
-    /// # Errors
-    /// A sentence on knobs that stand for nothing; what runs then goes on.
-    pub fn order(&self, order: Order) -> Result<u64, Refusal> {
+    /// Knobs that stand for nothing are refused; what runs then goes on.
+    pub(super) fn order(&self, order: Order) -> Result<u64, Refusal> {
         let (Order::Solve(knobs) | Order::Sweep(knobs)) = &order;
         knobs.setup()?;
         Ok(self.change(|state| {
@@ -104,7 +97,7 @@ impl Session {
     }
 
     /// Ends what runs; its latest state stays.
-    pub fn cancel(&self) -> u64 {
+    pub(super) fn cancel(&self) -> u64 {
         self.change(|state| {
             state.generation += 1;
             state.order = None;
@@ -121,17 +114,14 @@ impl Session {
     }
 
     /// The report, as soon as it is newer than `revision`, or after `patience`.
-    pub fn report(&self, revision: u64, patience: Duration) -> Report {
+    pub(super) fn report(&self, revision: u64, patience: Duration) -> Report {
         let is_old = |state: &mut State| state.report.revision <= revision && !state.closed;
         let waited = self.changed.wait_timeout_while(self.lock(), patience, is_old);
         waited.unwrap_or_else(PoisonError::into_inner).0.report.clone()
     }
 
-    /// Has the curves of the recording of that name stand beside those of new ones, or of none.
-    ///
-    /// # Errors
-    /// If there is no such recording any more.
-    pub fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
+    /// Has the curves of the recording of that name, if it can still be read, stand beside those of new ones, or of none.
+    pub(super) fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
         if let Some(name) = name.as_ref().filter(|name| self.recording(name).is_none()) {
             return Err(Refusal(format!(
                 "there is no recording {name:?} to pin: choose one of the latest {RECORDINGS}"
@@ -141,17 +131,17 @@ impl Session {
     }
 
     /// The latest recording and its name.
-    pub fn latest(&self) -> Option<(String, Output)> {
+    pub(super) fn latest(&self) -> Option<(String, Output)> {
         self.lock().recordings.back().map(|reel| (reel.id.clone(), reel.live.clone()))
     }
 
     /// The recording of that name, if it is one of the latest.
-    pub fn recording(&self, name: &str) -> Option<Output> {
+    pub(super) fn recording(&self, name: &str) -> Option<Output> {
         self.lock().reel(name).map(|reel| reel.live.clone())
     }
 
     /// The arrays of the latest result as `.npz`, and its name; none before there is one.
-    pub fn archive(&self) -> Option<(String, Vec<u8>)> {
+    pub(super) fn archive(&self) -> Option<(String, Vec<u8>)> {
         let solution = self.lock().solution.clone()?;
         let (rank, setup) = (solution.setup.grid.points.len(), solution.setup.to_toml());
         Some((solution.id.clone(), archive(&solution.contact, rank, Some(&setup)).ok()?))
@@ -197,12 +187,10 @@ impl Turn<'_> {
         self.session.lock().ghost()
     }
 
-    /// Keeps a recording.
     pub fn keep(self, id: &str, live: Output) {
         self.session.change(|state| state.keep(id.into(), live));
     }
 
-    /// Changes the report.
     pub fn tell(self, news: impl FnOnce(&mut Report)) {
         self.session.change(|state| news(&mut state.report));
     }

@@ -160,18 +160,3 @@ fn roots(scenes: &[Scene<'_>]) -> Vec<String> {
     }
     roots
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::contact::{ContactModulus, Load, Problem};
-    use crate::{Grid, Indenter};
-
-    #[test]
-    fn roots_are_safe_and_differ() {
-        let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();
-        let problem = Problem::new(cylinder, ContactModulus(1.0), Load::MeanPressure(1e-2)).unwrap();
-        let scene = |name: &str| Scene::new(name, &problem);
-        assert_eq!(roots(&["a", "a", "b/c d", ""].map(scene)), ["/a", "/a_1", "/b_c_d", "/_3"]);
-    }
-}
