@@ -18,7 +18,6 @@ const RISE: f64 = 0.72;
 /// Distance of the lines that fill a shape.
 const PITCH: f32 = 1.0;
 
-/// A strip, its colour and its radius.
 type Strip = (Vec<[f32; 2]>, Color, Radius);
 
 /// The part of the canvas that box, ticks and words of a frame take: left, right, top, bottom.
@@ -60,7 +59,6 @@ pub fn log_sheet(to: &RecordingStream, entity: &str, sheet: &Sheet, head: f64) -
     to.log_static(format!("{entity}/words"), &labels(sheet.elements.iter().filter_map(|it| words(it, head)).collect()))
 }
 
-/// Strips in their colours and radii.
 pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
     let (mut points, mut colours, mut radii) = (Vec::new(), Vec::new(), Vec::new());
     for (strip, colour, radius) in strips {

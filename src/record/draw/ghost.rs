@@ -23,7 +23,6 @@ impl Ghost {
         Self { name: name.into(), traces: ObservableTraces::new(compared), pressure: None }
     }
 
-    /// The final pressure along a line.
     pub(super) fn pressure(&self) -> Option<&[f64]> {
         self.pressure.as_deref()
     }

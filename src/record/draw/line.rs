@@ -5,6 +5,7 @@ use super::fields::{Extent, Fields, range};
 use super::fill;
 use super::palette::{self, CONTACT_CLASS};
 use super::picture::Picture;
+use super::reduce::Columns;
 use super::ruler::Ruler;
 use super::window::{Samples, Window};
 use crate::contact::Forecast;
@@ -36,7 +37,6 @@ pub struct LinePicture {
 }
 
 impl LinePicture {
-    /// The pictures of `scene` under `root`.
     pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
         let problem = scene.problem;
         let window = Window::around(scene);
@@ -112,10 +112,6 @@ impl Picture for LinePicture {
         self.frame_with(&self.profile.axis)
     }
 
-    fn bounds(&self) -> [f64; 4] {
-        canvas::bounds(&self.frame())
-    }
-
     fn log_static(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()> {
         if self.what.has(Part::Profile) {
             self.log_profile(to)?;
@@ -154,7 +150,7 @@ impl Picture for LinePicture {
     }
 
     fn log_ghost(&self, to: &RecordingStream, pressure: &[f64]) -> RecordingStreamResult<()> {
-        let nodes = self.window.nodes();
+        let nodes = self.window.nodes;
         let pressure: Vec<f64> = (0..nodes).map(|i| pressure[i * pressure.len() / nodes]).collect();
         let curve = LineStrip2D::from_iter(rising(&self.window.every(1), &pressure, &self.pressure));
         let line = style(palette::GHOST, Radius::new_ui_points(0.7), 35.0);
@@ -177,7 +173,7 @@ impl Picture for LinePicture {
     /// Runs of nodes in contact; a node in contact is half a spacing long to either side.
     fn segments(&self, fields: &Fields<'_>) -> Vec<[f32; 2]> {
         let nodes = self.window.every(fields.stride[1]);
-        let runs = nodes.columns().runs(|i| fields.pressure[nodes.node(i)] > 0.0);
+        let runs = Columns::new(nodes.count()).runs(|i| fields.pressure[nodes.node(i)] > 0.0);
         let end = |i: usize| ((nodes.place(i) - 0.5 * nodes.spacing()) * WIDTH).clamp(0.0, WIDTH);
         runs.into_iter().map(|run| [end(run.start), end(run.end)]).collect()
     }
@@ -190,5 +186,5 @@ fn rising(nodes: &Samples, values: &[f64], ruler: &Ruler) -> Points {
 
 /// A curve with the height `y(i)` at sample `i`.
 fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Points {
-    nodes.columns().extremes(y).into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect()
+    Columns::new(nodes.count()).extremes(y).into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect()
 }

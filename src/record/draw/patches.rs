@@ -18,7 +18,6 @@ const FEWEST: usize = 4;
 /// A map of the contact, the position to the right and the load upwards. It grows with the load.
 pub struct PatchMap {
     frame: Frame,
-    /// Root of the map's entities.
     pub root: String,
 }
 
@@ -30,12 +29,10 @@ impl PatchMap {
         (stage.is_line() && stage.what.has(Part::Mask)).then_some(map)
     }
 
-    /// The part of the canvas that the map takes.
     pub fn bounds(&self) -> [f64; 4] {
         canvas::bounds(&self.frame)
     }
 
-    /// Records the axes.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)
     }

@@ -24,14 +24,12 @@ use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 pub struct Stage {
     /// Root of the entities, with a leading `/`.
     pub root: String,
-    /// Title.
     pub title: String,
     /// Rows of the table of parameters.
     description: String,
-    grid: Grid,
+    pub grid: Grid,
     /// Parts that are recorded.
     pub what: Parts,
-    /// Exact values of the curves.
     pub exact: ExactValues,
     /// Whether an earlier solve stands beside it.
     pub has_ghost: bool,
@@ -39,7 +37,6 @@ pub struct Stage {
     pub most_kappa: f64,
     /// Upper end of the axis of the relative area.
     pub most_area: f64,
-    /// Pictures of the fields.
     pub picture: Box<dyn Picture>,
     /// The power spectra, if they are asked for.
     pub spectrum: Option<SpectrumPicture>,
@@ -48,7 +45,6 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// The stage of `scene` under `root`.
     pub fn new(scene: &Scene<'_>, root: String, options: &Options) -> Self {
         let grid = *scene.problem.surface().grid();
         let options = Options { what: options.what.and(Parts::on(&grid)), ..options.clone() };
@@ -75,14 +71,8 @@ impl Stage {
         }
     }
 
-    /// Whether the scene is a line.
     pub fn is_line(&self) -> bool {
         self.grid.is_line()
-    }
-
-    /// The grid of the scene.
-    pub fn grid(&self) -> &Grid {
-        &self.grid
     }
 
     /// Distance of the nodes of `grid` along y and x in nodes of the scene, if it is the scene's grid or a coarser version.
@@ -144,12 +134,10 @@ impl Stage {
         TextDocument::from_markdown(format!("**Result**: {result}\n\n{}{rows}{run}", description::HEAD))
     }
 
-    /// The entity of the description.
     pub fn description(&self) -> String {
         format!("{}/description", self.root)
     }
 
-    /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_frame(to, fields)?;
@@ -162,7 +150,6 @@ impl Stage {
         to.log(self.caption_entity(), &canvas::caption(&self.picture.frame(), words))
     }
 
-    /// The entity of the words above the pictures.
     pub fn caption_entity(&self) -> String {
         format!("{}/caption", self.root)
     }

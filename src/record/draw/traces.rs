@@ -31,7 +31,6 @@ pub fn traced() -> impl Iterator<Item = &'static Observable> {
     OBSERVABLES.iter().filter(|observable| observable.is_traced)
 }
 
-/// The name of the curve of an observable.
 pub fn title(observable: &Observable) -> String {
     let name = observable.name.replace('_', " ").replace("kappa r", "kappa_r");
     if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
@@ -55,12 +54,10 @@ pub struct Trace {
 }
 
 impl ObservableTraces {
-    /// Empty curves.
     pub fn new(observables: impl Iterator<Item = &'static Observable>) -> Self {
         Self(observables.map(|observable| (observable, Trace::default())).collect())
     }
 
-    /// Adds the numbers of a step.
     pub fn add(&mut self, step: &Step<'_>) {
         let state = State::from(step);
         for (observable, trace) in &mut self.0 {
@@ -131,7 +128,6 @@ impl Traces {
         self.besides.iter_mut().zip(values).for_each(|(trace, value)| trace.add(step.work(), value));
     }
 
-    /// Adds the certificate of the final state.
     pub fn add_certificate(&mut self, contact: &Contact) {
         self.observables.add_certificate(contact);
     }

@@ -36,7 +36,7 @@ impl Recording {
     /// If there is no such scene.
     pub fn recorder(&self, scene: usize) -> Recorder<'_> {
         let stage = &self.stages[scene];
-        let schedule = self.options.every.map_or_else(|| Schedule::on(stage.grid()), Schedule::Every);
+        let schedule = self.options.every.map_or_else(|| Schedule::on(&stage.grid), Schedule::Every);
         Recorder {
             recording: self,
             stage,
@@ -133,7 +133,7 @@ impl Observer for Recorder<'_> {
     /// Records the returned state as the last frame and how the run ended, fits the axes to it and flushes. A contact on
     /// another grid than the scene's, of a solver inside the solver, is left out.
     fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
-        if contact.problem.surface().grid() == self.stage.grid() {
+        if contact.problem.surface().grid() == &self.stage.grid {
             let recording = self.recording;
             recording.write(|_| self.log_last(contact))?;
         }
