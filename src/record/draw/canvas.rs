@@ -60,12 +60,9 @@ pub fn log_sheet(to: &RecordingStream, entity: &str, sheet: &Sheet, head: f64) -
 }
 
 pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
-    let (mut points, mut colours, mut radii) = (Vec::new(), Vec::new(), Vec::new());
-    for (strip, colour, radius) in strips {
-        points.push(strip);
-        colours.push(colour);
-        radii.push(radius);
-    }
+    let strips = strips.into_iter().map(|(points, colour, radius)| (points, (colour, radius)));
+    let (points, styles): (Vec<_>, Vec<_>) = strips.unzip();
+    let (colours, radii): (Vec<_>, Vec<_>) = styles.into_iter().unzip();
     LineStrips2D::new(points).with_colors(colours).with_radii(radii)
 }
 

@@ -75,14 +75,6 @@ impl Stage {
         self.grid.is_line()
     }
 
-    /// Distance of the nodes of `grid` along y and x in nodes of the scene, if it is the scene's grid or a coarser version.
-    pub fn stride(&self, grid: &Grid) -> Option<[usize; 2]> {
-        let (fine, coarse) = (self.grid.shape(), grid.shape());
-        let stride = [0, 1].map(|axis| fine[axis] / coarse[axis]);
-        let fits = |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse[axis] == fine[axis];
-        (grid.size() == self.grid.size() && fits(0) && fits(1)).then_some(stride)
-    }
-
     /// Records everything that stays; `place` is that of the scene among several.
     pub fn log_static(
         &self,
@@ -164,6 +156,14 @@ impl Stage {
     }
 }
 
+/// Distance of the nodes of `coarse` along y and x in nodes of `fine`, if it is that grid or a coarser version of it.
+pub fn stride(fine: &Grid, coarse: &Grid) -> Option<[usize; 2]> {
+    let stride = [0, 1].map(|axis| fine.shape()[axis] / coarse.shape()[axis]);
+    let fits =
+        |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse.shape()[axis] == fine.shape()[axis];
+    (coarse.size() == fine.size() && fits(0) && fits(1)).then_some(stride)
+}
+
 /// The level of a grid with every `stride`-th node.
 pub fn level(stride: [usize; 2]) -> usize {
     stride[0].max(stride[1]).ilog2() as usize
@@ -172,30 +172,15 @@ pub fn level(stride: [usize; 2]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{ContactModulus, Load, Problem};
-    use crate::surface::Indenter;
 
     #[test]
     fn coarser_versions_of_the_grid_are_told_from_others() {
         let surface = |shape, size| Grid::surface(shape, size).unwrap();
         let fine = surface([48, 64], [1.0, 2.0]);
-        let problem = Problem::new(
-            Indenter::Sphere { radius: 1.0 }.surface(fine).unwrap(),
-            ContactModulus(1.0),
-            Load::MeanPressure(0.01),
-        )
-        .unwrap();
-        let scene = Scene::new("a", &problem);
-        let stage = Stage::new(&scene, "/a".into(), &Options::default());
-        for (shape, stride) in [
-            ([48, 64], Some([1, 1])),
-            ([12, 16], Some([4, 4])),
-            ([48, 8], Some([1, 8])),
-            ([16, 64], None),
-            ([96, 64], None),
-        ] {
-            assert_eq!(stage.stride(&surface(shape, [1.0, 2.0])), stride, "{shape:?}");
-            assert_eq!(stage.stride(&surface(shape, [1.0, 1.0])), None);
+        let coarser = [([48, 64], [1, 1]), ([12, 16], [4, 4]), ([48, 8], [1, 8])].map(|(shape, it)| (shape, Some(it)));
+        for (shape, expected) in coarser.into_iter().chain([([16, 64], None), ([96, 64], None)]) {
+            assert_eq!(stride(&fine, &surface(shape, [1.0, 2.0])), expected, "{shape:?}");
+            assert_eq!(stride(&fine, &surface(shape, [1.0, 1.0])), None);
         }
         assert_eq!([[1, 1], [4, 4], [1, 8]].map(level), [0, 2, 3]);
     }

@@ -4,7 +4,7 @@ use super::recording::{Recording, UNFINISHED};
 use super::schedule::{Schedule, Thinning};
 use crate::contact::{Contact, Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish, Work};
 use crate::record::description;
-use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level};
+use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, stride};
 use crate::setup::Part;
 use rerun::RecordingStreamResult;
 use std::ops::ControlFlow;
@@ -36,11 +36,10 @@ impl Recording {
     /// If there is no such scene.
     pub fn recorder(&self, scene: usize) -> Recorder<'_> {
         let stage = &self.stages[scene];
-        let schedule = self.options.every.map_or_else(|| Schedule::on(&stage.grid), Schedule::Every);
         Recorder {
             recording: self,
             stage,
-            thinning: Thinning::new(schedule),
+            thinning: Thinning::new(self.options.every, Schedule::on(&stage.grid)),
             traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.exact)),
             phase: Phase { level: 0, outer: 0, inner: 0 },
             has_phases: false,
@@ -64,7 +63,7 @@ impl Recorder<'_> {
     }
 
     fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {
-        let stride = self.stage.stride(step.problem().surface().grid());
+        let stride = stride(&self.stage.grid, step.problem().surface().grid());
         self.phase = Phase { level: stride.map_or(step.phase().level, level), ..step.phase() };
         self.has_phases |= self.phase.level > 0 || self.phase.inner > 0;
         if let Some(traces) = &mut self.traces {
