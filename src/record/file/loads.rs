@@ -150,7 +150,7 @@ impl LoadRecording {
 
     fn log_static(&self, stream: &RecordingStream, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
         let Self { recording, figure, curves, .. } = self;
-        send_loads(recording.application(), &recording.stages, figure.as_ref(), curves, stream)?;
+        send_loads(&recording.stages, figure.as_ref(), curves, stream)?;
         curves.log_static(stream)?;
         if let Some(figure) = figure {
             figure.log_static(stream)?;

@@ -77,11 +77,6 @@ impl Recording {
         Ok(Self { stream, output, stages, options, flush_interval })
     }
 
-    /// The application under which the viewer keeps its layout.
-    pub(super) fn application(&self) -> ApplicationId {
-        self.stream.store_info().map_or(APPLICATION.into(), |info| info.application_id().clone())
-    }
-
     /// Writes what is left, and the index of the file.
     ///
     /// # Errors
@@ -92,7 +87,7 @@ impl Recording {
     }
 
     fn log_static(&self, stream: &RecordingStream, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
-        layout::send_steps(self.application(), &self.stages, stream)?;
+        layout::send_steps(&self.stages, stream)?;
         let several = scenes.len() > 1;
         for (i, (stage, scene)) in self.stages.iter().zip(scenes).enumerate() {
             stream.log_static(stage.description(), &stage.described(UNFINISHED, ""))?;

@@ -1,7 +1,7 @@
 //! Writes a blueprint, the viewer's description of its own panes, into a recording.
 
 use crate::record::draw::{GROUND, colour};
-use rerun::external::re_log_types::{ApplicationId, BlueprintActivationCommand};
+use rerun::external::re_log_types::BlueprintActivationCommand;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::external::re_sdk_types::datatypes::{self, Uuid};
 use rerun::{AsComponents, RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
@@ -95,15 +95,12 @@ fn ground() -> panes::Background {
     panes::Background::new(components::BackgroundKind::SolidColor).with_color(colour(GROUND))
 }
 
-/// Writes the blueprint of the viewer of `application` into `recording`: `panes`, as tabs if there are several, and the
+/// Writes the blueprint of its viewer into `recording`: `panes`, as tabs if there are several, and the
 /// timeline that is active at first with its frames per second.
-pub fn send(
-    application: ApplicationId,
-    panes: Vec<Pane>,
-    clock: (&'static str, f64),
-    recording: &RecordingStream,
-) -> RecordingStreamResult<()> {
-    let builder = RecordingStreamBuilder::new(application).recording_id("default_blueprint").blueprint();
+pub fn send(panes: Vec<Pane>, clock: (&'static str, f64), recording: &RecordingStream) -> RecordingStreamResult<()> {
+    let Some(shown) = recording.store_info() else { return Ok(()) };
+    let builder =
+        RecordingStreamBuilder::new(shown.application_id().clone()).recording_id("default_blueprint").blueprint();
     let (store, storage) = builder.enabled(true).memory()?;
     store.set_time_sequence("blueprint", 0);
     let mut blueprint = Blueprint { store, panes: 0 };
@@ -204,7 +201,7 @@ mod tests {
     fn a_blueprint_arrives_and_its_store_ends_with_it() {
         let (recording, storage) = RecordingStreamBuilder::new("test").enabled(true).memory().unwrap();
         let text = View::text("text", "/text".into());
-        send("test".into(), vec![text], ("step", 1.0), &recording).unwrap();
+        send(vec![text], ("step", 1.0), &recording).unwrap();
         assert!(!storage.take().is_empty());
         recording.disconnect();
         let (store, storage) = RecordingStreamBuilder::new("test").blueprint().enabled(true).memory().unwrap();

@@ -3,7 +3,6 @@
 use super::blueprint::{Kind, Pane, View, send};
 use super::steps::pictures;
 use crate::record::draw::{Curves, FigurePicture, Stage};
-use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Timeline of loads.
@@ -17,7 +16,6 @@ const CONTACT: f32 = 1.3;
 
 /// Writes the layout of scenes, a figure and curves over the loads.
 pub fn send_loads(
-    application: ApplicationId,
     stages: &[Stage],
     figure: Option<&FigurePicture>,
     curves: &Curves,
@@ -26,7 +24,7 @@ pub fn send_loads(
     let contacts: Vec<Pane> = stages.iter().filter(|stage| stage.what.has_pictures()).map(pictures).collect();
     let contacts = (!contacts.is_empty()).then(|| (Pane::even(Kind::Tabs, "contacts", contacts), CONTACT));
     let panes = contacts.into_iter().chain([(charts(stages, figure, curves), 1.0)]).collect();
-    send(application, vec![Pane::container(Kind::Horizontal, "loads", panes)], (LOAD, LOADS_PER_SEC), stream)
+    send(vec![Pane::container(Kind::Horizontal, "loads", panes)], (LOAD, LOADS_PER_SEC), stream)
 }
 
 /// The panels of the figure, the first curves, and a stack of the other curves and the texts.

@@ -3,21 +3,16 @@
 use super::blueprint::{Kind, Pane, View, send};
 use crate::record::draw::{STEP, Stage, entity_under, title, traced};
 use crate::setup::Part;
-use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Frames per second when the steps are played.
 const FRAMES_PER_SEC: f64 = 30.0;
 
 /// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
-pub fn send_steps(
-    application: ApplicationId,
-    stages: &[Stage],
-    recording: &RecordingStream,
-) -> RecordingStreamResult<()> {
+pub fn send_steps(stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
     let overview = (stages.len() > 1).then(|| overview(stages));
     let tabs = overview.into_iter().chain(stages.iter().map(scene)).collect();
-    send(application, tabs, (STEP, FRAMES_PER_SEC), recording)
+    send(tabs, (STEP, FRAMES_PER_SEC), recording)
 }
 
 /// A picture of each scene, and their proportionality and convergence side by side.
