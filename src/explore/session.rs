@@ -79,7 +79,8 @@ pub struct Solution {
 #[derive(Clone, Copy)]
 pub struct Turn<'a> {
     session: &'a Session,
-    generation: u64,
+    /// The number of the order, which names what comes of it.
+    pub number: u64,
 }
 
 impl Session {
@@ -154,7 +155,7 @@ impl Session {
         let mut state = waited.unwrap_or_else(PoisonError::into_inner);
         let order = state.order.take().filter(|_| !state.closed)?;
         state.running = true;
-        Some((Turn { session: self, generation: state.generation }, order))
+        Some((Turn { session: self, number: state.generation }, order))
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
@@ -174,12 +175,7 @@ impl Session {
 impl Turn<'_> {
     /// Whether there was no order since.
     pub fn goes_on(self) -> bool {
-        self.session.lock().generation == self.generation
-    }
-
-    /// The number of the order, which names what comes out of it.
-    pub fn number(self) -> u64 {
-        self.generation
+        self.session.lock().generation == self.number
     }
 
     /// The curves that stand beside new ones.
@@ -213,7 +209,7 @@ impl Turn<'_> {
     /// Ends the turn; a fault is reported unless another order has come.
     pub fn end(self, fault: Option<String>) {
         self.session.change(|state| {
-            state.report.fault = fault.filter(|_| state.generation == self.generation);
+            state.report.fault = fault.filter(|_| state.generation == self.number);
             state.running = false;
             state.report.busy = state.order.is_some();
         });

@@ -52,7 +52,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
         None => CURVES.to_vec(),
     };
     let report = SweepReport {
-        id: format!("sweep-{}", turn.number()),
+        id: format!("sweep-{}", turn.number),
         title: format!("{}, load sweep", setup.surface.title(problem.surface().grid())),
         knobs,
         ended: false,

@@ -3,7 +3,7 @@
 use super::fill;
 use super::palette::{INK, colour, on_ground};
 use crate::plot::{Align, Colour, Element, Frame, Sheet, Side, width};
-use rerun::{Color, LineStrip2D, LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
+use rerun::{Color, LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
 
 /// Width and height of the box of a curve.
 pub const BOX: [f64; 2] = [1000.0, 400.0];
@@ -68,7 +68,7 @@ pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
 
 /// A strip without its style, which is recorded once.
 pub fn strip(points: Vec<[f32; 2]>) -> LineStrips2D {
-    LineStrips2D::update_fields().with_strips([LineStrip2D::from_iter(points)])
+    LineStrips2D::update_fields().with_strips([points])
 }
 
 /// The style of a strip.

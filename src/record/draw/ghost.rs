@@ -13,7 +13,7 @@ pub struct Ghost {
     name: String,
     traces: ObservableTraces,
     /// Final pressure along a line.
-    pressure: Option<Vec<f64>>,
+    pub(super) pressure: Option<Vec<f64>>,
 }
 
 impl Ghost {
@@ -21,10 +21,6 @@ impl Ghost {
     pub fn new(name: &str) -> Self {
         let compared = traced().filter(|observable| COMPARED.contains(&observable.name));
         Self { name: name.into(), traces: ObservableTraces::new(compared), pressure: None }
-    }
-
-    pub(super) fn pressure(&self) -> Option<&[f64]> {
-        self.pressure.as_deref()
     }
 
     /// Records all curves under `root`, each value at its own step.

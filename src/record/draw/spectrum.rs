@@ -7,7 +7,7 @@ use crate::grid::Grid;
 use crate::plot::{Axis, Frame};
 use crate::record::scene::Scene;
 use crate::surface::{Field, PowerSpectrum, Surface};
-use rerun::{LineStrip2D, Radius, RecordingStream, RecordingStreamResult};
+use rerun::{Radius, RecordingStream, RecordingStreamResult};
 use std::f64::consts::TAU;
 
 /// Densities on the axis, over the largest one of the heights.
@@ -53,7 +53,7 @@ impl SpectrumPicture {
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)?;
         let style = |rgb, order| style(rgb, Radius::new_ui_points(1.0), order);
-        let heights = style(palette::INDENTER, 30.0).with_strips([LineStrip2D::from_iter(self.heights.clone())]);
+        let heights = style(palette::INDENTER, 30.0).with_strips([self.heights.clone()]);
         to.log_static(format!("{}/heights", self.root), &heights)?;
         to.log_static(format!("{}/displacement", self.root), &style(palette::SOLID, 32.0))
     }

@@ -71,10 +71,6 @@ impl Stage {
         }
     }
 
-    pub fn is_line(&self) -> bool {
-        self.grid.is_line()
-    }
-
     /// Records everything that stays; `place` is that of the scene among several.
     pub fn log_static(
         &self,
@@ -106,7 +102,7 @@ impl Stage {
         if self.what.has(Part::Traces) {
             ghost.log(to, &self.root)?;
         }
-        let pressure = ghost.pressure().filter(|_| self.what.has(Part::Fields));
+        let pressure = ghost.pressure.as_deref().filter(|_| self.what.has(Part::Fields));
         pressure.map_or(Ok(()), |pressure| self.picture.log_ghost(to, pressure))
     }
 

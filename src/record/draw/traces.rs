@@ -98,7 +98,7 @@ impl Trace {
 /// The curves of one scene, collected until they are flushed.
 pub struct Traces {
     root: String,
-    observables: ObservableTraces,
+    pub observables: ObservableTraces,
     besides: [Trace; BESIDES.len()],
     exact: ExactValues,
 }
@@ -126,10 +126,6 @@ impl Traces {
         };
         let values = [kappa_r, area, complementary, potential, level, outer, inner];
         self.besides.iter_mut().zip(values).for_each(|(trace, value)| trace.add(step.work(), value));
-    }
-
-    pub fn add_certificate(&mut self, contact: &Contact) {
-        self.observables.add_certificate(contact);
     }
 
     /// Sends the numbers collected so far.

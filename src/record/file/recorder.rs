@@ -54,7 +54,7 @@ impl Recorder<'_> {
     fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
         let fields = &Fields::of_contact(contact);
         if let Some(traces) = &mut self.traces {
-            traces.add_certificate(contact);
+            traces.observables.add_certificate(contact);
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
         self.stage.picture.settle(&self.recording.stream, self.stage.picture.extent(fields))?;

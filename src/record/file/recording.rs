@@ -138,20 +138,15 @@ fn stream(output: Output, title: &str, id: Option<&str>) -> RecordingStreamResul
     Ok(stream)
 }
 
-/// The scenes, prepared to be recorded under `above`.
+/// The scenes, prepared to be recorded under `above`, each under a root of its own of safe characters only.
 pub(super) fn stages(scenes: &[Scene<'_>], above: &str, options: &Options) -> Vec<Stage> {
-    let stage = |(scene, root)| Stage::new(scene, format!("{above}{root}"), options);
-    scenes.iter().zip(roots(scenes)).map(stage).collect()
-}
-
-/// Roots of the entities, one per scene: safe characters only, and no two the same.
-fn roots(scenes: &[Scene<'_>]) -> Vec<String> {
-    let mut roots: Vec<String> = Vec::new();
+    let mut stages: Vec<Stage> = Vec::new();
     for scene in scenes {
         let safe = |c: char| if c.is_ascii_alphanumeric() || c == '_' || c == '-' { c } else { '_' };
-        let root = format!("/{}", scene.name.chars().map(safe).collect::<String>());
-        let taken = root.len() == 1 || roots.contains(&root);
-        roots.push(if taken { format!("{root}_{}", roots.len()) } else { root });
+        let root = format!("{above}/{}", scene.name.chars().map(safe).collect::<String>());
+        let is_taken = scene.name.is_empty() || stages.iter().any(|stage| stage.root == root);
+        let root = if is_taken { format!("{root}_{}", stages.len()) } else { root };
+        stages.push(Stage::new(scene, root, options));
     }
-    roots
+    stages
 }

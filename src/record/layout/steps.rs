@@ -40,7 +40,7 @@ fn scene(stage: &Stage) -> Pane {
 
 /// The views of the pictures, one row below the other, the map of patches in front of the second row.
 pub fn pictures(stage: &Stage) -> Pane {
-    let beside = if stage.is_line() { Kind::Tabs } else { Kind::Horizontal };
+    let beside = if stage.grid.is_line() { Kind::Tabs } else { Kind::Horizontal };
     let mut rows = views(stage);
     if let Some(map) = &stage.patches {
         rows.resize_with(rows.len().max(2), Vec::new);
@@ -63,10 +63,10 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
         rows.push(vec![relief(stage)]);
     }
     if what.has(Part::Fields) {
-        let is_exact = stage.is_line() && stage.exact[1].is_some();
+        let is_exact = stage.grid.is_line() && stage.exact[1].is_some();
         let pressure = if is_exact { "Pressure (white: exact)" } else { "Pressure" };
-        let gap = if !stage.is_line() && what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
-        rows.push(vec![plane(stage, "pressure", pressure, stage.is_line()), plane(stage, "gap", gap, true)]);
+        let gap = if !stage.grid.is_line() && what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
+        rows.push(vec![plane(stage, "pressure", pressure, stage.grid.is_line()), plane(stage, "gap", gap, true)]);
     }
     if let Some(spectrum) = &stage.spectrum {
         let (title, origin) = ("Power spectra (blue: displacement, grey: heights)", format!("{}/spectrum", stage.root));
