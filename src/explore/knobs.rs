@@ -79,12 +79,6 @@ impl From<SetupError> for Refusal {
     }
 }
 
-impl From<serde_json::Error> for Refusal {
-    fn from(error: serde_json::Error) -> Self {
-        Self(error.to_string())
-    }
-}
-
 /// A state of the knobs to start from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
@@ -134,7 +128,7 @@ impl Knobs {
     /// # Errors
     /// A sentence on the fault of the text.
     pub fn read(json: &[u8]) -> Result<Self, Refusal> {
-        Ok(serde_json::from_slice(json)?)
+        serde_json::from_slice(json).map_err(|error| Refusal(error.to_string()))
     }
 
     /// The setup that the knobs stand for, checked as far as that takes no surface.
@@ -163,26 +157,19 @@ impl Knobs {
 
     /// Checks the limits of the page.
     fn check(&self) -> Result<(), Refusal> {
-        let refuse = |sentence: String| Err(Refusal(sentence));
         let most = MOST_POINTS[self.domain as usize];
-        if self.points > most {
-            return refuse(format!("{} points are too many here: give at most {most}", self.points));
-        }
-        if self.stop.max_iterations() > MOST_STEPS {
-            return refuse(format!(
-                "{} steps are too many here: give at most {MOST_STEPS}",
-                self.stop.max_iterations()
-            ));
-        }
-        if !REDUCED_PRESSURES.contains(&self.load) {
-            let (low, high) = REDUCED_PRESSURES.into_inner();
-            return refuse(format!("the load p* is {:?}: give {low:e} to {high:e}", self.load));
-        }
-        if self.body == Body::Flat && self.roughness == 0.0 {
-            let sentence = "a flat without roughness touches everywhere: raise the roughness or choose another body";
-            return refuse(sentence.into());
-        }
-        Ok(())
+        let (low, high) = REDUCED_PRESSURES.into_inner();
+        Err(Refusal(if self.points > most {
+            format!("{} points are too many here: give at most {most}", self.points)
+        } else if self.stop.max_iterations() > MOST_STEPS {
+            format!("{} steps are too many here: give at most {MOST_STEPS}", self.stop.max_iterations())
+        } else if !REDUCED_PRESSURES.contains(&self.load) {
+            format!("the load p* is {:?}: give {low:e} to {high:e}", self.load)
+        } else if self.body == Body::Flat && self.roughness == 0.0 {
+            "a flat without roughness touches everywhere: raise the roughness or choose another body".into()
+        } else {
+            return Ok(());
+        }))
     }
 
     fn spectrum(&self) -> Option<Spectrum> {

@@ -53,7 +53,7 @@ impl Explorer {
             "/api/cancel" => Ok(self.session.cancel()),
             "/api/pin" => match serde_json::from_slice(request.body) {
                 Ok(name) => self.session.pin(name),
-                Err(error) => Err(error.into()),
+                Err(error) => Err(Refusal(error.to_string())),
             },
             path if self.page.file(path).is_some() || GETS.contains(&path) => return Reply::wrong_method("GET"),
             path => return Reply::missing(path),

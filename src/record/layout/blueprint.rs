@@ -17,7 +17,6 @@ pub enum Pane {
 }
 
 impl Pane {
-    /// A container of panes.
     pub fn container(kind: Kind, title: &str, panes: Vec<(Self, f32)>) -> Self {
         Self::Container(kind, title.into(), panes)
     }
@@ -50,7 +49,8 @@ impl View {
     pub fn plane(title: &str, origin: &str, contents: Vec<String>, [left, right, top, bottom]: [f64; 4]) -> Pane {
         let range = datatypes::Range2D { x_range: [left, right].into(), y_range: [top, bottom].into() };
         let bounds = panes::VisualBounds2D::new(components::VisualBounds2D(range));
-        Self::new("2D", title, origin, contents).with("VisualBounds2D", bounds).with("Background", ground()).pane()
+        let view = Self::new("2D", title, origin, contents).with("VisualBounds2D", bounds);
+        Pane::View(view.with("Background", ground()))
     }
 
     /// A picture in space, seen from the front, the right and above.
@@ -60,29 +60,22 @@ impl View {
             .with_position(eye)
             .with_look_target([0.2, -0.8, -1.6])
             .with_eye_up([0.0, 0.0, 1.0]);
-        Self::new("3D", title, origin, contents)
-            .with("EyeControls3D", eye)
-            .with("LineGrid3D", panes::LineGrid3D::new().with_visible(false))
-            .with("Background", ground())
-            .pane()
+        let view = Self::new("3D", title, origin, contents).with("EyeControls3D", eye);
+        let view = view.with("LineGrid3D", panes::LineGrid3D::new().with_visible(false));
+        Pane::View(view.with("Background", ground()))
     }
 
     /// Curves against time, their axis over `range` where it is known beforehand.
     pub fn curves(title: &str, contents: Vec<String>, range: Option<[f64; 2]>) -> Pane {
         let legend = panes::PlotLegend::new().with_corner(components::Corner2D::RightTop);
         let view = Self::new("TimeSeries", title, "/", contents).with("PlotLegend", legend);
-        let Some(range) = range else { return view.pane() };
+        let Some(range) = range else { return Pane::View(view) };
         let range = rerun::components::Range1D(range.into());
-        view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)).pane()
+        Pane::View(view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)))
     }
 
-    /// A text.
     pub fn text(title: &str, entity: String) -> Pane {
-        Self::new("TextDocument", title, &entity.clone(), vec![entity]).pane()
-    }
-
-    fn pane(self) -> Pane {
-        Pane::View(self)
+        Pane::View(Self::new("TextDocument", title, &entity.clone(), vec![entity]))
     }
 
     fn with(mut self, name: &'static str, property: impl AsComponents + 'static) -> Self {
