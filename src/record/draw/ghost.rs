@@ -29,7 +29,7 @@ impl Ghost {
             let entity = entity_under(root, observable.name);
             let style = SeriesLines::new().with_names([format!("{}: {}", self.name, title(observable))]);
             to.log_static(entity.as_str(), &style.with_colors([colour(palette::GHOST)]).with_widths([1.8]))?;
-            trace.log(to, &entity.into())?;
+            trace.log(to, entity)?;
         }
         Ok(())
     }

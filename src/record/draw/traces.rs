@@ -3,7 +3,7 @@
 use super::palette::{self, colour};
 use crate::contact::{Contact, Energy, OBSERVABLES, Observable, Phase, State, Step, Work};
 use crate::plot::Colour;
-use rerun::{EntityPath, RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
+use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
 
 /// Timeline of relaxation steps.
 pub const STEP: &str = "step";
@@ -44,14 +44,9 @@ fn is_logarithmic(observable: &Observable) -> bool {
 #[derive(Debug, Clone)]
 pub struct ObservableTraces(pub Vec<(&'static Observable, Trace)>);
 
-/// A number of every step.
+/// A number of every step, each with the work up to it.
 #[derive(Debug, Clone, Default)]
-pub struct Trace {
-    steps: Vec<i64>,
-    seconds: Vec<f64>,
-    transforms: Vec<i64>,
-    values: Vec<f64>,
-}
+pub struct Trace(Vec<(Work, f64)>);
 
 impl ObservableTraces {
     pub fn new(observables: impl Iterator<Item = &'static Observable>) -> Self {
@@ -77,21 +72,18 @@ impl ObservableTraces {
 impl Trace {
     /// Adds a value; one that cannot be drawn is left out.
     fn add(&mut self, work: Work, value: Option<f64>) {
-        let Some(value) = value.filter(|v| v.is_finite()) else { return };
-        self.steps.push(work.iterations as i64);
-        self.seconds.push(work.seconds);
-        self.transforms.push(work.transforms as i64);
-        self.values.push(value);
+        self.0.extend(value.filter(|value| value.is_finite()).map(|value| (work, value)));
     }
 
     /// Sends its values under `entity`, each at the time at which it was added.
-    pub fn log(&self, to: &RecordingStream, entity: &EntityPath) -> RecordingStreamResult<()> {
+    pub fn log(&self, to: &RecordingStream, entity: String) -> RecordingStreamResult<()> {
+        let work = || self.0.iter().map(|(work, _)| work);
         let times = [
-            TimeColumn::new_sequence(STEP, self.steps.iter().copied()),
-            TimeColumn::new_duration_secs(SECONDS, self.seconds.iter().copied()),
-            TimeColumn::new_sequence(TRANSFORMS, self.transforms.iter().copied()),
+            TimeColumn::new_sequence(STEP, work().map(|work| work.iterations as i64)),
+            TimeColumn::new_duration_secs(SECONDS, work().map(|work| work.seconds)),
+            TimeColumn::new_sequence(TRANSFORMS, work().map(|work| work.transforms as i64)),
         ];
-        to.send_columns(entity.clone(), times, Scalars::new(self.values.iter().copied()).columns_of_unit_batches()?)
+        to.send_columns(entity, times, Scalars::new(self.0.iter().map(|(_, value)| *value)).columns_of_unit_batches()?)
     }
 }
 
@@ -132,8 +124,8 @@ impl Traces {
     pub fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let observables = self.observables.0.iter_mut().map(|(observable, trace)| (observable.name, trace));
         let besides = BESIDES.iter().map(|(entity, _)| *entity).zip(&mut self.besides);
-        for (name, trace) in observables.chain(besides).filter(|(_, trace)| !trace.values.is_empty()) {
-            std::mem::take(trace).log(to, &format!("{}/trace/{name}", self.root).into())?;
+        for (name, trace) in observables.chain(besides).filter(|(_, trace)| !trace.0.is_empty()) {
+            std::mem::take(trace).log(to, format!("{}/trace/{name}", self.root))?;
         }
         Ok(())
     }

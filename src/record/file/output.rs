@@ -67,7 +67,8 @@ impl Output {
             let written = end.stream_position()?;
             Ok(State { encoder, file: end, written, is_finished: false, failure: None, viewer })
         };
-        let state = file.and_then(begin).map_err(|failure| target_error(path, &failure))?;
+        let error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
+        let state = file.and_then(begin).map_err(error)?;
         Ok(Self { path: path.into(), state: Arc::new(Mutex::new(state)) })
     }
 
@@ -114,11 +115,6 @@ impl Output {
         FileError::Write { path: self.path.to_path_buf(), source }
     }
 
-    /// The error of a file that could not be begun.
-    pub(super) fn target_error(&self, failure: &dyn std::error::Error) -> FileError {
-        target_error(&self.path, failure)
-    }
-
     fn state(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -148,10 +144,6 @@ fn io_error(failure: EncodeError) -> io::Error {
         EncodeError::Write(failure) => failure,
         other => io::Error::other(other),
     }
-}
-
-fn target_error(path: &Path, failure: &dyn std::error::Error) -> FileError {
-    FileError::Target { path: path.into(), reason: failure.to_string() }
 }
 
 /// The installed viewer, bound to its port so that what is sent does not wait for it.

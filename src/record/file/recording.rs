@@ -72,7 +72,7 @@ impl Recording {
         stages: Vec<Stage>,
         options: Options,
     ) -> Result<Self, FileError> {
-        let stream = stream(output.clone(), title, id).map_err(|failure| output.target_error(&failure))?;
+        let stream = stream(output.clone(), title, id).map_err(|failure| output.error(io::Error::other(failure)))?;
         let flush_interval = Duration::from_millis(if id.is_some() { 40 } else { 200 });
         Ok(Self { stream, output, stages, options, flush_interval })
     }
