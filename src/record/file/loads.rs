@@ -47,10 +47,9 @@ pub struct LoadRecording {
     progress: Mutex<Progress>,
 }
 
-/// Everything recorded so far.
+/// The loads so far, and the extents of the contacts of each scene.
 struct Progress {
     loads: BTreeSet<usize>,
-    /// Extents of the contacts of each scene.
     extents: Vec<Extent>,
 }
 
