@@ -1,11 +1,32 @@
 //! The summary of a solve, for people and for scripts.
 
 use anyhow::Result;
-use asperity::contact::{Contact, Observables, Status};
+use asperity::contact::{Contact, OBSERVABLES, Observables, Status};
 use asperity::setup::Setup;
 use asperity::theory::Exact;
 use serde::Serialize;
 use std::io::{self, Write};
+
+/// Observables in the rows of the summary that hold several or have a form of their own.
+const TOLD: [&str; 17] = [
+    "mean_pressure",
+    "reduced_pressure",
+    "relative_area",
+    "relative_area_corrected",
+    "rms_gradient",
+    "rms_gradient_contact",
+    "kappa",
+    "kappa_r",
+    "kappa_r_corrected",
+    "mean_gap",
+    "mean_gap_over_rms_height",
+    "max_pressure",
+    "patches",
+    "certificate",
+    "pressure_error_bound",
+    "iterations",
+    "transforms",
+];
 
 /// Everything that a script may want to know about a contact, and the setup that repeats it.
 #[derive(Serialize)]
@@ -75,6 +96,16 @@ impl Summary {
             ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
         ];
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
-        rows.into_iter().chain(exact).try_for_each(|(name, value)| writeln!(out, "  {name:<23} {value}"))
+        let rows = rows.into_iter().chain(exact).map(|(name, value)| (name.to_owned(), value)).chain(self.others());
+        rows.into_iter().try_for_each(|(name, value)| writeln!(out, "  {name:<23} {value}"))
+    }
+
+    /// The observables that no other row holds.
+    fn others(&self) -> impl Iterator<Item = (String, String)> {
+        let values = serde_json::to_value(self.observables).unwrap_or_default();
+        let others = OBSERVABLES.iter().filter(|observable| !TOLD.contains(&observable.name));
+        others.filter_map(move |observable| {
+            Some((observable.name.replace('_', " "), format!("{:.6e}", values[observable.name].as_f64()?)))
+        })
     }
 }
