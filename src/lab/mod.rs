@@ -16,7 +16,7 @@
 //! let spikes = trials.iter().filter(|trial| trial.name.starts_with("spike-51x28"));
 //! let runs = spikes.flat_map(|trial| trial.rivals.iter().map(move |rival| (trial, rival)));
 //! let budget = Duration::from_secs(10);
-//! let reports: Vec<_> = runs.map(|(trial, rival)| judge(trial, rival, budget, &mut |_| Box::new(()))).collect();
+//! let reports: Vec<_> = runs.map(|(trial, rival)| judge(trial, rival, budget, |_| Box::new(()))).collect();
 //! let tally = Tally::of(&reports, None);
 //! assert!(reports.len() == 6 && tally.is_stable(), "{tally}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())

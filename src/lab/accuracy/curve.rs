@@ -48,10 +48,10 @@ impl Curve {
         stop: &Stop,
         repeats: NonZeroUsize,
         title: &str,
-        watch: &mut Watch<'_>,
+        watch: Watch,
     ) -> Result<Self, SolveError> {
         let mut points = Vec::new();
-        let mut run = |observer: &mut dyn Observer| solve(&rival, &reference.problem, stop, observer, title, watch);
+        let run = |observer: &mut dyn Observer| solve(&rival, &reference.problem, stop, observer, title, watch);
         run(&mut sampler(reference, stop.tolerance(), &mut points))?;
         (0..repeats.get()).try_for_each(|_| run(&mut clock(&mut points)).map(drop))?;
         points.iter_mut().for_each(|point| point.seconds.sort_by(f64::total_cmp));
@@ -77,7 +77,7 @@ pub fn solve(
     stop: &Stop,
     observer: &mut dyn Observer,
     title: &str,
-    watch: &mut Watch<'_>,
+    watch: Watch,
 ) -> Result<Contact, SolveError> {
     let others = watch(&format!("{title} {}", rival.title));
     rival.method.solver().solve(problem, stop, &mut (observer, others))

@@ -44,20 +44,17 @@ impl Experiment {
     ///
     /// # Errors
     /// As [`Experiment::check`].
-    pub fn run(&self, watch: &mut Watch<'_>) -> Result<Findings, SetupError> {
+    pub fn run(&self, watch: Watch) -> Result<Findings, SetupError> {
         self.check()?;
         let ladder = Ladder::of(self.scene, &self.sides, self.seed, &self.stop, watch)?;
         let rms_gradient = self.scene.setup(self.finest(), self.seed).problem()?.rms_gradient();
         let models = models(self.scene, &ladder.truth, self.scene.mean_pressure() / rms_gradient);
-        let mut curves = Vec::new();
-        for &side in &self.sides {
-            curves.extend(self.curves(side, watch)?);
-        }
-        Ok(Findings { scene: self.scene, ladder, models, curves })
+        let curves = self.sides.iter().map(|&side| self.curves(side, watch)).collect::<Result<Vec<_>, _>>()?;
+        Ok(Findings { scene: self.scene, ladder, models, curves: curves.into_iter().flatten().collect() })
     }
 
     /// The curves of all solvers on one grid.
-    fn curves(&self, side: usize, watch: &mut Watch<'_>) -> Result<Vec<Curve>, SetupError> {
+    fn curves(&self, side: usize, watch: Watch) -> Result<Vec<Curve>, SetupError> {
         let title = format!("{} {side},", self.scene.name());
         let problem = self.scene.setup(side, self.seed).problem()?;
         let reference = solve(&Rival::MULTILEVEL, &problem, &self.reference, &mut (), &title, watch)?;

@@ -9,67 +9,51 @@ use crate::plot::{self, Axis, Colour, Corner, Figure, Mark, Panel, Series, Symbo
 /// Errors above this tell nothing and are left out.
 const TOP: f64 = 10.0;
 
-/// The figure of the findings on a scene.
+/// The figure of the findings on a scene; the legend of one panel tells the solvers apart, that of the other the lines.
 pub fn figure(findings: &Findings) -> Figure {
     let points = findings.finest().next().map_or(0, |curve| curve.shape[1]);
     let kind = if findings.scene.is_line() { "points" } else { "points a side" };
     let title = format!("{}, {points} {kind}: error against work", findings.scene.name());
-    Figure { title, panels: vec![against_seconds(findings), against_transforms(findings)] }
-}
-
-/// The panel whose legend tells the solvers apart.
-fn against_seconds(findings: &Findings) -> Panel {
-    let mut panel = panel(findings, "run time in s, median", Point::median);
-    for (series, rival) in panel.series.iter_mut().rev().step_by(2).zip(Rival::ALL.into_iter().rev()) {
-        series.name = rival.title.into();
-    }
-    panel
-}
-
-/// The panel whose legend tells the lines apart.
-fn against_transforms(findings: &Findings) -> Panel {
-    let mut panel = panel(findings, "Fourier transforms", |point| point.transforms as f64);
-    let of_mark = |name: &str, mark| Series::new(name, Colour::GREY, mark, Vec::new());
-    panel.series.push(of_mark("pressure, relative L2", Mark::Line));
-    panel.series.push(of_mark("certificate η", Mark::Dotted));
-    panel.series.push(of_mark("κ_r, error of a grid", Mark::Dashed));
-    panel
+    let seconds = panel(findings, "run time in s, median", Point::median, |rival| rival.title);
+    let mut transforms = panel(findings, "Fourier transforms", |point| point.transforms as f64, |_| "");
+    let lines = [
+        ("pressure, relative L2", Mark::Line),
+        ("certificate η", Mark::Dotted),
+        ("κ_r, error of a grid", Mark::Dashed),
+    ];
+    transforms.series.extend(lines.map(|(name, mark)| Series::new(name, Colour::GREY, mark, Vec::new())));
+    Figure { title, panels: vec![seconds, transforms] }
 }
 
 /// Errors of grids, then of each solver the certificate and the error, against what `work` counts.
-fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64) -> Panel {
-    let x = Axis::log(name, works(findings, work));
-    let grids = grids(findings);
-    let sides: Vec<String> = grids.iter().map(|(side, _)| side.to_string()).collect();
-    let title = format!("dashed, downwards: corrected κ_r on n = {} points", sides.join(", "));
-    let mut panel = Panel::new(title, x, Axis::log("relative error", errors(findings)), Corner::BottomLeft);
-    panel.series = grids.iter().map(|(_, error)| level(*error, panel.x.range)).collect();
-    panel.series.extend(findings.finest().flat_map(|curve| of_curve(curve, work)));
-    panel
-}
-
-/// Points along a side and error of each grid that has one, the largest error first.
-fn grids(findings: &Findings) -> Vec<(usize, f64)> {
+fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64, legend: fn(&Rival) -> &'static str) -> Panel {
     let rungs = findings.ladder.rungs.iter();
     let mut grids: Vec<_> = rungs.filter_map(|rung| Some((rung.shape[1], rung.errors[KAPPA_R]?))).collect();
     grids.sort_by(|(_, a), (_, b)| b.total_cmp(a));
-    grids
-}
-
-/// A line across the panel.
-fn level(error: f64, ends: [f64; 2]) -> Series {
-    Series::new("", Colour::GREY, Mark::Dashed, ends.map(|x| plot::Point::at(x, error)).to_vec())
+    let points = || findings.finest().flat_map(|curve| &curve.points);
+    let [least, most] = extent(points().map(work));
+    let ends = [0.2 * least, 1.3 * most]; // with room for the legends
+    let of_grids = grids.iter().map(|&(_, error)| error);
+    let [least, most] = extent(points().flat_map(|point| [point.eta, point.pressure_error]).chain(of_grids.clone()));
+    let decades = [10f64.powf(least.log10().floor()), 10f64.powf(most.min(TOP).log10().ceil())];
+    let sides: Vec<String> = grids.iter().map(|(side, _)| side.to_string()).collect();
+    let title = format!("dashed, downwards: corrected κ_r on n = {} points", sides.join(", "));
+    let mut panel = Panel::new(title, Axis::log(name, ends), Axis::log("relative error", decades), Corner::BottomLeft);
+    let level = |error| ends.map(|x| plot::Point::at(x, error)).to_vec();
+    panel.series = of_grids.map(|error| Series::new("", Colour::GREY, Mark::Dashed, level(error))).collect();
+    panel.series.extend(findings.finest().flat_map(|curve| of_curve(curve, work, legend(&curve.rival))));
+    panel
 }
 
 /// Certificate and error of the pressure.
-fn of_curve(curve: &Curve, work: fn(&Point) -> f64) -> [Series; 2] {
+fn of_curve(curve: &Curve, work: fn(&Point) -> f64, name: &str) -> [Series; 2] {
     let (colour, symbol) = look(&curve.rival);
-    let series = |mark, error: fn(&Point) -> f64| {
+    let series = |name, mark, error: fn(&Point) -> f64| {
         let points = curve.points.iter().map(|point| plot::Point::at(work(point), error(point)));
-        Series::new("", colour, mark, points.collect())
+        Series::new(name, colour, mark, points.collect())
     };
     let joined = Mark::Joined { symbol, filled: true };
-    [series(Mark::Dotted, |point| point.eta), series(joined, |point| point.pressure_error)]
+    [series("", Mark::Dotted, |point| point.eta), series(name, joined, |point| point.pressure_error)]
 }
 
 fn look(rival: &Rival) -> (Colour, Symbol) {
@@ -79,20 +63,6 @@ fn look(rival: &Rival) -> (Colour, Symbol) {
         "gfmd" => (Colour::GREEN, Symbol::Triangle),
         _ => (Colour::PURPLE, Symbol::Diamond),
     }
-}
-
-/// From the least to the most work, with room for the legends.
-fn works(findings: &Findings, work: fn(&Point) -> f64) -> [f64; 2] {
-    let [least, most] = extent(findings.finest().flat_map(|curve| curve.points.iter().map(work)));
-    [0.2 * least, 1.3 * most]
-}
-
-/// Whole powers of ten around all errors.
-fn errors(findings: &Findings) -> [f64; 2] {
-    let points = findings.finest().flat_map(|curve| &curve.points);
-    let grids = grids(findings).into_iter().map(|(_, error)| error);
-    let [least, most] = extent(points.flat_map(|point| [point.eta, point.pressure_error]).chain(grids));
-    [10f64.powf(least.log10().floor()), 10f64.powf(most.min(TOP).log10().ceil())]
 }
 
 /// The least and the largest positive value.

@@ -13,7 +13,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// As [`Experiment::check`], and for a file that cannot be written.
-pub fn record(path: &Path, experiment: &Experiment, watch: &mut Watch<'_>) -> Result<(), SetupError> {
+pub fn record(path: &Path, experiment: &Experiment, watch: Watch) -> Result<(), SetupError> {
     let stop = experiment.stop;
     let record = Record { length_unit: "L".into(), ..Record::default() };
     let options = Options::from(&record);
