@@ -1,10 +1,10 @@
 //! The experiment on a scene.
 
-use super::curve::{Curve, solve};
+use super::curve::Curve;
 use super::ladder::{Ladder, REFINEMENT};
 use super::model::{Model, models};
 use super::scene::Scene;
-use crate::contact::Stop;
+use crate::contact::{Multilevel, Solver, Stop};
 use crate::error::{SettingError, SetupError};
 use crate::lab::{Rival, Watch};
 use std::num::NonZeroUsize;
@@ -57,7 +57,8 @@ impl Experiment {
     fn curves(&self, side: usize, watch: Watch) -> Result<Vec<Curve>, SetupError> {
         let title = format!("{} {side},", self.scene.name());
         let problem = self.scene.setup(side, self.seed).problem()?;
-        let reference = solve(&Rival::MULTILEVEL, &problem, &self.reference, &mut (), &title, watch)?;
+        let observer = &mut watch(&format!("{title} multilevel"));
+        let reference = Multilevel.solve(&problem, &self.reference, observer)?;
         let curve = |rival| Ok(Curve::of(rival, &reference, &self.stop, self.repeats, &title, watch)?);
         Rival::ALL.into_iter().map(curve).collect()
     }

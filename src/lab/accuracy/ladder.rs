@@ -1,12 +1,11 @@
 //! The error of the grid.
 
-use super::curve::solve;
 use super::quantity::{QUANTITIES, Values, errors, exact, found, root_mean_square};
 use super::scene::Scene;
-use crate::contact::{Load, Stop, Work};
+use crate::contact::{Load, Multilevel, Solver, Stop, Work};
 use crate::error::SetupError;
+use crate::lab::Watch;
 use crate::lab::table::points;
-use crate::lab::{Rival, Watch};
 
 /// Loads over which errors are averaged, from the least to just below twice that: where the edge of the contact falls
 /// between two nodes makes the error of a single load jump by a factor of ten.
@@ -76,8 +75,8 @@ fn solved(scene: Scene, side: usize, seed: u64, stop: &Stop, watch: Watch) -> Re
     let problem = scene.setup(side, seed).problem()?;
     let solve_under = |(i, load): (usize, f64)| {
         let problem = problem.clone().with_load(Load::MeanPressure(load))?;
-        let title = format!("{} {side}, load {} of {LOADS},", scene.name(), i + 1);
-        let contact = solve(&Rival::MULTILEVEL, &problem, stop, &mut (), &title, watch)?;
+        let title = format!("{} {side}, load {} of {LOADS}, multilevel", scene.name(), i + 1);
+        let contact = Multilevel.solve(&problem, stop, &mut watch(&title))?;
         Ok((found(&contact), contact.work))
     };
     loads(scene).enumerate().map(solve_under).collect()
