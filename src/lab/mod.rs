@@ -3,7 +3,7 @@
 //! | module        | question                                                                                              |
 //! |---------------|-------------------------------------------------------------------------------------------------------|
 //! | [`accuracy`]  | How far has a solver come after which time, and what is that worth beside the errors of grid and theory? |
-//! | [`bench`]     | How long does a solve take, how many transforms, how much memory?                                      |
+//! | [`mod@bench`] | How long does a solve take, how many transforms, how much memory?                                      |
 //! | [`stability`] | Does every stiff or extreme contact end in a solution that an independent check confirms, or in a clear refusal? |
 //!
 //! Results are data, which display as tables; nothing is printed. Runs may take minutes: a [`Watch`] makes an observer of each

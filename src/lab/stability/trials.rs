@@ -146,20 +146,20 @@ fn heights(grids: Grids) -> Vec<Trial> {
 
 /// Heights of lines and surfaces alike.
 fn heights_on(kind: &str, grid: Grid) -> Vec<Trial> {
-    let shapes: [(&str, fn(Grid) -> Shape); 11] = [
-        ("offset-1e9", offset),
-        ("hurst-0.01", |grid| rough_with(grid, 0.01, 2.0, 0.1)),
-        ("hurst-1", |grid| rough_with(grid, 1.0, 2.0, 0.1)),
-        ("white-noise", noise),
-        ("slope-1e-9", |grid| rough_with(grid, 0.8, 8.0, 1e-9)),
-        ("slope-1e3", |grid| rough_with(grid, 0.8, 8.0, 1e3)),
-        ("plateaus", plateaus),
-        ("two-peaks", two_peaks),
-        ("comb", |grid| shaped(grid, |y, x| if (x + y).is_multiple_of(2) { 1.0 } else { 0.0 })),
-        ("steps", |grid| shaped(grid, |y, x| ((x / 8) % 4 + (y / 8) % 4) as f64)),
-        ("spike", |grid| spike(grid, [0, 3])),
-    ];
-    shapes.map(|(name, shape)| trial(format!("{name}-{kind}"), grid, LOAD, shape)).into()
+    let shape = |name: &str, shape: fn(Grid) -> Shape| trial(format!("{name}-{kind}"), grid, LOAD, shape);
+    vec![
+        shape("offset-1e9", offset),
+        shape("hurst-0.01", |grid| rough_with(grid, 0.01, 2.0, 0.1)),
+        shape("hurst-1", |grid| rough_with(grid, 1.0, 2.0, 0.1)),
+        shape("white-noise", noise),
+        shape("slope-1e-9", |grid| rough_with(grid, 0.8, 8.0, 1e-9)),
+        shape("slope-1e3", |grid| rough_with(grid, 0.8, 8.0, 1e3)),
+        shape("plateaus", plateaus),
+        shape("two-peaks", two_peaks),
+        shape("comb", |grid| shaped(grid, |y, x| if (x + y).is_multiple_of(2) { 1.0 } else { 0.0 })),
+        shape("steps", |grid| shaped(grid, |y, x| ((x / 8) % 4 + (y / 8) % 4) as f64)),
+        shape("spike", |grid| spike(grid, [0, 3])),
+    ]
 }
 
 /// White noise on grids that are small, odd, prime or long, and lines fine enough to be stiff.
