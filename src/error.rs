@@ -1,4 +1,10 @@
-//! What can go wrong: one enum per concern, every variant with the offending numbers and what to do.
+//! What can go wrong: one enum per concern. The sentence of a variant says what is wrong, with the offending values, which are
+//! its fields, and what to do.
+
+#![allow(
+    missing_docs,
+    reason = "fields are the values in the sentence of their variant, and a wrapped error speaks for itself"
+)]
 
 use crate::quantity::bytes_in_words;
 use std::error::Error;
@@ -13,124 +19,58 @@ pub type Failure = Box<dyn Error + Send + Sync>;
 pub enum GridError {
     /// Fewer than [`crate::Grid::MIN_POINTS`] points along an axis.
     #[error("{points} points along {axis} are too few: give at least 4")]
-    TooFewPoints {
-        /// The axis, `x` or `y`.
-        axis: &'static str,
-        /// Points asked for.
-        points: usize,
-    },
+    TooFewPoints { axis: &'static str, points: usize },
     /// More than [`crate::Grid::MAX_POINTS`] points, or more than this machine has memory for.
     #[error("a grid of {} x {} points does not fit in memory: give fewer points", shape[0], shape[1])]
-    TooManyPoints {
-        /// Points along y and x.
-        shape: [usize; 2],
-    },
+    TooManyPoints { shape: [usize; 2] },
     /// A period that is not positive and finite.
     #[error("the length along {axis} is {length:?}: give a positive, finite length")]
-    Length {
-        /// The axis, `x` or `y`.
-        axis: &'static str,
-        /// Length asked for.
-        length: f64,
-    },
+    Length { axis: &'static str, length: f64 },
 }
 
 /// A surface that cannot be made or used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SurfaceError {
-    /// The grid under the surface is wrong.
     #[error(transparent)]
     Grid(#[from] GridError),
     /// The heights do not have the shape of the grid.
     #[error("heights of shape {found:?} do not fit a grid of {} x {} points", expected[0], expected[1])]
-    Shape {
-        /// Shape of the array.
-        found: Vec<usize>,
-        /// Shape of the grid.
-        expected: [usize; 2],
-    },
+    Shape { found: Vec<usize>, expected: [usize; 2] },
     /// A height is NaN or infinite.
     #[error("the height at row {}, column {} is {value:?}: all heights must be finite", index[0], index[1])]
-    NonFinite {
-        /// Row and column.
-        index: [usize; 2],
-        /// The height.
-        value: f64,
-    },
+    NonFinite { index: [usize; 2], value: f64 },
     /// A parameter that must be positive and finite is not.
     #[error("{name} is {value:?}: give a positive, finite value")]
-    NotPositive {
-        /// The parameter.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-    },
+    NotPositive { name: &'static str, value: f64 },
     /// A Hurst exponent outside `(0, 1]`.
     #[error("the Hurst exponent is {value:?}: it must lie above 0 and at most at 1")]
-    Hurst {
-        /// The exponent.
-        value: f64,
-    },
+    Hurst { value: f64 },
     /// The wavelengths of a spectrum are out of order.
     #[error(
         "the short cut-off {short_cutoff:?} is not shorter than the roll-off wavelength {rolloff:?}: make it shorter"
     )]
-    CutoffOrder {
-        /// Roll-off wavelength.
-        rolloff: f64,
-        /// Short cut-off wavelength.
-        short_cutoff: f64,
-    },
+    CutoffOrder { rolloff: f64, short_cutoff: f64 },
     /// The roll-off is longer than the period.
     #[error(
         "the roll-off wavelength {rolloff:?} is longer than the period {period:?}: make it shorter or the cell larger"
     )]
-    RolloffTooLong {
-        /// Roll-off wavelength.
-        rolloff: f64,
-        /// The longest period.
-        period: f64,
-    },
+    RolloffTooLong { rolloff: f64, period: f64 },
     /// The grid cannot carry the shortest wavelength.
     #[error(
         "the short cut-off {short_cutoff:?} is finer than the grid, whose shortest wavelength is {shortest:?}: raise it or take more points"
     )]
-    CutoffTooFine {
-        /// Short cut-off wavelength.
-        short_cutoff: f64,
-        /// Two spacings.
-        shortest: f64,
-    },
+    CutoffTooFine { short_cutoff: f64, shortest: f64 },
     /// An indenter that only makes sense on the other kind of grid.
     #[error("a {indenter} needs a {needs}, but the grid is a {has}")]
-    WrongDimension {
-        /// The indenter.
-        indenter: &'static str,
-        /// `line` or `surface`.
-        needs: &'static str,
-        /// `line` or `surface`.
-        has: &'static str,
-    },
-    /// An indenter wider than the cell.
+    WrongDimension { indenter: &'static str, needs: &'static str, has: &'static str },
+    /// An indenter whose half-width or radius is too large for the cell.
     #[error(
         "a {indenter} of half-width {half_width:?} does not fit the shortest period {period:?}: make it narrower than half of it"
     )]
-    TooWide {
-        /// The indenter.
-        indenter: &'static str,
-        /// Half-width or radius.
-        half_width: f64,
-        /// The shortest period.
-        period: f64,
-    },
+    TooWide { indenter: &'static str, half_width: f64, period: f64 },
     /// No wavelength of the grid lies in the band of the spectrum.
     #[error("no wavelength of the cell lies between its period {period:?} and the short cut-off {short_cutoff:?}")]
-    EmptySpectrum {
-        /// The longest period.
-        period: f64,
-        /// Short cut-off wavelength.
-        short_cutoff: f64,
-    },
+    EmptySpectrum { period: f64, short_cutoff: f64 },
 }
 
 /// A contact problem that cannot be posed.
@@ -138,46 +78,23 @@ pub enum SurfaceError {
 pub enum ProblemError {
     /// A quantity that must be positive and finite is not.
     #[error("the {name} is {value:?}: give a positive, finite value")]
-    NotPositive {
-        /// The quantity.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-    },
+    NotPositive { name: &'static str, value: f64 },
     /// All heights are the same: the contact area of a flat is its whole area at any load.
     #[error("the surface is flat (all heights are {height:?}): its contact is undefined, give a surface with relief")]
-    Flat {
-        /// The height of every point.
-        height: f64,
-    },
+    Flat { height: f64 },
     /// A mean gap that keeps even the highest peak off the solid.
     #[error(
         "at a mean gap of {mean_gap:?} nothing touches: give less than {highest:?}, the highest peak above the mean height"
     )]
-    NothingTouches {
-        /// The mean gap.
-        mean_gap: f64,
-        /// The highest peak above the mean height.
-        highest: f64,
-    },
+    NothingTouches { mean_gap: f64, highest: f64 },
     /// A mean gap that leaves no gap anywhere: every pressure from some value on does that.
     #[error(
         "at a mean gap of {mean_gap:?} everything touches, at any pressure that is high enough: give between 0 and {highest:?}, or a pressure"
     )]
-    EverythingTouches {
-        /// The mean gap.
-        mean_gap: f64,
-        /// The highest peak above the mean height, to stay below.
-        highest: f64,
-    },
+    EverythingTouches { mean_gap: f64, highest: f64 },
     /// Values so large or small that sums of their squares leave the range of doubles.
     #[error("the {name} of {value:?} is out of range: choose units in which it lies between 1e-100 and 1e100")]
-    OutOfRange {
-        /// The quantity.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-    },
+    OutOfRange { name: &'static str, value: f64 },
 }
 
 /// A setting of a solver or of its stop that cannot be.
@@ -185,22 +102,10 @@ pub enum ProblemError {
 pub enum SettingError {
     /// A setting outside its range.
     #[error("{name} is {value}: it must lie in {range}")]
-    Range {
-        /// The setting.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// The range allowed.
-        range: &'static str,
-    },
+    Range { name: &'static str, value: f64, range: &'static str },
     /// A grid that is not finer than the one before it.
     #[error("the grids go from {from} to {to} points a side: give ever finer grids")]
-    NotFiner {
-        /// Points along each side of one grid.
-        from: usize,
-        /// Points along each side of the next.
-        to: usize,
-    },
+    NotFiner { from: usize, to: usize },
 }
 
 /// A solve that did not reach its tolerance, or cannot be done.
@@ -210,16 +115,7 @@ pub enum SolveError {
     #[error(
         "not converged: {solver} stopped after {iterations} iterations ({reason}) at a certificate of {certificate:.3e}"
     )]
-    NotConverged {
-        /// The solver.
-        solver: String,
-        /// Its iterations.
-        iterations: usize,
-        /// Why it stopped.
-        reason: String,
-        /// The certificate reached.
-        certificate: f64,
-    },
+    NotConverged { solver: String, iterations: usize, reason: String, certificate: f64 },
     /// An observer failed, which ended the run.
     #[error("{0}")]
     Observer(Arc<Failure>),
@@ -227,31 +123,22 @@ pub enum SolveError {
     #[error(
         "{solver} works under a given mean pressure: give one, or choose the solver multilevel or polonsky-keer for a mean gap"
     )]
-    NeedsPressure {
-        /// The solver.
-        solver: String,
-    },
+    NeedsPressure { solver: String },
 }
 
 /// A setup that cannot be read, or that describes nothing that can be solved.
 #[derive(Debug, thiserror::Error)]
 pub enum SetupError {
-    /// The grid is wrong.
     #[error(transparent)]
     Grid(#[from] GridError),
-    /// The surface cannot be made.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
-    /// The problem cannot be posed.
     #[error(transparent)]
     Problem(#[from] ProblemError),
-    /// A setting of the solver or of its stop cannot be.
     #[error(transparent)]
     Setting(#[from] SettingError),
-    /// The solver cannot take the load.
     #[error(transparent)]
     Solve(#[from] SolveError),
-    /// A height file or a scene cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
     /// Nothing says what is pressed.
@@ -269,10 +156,7 @@ pub enum SetupError {
     SeedWithoutSpectrum,
     /// A seed that a scene in TOML cannot hold.
     #[error("the seed {seed} is too large: give at most {}", i64::MAX)]
-    Seed {
-        /// The seed.
-        seed: u64,
-    },
+    Seed { seed: u64 },
     /// Nothing says how many points there are.
     #[error("the points are missing: give one number for a line, two for a surface")]
     NoPoints,
@@ -281,86 +165,46 @@ pub enum SetupError {
     PointsOfFile,
     /// Lengths of the cell that do not fit the axes.
     #[error("the size of the cell has {sizes} lengths for {axes} axes: give one for all axes, or one for each")]
-    Sizes {
-        /// Lengths given.
-        sizes: usize,
-        /// Axes of the array.
-        axes: usize,
-    },
+    Sizes { sizes: usize, axes: usize },
     /// An array that is neither a line nor a surface.
     #[error("the grid has {axes} axes: give one for a line, two for a surface")]
-    Axes {
-        /// Axes of the array.
-        axes: usize,
-    },
+    Axes { axes: usize },
     /// A part of a recording that the grid does not have.
     #[error("the recording asks for the {part}, which a {of} does not have: leave it out")]
-    NoSuchPart {
-        /// The part.
-        part: &'static str,
-        /// `line` or `surface`.
-        of: &'static str,
-    },
+    NoSuchPart { part: &'static str, of: &'static str },
     /// Every 0th step was to be recorded.
     #[error("every 0th step is to be recorded: give a positive number of steps")]
     EveryNone,
     /// A text that is no setup.
     #[error("{place}{reason}")]
-    Text {
-        /// Where it stands, up to and with a colon and a blank.
-        place: String,
-        /// What is wrong, and what to do.
-        reason: String,
-    },
-    /// A solve that does not fit in memory.
+    Text { place: String, reason: String },
+    /// A solve that needs more bytes than are free, or than the system grants.
     #[error(
         "a grid of {} x {} points does not fit in memory: {what} needs at least {}, {}: give fewer points",
         shape[0], shape[1], bytes_in_words(*needed),
         free.map_or("more than the system grants".into(), |free| format!("and {} are free", bytes_in_words(free)))
     )]
-    Memory {
-        /// Points along y and x.
-        shape: [usize; 2],
-        /// What needs the memory.
-        what: String,
-        /// Bytes that it needs.
-        needed: f64,
-        /// Bytes that are free, where that is why.
-        free: Option<f64>,
-    },
+    Memory { shape: [usize; 2], what: String, needed: f64, free: Option<f64> },
 }
 
 /// A study that cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// A setup that cannot be.
     #[error(transparent)]
     Setup(#[from] SetupError),
-    /// A contact that cannot be solved.
     #[error(transparent)]
     Solve(#[from] SolveError),
-    /// A table that cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
     /// A list of loads, grids or surfaces that is empty or out of order.
     #[error("the {what} are {values}: give at least one, in ascending order, each once")]
-    List {
-        /// The name of its values.
-        what: &'static str,
-        /// The values.
-        values: String,
-    },
+    List { what: &'static str, values: String },
     /// A table that would be lost.
     #[error(
         "{} holds {points} points of other setups, loads or versions: write elsewhere, or start afresh to replace it",
         path.display()
     )]
-    OtherStudy {
-        /// The table.
-        path: PathBuf,
-        /// Its points that were not asked for.
-        points: usize,
-    },
+    OtherStudy { path: PathBuf, points: usize },
 }
 
 /// A file that cannot be read or written.
@@ -368,50 +212,27 @@ pub enum StudyError {
 pub enum FileError {
     /// The file is missing or unreadable.
     #[error("cannot read {}: {source}", path.display())]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: std::io::Error,
-    },
+    Read { path: PathBuf, source: std::io::Error },
     /// The file is not what it should be.
     #[error("{} is not a usable height file: {reason}", path.display())]
-    Format {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        reason: String,
-    },
+    Format { path: PathBuf, reason: String },
     /// The output cannot be made at that place.
     #[error("cannot write {}: {reason}", path.display())]
-    Target {
-        /// The file.
-        path: PathBuf,
-        /// Why, and what to do.
-        reason: String,
-    },
+    Target { path: PathBuf, reason: String },
     /// Writing failed on the way.
     #[error("writing {} failed: {source}", path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: std::io::Error,
-    },
+    Write { path: PathBuf, source: std::io::Error },
     /// No viewer is installed that could show it.
     #[error(
         "no Rerun viewer can be started: install one with `pip install rerun-sdk=={version}`, or write a file with --record"
     )]
-    NoViewer {
-        /// The version that matches.
-        version: String,
-    },
+    NoViewer { version: String },
 }
 
 impl FileError {
     /// Whether another file or place would do.
     pub fn is_input(&self) -> bool {
-        matches!(self, Self::Read { .. } | Self::Format { .. } | Self::Target { .. } | Self::NoViewer { .. })
+        !matches!(self, Self::Write { .. })
     }
 }
 
@@ -440,7 +261,7 @@ impl StudyError {
             Self::Setup(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),
             Self::File(error) => error.is_input(),
-            Self::OtherStudy { .. } | Self::List { .. } => true,
+            _ => true,
         }
     }
 }

@@ -3,9 +3,9 @@
 
 use asperity::contact::{Contact, Dynamics, Gfmd, Load, Masses};
 use asperity::error::SetupError;
-use asperity::setup::{Cell, Method, Part, Recipe, Record, Setup, Solid, Table};
+use asperity::setup::{Cell, Cost, Method, Part, Recipe, Record, Setup, Solid, Table};
 use asperity::surface::{Spectrum, read_heights, write_heights};
-use asperity::{Indenter, Stop, Surface};
+use asperity::{Grid, Indenter, Stop, Surface};
 use std::fs;
 
 const SCENE: &str = "surface = { indenter = { shape = \"cylinder\", radius = 1.0 } }
@@ -307,4 +307,12 @@ mod with_units {
             assert!(said.starts_with(words) && said.contains("a number, or one with a unit such as"), "{to}: {said}");
         }
     }
+}
+
+#[test]
+fn grids_that_exceed_memory_are_refused_in_numbers() {
+    let grid = Grid::surface([1 << 17, 1 << 17], [1.0, 1.0]).unwrap();
+    let refused = Cost::of_fields(&grid, 1e4).check("a test").unwrap_err().to_string();
+    assert!(refused.contains("131072 x 131072 points") && refused.contains("1374 TB"), "{refused}");
+    assert!(Cost::of_fields(&Grid::line(4, 1.0).unwrap(), 5.0).check("a test").is_ok());
 }

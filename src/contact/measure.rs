@@ -112,19 +112,3 @@ fn differences(a: &[f64], b: &[f64]) -> usize {
     });
     parts.into_iter().sum()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn switches_count_the_contact_line_across_the_period() {
-        assert_eq!(switches(&[1.0, 1.0, 0.0, 1.0], [1, 4]), 2);
-        assert_eq!(switches(&[1.0; 4], [1, 4]), 0);
-        let mut block = [0.0; 16];
-        for i in [0, 3, 12, 15] {
-            block[i] = 1.0; // a 2 x 2 patch around the corner
-        }
-        assert_eq!(switches(&block, [4, 4]), 8);
-    }
-}

@@ -15,7 +15,6 @@ mod gfmd;
 mod load;
 mod measure;
 mod multilevel;
-
 mod observables;
 mod observe;
 mod outcome;

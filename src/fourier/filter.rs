@@ -18,6 +18,17 @@ pub(crate) enum Filter {
     LongLine(LongLineFilter),
 }
 
+/// `$call` on the filter of whichever kind.
+macro_rules! each_kind {
+    ($self:ident, $filter:ident => $call:expr) => {
+        match $self {
+            Self::Surface($filter) => $call,
+            Self::Line($filter) => $call,
+            Self::LongLine($filter) => $call,
+        }
+    };
+}
+
 impl Filter {
     /// Plans the transforms of fields on `grid`.
     pub fn new(grid: &Grid) -> Self {
@@ -30,11 +41,7 @@ impl Filter {
     /// The number of rows in which fields come and go, and their length. Rows follow each other without gaps; those of a
     /// surface are its rows, those of a line are pieces of it.
     pub fn rows(&self) -> [usize; 2] {
-        match self {
-            Self::Surface(surface) => surface.rows(),
-            Self::Line(line) => line.rows(),
-            Self::LongLine(line) => line.rows(),
-        }
+        each_kind!(self, filter => filter.rows())
     }
 
     /// Makes the `passes`, without leaving the thread pool between them.
@@ -45,20 +52,12 @@ impl Filter {
 
     /// Takes the field whose row `r` is written by `fill(r, row)`; what `row` holds before is undefined.
     pub fn load(&mut self, fill: impl Fn(usize, &mut [f64]) + Sync + Send) {
-        match self {
-            Self::Surface(surface) => surface.load(fill),
-            Self::Line(line) => line.load(fill),
-            Self::LongLine(line) => line.load(fill),
-        }
+        each_kind!(self, filter => filter.load(fill))
     }
 
     /// Multiplies the modes by `factor(|q|)`.
     pub fn scale(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
-        match self {
-            Self::Surface(surface) => surface.scale(factor),
-            Self::Line(line) => line.scale(factor),
-            Self::LongLine(line) => line.scale(factor),
-        }
+        each_kind!(self, filter => filter.scale(factor))
     }
 
     /// Gives row `r` of the result to `store(r, row, sink)` with the sink of that row. The result is lost.
@@ -67,11 +66,7 @@ impl Filter {
     /// If there is not one sink per row.
     pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[f64], &mut S) + Sync + Send) {
         assert_eq!(sinks.len(), self.rows()[0], "one sink per row");
-        match self {
-            Self::Surface(surface) => surface.store(sinks, store),
-            Self::Line(line) => line.store(sinks, store),
-            Self::LongLine(line) => line.store(sinks, store),
-        }
+        each_kind!(self, filter => filter.store(sinks, store))
     }
 }
 

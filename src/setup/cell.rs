@@ -77,6 +77,15 @@ mod one_or_more {
 
     struct OneOrMore<T>(PhantomData<T>);
 
+    /// Visits of a single value.
+    macro_rules! one {
+        ($($visit:ident: $type:ty),+) => {
+            $(fn $visit<E: Error>(self, value: $type) -> Result<Vec<T>, E> {
+                T::deserialize(value.into_deserializer()).map(|value| vec![value])
+            })+
+        };
+    }
+
     impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrMore<T> {
         type Value = Vec<T>;
 
@@ -84,21 +93,7 @@ mod one_or_more {
             f.write_str("one value, or a list with one for each axis")
         }
 
-        fn visit_i64<E: Error>(self, value: i64) -> Result<Vec<T>, E> {
-            T::deserialize(value.into_deserializer()).map(|value| vec![value])
-        }
-
-        fn visit_u64<E: Error>(self, value: u64) -> Result<Vec<T>, E> {
-            T::deserialize(value.into_deserializer()).map(|value| vec![value])
-        }
-
-        fn visit_f64<E: Error>(self, value: f64) -> Result<Vec<T>, E> {
-            T::deserialize(value.into_deserializer()).map(|value| vec![value])
-        }
-
-        fn visit_str<E: Error>(self, value: &str) -> Result<Vec<T>, E> {
-            T::deserialize(value.into_deserializer()).map(|value| vec![value])
-        }
+        one!(visit_i64: i64, visit_u64: u64, visit_f64: f64, visit_str: &str);
 
         fn visit_seq<A: SeqAccess<'de>>(self, values: A) -> Result<Vec<T>, A::Error> {
             Vec::deserialize(SeqAccessDeserializer::new(values))

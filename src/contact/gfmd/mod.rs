@@ -48,18 +48,18 @@ impl Solver for Gfmd {
         let mut run = Run::begin(self, problem, stop, observer);
         let mut surface = Moving::new(start, problem, self.masses);
         let mut probe = Probe::new(problem);
-        let mut pace = Pace::new(self, &surface.stiffnesses());
+        let mut pace = Pace::new(self, &surface.half_space.stiffnesses().collect::<Vec<_>>());
         let status = loop {
             surface.pull();
-            let certificate = probe.certify(problem, surface.pressure(), &mut run);
-            let work = run.work(surface.transforms() + probe.transforms());
+            let certificate = probe.certify(problem, &surface.p, &mut run);
+            let work = run.work(surface.half_space.transforms() + probe.transforms());
             if let Some(status) = run.show(&surface.step(work, certificate)) {
                 break status;
             }
             surface.advance(&mut pace);
             run.advance();
         };
-        let transforms = surface.transforms() + probe.transforms();
+        let transforms = surface.half_space.transforms() + probe.transforms();
         drop(surface);
         Ok(run.finish_after(status, transforms, probe.into_half_space()))
     }

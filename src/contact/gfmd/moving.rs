@@ -9,14 +9,14 @@ use crate::surface::Field;
 /// Place `w`, last advance `dw`, net force `f`, advance under it `a`, and the wall's constraint forces `p`.
 pub(super) struct Moving<'a> {
     problem: &'a Problem,
-    half_space: HalfSpace,
+    pub half_space: HalfSpace,
     masses: Masses,
     softest: f64,
     w: Vec<f64>,
     dw: Vec<f64>,
     f: Vec<f64>,
     a: Vec<f64>,
-    p: Vec<f64>,
+    pub p: Vec<f64>,
 }
 
 impl<'a> Moving<'a> {
@@ -34,18 +34,6 @@ impl<'a> Moving<'a> {
         let softest = half_space.softest_stiffness();
         let zeros = || vec![0.0; n];
         Self { problem, half_space, masses, softest, w, dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
-    }
-
-    pub fn stiffnesses(&self) -> Vec<f64> {
-        self.half_space.stiffnesses().collect()
-    }
-
-    pub fn transforms(&self) -> u64 {
-        self.half_space.transforms()
-    }
-
-    pub fn pressure(&self) -> &[f64] {
-        &self.p
     }
 
     /// Finds the forces: elasticity and load; what the wall needs to hold the nodes that touch it and push; and what is left

@@ -77,7 +77,7 @@ impl<'a> Level<'a> {
             return f64::INFINITY;
         }
         let v = self.extremes_of_v();
-        let above_gap = self.gap().map_or(0.0, |gap| v.mean + (v.reference + gap));
+        let above_gap = self.problem.mean_gap().map_or(0.0, |gap| v.mean + (v.reference + gap));
         certificate::excess(v.mean - v.lowest, above_gap) / self.problem.rms_height()
     }
 
@@ -87,12 +87,7 @@ impl<'a> Level<'a> {
             let v = self.extremes_of_v();
             v.reference + v.mean
         };
-        self.gap().map_or_else(of_pressure, |gap| -gap)
-    }
-
-    /// The mean gap, if that is given.
-    fn gap(&self) -> Option<f64> {
-        self.problem.mean_gap()
+        self.problem.mean_gap().map_or_else(of_pressure, |gap| -gap)
     }
 
     /// One free update or guarded step, as [`Level::choose_pace`] has it.
@@ -199,7 +194,7 @@ impl<'a> Level<'a> {
     pub fn update(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
         self.leave_extremes();
         let mut extension = Extension::new(&self.pressure.support, self.problem.surface().grid().shape());
-        let gap = self.gap();
+        let gap = self.problem.mean_gap();
         let residual = self.on_set(|v| -(v + gap.unwrap_or(0.0)));
         let Self { half_space, u, pressure: Pressure { support, values }, .. } = self;
         let mut correction = Correction::new(support, residual, gap.is_none(), half_space);

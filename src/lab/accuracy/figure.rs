@@ -4,7 +4,7 @@ use super::curve::{Curve, Point};
 use super::experiment::Findings;
 use super::quantity::KAPPA_R;
 use crate::lab::Rival;
-use crate::plot::{self, Axis, Colour, Corner, Figure, Mark, Panel, Series, Symbol};
+use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 
 /// Errors above this tell nothing and are left out.
 const TOP: f64 = 10.0;
@@ -16,12 +16,9 @@ pub fn figure(findings: &Findings) -> Figure {
     let title = format!("{}, {points} {kind}: error against work", findings.scene.name());
     let seconds = panel(findings, "run time in s, median", Point::median, |rival| rival.title);
     let mut transforms = panel(findings, "Fourier transforms", |point| point.transforms as f64, |_| "");
-    let lines = [
-        ("pressure, relative L2", Mark::Line),
-        ("certificate η", Mark::Dotted),
-        ("κ_r, error of a grid", Mark::Dashed),
-    ];
-    transforms.series.extend(lines.map(|(name, mark)| Series::new(name, Colour::GREY, mark, Vec::new())));
+    transforms.add("pressure, relative L2", Colour::GREY, Mark::Line, []);
+    transforms.add("certificate η", Colour::GREY, Mark::Dotted, []);
+    transforms.add("κ_r, error of a grid", Colour::GREY, Mark::Dashed, []);
     Figure { title, panels: vec![seconds, transforms] }
 }
 
@@ -38,22 +35,20 @@ fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64, legend: fn(&R
     let decades = [10f64.powf(least.log10().floor()), 10f64.powf(most.min(TOP).log10().ceil())];
     let sides: Vec<String> = grids.iter().map(|(side, _)| side.to_string()).collect();
     let title = format!("dashed, downwards: corrected κ_r on n = {} points", sides.join(", "));
-    let mut panel = Panel::new(title, Axis::log(name, ends), Axis::log("relative error", decades), Corner::BottomLeft);
-    let level = |error| ends.map(|x| plot::Point::at(x, error)).to_vec();
-    panel.series = of_grids.map(|error| Series::new("", Colour::GREY, Mark::Dashed, level(error))).collect();
-    panel.series.extend(findings.finest().flat_map(|curve| of_curve(curve, work, legend(&curve.rival))));
+    let mut panel = Panel::new(title, Axis::log(name, ends), Axis::log("relative error", decades));
+    of_grids.for_each(|error| panel.add("", Colour::GREY, Mark::Dashed, ends.map(|x| Dot::at(x, error))));
+    findings.finest().for_each(|curve| add_curve(&mut panel, curve, work, legend(&curve.rival)));
     panel
 }
 
-/// Certificate and error of the pressure.
-fn of_curve(curve: &Curve, work: fn(&Point) -> f64, name: &str) -> [Series; 2] {
+/// Adds certificate and error of the pressure.
+fn add_curve(panel: &mut Panel, curve: &Curve, work: fn(&Point) -> f64, name: &str) {
     let (colour, symbol) = look(&curve.rival);
-    let series = |name, mark, error: fn(&Point) -> f64| {
-        let points = curve.points.iter().map(|point| plot::Point::at(work(point), error(point)));
-        Series::new(name, colour, mark, points.collect())
+    let mut add = |name, mark, error: fn(&Point) -> f64| {
+        panel.add(name, colour, mark, curve.points.iter().map(|point| Dot::at(work(point), error(point))));
     };
-    let joined = Mark::Joined { symbol, filled: true };
-    [series("", Mark::Dotted, |point| point.eta), series(name, joined, |point| point.pressure_error)]
+    add("", Mark::Dotted, |point| point.eta);
+    add(name, Mark::Joined { symbol, filled: true }, |point| point.pressure_error);
 }
 
 fn look(rival: &Rival) -> (Colour, Symbol) {
