@@ -102,7 +102,7 @@ fn rough_scenes_are_held_against_finer_grids_and_theories() {
     let [stop, reference] = [1e-10, 1e-13].map(|tolerance| Stop::new(tolerance, 100_000).unwrap());
     let (scene, sides, repeats) = (Scene::RoughLine, vec![512, 1024], NonZeroUsize::MIN);
     let experiment = Experiment { scene, sides, seed: 3, stop, reference, repeats };
-    let findings = experiment.run(&mut |_| Box::new(())).unwrap();
+    let findings = experiment.run(|_| Box::new(())).unwrap();
     assert!(findings.is_converged(&stop) && findings.to_string().contains("errors against 4096 points"), "{findings}");
     let theories: Vec<&str> = findings.models.iter().map(|model| model.theory).collect();
     assert_eq!(theories, ["Persson", "Bush-Gibson-Thomas", "Greenwood-Williamson"]);

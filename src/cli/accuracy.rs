@@ -73,7 +73,7 @@ impl Accuracy {
         )?;
         let mut all = Vec::new();
         for experiment in &experiments {
-            let findings = experiment.run(&mut bar)?;
+            let findings = experiment.run(bar)?;
             write!(stdout(), "\n{findings}")?;
             all.push(findings);
             if let Some(folder) = &self.out {
@@ -81,7 +81,7 @@ impl Accuracy {
                 #[cfg(feature = "record")]
                 if self.record {
                     let path = folder.join(format!("{}.rrd", experiment.scene.name()));
-                    asperity::lab::accuracy::record(&path, experiment, &mut bar)?;
+                    asperity::lab::accuracy::record(&path, experiment, bar)?;
                 }
             }
         }

@@ -8,6 +8,7 @@ use asperity::contact::{Status, Stop};
 use asperity::files::{check_target, write_csv};
 use asperity::lab::bench::{Contest, Group, HEAD, Timing};
 use asperity::setup::Method;
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use std::io::{Write, stdout};
 use std::num::NonZeroUsize;
@@ -73,7 +74,7 @@ impl Bench {
         for (&group, &stop) in self.groups.iter().zip(&stops) {
             writeln!(stdout(), "\n{}", self.title(group))?;
             for contest in Contest::all(group, self.quick, self.seed) {
-                for timing in Timing::all(&contest, self.methods(group), stop, self.repeats, &mut bar) {
+                for timing in Timing::all(&contest, self.methods(group), stop, self.repeats, bar) {
                     timings.push(timing?);
                     writeln!(stdout(), "{}", timings[timings.len() - 1])?;
                     if let Some(path) = &self.out {
@@ -99,12 +100,10 @@ impl Bench {
 
     /// The name of a group and a few words on it.
     fn title(&self, group: Group) -> String {
-        let value = group.to_possible_value();
-        let words = value
-            .as_ref()
-            .map(|value| (value.get_name(), value.get_help().map_or_else(String::new, ToString::to_string)));
-        let (name, help) = words.unwrap_or_default();
-        format!("{name}{}: {help}", if self.quick { ", shrunk" } else { "" })
+        let shrunk = if self.quick { ", shrunk" } else { "" };
+        let help = |value: &PossibleValue| value.get_help().cloned().unwrap_or_default();
+        let words = |value: PossibleValue| format!("{}{shrunk}: {}", value.get_name(), help(&value));
+        group.to_possible_value().map(words).unwrap_or_default()
     }
 
     fn methods(&self, group: Group) -> &[Method] {

@@ -12,10 +12,6 @@ use std::io::{Write, stdout};
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Seconds that a run gets if none are given.
-const BUDGET: f64 = 20.0;
-const QUICK_BUDGET: f64 = 0.5;
-
 const COLUMNS: &str = "\
 Each row is one case solved by one solver:
   steps    iterations; for the multilevel solver outer and inner steps on all grids
@@ -71,7 +67,7 @@ impl Stability {
         writeln!(stdout(), "{HEAD}")?;
         for trial in &trials {
             for rival in self.rivals(trial) {
-                reports.push(judge(trial, rival, budget, &mut bar));
+                reports.push(judge(trial, rival, budget, bar));
                 writeln!(stdout(), "{}", reports[reports.len() - 1])?;
                 if let Some(path) = &self.out {
                     write_csv(path, &reports)?;
@@ -100,7 +96,7 @@ impl Stability {
     }
 
     fn budget(&self) -> Result<Duration> {
-        let seconds = self.budget.unwrap_or(if self.quick { QUICK_BUDGET } else { BUDGET });
+        let seconds = self.budget.unwrap_or(if self.quick { 0.5 } else { 20.0 });
         match Duration::try_from_secs_f64(seconds) {
             Ok(budget) if !budget.is_zero() => Ok(budget),
             _ => usage(format!("--budget is {seconds:?}: give a positive, finite number of seconds")),

@@ -3,7 +3,6 @@
 use super::flags::Scene;
 use super::outcome::Outcome;
 use anyhow::Result;
-use asperity::Surface;
 use asperity::files::check_target;
 use asperity::setup::Cost;
 use asperity::surface::{Roughness, write_heights};
@@ -52,7 +51,13 @@ impl Describe {
             let height = surface.heights_as_given();
             write_heights(path, if rank == 1 { height.row(0).into_dyn() } else { height.view().into_dyn() })?;
         }
-        let statistics = Statistics::of(&surface, rank);
+        let outer = 2 - rank;
+        let statistics = Statistics {
+            points: grid.shape()[outer..].to_vec(),
+            size: grid.size()[outer..].to_vec(),
+            seed: surface.seed(),
+            roughness: Roughness::of(&surface),
+        };
         let mut out = stdout();
         if self.json {
             writeln!(out, "{}", serde_json::to_string(&statistics)?)?;
@@ -64,12 +69,6 @@ impl Describe {
 }
 
 impl Statistics {
-    fn of(surface: &Surface, rank: usize) -> Self {
-        let (grid, outer) = (surface.grid(), 2 - rank);
-        let (points, size) = (grid.shape()[outer..].to_vec(), grid.size()[outer..].to_vec());
-        Self { points, size, seed: surface.seed(), roughness: Roughness::of(surface) }
-    }
-
     fn write(&self, description: &str, out: &mut impl Write) -> std::io::Result<()> {
         let join = |values: Vec<String>| values.join(" x ");
         writeln!(out, "{description}")?;

@@ -2,5 +2,5 @@
 
 use crate::contact::Observer;
 
-/// Makes an observer of a run from its title, such as a progress bar.
-pub type Watch<'a> = dyn FnMut(&str) -> Box<dyn Observer> + 'a;
+/// A function that makes an observer of a run from its title, such as a progress bar.
+pub type Watch = fn(&str) -> Box<dyn Observer>;

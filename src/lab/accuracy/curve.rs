@@ -1,7 +1,7 @@
 //! Work against precision: one solver on one grid.
 
 use super::quantity::{Values, errors, found};
-use crate::contact::{Contact, Each, Observer, Problem, Step, Stop};
+use crate::contact::{Contact, Each, Observer, Step, Stop};
 use crate::error::SolveError;
 use crate::lab::table::median;
 use crate::lab::{Rival, Watch};
@@ -48,10 +48,13 @@ impl Curve {
         stop: &Stop,
         repeats: NonZeroUsize,
         title: &str,
-        watch: &mut Watch<'_>,
+        watch: Watch,
     ) -> Result<Self, SolveError> {
         let mut points = Vec::new();
-        let mut run = |observer: &mut dyn Observer| solve(&rival, &reference.problem, stop, observer, title, watch);
+        let run = |observer: &mut dyn Observer| {
+            let others = watch(&format!("{title} {}", rival.title));
+            rival.method.solver().solve(&reference.problem, stop, &mut (observer, others))
+        };
         run(&mut sampler(reference, stop.tolerance(), &mut points))?;
         (0..repeats.get()).try_for_each(|_| run(&mut clock(&mut points)).map(drop))?;
         points.iter_mut().for_each(|point| point.seconds.sort_by(f64::total_cmp));
@@ -68,19 +71,6 @@ impl Curve {
     pub fn reaching(&self, eta: f64) -> Option<&Point> {
         self.points.iter().find(|point| point.eta <= eta)
     }
-}
-
-/// The contact that a rival comes to, seen by `observer` and who else watches.
-pub fn solve(
-    rival: &Rival,
-    problem: &Problem,
-    stop: &Stop,
-    observer: &mut dyn Observer,
-    title: &str,
-    watch: &mut Watch<'_>,
-) -> Result<Contact, SolveError> {
-    let others = watch(&format!("{title} {}", rival.title));
-    rival.method.solver().solve(problem, stop, &mut (observer, others))
 }
 
 /// The observer that makes the points of a curve.

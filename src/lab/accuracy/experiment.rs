@@ -1,10 +1,10 @@
 //! The experiment on a scene.
 
-use super::curve::{Curve, solve};
+use super::curve::Curve;
 use super::ladder::{Ladder, REFINEMENT};
 use super::model::{Model, models};
 use super::scene::Scene;
-use crate::contact::Stop;
+use crate::contact::{Multilevel, Solver, Stop};
 use crate::error::{SettingError, SetupError};
 use crate::lab::{Rival, Watch};
 use std::num::NonZeroUsize;
@@ -44,23 +44,21 @@ impl Experiment {
     ///
     /// # Errors
     /// As [`Experiment::check`].
-    pub fn run(&self, watch: &mut Watch<'_>) -> Result<Findings, SetupError> {
+    pub fn run(&self, watch: Watch) -> Result<Findings, SetupError> {
         self.check()?;
         let ladder = Ladder::of(self.scene, &self.sides, self.seed, &self.stop, watch)?;
         let rms_gradient = self.scene.setup(self.finest(), self.seed).problem()?.rms_gradient();
         let models = models(self.scene, &ladder.truth, self.scene.mean_pressure() / rms_gradient);
-        let mut curves = Vec::new();
-        for &side in &self.sides {
-            curves.extend(self.curves(side, watch)?);
-        }
-        Ok(Findings { scene: self.scene, ladder, models, curves })
+        let curves = self.sides.iter().map(|&side| self.curves(side, watch)).collect::<Result<Vec<_>, _>>()?;
+        Ok(Findings { scene: self.scene, ladder, models, curves: curves.into_iter().flatten().collect() })
     }
 
     /// The curves of all solvers on one grid.
-    fn curves(&self, side: usize, watch: &mut Watch<'_>) -> Result<Vec<Curve>, SetupError> {
+    fn curves(&self, side: usize, watch: Watch) -> Result<Vec<Curve>, SetupError> {
         let title = format!("{} {side},", self.scene.name());
         let problem = self.scene.setup(side, self.seed).problem()?;
-        let reference = solve(&Rival::MULTILEVEL, &problem, &self.reference, &mut (), &title, watch)?;
+        let observer = &mut watch(&format!("{title} multilevel"));
+        let reference = Multilevel.solve(&problem, &self.reference, observer)?;
         let curve = |rival| Ok(Curve::of(rival, &reference, &self.stop, self.repeats, &title, watch)?);
         Rival::ALL.into_iter().map(curve).collect()
     }

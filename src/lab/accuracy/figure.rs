@@ -9,60 +9,46 @@ use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 /// Errors above this tell nothing and are left out.
 const TOP: f64 = 10.0;
 
-/// The figure of the findings on a scene.
+/// The figure of the findings on a scene; the legend of one panel tells the solvers apart, that of the other the lines.
 pub fn figure(findings: &Findings) -> Figure {
     let points = findings.finest().next().map_or(0, |curve| curve.shape[1]);
     let kind = if findings.scene.is_line() { "points" } else { "points a side" };
     let title = format!("{}, {points} {kind}: error against work", findings.scene.name());
-    Figure { title, panels: vec![against_seconds(findings), against_transforms(findings)] }
-}
-
-/// The panel whose legend tells the solvers apart.
-fn against_seconds(findings: &Findings) -> Panel {
-    let mut panel = panel(findings, "run time in s, median", Point::median);
-    for (series, rival) in panel.series.iter_mut().rev().step_by(2).zip(Rival::ALL.into_iter().rev()) {
-        series.name = rival.title.into();
-    }
-    panel
-}
-
-/// The panel whose legend tells the lines apart.
-fn against_transforms(findings: &Findings) -> Panel {
-    let mut panel = panel(findings, "Fourier transforms", |point| point.transforms as f64);
-    panel.add("pressure, relative L2", Colour::GREY, Mark::Line, []);
-    panel.add("certificate η", Colour::GREY, Mark::Dotted, []);
-    panel.add("κ_r, error of a grid", Colour::GREY, Mark::Dashed, []);
-    panel
+    let seconds = panel(findings, "run time in s, median", Point::median, |rival| rival.title);
+    let mut transforms = panel(findings, "Fourier transforms", |point| point.transforms as f64, |_| "");
+    transforms.add("pressure, relative L2", Colour::GREY, Mark::Line, []);
+    transforms.add("certificate η", Colour::GREY, Mark::Dotted, []);
+    transforms.add("κ_r, error of a grid", Colour::GREY, Mark::Dashed, []);
+    Figure { title, panels: vec![seconds, transforms] }
 }
 
 /// Errors of grids, then of each solver the certificate and the error, against what `work` counts.
-fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64) -> Panel {
-    let x = Axis::log(name, works(findings, work));
-    let grids = grids(findings);
-    let sides: Vec<String> = grids.iter().map(|(side, _)| side.to_string()).collect();
-    let title = format!("dashed, downwards: corrected κ_r on n = {} points", sides.join(", "));
-    let mut panel = Panel::new(title, x, Axis::log("relative error", errors(findings)));
-    grids.iter().for_each(|(_, error)| panel.add_curve("", Colour::GREY, Mark::Dashed, |_| *error));
-    findings.finest().for_each(|curve| add_curve(&mut panel, curve, work));
-    panel
-}
-
-/// Points along a side and error of each grid that has one, the largest error first.
-fn grids(findings: &Findings) -> Vec<(usize, f64)> {
+fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64, legend: fn(&Rival) -> &'static str) -> Panel {
     let rungs = findings.ladder.rungs.iter();
     let mut grids: Vec<_> = rungs.filter_map(|rung| Some((rung.shape[1], rung.errors[KAPPA_R]?))).collect();
     grids.sort_by(|(_, a), (_, b)| b.total_cmp(a));
-    grids
+    let points = || findings.finest().flat_map(|curve| &curve.points);
+    let [least, most] = extent(points().map(work));
+    let ends = [0.2 * least, 1.3 * most]; // with room for the legends
+    let of_grids = grids.iter().map(|&(_, error)| error);
+    let [least, most] = extent(points().flat_map(|point| [point.eta, point.pressure_error]).chain(of_grids.clone()));
+    let decades = [10f64.powf(least.log10().floor()), 10f64.powf(most.min(TOP).log10().ceil())];
+    let sides: Vec<String> = grids.iter().map(|(side, _)| side.to_string()).collect();
+    let title = format!("dashed, downwards: corrected κ_r on n = {} points", sides.join(", "));
+    let mut panel = Panel::new(title, Axis::log(name, ends), Axis::log("relative error", decades));
+    of_grids.for_each(|error| panel.add("", Colour::GREY, Mark::Dashed, ends.map(|x| Dot::at(x, error))));
+    findings.finest().for_each(|curve| add_curve(&mut panel, curve, work, legend(&curve.rival)));
+    panel
 }
 
 /// Adds certificate and error of the pressure.
-fn add_curve(panel: &mut Panel, curve: &Curve, work: fn(&Point) -> f64) {
+fn add_curve(panel: &mut Panel, curve: &Curve, work: fn(&Point) -> f64, name: &str) {
     let (colour, symbol) = look(&curve.rival);
-    let mut add = |mark, error: fn(&Point) -> f64| {
-        panel.add("", colour, mark, curve.points.iter().map(|point| Dot::at(work(point), error(point))));
+    let mut add = |name, mark, error: fn(&Point) -> f64| {
+        panel.add(name, colour, mark, curve.points.iter().map(|point| Dot::at(work(point), error(point))));
     };
-    add(Mark::Dotted, |point| point.eta);
-    add(Mark::Joined { symbol, filled: true }, |point| point.pressure_error);
+    add("", Mark::Dotted, |point| point.eta);
+    add(name, Mark::Joined { symbol, filled: true }, |point| point.pressure_error);
 }
 
 fn look(rival: &Rival) -> (Colour, Symbol) {
@@ -72,20 +58,6 @@ fn look(rival: &Rival) -> (Colour, Symbol) {
         "gfmd" => (Colour::GREEN, Symbol::Triangle),
         _ => (Colour::PURPLE, Symbol::Diamond),
     }
-}
-
-/// From the least to the most work, with room for the legends.
-fn works(findings: &Findings, work: fn(&Point) -> f64) -> [f64; 2] {
-    let [least, most] = extent(findings.finest().flat_map(|curve| curve.points.iter().map(work)));
-    [0.2 * least, 1.3 * most]
-}
-
-/// Whole powers of ten around all errors.
-fn errors(findings: &Findings) -> [f64; 2] {
-    let points = findings.finest().flat_map(|curve| &curve.points);
-    let grids = grids(findings).into_iter().map(|(_, error)| error);
-    let [least, most] = extent(points.flat_map(|point| [point.eta, point.pressure_error]).chain(grids));
-    [10f64.powf(least.log10().floor()), 10f64.powf(most.min(TOP).log10().ceil())]
 }
 
 /// The least and the largest positive value.

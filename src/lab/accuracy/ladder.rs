@@ -1,12 +1,11 @@
 //! The error of the grid.
 
-use super::curve::solve;
 use super::quantity::{QUANTITIES, Values, errors, exact, found, root_mean_square};
 use super::scene::Scene;
-use crate::contact::{Load, Stop, Work};
+use crate::contact::{Load, Multilevel, Solver, Stop, Work};
 use crate::error::SetupError;
+use crate::lab::Watch;
 use crate::lab::table::points;
-use crate::lab::{Rival, Watch};
 
 /// Loads over which errors are averaged, from the least to just below twice that: where the edge of the contact falls
 /// between two nodes makes the error of a single load jump by a factor of ten.
@@ -34,13 +33,7 @@ pub struct Ladder {
 
 impl Ladder {
     /// Solves `scene` on all grids under all loads.
-    pub fn of(
-        scene: Scene,
-        sides: &[usize],
-        seed: u64,
-        stop: &Stop,
-        watch: &mut Watch<'_>,
-    ) -> Result<Self, SetupError> {
+    pub fn of(scene: Scene, sides: &[usize], seed: u64, stop: &Stop, watch: Watch) -> Result<Self, SetupError> {
         let finest = sides.iter().copied().max().unwrap_or_default();
         let all = loads(scene).map(|load| scene.exact(finest, load).transpose());
         let (against, truth): (_, Vec<Values>) = match all.collect::<Option<Result<Vec<_>, _>>>().transpose()? {
@@ -51,12 +44,12 @@ impl Ladder {
                 (format!("{name} points"), finer.into_iter().map(|(values, _)| values).collect())
             }
         };
-        let mut rung = |&side: &usize| -> Result<Rung, SetupError> {
+        let rung = |&side: &usize| -> Result<Rung, SetupError> {
             let solved = solved(scene, side, seed, stop, watch)?;
             let all: Vec<Values> = solved.iter().zip(&truth).map(|((found, _), truth)| errors(found, truth)).collect();
             Ok(Rung { shape: scene.shape(side), errors: root_mean_square(&all), work: solved[0].1 })
         };
-        let rungs = sides.iter().map(&mut rung).collect::<Result<_, _>>()?;
+        let rungs = sides.iter().map(rung).collect::<Result<_, _>>()?;
         Ok(Self { against, truth: truth[0], rungs })
     }
 
@@ -78,18 +71,12 @@ impl Ladder {
 }
 
 /// What is found on one grid under each load, and the work of the solver.
-fn solved(
-    scene: Scene,
-    side: usize,
-    seed: u64,
-    stop: &Stop,
-    watch: &mut Watch<'_>,
-) -> Result<Vec<(Values, Work)>, SetupError> {
+fn solved(scene: Scene, side: usize, seed: u64, stop: &Stop, watch: Watch) -> Result<Vec<(Values, Work)>, SetupError> {
     let problem = scene.setup(side, seed).problem()?;
     let solve_under = |(i, load): (usize, f64)| {
         let problem = problem.clone().with_load(Load::MeanPressure(load))?;
-        let title = format!("{} {side}, load {} of {LOADS},", scene.name(), i + 1);
-        let contact = solve(&Rival::MULTILEVEL, &problem, stop, &mut (), &title, watch)?;
+        let title = format!("{} {side}, load {} of {LOADS}, multilevel", scene.name(), i + 1);
+        let contact = Multilevel.solve(&problem, stop, &mut watch(&title))?;
         Ok((found(&contact), contact.work))
     };
     loads(scene).enumerate().map(solve_under).collect()

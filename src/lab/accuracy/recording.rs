@@ -1,6 +1,5 @@
 //! The solvers side by side in one recording.
 
-use super::curve::solve;
 use super::experiment::Experiment;
 use crate::error::SetupError;
 use crate::lab::{Rival, Watch};
@@ -13,7 +12,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// As [`Experiment::check`], and for a file that cannot be written.
-pub fn record(path: &Path, experiment: &Experiment, watch: &mut Watch<'_>) -> Result<(), SetupError> {
+pub fn record(path: &Path, experiment: &Experiment, watch: Watch) -> Result<(), SetupError> {
     let stop = experiment.stop;
     let record = Record { length_unit: "L".into(), ..Record::default() };
     let options = Options::from(&record);
@@ -27,7 +26,8 @@ pub fn record(path: &Path, experiment: &Experiment, watch: &mut Watch<'_>) -> Re
     let scenes: Vec<Scene<'_>> = Rival::ALL.iter().zip(&setups).map(scene).collect();
     let recording = Recording::create(path, &scenes, options)?;
     for (i, rival) in Rival::ALL.iter().enumerate() {
-        let contact = solve(rival, &problem, &stop, &mut recording.recorder(i), "recording", watch)?;
+        let observer = &mut (recording.recorder(i), watch(&format!("recording {}", rival.title)));
+        let contact = rival.method.solver().solve(&problem, &stop, observer)?;
         if let Some(fault) = contact.fault().filter(|_| contact.failure.is_some()) {
             return Err(fault.into());
         }

@@ -74,18 +74,14 @@ fn work(curve: &Curve, eta: f64) -> String {
     let Some(point) = curve.reaching(eta) else { return "-".into() };
     let (least, most) = (point.seconds[0], point.seconds[point.seconds.len() - 1]);
     let spread = 50.0 * (most - least) / point.median();
-    format!("{} ({spread:.0}) {:>5}", Milliseconds(point.median()), point.transforms)
+    format!("{} ({spread:.0}) {:>5}", milliseconds(point.median()), point.transforms)
 }
 
-/// Seconds, shown as milliseconds with three digits or more.
-struct Milliseconds(f64);
-
-impl fmt::Display for Milliseconds {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let milliseconds = 1e3 * self.0;
-        let decimals = (2.0 - milliseconds.log10().floor()).clamp(0.0, 3.0) as usize;
-        write!(f, "{milliseconds:.decimals$}")
-    }
+/// Seconds as milliseconds with three digits or more.
+fn milliseconds(seconds: f64) -> String {
+    let milliseconds = 1e3 * seconds;
+    let decimals = (2.0 - milliseconds.log10().floor()).clamp(0.0, 3.0) as usize;
+    format!("{milliseconds:.decimals$}")
 }
 
 fn write_settled(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
@@ -156,7 +152,7 @@ impl Choice<'_> {
             "use {} points, eta = {}: {} ms by {} ({:.2} + {:.2} %)",
             points(self.curve.shape),
             certificate(self.point.eta),
-            Milliseconds(self.point.median()),
+            milliseconds(self.point.median()),
             self.curve.rival.title,
             100.0 * self.discretisation,
             100.0 * self.algebraic
@@ -181,7 +177,7 @@ mod tests {
     #[test]
     fn certificates_are_rounded_down_and_times_keep_their_digits() {
         assert_eq!([certificate(1.29e-3), certificate(9.99e-7), certificate(0.5)], ["1.2e-3", "9.9e-7", "5.0e-1"]);
-        let shown = [1.23456, 0.0123456, 1.23456e-4, 1.2e-7].map(|seconds| Milliseconds(seconds).to_string());
+        let shown = [1.23456, 0.0123456, 1.23456e-4, 1.2e-7].map(milliseconds);
         assert_eq!(shown, ["1235", "12.3", "0.123", "0.000"]);
     }
 }

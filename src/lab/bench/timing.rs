@@ -51,7 +51,7 @@ impl Timing {
         methods: &'a [Method],
         stop: Stop,
         repeats: NonZeroUsize,
-        watch: &'a mut Watch<'_>,
+        watch: Watch,
     ) -> impl Iterator<Item = Result<Self, SetupError>> + 'a {
         let mut first = None;
         methods.iter().map(move |&solver| {
@@ -64,7 +64,7 @@ impl Timing {
     }
 
     /// Makes and solves a contact.
-    fn of(contest: &Contest, setup: &Setup, repeats: NonZeroUsize, watch: &mut Watch<'_>) -> Result<Self, SetupError> {
+    fn of(contest: &Contest, setup: &Setup, repeats: NonZeroUsize, watch: Watch) -> Result<Self, SetupError> {
         let clock = Instant::now();
         let problem = setup.problem()?;
         let make_seconds = clock.elapsed().as_secs_f64();

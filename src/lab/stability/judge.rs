@@ -17,7 +17,7 @@ const UNITS: f64 = 1e-10;
 const AGREEMENT: f64 = 1e-6;
 
 /// Solves a trial within a budget of time, checks what comes back, and judges it.
-pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: &mut Watch<'_>) -> Report {
+pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: Watch) -> Report {
     let report = |found, verdict, note| Report::new(trial, rival, found, verdict, note);
     match catch_unwind(AssertUnwindSafe(|| trial.solve(rival, budget, watch))) {
         Ok(Ok((contact, twin))) => {

@@ -6,7 +6,7 @@ use crate::surface::{Field, Spectrum, Surface};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
-type Shape = Result<Surface, SetupError>;
+pub type Shape = Result<Surface, SetupError>;
 
 /// Roughness on a grid of length 1, with a roll-off at a quarter of it and a short cut-off of eight spacings.
 pub fn rough(grid: Grid) -> Shape {

@@ -91,7 +91,7 @@ fn near_the_limit((name, masses, dynamics): (&'static str, Masses, Dynamics)) ->
     let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(256, 1.0), Load::ReducedPressure(0.1));
     let method = Method::Gfmd(Gfmd { masses, dynamics, time_step: TIME_STEP, damping: 1.0 });
     let rival = Rival { name, title: name, about: "close to the limit of its time step", method };
-    judge(&Trial::new("time-step", move || setup.problem()), &rival, Duration::MAX, &mut |_| Box::new(()))
+    judge(&Trial::new("time-step", move || setup.problem()), &rival, Duration::MAX, |_| Box::new(()))
 }
 
 impl Motion {

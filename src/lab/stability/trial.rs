@@ -61,9 +61,9 @@ impl Trial {
         &self,
         rival: &Rival,
         budget: Duration,
-        watch: &mut Watch<'_>,
+        watch: Watch,
     ) -> Result<(Contact, Option<Contact>), SetupError> {
-        let mut solve = |pose: &Pose| -> Result<Contact, SetupError> {
+        let solve = |pose: &Pose| -> Result<Contact, SetupError> {
             let problem = pose()?;
             let stop = Stop::new(self.tolerance, 1_000_000)?;
             let start = self.start.map(|garbage| start(&problem, garbage));

@@ -1,6 +1,6 @@
 //! All trials, by what is extreme about them.
 
-use super::shapes::{noise, offset, plateaus, rough, rough_with, shaped, spike, two_peaks};
+use super::shapes::{Shape, noise, offset, plateaus, rough, rough_with, shaped, spike, two_peaks};
 use super::trial::{Pose, Trial};
 use super::verdict::Demand;
 use crate::contact::{ContactModulus, Load, Problem};
@@ -40,12 +40,7 @@ pub fn trials(is_quick: bool) -> Result<Vec<Trial>, SetupError> {
 }
 
 /// A surface on a grid under a load, with a modulus of 1.
-fn trial(
-    name: impl Into<String>,
-    grid: Grid,
-    load: Load,
-    surface: impl Fn(Grid) -> Result<Surface, SetupError> + 'static,
-) -> Trial {
+fn trial(name: impl Into<String>, grid: Grid, load: Load, surface: impl Fn(Grid) -> Shape + 'static) -> Trial {
     Trial::new(name, move || pressed(surface(grid)?, load))
 }
 
@@ -151,20 +146,20 @@ fn heights(grids: Grids) -> Vec<Trial> {
 
 /// Heights of lines and surfaces alike.
 fn heights_on(kind: &str, grid: Grid) -> Vec<Trial> {
-    let shapes: [(&str, fn(Grid) -> Result<Surface, SetupError>); 11] = [
-        ("offset-1e9", offset),
-        ("hurst-0.01", |grid| rough_with(grid, 0.01, 2.0, 0.1)),
-        ("hurst-1", |grid| rough_with(grid, 1.0, 2.0, 0.1)),
-        ("white-noise", noise),
-        ("slope-1e-9", |grid| rough_with(grid, 0.8, 8.0, 1e-9)),
-        ("slope-1e3", |grid| rough_with(grid, 0.8, 8.0, 1e3)),
-        ("plateaus", plateaus),
-        ("two-peaks", two_peaks),
-        ("comb", |grid| shaped(grid, |y, x| if (x + y).is_multiple_of(2) { 1.0 } else { 0.0 })),
-        ("steps", |grid| shaped(grid, |y, x| ((x / 8) % 4 + (y / 8) % 4) as f64)),
-        ("spike", |grid| spike(grid, [0, 3])),
-    ];
-    shapes.map(|(name, shape)| trial(format!("{name}-{kind}"), grid, LOAD, shape)).into()
+    let shape = |name: &str, shape: fn(Grid) -> Shape| trial(format!("{name}-{kind}"), grid, LOAD, shape);
+    vec![
+        shape("offset-1e9", offset),
+        shape("hurst-0.01", |grid| rough_with(grid, 0.01, 2.0, 0.1)),
+        shape("hurst-1", |grid| rough_with(grid, 1.0, 2.0, 0.1)),
+        shape("white-noise", noise),
+        shape("slope-1e-9", |grid| rough_with(grid, 0.8, 8.0, 1e-9)),
+        shape("slope-1e3", |grid| rough_with(grid, 0.8, 8.0, 1e3)),
+        shape("plateaus", plateaus),
+        shape("two-peaks", two_peaks),
+        shape("comb", |grid| shaped(grid, |y, x| if (x + y).is_multiple_of(2) { 1.0 } else { 0.0 })),
+        shape("steps", |grid| shaped(grid, |y, x| ((x / 8) % 4 + (y / 8) % 4) as f64)),
+        shape("spike", |grid| spike(grid, [0, 3])),
+    ]
 }
 
 /// White noise on grids that are small, odd, prime or long, and lines fine enough to be stiff.
