@@ -3,50 +3,47 @@
 mod command;
 mod rows;
 
-use asperity::Stop;
-use asperity::contact::Status;
-use asperity::lab::bench::{Contest, Group, Timing};
-use asperity::setup::Method;
 use command::{Folder, text};
-use rows::{assert_refused, rows};
-use std::num::NonZeroUsize;
+use rows::{Row, assert_refused, rows};
 
-/// All timings of a shrunk group.
-fn timings(group: Group, methods: &[Method], stop: Stop, repeats: usize, seed: u64) -> Vec<Timing> {
-    let repeats = NonZeroUsize::new(repeats).unwrap();
-    let contests = group.contests(true, seed);
-    let timings = |contest: &Contest| -> Vec<Timing> {
-        contest.timings(methods, stop, repeats, &mut |_| Box::new(())).map(Result::unwrap).collect()
-    };
-    contests.iter().flat_map(timings).collect()
+/// The rows of a bench with some arguments, which must converge.
+fn bench(arguments: &str) -> Vec<Row> {
+    let folder = Folder::new();
+    let output = folder.run(&format!("bench --quick {arguments} --out x.csv"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    rows(&folder, "x.csv")
+}
+
+fn number(row: &Row, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column} is {:?} in {row:?}", row[column]))
 }
 
 #[test]
 fn work_hardly_grows_with_the_grid_at_a_fixed_spectrum() {
-    let timings = timings(Group::Growth, Group::Growth.methods(), Stop::default(), 1, 1);
-    assert_eq!(timings.len(), 6);
-    for timing in &timings {
-        assert_eq!((timing.group, timing.status), (Group::Growth, Status::Converged));
-        assert!(timing.certificate <= 1e-8 && timing.solve_seconds > 0.0, "{timing:?}");
-        assert!(timing.ratio.is_none() && timing.peak_mib.is_some() == cfg!(target_os = "linux"), "{timing:?}");
+    let rows = bench("growth");
+    assert_eq!(rows.len(), 6);
+    for row in &rows {
+        assert_eq!((row["group"].as_str(), row["status"].as_str()), ("growth", "converged"));
+        assert!(number(row, "certificate") <= 1e-8 && number(row, "solve_seconds") > 0.0, "{row:?}");
+        assert!(row["ratio"].is_empty() && row["peak_mib"].is_empty() != cfg!(target_os = "linux"), "{row:?}");
     }
     for case in ["H 0.8 p* 0.01", "H 0.2 p* 0.01"] {
-        let line: Vec<&Timing> = timings.iter().filter(|timing| timing.case == case && timing.ny == 1).collect();
-        assert_eq!(line.iter().map(|timing| timing.nx).collect::<Vec<_>>(), [4096, 16384]);
-        let growth = line[1].transforms as f64 / line[0].transforms as f64;
+        let line: Vec<&Row> = rows.iter().filter(|row| row["case"] == case && row["ny"] == "1").collect();
+        assert_eq!(line.iter().map(|row| row["nx"].as_str()).collect::<Vec<_>>(), ["4096", "16384"]);
+        let growth = number(line[1], "transforms") / number(line[0], "transforms");
         assert!(growth < 2.0, "{case}: {growth}");
     }
 }
 
 #[test]
 fn several_solvers_are_held_against_the_first() {
-    let timings = timings(Group::Peers, Group::Peers.methods(), Stop::new(1e-4, 100_000).unwrap(), 3, 2);
-    let solvers: Vec<&str> = timings.iter().map(|timing| timing.solver.as_str()).collect();
+    let rows = bench("peers --tolerance 1e-4 --repeats 3 --seed 2");
+    let solvers: Vec<&str> = rows.iter().map(|row| row["solver"].as_str()).collect();
     assert_eq!(solvers, ["multilevel", "polonsky-keer"].repeat(2));
-    for pair in timings.chunks(2) {
-        let ratio = pair[1].solve_seconds / pair[0].solve_seconds;
-        assert_eq!((pair[0].ratio, pair[1].ratio), (Some(1.0), Some(ratio)));
-        assert!(pair.iter().all(|timing| timing.status == Status::Converged));
+    for pair in rows.chunks(2) {
+        let [first, second] = [0, 1].map(|i| number(&pair[i], "solve_seconds"));
+        assert_eq!([0, 1].map(|i| number(&pair[i], "ratio")), [1.0, second / first]);
+        assert!(pair.iter().all(|row| row["status"] == "converged"));
     }
 }
 

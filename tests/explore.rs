@@ -144,20 +144,37 @@ fn endless() -> Value {
 fn pages_of_others_are_refused() {
     let page = Page::open();
     let port = page.port;
-    for host in ["example.com".to_owned(), format!("example.com:{port}"), "127.0.0.1:1".into(), format!("[::1]:{port}")]
-    {
+    let hosts = ["example.com", "127.0.0.1", "127.0.0.1:1", ""].map(String::from);
+    let like_ours = ["example.com", "127.0.0.1.example.com", "[::1]"].map(|host| format!("{host}:{port}"));
+    for host in hosts.into_iter().chain(like_ours) {
         let refused =
             page.send(format!("GET /api/state HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").as_bytes());
         assert_eq!(refused.status, 403, "{host}");
     }
-    for origin in ["http://example.com", "null", "https://127.0.0.1", "http://127.0.0.1.example.com"] {
-        let header = format!("Origin: {origin}\r\nContent-Type: application/json\r\n");
-        assert_eq!(page.ask("POST", "/api/cancel", &header, "{}").status, 403, "{origin}");
-        assert_eq!(page.ask("GET", "/", &header, "").status, 403, "{origin}");
+    assert_eq!(page.send(b"GET /api/state HTTP/1.1\r\nConnection: close\r\n\r\n").status, 403);
+    let foreign =
+        ["http://example.com", "null", "https://127.0.0.1", "http://127.0.0.1.example.com", "http://localhost"];
+    let foreign = foreign.map(|origin| format!("Origin: {origin}"));
+    let like_ours = [format!("Origin: https://127.0.0.1:{port}"), "Origin: http://127.0.0.1:9".into()];
+    for header in foreign.into_iter().chain(like_ours).chain(["Sec-Fetch-Site: cross-site".into()]) {
+        let headers = format!("{header}\r\nContent-Type: application/json\r\n");
+        assert_eq!(page.ask("POST", "/api/cancel", &headers, "{}").status, 403, "{header}");
+        assert_eq!(page.ask("GET", "/", &headers, "").status, 403, "{header}");
     }
-    assert_eq!(page.ask("GET", "/", &format!("Origin: http://127.0.0.1:{port}\r\n"), "").status, 200);
     let unsent = page.ask("POST", "/api/cancel", "Content-Type: text/plain\r\n", "{}");
     assert_eq!(unsent.status, 415);
+}
+
+#[test]
+fn own_pages_may_ask() {
+    let page = Page::open();
+    let port = page.port;
+    let local = format!("GET / HTTP/1.1\r\nHost: localhost:{port}\r\nConnection: close\r\n\r\n");
+    assert_eq!(page.send(local.as_bytes()).status, 200);
+    let own = format!("Origin: http://127.0.0.1:{port}\r\nSec-Fetch-Site: same-origin\r\n");
+    assert_eq!(page.ask("GET", "/", &own, "").status, 200);
+    let json = format!("{own}Content-Type: application/json\r\n");
+    assert_eq!(page.ask("POST", "/api/cancel", &json, "{}").status, 200);
 }
 
 #[test]

@@ -208,6 +208,27 @@ fn a_scene_records_only_what_it_shows() {
     assert!(trace(&path, "exact_kappa_r", "step").values().all(|&k| k == kappa_r));
 }
 
+#[test]
+fn lines_have_no_mesh_and_surfaces_no_profile() {
+    let line = Parts::on(&Grid::line(4, 1.0).unwrap());
+    let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
+    assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
+    assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
+    assert_eq!(line.and(surface), [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect());
+    assert!(line.has(Part::Spectrum) && !Parts::USUAL.and(line).has(Part::Spectrum));
+}
+
+#[test]
+fn roots_are_safe_and_differ() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, problem) = (folder.path().join("many.rrd"), cylinder());
+    let scenes = ["a", "a", "b/c d", ""].map(|name| Scene::new(name, &problem));
+    Recording::create(&path, &scenes, Options::default()).unwrap().finish().unwrap();
+    let described = entities(&path).into_iter();
+    let roots = described.filter_map(|entity| entity.strip_suffix("/description").map(String::from));
+    assert_eq!(roots.collect::<BTreeSet<String>>(), ["/a", "/a_1", "/b_c_d", "/_3"].map(String::from).into());
+}
+
 /// The entities of a part, as far down as their first name below the scene.
 fn names(part: Part) -> &'static [&'static str] {
     match part {

@@ -3,7 +3,8 @@
 mod command;
 mod rows;
 
-use asperity::paper::{Effort, Item, Paper};
+use asperity::paper::{Effort, Fit, Item, Paper};
+use asperity::theory::persson::CorrectedArea;
 use command::{Folder, text};
 use rows::{Row, assert_refused, rows};
 use std::fs;
@@ -156,6 +157,10 @@ fn what_cannot_be_is_refused_before_anything_is_solved() {
     assert_refused(&folder.run("paper fig4 --quick --surface-points 512,256"), &["[512, 256]", "ascending"]);
     assert_refused(&folder.run("paper fig4 --surface-points 4194304"), &["4194304 x 4194304 points", "memory"]);
     assert!(!folder.join("paper").exists());
+    fs::create_dir(folder.join("other")).unwrap();
+    fs::write(folder.join("other/comparison.csv"), "a,b\n1,2\n").unwrap();
+    assert_refused(&folder.run("paper gw --quick --out other"), &["comparison.csv", "something else"]);
+    assert_eq!(fs::read_to_string(folder.join("other/comparison.csv")).unwrap(), "a,b\n1,2\n");
 }
 
 #[test]
@@ -170,6 +175,24 @@ fn the_points_of_another_study_stay() {
     assert!(text(&output.stdout).contains("fig2: 12 of 24 points solved"), "{}", text(&output.stdout));
     assert_eq!(study("--hurst 0.3 --fresh").status.code(), Some(0));
     assert!(rows(&folder, "p/fig2.csv").iter().all(|row| row["hurst"] == "0.3"));
+}
+
+#[test]
+fn a_scattered_curve_is_fitted_within_its_scatter() {
+    let lines = CorrectedArea { b1: 0.55, b2: 2.3 };
+    let loads = (0..40).map(|i| 10f64.powf(-2.5 + 0.05 * f64::from(i)));
+    let scatter = |i: usize| if i.is_multiple_of(2) { 1.01 } else { 0.99 };
+    let points: Vec<_> = loads.enumerate().map(|(i, p)| (p, lines.relative_area(p) * scatter(i))).collect();
+    let fit = Fit::of(&points).unwrap();
+    assert!((fit.area.b1 - 0.55).abs() < 0.01 && (fit.area.b2 - 2.3).abs() < 0.3, "{fit:?}");
+    assert!((fit.residual - 0.01).abs() < 2e-3, "{fit:?}");
+}
+
+#[test]
+fn one_load_does_not_tell_two_numbers() {
+    assert_eq!(Fit::of(&[(0.1, 0.2), (0.1, 0.21)]), None);
+    assert_eq!(Fit::of(&[]), None);
+    assert!((Fit::proportional(&[(1e-6, 2.2e-6)]).unwrap().area.kappa(0.0) - 2.2).abs() < 1e-6);
 }
 
 /// The values of a curve over the timeline `load`.

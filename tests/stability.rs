@@ -1,8 +1,11 @@
-//! `asperity stability`, run for real on small cases.
+//! `asperity stability`, run for real on small cases, and the check by which it judges.
 
 mod command;
 mod rows;
 
+use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
+use asperity::lab::stability::Check;
+use asperity::{Grid, Indenter, Problem, Stop};
 use command::{Folder, text};
 use rows::{assert_refused, rows};
 use std::collections::BTreeSet;
@@ -51,5 +54,48 @@ fn what_cannot_be_is_refused_before_anything_runs() {
     assert_refused(&folder.run("stability --quick --out missing/x.csv"), &["there is no folder missing"]);
     for budget in ["0", "-1", "NaN", "inf"] {
         assert_refused(&folder.run(&format!("stability --quick --budget {budget}")), &["--budget"]);
+    }
+}
+
+fn problems() -> [Problem; 3] {
+    let line = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(256, 4.0).unwrap()).unwrap();
+    let long = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(16_384, 4.0).unwrap()).unwrap();
+    let (pressed, apart) = (Load::MeanPressure(0.02), Load::MeanGap(0.4));
+    [(line.clone(), pressed), (long, pressed), (line, apart)]
+        .map(|(surface, load)| Problem::new(surface, ContactModulus(1.0), load).unwrap())
+}
+
+fn solution(problem: &Problem) -> Vec<f64> {
+    let contact = PolonskyKeer.solve(problem, &Stop::default(), &mut ()).unwrap();
+    contact.pressure.into_iter().collect()
+}
+
+#[test]
+fn a_solution_passes_the_check() {
+    for problem in problems() {
+        let check = Check::of(&problem, &solution(&problem));
+        assert_eq!((check.fault(), check.doubt(1e-8)), (None, None));
+    }
+}
+
+#[test]
+fn a_spoiled_pressure_does_not() {
+    for problem in problems() {
+        let solution = solution(&problem);
+        let spoiled = |spoil: &dyn Fn(usize, f64) -> f64| {
+            let pressure: Vec<f64> = solution.iter().enumerate().map(|(i, &p)| spoil(i, p)).collect();
+            Check::of(&problem, &pressure)
+        };
+        let moved = spoiled(&|i, _| solution[(i + 1) % solution.len()]);
+        assert!(moved.fault().is_none() && moved.doubt(1e-8).unwrap().contains("eta"));
+        assert!(spoiled(&|_, p| 1.001 * p).doubt(1e-8).is_some());
+        let uniform = spoiled(&|_, _| solution.iter().sum::<f64>() / solution.len() as f64);
+        assert!(uniform.fault().is_none() && uniform.doubt(1e-3).is_some());
+        assert!(spoiled(&|i, p| if i == 0 { -1e-9 } else { p }).fault().unwrap().contains("tension"));
+        assert!(spoiled(&|i, p| if i == 0 { f64::NAN } else { p }).fault().unwrap().contains("finite"));
+        assert!(spoiled(&|_, _| 0.0).fault().unwrap().contains("finite"));
+        if problem.mean_pressure().is_some() {
+            assert!(spoiled(&|_, p| 1.001 * p).fault().unwrap().contains("load"));
+        }
     }
 }

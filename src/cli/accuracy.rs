@@ -22,7 +22,6 @@ Three errors, all relative, are kept apart:
   model           of a theory against the same
 Area and kappa_r are corrected for counting nodes.";
 
-/// Measures how far each solver has come after which time, and what that is worth.
 #[derive(Args)]
 #[command(after_help = ERRORS)]
 pub struct Accuracy {
@@ -60,7 +59,6 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         let experiments = self.scenes.iter().map(|scene| self.experiment(*scene)).collect::<Result<Vec<_>>>()?;
         experiments.iter().try_for_each(Experiment::check)?;

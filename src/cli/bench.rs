@@ -6,7 +6,7 @@ use super::progress::bar;
 use anyhow::Result;
 use asperity::contact::{Status, Stop};
 use asperity::files::{check_target, write_csv};
-use asperity::lab::bench::{Group, HEAD};
+use asperity::lab::bench::{Contest, Group, HEAD, Timing};
 use asperity::setup::Method;
 use clap::{Args, ValueEnum};
 use std::io::{Write, stdout};
@@ -27,7 +27,6 @@ Each row is one case solved by one solver:
               MALLOC_MMAP_THRESHOLD_=131072 has it keep next to nothing
   ratio       solve s over that of the case's first solver (- for a case with one solver)";
 
-/// Solves chosen cases one after the other and reports what that took.
 #[derive(Args)]
 #[command(after_help = COLUMNS)]
 pub struct Bench {
@@ -61,7 +60,6 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         if self.list {
             return self.list();
@@ -74,8 +72,8 @@ impl Bench {
         writeln!(stdout(), "{HEAD}")?;
         for (&group, &stop) in self.groups.iter().zip(&stops) {
             writeln!(stdout(), "\n{}", self.title(group))?;
-            for contest in group.contests(self.quick, self.seed) {
-                for timing in contest.timings(self.methods(group), stop, self.repeats, &mut bar) {
+            for contest in Contest::all(group, self.quick, self.seed) {
+                for timing in Timing::all(&contest, self.methods(group), stop, self.repeats, &mut bar) {
                     timings.push(timing?);
                     writeln!(stdout(), "{}", timings[timings.len() - 1])?;
                     if let Some(path) = &self.out {
@@ -92,7 +90,7 @@ impl Bench {
         for &group in &self.groups {
             writeln!(stdout(), "\n{}", self.title(group))?;
             let solvers: Vec<_> = self.methods(group).iter().map(Method::name).collect();
-            for contest in group.contests(self.quick, self.seed) {
+            for contest in Contest::all(group, self.quick, self.seed) {
                 writeln!(stdout(), "{:<14} {:>11} {}", contest.name, contest.points(), solvers.join(", "))?;
             }
         }

@@ -20,7 +20,6 @@ const MODULUS: f64 = 1e9;
 /// Load of the rough contacts.
 const REDUCED_PRESSURE: f64 = 0.05;
 
-/// Presses a cylinder, a rough line, a sphere and a rough surface on an elastic solid by GFMD and records every step.
 #[derive(Args)]
 pub struct Demo {
     /// The recording
@@ -38,7 +37,6 @@ struct Exhibit {
 }
 
 impl Demo {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         let exhibits = exhibits();
         let problems = exhibits.iter().map(|exhibit| exhibit.setup.problem()).collect::<Result<Vec<_>, _>>()?;

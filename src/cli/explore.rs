@@ -1,13 +1,20 @@
 //! `asperity explore`: turn a knob, watch the contact relax.
 
-use super::browser;
 use super::outcome::{Outcome, usage};
 use anyhow::Result;
 use asperity::explore::{Explorer, Server, Session, Start};
 use clap::Args;
 use std::io::{Write, stdout};
+use std::process::{Command, Stdio};
 
-/// Opens a page on this machine: controls on the left, the Rerun viewer on the right, live.
+/// What opens an address in the browser of the person at the keyboard.
+#[cfg(target_os = "macos")]
+const OPEN: &[&str] = &["open"];
+#[cfg(target_os = "windows")]
+const OPEN: &[&str] = &["rundll32", "url.dll,FileProtocolHandler"];
+#[cfg(not(any(target_os = "macos", target_os = "windows")))]
+const OPEN: &[&str] = &["xdg-open"];
+
 #[derive(Args)]
 pub struct Explore {
     /// Where to start
@@ -29,7 +36,6 @@ pub struct PageArgs {
 }
 
 impl Explore {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         let (session, solver) = Session::start();
         let explorer = Explorer::new(session.clone(), self.start.knobs())?;
@@ -53,9 +59,16 @@ impl PageArgs {
         }
         writeln!(out, "{}  (Ctrl-C ends it)", server.address())?;
         out.flush()?;
-        if !self.no_open && !browser::open(&server.address()) {
+        if !self.no_open && !open(&server.address()) {
             writeln!(out, "No browser could be opened: open the address above in one.")?;
         }
         Ok(server)
     }
+}
+
+/// Opens `address`, and says whether that could be tried.
+fn open(address: &str) -> bool {
+    let mut command = Command::new(OPEN[0]);
+    command.args(&OPEN[1..]).arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.spawn().is_ok()
 }

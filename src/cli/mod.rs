@@ -2,8 +2,6 @@
 
 mod accuracy;
 mod bench;
-#[cfg(feature = "explore")]
-mod browser;
 mod choice;
 #[cfg(feature = "record")]
 mod demo;
@@ -48,6 +46,12 @@ enum Command {
     #[cfg(feature = "explore")]
     Explore(explore::Explore),
     /// Make the tables and figures of van Dokkum et al. (2018) again
+    ///
+    /// The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018). Each figure comes as a CSV of every
+    /// solved point, SVG, PNG and a recording; comparison.csv holds the final table. Started again after it was killed it goes
+    /// on where it was, and the CSV is the same to the last bit. With other Hurst exponents, seeds, loads and sizes the same
+    /// command makes a study of your own. Lengths are those of the paper: a roll-off of 20 um, of which 8 fit a line and 4 a side
+    /// of a surface.
     Paper(Box<paper::Paper>),
     /// Solve one contact
     Solve(Box<solve::Solve>),

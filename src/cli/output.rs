@@ -20,27 +20,12 @@ pub struct Summary {
     #[serde(flatten)]
     observables: Observables,
     seconds: f64,
+    /// The exact solution under the same mean pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
-    exact: Option<ExactSummary>,
+    exact: Option<Exact>,
     setup: Setup,
     #[serde(skip)]
     title: String,
-}
-
-/// The exact solution beside it, under the same mean pressure.
-#[derive(Serialize)]
-struct ExactSummary {
-    name: &'static str,
-    relative_area: f64,
-    kappa_r: Option<f64>,
-    mean_gap: Option<f64>,
-    max_pressure: Option<f64>,
-}
-
-impl From<Exact> for ExactSummary {
-    fn from(Exact { name, relative_area, kappa_r, mean_gap, max_pressure, .. }: Exact) -> Self {
-        Self { name, relative_area, kappa_r, mean_gap, max_pressure }
-    }
 }
 
 impl Summary {
@@ -57,7 +42,7 @@ impl Summary {
             prescribed: contact.problem.load().name(),
             observables: Observables::of(contact),
             seconds: contact.work.seconds,
-            exact: setup.exact(grid, contact.mean_pressure()).map(ExactSummary::from),
+            exact: setup.exact(grid, contact.mean_pressure()),
             setup: setup.clone().with_full_path(),
             title: setup.surface.title(grid),
         }

@@ -2,26 +2,20 @@
 
 use super::choice::count;
 use super::outcome::Outcome;
+use super::progress::blank;
 use anyhow::Result;
 use asperity::paper::{self, Effort, Event, Item};
 use asperity::study::Point;
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use std::collections::BTreeSet;
-use std::io::{IsTerminal, Write, stdout};
+use std::io::{Write, stdout};
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Makes the tables and figures of the paper again, and says for every number of it what is found here.
-///
-/// The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018). Each figure comes as a CSV of every
-/// solved point, SVG, PNG and a recording; comparison.csv holds the final table. Started again after it was killed it goes
-/// on where it was, and the CSV is the same to the last bit. With other Hurst exponents, seeds, loads and sizes the same
-/// command makes a study of your own. Lengths are those of the paper: a roll-off of 20 um, of which 8 fit a line and 4 a side
-/// of a surface.
 #[derive(clap::Args)]
 pub struct Paper {
     /// What to make, in this order
@@ -77,9 +71,9 @@ pub struct Paper {
 }
 
 impl Paper {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
-        let (items, paper, bar) = (self.items(), self.paper(), bar());
+        let (items, paper, bar) =
+            (self.items(), self.paper(), blank("{prefix} [{wide_bar}] {percent} %, {msg} ({eta} left)"));
         let comparison = paper.run(&items, &|event| show(&bar, event))?;
         writeln!(stdout())?;
         comparison.write_text(&mut stdout())?;
@@ -166,16 +160,7 @@ fn seeds(text: &str) -> Result<RangeInclusive<u64>, String> {
     }
 }
 
-/// A bar that shows which share of the nodes of an item is solved and the time left, on standard error, if that is a
-/// terminal.
-fn bar() -> ProgressBar {
-    let bar = if std::io::stderr().is_terminal() { ProgressBar::no_length() } else { ProgressBar::hidden() };
-    match ProgressStyle::with_template("{prefix} [{wide_bar}] {percent} %, {msg} ({eta} left)") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
-}
-
+/// Shows which share of the nodes of an item is solved, and the time left.
 fn show(bar: &ProgressBar, event: Event<'_>) {
     match event {
         Event::Begin { item, nodes } => {

@@ -32,13 +32,20 @@ pub fn bar(title: &str) -> Box<dyn Observer> {
     Box::new(Progress::new(title))
 }
 
+/// A bar without a length on standard error, if that is a terminal.
+pub fn blank(template: &str) -> ProgressBar {
+    let bar = if std::io::stderr().is_terminal() { ProgressBar::no_length() } else { ProgressBar::hidden() };
+    match ProgressStyle::with_template(template) {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
 impl Progress {
     /// A bar that is full at the tolerance of the run.
     pub fn new(title: &str) -> Self {
-        let bar = if std::io::stderr().is_terminal() { ProgressBar::new(LENGTH) } else { ProgressBar::hidden() };
-        if let Ok(style) = ProgressStyle::with_template("{prefix} [{wide_bar}] {msg} ({elapsed})") {
-            bar.set_style(style);
-        }
+        let bar = blank("{prefix} [{wide_bar}] {msg} ({elapsed})");
+        bar.set_length(LENGTH);
         bar.set_prefix(title.to_owned());
         bar.enable_steady_tick(Duration::from_millis(200));
         Self { bar, tolerance: f64::NAN, coarse: 0, level: None }

@@ -15,7 +15,6 @@ use clap::Args;
 use std::io::{self, Write, stderr, stdout};
 use std::path::PathBuf;
 
-/// Presses one surface on the solid and reports the contact.
 #[derive(Args)]
 pub struct Solve {
     #[command(flatten)]
@@ -52,13 +51,12 @@ struct Output {
 
 impl Output {
     /// The recording.
-    #[cfg(feature = "record")]
     fn recording(&self) -> Option<&PathBuf> {
-        self.record.as_ref()
-    }
-
-    #[cfg(not(feature = "record"))]
-    fn recording(&self) -> Option<&PathBuf> {
+        #[cfg(feature = "record")]
+        {
+            self.record.as_ref()
+        }
+        #[cfg(not(feature = "record"))]
         None
     }
 
@@ -78,15 +76,12 @@ impl Output {
 }
 
 impl Solve {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         let setup = self.scene.table()?.setup()?;
         let cost = setup.cost(self.output.recording().is_some(), self.output.out.is_some())?;
         self.output.check()?;
         if self.dry_run {
-            let mut said = Vec::new();
-            plan::write(&setup, &cost, self.output.recording().is_some(), &mut said)?;
-            stdout().write_all(&said)?;
+            plan::write(&setup, &cost, self.output.recording().is_some(), &mut stdout())?;
             return Ok(Outcome::Done);
         }
         cost.check(setup.solver.name())?;

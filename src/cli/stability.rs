@@ -34,7 +34,6 @@ After them the largest stable time steps of molecular dynamics, found by bisecti
 Exit code 0 if nothing is WRONG, the multilevel solver does what every case demands, and the time steps are
 those of theory; else 3.";
 
-/// Solves stiff and extreme cases by every solver and checks what they return.
 #[derive(Args)]
 #[command(after_help = COLUMNS)]
 pub struct Stability {
@@ -59,7 +58,6 @@ pub struct Stability {
 }
 
 impl Stability {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         let trials = self.trials()?;
         if self.list {
@@ -111,7 +109,7 @@ impl Stability {
 
     fn list(&self, trials: &[Trial]) -> Result<Outcome> {
         for trial in trials {
-            let demand = |rival: &Rival| format!("{} {}", rival.name, trial.demand_of(rival).name());
+            let demand = |rival: &Rival| format!("{} {}", rival.name, trial.demand_of(rival));
             let demands: Vec<_> = self.rivals(trial).iter().map(demand).collect();
             writeln!(stdout(), "{:<28} {}", trial.name, demands.join(", "))?;
         }

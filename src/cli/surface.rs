@@ -15,7 +15,6 @@ use std::path::PathBuf;
 /// Fields that a surface takes while it is made and written: heights, spectrum, and the heights as given.
 const FIELDS: f64 = 3.0;
 
-/// Makes a surface and prints its statistics, or prints those of a file.
 #[derive(Args)]
 pub struct Describe {
     #[command(flatten)]
@@ -40,7 +39,6 @@ struct Statistics {
 }
 
 impl Describe {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         if let Some(path) = &self.out {
             check_target(path)?;

@@ -8,7 +8,6 @@ use asperity::record::is_recording;
 use clap::Args;
 use std::path::PathBuf;
 
-/// Opens a recording in the browser, with nothing to install.
 #[derive(Args)]
 pub struct View {
     /// The recording
@@ -19,7 +18,6 @@ pub struct View {
 }
 
 impl View {
-    /// Runs the command.
     pub fn run(&self) -> Result<Outcome> {
         if !is_recording(&self.file)? {
             let file = self.file.display();

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
 
 /// A number that is told of a contact.
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 pub struct Observable {
     /// The name of its field in [`Observables`], with the unit where two are possible.
     pub name: &'static str,

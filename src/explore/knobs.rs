@@ -25,48 +25,39 @@ const REDUCED_PRESSURES: RangeInclusive<f64> = 1e-5..=1e3;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Knobs {
-    /// Line or surface.
-    pub domain: Domain,
-    /// The body that carries the roughness.
-    pub body: Body,
+    domain: Domain,
+    body: Body,
     /// Exponent of the power law.
-    pub exponent: f64,
+    exponent: f64,
     /// Rms gradient of the roughness; 0 for none.
-    pub roughness: f64,
-    /// Hurst exponent.
-    pub hurst: f64,
+    roughness: f64,
+    hurst: f64,
     /// Waves per cell at the roll-off.
-    pub rolloff: f64,
+    rolloff: f64,
     /// Waves per cell at the short cut-off.
-    pub cutoff: f64,
-    /// Seed of the roughness.
-    pub seed: u32,
+    cutoff: f64,
+    seed: u32,
     /// Points of the line, or along each side of the surface.
-    pub points: usize,
+    points: usize,
     /// Reduced pressure `p* = <p> / (gbar E*)`.
-    pub load: f64,
-    /// The solver with its settings.
-    pub solver: Method,
-    /// When the solver stops.
-    pub stop: Stop,
+    pub(super) load: f64,
+    solver: Method,
+    stop: Stop,
     /// Parts of the recording; of profile and mesh the one that the domain has.
-    pub record: Vec<Part>,
+    record: Vec<Part>,
 }
 
-/// The domain of the heights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Domain {
-    /// A line.
+enum Domain {
     Line,
-    /// A surface.
     Surface,
 }
 
 /// The smooth body under the roughness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Body {
+enum Body {
     /// A cylinder on a line, a sphere on a surface.
     Round,
     /// A sine on a line, crossed sines on a surface.
@@ -84,12 +75,6 @@ pub struct Refusal(pub String);
 
 impl From<SetupError> for Refusal {
     fn from(error: SetupError) -> Self {
-        Self(error.to_string())
-    }
-}
-
-impl From<serde_json::Error> for Refusal {
-    fn from(error: serde_json::Error) -> Self {
         Self(error.to_string())
     }
 }
@@ -143,7 +128,7 @@ impl Knobs {
     /// # Errors
     /// A sentence on the fault of the text.
     pub fn read(json: &[u8]) -> Result<Self, Refusal> {
-        Ok(serde_json::from_slice(json)?)
+        serde_json::from_slice(json).map_err(|error| Refusal(error.to_string()))
     }
 
     /// The setup that the knobs stand for, checked as far as that takes no surface.
@@ -172,26 +157,19 @@ impl Knobs {
 
     /// Checks the limits of the page.
     fn check(&self) -> Result<(), Refusal> {
-        let refuse = |sentence: String| Err(Refusal(sentence));
         let most = MOST_POINTS[self.domain as usize];
-        if self.points > most {
-            return refuse(format!("{} points are too many here: give at most {most}", self.points));
-        }
-        if self.stop.max_iterations() > MOST_STEPS {
-            return refuse(format!(
-                "{} steps are too many here: give at most {MOST_STEPS}",
-                self.stop.max_iterations()
-            ));
-        }
-        if !REDUCED_PRESSURES.contains(&self.load) {
-            let (low, high) = REDUCED_PRESSURES.into_inner();
-            return refuse(format!("the load p* is {:?}: give {low:e} to {high:e}", self.load));
-        }
-        if self.body == Body::Flat && self.roughness == 0.0 {
-            let sentence = "a flat without roughness touches everywhere: raise the roughness or choose another body";
-            return refuse(sentence.into());
-        }
-        Ok(())
+        let (low, high) = REDUCED_PRESSURES.into_inner();
+        Err(Refusal(if self.points > most {
+            format!("{} points are too many here: give at most {most}", self.points)
+        } else if self.stop.max_iterations() > MOST_STEPS {
+            format!("{} steps are too many here: give at most {MOST_STEPS}", self.stop.max_iterations())
+        } else if !REDUCED_PRESSURES.contains(&self.load) {
+            format!("the load p* is {:?}: give {low:e} to {high:e}", self.load)
+        } else if self.body == Body::Flat && self.roughness == 0.0 {
+            "a flat without roughness touches everywhere: raise the roughness or choose another body".into()
+        } else {
+            return Ok(());
+        }))
     }
 
     fn spectrum(&self) -> Option<Spectrum> {

@@ -1,7 +1,7 @@
 //! The explorer: a page on this machine with controls on the left and the viewer on the right.
 //!
 //! ```text
-//! page --(Knobs)--> Session: orders --> worker: solve, sweep --(record::Live)--> GET /run/ID.rrd --> viewer in the page
+//! page --(Knobs)--> Session: orders --> worker: solve, sweep --(record::Output)--> GET /run/ID.rrd --> viewer in the page
 //!   ^                 |                      |
 //!   +----(Report)-----+<---(Turn)------------+
 //! ```
@@ -20,14 +20,10 @@ mod site;
 mod solve;
 mod stream;
 mod sweep;
-mod viewing;
 mod worker;
 
-pub use knobs::{Body, Domain, Knobs, Refusal, Start};
-pub use report::{Numbers, Report};
+pub use knobs::{Knobs, Refusal, Start};
+pub use page::Viewing;
 pub use route::Explorer;
 pub use server::Server;
-pub use session::{Order, Session};
-pub use site::{Reply, Request, Site};
-pub use stream::RecordingBytes;
-pub use viewing::Viewing;
+pub use session::Session;

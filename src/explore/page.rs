@@ -1,17 +1,20 @@
 //! The page and the viewer inside it, all of them in the binary.
 
-use super::site::Reply;
+use super::site::{Reply, Request, Site};
+use super::stream::RecordingBytes;
 use axum::body::Bytes;
 use re_web_viewer_server::WebViewerData;
+use std::fs::File;
 use std::io;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Answers to the paths of the page.
-#[derive(Clone)]
 pub struct Page {
     script: Bytes,
     module: Bytes,
-    purpose: Purpose,
+    /// `explore` for controls and viewer, `view` for the viewer alone.
+    mode: &'static str,
 }
 
 /// A file of the viewer, which stays where it is.
@@ -23,24 +26,12 @@ impl AsRef<[u8]> for ViewerFile {
     }
 }
 
-/// The purpose of the page.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Purpose {
-    /// Controls and viewer.
-    Explore,
-    /// The viewer alone.
-    View,
-}
-
 impl Page {
-    /// The page.
-    ///
-    /// # Errors
-    /// If the viewer is not in the binary, as builds for special purposes leave it out.
-    pub fn new(purpose: Purpose) -> io::Result<Self> {
+    /// The page; fails if the viewer is not in the binary, as builds for special purposes leave it out.
+    pub fn new(mode: &'static str) -> io::Result<Self> {
         let viewer = Arc::new(WebViewerData::load(None).map_err(io::Error::other)?);
         let file = |content| Bytes::from_owner(ViewerFile(viewer.clone(), content));
-        Ok(Self { script: file(WebViewerData::viewer_js), module: file(WebViewerData::viewer_wasm), purpose })
+        Ok(Self { script: file(WebViewerData::viewer_js), module: file(WebViewerData::viewer_wasm), mode })
     }
 
     /// The file at `path`, if it belongs to the page.
@@ -58,11 +49,36 @@ impl Page {
     }
 
     fn html(&self) -> String {
-        let mode = match self.purpose {
-            Purpose::Explore => "explore",
-            Purpose::View => "view",
-        };
         let html = include_str!("../../assets/explore/explore.html");
-        html.replace("{mode}", mode).replace("{version}", env!("CARGO_PKG_VERSION"))
+        html.replace("{mode}", self.mode).replace("{version}", env!("CARGO_PKG_VERSION"))
+    }
+}
+
+/// The viewer, and the one recording that it shows.
+pub struct Viewing {
+    page: Page,
+    file: PathBuf,
+}
+
+impl Viewing {
+    /// The viewer with the recording in `file`.
+    ///
+    /// # Errors
+    /// If the viewer is not in the binary.
+    pub fn new(file: PathBuf) -> io::Result<Self> {
+        Ok(Self { page: Page::new("view")?, file })
+    }
+}
+
+impl Site for Viewing {
+    fn reply(&self, request: &Request<'_>) -> Reply {
+        match request.path {
+            _ if request.method != "GET" => Reply::wrong_method("GET"),
+            "/recording.rrd" => match File::open(&self.file) {
+                Ok(file) => Reply::Recording(RecordingBytes::File(file), None),
+                Err(error) => Reply::Error(404, error.to_string()),
+            },
+            path => self.page.file(path).unwrap_or_else(|| Reply::missing(path)),
+        }
     }
 }

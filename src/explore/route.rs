@@ -1,12 +1,12 @@
 //! The paths of the explorer.
 
 use super::knobs::{Knobs, Refusal};
-use super::page::{Page, Purpose};
+use super::page::Page;
 use super::session::{Order, Session};
 use super::site::{Reply, Request, Site};
 use super::stream::RecordingBytes;
 use crate::contact::OBSERVABLES;
-use serde::Serialize;
+use serde_json::json;
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
@@ -19,9 +19,9 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | path              | method | answer                                                                |
 /// |-------------------|--------|-----------------------------------------------------------------------|
 /// | `/`, and its files| GET    | page, script, style, viewer                                           |
-/// | `/api/start`      | GET    | the [`Knobs`] to start with                                      |
+/// | `/api/start`      | GET    | the [`Knobs`] to start with                                           |
 /// | `/api/observables`| GET    | names and meanings of the numbers in a report                         |
-/// | `/api/state`      | GET    | the [`super::Report`], at once or when it is newer than `?since=`     |
+/// | `/api/state`      | GET    | the report, at once    or when it is newer than `?since=`     |
 /// | `/api/solve`      | POST   | takes [`Knobs`], ends what runs; the revision from which on news of it come |
 /// | `/api/sweep`      | POST   | the same for a sweep                                                  |
 /// | `/api/cancel`     | POST   | ends what runs                                                        |
@@ -35,19 +35,13 @@ pub struct Explorer {
     start: Knobs,
 }
 
-/// The revision from which on the report speaks of an order.
-#[derive(Serialize)]
-struct Receipt {
-    revision: u64,
-}
-
 impl Explorer {
     /// The page, with controls that start at `start`.
     ///
     /// # Errors
     /// If the viewer is not in the binary.
     pub fn new(session: Arc<Session>, start: Knobs) -> io::Result<Self> {
-        Ok(Self { page: Page::new(Purpose::Explore)?, session, start })
+        Ok(Self { page: Page::new("explore")?, session, start })
     }
 
     fn post(&self, request: &Request<'_>) -> Reply {
@@ -59,13 +53,13 @@ impl Explorer {
             "/api/cancel" => Ok(self.session.cancel()),
             "/api/pin" => match serde_json::from_slice(request.body) {
                 Ok(name) => self.session.pin(name),
-                Err(error) => Err(error.into()),
+                Err(error) => Err(Refusal(error.to_string())),
             },
             path if self.page.file(path).is_some() || GETS.contains(&path) => return Reply::wrong_method("GET"),
             path => return Reply::missing(path),
         };
         match done {
-            Ok(revision) => Reply::json(&Receipt { revision }),
+            Ok(revision) => Reply::json(&json!({ "revision": revision })),
             Err(Refusal(sentence)) => Reply::Error(400, sentence),
         }
     }

@@ -4,7 +4,7 @@ use super::guard;
 use super::site::{Reply, Request, Site};
 use axum::Router;
 use axum::body::{Body, to_bytes};
-use axum::extract::State;
+use axum::extract::{Request as Incoming, State};
 use axum::http::header::{
     CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue, REFERRER_POLICY,
     X_CONTENT_TYPE_OPTIONS,
@@ -16,7 +16,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 /// The largest body of a request.
-pub const MOST_BODY: usize = 1 << 16;
+const MOST_BODY: usize = 1 << 16;
 /// Requests answered at the same time; further ones wait.
 const THREADS: usize = 32;
 /// Ports tried after the one asked for.
@@ -57,7 +57,7 @@ impl Server {
         Ok(Self { listener, port })
     }
 
-    /// Its port.
+    /// The port.
     pub fn port(&self) -> u16 {
         self.port
     }
@@ -84,8 +84,7 @@ impl Server {
 
     async fn serve(self, site: impl Site) -> io::Result<()> {
         let listener = tokio::net::TcpListener::from_std(self.listener)?;
-        let desk = Arc::new(Desk { site, port: self.port });
-        let router = Router::new().fallback(answer).with_state(desk);
+        let router = Router::new().fallback(answer).with_state((Arc::new(site), self.port));
         tokio::select! {
             served = axum::serve(listener, router) => served,
             interrupted = tokio::signal::ctrl_c() => interrupted,
@@ -108,15 +107,9 @@ async fn termination() -> io::Result<()> {
     std::future::pending().await
 }
 
-/// A site and the port under which it is known.
-struct Desk<S> {
-    site: S,
-    port: u16,
-}
-
-async fn answer<S: Site>(State(desk): State<Arc<Desk<S>>>, request: axum::extract::Request) -> Response<Body> {
+async fn answer<S: Site>(State((site, port)): State<(Arc<S>, u16)>, request: Incoming) -> Response<Body> {
     let (head, body) = request.into_parts();
-    if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, desk.port) {
+    if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, port) {
         return response(Reply::Error(status, sentence));
     }
     if guard::announced(&head.headers) > MOST_BODY as u64 {
@@ -129,7 +122,7 @@ async fn answer<S: Site>(State(desk): State<Arc<Desk<S>>>, request: axum::extrac
     };
     let reply = move || {
         let (path, query) = (head.uri.path(), head.uri.query().unwrap_or_default());
-        desk.site.reply(&Request { method: head.method.as_str(), path, query, body: &body })
+        site.reply(&Request { method: head.method.as_str(), path, query, body: &body })
     };
     let replied = tokio::task::spawn_blocking(reply).await;
     response(replied.unwrap_or_else(|_| Reply::Error(500, "the request could not be answered".into())))

@@ -3,7 +3,7 @@
 use super::knobs::{Knobs, Refusal};
 use super::report::{Numbers, Report};
 use crate::contact::{Contact, archive};
-use crate::record::{Ghost, Live};
+use crate::record::{Ghost, Output};
 use crate::setup::Setup;
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -35,14 +35,14 @@ struct State {
 /// A recording that can still be read.
 struct Reel {
     id: String,
-    live: Live,
+    live: Output,
     /// Curves of the recording, once it is complete.
     curves: Option<Arc<Ghost>>,
 }
 
 impl State {
     /// Keeps a recording, and drops the oldest one that is not pinned.
-    fn keep(&mut self, id: String, live: Live) {
+    fn keep(&mut self, id: String, live: Output) {
         self.recordings.push_back(Reel { id, live, curves: None });
         if self.recordings.len() > RECORDINGS {
             let is_free = |reel: &Reel| Some(&reel.id) != self.report.pinned.as_ref();
@@ -61,12 +61,9 @@ impl State {
     }
 }
 
-/// An order of the page.
-#[derive(Debug, Clone)]
+/// An order of the page: one solve, or solves from first touch to full contact.
 pub enum Order {
-    /// Solve and record.
     Solve(Knobs),
-    /// Solve from first touch to full contact.
     Sweep(Knobs),
 }
 
@@ -74,9 +71,7 @@ pub enum Order {
 pub struct Solution {
     /// Name of the recording.
     pub id: String,
-    /// The setup that was solved.
     pub setup: Setup,
-    /// The contact.
     pub contact: Contact,
 }
 
@@ -84,15 +79,14 @@ pub struct Solution {
 #[derive(Clone, Copy)]
 pub struct Turn<'a> {
     session: &'a Session,
-    generation: u64,
+    /// The number of the order, which names what comes of it.
+    pub number: u64,
 }
 
 impl Session {
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
-    ///
-    /// # Errors
-    /// A sentence on knobs that stand for nothing; what runs then goes on.
-    pub fn order(&self, order: Order) -> Result<u64, Refusal> {
+    /// Knobs that stand for nothing are refused; what runs then goes on.
+    pub(super) fn order(&self, order: Order) -> Result<u64, Refusal> {
         let (Order::Solve(knobs) | Order::Sweep(knobs)) = &order;
         knobs.setup()?;
         Ok(self.change(|state| {
@@ -104,7 +98,7 @@ impl Session {
     }
 
     /// Ends what runs; its latest state stays.
-    pub fn cancel(&self) -> u64 {
+    pub(super) fn cancel(&self) -> u64 {
         self.change(|state| {
             state.generation += 1;
             state.order = None;
@@ -121,17 +115,14 @@ impl Session {
     }
 
     /// The report, as soon as it is newer than `revision`, or after `patience`.
-    pub fn report(&self, revision: u64, patience: Duration) -> Report {
+    pub(super) fn report(&self, revision: u64, patience: Duration) -> Report {
         let is_old = |state: &mut State| state.report.revision <= revision && !state.closed;
         let waited = self.changed.wait_timeout_while(self.lock(), patience, is_old);
         waited.unwrap_or_else(PoisonError::into_inner).0.report.clone()
     }
 
-    /// Has the curves of the recording of that name stand beside those of new ones, or of none.
-    ///
-    /// # Errors
-    /// If there is no such recording any more.
-    pub fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
+    /// Has the curves of the recording of that name, if it can still be read, stand beside those of new ones, or of none.
+    pub(super) fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
         if let Some(name) = name.as_ref().filter(|name| self.recording(name).is_none()) {
             return Err(Refusal(format!(
                 "there is no recording {name:?} to pin: choose one of the latest {RECORDINGS}"
@@ -141,17 +132,17 @@ impl Session {
     }
 
     /// The latest recording and its name.
-    pub fn latest(&self) -> Option<(String, Live)> {
+    pub(super) fn latest(&self) -> Option<(String, Output)> {
         self.lock().recordings.back().map(|reel| (reel.id.clone(), reel.live.clone()))
     }
 
     /// The recording of that name, if it is one of the latest.
-    pub fn recording(&self, name: &str) -> Option<Live> {
+    pub(super) fn recording(&self, name: &str) -> Option<Output> {
         self.lock().reel(name).map(|reel| reel.live.clone())
     }
 
     /// The arrays of the latest result as `.npz`, and its name; none before there is one.
-    pub fn archive(&self) -> Option<(String, Vec<u8>)> {
+    pub(super) fn archive(&self) -> Option<(String, Vec<u8>)> {
         let solution = self.lock().solution.clone()?;
         let (rank, setup) = (solution.setup.grid.points.len(), solution.setup.to_toml());
         Some((solution.id.clone(), archive(&solution.contact, rank, Some(&setup)).ok()?))
@@ -164,7 +155,7 @@ impl Session {
         let mut state = waited.unwrap_or_else(PoisonError::into_inner);
         let order = state.order.take().filter(|_| !state.closed)?;
         state.running = true;
-        Some((Turn { session: self, generation: state.generation }, order))
+        Some((Turn { session: self, number: state.generation }, order))
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
@@ -184,12 +175,7 @@ impl Session {
 impl Turn<'_> {
     /// Whether there was no order since.
     pub fn goes_on(self) -> bool {
-        self.session.lock().generation == self.generation
-    }
-
-    /// The number of the order, which names what comes out of it.
-    pub fn number(self) -> u64 {
-        self.generation
+        self.session.lock().generation == self.number
     }
 
     /// The curves that stand beside new ones.
@@ -197,12 +183,10 @@ impl Turn<'_> {
         self.session.lock().ghost()
     }
 
-    /// Keeps a recording.
-    pub fn keep(self, id: &str, live: Live) {
+    pub fn keep(self, id: &str, live: Output) {
         self.session.change(|state| state.keep(id.into(), live));
     }
 
-    /// Changes the report.
     pub fn tell(self, news: impl FnOnce(&mut Report)) {
         self.session.change(|state| news(&mut state.report));
     }
@@ -225,7 +209,7 @@ impl Turn<'_> {
     /// Ends the turn; a fault is reported unless another order has come.
     pub fn end(self, fault: Option<String>) {
         self.session.change(|state| {
-            state.report.fault = fault.filter(|_| state.generation == self.generation);
+            state.report.fault = fault.filter(|_| state.generation == self.number);
             state.running = false;
             state.report.busy = state.order.is_some();
         });

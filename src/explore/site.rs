@@ -5,13 +5,11 @@ use axum::body::Bytes;
 
 /// A request that passed the guards.
 pub struct Request<'a> {
-    /// `GET` or `POST`.
     pub method: &'a str,
     /// Path, from the first `/` on.
     pub path: &'a str,
     /// Query, all after the `?`.
     pub query: &'a str,
-    /// Body, of at most 64 KiB.
     pub body: &'a [u8],
 }
 
@@ -30,7 +28,6 @@ pub enum Reply {
 }
 
 impl Reply {
-    /// A value in JSON.
     pub fn json(value: &impl serde::Serialize) -> Self {
         match serde_json::to_vec(value) {
             Ok(json) => Self::Page("application/json", json.into()),
@@ -38,13 +35,11 @@ impl Reply {
         }
     }
 
-    /// There is nothing at that path.
     pub fn missing(path: &str) -> Self {
         let path: String = path.chars().take(80).collect();
         Self::Error(404, format!("there is nothing at {path}"))
     }
 
-    /// The path is right, the method is not.
     pub fn wrong_method(right: &str) -> Self {
         Self::Error(405, format!("only {right} is answered here"))
     }

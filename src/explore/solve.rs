@@ -20,7 +20,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
     let scene = Scene::of(&setup, &problem);
     let title = format!("{}, p* = {:.3e}", scene.title, knobs.load);
     let report = RunReport {
-        id: format!("run-{}", turn.number()),
+        id: format!("run-{}", turn.number),
         title: title.clone(),
         command: command(&setup),
         setup: setup.to_toml(),

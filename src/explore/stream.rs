@@ -1,6 +1,6 @@
 //! A recording on its way to the browser, while it is still written.
 
-use crate::record::Live;
+use crate::record::Output;
 use axum::body::{Body, Bytes};
 use futures_util::stream;
 use std::fs::File;
@@ -15,7 +15,7 @@ const PAUSE: Duration = Duration::from_millis(10);
 /// The bytes of a recording.
 pub enum RecordingBytes {
     /// Being written, or written, by this process.
-    Live(Live),
+    Live(Output),
     /// A file that a person named.
     File(File),
 }
@@ -23,7 +23,7 @@ pub enum RecordingBytes {
 impl RecordingBytes {
     /// The body of a reply.
     pub fn body(self) -> Body {
-        Body::from_stream(stream::try_unfold(Reading { bytes: self, read: 0 }, Reading::next))
+        Body::from_stream(stream::try_unfold((self, 0), next))
     }
 
     /// Number of bytes that can be read; none if that is all until the end of the file.
@@ -33,43 +33,35 @@ impl RecordingBytes {
             Self::File(_) => None,
         }
     }
-}
 
-struct Reading {
-    bytes: RecordingBytes,
-    read: u64,
-}
-
-impl Reading {
-    /// The next piece, none at the end.
-    async fn next(self) -> io::Result<Option<(Bytes, Self)>> {
-        let mut reading = self;
-        loop {
-            let written = reading.bytes.written();
-            let ready = written.map_or(PIECE, |written| PIECE.min(written - reading.read));
-            let read = move || reading.piece(ready);
-            let (piece, rest) = tokio::task::spawn_blocking(read).await.map_err(io::Error::other)??;
-            reading = rest;
-            if !piece.is_empty() {
-                return Ok(Some((piece.into(), reading)));
+    /// At most `most` bytes from the byte `from` on, up to which a file was read before.
+    fn piece(&mut self, from: u64, most: u64) -> io::Result<Vec<u8>> {
+        match self {
+            Self::Live(live) => live.read(from, most),
+            Self::File(file) => {
+                let mut piece = Vec::new();
+                file.take(most).read_to_end(&mut piece).map(|_| piece)
             }
-            if written.is_none() {
-                return Ok(None);
-            }
-            tokio::time::sleep(PAUSE).await;
         }
     }
+}
 
-    fn piece(mut self, most: u64) -> io::Result<(Vec<u8>, Self)> {
-        let piece = match &mut self.bytes {
-            RecordingBytes::Live(live) => live.read(self.read, most)?,
-            RecordingBytes::File(file) => {
-                let mut piece = Vec::new();
-                file.take(most).read_to_end(&mut piece)?;
-                piece
-            }
-        };
-        self.read += piece.len() as u64;
-        Ok((piece, self))
+/// The piece after the first `read` bytes, none at the end.
+async fn next((mut bytes, read): (RecordingBytes, u64)) -> io::Result<Option<(Bytes, (RecordingBytes, u64))>> {
+    loop {
+        let written = bytes.written();
+        let most = written.map_or(PIECE, |written| PIECE.min(written - read));
+        let reading = move || (bytes.piece(read, most), bytes);
+        let (piece, rest) = tokio::task::spawn_blocking(reading).await.map_err(io::Error::other)?;
+        let piece = piece?;
+        if !piece.is_empty() {
+            let read = read + piece.len() as u64;
+            return Ok(Some((piece.into(), (rest, read))));
+        }
+        if written.is_none() {
+            return Ok(None);
+        }
+        tokio::time::sleep(PAUSE).await;
+        bytes = rest;
     }
 }

@@ -5,7 +5,8 @@ use super::report::{ExactNumbers, SweepPoint, SweepReport};
 use super::session::Turn;
 use crate::contact::{Contact, Each, Failure, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
-use crate::record::{Curve, Live, LoadRecording, Loads, Options, Scene};
+use crate::plot::Colour;
+use crate::record::{Curve, LoadRecording, Loads, Options, Output, Scene};
 use crate::setup::{Part, Setup};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
@@ -20,26 +21,25 @@ const FULL: f64 = 0.9999;
 const FEWEST_NODES: usize = 4;
 
 /// A curve of the recording: its view, name and colour, and its value at a point.
-type PointCurve = (&'static str, &'static str, [u8; 3], fn(&SweepPoint) -> f64);
+type PointCurve = (&'static str, &'static str, Colour, fn(&SweepPoint) -> f64);
 
 const AREA: &str = "Relative area, 12 loads a decade from p* = 1e-4";
 const KAPPA: &str = "kappa_r and kappa over the same loads";
-const BLUE: [u8; 3] = [0x56, 0xb4, 0xe9];
-const ORANGE: [u8; 3] = [0xe6, 0x9f, 0x00];
-const GREY: [u8; 3] = [0x80; 3];
-const BLACK: [u8; 3] = [0; 3];
+const GREY: Colour = Colour([0x80; 3]);
 
 /// Curves of every sweep, and behind them those of an exact solution.
 const CURVES: [PointCurve; 5] = [
-    (AREA, "a_rel", BLUE, |point| point.observables.relative_area_corrected),
+    (AREA, "a_rel", Colour::SKY, |point| point.observables.relative_area_corrected),
     (AREA, "Persson", GREY, |point| point.persson),
-    (KAPPA, "kappa_r", ORANGE, |point| point.observables.kappa_r_corrected),
-    (KAPPA, "kappa", BLUE, |point| point.observables.kappa_corrected),
+    (KAPPA, "kappa_r", Colour::ORANGE, |point| point.observables.kappa_r_corrected),
+    (KAPPA, "kappa", Colour::SKY, |point| point.observables.kappa_corrected),
     (KAPPA, "Persson", GREY, |point| point.persson / point.observables.reduced_pressure),
 ];
 const EXACT: [PointCurve; 2] = [
-    (AREA, "exact", BLACK, |point| point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)),
-    (KAPPA, "exact kappa_r", BLACK, |point| point.exact.as_ref().and_then(|exact| exact.kappa_r).unwrap_or(f64::NAN)),
+    (AREA, "exact", Colour::BLACK, |point| point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)),
+    (KAPPA, "exact kappa_r", Colour::BLACK, |point| {
+        point.exact.as_ref().and_then(|exact| exact.kappa_r).unwrap_or(f64::NAN)
+    }),
 ];
 
 /// Solves load after load, each from the contact before, until contact is full or the turn over.
@@ -52,7 +52,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
         None => CURVES.to_vec(),
     };
     let report = SweepReport {
-        id: format!("sweep-{}", turn.number()),
+        id: format!("sweep-{}", turn.number),
         title: format!("{}, load sweep", setup.surface.title(problem.surface().grid())),
         knobs,
         ended: false,
@@ -97,7 +97,7 @@ fn record(
     problem: &Problem,
     loads: &[f64],
     curves: &[PointCurve],
-) -> Result<(LoadRecording, Live), Failure> {
+) -> Result<(LoadRecording, Output), Failure> {
     let (title, description) = (report.title.clone(), setup.surface.description());
     let loads = Loads {
         title: title.clone(),
@@ -105,7 +105,7 @@ fn record(
         captions: loads.iter().map(|load| format!("p* = {load:.3e}")).collect(),
         curves: curves
             .iter()
-            .map(|&(view, name, colour, _)| Curve { view: view.into(), name: name.into(), colour })
+            .map(|&(view, name, colour, _)| Curve { view: view.into(), name: name.into(), colour: colour.0 })
             .collect(),
         figure: None,
         scenes: &[Scene { title, exact: None, ..Scene::of(setup, problem) }],

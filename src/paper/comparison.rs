@@ -3,7 +3,6 @@
 use super::item::Item;
 use super::verdict::Verdict;
 use crate::error::FileError;
-use crate::files::write_csv;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
@@ -15,12 +14,8 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// The table of earlier runs; an empty one if there is none.
-    ///
-    /// # Errors
-    /// [`FileError::Target`] for a file that holds anything else: it is not ours to replace. [`FileError::Read`] for one that
-    /// cannot be read.
-    pub fn read(path: &Path) -> Result<Self, FileError> {
+    /// The table of earlier runs; an empty one if there is none. A file that holds anything else is not ours to replace.
+    pub(super) fn read(path: &Path) -> Result<Self, FileError> {
         let text = match std::fs::read(path) {
             Err(source) if source.kind() == ErrorKind::NotFound => Vec::new(),
             read => read.map_err(|source| FileError::Read { path: path.into(), source })?,
@@ -32,25 +27,10 @@ impl Comparison {
     }
 
     /// Puts the verdicts on an item in the place of its earlier ones.
-    pub fn replace(&mut self, item: Item, verdicts: Vec<Verdict>) {
-        let order = |name: &str| Item::ALL.iter().position(|item| item.name() == name);
-        self.verdicts.retain(|verdict| verdict.item != item.name());
+    pub(super) fn replace(&mut self, item: Item, verdicts: Vec<Verdict>) {
+        self.verdicts.retain(|verdict| verdict.item != item);
         self.verdicts.extend(verdicts);
-        self.verdicts.sort_by_key(|verdict| order(&verdict.item));
-    }
-
-    /// The verdicts on some items.
-    pub fn of(&self, items: &[Item]) -> Self {
-        let is_asked = |verdict: &&Verdict| items.iter().any(|item| item.name() == verdict.item);
-        Self { verdicts: self.verdicts.iter().filter(is_asked).cloned().collect() }
-    }
-
-    /// Writes the table as CSV.
-    ///
-    /// # Errors
-    /// The errors of [`write_csv`].
-    pub fn write_csv(&self, path: &Path) -> Result<(), FileError> {
-        write_csv(path, &self.verdicts)
+        self.verdicts.sort_by_key(|verdict| verdict.item);
     }
 
     /// Writes the table for reading.
@@ -68,11 +48,11 @@ impl Comparison {
             writeln!(out, "{item:7} {a:quantity$}  {b:paper$}  {c:here$}  {scatter:7}  {verdict}")
         };
         line(["", "quantity", "paper", "here", "scatter", "verdict"])?;
-        let mut last = "";
+        let mut last = None;
         for row in &self.verdicts {
-            let item = if row.item == last { "" } else { &row.item };
-            last = &row.item;
-            line([item, &row.quantity, &row.paper, &row.here, &row.scatter, &row.verdict])?;
+            let item = if last == Some(row.item) { String::new() } else { row.item.name() };
+            last = Some(row.item);
+            line([&item, &row.quantity, &row.paper, &row.here, &row.scatter, &row.verdict])?;
         }
         self.write_reasons(out)
     }
@@ -83,35 +63,10 @@ impl Comparison {
         for Verdict { item, why, .. } in &self.verdicts {
             if !told.contains(&why.as_str()) {
                 let lead = if told.len() == 1 { "\nWhere it differs\n" } else { "" };
-                writeln!(out, "{lead}{item:7} {why}")?;
+                writeln!(out, "{lead}{:7} {why}", item.name())?;
                 told.push(why);
             }
         }
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_run_of_some_items_keeps_the_verdicts_on_the_others_in_their_order() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("comparison.csv");
-        let mut all = Comparison::read(&path).unwrap();
-        for (item, key) in [(Item::Beyond, "beyond.n1"), (Item::Table1, "table1.ratio"), (Item::Gw, "gw.finite")] {
-            all.replace(item, vec![Verdict::exact(key, "", 2.0)]);
-        }
-        all.write_csv(&path).unwrap();
-        let mut again = Comparison::read(&path).unwrap();
-        assert_eq!(again, all);
-        again.replace(Item::Gw, vec![Verdict::statement("gw.finite", "now".into(), true)]);
-        let items: Vec<&str> = again.verdicts.iter().map(|verdict| verdict.item.as_str()).collect();
-        assert_eq!(items, ["table1", "gw", "beyond"]);
-        assert_eq!((again.verdicts[1].here.as_str(), &again.verdicts[2]), ("now", &all.verdicts[2]));
-        assert_eq!(again.of(&[Item::Gw]).verdicts, again.verdicts[1..2]);
-        std::fs::write(&path, "a,b\n1,2\n").unwrap();
-        assert!(matches!(Comparison::read(&path), Err(FileError::Target { .. })));
     }
 }

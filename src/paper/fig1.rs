@@ -2,11 +2,10 @@
 
 use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
-use super::smooth::{LINE, PERIOD, cylinder, half_width, periodic_cylinder, sphere, widths};
-use super::theory_lines::level;
+use super::smooth::{LINE, cylinder, narrow, periodic_cylinder, sphere, widths};
 use super::verdict::Verdict;
-use crate::plot::{self, Axis, Colour, Corner, Figure, Mark, Panel, Series, Symbol};
-use crate::study::{Point, Realisation, Spread};
+use crate::plot::{Axis, Colour, Mark, Panel, Symbol};
+use crate::study::Realisation;
 use crate::theory::hertz;
 
 /// Half-widths of the contacts over the period, from and to.
@@ -17,10 +16,6 @@ const SPHERES: i32 = 5;
 /// Points of the cylinder, and along a side of the sphere, that are shown in a recording.
 const SHOWN_LINE: usize = 1 << 12;
 const SHOWN_SIDE: usize = 1 << 9;
-/// The widest contact that counts as one without neighbours: the exact periodic `kappa_r` is then within 0.4 %.
-const WIDEST: f64 = 0.05;
-/// Reduced pressures shown.
-const RANGE: [f64; 2] = [3e-5, 0.3];
 
 /// Cylinder and sphere from narrow to wider contacts, the sphere on a grid of `side` points a side.
 pub fn realisations(side: usize) -> Vec<Realisation> {
@@ -29,67 +24,49 @@ pub fn realisations(side: usize) -> Vec<Realisation> {
 
 /// The figure and how far it is from the analytical lines.
 pub fn reproduce(points: &Points) -> Reproduction {
-    let title = "Fig. 1: κ_r of smooth indenters, L/R = 4".into();
-    let figure = Figure { title, panels: vec![panel(points)] };
-    let mean = |name: &str, quantity: Quantity| {
-        let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * WIDEST * PERIOD);
-        Spread::of(narrow.map(|row| quantity(&row.observables)))
-    };
+    // the exact periodic kappa_r of contacts up to this width is within 0.4 % of the isolated one
+    let mean = |name, quantity| narrow(points, name, 0.05, quantity);
     let verdicts = vec![
         Verdict::number("fig1.line", "nodes counted", mean("cylinder", |it| it.kappa_r)),
         Verdict::number("fig1.line", "corrected", mean("cylinder", |it| it.kappa_r_corrected)),
         Verdict::number("fig1.point", "nodes counted", mean("sphere", |it| it.kappa_r)),
         Verdict::number("fig1.point", "corrected", mean("sphere", |it| it.kappa_r_corrected)),
     ];
-    Reproduction { figure: Some(figure), verdicts, ramp: Some(ramp(points)) }
+    Reproduction::of("Fig. 1: κ_r of smooth indenters, L/R = 4", vec![panel(points)], ramp(points), verdicts)
 }
 
 fn panel(points: &Points) -> Panel {
-    let x = Axis::log("p_r* = p / (g_r E*)", RANGE);
-    let mut panel = Panel::new("smooth indenters", x, Axis::linear("κ_r = a_rel / p_r*", [1.3, 2.0]), Corner::TopRight);
+    let [x, y] = [Axis::log("p_r* = p / (g_r E*)", [3e-5, 0.3]), Axis::linear("κ_r = a_rel / p_r*", [1.3, 2.0])];
+    let mut panel = Panel::new("smooth indenters", x, y);
     let cases = [
         ("cylinder", Colour::VERMILION, Symbol::Circle, hertz::KAPPA_R_LINE),
         ("sphere", Colour::BLUE, Symbol::Square, hertz::KAPPA_R_POINT),
     ];
     for (name, colour, symbol, exact) in cases {
-        let exact_line = level(&panel.x, exact);
-        panel.series.push(Series::new(format!("{name}, analytical: {exact:.4}"), colour, Mark::Line, exact_line));
-        let kinds: [(&str, bool, Quantity); 2] =
-            [("nodes counted", true, |it| it.kappa_r), ("corrected", false, |it| it.kappa_r_corrected)];
-        for (kind, filled, quantity) in kinds {
-            let point =
-                |row: &Point| plot::Point::at(row.observables.reduced_pressure_contact, quantity(&row.observables));
-            let measured = points.named(name).map(point).collect();
-            panel.series.push(Series::new(
-                format!("{name}, {kind}"),
-                colour,
-                Mark::Symbol { symbol, filled },
-                measured,
-            ));
-        }
+        panel.add_curve(format!("{name}, analytical: {exact:.4}"), colour, Mark::Line, |_| exact);
+        let mut add = |kind: &str, filled, quantity: Quantity| {
+            let measured = points.dots(name, |it| it.reduced_pressure_contact, quantity);
+            panel.add(format!("{name}, {kind}"), colour, Mark::Symbol { symbol, filled }, measured);
+        };
+        add("nodes counted", true, |it| it.kappa_r);
+        add("corrected", false, |it| it.kappa_r_corrected);
     }
-    let periodic = periodic_cylinder(0.2);
-    panel.series.push(Series::new("cylinders side by side, exact", Colour::VERMILION, Mark::Dashed, periodic));
+    panel.add("cylinders side by side, exact", Colour::VERMILION, Mark::Dashed, periodic_cylinder(0.2));
     panel
 }
 
 /// Cylinder and sphere with contacts of the same widths, on grids for the eye.
 fn ramp(points: &Points) -> Ramp {
     let widths = widths(WIDTHS, SPHERES);
-    let rows = |name: &str| {
-        let rows: Vec<&Point> = points.named(name).collect();
-        let every = (rows.len().saturating_sub(1) / (widths.len() - 1)).max(1);
-        rows.into_iter().step_by(every).collect::<Vec<_>>()
+    let each = |name: &str, quantity: Quantity| {
+        let every = points.named(name).count().saturating_sub(1) / (widths.len() - 1);
+        points.values(name, quantity).step_by(every.max(1)).collect::<Vec<_>>()
     };
-    let [cylinders, spheres] = ["cylinder", "sphere"].map(rows);
-    let curve = |name: &str, colour, rows: &[&Point]| {
-        let values = rows.iter().map(|row| row.observables.kappa_r_corrected).collect();
-        RampCurve { view: "κ_r corrected", name: name.into(), colour, values }
-    };
+    let curve = |name, colour| RampCurve::new("κ_r corrected", name, colour, each(name, |it| it.kappa_r_corrected));
     Ramp {
         captions: captions("a/L", &widths),
-        cursor: cylinders.iter().map(|row| row.observables.reduced_pressure_contact).collect(),
-        curves: vec![curve("cylinder", Colour::VERMILION, &cylinders), curve("sphere", Colour::BLUE, &spheres)],
+        cursor: each("cylinder", |it| it.reduced_pressure_contact),
+        curves: vec![curve("cylinder", Colour::VERMILION), curve("sphere", Colour::BLUE)],
         contacts: vec![cylinder(SHOWN_LINE, &widths), sphere(SHOWN_SIDE, &widths)],
         length_unit: "R",
     }

@@ -4,7 +4,6 @@ use super::means::{Points, Quantity};
 use super::reproduction::Reproduction;
 use super::rough::Rough;
 use super::verdict::Verdict;
-use crate::plot::Figure;
 use crate::study::{Point, Spread};
 
 /// Why corrected values are smaller.
@@ -26,7 +25,7 @@ pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
     if lines.hurst.len() > 1 {
         verdicts.push(depends_on_hurst(lines, points));
     }
-    Reproduction { figure: Some(Figure { title, panels }), verdicts, ramp: Some(lines.ramp_of(points, lines.lines())) }
+    Reproduction::of(title, panels, lines.ramp_of(points, lines.lines()), verdicts)
 }
 
 /// Fall of `kappa` from the lightest to the heaviest load in per cent of that at the lightest, over all realisations.

@@ -4,9 +4,8 @@ use super::fit::Fit;
 use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough, WARM};
-use super::theory_lines::along;
 use super::verdict::Verdict;
-use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Series};
+use crate::plot::{Axis, Colour, Mark, Panel};
 use crate::theory::persson::{self, CorrectedArea};
 use serde::Serialize;
 
@@ -74,28 +73,23 @@ pub fn reproduce(lines: &Rough, points: &Points, fits: &[FitRow]) -> Reproductio
         verdicts.push(is_level(fits));
         verdicts.extend((lines.hurst.len() > 1).then(|| strongly_depends(fits)));
     }
-    let title = "Fig. 3: κ_fit of rough lines by Eq. 11".into();
-    let figure = Figure { title, panels: vec![panel(lines, points, fits)] };
-    Reproduction { figure: Some(figure), verdicts, ramp: Some(ramp(lines, points, fits)) }
+    let (title, panel) = ("Fig. 3: κ_fit of rough lines by Eq. 11", panel(lines, points, fits));
+    Reproduction::of(title, vec![panel], ramp(lines, points, fits), verdicts)
 }
 
 fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
     let [low, high] = lines.ends();
     let x = Axis::log("p*", [low / 1.3, (high * 1.3).max(1.0)]);
-    let mut panel = Panel::new("fitted and measured", x, Axis::linear("κ_fit", [1.0, 4.6]), Corner::TopRight);
+    let mut panel = Panel::new("fitted and measured", x, Axis::linear("κ_fit", [1.0, 4.6]));
     for fit in fits {
         let (colour, mark) =
             if fit.hurst.is_some() { (Colour::VERMILION, Mark::Line) } else { (Colour::GREEN, Mark::Dashed) };
-        let curve = along(&panel.x, |p| fit.kappa_at(p));
-        panel.series.push(Series::new(fit.name(), colour, mark, curve));
+        panel.add_curve(fit.name(), colour, mark, |p| fit.kappa_at(p));
     }
-    let persson = along(&panel.x, |p| persson::relative_area(p) / p);
-    panel.series.push(Series::new("Persson, erf(√2 p*)/p*", Colour::BLACK, Mark::Dotted, persson));
+    panel.add_curve("Persson, erf(√2 p*)/p*", Colour::BLACK, Mark::Dotted, |p| persson::relative_area(p) / p);
     for (hurst, symbol) in lines.exponents() {
-        let of: [Quantity; 2] = [|it| it.reduced_pressure, |it| it.kappa];
-        let curve = points.curve(hurst, &lines.loads, of);
-        let mark = Mark::Symbol { symbol, filled: false };
-        panel.series.push(Series::new(format!("κ, H = {hurst}"), Colour::GREY, mark, curve));
+        let curve = points.curve(hurst, &lines.loads, [|it| it.reduced_pressure, |it| it.kappa]);
+        panel.add(format!("κ, H = {hurst}"), Colour::GREY, Mark::Symbol { symbol, filled: false }, curve);
     }
     panel
 }
@@ -105,8 +99,7 @@ fn ramp(lines: &Rough, points: &Points, fits: &[FitRow]) -> Ramp {
     let kappa: Quantity = |it| it.kappa;
     let mut ramp = lines.ramp(&[(VIEW, "κ", &WARM, kappa)], |hurst, of| points.along(hurst, &lines.loads, of));
     ramp.curves.extend(fits.iter().zip(COLD.into_iter().cycle()).map(|(fit, colour)| {
-        let values = lines.loads.iter().map(|&load| fit.kappa_at(load)).collect();
-        RampCurve { view: VIEW, name: fit.name(), colour, values }
+        RampCurve::new(VIEW, fit.name(), colour, lines.loads.iter().map(|&load| fit.kappa_at(load)))
     }));
     ramp
 }

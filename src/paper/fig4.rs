@@ -4,9 +4,8 @@ use super::fit::Fit;
 use super::means::{Points, Quantity};
 use super::reproduction::Reproduction;
 use super::rough::Rough;
-use super::theory_lines::along;
 use super::verdict::Verdict;
-use crate::plot::{Colour, Figure, Mark, Panel, Series};
+use crate::plot::{Colour, Mark};
 
 /// Why values move from grid to grid.
 const FINER: &str = "Counted nodes exceed the area, the more so the coarser the grid; with the paper's spectrum the paper's values come out on about 4096^2 points.";
@@ -18,26 +17,17 @@ pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
     let finest = points.finest();
     let found = points.on(finest).map(|row| row.observables);
     let pairs: Vec<(f64, f64)> = found.map(|it| (it.reduced_pressure, it.relative_area)).collect();
+    // the empirical fit, one constant in Persson's error function
     let fit = Fit::proportional(&pairs);
     let mut panel = surfaces.kappa_panel(points, [1.6, 3.2]);
-    if let Some(fit) = fit {
-        add_fit(&mut panel, &fit);
+    if let Some(Fit { area, .. }) = fit {
+        let name = format!("erf(√π κ p*/2)/p*, κ = {:.3}", area.kappa(0.0));
+        panel.add_curve(name, Colour::VERMILION, Mark::Dashed, |p| area.kappa(p));
     }
     let waves = surfaces.points_per_wave(finest);
     let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points, {waves} per shortest wavelength");
-    let figure = Figure { title, panels: vec![surfaces.area_panel(points), panel] };
-    Reproduction {
-        figure: Some(figure),
-        verdicts: verdicts(surfaces, points, fit),
-        ramp: Some(surfaces.ramp_of(points, surfaces.surfaces())),
-    }
-}
-
-/// The empirical fit, one constant in Persson's error function.
-fn add_fit(panel: &mut Panel, fit: &Fit) {
-    let curve = along(&panel.x, |p| fit.area.kappa(p));
-    let name = format!("erf(√π κ p*/2)/p*, κ = {:.3}", fit.area.kappa(0.0));
-    panel.series.push(Series::new(name, Colour::VERMILION, Mark::Dashed, curve));
+    let (panels, ramp) = (vec![surfaces.area_panel(points), panel], surfaces.ramp_of(points, surfaces.surfaces()));
+    Reproduction::of(title, panels, ramp, verdicts(surfaces, points, fit))
 }
 
 /// On each grid, from two on extrapolated to the paper's, and of the fit.

@@ -3,15 +3,17 @@
 use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, Reproduction};
 use super::rough::{COLD, Rough, WARM};
-use super::theory_lines::level;
 use super::verdict::Verdict;
-use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
+use crate::plot::{Axis, Colour, Dot, Mark, Panel};
 use crate::study::Spread;
 use crate::theory::hertz;
 use serde::Serialize;
 
 /// Why ratios are larger.
 const FINER: &str = "kappa_r of surfaces falls on finer grids, see fig4, and that of lines hardly.";
+
+/// `kappa_r` of a cylinder over that of a sphere.
+const SMOOTH: f64 = hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT;
 
 /// The ratios at one Hurst exponent and load.
 #[derive(Serialize)]
@@ -54,29 +56,26 @@ pub fn ratios([lines, surfaces]: [&Rough; 2], [of_lines, of_surfaces]: [&Points;
 
 /// The figure, and what the paper says of it; surfaces have `finest` points along a side at the most.
 pub fn reproduce(lines: &Rough, finest: usize, ratios: &[Ratio]) -> Reproduction {
-    let title = "Fig. 5: lines over surfaces".into();
-    let figure = Figure { title, panels: vec![panel(lines, ratios)] };
     let verdicts = verdicts(ratios, &format!("counted, surfaces of {finest}^2"));
-    Reproduction { figure: Some(figure), verdicts, ramp: Some(ramp(lines, ratios)) }
+    Reproduction::of("Fig. 5: lines over surfaces", vec![panel(lines, ratios)], ramp(lines, ratios), verdicts)
 }
 
 fn panel(lines: &Rough, ratios: &[Ratio]) -> Panel {
     let [low, high] = lines.ends();
     let x = Axis::log("p*", [low / 1.3, high * 1.3]);
-    let panel = Panel::new("proportionality factors", x, Axis::linear("1D / 2D", [0.8, 1.8]), Corner::TopRight);
+    let panel = Panel::new("proportionality factors", x, Axis::linear("1D / 2D", [0.8, 1.8]));
     let curves: [(&str, Colour, bool, Of); 3] = [
         ("κ", Colour::VERMILION, true, |ratio| ratio.kappa),
         ("κ_r", Colour::BLUE, true, |ratio| ratio.kappa_r),
         ("κ_r corrected", Colour::SKY, false, |ratio| ratio.kappa_r_corrected),
     ];
-    let points = |hurst, quantity: Of| {
+    let dots = |hurst, quantity: Of| {
         let rows = ratios.iter().filter(|ratio| ratio.hurst == hurst);
-        rows.map(|ratio| Point::at(ratio.reduced_pressure, quantity(ratio))).collect()
+        rows.map(|ratio| Dot::at(ratio.reduced_pressure, quantity(ratio))).collect()
     };
-    let mut panel = lines.drawn(panel, &curves, points);
-    let smooth = hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT;
-    let (name, smooth) = (format!("κ_r, cylinder over sphere: {smooth:.3}"), level(&panel.x, smooth));
-    panel.series.push(Series::new(name, Colour::BLACK, Mark::Dashed, smooth));
+    let mut panel = lines.drawn(panel, &curves, dots);
+    let name = format!("κ_r, cylinder over sphere: {SMOOTH:.3}");
+    panel.add_curve(name, Colour::BLACK, Mark::Dashed, |_| SMOOTH);
     panel
 }
 
@@ -97,6 +96,6 @@ fn verdicts(ratios: &[Ratio], finest: &str) -> Vec<Verdict> {
         kappa_r("corrected", |ratio| ratio.kappa_r_corrected),
         Verdict::number("fig5.kappa", "counted, surfaces extrapolated", spread(|ratio| ratio.kappa)),
         Verdict::number("fig5.kappa", finest, spread(|ratio| ratio.kappa_finest)),
-        Verdict::exact("fig5.smooth", "", hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT),
+        Verdict::exact("fig5.smooth", "", SMOOTH),
     ]
 }

@@ -1,9 +1,8 @@
 //! Section 6: the model of Greenwood and Williamson, with the gradient taken over the contact.
 
 use super::reproduction::{Ramp, RampCurve, Reproduction};
-use super::theory_lines::level;
 use super::verdict::Verdict;
-use crate::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series};
+use crate::plot::{Axis, Colour, Mark, Panel};
 use crate::theory::SummitHeights::{self, Exponential, Gaussian};
 use serde::Serialize;
 
@@ -14,12 +13,12 @@ const STEPS: i32 = 120;
 const FAR: f64 = 1e6;
 /// The separation at which one value is told.
 const NEAR: f64 = 3.0;
-/// Half of the last digit that the paper prints of `kappa_r`.
-const READING: f64 = 0.005;
 
-/// Both kinds of heights with their colours.
-const KINDS: [(&str, Colour, SummitHeights); 2] =
-    [("exponential heights", Colour::BLUE, Exponential), ("Gaussian heights", Colour::VERMILION, Gaussian)];
+/// Both kinds of heights with their colours and the separation from which on their curves are drawn.
+const KINDS: [(&str, Colour, SummitHeights, f64); 2] = [
+    ("exponential heights", Colour::BLUE, Exponential, 0.0),
+    ("Gaussian heights", Colour::VERMILION, Gaussian, RANGE[0]),
+];
 
 /// `kappa_r` at one separation.
 #[derive(Serialize)]
@@ -41,38 +40,38 @@ pub fn separations() -> Vec<Separation> {
 }
 
 /// The figure, and what the paper says of it.
-pub fn reproduce(rows: &[Separation]) -> Reproduction {
-    let y = Axis::linear("κ_r", [1.70, 1.80]);
-    let mut panel = Panel::new("independent spheres", Axis::linear("d/σ", RANGE), y, Corner::BottomRight);
+pub fn reproduce() -> Reproduction {
     let limit = std::f64::consts::PI.sqrt();
-    let exponential = rows.iter().filter(|row| row.separation >= 0.0);
-    let exponential = exponential.map(|row| Point::at(row.separation, row.exponential)).collect();
-    let gaussian = rows.iter().map(|row| Point::at(row.separation, row.gaussian)).collect();
-    let curves = KINDS.into_iter().zip([exponential, gaussian]);
-    panel.series = curves.map(|((name, colour, _), curve)| Series::new(name, colour, Mark::Line, curve)).collect();
-    let level = level(&panel.x, limit);
-    panel.series.push(Series::new(format!("√π = {limit:.4}"), Colour::BLACK, Mark::Dashed, level));
-    let title = "Section 6: Greenwood and Williamson with the gradient over the contact".into();
+    let mut panel = Panel::new("independent spheres", Axis::linear("d/σ", RANGE), Axis::linear("κ_r", [1.70, 1.80]));
+    for (name, colour, heights, from) in KINDS {
+        let kappa_r = |separation| if separation < from { f64::NAN } else { heights.kappa_r(separation) };
+        panel.add_curve(name, colour, Mark::Line, kappa_r);
+    }
+    panel.add_curve(format!("√π = {limit:.4}"), Colour::BLACK, Mark::Dashed, |_| limit);
     let verdicts = vec![
         Verdict::exact("gw.exponential", "", Exponential.kappa_r(NEAR)),
         Verdict::exact("gw.gaussian", "", Gaussian.kappa_r(FAR)),
         depends_on_separation(),
     ];
-    Reproduction { figure: Some(Figure { title, panels: vec![panel] }), verdicts, ramp: Some(ramp()) }
+    Reproduction::of(
+        "Section 6: Greenwood and Williamson with the gradient over the contact",
+        vec![panel],
+        ramp(),
+        verdicts,
+    )
 }
 
-/// Whether Gaussian heights differ from their limit by more than the printed digits show.
+/// Whether Gaussian heights differ from their limit by more than half of the last digit that the paper prints.
 fn depends_on_separation() -> Verdict {
     let [near, far] = [NEAR, FAR].map(|separation| Gaussian.kappa_r(separation));
-    Verdict::statement("gw.finite", format!("{near:.4} at d/σ = {NEAR}"), (near - far).abs() > READING)
+    Verdict::statement("gw.finite", format!("{near:.4} at d/σ = {NEAR}"), (near - far).abs() > 0.005)
 }
 
 /// Both kinds of heights against whole separations; no contacts.
 fn ramp() -> Ramp {
     let separations: Vec<f64> = (0..=10).map(f64::from).collect();
-    let curve = |(name, colour, heights): (&str, Colour, SummitHeights)| {
-        let values = separations.iter().map(|&separation| heights.kappa_r(separation)).collect();
-        RampCurve { view: "κ_r", name: name.into(), colour, values }
+    let curve = |(name, colour, heights, _): (&str, Colour, SummitHeights, f64)| {
+        RampCurve::new("κ_r", name, colour, separations.iter().map(|&separation| heights.kappa_r(separation)))
     };
     Ramp {
         captions: separations.iter().map(|separation| format!("d/σ = {separation}")).collect(),

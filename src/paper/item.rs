@@ -1,7 +1,10 @@
 //! The tables, figures and sections of the paper.
 
+use serde::{Deserialize, Serialize};
+
 /// A table, a figure or a section of the paper.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Item {
     /// Contact parameters of cylinder and sphere.
@@ -33,7 +36,7 @@ impl Item {
     }
 
     /// The items whose solved points it is made of.
-    pub fn sources(self) -> &'static [Self] {
+    pub(super) fn sources(self) -> &'static [Self] {
         match self {
             Self::Table1 => &[Self::Table1],
             Self::Fig1 => &[Self::Fig1],

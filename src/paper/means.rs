@@ -1,7 +1,7 @@
 //! Means of solved points over realisations.
 
 use crate::contact::Observables;
-use crate::plot;
+use crate::plot::Dot;
 use crate::study::{Line, Point, Spread};
 
 /// A quantity of a point.
@@ -19,6 +19,11 @@ impl Points {
     /// A quantity of the points of the realisations of a name.
     pub fn values(&self, name: &str, quantity: Quantity) -> impl Iterator<Item = f64> {
         self.named(name).map(move |row| quantity(&row.observables))
+    }
+
+    /// One dot per point of the realisations of a name.
+    pub fn dots(&self, name: &str, x: Quantity, y: Quantity) -> impl Iterator<Item = Dot> {
+        self.values(name, x).zip(self.values(name, y)).map(|(x, y)| Dot::at(x, y))
     }
 
     /// The points on the grid of `nx` points along x.
@@ -63,14 +68,14 @@ impl Points {
         groups
     }
 
-    /// One point per load, on the finest grid: the means of `x` and `y`, with the scatter of `y`.
-    pub fn curve(&self, hurst: f64, loads: &[f64], [x, y]: [Quantity; 2]) -> Vec<plot::Point> {
+    /// One dot per load, on the finest grid: the means of `x` and `y`, with the scatter of `y`.
+    pub fn curve(&self, hurst: f64, loads: &[f64], [x, y]: [Quantity; 2]) -> Vec<Dot> {
         let nx = self.finest();
-        let point = |&load: &f64| {
+        let dot = |&load: &f64| {
             let (x, y) = (self.at(hurst, load, nx, x), self.at(hurst, load, nx, y));
-            plot::Point { x: x.mean, y: y.mean, spread: y.deviation }
+            Dot { x: x.mean, y: y.mean, spread: y.deviation }
         };
-        loads.iter().map(point).collect()
+        loads.iter().map(dot).collect()
     }
 
     /// The mean of a quantity under each load, on the finest grid.
@@ -110,10 +115,10 @@ impl Points {
     /// Means over the realisations of each grid, Hurst exponent and load.
     pub fn means(&self) -> Vec<Mean> {
         let mut means: Vec<Mean> = Vec::new();
-        for row in &self.0 {
-            let hurst = row.hurst.unwrap_or(f64::NAN);
-            if !means.iter().any(|mean| mean.is_of(hurst, row)) {
-                means.push(Mean::of(self, hurst, row));
+        for Point { nx, hurst, observables, .. } in &self.0 {
+            let place = (*nx, hurst.unwrap_or(f64::NAN), observables.reduced_pressure);
+            if !means.iter().any(|mean| (mean.nx, mean.hurst, mean.reduced_pressure) == place) {
+                means.push(Mean::of(self, place));
             }
         }
         means
@@ -147,31 +152,20 @@ pub struct Mean {
 }
 
 impl Mean {
-    fn is_of(&self, hurst: f64, row: &Point) -> bool {
-        (self.nx, self.hurst, self.reduced_pressure) == (row.nx, hurst, row.observables.reduced_pressure)
-    }
-
-    fn of(points: &Points, hurst: f64, row: &Point) -> Self {
-        let quantities: [Quantity; 7] = [
-            |it| it.reduced_pressure_contact,
-            |it| it.relative_area,
-            |it| it.relative_area_corrected,
-            |it| it.kappa,
-            |it| it.kappa_corrected,
-            |it| it.kappa_r,
-            |it| it.kappa_r_corrected,
-        ];
-        let [pressure_contact, area, area_corrected, kappa, kappa_corrected, kappa_r, kappa_r_corrected] =
-            quantities.map(|quantity| points.at(hurst, row.observables.reduced_pressure, row.nx, quantity));
+    fn of(points: &Points, (nx, hurst, reduced_pressure): (usize, f64, f64)) -> Self {
+        let of = |quantity| points.at(hurst, reduced_pressure, nx, quantity);
+        let [area, kappa, kappa_corrected] =
+            [of(|it| it.relative_area), of(|it| it.kappa), of(|it| it.kappa_corrected)];
+        let [kappa_r, kappa_r_corrected] = [of(|it| it.kappa_r), of(|it| it.kappa_r_corrected)];
         Self {
-            nx: row.nx,
+            nx,
             hurst,
-            reduced_pressure: row.observables.reduced_pressure,
+            reduced_pressure,
             realisations: area.count,
-            reduced_pressure_contact: pressure_contact.mean,
+            reduced_pressure_contact: of(|it| it.reduced_pressure_contact).mean,
             relative_area: area.mean,
             relative_area_deviation: area.deviation,
-            relative_area_corrected: area_corrected.mean,
+            relative_area_corrected: of(|it| it.relative_area_corrected).mean,
             kappa: kappa.mean,
             kappa_deviation: kappa.deviation,
             kappa_corrected: kappa_corrected.mean,

@@ -31,19 +31,18 @@ mod means;
 mod plan;
 #[cfg(feature = "record")]
 mod recording;
+#[cfg_attr(not(feature = "record"), expect(dead_code, reason = "only recordings show curves over loads"))]
 mod reproduction;
 mod rough;
 mod run;
 mod smooth;
 mod table1;
-mod theory_lines;
 mod verdict;
 
 pub use comparison::Comparison;
 pub use fit::Fit;
 pub use item::Item;
 pub use plan::{Effort, Paper};
-pub use reproduction::{Ramp, RampCurve, Reproduction};
 pub use rough::Rough;
 pub use run::{Event, Watch};
 pub use verdict::Verdict;

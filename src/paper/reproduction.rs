@@ -1,17 +1,22 @@
 //! The content of a table or figure that was made again.
 
 use super::verdict::Verdict;
-use crate::plot::{Colour, Figure};
+use crate::plot::{Colour, Figure, Panel};
 use crate::study::Realisation;
 
 /// A table or figure that was made again.
 pub struct Reproduction {
-    /// The figure, if it is one.
-    pub figure: Option<Figure>,
+    /// The figure, and curves and contacts for a recording of it, if there is one.
+    pub figure: Option<(Figure, Ramp)>,
     /// The paper's numbers beside those found here.
     pub verdicts: Vec<Verdict>,
-    /// Curves and contacts for a recording over loads.
-    pub ramp: Option<Ramp>,
+}
+
+impl Reproduction {
+    /// A figure that was made again.
+    pub fn of(title: impl Into<String>, panels: Vec<Panel>, ramp: Ramp, verdicts: Vec<Verdict>) -> Self {
+        Self { figure: Some((Figure { title: title.into(), panels }, ramp)), verdicts }
+    }
 }
 
 /// Curves over loads, and contacts that grow with them.
@@ -38,6 +43,18 @@ pub struct RampCurve {
     pub colour: Colour,
     /// One value per load; missing ones are left out.
     pub values: Vec<f64>,
+}
+
+impl RampCurve {
+    /// A curve through `values`.
+    pub fn new(
+        view: &'static str,
+        name: impl Into<String>,
+        colour: Colour,
+        values: impl IntoIterator<Item = f64>,
+    ) -> Self {
+        Self { view, name: name.into(), colour, values: values.into_iter().collect() }
+    }
 }
 
 /// Loads in words, such as `p* = 1.00e-3`.

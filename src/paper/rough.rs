@@ -4,7 +4,7 @@ use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, captions};
 use crate::contact::Load;
 use crate::error::StudyError;
-use crate::plot::{Axis, Colour, Corner, Mark, Panel, Point, Series, Symbol};
+use crate::plot::{Axis, Colour, Dot, Mark, Panel, Symbol};
 use crate::setup::{Cell, Recipe, Setup};
 use crate::study::Realisation;
 use crate::surface::Spectrum;
@@ -111,7 +111,7 @@ impl Rough {
             ("a_rel against p*", Colour::VERMILION, true, [|it| it.reduced_pressure, |it| it.relative_area]),
             ("a_rel against p_r*", Colour::BLUE, true, [|it| it.reduced_pressure_contact, |it| it.relative_area]),
         ];
-        let panel = Panel::new("(a) relative contact area", x, y, Corner::BottomRight);
+        let panel = Panel::new("(a) relative contact area", x, y);
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
     }
 
@@ -123,7 +123,7 @@ impl Rough {
             ("κ_r", Colour::BLUE, true, [|it| it.reduced_pressure_contact, |it| it.kappa_r]),
             ("κ_r corrected", Colour::SKY, false, [|it| it.reduced_pressure_contact, |it| it.kappa_r_corrected]),
         ];
-        let panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range), Corner::TopRight);
+        let panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range));
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
     }
 
@@ -132,18 +132,16 @@ impl Rough {
         &self,
         mut panel: Panel,
         curves: &[(&str, Colour, bool, Q)],
-        points: impl Fn(f64, Q) -> Vec<Point>,
+        dots: impl Fn(f64, Q) -> Vec<Dot>,
     ) -> Panel {
         for &(name, colour, filled, quantity) in curves {
-            panel.series.push(Series::new(name, colour, Mark::Line, Vec::new()));
+            panel.add(name, colour, Mark::Line, []);
             for (hurst, symbol) in self.exponents() {
-                let mark = Mark::Joined { symbol, filled };
-                panel.series.push(Series::new("", colour, mark, points(hurst, quantity)));
+                panel.add("", colour, Mark::Joined { symbol, filled }, dots(hurst, quantity));
             }
         }
         for (hurst, symbol) in self.exponents() {
-            let mark = Mark::Symbol { symbol, filled: false };
-            panel.series.push(Series::new(format!("H = {hurst}"), Colour::BLACK, mark, Vec::new()));
+            panel.add(format!("H = {hurst}"), Colour::BLACK, Mark::Symbol { symbol, filled: false }, []);
         }
         panel
     }
@@ -174,11 +172,8 @@ impl Rough {
         values: impl Fn(f64, Q) -> Vec<f64>,
     ) -> Ramp {
         let each = |&(view, name, shades, quantity): &(&'static str, &str, &[Colour], Q)| {
-            let curve = |(&hurst, &colour)| RampCurve {
-                view,
-                name: format!("{name}, H = {hurst}"),
-                colour,
-                values: values(hurst, quantity),
+            let curve = |(&hurst, &colour)| {
+                RampCurve::new(view, format!("{name}, H = {hurst}"), colour, values(hurst, quantity))
             };
             self.hurst.iter().zip(shades.iter().cycle()).map(curve).collect::<Vec<_>>()
         };

@@ -57,16 +57,14 @@ impl Paper {
             let reproduction = self.reproduce(item, watch)?;
             self.draw(item, &reproduction)?;
             comparison.replace(item, reproduction.verdicts);
-            comparison.write_csv(&path)?;
+            write_csv(&path, &comparison.verdicts)?;
         }
-        Ok(comparison.of(items))
+        comparison.verdicts.retain(|verdict| items.contains(&verdict.item));
+        Ok(comparison)
     }
 
     /// Makes one item: solves what its tables do not hold yet, and writes all its tables.
-    ///
-    /// # Errors
-    /// The errors of [`Paper::run`].
-    pub fn reproduce(&self, item: Item, watch: Watch<'_>) -> Result<Reproduction, StudyError> {
+    fn reproduce(&self, item: Item, watch: Watch<'_>) -> Result<Reproduction, StudyError> {
         let points = |source| self.points(source, watch);
         let file = |name: &str| self.file(&format!("{name}.csv"));
         let Self { lines, surfaces, .. } = self;
@@ -98,7 +96,7 @@ impl Paper {
             Item::Gw => {
                 let separations = gw::separations();
                 write_csv(&file("gw"), &separations)?;
-                gw::reproduce(&separations)
+                gw::reproduce()
             }
             Item::Beyond => beyond::reproduce(&points(item)?),
         })
@@ -127,12 +125,12 @@ impl Paper {
 
     /// Writes the figure of an item, if it is one, and its recording.
     fn draw(&self, item: Item, reproduction: &Reproduction) -> Result<(), StudyError> {
-        let Some(figure) = &reproduction.figure else { return Ok(()) };
+        let Some((figure, _)) = &reproduction.figure else { return Ok(()) };
         let path = |ending: &str| self.file(&format!("{}.{ending}", item.name()));
         write_svg(&path("svg"), figure)?;
         write_png(&path("png"), figure)?;
         #[cfg(feature = "record")]
-        if let Some(ramp) = reproduction.ramp.as_ref().filter(|_| self.is_recorded) {
+        if let Some((_, ramp)) = reproduction.figure.as_ref().filter(|_| self.is_recorded) {
             let contacts = self.stopping(item, ramp.contacts.clone())?;
             recording::record(&path("rrd"), figure, ramp, &contacts)?;
         }

@@ -1,9 +1,10 @@
 //! Cylinder and sphere of Section 2.
 
+use super::means::{Points, Quantity};
 use crate::contact::Load;
-use crate::plot;
+use crate::plot::Dot;
 use crate::setup::{Cell, Recipe, Setup};
-use crate::study::{Point, Realisation};
+use crate::study::{Point, Realisation, Spread};
 use crate::surface::Indenter;
 use crate::theory::{Geometry, Periodic, PowerLaw, hertz};
 
@@ -56,18 +57,20 @@ pub fn half_width(row: &Point) -> f64 {
     }
 }
 
+/// A quantity of the contacts of a name up to some `widest` half-width over the period.
+pub fn narrow(points: &Points, name: &str, widest: f64, quantity: Quantity) -> Spread {
+    let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * widest * PERIOD);
+    Spread::of(narrow.map(|row| quantity(&row.observables)))
+}
+
 /// Mean pressure of a row over the contact modulus.
 pub fn strain(row: &Point) -> f64 {
     row.observables.reduced_pressure * row.observables.rms_gradient
 }
 
 /// The exact `kappa_r` of periodic cylinders against `p_r*`, up to contacts `2 widest` periods wide.
-pub fn periodic_cylinder(widest: f64) -> Vec<plot::Point> {
+pub fn periodic_cylinder(widest: f64) -> impl Iterator<Item = Dot> {
     let cylinder = Periodic { slope: |s| s / RADIUS, period: PERIOD, contact_modulus: 1.0 };
-    let point = |i: i32| {
-        let a = widest * PERIOD * 10f64.powf(-2.0 + f64::from(i) / 50.0);
-        let reduced = cylinder.load(a) / PERIOD / cylinder.rms_gradient_contact(a);
-        plot::Point::at(reduced, cylinder.kappa_r(a))
-    };
-    (0..=100).map(point).collect()
+    let half_widths = (0..=100).map(move |i| widest * PERIOD * 10f64.powf(-2.0 + f64::from(i) / 50.0));
+    half_widths.map(move |a| Dot::at(cylinder.load(a) / PERIOD / cylinder.rms_gradient_contact(a), cylinder.kappa_r(a)))
 }

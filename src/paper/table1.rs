@@ -27,7 +27,7 @@ pub fn reproduce(points: &Points) -> Reproduction {
         Verdict::number("table1.kappa_r.point", "corrected", kappa_r[1]),
         Verdict::exact("table1.ratio", "corrected", kappa_r[0].mean / kappa_r[1].mean),
     ];
-    Reproduction { figure: None, verdicts, ramp: None }
+    Reproduction { figure: None, verdicts }
 }
 
 /// `L R / (E* c^2)`.

@@ -1,5 +1,6 @@
 //! A number or statement of the paper beside what is found here.
 
+use super::item::Item;
 use crate::study::Spread;
 use serde::{Deserialize, Serialize};
 
@@ -9,8 +10,9 @@ const PRINTED: &str = include_str!("../../assets/paper.csv");
 /// A number or a statement of the paper.
 #[derive(Deserialize)]
 struct Printed {
+    #[serde(rename = "part")]
+    item: Item,
     key: String,
-    /// The quantity, in words.
     quantity: String,
     /// The number; none for statements.
     value: Option<f64>,
@@ -18,7 +20,6 @@ struct Printed {
     reading: Option<f64>,
     /// The statement, or the number as it is printed.
     printed: String,
-    /// Where it stands.
     place: String,
 }
 
@@ -27,7 +28,7 @@ struct Printed {
 pub struct Verdict {
     /// The table or figure.
     #[serde(rename = "part")]
-    pub item: String,
+    pub item: Item,
     /// The quantity, and what kind of number is found: raw, corrected, another size.
     pub quantity: String,
     /// The number or statement as it is printed.
@@ -64,9 +65,8 @@ impl Verdict {
         Self { verdict, ..Self::on(Printed::of(key), "", here) }
     }
 
-    fn on(Printed { key, quantity, printed, place, .. }: Printed, how: &str, here: String) -> Self {
+    fn on(Printed { item, quantity, printed, place, .. }: Printed, how: &str, here: String) -> Self {
         let quantity = if how.is_empty() { quantity } else { format!("{quantity}, {how}") };
-        let item = key.split('.').next().unwrap_or_default().into();
         let [scatter, verdict, why] = [const { String::new() }; 3];
         Self { item, quantity, paper: printed, here, scatter, verdict, why, place }
     }

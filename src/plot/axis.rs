@@ -49,6 +49,15 @@ impl Axis {
         (at - start) / (end - start)
     }
 
+    /// The value at a `place`.
+    pub(crate) fn value(&self, place: f64) -> f64 {
+        let between = |[start, end]: [f64; 2]| start + place * (end - start);
+        match self.scale {
+            Scale::Linear => between(self.range),
+            Scale::Log => 10f64.powf(between(self.range.map(f64::log10))),
+        }
+    }
+
     /// The ticks that have a label, each with it, in ascending order; none on a range that is empty or not finite.
     ///
     /// A logarithmic axis has powers of ten, `10⁻³`, below two decades also `2·10⁻³` and `5·10⁻³`; a linear one has steps
@@ -150,63 +159,4 @@ fn power_of_ten(exponent: i32) -> String {
     const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| SUPERSCRIPTS[digit as usize]);
     format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn labels(axis: &Axis) -> Vec<String> {
-        axis.ticks().into_iter().map(|(_, label)| label).collect()
-    }
-
-    #[test]
-    fn places_run_from_start_to_end() {
-        let log = Axis::log("p*", [1e-4, 1.0]);
-        assert!((log.place(1e-3) - 0.25).abs() < 1e-12 && (log.place(10.0) - 1.25).abs() < 1e-12);
-        assert!([0.0, -1.0, f64::NAN].iter().all(|&value| !log.place(value).is_finite()));
-        assert_eq!([4.0, 3.0, 0.0].map(|value| Axis::linear("t", [4.0, 0.0]).place(value)), [0.0, 0.25, 1.0]);
-    }
-
-    #[test]
-    fn long_logarithmic_axes_have_powers_of_ten() {
-        let axis = Axis::log("p*", [0.5e-3, 1.0]);
-        assert_eq!(
-            axis.ticks(),
-            [1e-3, 1e-2, 1e-1, 1.0].map(|value: f64| { (value, power_of_ten(value.log10().round() as i32)) })
-        );
-        assert_eq!(labels(&axis), ["10⁻³", "10⁻²", "10⁻¹", "10⁰"]);
-        let minor = axis.minor_ticks();
-        assert!((minor[0] - 0.5e-3).abs() < 1e-15 && minor.len() == 5 + 3 * 9 + 1, "{minor:?}");
-        assert_eq!(labels(&Axis::log("eta", [1e-14, 1e2])).len(), 9);
-    }
-
-    #[test]
-    fn short_logarithmic_axes_have_more() {
-        assert_eq!(labels(&Axis::log("p*", [2e-2, 0.6])), ["2·10⁻²", "5·10⁻²", "10⁻¹", "2·10⁻¹", "5·10⁻¹"]);
-        assert_eq!(labels(&Axis::log("p*", [3.0, 4.0])), ["3.0", "3.2", "3.4", "3.6", "3.8", "4.0"]);
-    }
-
-    #[test]
-    fn linear_axes_have_round_steps() {
-        assert_eq!(labels(&Axis::linear("x", [-0.5, 1.1])), ["−0.5", "0", "0.5", "1.0"]);
-        assert_eq!(labels(&Axis::linear("x", [100.0, 0.0])), ["0", "20", "40", "60", "80", "100"]);
-        assert_eq!(labels(&Axis::linear("x", [0.0, 1.6e-6])), ["0", "0.5·10⁻⁶", "1.0·10⁻⁶", "1.5·10⁻⁶"]);
-        let (value, label) = &Axis::linear("x", [0.0, 0.3]).ticks()[2];
-        assert!((value - 0.1).abs() < 1e-15 && label == "0.10", "{value} {label}");
-    }
-
-    #[test]
-    fn a_range_that_is_empty_or_not_finite_has_no_ticks() {
-        let ranges = [[1.0, 1.0], [f64::NAN, 1.0], [0.0, f64::INFINITY], [-1e308, 1e308], [0.0, 5e-324]];
-        for [start, end] in ranges {
-            assert!(Axis::linear("x", [start, end]).ticks().is_empty(), "{start} to {end}");
-        }
-        for [start, end] in [[0.0, 1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, f64::INFINITY]] {
-            let axis = Axis::log("x", [start, end]);
-            assert!(axis.ticks().is_empty() && axis.minor_ticks().is_empty(), "{start} to {end}");
-        }
-        assert!(!Axis::log("x", [1e-308, 1e308]).ticks().is_empty());
-        assert!(Axis::linear("x", [1.0, 1.0 + 4.0 * f64::EPSILON]).ticks().len() < 20);
-    }
 }

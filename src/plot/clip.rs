@@ -58,30 +58,3 @@ pub fn dashes(line: &[[f64; 2]], [on, off]: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     dashes.extend((dash.len() > 1).then_some(dash));
     dashes
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_are_cut_at_the_edges() {
-        let across = runs(&[[-1.0, 0.5], [0.5, 0.5], [0.5, 3.0], [2.0, 3.0], [2.0, 0.25], [0.5, 0.25]]);
-        assert_eq!(across, [vec![[0.0, 0.5], [0.5, 0.5], [0.5, 1.0]], vec![[1.0, 0.25], [0.5, 0.25]]]);
-        assert!(runs(&[[-1.0, 0.5], [0.5, 2.1]]).is_empty());
-    }
-
-    #[test]
-    fn points_that_are_not_finite_break_lines() {
-        let broken = runs(&[[0.1, 0.1], [0.2, 0.2], [f64::NAN, 0.5], [0.3, 0.3], [0.4, 0.4], [0.5, f64::NEG_INFINITY]]);
-        assert_eq!(broken, [[[0.1, 0.1], [0.2, 0.2]], [[0.3, 0.3], [0.4, 0.4]]]);
-    }
-
-    #[test]
-    fn dashes_go_around_corners() {
-        let corner = dashes(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0]], [3.0, 0.5]);
-        assert_eq!(
-            corner,
-            [vec![[0.0, 0.0], [3.0, 0.0]], vec![[3.5, 0.0], [4.0, 0.0], [4.0, 2.5]], vec![[4.0, 3.0], [4.0, 4.0]]]
-        );
-    }
-}

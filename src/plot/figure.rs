@@ -24,40 +24,42 @@ pub struct Panel {
     pub y: Axis,
     /// Series, the later over the earlier.
     pub series: Vec<Series>,
-    /// Corner of the legend, unless it would hide less in another one.
-    pub legend: Corner,
 }
 
 impl Panel {
     /// A panel without series.
-    pub fn new(title: impl Into<String>, x: Axis, y: Axis, legend: Corner) -> Self {
-        Self { title: title.into(), x, y, series: Vec::new(), legend }
+    pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
+        Self { title: title.into(), x, y, series: Vec::new() }
+    }
+
+    /// Adds a series.
+    pub fn add(&mut self, name: impl Into<String>, colour: Colour, mark: Mark, dots: impl IntoIterator<Item = Dot>) {
+        self.series.push(Series { name: name.into(), colour, mark, dots: dots.into_iter().collect() });
+    }
+
+    /// Adds a function of `x`, from end to end of the axis.
+    pub fn add_curve(&mut self, name: impl Into<String>, colour: Colour, mark: Mark, y: impl Fn(f64) -> f64) {
+        let dots: Vec<Dot> = (0..=200).map(|i| self.x.value(f64::from(i) / 200.0)).map(|x| Dot::at(x, y(x))).collect();
+        self.add(name, colour, mark, dots);
     }
 }
 
-/// Points that belong together.
+/// Dots that belong together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     /// Name in the legend; an empty name keeps the series out of it.
     pub name: String,
     /// Colour of lines, symbols and error bars.
     pub colour: Colour,
-    /// Style of the points.
+    /// Style of the dots.
     pub mark: Mark,
-    /// Points in the order in which a line joins them.
-    pub points: Vec<Point>,
+    /// Dots in the order in which a line joins them.
+    pub dots: Vec<Dot>,
 }
 
-impl Series {
-    /// A series of `points`.
-    pub fn new(name: impl Into<String>, colour: Colour, mark: Mark, points: Vec<Point>) -> Self {
-        Self { name: name.into(), colour, mark, points }
-    }
-}
-
-/// A point with an error bar. A point that is not finite breaks the line of its series.
+/// A pair of values with an error bar. One that is not finite breaks the line of its series.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
+pub struct Dot {
     /// Value on the x axis.
     pub x: f64,
     /// Value on the y axis.
@@ -66,22 +68,9 @@ pub struct Point {
     pub spread: f64,
 }
 
-impl Point {
-    /// A point without error bar.
+impl Dot {
+    /// A dot without error bar.
     pub fn at(x: f64, y: f64) -> Self {
         Self { x, y, spread: 0.0 }
     }
-}
-
-/// A corner of a panel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Corner {
-    /// Upper left.
-    TopLeft,
-    /// Upper right.
-    TopRight,
-    /// Lower left.
-    BottomLeft,
-    /// Lower right.
-    BottomRight,
 }

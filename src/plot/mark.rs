@@ -27,30 +27,6 @@ pub enum Mark {
     },
 }
 
-impl Mark {
-    /// True if a line joins the points.
-    pub fn is_line(self) -> bool {
-        !matches!(self, Self::Symbol { .. })
-    }
-
-    /// Lengths of the dashes of a line and of the spaces between them; none for a solid line.
-    pub fn pattern(self) -> Option<[f64; 2]> {
-        match self {
-            Self::Dashed => Some([7.0, 4.5]),
-            Self::Dotted => Some([2.0, 3.5]),
-            Self::Line | Self::Symbol { .. } | Self::Joined { .. } => None,
-        }
-    }
-
-    /// The symbol, and whether it is filled.
-    pub fn symbol(self) -> Option<(Symbol, bool)> {
-        match self {
-            Self::Symbol { symbol, filled } | Self::Joined { symbol, filled } => Some((symbol, filled)),
-            Self::Line | Self::Dashed | Self::Dotted => None,
-        }
-    }
-}
-
 /// A shape that tells a series from others without colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Symbol {

@@ -1,12 +1,12 @@
 //! Figures as data, drawn once as lines, shapes and words on a sheet, and written as SVG and PNG.
 //!
 //! ```
-//! use asperity::plot::{Axis, Colour, Corner, Figure, Mark, Panel, Point, Series, write_svg};
+//! use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, write_svg};
 //!
 //! let [x, y] = [Axis::log("p*", [1e-3, 1.0]), Axis::linear("a_rel", [0.0, 1.0])];
-//! let mut panel = Panel::new("relative contact area", x, y, Corner::TopLeft);
-//! let theory = [1e-3, 1e-2, 1e-1, 1.0].map(|p: f64| Point::at(p, (2.0 * p).tanh()));
-//! panel.series.push(Series::new("theory", Colour::BLUE, Mark::Line, theory.to_vec()));
+//! let mut panel = Panel::new("relative contact area", x, y);
+//! panel.add_curve("theory", Colour::BLUE, Mark::Line, |p| (2.0 * p).tanh());
+//! panel.add("measured", Colour::BLACK, Mark::Dotted, [Dot::at(1e-3, 2.1e-3), Dot::at(1e-2, 1.9e-2)]);
 //! let figure = Figure { title: "rough line".into(), panels: vec![panel] };
 //! let folder = tempfile::tempdir()?;
 //! write_svg(&folder.path().join("area.svg"), &figure)?;
@@ -28,7 +28,7 @@ mod svg;
 
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
-pub use figure::{Corner, Figure, Panel, Point, Series};
+pub use figure::{Dot, Figure, Panel, Series};
 pub use mark::{Mark, Symbol};
 pub use svg::{write_png, write_svg};
 #[cfg(feature = "record")]

@@ -2,8 +2,9 @@
 
 use super::clip::{dashes, runs};
 use super::colour::Colour;
-use super::figure::{Point, Series};
+use super::figure::{Dot, Series};
 use super::frame::Frame;
+use super::mark::Mark;
 use super::sheet::Sheet;
 
 const LINE: f64 = 2.0;
@@ -13,8 +14,8 @@ const CAP: f64 = 4.0;
 
 /// Draws the part of a series inside `frame`.
 pub fn draw_series(sheet: &mut Sheet, frame: &Frame, series: &Series) {
-    series.points.iter().for_each(|point| draw_bar(sheet, frame, series.colour, point));
-    let places: Vec<[f64; 2]> = series.points.iter().map(|point| frame.places(point.x, point.y)).collect();
+    series.dots.iter().for_each(|dot| draw_bar(sheet, frame, series.colour, dot));
+    let places: Vec<[f64; 2]> = series.dots.iter().map(|dot| frame.places(dot.x, dot.y)).collect();
     for run in runs(&places) {
         draw_line(sheet, series, run.into_iter().map(|place| frame.position(place)).collect());
     }
@@ -25,16 +26,18 @@ pub fn draw_series(sheet: &mut Sheet, frame: &Frame, series: &Series) {
 
 /// Draws the line of a series through `points` of the sheet, if it has one.
 pub fn draw_line(sheet: &mut Sheet, series: &Series, points: Vec<[f64; 2]>) {
-    match series.mark.pattern() {
-        _ if !series.mark.is_line() => {}
-        None => sheet.line(points, series.colour, LINE),
-        Some(pattern) => dashes(&points, pattern).into_iter().for_each(|dash| sheet.line(dash, series.colour, LINE)),
-    }
+    let pattern = match series.mark {
+        Mark::Symbol { .. } => return,
+        Mark::Line | Mark::Joined { .. } => return sheet.line(points, series.colour, LINE),
+        Mark::Dashed => [7.0, 4.5],
+        Mark::Dotted => [2.0, 3.5],
+    };
+    dashes(&points, pattern).into_iter().for_each(|dash| sheet.line(dash, series.colour, LINE));
 }
 
 /// Draws the symbol of a series at a position on the sheet, if it has one.
 pub fn draw_symbol(sheet: &mut Sheet, series: &Series, [x, y]: [f64; 2]) {
-    let Some((symbol, filled)) = series.mark.symbol() else { return };
+    let (Mark::Symbol { symbol, filled } | Mark::Joined { symbol, filled }) = series.mark else { return };
     let outline = |inset| symbol.outline(inset).into_iter().map(|[right, down]| [x + right, y + down]).collect();
     sheet.shape(outline(0.0), series.colour, 1.0);
     if !filled {
@@ -43,9 +46,9 @@ pub fn draw_symbol(sheet: &mut Sheet, series: &Series, [x, y]: [f64; 2]) {
 }
 
 /// Draws an error bar as far as it lies inside, with caps where it ends there.
-fn draw_bar(sheet: &mut Sheet, frame: &Frame, colour: Colour, point: &Point) {
-    let ends = [-1.0, 1.0].map(|sign| frame.places(point.x, point.y + sign * point.spread));
-    let is_bar = point.y.is_finite() && point.spread > 0.0;
+fn draw_bar(sheet: &mut Sheet, frame: &Frame, colour: Colour, dot: &Dot) {
+    let ends = [-1.0, 1.0].map(|sign| frame.places(dot.x, dot.y + sign * dot.spread));
+    let is_bar = dot.y.is_finite() && dot.spread > 0.0;
     let x = ends[0][0];
     let [low, high] = ends.map(|[_, y]| y.clamp(0.0, 1.0));
     if !is_bar || !(0.0..=1.0).contains(&x) || low == high {

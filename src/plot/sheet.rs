@@ -12,50 +12,22 @@ pub struct Sheet {
     pub elements: Vec<Element>,
 }
 
-/// A thing on a sheet.
+/// A thing on a sheet, with lengths in its units.
 #[derive(Debug, PartialEq)]
 pub enum Element {
     /// A line through points.
-    Line {
-        /// Positions.
-        points: Vec<[f64; 2]>,
-        /// Colour.
-        colour: Colour,
-        /// Width in units.
-        width: f64,
-    },
-    /// A filled convex shape.
-    Shape {
-        /// Corners in order.
-        corners: Vec<[f64; 2]>,
-        /// Colour.
-        colour: Colour,
-        /// Share of the light that the shape holds back.
-        opacity: f64,
-    },
-    /// One line of black words, half of it above the height `at[1]`, or to either side of the vertical at `at[0]`.
-    Words {
-        /// Letters.
-        words: String,
-        /// Position.
-        at: [f64; 2],
-        /// Size of the font.
-        size: f64,
-        /// Part of the words at the position.
-        align: Align,
-        /// Direction: upwards, or to the right.
-        upwards: bool,
-    },
+    Line { points: Vec<[f64; 2]>, colour: Colour, width: f64 },
+    /// A filled convex shape, whose opacity is the share of the light that it holds back.
+    Shape { corners: Vec<[f64; 2]>, colour: Colour, opacity: f64 },
+    /// One line of black words that runs to the right or upwards; its part `align`, half-way up the letters, stands at `at`.
+    Words { words: String, at: [f64; 2], size: f64, align: Align, upwards: bool },
 }
 
 /// A part of a line of words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Align {
-    /// Its start.
     Left,
-    /// Its middle.
     Middle,
-    /// Its end.
     Right,
 }
 

@@ -40,9 +40,7 @@ mod setups;
 mod size;
 
 pub use draw::{Curve, Ghost};
-#[cfg(feature = "explore")]
-pub use file::Live;
-pub use file::{LoadRecording, Loads, Recorder, Recording};
+pub use file::{LoadRecording, Loads, Output, Recorder, Recording};
 pub use options::Options;
 pub use parts::Parts;
 pub use scene::Scene;

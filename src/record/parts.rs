@@ -60,18 +60,3 @@ impl FromIterator<Part> for Parts {
         Self(parts.into_iter().fold(0, |bits, part| bits | 1 << part as u8))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_have_no_mesh_and_surfaces_no_profile() {
-        let line = Parts::on(&Grid::line(4, 1.0).unwrap());
-        let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
-        assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
-        assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
-        assert_eq!(line.and(surface), [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect());
-        assert!(line.has(Part::Spectrum) && !Parts::USUAL.and(line).has(Part::Spectrum));
-    }
-}

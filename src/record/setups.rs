@@ -3,7 +3,7 @@
 use crate::error::FileError;
 use rerun::{ChunkStore, ChunkStoreConfig, StoreKind, TextDocument};
 use std::fs::File;
-use std::io::{self, Read, Seek};
+use std::io::{self, Read};
 use std::path::Path;
 
 /// First bytes of a recording.
@@ -22,7 +22,6 @@ pub fn setups(path: &Path) -> Result<Option<Vec<String>>, FileError> {
         return Ok(None);
     }
     let mut file = File::open(path).map_err(unreadable)?;
-    file.rewind().map_err(unreadable)?;
     let damaged = |error| unreadable(io::Error::other(format!("the recording is damaged: {error}")));
     let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut file).map_err(damaged)?;
     let component = TextDocument::descriptor_text().component;

@@ -9,29 +9,24 @@ use crate::setup::Part;
 /// Bytes of a recording, about: packing makes the pictures smaller by up to half, most at low loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Size {
-    /// Everything that does not change, the layout included.
+    /// Everything that does not change: layout, text and axes.
     pub still: f64,
     /// The pictures of a frame.
     pub frame: f64,
-    /// The numbers of a step.
+    /// Some ten numbers of a step and the times that go with each, packed.
     pub step: f64,
     schedule: Schedule,
 }
 
 impl Size {
-    /// Layout, text, and axes.
-    const STILL: f64 = 150e3;
-    /// Some ten numbers of a step and the times that go with each, packed.
-    const STEP: f64 = 200.0;
-
     /// The size of `parts`, as far as a scene on `grid` can show them.
     pub fn of(parts: Parts, grid: &Grid) -> Self {
         let parts = parts.and(Parts::on(grid));
         let bytes = |part: Part| if parts.has(part) { bytes(part, grid) } else { 0.0 };
         Self {
-            still: Self::STILL,
+            still: 150e3,
             frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum].map(bytes).iter().sum(),
-            step: if parts.has(Part::Traces) { Self::STEP } else { 0.0 },
+            step: if parts.has(Part::Traces) { 200.0 } else { 0.0 },
             schedule: Schedule::on(grid),
         }
     }

@@ -7,19 +7,13 @@ use crate::setup::Setup;
 use crate::surface::Field;
 
 /// A setup and the loads it is solved under, one after the other.
-///
-/// | field   | meaning                                       | unit |
-/// |---------|-----------------------------------------------|------|
-/// | `name`  | name in tables                                | -    |
-/// | `setup` | all but the load                              | any  |
-/// | `loads` | reduced pressures `p* = <p>/(gbar E*)` instead of its load, each but the first started from the contact before | - |
 #[derive(Debug, Clone, PartialEq)]
 pub struct Realisation {
     /// Name in tables.
     pub name: String,
     /// The contact, but for its load.
     pub setup: Setup,
-    /// Reduced pressures, in the order in which they are solved.
+    /// Reduced pressures `p* = <p>/(gbar E*)` instead of its load, each but the first started from the contact before.
     pub loads: Vec<f64>,
 }
 

@@ -13,11 +13,6 @@ use std::sync::{Mutex, PoisonError};
 /// The numbers depend on the setups and their loads alone: not on how many are solved at a time, nor on what was solved before
 /// and kept in a table.
 ///
-/// | field          | meaning                                             |
-/// |----------------|-----------------------------------------------------|
-/// | `realisations` | the setups and their loads                          |
-/// | `workers`      | realisations solved at a time, each in its thread   |
-///
 /// ```
 /// use asperity::Indenter;
 /// use asperity::contact::Load;
@@ -37,7 +32,7 @@ use std::sync::{Mutex, PoisonError};
 pub struct Sweep {
     /// The setups and their loads.
     pub realisations: Vec<Realisation>,
-    /// Realisations solved at a time.
+    /// Realisations solved at a time, each in its thread.
     pub workers: usize,
 }
 

@@ -1,9 +1,10 @@
 //! Smooth indenters of one asperity per cell.
 
-use super::{Field, Surface};
+use super::{Field, Surface, check_positive};
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use crate::quantity;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -11,17 +12,6 @@ use std::f64::consts::TAU;
 ///
 /// The peak lies on the node of row `ny/2` and column `nx/2` (integer division; row 0 for a line). `r` is the distance
 /// to it over the periodic cell, `x` that along a line.
-///
-/// | indenter      | height                             | grid    |
-/// |---------------|------------------------------------|---------|
-/// | `Cylinder`    | `-x^2/(2R)`                        | line    |
-/// | `Sphere`      | `-r^2/(2R)`                        | surface |
-/// | `Sine`        | `D cos(2 pi x/L)`                  | line    |
-/// | `CrossedSine` | `D cos(2 pi x/Lx) cos(2 pi y/Ly)`  | surface |
-/// | `Wedge`       | `-m \|x\|`                         | line    |
-/// | `Cone`        | `-m r`                             | surface |
-/// | `PowerLaw`    | `-A r^n`                           | both    |
-/// | `Punch`       | `0` where `r <= b`, else `-depth`  | both    |
 ///
 /// Source: Eq. 2 and Fig. 1 of the paper for the parabolas; K. L. Johnson, *Contact Mechanics* (1985), chapters 4, 5,
 /// 13.
@@ -39,48 +29,48 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "shape", rename_all = "kebab-case", rename_all_fields = "kebab-case", deny_unknown_fields)]
 pub enum Indenter {
-    /// A parabolic cylinder on a line.
+    /// A parabolic cylinder on a line, `-x^2/(2R)`.
     Cylinder {
         /// Radius of curvature `R`, a length.
         #[serde(deserialize_with = "quantity::length")]
         radius: f64,
     },
-    /// A paraboloid on a surface.
+    /// A paraboloid on a surface, `-r^2/(2R)`.
     Sphere {
         /// Radius of curvature `R`, a length.
         #[serde(deserialize_with = "quantity::length")]
         radius: f64,
     },
-    /// One period of a cosine on a line.
+    /// One period of a cosine on a line, `D cos(2 pi x/L)`.
     Sine {
         /// Amplitude `D`, a length: half the height from valley to peak.
         #[serde(deserialize_with = "quantity::length")]
         amplitude: f64,
     },
-    /// One period of a product of two cosines on a surface.
+    /// One period of a product of two cosines on a surface, `D cos(2 pi x/Lx) cos(2 pi y/Ly)`.
     CrossedSine {
         /// Amplitude `D`, a length: half the height from valley to peak.
         #[serde(deserialize_with = "quantity::length")]
         amplitude: f64,
     },
-    /// A wedge on a line.
+    /// A wedge on a line, `-m |x|`.
     Wedge {
         /// Slope `m` of its flanks, a length per length.
         slope: f64,
     },
-    /// A cone on a surface.
+    /// A cone on a surface, `-m r`.
     Cone {
         /// Slope `m` of its flank, a length per length.
         slope: f64,
     },
-    /// A power of the distance.
+    /// A power of the distance on a line or a surface, `-A r^n`.
     PowerLaw {
         /// Coefficient `A`, a length to the power `1 - n`.
         coefficient: f64,
         /// Exponent `n`, any positive number; 1 is the wedge and the cone, 2 the cylinder and the sphere.
         exponent: f64,
     },
-    /// A flat punch: a strip on a line, a disc on a surface.
+    /// A flat punch, a strip on a line and a disc on a surface: 0 where `r <= b`, else `-depth`.
     Punch {
         /// Half-width or radius `b`, a length below half the shortest period.
         #[serde(deserialize_with = "quantity::length")]
@@ -127,23 +117,12 @@ impl Indenter {
     /// - [`SurfaceError::NonFinite`] for heights beyond the range of doubles.
     pub fn surface(&self, grid: Grid) -> Result<Surface, SurfaceError> {
         self.check(&grid)?;
-        let height = Field::from_shape_vec(grid.shape(), self.heights(&grid)).expect("one height per node");
-        Surface::new(grid, height)
-    }
-
-    /// Heights of all nodes, row by row.
-    fn heights(&self, grid: &Grid) -> Vec<f64> {
-        let mut heights = Vec::with_capacity(grid.len());
-        heights.extend(offsets(grid).map(|offset| self.height(offset, grid.size())));
-        heights
+        Surface::new(grid, about_peak(&grid, |offset| self.height(offset, grid.size())))
     }
 
     /// Whether the parameters make sense on `grid`, see [`Indenter::surface`].
     pub(crate) fn check(&self, grid: &Grid) -> Result<(), SurfaceError> {
-        let positive = self.parameters();
-        if let Some(&(name, value)) = positive.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
-            return Err(SurfaceError::NotPositive { name, value });
-        }
+        check_positive(&self.parameters())?;
         self.check_dimension(grid)?;
         match *self {
             Self::Punch { half_width, .. } if half_width >= 0.5 * shortest_period(grid) => {
@@ -189,79 +168,18 @@ impl Indenter {
     }
 }
 
-/// Offsets `[y, x]` of all nodes, row by row, from the nearest image of the node in the middle of the cell (row `ny/2`,
-/// column `nx/2`), where indenters have their peak.
-pub(crate) fn offsets(grid: &Grid) -> impl Iterator<Item = [f64; 2]> + use<> {
-    let [ny, nx] = grid.shape();
-    let [dy, dx] = grid.spacing();
+/// A field of `value` at the offset `[y, x]` of each node from the nearest image of the node in the middle of the cell
+/// (row `ny/2`, column `nx/2`), where indenters have their peak.
+pub(crate) fn about_peak(grid: &Grid, value: impl Fn([f64; 2]) -> f64 + Sync) -> Field {
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.spacing());
     let offset = |i: usize, n: usize, spacing: f64| (i as f64 - (n / 2) as f64) * spacing;
-    (0..ny).flat_map(move |i| (0..nx).map(move |j| [offset(i, ny, dy), offset(j, nx, dx)]))
+    let at = |node: usize| value([offset(node / nx, ny, dy), offset(node % nx, nx, dx)]);
+    let values = (0..grid.len()).into_par_iter().map(at).collect();
+    Field::from_shape_vec([ny, nx], values).expect("one value per node")
 }
 
 /// The shortest period of the cell along which anything varies.
 pub(crate) fn shortest_period(grid: &Grid) -> f64 {
     let [ly, lx] = grid.size();
     if grid.is_line() { lx } else { ly.min(lx) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn heights(indenter: Indenter, grid: Grid) -> Vec<f64> {
-        indenter.check(&grid).unwrap();
-        indenter.heights(&grid)
-    }
-
-    #[test]
-    fn peak_is_on_the_middle_node_of_even_and_odd_grids() {
-        for n in [8, 9, 31] {
-            let line = heights(Indenter::Wedge { slope: 2.0 }, Grid::line(n, 3.0).unwrap());
-            assert_eq!(line[n / 2], 0.0);
-            assert!((line[n / 2 + 1] - line[n / 2 - 1]).abs() < 1e-15);
-            assert!(line.iter().all(|&h| h >= -3.0));
-            let cone = heights(Indenter::Cone { slope: 1.0 }, Grid::surface([n, 6], [3.0, 2.0]).unwrap());
-            assert_eq!(cone[n / 2 * 6 + 3], 0.0);
-            assert!((cone[n / 2 * 6] + 1.0).abs() < 1e-15);
-        }
-    }
-
-    #[test]
-    fn power_law_of_two_is_the_parabola() {
-        let grid = Grid::surface([7, 12], [1.0, 2.0]).unwrap();
-        let power = heights(Indenter::PowerLaw { coefficient: 0.5, exponent: 2.0 }, grid);
-        for (a, b) in power.iter().zip(heights(Indenter::Sphere { radius: 1.0 }, grid)) {
-            assert!((a - b).abs() < 1e-15);
-        }
-    }
-
-    #[test]
-    fn waves_have_their_amplitude_at_peak_and_valley() {
-        let line = heights(Indenter::Sine { amplitude: 0.3 }, Grid::line(8, 5.0).unwrap());
-        assert_eq!((line[4], line[0]), (0.3, -0.3));
-        let crossed = heights(Indenter::CrossedSine { amplitude: 0.3 }, Grid::surface([4, 8], [1.0, 1.0]).unwrap());
-        assert_eq!((crossed[2 * 8 + 4], crossed[2 * 8], crossed[0]), (0.3, -0.3, 0.3));
-    }
-
-    #[test]
-    fn punch_is_flat_within_its_half_width() {
-        let punch = heights(Indenter::Punch { half_width: 0.25, depth: 2.0 }, Grid::line(8, 1.0).unwrap());
-        assert_eq!(punch, [-2.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, -2.0]);
-    }
-
-    #[test]
-    fn bad_indenters_are_refused() {
-        let (line, surface) = (Grid::line(8, 1.0).unwrap(), Grid::surface([8, 8], [1.0, 1.0]).unwrap());
-        for radius in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            let refused = Indenter::Sphere { radius }.surface(surface);
-            assert!(matches!(refused, Err(SurfaceError::NotPositive { name: "radius", .. })));
-        }
-        let refused = Indenter::Cone { slope: 1.0 }.surface(line);
-        assert!(matches!(refused, Err(SurfaceError::WrongDimension { needs: "surface", has: "line", .. })));
-        assert!(matches!(Indenter::Sine { amplitude: 1.0 }.surface(surface), Err(SurfaceError::WrongDimension { .. })));
-        let refused = Indenter::Punch { half_width: 0.5, depth: 1.0 }.surface(line);
-        assert!(matches!(refused, Err(SurfaceError::TooWide { .. })));
-        let refused = Indenter::Cylinder { radius: 1e-320 }.surface(line);
-        assert!(matches!(refused, Err(SurfaceError::NonFinite { .. })));
-    }
 }

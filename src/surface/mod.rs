@@ -10,7 +10,7 @@ mod synthesis;
 pub(crate) use files::read_text;
 pub use files::{read_heights, read_shape, write_heights};
 pub use indenter::Indenter;
-pub(crate) use indenter::{offsets, shortest_period};
+pub(crate) use indenter::{about_peak, shortest_period};
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
 
@@ -29,11 +29,6 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// Heights are kept about their mean: only differences matter to a contact. The mean is taken relative to the first height,
 /// so that an offset of a billion rms heights costs no digits beyond those that the heights came without.
-///
-/// | field         | shape      | unit   | meaning                        |
-/// |---------------|------------|--------|--------------------------------|
-/// | `height`      | `(ny, nx)` | length | heights about their mean       |
-/// | `mean_height` | -          | length | the mean that was taken off    |
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     grid: Grid,
@@ -93,11 +88,6 @@ impl Surface {
         }
     }
 
-    fn with_seed(mut self, seed: u64) -> Self {
-        self.seed = Some(seed);
-        self
-    }
-
     /// The grid under the heights.
     pub fn grid(&self) -> &Grid {
         &self.grid
@@ -153,6 +143,14 @@ impl Surface {
     }
 }
 
+/// Refuses the first of some named values that is not positive and finite.
+fn check_positive(values: &[(&'static str, f64)]) -> Result<(), SurfaceError> {
+    match values.iter().find(|(_, value)| !(value.is_finite() && *value > 0.0)) {
+        Some(&(name, value)) => Err(SurfaceError::NotPositive { name, value }),
+        None => Ok(()),
+    }
+}
+
 /// Takes the mean off the heights, unless it is rounding, and returns it.
 fn centre(height: &mut [f64]) -> f64 {
     let (n, first) = (height.len(), height[0]);
@@ -164,52 +162,4 @@ fn centre(height: &mut [f64]) -> f64 {
     }
     chunks::update(height, |_, height| height.iter_mut().for_each(|h| *h = (*h - first) - offset));
     mean
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn line(height: impl Fn(f64) -> f64) -> Surface {
-        Surface::line(ndarray::Array1::from_shape_fn(64, |i| height(i as f64)).view(), 1.0).unwrap()
-    }
-
-    #[test]
-    fn heights_are_about_their_mean_and_come_back_as_given() {
-        for offset in [0.0, 0.3, -7.0, 1e9] {
-            let surface = line(|i| offset + (i * i).sin());
-            let mean = (0..64).map(|i| ((i * i) as f64).sin()).sum::<f64>() / 64.0;
-            assert!((surface.mean_height() - (offset + mean)).abs() <= 1e-15 * offset.abs().max(1.0));
-            assert!(surface.heights().iter().sum::<f64>().abs() < 1e-12, "{offset}");
-            for (i, &given) in surface.heights_as_given().iter().enumerate() {
-                let expected = offset + ((i * i) as f64).sin();
-                assert!((given - expected).abs() <= 4.0 * f64::EPSILON * offset.abs().max(1.0), "{given} {expected}");
-            }
-        }
-    }
-
-    #[test]
-    fn heights_about_their_mean_are_kept_to_the_last_bit() {
-        for seed in 1..20 {
-            let once = line(|i| 0.3 + (seed as f64 * i * i).sin());
-            let twice = Surface::new(once.grid, once.height.clone()).unwrap();
-            assert_eq!((twice.heights(), twice.mean_height()), (once.heights(), 0.0));
-        }
-    }
-
-    #[test]
-    fn square_gradients_are_equation_8() {
-        let noise = |(i, j): (usize, usize)| ((4 * i + j) as f64).powi(2).sin();
-        let surface = Surface::new(Grid::surface([5, 4], [1.0, 2.0]).unwrap(), Field::from_shape_fn((5, 4), noise));
-        let surface = surface.unwrap();
-        let (h, found) = (surface.height(), surface.square_gradient());
-        for (n, ((i, j), &z)) in h.indexed_iter().enumerate() {
-            let square = |neighbour: f64, spacing: f64| 0.5 * ((z - neighbour) / spacing).powi(2);
-            let expected = square(h[[(i + 1) % 5, j]], 0.2)
-                + square(h[[(i + 4) % 5, j]], 0.2)
-                + square(h[[i, (j + 1) % 4]], 0.5)
-                + square(h[[i, (j + 3) % 4]], 0.5);
-            assert!((found(n) - expected).abs() < 1e-12);
-        }
-    }
 }

@@ -32,18 +32,15 @@ impl SummitHeights {
 
     /// `F_m` in units of `sigma^m`.
     fn moment(self, m: f64, separation: f64) -> f64 {
-        self.scaled_moment(m, separation) * self.scale(separation)
-    }
-
-    /// The factor that [`SummitHeights::scaled_moment`] leaves out, so that no separation underflows.
-    fn scale(self, separation: f64) -> f64 {
-        match self {
+        let scale = match self {
             Self::Exponential => (-separation).exp(),
             Self::Gaussian if separation > 0.0 => (-0.5 * separation * separation).exp(),
             Self::Gaussian => 1.0,
-        }
+        };
+        self.scaled_moment(m, separation) * scale
     }
 
+    /// `F_m` in units of `sigma^m` without its exponential factor, so that no separation underflows.
     fn scaled_moment(self, m: f64, separation: f64) -> f64 {
         match self {
             Self::Exponential => tgamma(m + 1.0),
@@ -77,14 +74,6 @@ fn gaussian_moment(m: f64, d: f64) -> f64 {
 /// ```
 ///
 /// The paper leaves `eta` out (`eta = 1`); it drops out of `gbar_r` and `kappa_r`.
-///
-/// | field             | meaning                       | unit       |
-/// |-------------------|-------------------------------|------------|
-/// | `heights`         | distribution of the heights   | -          |
-/// | `scale`           | `sigma`                       | length     |
-/// | `radius`          | `R` of all summits            | length     |
-/// | `density`         | `eta`, summits per area       | 1/length^2 |
-/// | `contact_modulus` | `E*`                          | pressure   |
 ///
 /// All methods take the separation `d/sigma`.
 ///
@@ -120,67 +109,5 @@ impl GreenwoodWilliamson {
     pub fn rms_gradient_contact(&self, separation: f64) -> f64 {
         let [first, second] = [1.0, 2.0].map(|m| self.heights.scaled_moment(m, separation));
         (0.5 * self.scale / self.radius * second / first).sqrt()
-    }
-
-    /// `kappa_r`, see [`SummitHeights::kappa_r`].
-    pub fn kappa_r(&self, separation: f64) -> f64 {
-        self.heights.kappa_r(separation)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use SummitHeights::{Exponential, Gaussian};
-
-    fn model(heights: SummitHeights) -> GreenwoodWilliamson {
-        GreenwoodWilliamson { heights, scale: 0.02, radius: 1.5, density: 3.0, contact_modulus: 7.0 }
-    }
-
-    #[test]
-    fn exponential_heights_give_equations_16_17_20_21() {
-        let model = model(Exponential);
-        for d in [0.0, 1.0, 5.0, 100.0] {
-            let area = PI * 1.5 * 0.02 * f64::exp(-d) * 3.0;
-            let pressure = 0.02 * 7.0 * (PI * 1.5 * 0.02).sqrt() * f64::exp(-d) * 3.0;
-            assert!((model.relative_area(d) / area - 1.0).abs() < 1e-14);
-            assert!((model.pressure(d) / pressure - 1.0).abs() < 1e-14);
-            assert!((model.rms_gradient_contact(d) - (0.02_f64 / 1.5).sqrt()).abs() < 1e-15);
-            assert!((model.kappa_r(d) - 1.7725).abs() < 5e-5);
-        }
-    }
-
-    #[test]
-    fn kappa_r_is_its_definition() {
-        for model in [model(Exponential), model(Gaussian)] {
-            for d in [-3.0, 0.0, 2.0, 6.0] {
-                let reduced = model.pressure(d) / (model.rms_gradient_contact(d) * 7.0);
-                assert!((model.relative_area(d) / reduced / model.kappa_r(d) - 1.0).abs() < 1e-13);
-            }
-        }
-    }
-
-    #[test]
-    fn gaussian_moments_have_closed_forms_at_zero_and_for_whole_powers() {
-        for m in [1.0, 1.5, 2.0] {
-            let expected = 2f64.powf(0.5 * m - 1.0) * tgamma(0.5 * (m + 1.0)) / PI.sqrt();
-            assert!((Gaussian.moment(m, 0.0) / expected - 1.0).abs() < 1e-13);
-        }
-        for d in [-5.0_f64, -1.0, 0.5, 1.0, 3.0] {
-            let density = (-0.5 * d * d).exp() / TAU.sqrt();
-            let tail = 0.5 * libm::erfc(d / 2f64.sqrt());
-            assert!((Gaussian.moment(1.0, d) / (density - d * tail) - 1.0).abs() < 1e-11, "{d}");
-            assert!((Gaussian.moment(2.0, d) / ((1.0 + d * d) * tail - d * density) - 1.0).abs() < 1e-10, "{d}");
-        }
-    }
-
-    #[test]
-    fn gaussian_kappa_r_rises_to_the_exponential_one() {
-        let kappa_r: Vec<f64> = (0..=40).map(|d| Gaussian.kappa_r(f64::from(d))).collect();
-        assert!(kappa_r.is_sorted() && kappa_r.iter().all(|&k| k > 1.7 && k < PI.sqrt()));
-        assert!((kappa_r[40] - PI.sqrt()).abs() < 5e-4);
-        let far = Gaussian.kappa_r(1e8);
-        assert!((far - PI.sqrt()).abs() < 1e-12, "{far}");
-        assert!(Gaussian.kappa_r(-1e3).is_finite());
     }
 }

@@ -3,7 +3,7 @@
 use super::{chunks, cylinder, row_counts};
 use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
 use asperity::error::FileError;
-use asperity::plot::{Axis, Corner, Figure, Panel};
+use asperity::plot::{Axis, Figure, Panel};
 use asperity::record::{Curve, LoadRecording, Loads, Options, Parts, Scene};
 use asperity::setup::Part;
 use asperity::{Grid, Indenter, Problem, Stop};
@@ -18,7 +18,7 @@ fn sphere() -> Problem {
 }
 
 fn figure() -> Figure {
-    let panel = Panel::new("p", Axis::log("x", [1e-3, 1.0]), Axis::linear("y", [0.0, 1.0]), Corner::TopLeft);
+    let panel = Panel::new("p", Axis::log("x", [1e-3, 1.0]), Axis::linear("y", [0.0, 1.0]));
     Figure { title: "figure".into(), panels: vec![panel] }
 }
 

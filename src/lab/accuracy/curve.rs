@@ -1,6 +1,6 @@
 //! Work against precision: one solver on one grid.
 
-use super::quantity::{Values, errors, of_contact, of_step};
+use super::quantity::{Values, errors, found};
 use crate::contact::{Contact, Each, Observer, Problem, Step, Stop};
 use crate::error::SolveError;
 use crate::lab::table::median;
@@ -8,16 +8,10 @@ use crate::lab::{Rival, Watch};
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
-/// The certificate falls by this factor from one point of a curve to the next.
-const FALL: f64 = 0.5;
-
 /// How far a solver has come at one step.
 pub struct Point {
-    /// Number of the step.
     pub step: usize,
-    /// Certificate.
     pub eta: f64,
-    /// Fourier transforms so far.
     pub transforms: u64,
     /// Seconds so far in each repeat, in ascending order.
     pub seconds: Vec<f64>,
@@ -30,7 +24,6 @@ pub struct Point {
 }
 
 impl Point {
-    /// Median of the seconds.
     pub fn median(&self) -> f64 {
         median(&self.seconds)
     }
@@ -38,20 +31,18 @@ impl Point {
 
 /// One solver on one grid: a point for each halving of the certificate.
 pub struct Curve {
-    /// The solver.
     pub rival: Rival,
-    /// Points along y and x.
+    /// Points along y and x, the longer side.
     pub shape: [usize; 2],
     /// Certificate of the solution that errors are held against.
     pub reference_eta: f64,
-    /// The points, in the order of the steps.
     pub points: Vec<Point>,
 }
 
 impl Curve {
     /// Measures errors against the all but exact solution `reference` in a first run, which warms up, and seconds in `repeats`
     /// further runs, in which nobody looks at the fields.
-    pub(super) fn of(
+    pub fn of(
         rival: Rival,
         reference: &Contact,
         stop: &Stop,
@@ -66,11 +57,6 @@ impl Curve {
         points.iter_mut().for_each(|point| point.seconds.sort_by(f64::total_cmp));
         let shape = reference.problem.surface().grid().shape();
         Ok(Self { rival, shape, reference_eta: reference.certificate.eta, points })
-    }
-
-    /// Points along the longer side.
-    pub fn side(&self) -> usize {
-        self.shape[1]
     }
 
     /// The largest error of `quantity` at a point or after it.
@@ -99,10 +85,10 @@ pub fn solve(
 
 /// The observer that makes the points of a curve.
 fn sampler(reference: &Contact, tolerance: f64, points: &mut Vec<Point>) -> impl Observer {
-    let (truth, mut seen) = (of_contact(reference), 0);
+    let (truth, mut seen) = (found(reference), 0);
     Each(move |step: &Step<'_>| {
         let last = points.last().map_or(f64::INFINITY, |point| point.eta);
-        let is_wanted = |eta: f64| eta.is_finite() && (eta <= FALL * last || (eta <= tolerance && eta < last));
+        let is_wanted = |eta: f64| eta.is_finite() && (eta <= 0.5 * last || (eta <= tolerance && eta < last));
         if let Some(eta) = step.certificate().filter(|&eta| step.phase().level == 0 && is_wanted(eta)) {
             points.push(Point {
                 step: step.index(),
@@ -110,7 +96,7 @@ fn sampler(reference: &Contact, tolerance: f64, points: &mut Vec<Point>) -> impl
                 transforms: step.transforms(),
                 seconds: Vec::new(),
                 pressure_error: relative_l2(step.pressure(), reference),
-                errors: errors(&of_step(step), &truth),
+                errors: errors(&found(step), &truth),
                 place: seen,
             });
         }

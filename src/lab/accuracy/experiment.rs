@@ -1,9 +1,8 @@
 //! The experiment on a scene.
 
 use super::curve::{Curve, solve};
-use super::findings::Findings;
 use super::ladder::{Ladder, REFINEMENT};
-use super::model::models;
+use super::model::{Model, models};
 use super::scene::Scene;
 use crate::contact::Stop;
 use crate::error::{SettingError, SetupError};
@@ -69,5 +68,29 @@ impl Experiment {
     /// Points along each side of the finest grid.
     pub(super) fn finest(&self) -> usize {
         self.sides.last().copied().unwrap_or_default()
+    }
+}
+
+/// All that was measured on a scene; displays as tables, 120 columns wide.
+pub struct Findings {
+    /// The scene.
+    pub scene: Scene,
+    /// Errors of the theories.
+    pub models: Vec<Model>,
+    pub(super) ladder: Ladder,
+    /// Errors and work of all solvers on all grids, the finest last.
+    pub(super) curves: Vec<Curve>,
+}
+
+impl Findings {
+    /// The curves on the finest grid.
+    pub(super) fn finest(&self) -> impl Iterator<Item = &Curve> {
+        self.curves.iter().skip(self.curves.len().saturating_sub(Rival::ALL.len()))
+    }
+
+    /// Whether all curves end at the tolerance of a stop.
+    pub fn is_converged(&self, stop: &Stop) -> bool {
+        let is_end = |curve: &Curve| curve.points.last().is_some_and(|end| end.eta <= stop.tolerance());
+        self.curves.iter().all(is_end)
     }
 }

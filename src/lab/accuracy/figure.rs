@@ -1,17 +1,17 @@
 //! The figure of a scene: error against seconds and against transforms, side by side.
 
 use super::curve::{Curve, Point};
-use super::findings::Findings;
+use super::experiment::Findings;
 use super::quantity::KAPPA_R;
 use crate::lab::Rival;
-use crate::plot::{self, Axis, Colour, Corner, Figure, Mark, Panel, Series, Symbol};
+use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 
 /// Errors above this tell nothing and are left out.
 const TOP: f64 = 10.0;
 
 /// The figure of the findings on a scene.
 pub fn figure(findings: &Findings) -> Figure {
-    let points = findings.finest().next().map_or(0, Curve::side);
+    let points = findings.finest().next().map_or(0, |curve| curve.shape[1]);
     let kind = if findings.scene.is_line() { "points" } else { "points a side" };
     let title = format!("{}, {points} {kind}: error against work", findings.scene.name());
     Figure { title, panels: vec![against_seconds(findings), against_transforms(findings)] }
@@ -29,10 +29,9 @@ fn against_seconds(findings: &Findings) -> Panel {
 /// The panel whose legend tells the lines apart.
 fn against_transforms(findings: &Findings) -> Panel {
     let mut panel = panel(findings, "Fourier transforms", |point| point.transforms as f64);
-    let of_mark = |name: &str, mark| Series::new(name, Colour::GREY, mark, Vec::new());
-    panel.series.push(of_mark("pressure, relative L2", Mark::Line));
-    panel.series.push(of_mark("certificate η", Mark::Dotted));
-    panel.series.push(of_mark("κ_r, error of a grid", Mark::Dashed));
+    panel.add("pressure, relative L2", Colour::GREY, Mark::Line, []);
+    panel.add("certificate η", Colour::GREY, Mark::Dotted, []);
+    panel.add("κ_r, error of a grid", Colour::GREY, Mark::Dashed, []);
     panel
 }
 
@@ -42,34 +41,28 @@ fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64) -> Panel {
     let grids = grids(findings);
     let sides: Vec<String> = grids.iter().map(|(side, _)| side.to_string()).collect();
     let title = format!("dashed, downwards: corrected κ_r on n = {} points", sides.join(", "));
-    let mut panel = Panel::new(title, x, Axis::log("relative error", errors(findings)), Corner::BottomLeft);
-    panel.series = grids.iter().map(|(_, error)| level(*error, panel.x.range)).collect();
-    panel.series.extend(findings.finest().flat_map(|curve| of_curve(curve, work)));
+    let mut panel = Panel::new(title, x, Axis::log("relative error", errors(findings)));
+    grids.iter().for_each(|(_, error)| panel.add_curve("", Colour::GREY, Mark::Dashed, |_| *error));
+    findings.finest().for_each(|curve| add_curve(&mut panel, curve, work));
     panel
 }
 
 /// Points along a side and error of each grid that has one, the largest error first.
 fn grids(findings: &Findings) -> Vec<(usize, f64)> {
     let rungs = findings.ladder.rungs.iter();
-    let mut grids: Vec<_> = rungs.filter_map(|rung| Some((rung.side(), rung.errors[KAPPA_R]?))).collect();
+    let mut grids: Vec<_> = rungs.filter_map(|rung| Some((rung.shape[1], rung.errors[KAPPA_R]?))).collect();
     grids.sort_by(|(_, a), (_, b)| b.total_cmp(a));
     grids
 }
 
-/// A line across the panel.
-fn level(error: f64, ends: [f64; 2]) -> Series {
-    Series::new("", Colour::GREY, Mark::Dashed, ends.map(|x| plot::Point::at(x, error)).to_vec())
-}
-
-/// Certificate and error of the pressure.
-fn of_curve(curve: &Curve, work: fn(&Point) -> f64) -> [Series; 2] {
+/// Adds certificate and error of the pressure.
+fn add_curve(panel: &mut Panel, curve: &Curve, work: fn(&Point) -> f64) {
     let (colour, symbol) = look(&curve.rival);
-    let series = |mark, error: fn(&Point) -> f64| {
-        let points = curve.points.iter().map(|point| plot::Point::at(work(point), error(point)));
-        Series::new("", colour, mark, points.collect())
+    let mut add = |mark, error: fn(&Point) -> f64| {
+        panel.add("", colour, mark, curve.points.iter().map(|point| Dot::at(work(point), error(point))));
     };
-    let joined = Mark::Joined { symbol, filled: true };
-    [series(Mark::Dotted, |point| point.eta), series(joined, |point| point.pressure_error)]
+    add(Mark::Dotted, |point| point.eta);
+    add(Mark::Joined { symbol, filled: true }, |point| point.pressure_error);
 }
 
 fn look(rival: &Rival) -> (Colour, Symbol) {

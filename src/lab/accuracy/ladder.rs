@@ -1,7 +1,7 @@
 //! The error of the grid.
 
 use super::curve::solve;
-use super::quantity::{QUANTITIES, Values, errors, of_contact, of_exact, root_mean_square};
+use super::quantity::{QUANTITIES, Values, errors, exact, found, root_mean_square};
 use super::scene::Scene;
 use crate::contact::{Load, Stop, Work};
 use crate::error::SetupError;
@@ -16,7 +16,6 @@ pub const REFINEMENT: usize = 4;
 
 /// A grid with its errors.
 pub struct Rung {
-    /// Points along y and x.
     pub shape: [usize; 2],
     /// Errors, root mean square over the loads.
     pub errors: Values,
@@ -30,30 +29,41 @@ pub struct Ladder {
     pub against: String,
     /// The true values at the least load.
     pub truth: Values,
-    /// The grids, coarsest first.
     pub rungs: Vec<Rung>,
 }
 
 impl Ladder {
     /// Solves `scene` on all grids under all loads.
-    pub(super) fn of(
+    pub fn of(
         scene: Scene,
         sides: &[usize],
         seed: u64,
         stop: &Stop,
         watch: &mut Watch<'_>,
     ) -> Result<Self, SetupError> {
-        let mut solved = |side| solved(scene, side, seed, stop, watch);
-        let (against, truth) = truth(scene, sides, &mut solved)?;
-        let rungs = sides.iter().map(|&side| Ok(Rung::of(scene, side, &solved(side)?, &truth)));
-        let rungs = rungs.collect::<Result<_, SetupError>>()?;
+        let finest = sides.iter().copied().max().unwrap_or_default();
+        let all = loads(scene).map(|load| scene.exact(finest, load).transpose());
+        let (against, truth): (_, Vec<Values>) = match all.collect::<Option<Result<Vec<_>, _>>>().transpose()? {
+            Some(all) => (format!("the exact solution ({})", all[0].name), all.iter().map(exact).collect()),
+            None => {
+                let finer = solved(scene, REFINEMENT * finest, seed, stop, watch)?;
+                let name = points(scene.shape(REFINEMENT * finest));
+                (format!("{name} points"), finer.into_iter().map(|(values, _)| values).collect())
+            }
+        };
+        let mut rung = |&side: &usize| -> Result<Rung, SetupError> {
+            let solved = solved(scene, side, seed, stop, watch)?;
+            let all: Vec<Values> = solved.iter().zip(&truth).map(|((found, _), truth)| errors(found, truth)).collect();
+            Ok(Rung { shape: scene.shape(side), errors: root_mean_square(&all), work: solved[0].1 })
+        };
+        let rungs = sides.iter().map(&mut rung).collect::<Result<_, _>>()?;
         Ok(Self { against, truth: truth[0], rungs })
     }
 
     /// The largest error of `quantity` on the grid of this many points along a side and on all finer ones: a coarse grid may
     /// be right by chance.
     pub fn error_from(&self, side: usize, quantity: usize) -> Option<f64> {
-        let finer = self.rungs.iter().filter(|rung| rung.side() >= side);
+        let finer = self.rungs.iter().filter(|rung| rung.shape[1] >= side);
         finer.map(|rung| rung.errors[quantity]).try_fold(0.0, |worst: f64, error| Some(worst.max(error?)))
     }
 
@@ -62,51 +72,25 @@ impl Ladder {
         let (Some(first), Some(last)) = (self.rungs.first(), self.rungs.last()) else {
             return [None; QUANTITIES.len()];
         };
-        let octaves = (last.side() as f64 / first.side() as f64).log2();
+        let octaves = (last.shape[1] as f64 / first.shape[1] as f64).log2();
         std::array::from_fn(|i| Some((first.errors[i]? / last.errors[i]?).log2() / octaves).filter(|o| o.is_finite()))
     }
 }
 
-impl Rung {
-    fn of(scene: Scene, side: usize, solved: &[Solved], truth: &[Values]) -> Self {
-        let all: Vec<Values> = solved.iter().zip(truth).map(|((found, _), truth)| errors(found, truth)).collect();
-        Self { shape: scene.shape(side), errors: root_mean_square(&all), work: solved[0].1 }
-    }
-
-    /// Points along the longer side.
-    pub fn side(&self) -> usize {
-        self.shape[1]
-    }
-}
-
-/// The values that a solve under one load has found, and its work.
-type Solved = (Values, Work);
-
-/// The true values under all loads, and where they come from.
-fn truth(
+/// What is found on one grid under each load, and the work of the solver.
+fn solved(
     scene: Scene,
-    sides: &[usize],
-    solved: &mut impl FnMut(usize) -> Result<Vec<Solved>, SetupError>,
-) -> Result<(String, Vec<Values>), SetupError> {
-    let finest = sides.iter().copied().max().unwrap_or_default();
-    if let Some(exact) = scene.exact(finest, scene.mean_pressure())? {
-        let all =
-            loads(scene).map(|load| Ok(scene.exact(finest, load)?.map_or_else(Values::default, |e| of_exact(&e))));
-        return Ok((format!("the exact solution ({})", exact.name), all.collect::<Result<_, SetupError>>()?));
-    }
-    let finer = REFINEMENT * finest;
-    let values = solved(finer)?.into_iter().map(|(values, _)| values).collect();
-    Ok((format!("{} points", points(scene.shape(finer))), values))
-}
-
-/// The contact on one grid under all loads.
-fn solved(scene: Scene, side: usize, seed: u64, stop: &Stop, watch: &mut Watch<'_>) -> Result<Vec<Solved>, SetupError> {
+    side: usize,
+    seed: u64,
+    stop: &Stop,
+    watch: &mut Watch<'_>,
+) -> Result<Vec<(Values, Work)>, SetupError> {
     let problem = scene.setup(side, seed).problem()?;
     let solve_under = |(i, load): (usize, f64)| {
         let problem = problem.clone().with_load(Load::MeanPressure(load))?;
         let title = format!("{} {side}, load {} of {LOADS},", scene.name(), i + 1);
         let contact = solve(&Rival::MULTILEVEL, &problem, stop, &mut (), &title, watch)?;
-        Ok((of_contact(&contact), contact.work))
+        Ok((found(&contact), contact.work))
     };
     loads(scene).enumerate().map(solve_under).collect()
 }

@@ -9,11 +9,9 @@
 //! ```
 #![doc = include_str!("../../../assets/doc/accuracy.md")]
 
-mod advice;
 mod curve;
 mod experiment;
 mod figure;
-mod findings;
 mod ladder;
 mod model;
 mod quantity;
@@ -23,13 +21,8 @@ mod row;
 mod scene;
 mod table;
 
-pub use curve::{Curve, Point};
-pub use experiment::Experiment;
+pub use experiment::{Experiment, Findings};
 pub use figure::figure;
-pub use findings::Findings;
-pub use ladder::{Ladder, Rung};
-pub use model::Model;
-pub use quantity::{QUANTITIES, Values};
 #[cfg(feature = "record")]
 pub use recording::record;
 pub use row::write_rows;

@@ -7,7 +7,6 @@ use std::f64::consts::{PI, TAU};
 
 /// A theory held against the truth.
 pub struct Model {
-    /// The name of the theory.
     pub theory: &'static str,
     /// Relative errors, with their signs.
     pub errors: Values,

@@ -1,6 +1,6 @@
 //! What people read off a contact.
 
-use crate::contact::{Contact, Step};
+use crate::contact::{Observables, State};
 use crate::theory::Exact;
 
 /// The names of the quantities: area and `kappa_r` are corrected for counting nodes.
@@ -11,21 +11,14 @@ pub const KAPPA_R: usize = 1;
 /// One value of each quantity, where there is one; or one relative error of each.
 pub type Values = [Option<f64>; QUANTITIES.len()];
 
-/// The values of a step on the finest grid.
-pub fn of_step(step: &Step<'_>) -> Values {
-    let measures = step.measures();
-    let peak = step.pressure().iter().fold(0.0, |peak: f64, &p| peak.max(p));
-    [measures.relative_area_corrected, measures.kappa_r_corrected, step.mean_gap(), peak].map(Some)
-}
-
-/// The values of a result.
-pub fn of_contact(contact: &Contact) -> Values {
-    let measures = contact.measures();
-    [measures.relative_area_corrected, measures.kappa_r_corrected, contact.mean_gap(), contact.max_pressure()].map(Some)
+/// The values of a contact, or of a step on the finest grid.
+pub fn found<'a>(state: impl Into<State<'a>>) -> Values {
+    let it = Observables::of(state);
+    [it.relative_area_corrected, it.kappa_r_corrected, it.mean_gap, it.max_pressure].map(Some)
 }
 
 /// The values of an exact solution.
-pub fn of_exact(exact: &Exact) -> Values {
+pub fn exact(exact: &Exact) -> Values {
     [Some(exact.relative_area), exact.kappa_r, exact.mean_gap, exact.max_pressure]
 }
 

@@ -1,7 +1,6 @@
 //! The file of all points.
 
-use super::curve::Point;
-use super::findings::Findings;
+use super::experiment::Findings;
 use super::quantity::Values;
 use crate::error::FileError;
 use crate::files::write_csv;
@@ -37,23 +36,9 @@ impl Row {
         Self { kind, area_error, kappa_r_error, mean_gap_error, peak_pressure_error, ..Self::default() }
     }
 
-    /// The row with a solver and the points of its grid.
-    fn of(self, rival: &Rival, [ny, nx]: [usize; 2]) -> Self {
-        Self { solver: Some(rival.name), ny: Some(ny), nx: Some(nx), ..self }
-    }
-
-    /// The row with the work and the error of a step.
-    fn at(self, point: &Point) -> Self {
-        Self {
-            step: Some(point.step),
-            eta: Some(point.eta),
-            transforms: Some(point.transforms),
-            seconds: Some(point.median()),
-            least_seconds: point.seconds.first().copied(),
-            most_seconds: point.seconds.last().copied(),
-            pressure_error: Some(point.pressure_error),
-            ..self
-        }
+    /// The row of a solver on a grid.
+    fn on_grid(kind: &'static str, rival: &Rival, [ny, nx]: [usize; 2], errors: Values) -> Self {
+        Self { solver: Some(rival.name), ny: Some(ny), nx: Some(nx), ..Self::new(kind, errors) }
     }
 }
 
@@ -68,12 +53,20 @@ pub fn write_rows(path: &Path, all: &[Findings]) -> Result<(), FileError> {
 /// Errors of steps against the solution on the same grid, of grids against the truth, and of theories against the truth.
 fn rows(Findings { scene, ladder, models, curves }: &Findings) -> impl Iterator<Item = Row> {
     let steps = curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)));
-    let algebraic =
-        steps.map(|(curve, point)| Row::new("algebraic", point.errors).of(&curve.rival, curve.shape).at(point));
+    let algebraic = steps.map(|(curve, point)| Row {
+        step: Some(point.step),
+        eta: Some(point.eta),
+        transforms: Some(point.transforms),
+        seconds: Some(point.median()),
+        least_seconds: point.seconds.first().copied(),
+        most_seconds: point.seconds.last().copied(),
+        pressure_error: Some(point.pressure_error),
+        ..Row::on_grid("algebraic", &curve.rival, curve.shape, point.errors)
+    });
     let discretisation = ladder.rungs.iter().map(|rung| Row {
         transforms: Some(rung.work.transforms),
         seconds: Some(rung.work.seconds),
-        ..Row::new("discretisation", rung.errors).of(&Rival::MULTILEVEL, rung.shape)
+        ..Row::on_grid("discretisation", &Rival::MULTILEVEL, rung.shape, rung.errors)
     });
     let model = models.iter().map(|model| Row { theory: Some(model.theory), ..Row::new("model", model.errors) });
     algebraic.chain(discretisation).chain(model).map(|row| Row { scene: scene.name(), ..row })

@@ -1,15 +1,16 @@
 //! The tables for reading, 120 columns wide.
 
-use super::advice::{ACCURACIES, Advice, settled};
-use super::curve::Curve;
-use super::findings::Findings;
+use super::curve::{Curve, Point};
+use super::experiment::Findings;
 use super::ladder::{LOADS, Ladder};
-use super::quantity::{QUANTITIES, Values};
+use super::quantity::QUANTITIES;
 use crate::lab::table::{or_dash, points};
 use std::fmt::{self, Formatter};
 
 /// Certificates at which the work is told.
 const MILESTONES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
+/// The accuracies that advice is given for.
+const ACCURACIES: [f64; 2] = [0.01, 0.001];
 const INDENT: &str = "    ";
 
 impl fmt::Display for Findings {
@@ -25,28 +26,29 @@ impl fmt::Display for Findings {
 
 fn write_ladder(ladder: &Ladder, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  discretisation: errors against {}, rms over {LOADS} loads", ladder.against)?;
-    write_head("points", f)?;
-    for rung in &ladder.rungs {
-        write_values(&points(rung.shape), &rung.errors, percent, f)?;
-    }
-    write_values("order", &ladder.orders(), |order| format!("{order:.1}"), f)
+    write_row("points", 13, QUANTITIES, f)?;
+    let entry = |error| or_dash(error, percent);
+    ladder.rungs.iter().try_for_each(|rung| write_row(&points(rung.shape), 13, rung.errors.map(entry), f))?;
+    write_row("order", 13, ladder.orders().map(|order| or_dash(order, |order| format!("{order:.1}"))), f)
 }
 
 fn write_models(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  model: predictions over the truth, less one")?;
-    write_head("theory", f)?;
-    let mut models = findings.models.iter();
-    models.try_for_each(|model| write_values(model.theory, &model.errors, |e| format!("{:+.2} %", 100.0 * e), f))
+    write_row("theory", 13, QUANTITIES, f)?;
+    let entry = |error| or_dash(error, |error| format!("{:+.2} %", 100.0 * error));
+    findings.models.iter().try_for_each(|model| write_row(model.theory, 13, model.errors.map(entry), f))
 }
 
-fn write_head(first: &str, f: &mut Formatter<'_>) -> fmt::Result {
-    let [a, b, c, d] = QUANTITIES;
-    writeln!(f, "{INDENT}{first:<28} {a:>13} {b:>13} {c:>13} {d:>13}")
-}
-
-fn write_values(name: &str, values: &Values, format: impl Fn(f64) -> String, f: &mut Formatter<'_>) -> fmt::Result {
-    let [a, b, c, d] = values.map(|value| or_dash(value, &format));
-    writeln!(f, "{INDENT}{name:<28} {a:>13} {b:>13} {c:>13} {d:>13}")
+/// Writes a line of a table: a name, and entries that fill so many columns each.
+fn write_row(
+    name: &str,
+    width: usize,
+    entries: impl IntoIterator<Item = impl fmt::Display>,
+    f: &mut Formatter<'_>,
+) -> fmt::Result {
+    write!(f, "{INDENT}{name:<28}")?;
+    entries.into_iter().try_for_each(|entry| write!(f, " {entry:>width$}"))?;
+    writeln!(f)
 }
 
 /// Seconds with their spread and transforms to reach the milestones on the finest grid.
@@ -91,15 +93,18 @@ fn write_settled(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
         f,
         "  when may I stop: the largest eta seen from which on a quantity stays within 1 % / 0.1 % of its final value"
     )?;
-    let [a, b, c, d] = QUANTITIES;
-    writeln!(f, "{INDENT}{:<28} {a:>19} {b:>19} {c:>19} {d:>19}", "solver")?;
-    for curve in findings.finest() {
-        let [a, b, c, d] = std::array::from_fn(|quantity| {
-            ACCURACIES.map(|accuracy| or_dash(settled(curve, quantity, accuracy), certificate)).join(" / ")
-        });
-        writeln!(f, "{INDENT}{:<28} {a:>19} {b:>19} {c:>19} {d:>19}", curve.rival.title)?;
-    }
-    Ok(())
+    write_row("solver", 19, QUANTITIES, f)?;
+    findings.finest().try_for_each(|curve| {
+        let settled = |quantity, accuracy| or_dash(settled(curve, quantity, accuracy), certificate);
+        let entry = |quantity| ACCURACIES.map(|accuracy| settled(quantity, accuracy)).join(" / ");
+        write_row(curve.rival.title, 19, (0..QUANTITIES.len()).map(entry), f)
+    })
+}
+
+/// The largest certificate from which on `quantity` stays within `accuracy` of its final value.
+fn settled(curve: &Curve, quantity: usize, accuracy: f64) -> Option<f64> {
+    let is_settled = |&i: &usize| curve.error_from(i, quantity).is_some_and(|error| error <= accuracy);
+    (0..curve.points.len()).find(is_settled).map(|i| curve.points[i].eta)
 }
 
 fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
@@ -107,12 +112,12 @@ fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     for (quantity, name) in QUANTITIES.iter().enumerate() {
         for accuracy in ACCURACIES {
             write!(f, "{INDENT}for {name} to {} % ", 100.0 * accuracy)?;
-            let all = || Advice::all(findings, quantity);
-            let is_enough = |advice: &Advice| advice.total() <= accuracy;
-            match all().filter(is_enough).min_by(|a, b| a.seconds.total_cmp(&b.seconds)) {
-                Some(advice) => writeln!(f, "{}", sentence(&advice))?,
+            let all = || choices(findings, quantity);
+            let is_enough = |choice: &Choice<'_>| choice.total() <= accuracy;
+            match all().filter(is_enough).min_by(|a, b| a.point.median().total_cmp(&b.point.median())) {
+                Some(choice) => writeln!(f, "{}", choice.sentence())?,
                 None => {
-                    let best = or_dash(all().map(|advice| advice.total()).min_by(f64::total_cmp), percent);
+                    let best = or_dash(all().map(|choice| choice.total()).min_by(f64::total_cmp), percent);
                     writeln!(f, "use a finer grid: the best of these has {best}")?;
                 }
             }
@@ -121,23 +126,49 @@ fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-fn sentence(advice: &Advice) -> String {
-    format!(
-        "use {} points, eta = {}: {} ms by {} ({:.2} + {:.2} %)",
-        points(advice.shape),
-        certificate(advice.eta),
-        Milliseconds(advice.seconds),
-        advice.rival.title,
-        100.0 * advice.discretisation,
-        100.0 * advice.algebraic
-    )
+/// A solver on a grid, stopped at a point, with its errors in a quantity.
+struct Choice<'a> {
+    curve: &'a Curve,
+    point: &'a Point,
+    discretisation: f64,
+    algebraic: f64,
+}
+
+/// All points that were measured.
+fn choices(findings: &Findings, quantity: usize) -> impl Iterator<Item = Choice<'_>> {
+    findings.curves.iter().flat_map(move |curve| {
+        let discretisation = findings.ladder.error_from(curve.shape[1], quantity);
+        let choice = move |(i, point)| {
+            let algebraic = curve.error_from(i, quantity)?;
+            Some(Choice { curve, point, discretisation: discretisation?, algebraic })
+        };
+        curve.points.iter().enumerate().filter_map(choice)
+    })
+}
+
+impl Choice<'_> {
+    fn total(&self) -> f64 {
+        self.discretisation + self.algebraic
+    }
+
+    fn sentence(&self) -> String {
+        format!(
+            "use {} points, eta = {}: {} ms by {} ({:.2} + {:.2} %)",
+            points(self.curve.shape),
+            certificate(self.point.eta),
+            Milliseconds(self.point.median()),
+            self.curve.rival.title,
+            100.0 * self.discretisation,
+            100.0 * self.algebraic
+        )
+    }
 }
 
 fn percent(value: f64) -> String {
     if value >= 1e-4 { format!("{:.2} %", 100.0 * value) } else { format!("{:.0e} %", 100.0 * value) }
 }
 
-/// A certificate, rounded down: who stops there has come as far as the point that was findings.
+/// A certificate, rounded down: who stops there has come as far as the point that was found.
 fn certificate(eta: f64) -> String {
     let unit = 10f64.powf(eta.log10().floor() - 1.0);
     format!("{:.1e}", (eta / unit).floor() * unit)

@@ -1,44 +1,90 @@
-//! A contest: one contact, solved by one method after the other.
+//! The contests of each group: what is pressed, how hard, and on how many points.
 
 use super::group::Group;
-use super::peak::peak_of;
-use super::timing::Timing;
-use crate::contact::{Load, Stop};
-use crate::error::SetupError;
-use crate::lab::Watch;
-use crate::setup::{Cell, Method, Recipe, Setup};
+use crate::contact::Load;
+use crate::setup::{Cell, Recipe, Setup};
 use crate::surface::{Indenter, Spectrum};
-use std::num::NonZeroUsize;
-use std::time::Instant;
+use std::f64::consts::{PI, SQRT_2};
 
 /// Length of the cell; the contact modulus is 1 as well.
-pub const CELL: f64 = 1.0;
-/// The most points of a quick contest, and the spacings that its shortest wavelength has at the least.
-const QUICK_LINE: usize = 1 << 14;
-const QUICK_SURFACE: usize = 256;
-const QUICK_SPACINGS: f64 = 4.0;
+const CELL: f64 = 1.0;
+/// Points of the series on lines, and along each side of the series on surfaces.
+const LINES: [usize; 4] = [1 << 12, 1 << 14, 1 << 16, 1 << 18];
+const SURFACES: [usize; 4] = [256, 512, 1024, 2048];
+
+/// Radius of cylinder and sphere.
+const RADIUS: f64 = CELL / 4.0;
+/// Amplitude of the waves.
+const AMPLITUDE: f64 = 0.01;
+/// Slope of wedge and cone.
+const SLOPE: f64 = 0.1;
+
+/// Indenters and their mean pressures: a relative area of about 0.1, and half of full contact for the waves.
+const ON_LINES: [(&str, Indenter, f64); 4] = [
+    ("cylinder", Indenter::Cylinder { radius: RADIUS }, 8e-3),
+    ("sine", Indenter::Sine { amplitude: AMPLITUDE }, 0.5 * PI * AMPLITUDE),
+    ("wedge", Indenter::Wedge { slope: SLOPE }, 0.05 * SLOPE),
+    ("fourth power", Indenter::PowerLaw { coefficient: 100.0, exponent: 4.0 }, 1.5e-3),
+];
+const ON_SURFACES: [(&str, Indenter, f64); 3] = [
+    ("sphere", Indenter::Sphere { radius: RADIUS }, 0.03),
+    ("crossed sine", Indenter::CrossedSine { amplitude: AMPLITUDE }, 0.5 * SQRT_2 * PI * AMPLITUDE),
+    ("cone", Indenter::Cone { slope: SLOPE }, 0.05 * SLOPE),
+];
 
 /// One contact to be solved.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Contest {
-    /// The group that it belongs to.
-    pub group: Group,
+    pub(super) group: Group,
     /// Name in tables.
     pub name: String,
     /// The contact; the methods and their stop come later.
-    pub setup: Setup,
+    pub(super) setup: Setup,
 }
 
 impl Contest {
-    /// A named indenter under its mean pressure.
-    pub(super) fn smooth(group: Group, (name, indenter, pressure): (&str, Indenter, f64), cell: Cell) -> Self {
-        let setup = Setup::new(Recipe::indenter(indenter), cell, Load::MeanPressure(pressure));
-        Self { group, name: name.into(), setup }
+    /// The contests of a group, or smaller ones of their kind, with rough surfaces of a seed.
+    pub fn all(group: Group, is_quick: bool, seed: u64) -> Vec<Self> {
+        let rough = |cell, waves, hurst, pressure| Self::rough(group, cell, waves, hurst, pressure, seed);
+        // every Hurst exponent at every load
+        let grades = |cell: Cell, waves| {
+            let of_hurst = |hurst| [1e-3, 1e-2, 1e-1].map(|pressure| rough(cell.clone(), waves, hurst, pressure));
+            [0.2, 0.5, 0.8].into_iter().flat_map(of_hurst).collect()
+        };
+        let mut contests = match group {
+            Group::Smooth => Self::smooth(group),
+            Group::Surfaces => grades(surface(2048), 64.0),
+            Group::Lines => grades(line(1 << 18), 512.0),
+            Group::Growth => {
+                let lines = |hurst| LINES.map(|n| rough(line(n), 64.0, hurst, 1e-2));
+                let surfaces = |hurst| SURFACES.map(|n| rough(surface(n), 16.0, hurst, 1e-2));
+                [lines(0.8), lines(0.2), surfaces(0.8), surfaces(0.2)].concat()
+            }
+            Group::Peers => vec![rough(surface(2048), 64.0, 0.8, 1e-1), rough(line(1 << 18), 512.0, 0.2, 1e-2)],
+            Group::Large => vec![rough(surface(1 << 14), 64.0, 0.8, 1e-2)],
+        };
+        if is_quick {
+            contests.iter_mut().for_each(Self::shrink);
+            contests.dedup();
+        }
+        contests
+    }
+
+    /// Every indenter on every grid of its kind, under its mean pressure.
+    fn smooth(group: Group) -> Vec<Self> {
+        let lines = ON_LINES.into_iter().flat_map(|body| LINES.map(|n| (body, line(n))));
+        let surfaces = ON_SURFACES.into_iter().flat_map(|body| SURFACES.map(|n| (body, surface(n))));
+        let contest = |((name, indenter, pressure), cell): ((&str, _, _), _)| Self {
+            group,
+            name: name.into(),
+            setup: Setup::new(Recipe::indenter(indenter), cell, Load::MeanPressure(pressure)),
+        };
+        lines.chain(surfaces).map(contest).collect()
     }
 
     /// Self-affine roughness with a roll-off at 1/8 of the cell for lines, 1/4 for surfaces, and a short cut-off at
     /// `1/waves` of that.
-    pub(super) fn rough(group: Group, cell: Cell, waves: f64, hurst: f64, reduced_pressure: f64, seed: u64) -> Self {
+    fn rough(group: Group, cell: Cell, waves: f64, hurst: f64, reduced_pressure: f64, seed: u64) -> Self {
         let rolloff_wavelength = if is_line(&cell) { CELL / 8.0 } else { CELL / 4.0 };
         let short_cutoff = rolloff_wavelength / waves;
         let spectrum = Spectrum { hurst, rolloff_wavelength, short_cutoff, rms_gradient: 1e-3 };
@@ -46,53 +92,13 @@ impl Contest {
         Self { group, name: format!("H {hurst} p* {reduced_pressure}"), setup }
     }
 
-    /// The contest on a small grid, without the waves that are too short for it.
-    pub(super) fn quick(mut self) -> Self {
+    /// Makes the grid small, and leaves out the waves that are shorter than four of its spacings.
+    fn shrink(&mut self) {
         let Setup { grid, surface, .. } = &mut self.setup;
-        let most = if is_line(grid) { QUICK_LINE } else { QUICK_SURFACE };
+        let most = if is_line(grid) { 1 << 14 } else { 256 };
         grid.points.iter_mut().for_each(|points| *points = most.min(*points));
         if let Some(spectrum) = &mut surface.spectrum {
-            let shortest = QUICK_SPACINGS * CELL / grid.points[0] as f64;
-            spectrum.short_cutoff = spectrum.short_cutoff.max(shortest);
-        }
-        self
-    }
-
-    /// Solves the contest by each method when its timing is asked for; all that was made is freed in between. With several
-    /// methods the first is what the others are held against.
-    ///
-    /// # Errors
-    /// Each timing, for a contact that a method cannot take on.
-    pub fn timings<'a>(
-        &'a self,
-        methods: &'a [Method],
-        stop: Stop,
-        repeats: NonZeroUsize,
-        watch: &'a mut Watch<'_>,
-    ) -> impl Iterator<Item = Result<Timing, SetupError>> + 'a {
-        let mut first = None;
-        methods.iter().map(move |&solver| {
-            let setup = Setup { solver, stop, ..self.setup.clone() };
-            let (timing, peak_mib) = peak_of(|| self.time(&setup, repeats, watch));
-            let timing = Timing { peak_mib, ..timing? };
-            let first = *first.get_or_insert(timing.solve_seconds);
-            Ok(Timing { ratio: (methods.len() > 1).then(|| timing.solve_seconds / first), ..timing })
-        })
-    }
-
-    /// Makes and solves a contact.
-    fn time(&self, setup: &Setup, repeats: NonZeroUsize, watch: &mut Watch<'_>) -> Result<Timing, SetupError> {
-        let clock = Instant::now();
-        let problem = setup.problem()?;
-        let make_seconds = clock.elapsed().as_secs_f64();
-        let mut solve_seconds = Vec::new();
-        loop {
-            let mut observer = watch(&format!("{} {}", self.name, self.points()));
-            let contact = setup.solver.solver().solve(&problem, &setup.stop, &mut observer)?;
-            solve_seconds.push(contact.work.seconds);
-            if solve_seconds.len() == repeats.get() {
-                return Ok(Timing::of(self.group, &self.name, &contact, make_seconds, solve_seconds));
-            }
+            spectrum.short_cutoff = spectrum.short_cutoff.max(4.0 * CELL / grid.points[0] as f64);
         }
     }
 
@@ -104,4 +110,12 @@ impl Contest {
 
 fn is_line(cell: &Cell) -> bool {
     cell.points.len() == 1
+}
+
+fn line(points: usize) -> Cell {
+    Cell::line(points, CELL)
+}
+
+fn surface(side: usize) -> Cell {
+    Cell::surface([side; 2], [CELL; 2])
 }

@@ -36,9 +36,6 @@ impl Group {
 
     /// The certificate to reach if none is named.
     pub fn tolerance(self) -> f64 {
-        match self {
-            Self::Large => 1e-6,
-            _ => 1e-8,
-        }
+        if self == Self::Large { 1e-6 } else { 1e-8 }
     }
 }

@@ -6,9 +6,7 @@
 #![doc = include_str!("../../../assets/doc/bench.md")]
 
 mod contest;
-mod contests;
 mod group;
-mod peak;
 mod timing;
 
 pub use contest::Contest;

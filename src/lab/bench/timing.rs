@@ -1,79 +1,102 @@
 //! What a method took for a contest.
 
+use super::contest::Contest;
 use super::group::Group;
-use crate::contact::{Contact, Status};
+use crate::contact::{Status, Stop};
+use crate::error::SetupError;
+use crate::lab::Watch;
 use crate::lab::table::{median, or_dash, points};
+use crate::setup::{Method, Setup};
 use serde::Serialize;
 use std::fmt;
+use std::num::NonZeroUsize;
+use std::time::Instant;
 
 /// The names of the columns in which a [`Timing`] displays, 120 wide.
 pub const HEAD: &str = "\
 case                points solver         steps transforms  solve s make s     eta   area kappa_r   MiB  ratio status";
 
-/// One contest solved by one method.
-#[derive(Debug, Clone, Serialize)]
+/// One contest solved by one method; displays as a row, and serialises with all digits.
+#[derive(Serialize)]
 pub struct Timing {
-    /// The group of the contest.
-    pub group: Group,
-    /// The contest.
-    pub case: String,
-    /// Points along y, 1 for a line.
-    pub ny: usize,
-    /// Points along x.
-    pub nx: usize,
-    /// The method.
-    pub solver: String,
+    group: Group,
+    case: String,
+    ny: usize,
+    nx: usize,
+    solver: String,
     /// How the solver stopped.
     pub status: Status,
-    /// Relaxation steps.
-    pub iterations: usize,
-    /// Fourier transforms; those of coarse grids count by their share of points.
-    pub transforms: u64,
-    /// Seconds in the solver, median over the repeats.
-    pub solve_seconds: f64,
-    /// Seconds of making the surface and posing the problem.
-    pub make_seconds: f64,
-    /// Certificate.
-    pub certificate: f64,
-    /// Share of nodes in contact.
-    pub relative_area: f64,
-    /// `kappa_r`, corrected for counting nodes.
-    pub kappa_r_corrected: f64,
+    iterations: usize,
+    transforms: u64,
+    /// Median over the repeats.
+    solve_seconds: f64,
+    make_seconds: f64,
+    certificate: f64,
+    relative_area: f64,
+    kappa_r_corrected: f64,
     /// Peak of resident memory while the surface was made and solved, where the system tells.
-    pub peak_mib: Option<f64>,
-    /// Seconds in the solver over those of the first method of the contest, if there are several.
-    pub ratio: Option<f64>,
+    peak_mib: Option<f64>,
+    /// Seconds in the solver over those of the first method, if there are several.
+    ratio: Option<f64>,
 }
 
 impl Timing {
-    /// The timing of a contact, whose peak memory and ratio are not known yet.
-    pub(super) fn of(
-        group: Group,
-        case: &str,
-        contact: &Contact,
-        make_seconds: f64,
-        mut solve_seconds: Vec<f64>,
-    ) -> Self {
-        solve_seconds.sort_by(f64::total_cmp);
+    /// Solves a contest by each method when its timing is asked for; all that was made is freed in between. With several
+    /// methods the first is what the others are held against.
+    ///
+    /// # Errors
+    /// Each timing, for a contact that a method cannot take on.
+    pub fn all<'a>(
+        contest: &'a Contest,
+        methods: &'a [Method],
+        stop: Stop,
+        repeats: NonZeroUsize,
+        watch: &'a mut Watch<'_>,
+    ) -> impl Iterator<Item = Result<Self, SetupError>> + 'a {
+        let mut first = None;
+        methods.iter().map(move |&solver| {
+            let setup = Setup { solver, stop, ..contest.setup.clone() };
+            let (timing, peak_mib) = peak_of(|| Self::of(contest, &setup, repeats, watch));
+            let timing = Self { peak_mib, ..timing? };
+            let first = *first.get_or_insert(timing.solve_seconds);
+            Ok(Self { ratio: (methods.len() > 1).then(|| timing.solve_seconds / first), ..timing })
+        })
+    }
+
+    /// Makes and solves a contact.
+    fn of(contest: &Contest, setup: &Setup, repeats: NonZeroUsize, watch: &mut Watch<'_>) -> Result<Self, SetupError> {
+        let clock = Instant::now();
+        let problem = setup.problem()?;
+        let make_seconds = clock.elapsed().as_secs_f64();
+        let title = format!("{} {}", contest.name, contest.points());
+        let mut seconds = Vec::new();
+        let contact = loop {
+            let contact = setup.solver.solver().solve(&problem, &setup.stop, &mut watch(&title))?;
+            seconds.push(contact.work.seconds);
+            if seconds.len() == repeats.get() {
+                break contact;
+            }
+        };
+        seconds.sort_by(f64::total_cmp);
         let measures = contact.measures();
-        let [ny, nx] = contact.problem.surface().grid().shape();
-        Self {
-            group,
-            case: case.into(),
+        let [ny, nx] = problem.surface().grid().shape();
+        Ok(Self {
+            group: contest.group,
+            case: contest.name.clone(),
             ny,
             nx,
-            solver: contact.solver.clone(),
-            status: contact.status,
             iterations: contact.work.iterations,
             transforms: contact.work.transforms,
-            solve_seconds: median(&solve_seconds),
+            solve_seconds: median(&seconds),
             make_seconds,
             certificate: contact.certificate.eta,
             relative_area: measures.relative_area,
             kappa_r_corrected: measures.kappa_r_corrected,
             peak_mib: None,
             ratio: None,
-        }
+            status: contact.status,
+            solver: contact.solver,
+        })
     }
 }
 
@@ -97,4 +120,20 @@ impl fmt::Display for Timing {
             self.status
         )
     }
+}
+
+/// Runs `run`, and says how much memory was resident at its peak, in MiB, where the system tells: the high-water mark of the
+/// whole process (`VmHWM`), set back to what is resident at the start. What the allocator keeps of earlier runs counts.
+#[cfg(target_os = "linux")]
+fn peak_of<T>(run: impl FnOnce() -> T) -> (T, Option<f64>) {
+    use procfs::process::{ClearRefs, Process};
+    let process = Process::myself().and_then(|process| process.clear_refs(ClearRefs::PeakRSS).map(|()| process));
+    let value = run();
+    let kib = process.and_then(|process| process.status()).ok().and_then(|status| status.vmhwm);
+    (value, kib.map(|kib| kib as f64 / 1024.0))
+}
+
+#[cfg(not(target_os = "linux"))]
+fn peak_of<T>(run: impl FnOnce() -> T) -> (T, Option<f64>) {
+    (run(), None)
 }

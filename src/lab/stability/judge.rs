@@ -4,7 +4,7 @@ use super::check::Check;
 use super::report::Report;
 use super::trial::Trial;
 use super::verdict::{Demand, Verdict};
-use crate::contact::{Contact, Status};
+use crate::contact::Contact;
 use crate::error::{SetupError, SolveError};
 use crate::lab::{Rival, Watch};
 use std::any::Any;
@@ -18,30 +18,25 @@ const AGREEMENT: f64 = 1e-6;
 
 /// Solves a trial within a budget of time, checks what comes back, and judges it.
 pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: &mut Watch<'_>) -> Report {
-    let demand = trial.demand_of(rival);
-    let report = |found: Option<(&Contact, &Check)>, verdict, note| {
-        let is_stalled = found.is_some_and(|(contact, _)| contact.status == Status::Stalled);
-        let as_demanded = demand.is_met(verdict, found.map(|(_, check)| check.eta), is_stalled);
-        Report::new(&trial.name, rival, verdict, as_demanded, note, found)
-    };
+    let report = |found, verdict, note| Report::new(trial, rival, found, verdict, note);
     match catch_unwind(AssertUnwindSafe(|| trial.solve(rival, budget, watch))) {
         Ok(Ok((contact, twin))) => {
             let check = Check::of(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
             let mismatch = || twin.and_then(|twin| mismatch(&contact, &twin));
             let fault = fault(&contact, &check, trial.tolerance).or_else(mismatch);
-            let (verdict, note) = verdict(contact.status, demand, fault);
+            let (verdict, note) = match fault {
+                Some(fault) => (Verdict::Wrong, fault),
+                None if trial.demand_of(rival) == Demand::Refusal => (Verdict::Wrong, "this cannot be solved".into()),
+                None if contact.is_converged() => (Verdict::Converged, String::new()),
+                None => (Verdict::NotConverged, contact.status.to_string()),
+            };
             report(Some((&contact, &check)), verdict, note)
         }
-        Ok(Err(error)) => report(None, verdict_on(&error), error.to_string()),
+        Ok(Err(SetupError::Solve(error @ (SolveError::NotConverged { .. } | SolveError::Observer(_))))) => {
+            report(None, Verdict::Wrong, error.to_string())
+        }
+        Ok(Err(error)) => report(None, Verdict::Refused, error.to_string()),
         Err(panic) => report(None, Verdict::Wrong, format!("panic: {}", message(panic.as_ref()))),
-    }
-}
-
-/// The verdict on an error: a refusal, unless something failed on the way.
-fn verdict_on(error: &SetupError) -> Verdict {
-    match error {
-        SetupError::Solve(SolveError::NotConverged { .. } | SolveError::Observer(_)) => Verdict::Wrong,
-        _ => Verdict::Refused,
     }
 }
 
@@ -49,16 +44,6 @@ fn verdict_on(error: &SetupError) -> Verdict {
 fn fault(contact: &Contact, check: &Check, tolerance: f64) -> Option<String> {
     let doubt = || check.doubt(tolerance).filter(|_| contact.is_converged());
     check.fault().or_else(|| disagreement(contact, check)).or_else(doubt)
-}
-
-/// The verdict, and what is wrong or why it has not converged.
-fn verdict(status: Status, demand: Demand, fault: Option<String>) -> (Verdict, String) {
-    match fault {
-        Some(fault) => (Verdict::Wrong, fault),
-        None if demand == Demand::Refusal => (Verdict::Wrong, "this cannot be solved".into()),
-        None if status == Status::Converged => (Verdict::Converged, String::new()),
-        None => (Verdict::NotConverged, status.to_string()),
-    }
 }
 
 /// The claim of a solver about its result that the check does not confirm.

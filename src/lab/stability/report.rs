@@ -1,6 +1,7 @@
 //! The report of one trial of one solver.
 
 use super::check::Check;
+use super::trial::Trial;
 use super::verdict::Verdict;
 use crate::contact::{Contact, Status};
 use crate::lab::Rival;
@@ -8,72 +9,55 @@ use crate::lab::table::{or_dash, points};
 use serde::Serialize;
 use std::fmt;
 
-/// The names of the columns in which a [`Report`] displays, 120 wide but for notes.
+/// The names of the columns in which a report displays, 120 wide but for notes.
 pub const HEAD: &str = "\
 case                            points solver          steps seconds     eta   verdict       note";
 
 /// One trial of one solver. There are no figures where nothing was returned.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Serialize)]
 pub struct Report {
-    /// The trial.
-    pub case: String,
-    /// The solver.
+    case: String,
     pub solver: &'static str,
-    /// How the trial ended.
     pub verdict: Verdict,
     /// Whether the verdict is what the trial demands.
     pub as_demanded: bool,
-    /// The fault, or why it was refused or not converged.
-    pub note: String,
-    /// Points along y, 1 for a line.
-    pub ny: Option<usize>,
-    /// Points along x.
-    pub nx: Option<usize>,
-    /// How the solver stopped.
-    pub status: Option<Status>,
-    /// Relaxation steps.
+    note: String,
+    ny: Option<usize>,
+    nx: Option<usize>,
+    status: Option<Status>,
     pub iterations: Option<usize>,
-    /// Fourier transforms; those of coarse grids count by their share of points.
-    pub transforms: Option<u64>,
-    /// Seconds in the solver.
-    pub seconds: Option<f64>,
-    /// Share of nodes in contact.
-    pub relative_area: Option<f64>,
+    transforms: Option<u64>,
+    seconds: Option<f64>,
+    relative_area: Option<f64>,
     /// Certificate, as the solver says.
-    pub certificate: Option<f64>,
-    /// Certificate, as checked.
+    certificate: Option<f64>,
+    /// Certificate, as checked, like all that follows.
     pub eta: Option<f64>,
-    /// [`Check::penetration`].
-    pub penetration: Option<f64>,
-    /// [`Check::min_pressure`].
-    pub min_pressure: Option<f64>,
-    /// [`Check::load_error`].
-    pub load_error: Option<f64>,
-    /// [`Check::energy`].
-    pub energy: Option<f64>,
-    /// [`Check::rounding`].
-    pub rounding: Option<f64>,
+    penetration: Option<f64>,
+    min_pressure: Option<f64>,
+    load_error: Option<f64>,
+    energy: Option<f64>,
+    rounding: Option<f64>,
 }
 
 impl Report {
-    /// The report with what was found, if anything was returned.
-    pub(super) fn new(
-        case: &str,
+    /// The report on what was found, if anything was returned.
+    pub fn new(
+        trial: &Trial,
         rival: &Rival,
-        verdict: Verdict,
-        as_demanded: bool,
-        note: String,
         found: Option<(&Contact, &Check)>,
+        verdict: Verdict,
+        note: String,
     ) -> Self {
         let (contact, check) = found.unzip();
+        let is_stalled = contact.is_some_and(|contact| contact.status == Status::Stalled);
         let shape = contact.map(|contact| contact.problem.surface().grid().shape());
         let work = contact.map(|contact| contact.work);
-        let checked = |value: fn(&Check) -> f64| check.map(value);
         Self {
-            case: case.into(),
+            case: trial.name.clone(),
             solver: rival.name,
             verdict,
-            as_demanded,
+            as_demanded: trial.demand_of(rival).is_met(verdict, check.map(|check| check.eta), is_stalled),
             note,
             ny: shape.map(|[ny, _]| ny),
             nx: shape.map(|[_, nx]| nx),
@@ -83,12 +67,12 @@ impl Report {
             seconds: work.map(|work| work.seconds),
             relative_area: contact.map(|contact| contact.measures().relative_area),
             certificate: contact.map(|contact| contact.certificate.eta),
-            eta: checked(|check| check.eta),
-            penetration: checked(|check| check.penetration),
-            min_pressure: checked(|check| check.min_pressure),
-            load_error: checked(|check| check.load_error),
-            energy: checked(|check| check.energy),
-            rounding: checked(|check| check.rounding),
+            eta: check.map(|check| check.eta),
+            penetration: check.map(|check| check.penetration),
+            min_pressure: check.map(|check| check.min_pressure),
+            load_error: check.map(|check| check.load_error),
+            energy: check.map(|check| check.energy),
+            rounding: check.map(|check| check.rounding),
         }
     }
 }

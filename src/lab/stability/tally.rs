@@ -7,20 +7,15 @@ use crate::lab::Rival;
 use std::fmt;
 
 /// How many trials ended in which way; displays as a sentence, and a second one if not all is well.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Tally {
-    /// Trials that converged.
-    pub converged: usize,
-    /// Trials that were refused.
-    pub refused: usize,
-    /// Trials that did not converge, and said so.
-    pub not_converged: usize,
-    /// Trials that went wrong.
-    pub wrong: usize,
+    converged: usize,
+    refused: usize,
+    not_converged: usize,
+    wrong: usize,
     /// Trials in which the multilevel solver missed the end that they demand.
-    pub missed: usize,
+    missed: usize,
     /// Whether the time steps are those of theory, as far as they were measured.
-    pub agrees: bool,
+    agrees: bool,
 }
 
 impl Tally {

@@ -4,15 +4,9 @@ use super::verdict::Demand;
 use crate::contact::{Contact, Each, Problem, Step, Stop};
 use crate::error::SetupError;
 use crate::lab::{Rival, Watch};
-use crate::setup::Setup;
 use crate::surface::Field;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-
-/// The certificate to reach where nothing else is said.
-const TOLERANCE: f64 = 1e-8;
-/// Iterations at the most, besides the budget in seconds.
-const MAX_ITERATIONS: usize = 1_000_000;
 
 /// One contact to be solved, or refused.
 pub struct Trial {
@@ -20,10 +14,8 @@ pub struct Trial {
     pub name: String,
     /// The solvers to use if none is named.
     pub rivals: &'static [Rival],
-    /// The certificate to reach.
-    pub tolerance: f64,
+    pub(super) tolerance: f64,
     pub(super) demand: Demand,
-    /// Whether the problem is at a mean gap.
     pub(super) is_at_mean_gap: bool,
     pub(super) pose: Pose,
     /// The contact in other units, whose dimensionless results must be the same.
@@ -41,7 +33,7 @@ impl Trial {
         Self {
             name: name.into(),
             rivals: Rival::USUAL,
-            tolerance: TOLERANCE,
+            tolerance: 1e-8,
             demand: Demand::Solution,
             is_at_mean_gap: false,
             pose: Box::new(pose),
@@ -50,12 +42,6 @@ impl Trial {
         }
     }
 
-    /// The contact of a setup, of which the solver and its stop do not matter.
-    pub(super) fn of(name: impl Into<String>, setup: Setup) -> Self {
-        Self::new(name, move || setup.problem())
-    }
-
-    /// The trial with another end demanded.
     pub(super) fn demanding(self, demand: Demand) -> Self {
         Self { demand, ..self }
     }
@@ -70,31 +56,23 @@ impl Trial {
         if self.is_at_mean_gap && !rival.method.takes_mean_gap() { Demand::Refusal } else { self.demand }
     }
 
-    /// Solves the contact, and the one that it must be like, if there is one.
+    /// Solves the contact, and the one that it must be like, if there is one, each until the step in which the budget runs out.
     pub(super) fn solve(
         &self,
         rival: &Rival,
         budget: Duration,
         watch: &mut Watch<'_>,
     ) -> Result<(Contact, Option<Contact>), SetupError> {
-        let mut solve = |pose: &Pose| self.solve_posed(&pose()?, rival, budget, watch);
+        let mut solve = |pose: &Pose| -> Result<Contact, SetupError> {
+            let problem = pose()?;
+            let stop = Stop::new(self.tolerance, 1_000_000)?;
+            let start = self.start.map(|garbage| start(&problem, garbage));
+            let clock = Instant::now();
+            let is_over = || clock.elapsed() >= budget;
+            let end = Each(|_: &Step<'_>| if is_over() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
+            Ok(rival.method.solver().solve_from(start.as_ref(), &problem, &stop, &mut (watch(&self.name), end))?)
+        };
         Ok((solve(&self.pose)?, self.twin.as_ref().map(solve).transpose()?))
-    }
-
-    /// Solves a problem until the step in which the budget runs out.
-    fn solve_posed(
-        &self,
-        problem: &Problem,
-        rival: &Rival,
-        budget: Duration,
-        watch: &mut Watch<'_>,
-    ) -> Result<Contact, SetupError> {
-        let stop = Stop::new(self.tolerance, MAX_ITERATIONS)?;
-        let start = self.start.map(|garbage| start(problem, garbage));
-        let clock = Instant::now();
-        let is_over = || clock.elapsed() >= budget;
-        let budget = Each(|_: &Step<'_>| if is_over() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
-        Ok(rival.method.solver().solve_from(start.as_ref(), problem, &stop, &mut (watch(&self.name), budget))?)
     }
 }
 

@@ -3,6 +3,9 @@
 use serde::Serialize;
 use std::fmt;
 
+/// A certificate that rounding must not prevent.
+const ATTAINABLE: f64 = 1e-12;
+
 /// How a trial ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -37,24 +40,22 @@ pub enum Demand {
     Refusal,
     /// The contact must be solved or refused.
     Either,
-    /// The solver must come to [`Demand::ATTAINABLE`] and say that it comes no further.
+    /// The solver must come to [`ATTAINABLE`] and say that it comes no further.
     Limit,
 }
 
-impl Demand {
-    /// A certificate that rounding must not prevent.
-    pub const ATTAINABLE: f64 = 1e-12;
-
-    /// The name of the demand.
-    pub fn name(self) -> &'static str {
-        match self {
+impl fmt::Display for Demand {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
             Self::Solution => "solution",
             Self::Refusal => "refusal",
             Self::Either => "either",
             Self::Limit => "limit",
-        }
+        })
     }
+}
 
+impl Demand {
     /// Whether a trial is as demanded that ended in `verdict` with the certificate `eta`, if any, after which there was no
     /// further progress (`stalled`) or not.
     pub fn is_met(self, verdict: Verdict, eta: Option<f64>, stalled: bool) -> bool {
@@ -64,7 +65,7 @@ impl Demand {
             Self::Either => matches!(verdict, Verdict::Converged | Verdict::Refused),
             Self::Limit => {
                 let ended = verdict == Verdict::Converged || verdict == Verdict::NotConverged && stalled;
-                ended && eta.is_some_and(|eta| eta < Self::ATTAINABLE)
+                ended && eta.is_some_and(|eta| eta < ATTAINABLE)
             }
         }
     }

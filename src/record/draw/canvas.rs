@@ -3,7 +3,7 @@
 use super::fill;
 use super::palette::{INK, colour, on_ground};
 use crate::plot::{Align, Colour, Element, Frame, Sheet, Side, width};
-use rerun::{Color, LineStrip2D, LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
+use rerun::{Color, LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
 
 /// Width and height of the box of a curve.
 pub const BOX: [f64; 2] = [1000.0, 400.0];
@@ -18,7 +18,6 @@ const RISE: f64 = 0.72;
 /// Distance of the lines that fill a shape.
 const PITCH: f32 = 1.0;
 
-/// A strip, its colour and its radius.
 type Strip = (Vec<[f32; 2]>, Color, Radius);
 
 /// The part of the canvas that box, ticks and words of a frame take: left, right, top, bottom.
@@ -60,20 +59,16 @@ pub fn log_sheet(to: &RecordingStream, entity: &str, sheet: &Sheet, head: f64) -
     to.log_static(format!("{entity}/words"), &labels(sheet.elements.iter().filter_map(|it| words(it, head)).collect()))
 }
 
-/// Strips in their colours and radii.
 pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
-    let (mut points, mut colours, mut radii) = (Vec::new(), Vec::new(), Vec::new());
-    for (strip, colour, radius) in strips {
-        points.push(strip);
-        colours.push(colour);
-        radii.push(radius);
-    }
+    let strips = strips.into_iter().map(|(points, colour, radius)| (points, (colour, radius)));
+    let (points, styles): (Vec<_>, Vec<_>) = strips.unzip();
+    let (colours, radii): (Vec<_>, Vec<_>) = styles.into_iter().unzip();
     LineStrips2D::new(points).with_colors(colours).with_radii(radii)
 }
 
 /// A strip without its style, which is recorded once.
 pub fn strip(points: Vec<[f32; 2]>) -> LineStrips2D {
-    LineStrips2D::update_fields().with_strips([LineStrip2D::from_iter(points)])
+    LineStrips2D::update_fields().with_strips([points])
 }
 
 /// The style of a strip.

@@ -16,14 +16,9 @@ pub struct Curve {
 }
 
 /// The curves of a recording.
-pub struct Curves(Vec<Curve>);
+pub struct Curves(pub Vec<Curve>);
 
 impl Curves {
-    /// A copy of `curves`.
-    pub fn new(curves: &[Curve]) -> Self {
-        Self(curves.to_vec())
-    }
-
     /// Titles of the views and the entities in each, in the order in which they come first.
     pub fn views(&self) -> Vec<(&str, Vec<String>)> {
         let mut views: Vec<(&str, Vec<String>)> = Vec::new();

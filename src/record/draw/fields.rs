@@ -8,7 +8,6 @@ use std::borrow::Cow;
 pub struct Fields<'a> {
     /// Distance of their nodes along y and x, in nodes of the scene: 1 on its own grid, a power of two on coarser ones.
     pub stride: [usize; 2],
-    /// Pressure.
     pub pressure: Cow<'a, [f64]>,
     /// Gap; empty if nothing shows it.
     pub gap: Cow<'a, [f64]>,
@@ -21,7 +20,6 @@ impl<'a> Fields<'a> {
         Self { stride, pressure: step.pressure().into(), gap: gap.into() }
     }
 
-    /// The fields of `contact`.
     pub fn of_contact(contact: &'a Contact) -> Self {
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
         Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into() }
@@ -34,22 +32,18 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// The reach of the fields of some states.
+/// The reach of the fields of some states: the largest pressure, the largest gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
-    /// The largest pressure.
     pub pressure: f64,
-    /// The largest gap.
     pub gap: f64,
     /// The lowest and the highest place of the relief.
     pub relief: [f64; 2],
 }
 
 impl Extent {
-    /// The extent of no state.
     pub const NONE: Self = Self { pressure: 0.0, gap: 0.0, relief: [f64::INFINITY, f64::NEG_INFINITY] };
 
-    /// The extent of the states of both.
     pub fn and(self, other: Self) -> Self {
         let [low, high] = [f64::min(self.relief[0], other.relief[0]), f64::max(self.relief[1], other.relief[1])];
         Self { pressure: self.pressure.max(other.pressure), gap: self.gap.max(other.gap), relief: [low, high] }

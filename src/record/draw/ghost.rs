@@ -1,8 +1,8 @@
 //! The curves of an earlier solve, in grey beside those of a later one.
 
 use super::palette::{self, colour};
-use super::traces::{COMPARED, Series, drawn, title, traced};
-use crate::contact::{Contact, Failure, Observable, Observer, State, Step, Wish};
+use super::traces::{COMPARED, ObservableTraces, title, traced};
+use crate::contact::{Contact, Failure, Observer, Step, Wish};
 use rerun::{RecordingStream, RecordingStreamResult, SeriesLines};
 use std::ops::ControlFlow;
 
@@ -11,38 +11,28 @@ use std::ops::ControlFlow;
 #[derive(Debug, Clone)]
 pub struct Ghost {
     name: String,
-    /// Curves of the observables that are compared, in the order of their table.
-    series: [Series; COMPARED.len()],
+    traces: ObservableTraces,
     /// Final pressure along a line.
-    pressure: Option<Vec<f64>>,
+    pub(super) pressure: Option<Vec<f64>>,
 }
 
 impl Ghost {
     /// A ghost without steps. The `name` tells its curves from others.
     pub fn new(name: &str) -> Self {
-        Self { name: name.into(), series: Default::default(), pressure: None }
-    }
-
-    /// The final pressure along a line.
-    pub fn pressure(&self) -> Option<&[f64]> {
-        self.pressure.as_deref()
+        let compared = traced().filter(|observable| COMPARED.contains(&observable.name));
+        Self { name: name.into(), traces: ObservableTraces::new(compared), pressure: None }
     }
 
     /// Records all curves under `root`, each value at its own step.
-    pub fn log(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
-        for (observable, series) in compared().zip(&self.series) {
+    pub(super) fn log(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
+        for (observable, trace) in &self.traces.0 {
             let entity = entity_under(root, observable.name);
             let style = SeriesLines::new().with_names([format!("{}: {}", self.name, title(observable))]);
             to.log_static(entity.as_str(), &style.with_colors([colour(palette::GHOST)]).with_widths([1.8]))?;
-            series.log(to, &entity.into())?;
+            trace.log(to, entity)?;
         }
         Ok(())
     }
-}
-
-/// The observables that are compared.
-fn compared() -> impl Iterator<Item = &'static Observable> {
-    traced().filter(|observable| COMPARED.contains(&observable.name))
 }
 
 /// The entity of the ghost that belongs to that of the same name under `trace`.
@@ -52,20 +42,13 @@ pub fn entity_under(root: &str, name: &str) -> String {
 
 impl Observer for Ghost {
     fn step(&mut self, step: &Step<'_>) -> Wish {
-        let state = State::from(step);
-        for (series, observable) in self.series.iter_mut().zip(compared()) {
-            series.add(step.work(), Some(drawn(observable, &state)));
-        }
+        self.traces.add(step);
         Ok(ControlFlow::Continue(()))
     }
 
     /// Adds the certificate of the final state and, of a line, its pressure.
     fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
-        let certificate =
-            self.series.iter_mut().zip(compared()).find(|(_, observable)| observable.name == "certificate");
-        if let Some((series, observable)) = certificate {
-            series.add(contact.work, Some(drawn(observable, &State::from(contact))));
-        }
+        self.traces.add_certificate(contact);
         let is_line = contact.problem.surface().grid().is_line();
         self.pressure = is_line.then(|| contact.pressure.iter().copied().collect());
         Ok(())

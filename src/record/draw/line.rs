@@ -5,6 +5,7 @@ use super::fields::{Extent, Fields, range};
 use super::fill;
 use super::palette::{self, CONTACT_CLASS};
 use super::picture::Picture;
+use super::reduce::Columns;
 use super::ruler::Ruler;
 use super::window::{Samples, Window};
 use crate::contact::Forecast;
@@ -13,14 +14,12 @@ use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
 use crate::setup::Part;
-use rerun::{LineStrip2D, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
+use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
 const WIDTH: f32 = BOX[0] as f32;
 const HEIGHT: f32 = BOX[1] as f32;
 /// Room above and below the profile, in heights of the profile.
 const ROOM: f64 = 0.06;
-
-type Points = Vec<[f32; 2]>;
 
 /// Pictures of a line; the pictures that are shown lie at the same place of the canvas.
 pub struct LinePicture {
@@ -36,7 +35,6 @@ pub struct LinePicture {
 }
 
 impl LinePicture {
-    /// The pictures of `scene` under `root`.
     pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
         let problem = scene.problem;
         let window = Window::around(scene);
@@ -70,10 +68,10 @@ impl LinePicture {
         to.log_static(format!("{root}/solid_fill"), &style(palette::SOLID_FILL, bars, 10.0))?;
         let curve = curve(&self.window.every(1), |i| self.indenter[i]);
         let body = style(palette::INDENTER_FILL, bars, 8.0);
-        let body = body.with_strips([LineStrip2D::from_iter(fill::under(&curve, WIDTH, 0.0, f32::min))]);
+        let body = body.with_strips([fill::under(&curve, WIDTH, 0.0, f32::min)]);
         to.log_static(format!("{root}/indenter_fill"), &body)?;
         let line = style(palette::INDENTER, Radius::new_ui_points(0.8), 30.0);
-        to.log_static(format!("{root}/indenter"), &line.with_strips([LineStrip2D::from_iter(curve)]))
+        to.log_static(format!("{root}/indenter"), &line.with_strips([curve]))
     }
 
     fn log_fields(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()> {
@@ -82,7 +80,7 @@ impl LinePicture {
         to.log_static(format!("{gap}/gap"), &style(palette::GAP, Radius::new_ui_points(1.0), 32.0))?;
         if let Some(exact) = &scene.exact {
             let values = exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect::<Vec<_>>();
-            let curve = LineStrip2D::from_iter(rising(&self.window.every(1), &values, &self.pressure));
+            let curve = rising(&self.window.every(1), &values, &self.pressure);
             let line = style(palette::EXACT, Radius::new_ui_points(0.5), 36.0);
             to.log_static(format!("{pressure}/exact"), &line.with_strips([curve]))?;
         }
@@ -101,7 +99,7 @@ impl LinePicture {
     }
 
     /// The solid, a gap below the nodes of the indenter.
-    fn solid(&self, nodes: &Samples, gap: &[f64]) -> Points {
+    fn solid(&self, nodes: &Samples, gap: &[f64]) -> Vec<[f32; 2]> {
         let level = |i| self.indenter[nodes.offset(i)] + HEIGHT * self.profile.share(gap[nodes.node(i)]) as f32;
         curve(nodes, |i| level(i).clamp(0.0, HEIGHT))
     }
@@ -110,10 +108,6 @@ impl LinePicture {
 impl Picture for LinePicture {
     fn frame(&self) -> Frame {
         self.frame_with(&self.profile.axis)
-    }
-
-    fn bounds(&self) -> [f64; 4] {
-        canvas::bounds(&self.frame())
     }
 
     fn log_static(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()> {
@@ -154,9 +148,9 @@ impl Picture for LinePicture {
     }
 
     fn log_ghost(&self, to: &RecordingStream, pressure: &[f64]) -> RecordingStreamResult<()> {
-        let nodes = self.window.nodes();
+        let nodes = self.window.nodes;
         let pressure: Vec<f64> = (0..nodes).map(|i| pressure[i * pressure.len() / nodes]).collect();
-        let curve = LineStrip2D::from_iter(rising(&self.window.every(1), &pressure, &self.pressure));
+        let curve = rising(&self.window.every(1), &pressure, &self.pressure);
         let line = style(palette::GHOST, Radius::new_ui_points(0.7), 35.0);
         to.log_static(format!("{}/pressure/curves/ghost", self.root), &line.with_strips([curve]))
     }
@@ -177,18 +171,18 @@ impl Picture for LinePicture {
     /// Runs of nodes in contact; a node in contact is half a spacing long to either side.
     fn segments(&self, fields: &Fields<'_>) -> Vec<[f32; 2]> {
         let nodes = self.window.every(fields.stride[1]);
-        let runs = nodes.columns().runs(|i| fields.pressure[nodes.node(i)] > 0.0);
+        let runs = Columns::new(nodes.count()).runs(|i| fields.pressure[nodes.node(i)] > 0.0);
         let end = |i: usize| ((nodes.place(i) - 0.5 * nodes.spacing()) * WIDTH).clamp(0.0, WIDTH);
         runs.into_iter().map(|run| [end(run.start), end(run.end)]).collect()
     }
 }
 
 /// Values upwards from the lower edge of the box.
-fn rising(nodes: &Samples, values: &[f64], ruler: &Ruler) -> Points {
+fn rising(nodes: &Samples, values: &[f64], ruler: &Ruler) -> Vec<[f32; 2]> {
     curve(nodes, |i| HEIGHT - HEIGHT * ruler.share(values[nodes.node(i)]) as f32)
 }
 
 /// A curve with the height `y(i)` at sample `i`.
-fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Points {
-    nodes.columns().extremes(y).into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect()
+fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Vec<[f32; 2]> {
+    Columns::new(nodes.count()).extremes(y).into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect()
 }

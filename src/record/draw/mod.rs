@@ -27,6 +27,6 @@ pub use palette::{GROUND, colour};
 pub use patches::PatchMap;
 pub use reduce::Columns;
 pub use relief::vertices;
-pub use stage::{Stage, level};
+pub use stage::{Stage, level, stride};
 pub use surface::pixels;
 pub use traces::{SECONDS, STEP, TRANSFORMS, Traces, title, traced};

@@ -19,9 +19,8 @@ pub const GAP: Colour = Colour::GREEN;
 pub const EXACT: Colour = Colour([0xf2, 0xf2, 0xf2]);
 pub const GHOST: Colour = Colour([0x8c, 0x92, 0x9e]);
 
-/// Class of nodes without contact.
+/// Classes of the nodes of a mask.
 pub const GAP_CLASS: u16 = 0;
-/// Class of nodes in contact.
 pub const CONTACT_CLASS: u16 = 1;
 
 /// Colours of curves that stand side by side.
@@ -53,18 +52,15 @@ pub fn classes() -> AnnotationContext {
 
 /// A continuous map, by the name under which the viewer knows it and as colours.
 pub struct Map {
-    /// The map of the viewer.
     pub viewer: Colormap,
     colours: Vec<Color>,
 }
 
 impl Map {
-    /// Black over red to yellow.
     pub fn inferno() -> Self {
         Self::of(Colormap::Inferno, &colorgrad::preset::inferno())
     }
 
-    /// Blue over green to yellow.
     pub fn viridis() -> Self {
         Self::of(Colormap::Viridis, &colorgrad::preset::viridis())
     }
@@ -72,7 +68,7 @@ impl Map {
     fn of(viewer: Colormap, gradient: &impl Gradient) -> Self {
         let colours = gradient.colors(256).map(|c| {
             let [r, g, b, _] = c.to_rgba8();
-            Color::from_rgb(r, g, b)
+            colour(Colour([r, g, b]))
         });
         Self { viewer, colours: colours.collect() }
     }

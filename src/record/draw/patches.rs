@@ -1,12 +1,12 @@
 //! The contacts of a line under all loads, one row above the other: how patches grow and merge.
 
-use super::canvas;
+use super::canvas::{self, style};
 use super::fill::zigzag;
-use super::palette::{self, colour};
+use super::palette;
 use super::stage::Stage;
 use crate::plot::{Axis, Frame};
 use crate::setup::Part;
-use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
+use rerun::{Radius, RecordingStream, RecordingStreamResult};
 
 /// Bars of a row along the line.
 const BARS: f32 = 1024.0;
@@ -18,7 +18,7 @@ const FEWEST: usize = 4;
 /// A map of the contact, the position to the right and the load upwards. It grows with the load.
 pub struct PatchMap {
     frame: Frame,
-    root: String,
+    pub root: String,
 }
 
 impl PatchMap {
@@ -26,20 +26,13 @@ impl PatchMap {
     pub fn new(stage: &Stage, loads: usize) -> Option<Self> {
         let y = Axis::linear("load", [0.5, loads.max(FEWEST) as f64 + 0.5]);
         let map = Self { frame: Frame { y, ..stage.picture.frame() }, root: format!("{}/patches", stage.root) };
-        (stage.is_line() && stage.what.has(Part::Mask)).then_some(map)
+        (stage.grid.is_line() && stage.what.has(Part::Mask)).then_some(map)
     }
 
-    /// Root of the map's entities.
-    pub fn root(&self) -> &str {
-        &self.root
-    }
-
-    /// The part of the canvas that the map takes.
     pub fn bounds(&self) -> [f64; 4] {
         canvas::bounds(&self.frame)
     }
 
-    /// Records the axes.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)
     }
@@ -53,15 +46,11 @@ impl PatchMap {
             let bars = ((segment[1] - segment[0]) / width * BARS).ceil().max(1.0) as usize;
             zigzag(*segment, bars, |_, _| ends)
         };
-        let row = LineStrips2D::new(segments.iter().map(fill))
-            .with_colors([colour(palette::CONTACT)])
-            .with_radii([Radius::new_scene_units(width / BARS)])
-            .with_draw_order(10.0);
+        let row = style(palette::CONTACT, Radius::new_scene_units(width / BARS), 10.0);
+        let row = row.with_strips(segments.iter().map(fill));
         to.log(format!("{}/row/{}", self.root, load + 1), &row)?;
-        let cursor = LineStrips2D::new([0.0, width].map(|x| ends.map(|y| [x, y])))
-            .with_colors([colour(palette::EXACT)])
-            .with_radii([Radius::new_ui_points(2.0)])
-            .with_draw_order(30.0);
-        to.log(format!("{}/cursor", self.root), &cursor)
+        let cursor = style(palette::EXACT, Radius::new_ui_points(2.0), 30.0);
+        let sides = [0.0, width].map(|x| ends.map(|y| [x, y]));
+        to.log(format!("{}/cursor", self.root), &cursor.with_strips(sides))
     }
 }

@@ -1,5 +1,6 @@
 //! Pictures of the fields of a scene.
 
+use super::canvas;
 use super::fields::{Extent, Fields};
 use crate::plot::Frame;
 use crate::record::scene::Scene;
@@ -11,7 +12,9 @@ pub trait Picture: Send + Sync {
     fn frame(&self) -> Frame;
 
     /// The part of the canvas that each flat picture takes: left, right, top, bottom.
-    fn bounds(&self) -> [f64; 4];
+    fn bounds(&self) -> [f64; 4] {
+        canvas::bounds(&self.frame())
+    }
 
     /// Records axes, styles and everything else that stays.
     fn log_static(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()>;

@@ -2,15 +2,11 @@
 
 use std::ops::Range;
 
-/// Nodes of cell `cell` when `nodes` of them are shared out over `cells`; with more cells than nodes they repeat.
-fn share(nodes: usize, cells: usize, cell: usize) -> Range<usize> {
+/// Nodes of cell `cell` when `nodes` are shared out over `cells`, on a grid with every `stride`-th of them and by their
+/// numbers there: the ones inside, or the nearest.
+fn share(nodes: usize, stride: usize, cells: usize, cell: usize) -> Range<usize> {
     let start = cell * nodes / cells;
-    start..((cell + 1) * nodes / cells).max(start + 1)
-}
-
-/// Nodes of a cell on a grid with every `stride`-th of the `nodes`, by their numbers there: the ones inside, or the nearest.
-fn share_coarse(nodes: usize, stride: usize, cells: usize, cell: usize) -> Range<usize> {
-    let Range { start, end } = share(nodes, cells, cell);
+    let end = ((cell + 1) * nodes / cells).max(start + 1);
     let inside = start.div_ceil(stride)..end.div_ceil(stride);
     if !inside.is_empty() {
         return inside;
@@ -37,7 +33,7 @@ impl Columns {
 
     /// The points of each column, from left to right.
     fn ranges(self) -> impl Iterator<Item = Range<usize>> {
-        (0..self.count).map(move |column| share(self.points, self.count, column))
+        (0..self.count).map(move |column| share(self.points, 1, self.count, column))
     }
 
     /// The points that hold the smallest and the largest value of each column, in the order in which they lie on the curve.
@@ -103,7 +99,7 @@ impl Blocks {
     /// The results of `fold` over all nodes of each block, starting from `start`, row by row. The `values` are those of every
     /// `stride`-th node; where a block has none, the nearest one counts.
     pub fn fold(&self, values: &[f64], stride: [usize; 2], start: f64, fold: impl Fn(f64, f64) -> f64) -> Vec<f64> {
-        let share = |axis: usize, cell| share_coarse(self.shape[axis], stride[axis], self.cells[axis], cell);
+        let share = |axis: usize, cell| share(self.shape[axis], stride[axis], self.cells[axis], cell);
         let row_length = self.shape[1] / stride[1];
         let columns: Vec<Range<usize>> = (0..self.cells[1]).map(|column| share(1, column)).collect();
         let mut blocks = Vec::with_capacity(self.cells[0] * self.cells[1]);

@@ -37,7 +37,6 @@ pub struct Relief {
 }
 
 impl Relief {
-    /// The relief of `scene`, with lengths in `unit`.
     pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
         let problem = scene.problem;
         let grid = problem.surface().grid();
@@ -78,7 +77,6 @@ impl Relief {
         to.log_static(format!("{}/labels", self.root), &labels)
     }
 
-    /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let vertices = self.vertices(fields);
         let mesh = Mesh3D::update_fields()
@@ -88,7 +86,6 @@ impl Relief {
         to.log(self.mesh(), &mesh)
     }
 
-    /// The lowest and the highest place of a state.
     pub fn extent(&self, fields: &Fields<'_>) -> [f64; 2] {
         range(self.vertices(fields).into_iter().map(|v| f64::from(v.z)))
     }
@@ -100,7 +97,6 @@ impl Relief {
         to.log_static(self.mesh(), &transform.with_translation([0.0, 0.0, -stretch * high as f32]))
     }
 
-    /// The entity of the mesh.
     fn mesh(&self) -> String {
         format!("{}/solid", self.root)
     }
@@ -132,7 +128,6 @@ impl Relief {
         [0, 1].map(|axis| node[axis] % self.blocks.shape[axis])
     }
 
-    /// Exaggerated positions of the solid's surface.
     fn vertices(&self, fields: &Fields<'_>) -> Vec<Vec3> {
         let Fields { stride, gap, .. } = fields;
         let ([ny, nx], [ly, lx]) = (self.blocks.shape, self.size);

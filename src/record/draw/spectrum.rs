@@ -7,7 +7,7 @@ use crate::grid::Grid;
 use crate::plot::{Axis, Frame};
 use crate::record::scene::Scene;
 use crate::surface::{Field, PowerSpectrum, Surface};
-use rerun::{LineStrip2D, Radius, RecordingStream, RecordingStreamResult};
+use rerun::{Radius, RecordingStream, RecordingStreamResult};
 use std::f64::consts::TAU;
 
 /// Densities on the axis, over the largest one of the heights.
@@ -20,15 +20,13 @@ const BINS: f64 = 40.0;
 pub struct SpectrumPicture {
     grid: Grid,
     height: Vec<f64>,
-    /// The largest density of the heights.
-    largest: f64,
+    largest_density: f64,
     frame: Frame,
     heights: Vec<[f32; 2]>,
     root: String,
 }
 
 impl SpectrumPicture {
-    /// The picture of `scene` under `root`.
     pub fn new(scene: &Scene<'_>, root: &str) -> Self {
         let surface = scene.problem.surface();
         let spectrum = PowerSpectrum::of(surface);
@@ -38,7 +36,7 @@ impl SpectrumPicture {
         let mut picture = Self {
             grid: *surface.grid(),
             height: scene.problem.height().to_vec(),
-            largest: spectrum.density.iter().copied().fold(f64::MIN_POSITIVE, f64::max),
+            largest_density: spectrum.density.iter().copied().fold(f64::MIN_POSITIVE, f64::max),
             frame: Frame { x, y, corner: [0.0, 0.0], size: BOX, text: TEXT },
             heights: Vec::new(),
             root: format!("{root}/spectrum"),
@@ -47,7 +45,6 @@ impl SpectrumPicture {
         picture
     }
 
-    /// The part of the canvas that the picture takes.
     pub fn bounds(&self) -> [f64; 4] {
         canvas::bounds(&self.frame)
     }
@@ -56,7 +53,7 @@ impl SpectrumPicture {
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)?;
         let style = |rgb, order| style(rgb, Radius::new_ui_points(1.0), order);
-        let heights = style(palette::INDENTER, 30.0).with_strips([LineStrip2D::from_iter(self.heights.clone())]);
+        let heights = style(palette::INDENTER, 30.0).with_strips([self.heights.clone()]);
         to.log_static(format!("{}/heights", self.root), &heights)?;
         to.log_static(format!("{}/displacement", self.root), &style(palette::SOLID, 32.0))
     }
@@ -82,7 +79,7 @@ impl SpectrumPicture {
     fn curve(&self, spectrum: &PowerSpectrum) -> Vec<[f32; 2]> {
         let period = self.grid.longest_wavelength();
         let waves = spectrum.wavenumber.iter().map(|q| (q * period / TAU).log10()).zip(&spectrum.density);
-        let waves: Vec<(f64, f64)> = waves.map(|(wave, density)| (wave, density / self.largest)).collect();
+        let waves: Vec<(f64, f64)> = waves.map(|(wave, density)| (wave, density / self.largest_density)).collect();
         let bins = waves.chunk_by(|a, b| (a.0 * BINS).floor() == (b.0 * BINS).floor());
         let places = bins.map(|waves| {
             let mean = |value: fn(&(f64, f64)) -> f64| waves.iter().map(value).sum::<f64>() / waves.len() as f64;

@@ -5,11 +5,12 @@ use super::fields::Fields;
 use super::ghost::Ghost;
 use super::line::LinePicture;
 use super::palette;
+use super::patches::PatchMap;
 use super::picture::Picture;
 use super::spectrum::SpectrumPicture;
 use super::surface::SurfacePicture;
-use super::traces::{self, Reference};
-use crate::contact::{Contact, Forecast, Phase};
+use super::traces::{self, ExactValues};
+use crate::contact::{Contact, Phase};
 use crate::grid::Grid;
 use crate::record::description;
 use crate::record::options::Options;
@@ -23,80 +24,51 @@ use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 pub struct Stage {
     /// Root of the entities, with a leading `/`.
     pub root: String,
-    /// Title.
     pub title: String,
     /// Rows of the table of parameters.
     description: String,
-    grid: Grid,
+    pub grid: Grid,
     /// Parts that are recorded.
     pub what: Parts,
-    /// Exact values of the curves.
-    pub reference: Reference,
+    pub exact: ExactValues,
     /// Whether an earlier solve stands beside it.
     pub has_ghost: bool,
-    /// Upper ends of the axes of curves.
-    pub ranges: Ranges,
-    /// Pictures of the fields.
+    /// Upper end of the axis of `kappa` and `kappa_r`, known before solving so that the first steps do not dwarf the last.
+    pub most_kappa: f64,
+    /// Upper end of the axis of the relative area.
+    pub most_area: f64,
     pub picture: Box<dyn Picture>,
     /// The power spectra, if they are asked for.
     pub spectrum: Option<SpectrumPicture>,
-}
-
-/// Upper ends of the axes of curves, known before solving so that the first steps do not dwarf the last.
-pub struct Ranges {
-    /// End of the axis of `kappa` and `kappa_r`.
-    pub kappa: f64,
-    /// End of the axis of the relative area.
-    pub area: f64,
-}
-
-impl Ranges {
-    fn of(scene: &Scene<'_>, forecast: Forecast) -> Self {
-        let exact = scene.exact.as_ref().and_then(|exact| exact.kappa_r);
-        Self { kappa: exact.map_or(4.0, |kappa_r| 1.8 * kappa_r), area: (2.5 * forecast.relative_area).min(1.05) }
-    }
+    /// The map of contact patches over loads, once there are loads.
+    pub patches: Option<PatchMap>,
 }
 
 impl Stage {
-    /// The stage of `scene` under `root`.
     pub fn new(scene: &Scene<'_>, root: String, options: &Options) -> Self {
         let grid = *scene.problem.surface().grid();
         let options = Options { what: options.what.and(Parts::on(&grid)), ..options.clone() };
         let forecast = scene.forecast();
+        let exact = scene.exact.as_ref();
+        let kappa_r = exact.and_then(|exact| exact.kappa_r);
         Self {
             title: scene.title.clone(),
             description: description::of_scene(scene, &options.length_unit),
             what: options.what,
             grid,
-            reference: Reference::of(scene.exact.as_ref()),
+            exact: [kappa_r, exact.map(|exact| exact.relative_area)],
             has_ghost: options.ghost.is_some(),
-            ranges: Ranges::of(scene, forecast),
+            most_kappa: kappa_r.map_or(4.0, |kappa_r| 1.8 * kappa_r),
+            most_area: (2.5 * forecast.relative_area).min(1.05),
             picture: if grid.is_line() {
                 Box::new(LinePicture::new(scene, forecast, &root, &options))
             } else {
                 Box::new(SurfacePicture::new(scene, forecast, &root, &options))
             },
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, &root)),
+            patches: None,
             root,
         }
-    }
-
-    /// Whether the scene is a line.
-    pub fn is_line(&self) -> bool {
-        self.grid.is_line()
-    }
-
-    /// The grid of the scene.
-    pub fn grid(&self) -> &Grid {
-        &self.grid
-    }
-
-    /// Distance of the nodes of `grid` along y and x in nodes of the scene, if it is the scene's grid or a coarser version.
-    pub fn stride(&self, grid: &Grid) -> Option<[usize; 2]> {
-        let (fine, coarse) = (self.grid.shape(), grid.shape());
-        let stride = [0, 1].map(|axis| fine[axis] / coarse[axis]);
-        let fits = |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse[axis] == fine[axis];
-        (grid.size() == self.grid.size() && fits(0) && fits(1)).then_some(stride)
     }
 
     /// Records everything that stays; `place` is that of the scene among several.
@@ -114,10 +86,13 @@ impl Stage {
             to.log_static(root.as_str(), &palette::classes())?;
         }
         if self.what.has(Part::Traces) {
-            traces::log_styles(to, root, self.reference, place.map(|place| (place, title.as_str())))?;
+            traces::log_styles(to, root, self.exact, place.map(|place| (place, title.as_str())))?;
         }
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_static(to)?;
+        }
+        if let Some(patches) = &self.patches {
+            patches.log_static(to)?;
         }
         self.picture.log_static(to, scene)
     }
@@ -127,7 +102,7 @@ impl Stage {
         if self.what.has(Part::Traces) {
             ghost.log(to, &self.root)?;
         }
-        let pressure = ghost.pressure().filter(|_| self.what.has(Part::Fields));
+        let pressure = ghost.pressure.as_deref().filter(|_| self.what.has(Part::Fields));
         pressure.map_or(Ok(()), |pressure| self.picture.log_ghost(to, pressure))
     }
 
@@ -147,12 +122,10 @@ impl Stage {
         TextDocument::from_markdown(format!("**Result**: {result}\n\n{}{rows}{run}", description::HEAD))
     }
 
-    /// The entity of the description.
     pub fn description(&self) -> String {
         format!("{}/description", self.root)
     }
 
-    /// Records a state at the current time.
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_frame(to, fields)?;
@@ -165,7 +138,6 @@ impl Stage {
         to.log(self.caption_entity(), &canvas::caption(&self.picture.frame(), words))
     }
 
-    /// The entity of the words above the pictures.
     pub fn caption_entity(&self) -> String {
         format!("{}/caption", self.root)
     }
@@ -180,6 +152,14 @@ impl Stage {
     }
 }
 
+/// Distance of the nodes of `coarse` along y and x in nodes of `fine`, if it is that grid or a coarser version of it.
+pub fn stride(fine: &Grid, coarse: &Grid) -> Option<[usize; 2]> {
+    let stride = [0, 1].map(|axis| fine.shape()[axis] / coarse.shape()[axis]);
+    let fits =
+        |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse.shape()[axis] == fine.shape()[axis];
+    (coarse.size() == fine.size() && fits(0) && fits(1)).then_some(stride)
+}
+
 /// The level of a grid with every `stride`-th node.
 pub fn level(stride: [usize; 2]) -> usize {
     stride[0].max(stride[1]).ilog2() as usize
@@ -188,30 +168,15 @@ pub fn level(stride: [usize; 2]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{ContactModulus, Load, Problem};
-    use crate::surface::Indenter;
 
     #[test]
     fn coarser_versions_of_the_grid_are_told_from_others() {
         let surface = |shape, size| Grid::surface(shape, size).unwrap();
         let fine = surface([48, 64], [1.0, 2.0]);
-        let problem = Problem::new(
-            Indenter::Sphere { radius: 1.0 }.surface(fine).unwrap(),
-            ContactModulus(1.0),
-            Load::MeanPressure(0.01),
-        )
-        .unwrap();
-        let scene = Scene::new("a", &problem);
-        let stage = Stage::new(&scene, "/a".into(), &Options::default());
-        for (shape, stride) in [
-            ([48, 64], Some([1, 1])),
-            ([12, 16], Some([4, 4])),
-            ([48, 8], Some([1, 8])),
-            ([16, 64], None),
-            ([96, 64], None),
-        ] {
-            assert_eq!(stage.stride(&surface(shape, [1.0, 2.0])), stride, "{shape:?}");
-            assert_eq!(stage.stride(&surface(shape, [1.0, 1.0])), None);
+        let coarser = [([48, 64], [1, 1]), ([12, 16], [4, 4]), ([48, 8], [1, 8])].map(|(shape, it)| (shape, Some(it)));
+        for (shape, expected) in coarser.into_iter().chain([([16, 64], None), ([96, 64], None)]) {
+            assert_eq!(stride(&fine, &surface(shape, [1.0, 2.0])), expected, "{shape:?}");
+            assert_eq!(stride(&fine, &surface(shape, [1.0, 1.0])), None);
         }
         assert_eq!([[1, 1], [4, 4], [1, 8]].map(level), [0, 2, 3]);
     }

@@ -44,7 +44,6 @@ struct Image {
 }
 
 impl SurfacePicture {
-    /// The pictures of `scene` under `root`.
     pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
         let Options { what, length_unit, .. } = options;
         let problem = scene.problem;
@@ -92,7 +91,7 @@ impl Picture for SurfacePicture {
         self.pressure.frame.clone()
     }
 
-    /// The part of the canvas that an image and its colour scale take.
+    /// An image and its colour scale.
     fn bounds(&self) -> [f64; 4] {
         let frame = &self.pressure.frame;
         let [left, right, top, bottom] = canvas::bounds(frame);

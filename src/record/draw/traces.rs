@@ -1,10 +1,9 @@
 //! Numbers of every step, sent column by column.
 
 use super::palette::{self, colour};
-use crate::contact::{Energy, OBSERVABLES, Observable, Phase, State, Step, Work};
+use crate::contact::{Contact, Energy, OBSERVABLES, Observable, Phase, State, Step, Work};
 use crate::plot::Colour;
-use crate::theory::Exact;
-use rerun::{EntityPath, RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
+use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
 
 /// Timeline of relaxation steps.
 pub const STEP: &str = "step";
@@ -32,139 +31,117 @@ pub fn traced() -> impl Iterator<Item = &'static Observable> {
     OBSERVABLES.iter().filter(|observable| observable.is_traced)
 }
 
-/// The name of the curve of an observable.
 pub fn title(observable: &Observable) -> String {
     let name = observable.name.replace('_', " ").replace("kappa r", "kappa_r");
     if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
-}
-
-/// The value of an observable as it is drawn.
-pub fn drawn(observable: &Observable, state: &State<'_>) -> f64 {
-    let value = (observable.value)(state);
-    if is_logarithmic(observable) { value.log10() } else { value }
 }
 
 fn is_logarithmic(observable: &Observable) -> bool {
     observable.name == "certificate"
 }
 
-/// The curves of one scene, collected until they are flushed.
-pub struct Traces {
-    root: String,
-    /// Curves of the observables, in their order.
-    observables: Vec<Series>,
-    besides: [Series; BESIDES.len()],
-    reference: Reference,
-}
+/// Curves of observables.
+#[derive(Debug, Clone)]
+pub struct ObservableTraces(pub Vec<(&'static Observable, Trace)>);
 
-/// A number of every step.
+/// A number of every step, each with the work up to it.
 #[derive(Debug, Clone, Default)]
-pub struct Series {
-    steps: Vec<i64>,
-    seconds: Vec<f64>,
-    transforms: Vec<i64>,
-    values: Vec<f64>,
-}
+pub struct Trace(Vec<(Work, f64)>);
 
-/// Exact values that stand beside computed ones.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Reference {
-    /// Exact `kappa_r`.
-    pub kappa_r: Option<f64>,
-    /// Exact relative area.
-    pub relative_area: Option<f64>,
-}
-
-impl Reference {
-    /// The values of `exact`.
-    pub fn of(exact: Option<&Exact>) -> Self {
-        Self { kappa_r: exact.and_then(|e| e.kappa_r), relative_area: exact.map(|e| e.relative_area) }
-    }
-}
-
-impl Traces {
-    /// Empty curves under `root`.
-    pub fn new(root: &str, reference: Reference) -> Self {
-        let observables = traced().map(|_| Series::default()).collect();
-        Self { root: root.into(), observables, besides: Default::default(), reference }
+impl ObservableTraces {
+    pub fn new(observables: impl Iterator<Item = &'static Observable>) -> Self {
+        Self(observables.map(|observable| (observable, Trace::default())).collect())
     }
 
-    /// Adds the numbers of a step, in a `phase` if its solver has any.
-    pub fn add(&mut self, step: &Step<'_>, phase: Option<Phase>) {
+    pub fn add(&mut self, step: &Step<'_>) {
         let state = State::from(step);
-        for (series, observable) in self.observables.iter_mut().zip(traced()) {
-            series.add(step.work(), Some(drawn(observable, &state)));
-        }
-        let (complementary, potential) = match step.energy() {
-            Energy::Complementary(energy) => (Some(energy), None),
-            Energy::Potential(energy) => (None, Some(energy)),
-        };
-        let of_phase = |number: fn(Phase) -> usize| phase.map(|phase| number(phase) as f64);
-        let values = [
-            self.reference.kappa_r,
-            self.reference.relative_area,
-            complementary,
-            potential,
-            of_phase(|phase| phase.level),
-            of_phase(|phase| phase.outer),
-            of_phase(|phase| phase.inner),
-        ];
-        for (series, value) in self.besides.iter_mut().zip(values) {
-            series.add(step.work(), value);
+        for (observable, trace) in &mut self.0 {
+            let value = (observable.value)(&state);
+            trace.add(step.work(), Some(if is_logarithmic(observable) { value.log10() } else { value }));
         }
     }
 
     /// Adds the certificate of the final state.
-    pub fn add_certificate(&mut self, work: Work, eta: f64) {
-        let certificate = self.observables.iter_mut().zip(traced()).find(|(_, observable)| is_logarithmic(observable));
-        if let Some((series, _)) = certificate {
-            series.add(work, Some(eta.log10()));
+    pub fn add_certificate(&mut self, contact: &Contact) {
+        for (_, trace) in self.0.iter_mut().filter(|(observable, _)| is_logarithmic(observable)) {
+            trace.add(contact.work, Some(contact.certificate.eta.log10()));
         }
+    }
+}
+
+impl Trace {
+    /// Adds a value; one that cannot be drawn is left out.
+    fn add(&mut self, work: Work, value: Option<f64>) {
+        self.0.extend(value.filter(|value| value.is_finite()).map(|value| (work, value)));
+    }
+
+    /// Sends its values under `entity`, each at the time at which it was added.
+    pub fn log(&self, to: &RecordingStream, entity: String) -> RecordingStreamResult<()> {
+        let work = || self.0.iter().map(|(work, _)| work);
+        let times = [
+            TimeColumn::new_sequence(STEP, work().map(|work| work.iterations as i64)),
+            TimeColumn::new_duration_secs(SECONDS, work().map(|work| work.seconds)),
+            TimeColumn::new_sequence(TRANSFORMS, work().map(|work| work.transforms as i64)),
+        ];
+        to.send_columns(entity, times, Scalars::new(self.0.iter().map(|(_, value)| *value)).columns_of_unit_batches()?)
+    }
+}
+
+/// The curves of one scene, collected until they are flushed.
+pub struct Traces {
+    root: String,
+    pub observables: ObservableTraces,
+    besides: [Trace; BESIDES.len()],
+    exact: ExactValues,
+}
+
+/// Exact values that stand beside computed ones: of `kappa_r` and of the relative area.
+pub type ExactValues = [Option<f64>; 2];
+
+impl Traces {
+    /// Empty curves under `root`.
+    pub fn new(root: &str, exact: ExactValues) -> Self {
+        Self { root: root.into(), observables: ObservableTraces::new(traced()), besides: Default::default(), exact }
+    }
+
+    /// Adds the numbers of a step, in a `phase` if its solver has any.
+    pub fn add(&mut self, step: &Step<'_>, phase: Option<Phase>) {
+        self.observables.add(step);
+        let (complementary, potential) = match step.energy() {
+            Energy::Complementary(energy) => (Some(energy), None),
+            Energy::Potential(energy) => (None, Some(energy)),
+        };
+        let [kappa_r, area] = self.exact;
+        let [level, outer, inner] = match phase {
+            Some(Phase { level, outer, inner }) => [level, outer, inner].map(|number| Some(number as f64)),
+            None => [None; 3],
+        };
+        let values = [kappa_r, area, complementary, potential, level, outer, inner];
+        self.besides.iter_mut().zip(values).for_each(|(trace, value)| trace.add(step.work(), value));
     }
 
     /// Sends the numbers collected so far.
     pub fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        let observables = self.observables.iter_mut().zip(traced().map(|observable| observable.name));
-        let besides = self.besides.iter_mut().zip(BESIDES.map(|(entity, _)| entity));
-        for (series, name) in observables.chain(besides).filter(|(series, _)| !series.values.is_empty()) {
-            std::mem::take(series).log(to, &format!("{}/trace/{name}", self.root).into())?;
+        let observables = self.observables.0.iter_mut().map(|(observable, trace)| (observable.name, trace));
+        let besides = BESIDES.iter().map(|(entity, _)| *entity).zip(&mut self.besides);
+        for (name, trace) in observables.chain(besides).filter(|(_, trace)| !trace.0.is_empty()) {
+            std::mem::take(trace).log(to, format!("{}/trace/{name}", self.root))?;
         }
         Ok(())
     }
 }
 
-impl Series {
-    /// Adds a value; one that cannot be drawn is left out.
-    pub fn add(&mut self, work: Work, value: Option<f64>) {
-        let Some(value) = value.filter(|v| v.is_finite()) else { return };
-        self.steps.push(work.iterations as i64);
-        self.seconds.push(work.seconds);
-        self.transforms.push(work.transforms as i64);
-        self.values.push(value);
-    }
-
-    /// Sends its values under `entity`, each at the time at which it was added.
-    pub fn log(&self, to: &RecordingStream, entity: &EntityPath) -> RecordingStreamResult<()> {
-        let times = [
-            TimeColumn::new_sequence(STEP, self.steps.iter().copied()),
-            TimeColumn::new_duration_secs(SECONDS, self.seconds.iter().copied()),
-            TimeColumn::new_sequence(TRANSFORMS, self.transforms.iter().copied()),
-        ];
-        to.send_columns(entity.clone(), times, Scalars::new(self.values.iter().copied()).columns_of_unit_batches()?)
-    }
-}
-
-/// Records names and colours of the curves under `root`, those of exact values where `reference` has them. Beside other
-/// scenes, `scene` tells them apart.
+/// Records names and colours of the curves under `root`, those of exact values where there are any. Beside other scenes,
+/// `scene` tells them apart.
 pub fn log_styles(
     to: &RecordingStream,
     root: &str,
-    reference: Reference,
+    [kappa_r, area]: ExactValues,
     scene: Option<(usize, &str)>,
 ) -> RecordingStreamResult<()> {
     let is_drawn = |entity: &str| match entity {
-        "exact_kappa_r" => reference.kappa_r.is_some(),
-        "exact_relative_area" => reference.relative_area.is_some(),
+        "exact_kappa_r" => kappa_r.is_some(),
+        "exact_relative_area" => area.is_some(),
         _ => true,
     };
     let observables = traced().map(|observable| (observable.name, title(observable)));

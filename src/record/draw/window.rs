@@ -1,6 +1,5 @@
 //! The part of a line that is shown, and the nodes of a grid in it.
 
-use super::reduce::Columns;
 use crate::record::scene::Scene;
 
 /// Width of the window around a contact that is known beforehand, in widths of that contact.
@@ -11,7 +10,8 @@ const WIDTH: f64 = 2.5;
 pub struct Window {
     start: usize,
     shown: usize,
-    nodes: usize,
+    /// Nodes of the whole line.
+    pub nodes: usize,
 }
 
 /// Every `stride`-th node of the period, as far as it lies in the window: the nodes of a coarser grid. Both ends count.
@@ -33,11 +33,6 @@ impl Window {
         Self { start: (peak + nodes - shown / 2) % nodes, shown, nodes }
     }
 
-    /// Nodes of the whole line.
-    pub fn nodes(&self) -> usize {
-        self.nodes
-    }
-
     /// First and last position; a window across the period starts at a negative one.
     pub fn ends(&self, spacing: f64) -> [f64; 2] {
         let start = self.start as f64 - if self.start + self.shown > self.nodes { self.nodes as f64 } else { 0.0 };
@@ -51,14 +46,8 @@ impl Window {
 }
 
 impl Samples {
-    /// Number of nodes.
     pub fn count(&self) -> usize {
         (self.window.start + self.window.shown) / self.stride + 1 - self.first
-    }
-
-    /// The columns of a curve through them.
-    pub fn columns(&self) -> Columns {
-        Columns::new(self.count())
     }
 
     /// The node of its grid behind sample `i`.

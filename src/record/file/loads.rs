@@ -4,13 +4,12 @@
 //! contacts under that load. The pictures are those of [`Recording`], on axes that all loads share.
 
 use super::output::Output;
-use super::recording::{Name, Recording, stages, target_error};
+use super::recording::{Recording, stages};
 use crate::contact::Contact;
 use crate::error::FileError;
-use crate::files::check_target;
 use crate::plot;
 use crate::record::draw::{Curve, Curves, Extent, Fields, FigurePicture, PatchMap, Stage};
-use crate::record::layout::{Panes, send_loads};
+use crate::record::layout::{LOAD, TEXT, send_loads};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
@@ -19,13 +18,6 @@ use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-
-/// Timeline of loads.
-const LOAD: &str = "load";
-/// Root of the scenes.
-const CONTACT: &str = "/contact";
-/// Entity of the text about the current load.
-const TEXT: &str = "/load";
 
 /// The content of a recording over loads.
 pub struct Loads<'a> {
@@ -50,17 +42,14 @@ pub struct LoadRecording {
     recording: Recording,
     description: String,
     captions: Vec<String>,
-    curves: Option<Curves>,
+    curves: Curves,
     figure: Option<FigurePicture>,
-    /// One per scene; surfaces have none.
-    patches: Vec<Option<PatchMap>>,
     progress: Mutex<Progress>,
 }
 
-/// Everything recorded so far.
+/// The loads so far, and the extents of the contacts of each scene.
 struct Progress {
     loads: BTreeSet<usize>,
-    /// Extents of the contacts of each scene.
     extents: Vec<Extent>,
 }
 
@@ -72,30 +61,32 @@ impl LoadRecording {
     /// # Errors
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
     pub fn create(path: &Path, loads: &Loads<'_>, options: Options) -> Result<Self, FileError> {
-        check_target(path)?;
-        let output = Output::create(path).map_err(|failure| target_error(path, &failure))?;
-        Self::begin(output, path, None, loads, options)
+        Self::begin(Output::create(path)?, None, loads, options)
     }
 
-    /// Writes into `output`, the file at `path`, the layout and all that does not change from load to load.
-    pub(super) fn begin(
-        output: Output,
-        path: &Path,
-        id: Option<&str>,
-        loads: &Loads<'_>,
-        options: Options,
-    ) -> Result<Self, FileError> {
-        let curves = options.what.has(Part::Traces).then(|| Curves::new(&loads.curves));
+    /// Begins a recording under the name `id` in a temporary file, and returns the means to read it.
+    ///
+    /// # Errors
+    /// [`FileError::Target`] if no temporary file can be made, [`FileError::Write`] if writing to it fails.
+    #[cfg(feature = "explore")]
+    pub fn live(id: &str, loads: &Loads<'_>, options: Options) -> Result<(Self, Output), FileError> {
+        let output = Output::temporary()?;
+        Ok((Self::begin(output.clone(), Some(id), loads, options)?, output))
+    }
+
+    fn begin(output: Output, id: Option<&str>, loads: &Loads<'_>, options: Options) -> Result<Self, FileError> {
+        let curves = if options.what.has(Part::Traces) { loads.curves.clone() } else { Vec::new() };
         let options = Options { what: options.what.and(Parts::PICTURES), ..options };
-        let stages = stages(loads.scenes, CONTACT, &options);
-        let map = |stage: &Stage| PatchMap::new(stage, loads.captions.len());
+        let mut stages = stages(loads.scenes, "/contact", &options);
+        for stage in &mut stages {
+            stage.patches = PatchMap::new(stage, loads.captions.len());
+        }
         let extents = vec![Extent::NONE; stages.len()];
         let recording = Self {
-            patches: stages.iter().map(map).collect(),
-            recording: Recording::open(output, path, Name { title: &loads.title, id }, stages, options)?,
+            recording: Recording::open(output, &loads.title, id, stages, options)?,
             description: loads.description.clone(),
             captions: loads.captions.clone(),
-            curves,
+            curves: Curves(curves),
             figure: loads.figure.as_ref().map(|(figure, cursor)| FigurePicture::new(figure, cursor.clone())),
             progress: Mutex::new(Progress { loads: BTreeSet::new(), extents }),
         };
@@ -114,9 +105,9 @@ impl LoadRecording {
     pub fn values(&self, load: usize, values: &[f64]) -> Result<(), FileError> {
         self.recording.write(|stream| {
             self.turn_to(stream, load)?;
-            let Some(curves) = &self.curves else { return Ok(()) };
-            curves.log(stream, values)?;
-            stream.log(TEXT, &self.text(load, &curves.table(values)))
+            self.curves.log(stream, values)?;
+            let table = self.curves.table(values);
+            if table.is_empty() { Ok(()) } else { stream.log(TEXT, &self.text(load, &table)) }
         })
     }
 
@@ -135,7 +126,13 @@ impl LoadRecording {
             if stage.what.has_planes() {
                 stage.log_caption(stream, self.captions[load].clone())?;
             }
-            self.log_frame(stream, scene, load, &Fields::of_contact(contact))
+            let fields = Fields::of_contact(contact);
+            let extent = stage.picture.extent(&fields);
+            let extents = &mut self.progress().extents;
+            extents[scene] = extents[scene].and(extent);
+            stage.log_frame(stream, &fields)?;
+            let Some(patches) = &stage.patches else { return Ok(()) };
+            patches.log(stream, load, &stage.picture.segments(&fields))
         })
     }
 
@@ -151,26 +148,14 @@ impl LoadRecording {
     }
 
     fn log_static(&self, stream: &RecordingStream, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
-        let panes = Panes {
-            timeline: LOAD,
-            text: TEXT,
-            stages: &self.recording.stages,
-            patches: &self.patches,
-            figure: self.figure.as_ref(),
-            curves: self.curves.as_ref(),
-        };
-        send_loads(self.recording.application(), &panes, stream)?;
-        if let Some(curves) = &self.curves {
-            curves.log_static(stream)?;
-        }
-        if let Some(figure) = &self.figure {
+        let Self { recording, figure, curves, .. } = self;
+        send_loads(&recording.stages, figure.as_ref(), curves, stream)?;
+        curves.log_static(stream)?;
+        if let Some(figure) = figure {
             figure.log_static(stream)?;
         }
-        for ((stage, scene), patches) in self.recording.stages.iter().zip(scenes).zip(&self.patches) {
-            stage.log_static(stream, scene, None)?;
-            patches.as_ref().map_or(Ok(()), |patches| patches.log_static(stream))?;
-        }
-        Ok(())
+        let mut stages = recording.stages.iter().zip(scenes);
+        stages.try_for_each(|(stage, scene)| stage.log_static(stream, scene, None))
     }
 
     /// Sets the time to a load; at its first use caption and cursor are recorded.
@@ -183,21 +168,6 @@ impl LoadRecording {
             figure.log_cursor(stream, load, &self.captions[load])?;
         }
         stream.log(TEXT, &self.text(load, ""))
-    }
-
-    fn log_frame(
-        &self,
-        stream: &RecordingStream,
-        scene: usize,
-        load: usize,
-        fields: &Fields<'_>,
-    ) -> RecordingStreamResult<()> {
-        let stage = &self.recording.stages[scene];
-        let extent = &mut self.progress().extents[scene];
-        *extent = extent.and(stage.picture.extent(fields));
-        stage.log_frame(stream, fields)?;
-        let patches = self.patches[scene].as_ref();
-        patches.map_or(Ok(()), |patches| patches.log(stream, load, &stage.picture.segments(fields)))
     }
 
     /// The load and its numbers, above what the recording is about.

@@ -1,70 +1,105 @@
 //! The file behind a recording.
 
+use crate::error::FileError;
+use crate::files::check_target;
+use rerun::SpawnOptions;
 use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
 use rerun::log::LogMsg;
-use rerun::sink::{LogSink, SinkFlushError};
+use rerun::sink::{GrpcSink, LogSink, SinkFlushError};
 use std::fs::File;
-#[cfg(feature = "explore")]
-use std::io::Read;
-use std::io::{self, Seek};
+use std::io::{self, Read, Seek};
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// Time by which a viewer that does not answer may hold up the end of a recording.
 const VIEWER_TIMEOUT: Duration = Duration::from_secs(5);
+/// The file of a recording that is shown only.
+const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
 
-/// A sink that writes each message to the file at once and remembers the first failure, after which it writes no more. (The
-/// SDK's own file sink waits for ever when the disk is full.)
+/// The file behind a recording, which can be read while it is written.
+///
+/// It gets each message at once, and remembers the first failure, after which no more is written. (The SDK's own file sink
+/// waits for ever when the disk is full.)
 #[derive(Clone)]
-pub struct Output(Arc<Mutex<State>>);
+pub struct Output {
+    path: Arc<Path>,
+    state: Arc<Mutex<State>>,
+}
 
 struct State {
     encoder: Encoder<File>,
+    /// Another handle of the file; all handles share one place in it.
+    file: File,
     /// Bytes of whole messages in the file.
     written: u64,
     is_finished: bool,
     failure: Option<io::Error>,
     /// A viewer that gets each message as well.
-    viewer: Option<Box<dyn LogSink>>,
+    viewer: Option<GrpcSink>,
 }
 
 impl Output {
-    /// Makes the file, or empties it.
-    pub fn create(path: &Path) -> io::Result<Self> {
-        Self::over(File::create(path)?)
+    /// Makes the file at `path`, or empties it.
+    pub(super) fn create(path: &Path) -> Result<Self, FileError> {
+        check_target(path)?;
+        Self::new(path, File::create(path), None)
     }
 
-    /// Writes to an empty file.
-    pub fn over(file: File) -> io::Result<Self> {
-        let version = rerun::build_info().version;
-        let mut end = file.try_clone()?;
-        let encoder = Encoder::new_eager(version, EncodingOptions::PROTOBUF_COMPRESSED, file).map_err(io_error)?;
-        let written = end.stream_position()?;
-        let state = State { encoder, written, is_finished: false, failure: None, viewer: None };
-        Ok(Self(Arc::new(Mutex::new(state))))
-    }
-
-    /// Sends each further message to `viewer` as well.
-    pub fn show(&self, viewer: Box<dyn LogSink>) {
-        self.state().viewer = Some(viewer);
-    }
-
-    /// Bytes of whole messages so far; none once nothing more will be written.
+    /// A temporary file. It has no name where the system allows that, and goes with its last `Output`, or with the process.
     #[cfg(feature = "explore")]
+    pub(super) fn temporary() -> Result<Self, FileError> {
+        Self::new(&std::env::temp_dir(), tempfile::tempfile(), None)
+    }
+
+    /// Makes the file at `path`, if there is one, and shows what it gets in the installed viewer, or in the one that runs.
+    pub(super) fn shown(path: Option<&Path>) -> Result<Self, FileError> {
+        path.map_or(Ok(()), check_target)?;
+        let viewer = start_viewer()?;
+        let path = path.unwrap_or(Path::new(NOWHERE));
+        Self::new(path, File::create(path), Some(viewer))
+    }
+
+    fn new(path: &Path, file: io::Result<File>, viewer: Option<GrpcSink>) -> Result<Self, FileError> {
+        let begin = |file: File| {
+            let (version, mut end) = (rerun::build_info().version, file.try_clone()?);
+            let encoder = Encoder::new_eager(version, EncodingOptions::PROTOBUF_COMPRESSED, file).map_err(io_error)?;
+            let written = end.stream_position()?;
+            Ok(State { encoder, file: end, written, is_finished: false, failure: None, viewer })
+        };
+        let error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
+        let state = file.and_then(begin).map_err(error)?;
+        Ok(Self { path: path.into(), state: Arc::new(Mutex::new(state)) })
+    }
+
+    /// Bytes that can be read so far and end with a whole message; none once nothing more will be written.
     pub fn written(&self) -> Option<u64> {
         let state = self.state();
         (!state.is_finished && state.failure.is_none()).then_some(state.written)
     }
 
+    /// At most `most` bytes from the byte `from` on; fewer only at the end of the file.
+    ///
+    /// # Errors
+    /// Errors of the system.
+    pub fn read(&self, from: u64, most: u64) -> io::Result<Vec<u8>> {
+        let file = &mut self.state().file;
+        let mut piece = Vec::new();
+        file.seek(io::SeekFrom::Start(from))?;
+        let read = file.by_ref().take(most).read_to_end(&mut piece);
+        file.seek(io::SeekFrom::End(0))?;
+        read.map(|_| piece)
+    }
+
     /// The first failure so far.
-    pub fn check(&self) -> io::Result<()> {
+    pub(super) fn check(&self) -> Result<(), FileError> {
         let failure = &self.state().failure;
-        failure.as_ref().map_or(Ok(()), |failure| Err(io::Error::new(failure.kind(), failure.to_string())))
+        let copy = |failure: &io::Error| self.error(io::Error::new(failure.kind(), failure.to_string()));
+        failure.as_ref().map(copy).map_or(Ok(()), Err)
     }
 
     /// Ends the file with its index.
-    pub fn finish(&self) -> io::Result<()> {
+    pub(super) fn finish(&self) -> Result<(), FileError> {
         self.check()?;
         let mut state = self.state();
         state.is_finished = true;
@@ -72,22 +107,16 @@ impl Output {
         if let Some(viewer) = state.viewer.take() {
             viewer.flush_blocking(VIEWER_TIMEOUT).ok(); // a viewer that was closed is none of the file's business
         }
-        ended
+        ended.map_err(|failure| self.error(failure))
     }
 
-    /// At most `most` bytes of `file`, a handle of the file that is written to, from the byte `from` on.
-    #[cfg(feature = "explore")]
-    pub fn read(&self, mut file: &File, from: u64, most: u64) -> io::Result<Vec<u8>> {
-        let _waiting = self.state(); // all handles share one place in the file
-        let mut piece = Vec::new();
-        file.seek(io::SeekFrom::Start(from))?;
-        let read = io::Read::take(file, most).read_to_end(&mut piece);
-        file.seek(io::SeekFrom::End(0))?;
-        read.map(|_| piece)
+    /// The error of a file that could not be written.
+    pub(super) fn error(&self, source: io::Error) -> FileError {
+        FileError::Write { path: self.path.to_path_buf(), source }
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -115,4 +144,13 @@ fn io_error(failure: EncodeError) -> io::Error {
         EncodeError::Write(failure) => failure,
         other => io::Error::other(other),
     }
+}
+
+/// The installed viewer, bound to its port so that what is sent does not wait for it.
+fn start_viewer() -> Result<GrpcSink, FileError> {
+    let options = SpawnOptions { wait_for_bind: true, ..SpawnOptions::default() };
+    let missing = || FileError::NoViewer { version: rerun::build_info().version.to_string() };
+    let spawned = rerun::spawn(&options).map_err(|_| missing())?;
+    let address = format!("rerun+http://127.0.0.1:{}/proxy", spawned.port);
+    address.parse().map(GrpcSink::new).map_err(|_| missing())
 }

@@ -4,7 +4,7 @@ use super::recording::{Recording, UNFINISHED};
 use super::schedule::{Schedule, Thinning};
 use crate::contact::{Contact, Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish, Work};
 use crate::record::description;
-use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level};
+use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, stride};
 use crate::setup::Part;
 use rerun::RecordingStreamResult;
 use std::ops::ControlFlow;
@@ -36,12 +36,11 @@ impl Recording {
     /// If there is no such scene.
     pub fn recorder(&self, scene: usize) -> Recorder<'_> {
         let stage = &self.stages[scene];
-        let schedule = self.options.every.map_or_else(|| Schedule::on(stage.grid()), Schedule::Every);
         Recorder {
             recording: self,
             stage,
-            thinning: Thinning::new(schedule),
-            traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.reference)),
+            thinning: Thinning::new(self.options.every, Schedule::on(&stage.grid)),
+            traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.exact)),
             phase: Phase { level: 0, outer: 0, inner: 0 },
             has_phases: false,
             undrawn: None,
@@ -55,7 +54,7 @@ impl Recorder<'_> {
     fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
         let fields = &Fields::of_contact(contact);
         if let Some(traces) = &mut self.traces {
-            traces.add_certificate(contact.work, contact.certificate.eta);
+            traces.observables.add_certificate(contact);
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
         self.stage.picture.settle(&self.recording.stream, self.stage.picture.extent(fields))?;
@@ -64,7 +63,7 @@ impl Recorder<'_> {
     }
 
     fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {
-        let stride = self.stage.stride(step.problem().surface().grid());
+        let stride = stride(&self.stage.grid, step.problem().surface().grid());
         self.phase = Phase { level: stride.map_or(step.phase().level, level), ..step.phase() };
         self.has_phases |= self.phase.level > 0 || self.phase.inner > 0;
         if let Some(traces) = &mut self.traces {
@@ -133,7 +132,7 @@ impl Observer for Recorder<'_> {
     /// Records the returned state as the last frame and how the run ended, fits the axes to it and flushes. A contact on
     /// another grid than the scene's, of a solver inside the solver, is left out.
     fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
-        if contact.problem.surface().grid() == self.stage.grid() {
+        if contact.problem.surface().grid() == &self.stage.grid {
             let recording = self.recording;
             recording.write(|_| self.log_last(contact))?;
         }

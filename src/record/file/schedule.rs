@@ -3,51 +3,39 @@
 use crate::grid::Grid;
 use std::collections::BTreeMap;
 
-/// Picks the steps whose fields are recorded: each n-th, or on each grid level densely at first and ever more sparsely
-/// later.
-#[derive(Debug, Clone)]
+/// Frames that grow ever sparser: all of the first `dense` steps, then `per_decade` frames for ten times as many steps;
+/// fewer on coarse grids.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Schedule {
+    dense: usize,
+    per_decade: f64,
+}
+
+/// Picks the steps whose fields are recorded: each n-th if n is given (0 counts as 1), or those of a schedule on each grid
+/// level.
 pub struct Thinning {
+    every: Option<usize>,
     schedule: Schedule,
     /// Steps seen of each level.
     seen: BTreeMap<usize, usize>,
 }
 
-/// Distance from frame to frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Schedule {
-    /// Each n-th step; 0 counts as 1.
-    Every(usize),
-    /// All of the first `dense` steps, then `per_decade` frames for ten times as many steps; fewer on coarse grids.
-    Geometric {
-        /// Steps drawn one by one.
-        dense: usize,
-        /// Frames per decade after that.
-        per_decade: f64,
-    },
-}
-
 impl Schedule {
     /// The schedule of lines, whose frames take some 30 kB: 68 frames of 1000 steps, 116 of 100 000.
-    pub const LINE: Self = Self::Geometric { dense: 32, per_decade: 24.0 };
+    const LINE: Self = Self { dense: 32, per_decade: 24.0 };
     /// The schedule of surfaces, whose frames take up to 2 MB: half as many.
-    pub const SURFACE: Self = Self::Geometric { dense: 16, per_decade: 12.0 };
-    /// Frames of a coarse grid, which is left after some tens of steps.
-    const COARSE: usize = 4;
+    const SURFACE: Self = Self { dense: 16, per_decade: 12.0 };
 
-    /// The schedule on `grid` unless the caller says otherwise.
+    /// The schedule on `grid`.
     pub fn on(grid: &Grid) -> Self {
         if grid.is_line() { Self::LINE } else { Self::SURFACE }
     }
 
-    /// Frames at the most, of so many steps on the finest grid above `coarser` ones; the last state counts.
+    /// Frames at the most, of so many steps on the finest grid above `coarser` ones, each of which is left after some tens of
+    /// steps and four frames; the last state counts.
     pub fn most_frames(self, steps: usize, coarser: usize) -> usize {
-        match self {
-            Self::Every(every) => steps / every.max(1) + 1 + coarser,
-            Self::Geometric { dense, per_decade } => {
-                let decades = (steps.max(dense) as f64 / dense as f64).log10();
-                steps.min(dense) + (per_decade * decades).ceil() as usize + 1 + Self::COARSE * coarser
-            }
-        }
+        let decades = (steps.max(self.dense) as f64 / self.dense as f64).log10();
+        steps.min(self.dense) + (self.per_decade * decades).ceil() as usize + 1 + 4 * coarser
     }
 }
 
@@ -55,9 +43,8 @@ impl Thinning {
     /// Frames of the finest grid for each frame of a coarse one.
     const COARSE: usize = 6;
 
-    /// The choice of `schedule`, before the first step.
-    pub fn new(schedule: Schedule) -> Self {
-        Self { schedule, seen: BTreeMap::new() }
+    pub fn new(every: Option<usize>, schedule: Schedule) -> Self {
+        Self { every, schedule, seen: BTreeMap::new() }
     }
 
     /// Whether no step of this level was seen yet.
@@ -69,14 +56,13 @@ impl Thinning {
     pub fn picks(&mut self, index: usize, level: usize) -> bool {
         let seen = self.seen.entry(level).or_default();
         *seen += 1;
-        match self.schedule {
-            Schedule::Every(every) => index.is_multiple_of(every.max(1)),
-            Schedule::Geometric { dense, per_decade } => {
-                let fewer = if level == 0 { 1 } else { Self::COARSE };
-                let place = |n: usize| (per_decade / fewer as f64 * (n as f64).log10()).floor();
-                *seen <= dense / fewer || place(*seen) > place(*seen - 1)
-            }
+        if let Some(every) = self.every {
+            return index.is_multiple_of(every.max(1));
         }
+        let Schedule { dense, per_decade } = self.schedule;
+        let fewer = if level == 0 { 1 } else { Self::COARSE };
+        let place = |n: usize| (per_decade / fewer as f64 * (n as f64).log10()).floor();
+        *seen <= dense / fewer || place(*seen) > place(*seen - 1)
     }
 }
 
@@ -84,21 +70,21 @@ impl Thinning {
 mod tests {
     use super::*;
 
-    fn frames(schedule: Schedule, steps: usize) -> Vec<usize> {
-        let mut thinning = Thinning::new(schedule);
+    fn frames(every: Option<usize>, schedule: Schedule, steps: usize) -> Vec<usize> {
+        let mut thinning = Thinning::new(every, schedule);
         (0..steps).filter(|&i| thinning.picks(i, 0)).collect()
     }
 
     #[test]
     fn the_automatic_schedule_is_dense_then_geometric() {
-        let picked = frames(Schedule::LINE, 100_000);
+        let picked = frames(None, Schedule::LINE, 100_000);
         assert!(picked[..32].iter().copied().eq(0..32));
         assert!((100..=150).contains(&picked.len()), "{}", picked.len());
         assert!(picked.windows(2).skip(40).all(|w| w[1] as f64 / w[0] as f64 <= 1.14));
-        assert!((50..=75).contains(&frames(Schedule::SURFACE, 100_000).len()));
+        assert!((50..=75).contains(&frames(None, Schedule::SURFACE, 100_000).len()));
         for steps in [5, 16, 100, 1234, 100_000] {
             for schedule in [Schedule::LINE, Schedule::SURFACE] {
-                let (made, most) = (frames(schedule, steps).len() + 1, schedule.most_frames(steps, 0));
+                let (made, most) = (frames(None, schedule, steps).len() + 1, schedule.most_frames(steps, 0));
                 assert!((made..=made + 2).contains(&most), "{made} frames of {steps} steps, not {most}");
             }
         }
@@ -106,13 +92,13 @@ mod tests {
 
     #[test]
     fn each_nth_step_is_picked() {
-        assert_eq!(frames(Schedule::Every(4), 10), [0, 4, 8]);
-        assert_eq!(frames(Schedule::Every(0), 3), [0, 1, 2]);
+        assert_eq!(frames(Some(4), Schedule::LINE, 10), [0, 4, 8]);
+        assert_eq!(frames(Some(0), Schedule::LINE, 3), [0, 1, 2]);
     }
 
     #[test]
     fn each_level_starts_anew_and_many_levels_stay_affordable() {
-        let mut thinning = Thinning::new(Schedule::LINE);
+        let mut thinning = Thinning::new(None, Schedule::LINE);
         let mut frames = 0;
         for level in (0..12).rev() {
             assert!(thinning.is_new(level));

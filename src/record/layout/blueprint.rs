@@ -1,20 +1,12 @@
 //! Writes a blueprint, the viewer's description of its own panes, into a recording.
 
 use crate::record::draw::{GROUND, colour};
-use rerun::external::re_log_types::{ApplicationId, BlueprintActivationCommand};
+use rerun::external::re_log_types::BlueprintActivationCommand;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::external::re_sdk_types::datatypes::{self, Uuid};
 use rerun::{AsComponents, RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 
 pub use components::ContainerKind as Kind;
-
-/// The time that the viewer shows, and how it passes.
-pub struct Clock {
-    /// Timeline that is active at first.
-    pub timeline: &'static str,
-    /// Frames per second when the recording is played.
-    pub frames_per_sec: f64,
-}
 
 /// A part of the window: a view, or panes side by side with their shares of the room.
 pub enum Pane {
@@ -25,7 +17,6 @@ pub enum Pane {
 }
 
 impl Pane {
-    /// A container of panes.
     pub fn container(kind: Kind, title: &str, panes: Vec<(Self, f32)>) -> Self {
         Self::Container(kind, title.into(), panes)
     }
@@ -58,7 +49,8 @@ impl View {
     pub fn plane(title: &str, origin: &str, contents: Vec<String>, [left, right, top, bottom]: [f64; 4]) -> Pane {
         let range = datatypes::Range2D { x_range: [left, right].into(), y_range: [top, bottom].into() };
         let bounds = panes::VisualBounds2D::new(components::VisualBounds2D(range));
-        Self::new("2D", title, origin, contents).with("VisualBounds2D", bounds).with("Background", ground()).pane()
+        let view = Self::new("2D", title, origin, contents).with("VisualBounds2D", bounds);
+        Pane::View(view.with("Background", ground()))
     }
 
     /// A picture in space, seen from the front, the right and above.
@@ -68,29 +60,22 @@ impl View {
             .with_position(eye)
             .with_look_target([0.2, -0.8, -1.6])
             .with_eye_up([0.0, 0.0, 1.0]);
-        Self::new("3D", title, origin, contents)
-            .with("EyeControls3D", eye)
-            .with("LineGrid3D", panes::LineGrid3D::new().with_visible(false))
-            .with("Background", ground())
-            .pane()
+        let view = Self::new("3D", title, origin, contents).with("EyeControls3D", eye);
+        let view = view.with("LineGrid3D", panes::LineGrid3D::new().with_visible(false));
+        Pane::View(view.with("Background", ground()))
     }
 
     /// Curves against time, their axis over `range` where it is known beforehand.
     pub fn curves(title: &str, contents: Vec<String>, range: Option<[f64; 2]>) -> Pane {
         let legend = panes::PlotLegend::new().with_corner(components::Corner2D::RightTop);
         let view = Self::new("TimeSeries", title, "/", contents).with("PlotLegend", legend);
-        let Some(range) = range else { return view.pane() };
+        let Some(range) = range else { return Pane::View(view) };
         let range = rerun::components::Range1D(range.into());
-        view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)).pane()
+        Pane::View(view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)))
     }
 
-    /// A text.
     pub fn text(title: &str, entity: String) -> Pane {
-        Self::new("TextDocument", title, &entity.clone(), vec![entity]).pane()
-    }
-
-    fn pane(self) -> Pane {
-        Pane::View(self)
+        Pane::View(Self::new("TextDocument", title, &entity.clone(), vec![entity]))
     }
 
     fn with(mut self, name: &'static str, property: impl AsComponents + 'static) -> Self {
@@ -103,14 +88,12 @@ fn ground() -> panes::Background {
     panes::Background::new(components::BackgroundKind::SolidColor).with_color(colour(GROUND))
 }
 
-/// Writes the blueprint of the viewer of `application` with `panes`, as tabs if there are several, into `recording`.
-pub fn send(
-    application: ApplicationId,
-    panes: Vec<Pane>,
-    clock: Clock,
-    recording: &RecordingStream,
-) -> RecordingStreamResult<()> {
-    let builder = RecordingStreamBuilder::new(application).recording_id("default_blueprint").blueprint();
+/// Writes the blueprint of its viewer into `recording`: `panes`, as tabs if there are several, and the
+/// timeline that is active at first with its frames per second.
+pub fn send(panes: Vec<Pane>, clock: (&'static str, f64), recording: &RecordingStream) -> RecordingStreamResult<()> {
+    let Some(shown) = recording.store_info() else { return Ok(()) };
+    let builder =
+        RecordingStreamBuilder::new(shown.application_id().clone()).recording_id("default_blueprint").blueprint();
     let (store, storage) = builder.enabled(true).memory()?;
     store.set_time_sequence("blueprint", 0);
     let mut blueprint = Blueprint { store, panes: 0 };
@@ -128,7 +111,7 @@ struct Blueprint {
 }
 
 impl Blueprint {
-    fn log(&mut self, panes: Vec<Pane>, clock: Clock) -> RecordingStreamResult<()> {
+    fn log(&mut self, panes: Vec<Pane>, clock: (&'static str, f64)) -> RecordingStreamResult<()> {
         let kind = if panes.len() > 1 { Kind::Tabs } else { Kind::Horizontal };
         let root = self.container(kind, "asperity".into(), panes.into_iter().map(|pane| (pane, 1.0)).collect())?;
         let viewport = panes::ViewportBlueprint::new().with_root_container(root);
@@ -173,14 +156,14 @@ impl Blueprint {
     }
 
     /// Side panels folded, time at the last frame.
-    fn log_panels(&self, clock: Clock) -> RecordingStreamResult<()> {
+    fn log_panels(&self, (timeline, frames_per_sec): (&'static str, f64)) -> RecordingStreamResult<()> {
         let folded = panes::PanelBlueprint::new().with_state(components::PanelState::Collapsed);
         self.store.log("blueprint_panel", &folded)?;
         self.store.log("selection_panel", &folded)?;
         let time = panes::TimePanelBlueprint::new()
             .with_state(components::PanelState::Collapsed)
-            .with_timeline(clock.timeline)
-            .with_fps(clock.frames_per_sec)
+            .with_timeline(timeline)
+            .with_fps(frames_per_sec)
             .with_play_state(components::PlayState::Following);
         self.store.log("time_panel", &time)
     }
@@ -211,7 +194,7 @@ mod tests {
     fn a_blueprint_arrives_and_its_store_ends_with_it() {
         let (recording, storage) = RecordingStreamBuilder::new("test").enabled(true).memory().unwrap();
         let text = View::text("text", "/text".into());
-        send("test".into(), vec![text], Clock { timeline: "step", frames_per_sec: 1.0 }, &recording).unwrap();
+        send(vec![text], ("step", 1.0), &recording).unwrap();
         assert!(!storage.take().is_empty());
         recording.disconnect();
         let (store, storage) = RecordingStreamBuilder::new("test").blueprint().enabled(true).memory().unwrap();

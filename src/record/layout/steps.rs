@@ -1,23 +1,18 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
-use super::blueprint::{Clock, Kind, Pane, View, send};
+use super::blueprint::{Kind, Pane, View, send};
 use crate::record::draw::{STEP, Stage, entity_under, title, traced};
 use crate::setup::Part;
-use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Frames per second when the steps are played.
 const FRAMES_PER_SEC: f64 = 30.0;
 
 /// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
-pub fn send_steps(
-    application: ApplicationId,
-    stages: &[Stage],
-    recording: &RecordingStream,
-) -> RecordingStreamResult<()> {
+pub fn send_steps(stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
     let overview = (stages.len() > 1).then(|| overview(stages));
     let tabs = overview.into_iter().chain(stages.iter().map(scene)).collect();
-    send(application, tabs, Clock { timeline: STEP, frames_per_sec: FRAMES_PER_SEC }, recording)
+    send(tabs, (STEP, FRAMES_PER_SEC), recording)
 }
 
 /// A picture of each scene, and their proportionality and convergence side by side.
@@ -29,7 +24,7 @@ fn overview(stages: &[Stage]) -> Pane {
     }
     if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
         let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
-        let most = stages.iter().map(|stage| stage.ranges.kappa).fold(0.0, f64::max);
+        let most = stages.iter().map(|stage| stage.most_kappa).fold(0.0, f64::max);
         let kappa_r = View::curves("kappa_r of all scenes", all("kappa_r"), Some([0.0, most]));
         let certificate = View::curves("log10 certificate of all scenes", all("certificate"), None);
         panes.push((Pane::even(Kind::Vertical, "curves", vec![kappa_r, certificate]), 1.0));
@@ -39,17 +34,18 @@ fn overview(stages: &[Stage]) -> Pane {
 
 /// Pictures on the left, curves and text on the right.
 fn scene(stage: &Stage) -> Pane {
-    let pictures = stage.what.has_pictures().then(|| (pictures(stage, None), 1.9));
+    let pictures = stage.what.has_pictures().then(|| (pictures(stage), 1.9));
     Pane::container(Kind::Horizontal, &stage.title, pictures.into_iter().chain([(curves(stage), 1.0)]).collect())
 }
 
-/// The views of the pictures, one row below the other, `more` in front of the second row.
-pub fn pictures(stage: &Stage, more: Option<Pane>) -> Pane {
-    let beside = if stage.is_line() { Kind::Tabs } else { Kind::Horizontal };
+/// The views of the pictures, one row below the other, the map of patches in front of the second row.
+pub fn pictures(stage: &Stage) -> Pane {
+    let beside = if stage.grid.is_line() { Kind::Tabs } else { Kind::Horizontal };
     let mut rows = views(stage);
-    if let Some(more) = more {
+    if let Some(map) = &stage.patches {
         rows.resize_with(rows.len().max(2), Vec::new);
-        rows[1].insert(0, more);
+        let contents = vec![format!("{}/**", map.root), stage.caption_entity()];
+        rows[1].insert(0, View::plane("Contact patches, load upwards", &stage.root, contents, map.bounds()));
     }
     let rows = rows.into_iter().filter(|row| !row.is_empty());
     let rows = rows.map(|row| (Pane::even(beside, "pictures", row), 1.0)).collect();
@@ -67,10 +63,10 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
         rows.push(vec![relief(stage)]);
     }
     if what.has(Part::Fields) {
-        let is_exact = stage.is_line() && stage.reference.relative_area.is_some();
+        let is_exact = stage.grid.is_line() && stage.exact[1].is_some();
         let pressure = if is_exact { "Pressure (white: exact)" } else { "Pressure" };
-        let gap = if !stage.is_line() && what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
-        rows.push(vec![plane(stage, "pressure", pressure, stage.is_line()), plane(stage, "gap", gap, true)]);
+        let gap = if !stage.grid.is_line() && what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
+        rows.push(vec![plane(stage, "pressure", pressure, stage.grid.is_line()), plane(stage, "gap", gap, true)]);
     }
     if let Some(spectrum) = &stage.spectrum {
         let (title, origin) = ("Power spectra (blue: displacement, grey: heights)", format!("{}/spectrum", stage.root));
@@ -117,8 +113,8 @@ fn curves(stage: &Stage) -> Pane {
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(Pane::even(Kind::Vertical, "Levels", levels));
     let rows = vec![
-        (View::curves("Proportionality kappa_r, kappa", kappa, Some([0.0, stage.ranges.kappa])), 1.3),
-        (View::curves("Relative contact area", area, Some([0.0, stage.ranges.area])), 0.9),
+        (View::curves("Proportionality kappa_r, kappa", kappa, Some([0.0, stage.most_kappa])), 1.3),
+        (View::curves("Relative contact area", area, Some([0.0, stage.most_area])), 0.9),
         (View::curves("Certificate: log10 of the error bound eta", beside(&["certificate"]), None), 1.2),
         (Pane::even(Kind::Tabs, "more", more), 1.2),
     ];

@@ -1,0 +1,61 @@
+//! The surfaces of trials.
+
+use crate::error::SetupError;
+use crate::grid::Grid;
+use crate::surface::{Field, Spectrum, Surface};
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
+
+type Shape = Result<Surface, SetupError>;
+
+/// Roughness on a grid of length 1, with a roll-off at a quarter of it and a short cut-off of eight spacings.
+pub fn rough(grid: Grid) -> Shape {
+    rough_with(grid, 0.8, 8.0, 0.1)
+}
+
+/// Roughness of another Hurst exponent, spacings of the short cut-off, and gradient.
+pub fn rough_with(grid: Grid, hurst: f64, spacings: f64, rms_gradient: f64) -> Shape {
+    let short_cutoff = 0.5 * spacings * grid.shortest_wavelength();
+    let rolloff_wavelength = (0.25 * grid.longest_wavelength()).max(1.5 * short_cutoff);
+    Ok(Surface::rough(grid, &Spectrum { hurst, rolloff_wavelength, short_cutoff, rms_gradient }, 1)?)
+}
+
+/// Heights drawn from [0, 1), each on its own.
+pub fn noise(grid: Grid) -> Shape {
+    let mut random = ChaCha8Rng::seed_from_u64(1);
+    Ok(Surface::new(grid, Field::from_shape_simple_fn(grid.shape(), || random.random::<f64>()))?)
+}
+
+/// Heights as a function of row and column.
+pub fn shaped(grid: Grid, height: impl Fn(usize, usize) -> f64) -> Shape {
+    Ok(Surface::new(grid, Field::from_shape_fn(grid.shape(), |(y, x)| height(y, x)))?)
+}
+
+/// A flat but for one node.
+pub fn spike(grid: Grid, node: [usize; 2]) -> Shape {
+    shaped(grid, |y, x| if [y, x] == node { 1.0 } else { 0.0 })
+}
+
+/// Roughness on an offset of a billion rms heights.
+pub fn offset(grid: Grid) -> Shape {
+    let surface = rough(grid)?;
+    let rms = (surface.heights().iter().map(|h| h * h).sum::<f64>() / grid.len() as f64).sqrt();
+    Ok(Surface::new(grid, surface.height() + 1e9 * rms)?)
+}
+
+/// Roughness whose heights are rounded to few values.
+pub fn plateaus(grid: Grid) -> Shape {
+    let surface = rough(grid)?;
+    let highest = surface.heights().iter().fold(0.0, |highest: f64, h| highest.max(h.abs()));
+    Ok(Surface::new(grid, surface.height().mapv(|h| (4.0 * h / highest).round()))?)
+}
+
+/// Two equal peaks, half a period apart, each a parabola.
+pub fn two_peaks(grid: Grid) -> Shape {
+    let [ny, nx] = grid.shape();
+    let half = nx / 2;
+    shaped(grid, |y, x| {
+        let (x, y) = ((x % half) as f64 / half as f64 - 0.5, y as f64 / ny as f64 - 0.5);
+        -x * x - if ny > 1 { y * y } else { 0.0 }
+    })
+}

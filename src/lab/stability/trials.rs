@@ -1,0 +1,229 @@
+//! All trials, by what is extreme about them.
+
+use super::shapes::{noise, offset, plateaus, rough, rough_with, shaped, spike, two_peaks};
+use super::trial::{Pose, Trial};
+use super::verdict::Demand;
+use crate::contact::{ContactModulus, Load, Problem};
+use crate::error::SetupError;
+use crate::grid::Grid;
+use crate::lab::Rival;
+use crate::surface::{Indenter, Surface};
+use crate::theory::{Westergaard, crossed_full_pressure};
+
+/// The load of most trials.
+const LOAD: Load = Load::ReducedPressure(0.05);
+/// Mean pressure over the modulus, where that is varied.
+const STRAIN: f64 = 0.01;
+/// Amplitude of waves.
+const AMPLITUDE: f64 = 0.01;
+
+/// The line and the surface of most trials, of length 1, with their names.
+type Grids = [(&'static str, Grid); 2];
+
+/// All trials, small ones if `is_quick`.
+///
+/// # Errors
+/// None that is known: the grids are fixed.
+pub fn trials(is_quick: bool) -> Result<Vec<Trial>, SetupError> {
+    let [points, side] = if is_quick { [1 << 10, 32] } else { [1 << 12, 128] };
+    let (line, surface) = (Grid::line(points, 1.0)?, Grid::surface([side; 2], [1.0; 2])?);
+    let grids = [("line", line), ("surface", surface)];
+    let mut trials = loads(grids);
+    trials.extend(around_full_contact(line, surface));
+    trials.extend(gaps(grids));
+    trials.extend(units(points));
+    trials.extend(heights(grids));
+    trials.extend(sizes(is_quick));
+    trials.extend(starts(grids));
+    trials.extend(inputs(line));
+    Ok(trials)
+}
+
+/// A surface on a grid under a load, with a modulus of 1.
+fn trial(
+    name: impl Into<String>,
+    grid: Grid,
+    load: Load,
+    surface: impl Fn(Grid) -> Result<Surface, SetupError> + 'static,
+) -> Trial {
+    Trial::new(name, move || pressed(surface(grid)?, load))
+}
+
+fn pressed(surface: Surface, load: Load) -> Result<Problem, SetupError> {
+    Ok(Problem::new(surface, ContactModulus(1.0), load)?)
+}
+
+/// Reduced pressures from 1e-12 to 10.
+fn loads(grids: Grids) -> Vec<Trial> {
+    let decades = |(kind, grid)| {
+        let of = move |decade| {
+            trial(format!("load-{kind}-1e{decade}"), grid, Load::ReducedPressure(10f64.powi(decade)), rough)
+        };
+        (-12..=1).map(of)
+    };
+    grids.into_iter().flat_map(decades).collect()
+}
+
+/// Waves close to full contact and beyond it.
+fn around_full_contact(line: Grid, surface: Grid) -> Vec<Trial> {
+    let [sine, crossed] = [Indenter::Sine { amplitude: AMPLITUDE }, Indenter::CrossedSine { amplitude: AMPLITUDE }];
+    let full = Westergaard { amplitude: AMPLITUDE, period: 1.0, contact_modulus: 1.0 }.full_pressure();
+    let crossed_full = crossed_full_pressure(AMPLITUDE, [1.0, 1.0], 1.0);
+    let waves = [("sine", sine, line, full), ("crossed-sine", crossed, surface, crossed_full)];
+    let shares = |(name, wave, grid, full): (&str, Indenter, Grid, f64)| {
+        [0.999, 0.9999, 1.0, 1.001].map(|share| {
+            let load = Load::MeanPressure(share * full);
+            trial(format!("{name}-{share}-of-full"), grid, load, move |grid| Ok(wave.surface(grid)?))
+        })
+    };
+    waves.into_iter().flat_map(shares).collect()
+}
+
+/// Mean gaps from just below the highest peak to near zero.
+fn gaps(grids: Grids) -> Vec<Trial> {
+    let trial = |name, grid, [of_peak, of_rms]: [f64; 2]| {
+        let trial = Trial::new(name, move || apart(grid, of_peak, of_rms));
+        Trial { is_at_mean_gap: true, ..trial }
+    };
+    let of_kind = |(kind, grid): (&str, Grid)| {
+        let far = [1.0 - 1e-9, 0.999, 0.5];
+        let far = far.map(|share| trial(format!("gap-{kind}-peak-{share}"), grid, [share, 0.0]));
+        let near = [1e-2, 1e-4, 1e-8];
+        let near = near.map(|share| trial(format!("gap-{kind}-rms-{share:e}"), grid, [0.0, share]));
+        far.into_iter().chain(near)
+    };
+    grids.into_iter().flat_map(of_kind).collect()
+}
+
+/// A rough surface at a mean gap that is so many times its highest peak, or its rms height.
+fn apart(grid: Grid, of_peak: f64, of_rms: f64) -> Result<Problem, SetupError> {
+    let problem = pressed(rough(grid)?, Load::ReducedPressure(0.1))?;
+    let peak = problem.height().iter().fold(0.0, |highest: f64, &h| highest.max(h));
+    let mean_gap = of_peak * peak + of_rms * problem.rms_height();
+    Ok(problem.with_load(Load::MeanGap(mean_gap))?)
+}
+
+/// Units of length and pressure, with results that must be those of the unit case.
+fn units(points: usize) -> Vec<Trial> {
+    let trial = |[length, modulus]: [f64; 2]| {
+        let pose = move || posed(points, [length; 2], modulus, STRAIN * modulus);
+        let twin: Pose = Box::new(move || posed(points, [1.0; 2], 1.0, STRAIN));
+        // close enough to the solution for its dimensionless results to agree
+        let trial = Trial::new(format!("length-{length:e}-modulus-{modulus:e}"), pose).to(1e-12);
+        Trial { twin: Some(twin), ..trial }
+    };
+    let alone = [[1e-12, 1.0], [1e12, 1.0], [1.0, 1e-15], [1.0, 1e15]];
+    let together = [[1e-12, 1e-15], [1e-12, 1e15], [1e12, 1e-15], [1e12, 1e15]];
+    alone.into_iter().chain(together).map(trial).collect()
+}
+
+/// A rough line of some length and unit of heights, modulus and mean pressure.
+fn posed(points: usize, [length, unit]: [f64; 2], modulus: f64, pressure: f64) -> Result<Problem, SetupError> {
+    let heights = rough(Grid::line(points, 1.0)?)?.height() * unit;
+    let surface = Surface::new(Grid::line(points, length)?, heights)?;
+    Ok(Problem::new(surface, ContactModulus(modulus), Load::MeanPressure(pressure))?)
+}
+
+/// Heights that are offset, rough to the last node, steep, stepped, tied, or alone.
+fn heights(grids: Grids) -> Vec<Trial> {
+    let [(_, line), (_, surface)] = grids;
+    let mut trials: Vec<Trial> = grids.into_iter().flat_map(|(kind, grid)| heights_on(kind, grid)).collect();
+    let punch = |grid| Ok(Indenter::Punch { half_width: 0.2, depth: 0.1 }.surface(grid)?);
+    trials.extend(grids.map(|(kind, grid)| trial(format!("punch-{kind}"), grid, Load::MeanPressure(0.01), punch)));
+    // upside down they touch at the edge of the cell
+    let bodies = [
+        ("bowl-line", Indenter::Cylinder { radius: 1.0 }, line),
+        ("bowl-surface", Indenter::Sphere { radius: 1.0 }, surface),
+    ];
+    trials.extend(bodies.map(|(name, body, grid)| {
+        let bowl = move |grid| Ok(Surface::new(grid, -body.surface(grid)?.height())?);
+        trial(name, grid, Load::MeanPressure(0.01), bowl)
+    }));
+    // a spike over flat ground: pressed hard enough, both touch
+    trials.extend([9e-3, 2e-2].map(|pressure| {
+        Trial::new(format!("spike-51x28-{pressure:e}"), move || {
+            let grid = Grid::surface([51, 28], [1.0, 1.0])?;
+            pressed(spike(grid, [25, 14])?, Load::ReducedPressure(pressure))
+        })
+    }));
+    trials
+}
+
+/// Heights of lines and surfaces alike.
+fn heights_on(kind: &str, grid: Grid) -> Vec<Trial> {
+    let shapes: [(&str, fn(Grid) -> Result<Surface, SetupError>); 11] = [
+        ("offset-1e9", offset),
+        ("hurst-0.01", |grid| rough_with(grid, 0.01, 2.0, 0.1)),
+        ("hurst-1", |grid| rough_with(grid, 1.0, 2.0, 0.1)),
+        ("white-noise", noise),
+        ("slope-1e-9", |grid| rough_with(grid, 0.8, 8.0, 1e-9)),
+        ("slope-1e3", |grid| rough_with(grid, 0.8, 8.0, 1e3)),
+        ("plateaus", plateaus),
+        ("two-peaks", two_peaks),
+        ("comb", |grid| shaped(grid, |y, x| if (x + y).is_multiple_of(2) { 1.0 } else { 0.0 })),
+        ("steps", |grid| shaped(grid, |y, x| ((x / 8) % 4 + (y / 8) % 4) as f64)),
+        ("spike", |grid| spike(grid, [0, 3])),
+    ];
+    shapes.map(|(name, shape)| trial(format!("{name}-{kind}"), grid, LOAD, shape)).into()
+}
+
+/// White noise on grids that are small, odd, prime or long, and lines fine enough to be stiff.
+fn sizes(is_quick: bool) -> Vec<Trial> {
+    let line = |points| Trial::new(format!("grid-{points}"), move || pressed(noise(Grid::line(points, 1.0)?)?, LOAD));
+    let surface = |shape, size| {
+        let ([ny, nx], [ly, lx]): ([usize; 2], [f64; 2]) = (shape, size);
+        let aspect = if ly == lx { String::new() } else { format!("-size-{ly}x{lx}") };
+        Trial::new(format!("grid-{ny}x{nx}{aspect}"), move || pressed(noise(Grid::surface(shape, size)?)?, LOAD))
+    };
+    // the stiffest wave is half the number of points as stiff as the softest
+    let stiff = |power: u32| {
+        let pose = move || pressed(rough(Grid::line(1 << power, 1.0)?)?, LOAD);
+        Trial { rivals: &Rival::ALL, ..Trial::new(format!("stiff-2^{power}"), pose) }
+    };
+    let mut trials = Vec::from([4, 5, 7, 255, 251, 1021].map(line));
+    trials.extend([[4, 4], [5, 7], [15, 33], [31, 37], [4, 4096]].map(|shape| surface(shape, [1.0, 1.0])));
+    trials.extend([surface([4, 4096], [1.0, 1024.0]), surface([32, 32], [1.0, 1000.0])]);
+    trials.push(surface([3, 4096], [1.0, 1.0]).demanding(Demand::Refusal));
+    let powers: &[u32] = if is_quick { &[14] } else { &[14, 18] };
+    trials.extend(powers.iter().copied().map(stiff));
+    trials
+}
+
+/// Starts from garbage, and goals below rounding.
+fn starts(grids: Grids) -> Vec<Trial> {
+    let garbage = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0, 1e300, 1e-300];
+    let starts = garbage
+        .map(|garbage| Trial { start: Some(garbage), ..trial(format!("start-{garbage:e}"), grids[0].1, LOAD, rough) });
+    let limits = grids.map(|(kind, grid)| {
+        trial(format!("tolerance-1e-16-{kind}"), grid, LOAD, rough).to(1e-16).demanding(Demand::Limit)
+    });
+    starts.into_iter().chain(limits).collect()
+}
+
+/// Values that are not numbers, not positive, or barely so.
+fn inputs(line: Grid) -> Vec<Trial> {
+    // a line of heights that depend on the column
+    let heights = |name: &str, height: fn(usize) -> f64, demand| {
+        let surface = move |grid| shaped(grid, |_, x| height(x));
+        trial(name, line, Load::MeanPressure(STRAIN), surface).demanding(demand)
+    };
+    let refused = |name: &str, value: f64, [length, modulus, pressure]: [f64; 3]| {
+        let pose = move || posed(64, [length, 1.0], modulus, pressure);
+        Trial::new(format!("{name}-{value:e}"), pose).demanding(Demand::Refusal)
+    };
+    let not_positive = [f64::NAN, f64::INFINITY, -1.0, 0.0, 1e-310];
+    let mut trials = vec![
+        heights("flat", |_| 7.0, Demand::Refusal),
+        heights("height-NaN", |x| if x == 5 { f64::NAN } else { x as f64 }, Demand::Refusal),
+        heights("height-inf", |x| if x == 5 { f64::INFINITY } else { x as f64 }, Demand::Refusal),
+        heights("height-1e308", |x| if x % 2 == 0 { 1e308 } else { -1e308 }, Demand::Either),
+        heights("height-1e-310", |x| 1e-310 * (x % 7) as f64, Demand::Either),
+    ];
+    trials.extend(not_positive.map(|value| refused("length", value, [value, 1.0, STRAIN])));
+    trials.extend(not_positive.map(|value| refused("modulus", value, [1.0, value, STRAIN])));
+    trials.extend(not_positive.map(|value| refused("pressure", value, [1.0, 1.0, value])));
+    trials.extend([f64::NAN, -1.0, 0.0].map(|tolerance| {
+        trial(format!("tolerance-{tolerance:e}"), line, LOAD, rough).to(tolerance).demanding(Demand::Refusal)
+    }));
+    trials
+}

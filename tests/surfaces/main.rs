@@ -1,0 +1,7 @@
+//! Surfaces: heights, indenters, random roughness and statistics.
+
+mod heights;
+mod indenter;
+mod rough;
+mod roughness;
+mod spectrum;
