@@ -7,11 +7,6 @@ use crate::error::GridError;
 /// A line is the grid of shape `(1, n)`: its single row has no extent, and nothing varies along it. A solver never asks
 /// which of the two it works on; only spectral exponents, statistics and pictures do.
 ///
-/// | field   | meaning                            | unit   |
-/// |---------|------------------------------------|--------|
-/// | `shape` | `(ny, nx)`, points along y and x   | -      |
-/// | `size`  | `(ly, lx)`, periods along y and x  | length |
-///
 /// ```
 /// use asperity::Grid;
 /// let grid = Grid::surface([64, 128], [1.0, 4.0])?;
@@ -38,10 +33,7 @@ impl Grid {
     /// [`GridError`] for fewer than [`Grid::MIN_POINTS`] points, for more than [`Grid::MAX_POINTS`], or for a length that
     /// is not positive and finite.
     pub fn line(points: usize, length: f64) -> Result<Self, GridError> {
-        check_points(points, "x")?;
-        check_total([1, points])?;
-        check_length(length, "x")?;
-        Ok(Self { shape: [1, points], size: [1.0, length] })
+        Self { shape: [1, points], size: [1.0, length] }.checked(&["x"])
     }
 
     /// A surface of `[ny, nx]` points and periods `[ly, lx]`.
@@ -49,12 +41,25 @@ impl Grid {
     /// # Errors
     /// The errors of [`Grid::line`], for either axis.
     pub fn surface(shape: [usize; 2], size: [f64; 2]) -> Result<Self, GridError> {
-        for (axis, (&n, &length)) in ["y", "x"].iter().zip(shape.iter().zip(&size)) {
-            check_points(n, axis)?;
-            check_length(length, axis)?;
+        Self { shape, size }.checked(&["y", "x"])
+    }
+
+    /// The grid, if it can be along the last `axes`.
+    fn checked(self, axes: &[&'static str]) -> Result<Self, GridError> {
+        let Self { shape, size } = self;
+        for (i, &axis) in (2 - axes.len()..).zip(axes) {
+            let (points, length) = (shape[i], size[i]);
+            if points < Self::MIN_POINTS {
+                return Err(GridError::TooFewPoints { axis, points });
+            }
+            if !(length.is_finite() && length > 0.0) {
+                return Err(GridError::Length { axis, length });
+            }
         }
-        check_total(shape)?;
-        Ok(Self { shape, size })
+        match shape[0].checked_mul(shape[1]) {
+            Some(points) if points <= Self::MAX_POINTS => Ok(self),
+            _ => Err(GridError::TooManyPoints { shape }),
+        }
     }
 
     /// Points along y and x.
@@ -125,19 +130,4 @@ impl Grid {
             (0..ny).map(move |_| weight)
         })
     }
-}
-
-fn check_points(points: usize, axis: &'static str) -> Result<(), GridError> {
-    if points < Grid::MIN_POINTS { Err(GridError::TooFewPoints { axis, points }) } else { Ok(()) }
-}
-
-fn check_total(shape: [usize; 2]) -> Result<(), GridError> {
-    match shape[0].checked_mul(shape[1]) {
-        Some(points) if points <= Grid::MAX_POINTS => Ok(()),
-        _ => Err(GridError::TooManyPoints { shape }),
-    }
-}
-
-fn check_length(length: f64, axis: &'static str) -> Result<(), GridError> {
-    if length.is_finite() && length > 0.0 { Ok(()) } else { Err(GridError::Length { axis, length }) }
 }

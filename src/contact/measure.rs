@@ -1,7 +1,6 @@
 //! What the paper measures on a contact.
 
-use crate::contact::Problem;
-use crate::contact::chunks;
+use crate::contact::{Problem, chunks};
 use crate::surface::Surface;
 
 /// Excess of counted nodes over the true contact of a line, per switch between contact and gap, in nodes.

@@ -52,14 +52,14 @@ impl Solver for Gfmd {
         let status = loop {
             surface.pull();
             let certificate = probe.certify(problem, &surface.p, &mut run);
-            let work = run.work(surface.half_space.transforms() + probe.transforms());
+            let work = run.work(surface.half_space.transforms() + probe.half_space.transforms());
             if let Some(status) = run.show(&surface.step(work, certificate)) {
                 break status;
             }
             surface.advance(&mut pace);
             run.advance();
         };
-        let transforms = surface.half_space.transforms() + probe.transforms();
+        let transforms = surface.half_space.transforms() + probe.half_space.transforms();
         drop(surface);
         Ok(run.finish_after(status, transforms, probe.into_half_space()))
     }

@@ -1,7 +1,7 @@
 //! The surface in motion.
 
 use super::Masses;
-use super::pace::{Pace, Push};
+use super::pace::Pace;
 use crate::contact::{Problem, Step, Work, chunks};
 use crate::elastic::HalfSpace;
 use crate::surface::Field;
@@ -59,7 +59,7 @@ impl<'a> Moving<'a> {
     /// One step of the dynamics, and back onto the wall where it was passed.
     pub fn advance(&mut self, pace: &mut Pace) {
         self.accelerate();
-        let Push { keep, add } = pace.push(&self.f, &self.dw, &self.a);
+        let [keep, add] = pace.push(&self.f, &self.dw, &self.a);
         let (h, a, p) = (self.problem.height(), &self.a, &self.p);
         chunks::update_both(&mut self.w, &mut self.dw, |range, w, dw| {
             for ((i, w), dw) in range.zip(w).zip(dw) {

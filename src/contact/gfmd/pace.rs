@@ -15,12 +15,6 @@ const TURN_DECAY: f64 = 0.99;
 /// modes themselves, from trials on rough lines and surfaces between `p* = 1e-3` and full contact.
 const SLACK: f64 = 16.0;
 
-/// The next advance is `keep * dw + add * a`.
-pub(super) struct Push {
-    pub keep: f64,
-    pub add: f64,
-}
-
 /// Chooses each step's share of old velocity and new force.
 pub(super) struct Pace {
     /// `dt^2 / m` at the largest stable time step allowed.
@@ -56,21 +50,22 @@ impl Pace {
         Self { step, kind }
     }
 
-    /// The push after an advance `dw`, under the net force `f` and the acceleration `a`.
-    pub fn push(&mut self, f: &[f64], dw: &[f64], a: &[f64]) -> Push {
+    /// The shares `keep` and `add` of the next advance `keep * dw + add * a`, after an advance `dw`, under the net force `f` and
+    /// the acceleration `a`.
+    pub fn push(&mut self, f: &[f64], dw: &[f64], a: &[f64]) -> [f64; 2] {
         let step = self.step;
         match &mut self.kind {
             // the friction acts on the mean of the advances before and after, which leaves the stability limit where it is
             Kind::Damped { friction } => {
                 let share = 1.0 / (1.0 + *friction);
-                Push { keep: share * (1.0 - *friction), add: share * step }
+                [share * (1.0 - *friction), share * step]
             }
             Kind::Fire { dt, turn, falling } => {
                 let power = chunks::sum(f.len(), |i| f[i] * dw[i]);
                 let before = *dt;
                 if power < 0.0 {
                     (*dt, *turn, *falling) = (*dt * CUT, TURN, 0);
-                    return Push { keep: 0.0, add: step * dt.powi(2) };
+                    return [0.0, step * dt.powi(2)];
                 }
                 *falling += 1;
                 let share = *turn;
@@ -81,7 +76,7 @@ impl Pace {
                 let pull = chunks::sum(a.len(), |i| a[i].powi(2)).sqrt();
                 let turned = if pull > 0.0 { share * speed / pull } else { 0.0 };
                 let stretch = *dt / before;
-                Push { keep: stretch * (1.0 - share), add: stretch * turned + step * dt.powi(2) }
+                [stretch * (1.0 - share), stretch * turned + step * dt.powi(2)]
             }
         }
     }

@@ -8,7 +8,7 @@ const RARITY: usize = 50;
 
 /// Scales the constraint forces to the load and certifies them as a pressure, at a thinning share of the steps.
 pub(super) struct Probe {
-    half_space: HalfSpace,
+    pub half_space: HalfSpace,
     pressure: Vec<f64>,
     displacement: Vec<f64>,
     next: usize,
@@ -19,10 +19,6 @@ impl Probe {
         let n = problem.nodes();
         let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
         Self { half_space, pressure: vec![0.0; n], displacement: vec![0.0; n], next: 0 }
-    }
-
-    pub fn transforms(&self) -> u64 {
-        self.half_space.transforms()
     }
 
     /// Its half-space, when all is done.

@@ -141,7 +141,7 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     chunks::sum(a.len(), |i| a[i] * b[i])
 }
 
-fn mean(values: &[f64]) -> f64 {
+pub(super) fn mean(values: &[f64]) -> f64 {
     chunks::sum(values.len(), |i| values[i]) / values.len() as f64
 }
 

@@ -1,6 +1,6 @@
 //! The iteration on one grid.
 
-use super::correction::Correction;
+use super::correction::{Correction, mean};
 use super::extension::Extension;
 use super::support::{Pressure, RowOfNodes, Support};
 use crate::chunks;
@@ -207,7 +207,7 @@ impl<'a> Level<'a> {
         drop(extension);
         self.is_fresh = false;
         self.refresh();
-        let lambda = gap.map_or_else(|| self.mean_v_of_set(), |gap| -gap);
+        let lambda = gap.map_or_else(|| mean(&self.on_set(|v| v)), |gap| -gap);
         if self.exchange(lambda) {
             self.pressure.carry(self.problem);
             self.is_fresh = false;
@@ -240,11 +240,6 @@ impl<'a> Level<'a> {
             piece.iter_mut().zip(nodes).for_each(|(value, x)| *value = of(u[row * width + x] - h[row * width + x]));
         });
         result
-    }
-
-    fn mean_v_of_set(&self) -> f64 {
-        let v = self.on_set(|v| v);
-        chunks::sum(v.len(), |i| v[i]) / v.len() as f64
     }
 
     /// The half-space; the rest is dropped.
