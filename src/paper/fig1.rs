@@ -62,7 +62,8 @@ fn ramp(points: &Points) -> Ramp {
         let every = points.named(name).count().saturating_sub(1) / (widths.len() - 1);
         points.values(name, quantity).step_by(every.max(1)).collect::<Vec<_>>()
     };
-    let curve = |name, colour| RampCurve::new("κ_r corrected", name, colour, each(name, |it| it.kappa_r_corrected));
+    let curve =
+        |name, colour| RampCurve::new("κ_r corrected", name, colour, each(name, |it| it.kappa_r_corrected).into_iter());
     Ramp {
         captions: captions("a/L", &widths),
         cursor: each("cylinder", |it| it.reduced_pressure_contact),

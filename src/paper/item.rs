@@ -47,10 +47,4 @@ impl Item {
             Self::Beyond => &[Self::Beyond],
         }
     }
-
-    /// Whether the item is of single indenters. Their contacts may be so narrow that the rms height, which the certificate is
-    /// over, is no measure of what happens in them.
-    pub(super) fn is_smooth(self) -> bool {
-        matches!(self, Self::Table1 | Self::Fig1 | Self::Beyond)
-    }
 }

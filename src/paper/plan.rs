@@ -15,7 +15,8 @@ use std::path::PathBuf;
 const LOADS: [f64; 2] = [1e-3, 1e-1];
 /// Iterations at the most; a point takes some tens.
 const MAX_ITERATIONS: usize = 2000;
-/// Certificate of smooth indenters.
+/// Certificate of smooth indenters. Their contacts may be so narrow that the rms height, which the certificate is over, is no
+/// measure of what happens in them.
 const SMOOTH_TOLERANCE: f64 = 1e-12;
 /// The share of the free memory that sweeps may fill.
 const MEMORY: f64 = 0.8;
@@ -89,10 +90,7 @@ impl Paper {
 
     /// Refuses a folder that cannot be written into, surfaces and loads that cannot be or do not fit in memory, and to replace
     /// the points of another study.
-    ///
-    /// # Errors
-    /// [`StudyError::List`], [`StudyError::Setup`], [`StudyError::File`] and [`StudyError::OtherStudy`].
-    pub fn check(&self, items: &[Item]) -> Result<(), StudyError> {
+    pub(super) fn check(&self, items: &[Item]) -> Result<(), StudyError> {
         if self.folder.is_file() {
             let reason = "it is a file, give a folder".into();
             return Err(FileError::Target { path: self.folder.clone(), reason }.into());
@@ -134,15 +132,21 @@ impl Paper {
             Item::Fig3 | Item::Fig5 | Item::Gw => Vec::new(),
         };
         let realisations = self.stopping(item, realisations)?;
-        let bytes = realisations.iter().map(bytes).collect::<Result<Vec<_>, _>>()?;
-        let fit = available_bytes().map_or(1.0, |free| MEMORY * free / bytes.into_iter().fold(1.0, f64::max));
+        let mut bytes = 1.0f64;
+        for realisation in &realisations {
+            let cost = realisation.setup.cost(false, false)?;
+            // the pressure of the load before included
+            bytes = bytes.max(cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes);
+        }
+        let fit = available_bytes().map_or(1.0, |free| MEMORY * free / bytes);
         let workers = self.workers.unwrap_or((fit as usize).clamp(1, rayon::current_num_threads()));
         Ok(Sweep { realisations, workers })
     }
 
     /// Realisations of an item, solved to its certificate.
     pub(super) fn stopping(&self, item: Item, realisations: Vec<Realisation>) -> Result<Vec<Realisation>, SetupError> {
-        let tolerance = if item.is_smooth() { self.tolerance.min(SMOOTH_TOLERANCE) } else { self.tolerance };
+        let is_smooth = matches!(item, Item::Table1 | Item::Fig1 | Item::Beyond);
+        let tolerance = if is_smooth { self.tolerance.min(SMOOTH_TOLERANCE) } else { self.tolerance };
         let stop = Stop::new(tolerance, MAX_ITERATIONS)?;
         let stopping = |mut realisation: Realisation| {
             realisation.setup.stop = stop;
@@ -160,12 +164,6 @@ impl Paper {
     pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
-}
-
-/// Bytes that solving a realisation takes, the pressure of the load before included.
-fn bytes(realisation: &Realisation) -> Result<f64, SetupError> {
-    let cost = realisation.setup.cost(false, false)?;
-    Ok(cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes)
 }
 
 /// Reduced pressures equally far apart in their logarithm.

@@ -47,13 +47,8 @@ pub struct RampCurve {
 
 impl RampCurve {
     /// A curve through `values`.
-    pub fn new(
-        view: &'static str,
-        name: impl Into<String>,
-        colour: Colour,
-        values: impl IntoIterator<Item = f64>,
-    ) -> Self {
-        Self { view, name: name.into(), colour, values: values.into_iter().collect() }
+    pub fn new(view: &'static str, name: impl Into<String>, colour: Colour, values: impl Iterator<Item = f64>) -> Self {
+        Self { view, name: name.into(), colour, values: values.collect() }
     }
 }
 

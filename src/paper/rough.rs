@@ -173,7 +173,7 @@ impl Rough {
     ) -> Ramp {
         let each = |&(view, name, shades, quantity): &(&'static str, &str, &[Colour], Q)| {
             let curve = |(&hurst, &colour)| {
-                RampCurve::new(view, format!("{name}, H = {hurst}"), colour, values(hurst, quantity))
+                RampCurve::new(view, format!("{name}, H = {hurst}"), colour, values(hurst, quantity).into_iter())
             };
             self.hurst.iter().zip(shades.iter().cycle()).map(curve).collect::<Vec<_>>()
         };

@@ -47,7 +47,8 @@ impl Paper {
     /// runs on other items.
     ///
     /// # Errors
-    /// The errors of [`Paper::check`], before anything is solved, and files that cannot be written.
+    /// Before anything is solved, for a folder that cannot be written into or holds another study, and for surfaces and loads
+    /// that cannot be or do not fit in memory. Later for files that cannot be written.
     pub fn run(&self, items: &[Item], watch: Watch<'_>) -> Result<Comparison, StudyError> {
         self.check(items)?;
         self.prepare(items)?;

@@ -16,8 +16,11 @@ pub fn realisations(side: usize) -> Vec<Realisation> {
 
 /// Load, gradient and `kappa_r` of each, in units of `E*`, `R` and the half-width `c`.
 pub fn reproduce(points: &Points) -> Reproduction {
-    let of = |name: &str, quantity: fn(&Point) -> f64| Spread::of(points.named(name).map(quantity));
+    let of = |name, quantity: fn(&Point) -> f64| Spread::of(points.named(name).map(quantity));
     let kappa_r = ["cylinder", "sphere"].map(|name| of(name, |row| row.observables.kappa_r_corrected));
+    let gradient = |row: &Point| row.observables.rms_gradient_contact * RADIUS / half_width(row);
+    let line_load = |row: &Point| strain(row) * PERIOD * RADIUS / half_width(row).powi(2);
+    let point_load = |row: &Point| strain(row) * PERIOD * PERIOD * RADIUS / half_width(row).powi(3);
     let verdicts = vec![
         Verdict::number("table1.load.line", "", of("cylinder", line_load)),
         Verdict::number("table1.gradient.line", "", of("cylinder", gradient)),
@@ -28,19 +31,4 @@ pub fn reproduce(points: &Points) -> Reproduction {
         Verdict::exact("table1.ratio", "corrected", kappa_r[0].mean / kappa_r[1].mean),
     ];
     Reproduction { figure: None, verdicts }
-}
-
-/// `L R / (E* c^2)`.
-fn line_load(row: &Point) -> f64 {
-    strain(row) * PERIOD * RADIUS / half_width(row).powi(2)
-}
-
-/// `L R / (E* c^3)`.
-fn point_load(row: &Point) -> f64 {
-    strain(row) * PERIOD * PERIOD * RADIUS / half_width(row).powi(3)
-}
-
-/// `gbar_r R / c`.
-fn gradient(row: &Point) -> f64 {
-    row.observables.rms_gradient_contact * RADIUS / half_width(row)
 }

@@ -7,9 +7,7 @@ use super::sheet::{Align, Sheet, rectangle};
 /// A box with two axes on a sheet.
 #[derive(Debug, Clone)]
 pub struct Frame {
-    /// Axis to the right.
     pub x: Axis,
-    /// Axis upwards.
     pub y: Axis,
     /// Upper left corner of the box.
     pub corner: [f64; 2],
@@ -19,12 +17,10 @@ pub struct Frame {
     pub text: f64,
 }
 
-/// A side of the box with an axis.
+/// A side of the box with an axis: the x axis below, the y axis to the left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// Lower side, with the x axis.
     Below,
-    /// Left side, with the y axis.
     Left,
 }
 
