@@ -1,14 +1,13 @@
 //! Rigid surfaces: heights on a grid, peaks towards the solid positive.
 
-mod files;
+mod formats;
 mod indenter;
-mod member;
 mod roughness;
 mod spectrum;
 mod synthesis;
 
-pub(crate) use files::read_text;
-pub use files::{read_heights, read_shape, write_heights};
+pub(crate) use formats::read_text;
+pub use formats::{read_heights, read_shape, write_heights};
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
 pub use roughness::{PowerSpectrum, Roughness};

@@ -1,8 +1,19 @@
-//! Members of `.npz` archives.
+//! NumPy's `.npz`, an archive of arrays.
 
+use super::{Format, malformed, npy};
 use std::fs::File;
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
+
+/// The array `height` of an archive, such as a result.
+pub(super) const FORMAT: Format = Format {
+    is_it: is_archive,
+    shape: |file| find_member(file, HEIGHT).and_then(|place| npy::shape(file, place)),
+    read: |file| find_member(file, HEIGHT).and_then(|place| npy::read(file, place)),
+};
+
+/// The array of an archive that holds the heights.
+const HEIGHT: &str = "height";
 
 /// The start of an archive and of each of its members.
 const MARK: [u8; 4] = *b"PK\x03\x04";
@@ -10,19 +21,29 @@ const MARK: [u8; 4] = *b"PK\x03\x04";
 const HEAD: usize = 30;
 
 /// Whether a file is an archive.
-pub fn is_archive(file: &mut File) -> bool {
+pub(super) fn is_archive(file: &mut File) -> bool {
     let mut start = [0; MARK.len()];
     file.rewind().and_then(|()| file.read_exact(&mut start)).is_ok() && start == MARK
+}
+
+/// The text that an archive carries as an array of bytes.
+pub(super) fn text(file: &mut File, name: &str) -> io::Result<String> {
+    let place = find_member(file, name)?;
+    let (_, start) = npy::header(file, &place)?;
+    let mut text = String::new();
+    file.seek(SeekFrom::Start(start))?;
+    file.take(place.end - start).read_to_string(&mut text)?;
+    Ok(text)
 }
 
 /// The bytes of a member within an archive. Nothing of a claimed size is allocated.
 ///
 /// # Errors
 /// The reason, where there is no such member, or it is compressed, or the archive is cut short.
-pub fn find_member(file: &mut File, name: &str) -> Result<Range<u64>, String> {
-    let missing = || format!("it is an archive without the array `{name}`");
-    let cut_short = |error: std::io::Error| format!("it is a broken archive ({error})");
-    let bytes = file.metadata().map_err(cut_short)?.len();
+fn find_member(file: &mut File, name: &str) -> io::Result<Range<u64>> {
+    let missing = || malformed(format!("it is an archive without the array `{name}`"));
+    let cut_short = |error: io::Error| malformed(format!("it is a broken archive ({error})"));
+    let bytes = file.metadata()?.len();
     let mut at = 0;
     loop {
         let mut head = [0; HEAD];
@@ -40,10 +61,11 @@ pub fn find_member(file: &mut File, name: &str) -> Result<Range<u64>, String> {
         };
         let end = size.and_then(|size| start.checked_add(size)).filter(|&end| end <= bytes);
         let is_plain = head[6] & 0b1001 == 0;
-        at = end.filter(|_| is_plain).ok_or("it is an archive that is cut short, encrypted or streamed")?;
+        let cut = || malformed("it is an archive that is cut short, encrypted or streamed");
+        at = end.filter(|_| is_plain).ok_or_else(cut)?;
         if found.strip_suffix(b".npy") == Some(name.as_bytes()) {
             let is_stored = number(&head[8..10]) == 0;
-            return if is_stored { Ok(start..at) } else { Err("it is compressed: save it by numpy.savez".into()) };
+            return if is_stored { Ok(start..at) } else { Err(malformed("it is compressed: save it by numpy.savez")) };
         }
     }
 }

@@ -1,0 +1,103 @@
+//! Files of heights, told apart by their content.
+
+mod npy;
+mod npz;
+
+use crate::error::FileError;
+use crate::files::write_beside;
+use ndarray::{ArrayD, ArrayViewD};
+use ndarray_npy::{WriteNpyError, WriteNpyExt};
+use std::fs::File;
+use std::io;
+use std::path::Path;
+
+/// A format of height files. Errors of the kind [`io::ErrorKind::InvalidData`] say what is wrong with a file.
+struct Format {
+    /// Whether a file is of this format.
+    is_it: fn(&mut File) -> bool,
+    /// The shape of the heights, without reading them.
+    shape: fn(&mut File) -> io::Result<Vec<usize>>,
+    /// The heights.
+    read: fn(&mut File) -> io::Result<ArrayD<f64>>,
+}
+
+/// All formats; the last one takes every file, and says why it cannot be read.
+const FORMATS: [Format; 2] = [npz::FORMAT, npy::FORMAT];
+
+/// Reads heights from a NumPy `.npy` file of doubles (`float64`) or singles (`float32`), of rank 1 (a line) or 2 (rows
+/// of a surface), in C or Fortran order and either byte order; or from the array `height` of an `.npz` archive, such as a
+/// result.
+///
+/// # Errors
+/// [`FileError::Read`] for a file that is missing or unreadable; [`FileError::Format`] with the reason for one that is
+/// no such file, is truncated, or holds another type or rank.
+pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
+    with_file(path.as_ref(), |file, format| (format.read)(file))
+}
+
+/// The shape of the heights in a file, as its header says.
+///
+/// # Errors
+/// The errors of [`read_heights`].
+pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
+    with_file(path.as_ref(), |file, format| (format.shape)(file))
+}
+
+/// Reads the text that an archive carries as an array of bytes; none from any other file.
+///
+/// # Errors
+/// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] with the reason for an archive without that text.
+pub fn read_text(path: impl AsRef<Path>, name: &str) -> Result<Option<String>, FileError> {
+    let path = path.as_ref();
+    let mut file = File::open(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+    npz::is_archive(&mut file).then(|| npz::text(&mut file, name)).transpose().map_err(|error| explained(path, error))
+}
+
+/// Reads a file by its format.
+fn with_file<T>(path: &Path, read: impl FnOnce(&mut File, &Format) -> io::Result<T>) -> Result<T, FileError> {
+    let opened = std::fs::metadata(path).and_then(|metadata| match metadata.is_file() {
+        true => File::open(path),
+        false => Err(malformed("it is a directory or a device, give a .npy file")),
+    });
+    opened
+        .and_then(|mut file| {
+            let format = FORMATS.iter().find(|format| (format.is_it)(&mut file));
+            read(&mut file, format.unwrap_or(&npy::FORMAT))
+        })
+        .map_err(|error| explained(path, error))
+}
+
+/// An error that says what is wrong with a file.
+fn malformed(reason: impl Into<String>) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, reason.into())
+}
+
+fn explained(path: &Path, error: io::Error) -> FileError {
+    match error.kind() {
+        io::ErrorKind::InvalidData => FileError::Format { path: path.into(), reason: error.to_string() },
+        _ => FileError::Read { path: path.into(), source: error },
+    }
+}
+
+/// Writes heights (or any field) as a NumPy `.npy` file of doubles.
+///
+/// # Errors
+/// The errors of [`write_beside`].
+///
+/// ```
+/// use asperity::surface::{read_heights, write_heights};
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("heights.npy");
+/// let heights = ndarray::arr1(&[0.0, 1.0, 0.5, -1.0]).into_dyn();
+/// write_heights(&path, heights.view())?;
+/// assert_eq!(read_heights(&path)?, heights);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_heights(path: impl AsRef<Path>, heights: ArrayViewD<f64>) -> Result<(), FileError> {
+    write_beside(path.as_ref(), |writer| {
+        heights.write_npy(writer).map_err(|error| match error {
+            WriteNpyError::Io(source) => source,
+            other => io::Error::other(other),
+        })
+    })
+}
