@@ -1,4 +1,4 @@
-//! What can go wrong: one enum per concern. The sentence of a variant says what is wrong, with the offending values, which are
+//! Errors, one enum per concern. The sentence of a variant says what is wrong, with the offending values, which are
 //! its fields, and what to do.
 
 #![allow(

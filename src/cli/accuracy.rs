@@ -25,7 +25,7 @@ Area and kappa_r are corrected for counting nodes.";
 #[derive(Args)]
 #[command(after_help = ERRORS)]
 pub struct Accuracy {
-    /// What to solve, in this order
+    /// Scenes to solve, in this order
     #[arg(value_enum, value_name = "SCENE", default_values_t = Scene::ALL)]
     scenes: Vec<Scene>,
     /// Points along each side of the grids, coarsest first [default: those of the scene]

@@ -31,7 +31,7 @@ Each row is one case solved by one solver:
 #[derive(Args)]
 #[command(after_help = COLUMNS)]
 pub struct Bench {
-    /// What to solve, in this order
+    /// Groups of cases to solve, in this order
     #[arg(value_enum, value_name = "GROUP", default_values_t = Group::USUAL)]
     groups: Vec<Group>,
     /// The methods, the first of which the others are held against [default: those of the group]

@@ -7,7 +7,7 @@ use clap::Args;
 use std::io::{Write, stdout};
 use std::process::{Command, Stdio};
 
-/// What opens an address in the browser of the person at the keyboard.
+/// The program that opens an address in the browser of the person at the keyboard.
 #[cfg(target_os = "macos")]
 const OPEN: &[&str] = &["open"];
 #[cfg(target_os = "windows")]

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 pub enum Outcome {
     /// All is well.
     Done,
-    /// What was asked for is written, but a solver did not converge.
+    /// All is written, but a solver did not converge.
     NotConverged,
 }
 

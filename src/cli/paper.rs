@@ -18,7 +18,7 @@ use std::time::Duration;
 
 #[derive(clap::Args)]
 pub struct Paper {
-    /// What to make, in this order
+    /// Tables and figures to make, in this order
     #[arg(value_name = "PART", default_value = "all", value_parser = parts())]
     parts: Vec<String>,
     /// Folder of all files

@@ -10,10 +10,10 @@ use std::io::Cursor;
 /// `contact` (bool), the scalars `converged` (bool) and `certificate`, and the text of the `setup` that repeats it, as bytes:
 /// `bytes(npz["setup"]).decode()` in Python.
 ///
-/// It is made in memory: a `ZipWriter` that meets a full disk complains on standard error by itself.
+/// The archive is made in memory: a `ZipWriter` that meets a full disk complains on standard error by itself.
 ///
 /// # Errors
-/// Those of the format, which fields of doubles do not meet.
+/// The errors of the format, which fields of doubles do not meet.
 pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
     let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
     if let Some(text) = setup {

@@ -108,7 +108,7 @@ pub(super) fn datum(problem: &Problem, pressure: &[f64], displacement: &[f64]) -
     -chunks::sum(pressure.len(), |i| pressure[i] / load * (displacement[i] - height[i]))
 }
 
-/// What one pass over pressure, displacement and heights collects. `v` is taken relative to its value at the first node
+/// Sums of one pass over pressure, displacement and heights. `v` is taken relative to its value at the first node
 /// in contact, so that the differences near the solution keep their digits.
 #[derive(Clone, Copy)]
 struct Sums {

@@ -1,4 +1,4 @@
-//! What the paper measures on a contact.
+//! Measures of a contact, as the paper defines them.
 
 use crate::contact::{Problem, chunks};
 use crate::surface::Surface;

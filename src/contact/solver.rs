@@ -7,10 +7,10 @@ use std::ops::ControlFlow;
 
 /// A solver of contact problems. [`crate::contact::Run`] keeps the books of one.
 pub trait Solver {
-    /// Its name, as in scenes and on the command line.
+    /// Name of the solver, as in scenes and on the command line.
     fn name(&self) -> &str;
 
-    /// Its settings, in words.
+    /// Settings of the solver, in words.
     fn settings(&self) -> String;
 
     /// Solves `problem` from the flat start, until `stop`, showing every step to `observer`. The contact comes back whether
@@ -26,7 +26,7 @@ pub trait Solver {
     /// [`Problem::first_pressure`].
     ///
     /// # Errors
-    /// As [`Solver::solve`].
+    /// The errors of [`Solver::solve`].
     ///
     /// # Panics
     /// If the shape of `start` is not that of the grid.
@@ -39,12 +39,12 @@ pub trait Solver {
     ) -> Result<Contact, SolveError>;
 }
 
-/// What an observer wishes after a step: to go on, to end the run with what it has found, or to end it since the observer failed.
+/// The wish of an observer after a step: to go on, to end the run with what it has found, or to end it since the observer failed.
 pub type Wish = Result<ControlFlow<()>, Failure>;
 
 /// Watches a solver. Solvers know this interface and never who watches.
 ///
-/// `&mut ()` watches nothing and [`Each`] makes an observer of a closure. Several observers of one run are a tuple, a `Vec` or an
+/// `&mut ()` watches nothing and [`crate::contact::Each`] makes an observer of a closure. Several observers of one run are a tuple, a `Vec` or an
 /// `Option`: each of them sees every step, and the run ends when any of them wishes or fails. A failure ends the run with
 /// [`crate::contact::Status::ObserverFailed`]; [`Contact::converged`] returns it.
 pub trait Observer {

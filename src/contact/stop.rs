@@ -26,7 +26,7 @@ impl Stop {
     /// Checks what was read from elsewhere.
     ///
     /// # Errors
-    /// As [`Stop::new`].
+    /// The errors of [`Stop::new`].
     pub fn check(&self) -> Result<(), SettingError> {
         let Self { tolerance, max_iterations } = *self;
         if !(tolerance.is_finite() && tolerance > 0.0) {

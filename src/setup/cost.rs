@@ -25,7 +25,7 @@ impl Setup {
     /// The cost of the solve; `is_recorded` and `is_archived` say whether its steps are recorded and its fields written.
     ///
     /// # Errors
-    /// As [`Setup::check`].
+    /// The errors of [`Setup::check`].
     pub fn cost(&self, is_recorded: bool, is_archived: bool) -> Result<Cost, SetupError> {
         let grid = self.check()?;
         let contact = match self.load {

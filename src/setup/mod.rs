@@ -129,7 +129,7 @@ impl Setup {
     /// The surface.
     ///
     /// # Errors
-    /// As [`Setup::check`], and for a height file that cannot be read.
+    /// The errors of [`Setup::check`], and for a height file that cannot be read.
     pub fn surface(&self) -> Result<Surface, SetupError> {
         self.surface.surface(self.check()?)
     }
@@ -137,7 +137,7 @@ impl Setup {
     /// The problem.
     ///
     /// # Errors
-    /// As [`Setup::surface`] and [`Problem::new`].
+    /// The errors of [`Setup::surface`] and of [`Problem::new`].
     pub fn problem(&self) -> Result<Problem, SetupError> {
         Ok(Problem::new(self.surface()?, ContactModulus(self.solid.contact_modulus), self.load)?)
     }

@@ -89,7 +89,7 @@ impl Recipe {
     /// The surface on a grid: the sum of all parts that are given.
     ///
     /// # Errors
-    /// As [`Recipe::check`], and for a height file that cannot be read.
+    /// The errors of [`Recipe::check`], and for a height file that cannot be read.
     pub fn surface(&self, grid: Grid) -> Result<Surface, SetupError> {
         self.check(&grid)?;
         let read = |path: &PathBuf| -> Result<Surface, SetupError> {

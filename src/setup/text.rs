@@ -147,7 +147,7 @@ impl Table {
     /// The recipe of a surface and its cell, whatever else there is.
     ///
     /// # Errors
-    /// As [`Table::setup`].
+    /// The errors of [`Table::setup`].
     pub fn surface(mut self) -> Result<(Recipe, Cell), SetupError> {
         self.check_surface()?;
         #[derive(Deserialize)]
@@ -262,7 +262,7 @@ impl Setup {
     /// Writes the setup as a scene, whose height file is named by its full path.
     ///
     /// # Errors
-    /// As [`write_beside`].
+    /// The errors of [`write_beside`].
     pub fn write(&self, path: &Path) -> Result<(), FileError> {
         write_beside(path, |file| file.write_all(self.clone().with_full_path().to_toml().as_bytes()))
     }

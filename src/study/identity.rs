@@ -44,7 +44,7 @@ impl<'a> Identity<'a> {
     /// Solves the points of the realisation; `watch` sees each.
     ///
     /// # Errors
-    /// As [`Realisation::press`].
+    /// The errors of [`Realisation::press`].
     pub fn solve(&self, watch: &(dyn Fn(&Point) + Sync)) -> Result<Vec<Point>, StudyError> {
         let mut points = Vec::new();
         self.realisation.press(|contact| {

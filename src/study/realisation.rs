@@ -41,7 +41,7 @@ impl Realisation {
     /// Checks all that can be checked before a surface is made, and returns the grid.
     ///
     /// # Errors
-    /// As [`Setup::check`], and for a load that is not positive.
+    /// The errors of [`Setup::check`], and for a load that is not positive.
     pub fn check(&self) -> Result<Grid, SetupError> {
         let is_wrong = |load: &&f64| !(load.is_finite() && **load > 0.0);
         match self.loads.iter().find(is_wrong) {

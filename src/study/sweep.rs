@@ -59,7 +59,7 @@ impl Sweep {
     /// Refuses surfaces and loads that cannot be, before anything is solved.
     ///
     /// # Errors
-    /// As [`Realisation::check`].
+    /// The errors of [`Realisation::check`].
     pub fn check(&self) -> Result<(), StudyError> {
         self.realisations.iter().try_for_each(|realisation| Ok(realisation.check().map(drop)?))
     }
@@ -75,7 +75,7 @@ impl Sweep {
     /// How many points of the sweep `table` holds.
     ///
     /// # Errors
-    /// As [`Table::read`], and for a height file that cannot be read.
+    /// The errors of [`Table::read`], and for a height file that cannot be read.
     pub fn points_in(&self, table: &Table) -> Result<usize, StudyError> {
         let there = table.read()?;
         Ok(self.identities()?.iter().filter_map(|identity| identity.find(&there)).map(|points| points.len()).sum())
@@ -104,7 +104,7 @@ impl Sweep {
     /// Nodes of all points together, a measure of the work.
     ///
     /// # Errors
-    /// As [`Realisation::check`].
+    /// The errors of [`Realisation::check`].
     pub fn nodes(&self) -> Result<u64, StudyError> {
         let nodes = |it: &Realisation| Ok((it.check()?.len() * it.loads.len()) as u64);
         self.realisations.iter().map(nodes).sum()

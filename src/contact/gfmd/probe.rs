@@ -21,7 +21,7 @@ impl Probe {
         Self { half_space, pressure: vec![0.0; n], displacement: vec![0.0; n], next: 0 }
     }
 
-    /// Its half-space, when all is done.
+    /// The half-space of the probe, when all is done.
     pub fn into_half_space(self) -> HalfSpace {
         self.half_space
     }

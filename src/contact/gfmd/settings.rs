@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Masses {
-    /// The same for all modes, as in the paper.
+    /// One mass for all modes, as in the paper.
     Uniform,
     /// Proportional to the stiffness of the mode.
     Stiffness,
@@ -42,7 +42,7 @@ pub enum Dynamics {
 /// computed at a share of the steps that falls to one in fifty, for one pair more. Memory: 8 fields of n doubles and two
 /// [`crate::elastic::HalfSpace`]s.
 ///
-/// It works under a mean pressure only: at a mean gap it returns [`crate::error::SolveError::NeedsPressure`].
+/// The method works under a mean pressure only: at a mean gap it returns [`crate::error::SolveError::NeedsPressure`].
 ///
 /// # Why it is stable
 /// Verlet's scheme follows a mode of frequency `omega` up to `omega dt = 2`, under any friction that acts on the mean of

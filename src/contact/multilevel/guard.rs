@@ -93,7 +93,7 @@ fn onto_load(mut values: Vec<f64>, mean: f64) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::level::{Pace, RELEASE, STALE};
+    use super::super::level::{Mode, RELEASE, STALE};
     use super::*;
     use crate::contact::Problem;
     use crate::contact::best::Best;
@@ -137,7 +137,7 @@ mod tests {
     fn guarded_steps_alone_lower_the_energy_and_reach_the_solution() {
         for problem in hard() {
             let mut level = uniform(&problem);
-            level.pace = Pace::Guarded { release: 0.0, steps: 0 };
+            level.mode = Mode::Guarded { release: 0.0, steps: 0 };
             let best = Best::none(0);
             let mut before = f64::INFINITY;
             let mut eta = level.certify();
@@ -148,7 +148,7 @@ mod tests {
                     break;
                 }
                 before = now;
-                level.choose_pace(eta, &best);
+                level.choose_mode(eta, &best);
                 level.advance(&mut |_, _, _| None);
                 eta = level.certify();
             }
@@ -180,11 +180,11 @@ mod tests {
         let eta = level.certify();
         best.offer(eta, &level.pressure, 0);
         for _ in 0..=STALE + 1 {
-            level.choose_pace(eta, &best);
+            level.choose_mode(eta, &best);
         }
-        assert!(matches!(level.pace, Pace::Guarded { release, .. } if release == RELEASE * best.eta));
-        level.choose_pace(0.4 * best.eta, &best);
-        assert!(matches!(level.pace, Pace::Free { .. }));
+        assert!(matches!(level.mode, Mode::Guarded { release, .. } if release == RELEASE * best.eta));
+        level.choose_mode(0.4 * best.eta, &best);
+        assert!(matches!(level.mode, Mode::Free { .. }));
     }
 
     #[test]

@@ -31,13 +31,13 @@ pub(super) struct Level<'a> {
     /// Whether `u` is the displacement of the pressure.
     pub is_fresh: bool,
     reduction: f64,
-    pub pace: Pace,
+    pub mode: Mode,
 }
 
 /// Free updates, of which the last `stale` were no better than `mark`; or guarded steps, `steps` so far, until the certificate is
 /// `release`.
 #[derive(Clone, Copy)]
-pub(super) enum Pace {
+pub(super) enum Mode {
     Free { mark: f64, stale: usize },
     Guarded { release: f64, steps: usize },
 }
@@ -50,7 +50,7 @@ struct Extremes {
     lowest: f64,
 }
 
-/// What the inner steps of a correction are shown to: the set, the signed pressure on it, and the half-space. It may end the run.
+/// The watch of the inner steps of a correction: the set, the signed pressure on it, and the half-space. It may end the run.
 pub(super) type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, &mut HalfSpace) -> Option<Status> + 'w;
 
 impl<'a> Level<'a> {
@@ -66,7 +66,7 @@ impl<'a> Level<'a> {
             u: vec![0.0; problem.nodes()],
             is_fresh: false,
             reduction: REDUCTION,
-            pace: Pace::Free { mark: f64::INFINITY, stale: 0 },
+            mode: Mode::Free { mark: f64::INFINITY, stale: 0 },
         }
     }
 
@@ -90,31 +90,31 @@ impl<'a> Level<'a> {
         self.problem.mean_gap().map_or_else(of_pressure, |gap| -gap)
     }
 
-    /// One free update or guarded step, as [`Level::choose_pace`] has it.
+    /// One free update or guarded step, as [`Level::choose_mode`] has it.
     pub fn advance(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
-        match self.pace {
-            Pace::Free { .. } => self.update(watch),
-            Pace::Guarded { steps, .. } => self.descend(steps.is_multiple_of(2), watch),
+        match self.mode {
+            Mode::Free { .. } => self.update(watch),
+            Mode::Guarded { steps, .. } => self.descend(steps.is_multiple_of(2), watch),
         }
     }
 
     /// Decides how to go on from a state with the certificate `eta`.
-    pub fn choose_pace(&mut self, eta: f64, best: &Best<Pressure>) {
-        self.pace = match self.pace {
-            Pace::Free { mark, .. } if eta <= BETTER * mark => Pace::Free { mark: eta, stale: 0 },
-            Pace::Free { mark, stale } if stale < STALE => {
+    pub fn choose_mode(&mut self, eta: f64, best: &Best<Pressure>) {
+        self.mode = match self.mode {
+            Mode::Free { mark, .. } if eta <= BETTER * mark => Mode::Free { mark: eta, stale: 0 },
+            Mode::Free { mark, stale } if stale < STALE => {
                 self.reduction = (TIGHTENING * self.reduction).max(TIGHTEST);
-                Pace::Free { mark, stale: stale + 1 }
+                Mode::Free { mark, stale: stale + 1 }
             }
-            Pace::Free { .. } => {
+            Mode::Free { .. } => {
                 self.return_to(best);
-                Pace::Guarded { release: RELEASE * best.eta, steps: 0 }
+                Mode::Guarded { release: RELEASE * best.eta, steps: 0 }
             }
-            Pace::Guarded { release, .. } if eta <= release => {
+            Mode::Guarded { release, .. } if eta <= release => {
                 self.admit();
-                Pace::Free { mark: eta, stale: 0 }
+                Mode::Free { mark: eta, stale: 0 }
             }
-            Pace::Guarded { release, steps } => Pace::Guarded { release, steps: steps + 1 },
+            Mode::Guarded { release, steps } => Mode::Guarded { release, steps: steps + 1 },
         };
     }
 

@@ -198,7 +198,7 @@ impl Cascade<'_> {
             if ended.is_some() || depth > 0 && (eta <= tolerance || outer == COARSE_UPDATES) {
                 break;
             }
-            level.choose_pace(eta, &self.run.best);
+            level.choose_mode(eta, &self.run.best);
             ended = self.advance(level, phase);
         }
         ended

@@ -43,7 +43,7 @@ impl Experiment {
     /// Measures the errors of grids, theories and solvers.
     ///
     /// # Errors
-    /// As [`Experiment::check`].
+    /// The errors of [`Experiment::check`].
     pub fn run(&self, watch: Watch) -> Result<Findings, SetupError> {
         self.check()?;
         let ladder = Ladder::of(self.scene, &self.sides, self.seed, &self.stop, watch)?;

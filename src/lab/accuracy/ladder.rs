@@ -70,7 +70,7 @@ impl Ladder {
     }
 }
 
-/// What is found on one grid under each load, and the work of the solver.
+/// The values found on one grid under each load, and the work of the solver.
 fn solved(scene: Scene, side: usize, seed: u64, stop: &Stop, watch: Watch) -> Result<Vec<(Values, Work)>, SetupError> {
     let problem = scene.setup(side, seed).problem()?;
     let solve_under = |(i, load): (usize, f64)| {

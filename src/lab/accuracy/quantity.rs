@@ -1,4 +1,4 @@
-//! What people read off a contact.
+//! Quantities that people read off a contact.
 
 use crate::contact::{Observables, State};
 use crate::theory::Exact;

@@ -11,7 +11,7 @@ use std::path::Path;
 /// fields.
 ///
 /// # Errors
-/// As [`Experiment::check`], and for a file that cannot be written.
+/// The errors of [`Experiment::check`], and for a file that cannot be written.
 pub fn record(path: &Path, experiment: &Experiment, watch: Watch) -> Result<(), SetupError> {
     let stop = experiment.stop;
     let record = Record { length_unit: "L".into(), ..Record::default() };

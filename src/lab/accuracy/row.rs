@@ -45,7 +45,7 @@ impl Row {
 /// Writes all points of all scenes as CSV, in full precision.
 ///
 /// # Errors
-/// As [`write_csv`].
+/// The errors of [`write_csv`].
 pub fn write_rows(path: &Path, all: &[Findings]) -> Result<(), FileError> {
     write_csv(path, all.iter().flat_map(rows))
 }

@@ -1,4 +1,4 @@
-//! What a method took for a contest.
+//! Time and work of a method in a contest.
 
 use super::contest::Contest;
 use super::group::Group;

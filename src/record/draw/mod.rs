@@ -24,7 +24,6 @@ pub use fields::{Extent, Fields};
 pub use figure::FigurePicture;
 pub use ghost::{Ghost, entity_under};
 pub use palette::{GROUND, colour};
-pub use patches::PatchMap;
 pub use reduce::Columns;
 pub use relief::vertices;
 pub use stage::{Stage, level, stride};

@@ -3,9 +3,7 @@
 use super::canvas::{self, style};
 use super::fill::zigzag;
 use super::palette;
-use super::stage::Stage;
 use crate::plot::{Axis, Frame};
-use crate::setup::Part;
 use rerun::{Radius, RecordingStream, RecordingStreamResult};
 
 /// Bars of a row along the line.
@@ -22,11 +20,10 @@ pub struct PatchMap {
 }
 
 impl PatchMap {
-    /// The map of a line under so many loads, if contacts are recorded.
-    pub fn new(stage: &Stage, loads: usize) -> Option<Self> {
+    /// The map under `root` of a line under so many loads, beside pictures in `frame`.
+    pub fn new(frame: Frame, root: &str, loads: usize) -> Self {
         let y = Axis::linear("load", [0.5, loads.max(FEWEST) as f64 + 0.5]);
-        let map = Self { frame: Frame { y, ..stage.picture.frame() }, root: format!("{}/patches", stage.root) };
-        (stage.grid.is_line() && stage.what.has(Part::Mask)).then_some(map)
+        Self { frame: Frame { y, ..frame }, root: format!("{root}/patches") }
     }
 
     pub fn bounds(&self) -> [f64; 4] {

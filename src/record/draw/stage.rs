@@ -71,6 +71,12 @@ impl Stage {
         }
     }
 
+    /// Adds the map of contact patches of a line under so many loads, if contacts are recorded.
+    pub fn map_patches(&mut self, loads: usize) {
+        let is_mapped = self.grid.is_line() && self.what.has(Part::Mask);
+        self.patches = is_mapped.then(|| PatchMap::new(self.picture.frame(), &self.root, loads));
+    }
+
     /// Records everything that stays; `place` is that of the scene among several.
     pub fn log_static(
         &self,

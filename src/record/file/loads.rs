@@ -8,7 +8,7 @@ use super::recording::{Recording, stages};
 use crate::contact::Contact;
 use crate::error::FileError;
 use crate::plot;
-use crate::record::draw::{Curve, Curves, Extent, Fields, FigurePicture, PatchMap, Stage};
+use crate::record::draw::{Curve, Curves, Extent, Fields, FigurePicture, Stage};
 use crate::record::layout::{LOAD, TEXT, send_loads};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
@@ -79,7 +79,7 @@ impl LoadRecording {
         let options = Options { what: options.what.and(Parts::PICTURES), ..options };
         let mut stages = stages(loads.scenes, "/contact", &options);
         for stage in &mut stages {
-            stage.patches = PatchMap::new(stage, loads.captions.len());
+            stage.map_patches(loads.captions.len());
         }
         let extents = vec![Extent::NONE; stages.len()];
         let recording = Self {

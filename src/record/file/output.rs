@@ -19,7 +19,7 @@ const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
 
 /// The file behind a recording, which can be read while it is written.
 ///
-/// It gets each message at once, and remembers the first failure, after which no more is written. (The SDK's own file sink
+/// The file gets each message at once, and remembers the first failure, after which no more is written. (The SDK's own file sink
 /// waits for ever when the disk is full.)
 #[derive(Clone)]
 pub struct Output {

@@ -1,25 +1,17 @@
 //! Files of heights, told apart by their content.
 
+mod format;
 mod npy;
 mod npz;
 
 use crate::error::FileError;
 use crate::files::write_beside;
+use format::{Format, malformed};
 use ndarray::{ArrayD, ArrayViewD};
 use ndarray_npy::{WriteNpyError, WriteNpyExt};
 use std::fs::File;
 use std::io;
 use std::path::Path;
-
-/// A format of height files. Errors of the kind [`io::ErrorKind::InvalidData`] say what is wrong with a file.
-struct Format {
-    /// Whether a file is of this format.
-    is_it: fn(&mut File) -> bool,
-    /// The shape of the heights, without reading them.
-    shape: fn(&mut File) -> io::Result<Vec<usize>>,
-    /// The heights.
-    read: fn(&mut File) -> io::Result<ArrayD<f64>>,
-}
 
 /// All formats; the last one takes every file, and says why it cannot be read.
 const FORMATS: [Format; 2] = [npz::FORMAT, npy::FORMAT];
@@ -65,11 +57,6 @@ fn with_file<T>(path: &Path, read: impl FnOnce(&mut File, &Format) -> io::Result
             read(&mut file, format.unwrap_or(&npy::FORMAT))
         })
         .map_err(|error| explained(path, error))
-}
-
-/// An error that says what is wrong with a file.
-fn malformed(reason: impl Into<String>) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, reason.into())
 }
 
 fn explained(path: &Path, error: io::Error) -> FileError {

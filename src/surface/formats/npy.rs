@@ -1,6 +1,6 @@
 //! NumPy's `.npy`.
 
-use super::{Format, malformed};
+use super::format::{Format, malformed};
 use ndarray::ArrayD;
 use ndarray_npy::npy::header::Header;
 use ndarray_npy::{ReadNpyError, ReadNpyExt};

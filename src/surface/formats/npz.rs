@@ -1,6 +1,7 @@
 //! NumPy's `.npz`, an archive of arrays.
 
-use super::{Format, malformed, npy};
+use super::format::{Format, malformed};
+use super::npy;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
