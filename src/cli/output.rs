@@ -8,14 +8,16 @@ use serde::Serialize;
 use std::io::{self, Write};
 
 /// Observables in the rows of the summary that hold several or have a form of their own.
-const TOLD: [&str; 17] = [
+const TOLD: [&str; 19] = [
     "mean_pressure",
     "reduced_pressure",
+    "reduced_pressure_contact",
     "relative_area",
     "relative_area_corrected",
     "rms_gradient",
     "rms_gradient_contact",
     "kappa",
+    "kappa_corrected",
     "kappa_r",
     "kappa_r_corrected",
     "mean_gap",
@@ -84,10 +86,13 @@ impl Summary {
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
         let rows = [
             ("prescribed", self.prescribed.to_owned()),
-            ("reduced pressure p*", format!("{:.6e}", it.reduced_pressure)),
+            (
+                "reduced pressure p*",
+                format!("{:.6e} (contact {:.6e})", it.reduced_pressure, it.reduced_pressure_contact),
+            ),
             ("relative area", format!("{:.6} (corrected {:.6}){area}", it.relative_area, it.relative_area_corrected)),
             ("rms gradient", format!("{:.6e} (contact {:.6e})", it.rms_gradient, it.rms_gradient_contact)),
-            ("kappa", format!("{:.4}", it.kappa)),
+            ("kappa", format!("{:.4} (corrected {:.4})", it.kappa, it.kappa_corrected)),
             ("kappa_r", format!("{:.4} (corrected {:.4}){kappa_r}", it.kappa_r, it.kappa_r_corrected)),
             ("mean gap", format!("{:.6e} ({:.4} rms heights)", it.mean_gap, it.mean_gap_over_rms_height)),
             ("pressure, mean and max", format!("{:.6e} {:.6e}", it.mean_pressure, it.max_pressure)),
@@ -97,7 +102,7 @@ impl Summary {
         ];
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
         let rows = rows.into_iter().chain(exact).map(|(name, value)| (name.to_owned(), value)).chain(self.others());
-        rows.into_iter().try_for_each(|(name, value)| writeln!(out, "  {name:<23} {value}"))
+        rows.into_iter().try_for_each(|(name, value)| writeln!(out, "  {name:<25} {value}"))
     }
 
     /// The observables that no other row holds.
