@@ -455,8 +455,9 @@ fn extreme_but_possible_contacts_end_with_numbers() {
             let output = folder.run(&line);
             assert!(matches!(output.status.code(), Some(0 | 3)), "{line}: {}", text(&output.stderr));
             let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-            let mut values = summary.as_object().unwrap().values();
-            assert!(!values.any(|value| value.is_null()), "{line}: {summary}");
+            // a pressure that does not deform the solid has no bound of its error
+            let mut values = summary.as_object().unwrap().iter().filter(|(key, _)| *key != "pressure_error_bound");
+            assert!(!values.any(|(_, value)| value.is_null()), "{line}: {summary}");
         }
     }
 }

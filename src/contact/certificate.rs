@@ -30,6 +30,7 @@ pub struct Certificate {
     /// `sqrt(2 eta <p> h_rms / <p u(p)>)`: a bound of the relative error of the pressure in the energy norm
     /// `|x|^2 = <x u(x)>`, since `f(p) - f* >= 1/2 |p - p*|^2`. At low loads, where `h_rms` is a coarse yardstick, this one
     /// tells the truth. At a mean gap it takes `<p>` for `<p*>`, whose ratio is 1 but for the error itself.
+    /// A pressure that does not deform the solid, such as a uniform one, has no such bound: infinite, unless it is exact.
     pub pressure_error_bound: f64,
     /// How far what is prescribed is missed: `|<p> / mean_pressure - 1|`, or `|D - d| / h_rms` at a mean gap.
     pub load_error: f64,
@@ -81,9 +82,10 @@ impl Certificate {
         };
         let excess = excess(mean_v - sums.lowest_v, above_gap);
         let doubled_energy = sums.elastic / sums.pressure;
+        let unbounded = if excess > 0.0 { f64::INFINITY } else { 0.0 };
         Self {
             eta: excess / problem.rms_height(),
-            pressure_error_bound: if doubled_energy > 0.0 { (2.0 * excess / doubled_energy).sqrt() } else { 0.0 },
+            pressure_error_bound: if doubled_energy > 0.0 { (2.0 * excess / doubled_energy).sqrt() } else { unbounded },
             load_error,
             min_pressure,
             penetration: (mean_v - sums.lowest_v - above_gap).max(0.0) / problem.rms_height(),

@@ -29,6 +29,7 @@ fn penetration_is_that_of_the_deepest_node() {
     // under a uniform pressure nothing is displaced: the highest peak lies its height below the mean plane, less the gap
     let found = Certificate::of(&pressed, &[1.0; 16]);
     assert!((found.penetration - found.eta).abs() < 1e-15 && (found.eta - 2f64.sqrt()).abs() < 1e-12);
+    assert_eq!(found.pressure_error_bound, f64::INFINITY);
     let apart = pressed.with_load(Load::MeanGap(0.25)).unwrap();
     let found = Certificate::of(&apart, &[1.0; 16]);
     assert!((found.penetration - 0.75 * 2f64.sqrt()).abs() < 1e-12 && found.eta > found.penetration);
