@@ -12,6 +12,7 @@
 mod guard;
 mod knobs;
 mod page;
+mod reel;
 mod report;
 mod route;
 mod server;

@@ -9,6 +9,28 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+const SCRIPT: &str = "text/javascript; charset=utf-8";
+
+/// A file of the page with its path and its kind.
+macro_rules! file {
+    ($name:literal, $kind:expr) => {
+        (concat!("/", $name), $kind, include_str!(concat!("../../assets/explore/", $name)))
+    };
+}
+
+/// The files of the page: path, kind and text.
+const FILES: [(&str, &str, &str); 9] = [
+    file!("explore.css", "text/css; charset=utf-8"),
+    file!("favicon.svg", "image/svg+xml"),
+    file!("charts.js", SCRIPT),
+    file!("controls.js", SCRIPT),
+    file!("explore.js", SCRIPT),
+    file!("lessons.js", SCRIPT),
+    file!("runs.js", SCRIPT),
+    file!("save.js", SCRIPT),
+    file!("viewer.js", SCRIPT),
+];
+
 /// Answers to the paths of the page.
 pub struct Page {
     script: Bytes,
@@ -36,15 +58,14 @@ impl Page {
 
     /// The file at `path`, if it belongs to the page.
     pub fn file(&self, path: &str) -> Option<Reply> {
-        let text = |kind, text: &'static str| Reply::Page(kind, Bytes::from_static(text.as_bytes()));
         Some(match path {
             "/" => Reply::Page("text/html; charset=utf-8", self.html().into()),
-            "/explore.js" => text("text/javascript; charset=utf-8", include_str!("../../assets/explore/explore.js")),
-            "/explore.css" => text("text/css; charset=utf-8", include_str!("../../assets/explore/explore.css")),
-            "/favicon.svg" => text("image/svg+xml", include_str!("../../assets/explore/favicon.svg")),
-            "/re_viewer.js" => Reply::Fixed("text/javascript; charset=utf-8", self.script.clone()),
+            "/re_viewer.js" => Reply::Fixed(SCRIPT, self.script.clone()),
             "/re_viewer_bg.wasm" => Reply::Fixed("application/wasm", self.module.clone()),
-            _ => return None,
+            _ => {
+                let (_, kind, text) = FILES.iter().find(|file| file.0 == path)?;
+                Reply::Page(kind, Bytes::from_static(text.as_bytes()))
+            }
         })
     }
 

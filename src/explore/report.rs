@@ -25,6 +25,8 @@ pub struct Report {
 pub struct RunReport {
     /// Name of its recording.
     pub id: String,
+    /// Name, without ending, of the files that it is saved as.
+    pub file_stem: String,
     pub title: String,
     /// Command that repeats the solve.
     pub command: String,
@@ -36,6 +38,13 @@ pub struct RunReport {
     /// Numbers of its latest state.
     pub numbers: Option<Numbers>,
     pub exact: Option<ExactNumbers>,
+}
+
+/// Name, without ending, of the files of a run: surface, load or `sweep`, and solver, as in `rough-line_p0.1_multilevel`.
+pub fn file_stem(surface: &str, load: &str, solver: &str) -> String {
+    let surface: String =
+        surface.to_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    format!("{surface}_{load}_{solver}")
 }
 
 /// Exact values of a contact.
@@ -64,6 +73,8 @@ pub struct Numbers {
 pub struct SweepReport {
     /// Name of its recording.
     pub id: String,
+    /// Name, without ending, of the files that it is saved as.
+    pub file_stem: String,
     pub title: String,
     /// The state of the knobs; the load does not count.
     pub knobs: Knobs,

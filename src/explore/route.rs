@@ -2,6 +2,7 @@
 
 use super::knobs::{Knobs, Refusal};
 use super::page::Page;
+use super::reel::Reel;
 use super::session::{Order, Session};
 use super::site::{Reply, Request, Site};
 use super::stream::RecordingBytes;
@@ -21,14 +22,15 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/`, and its files| GET    | page, script, style, viewer                                           |
 /// | `/api/start`      | GET    | the [`Knobs`] to start with                                           |
 /// | `/api/observables`| GET    | names and meanings of the numbers in a report                         |
-/// | `/api/state`      | GET    | the report, at once    or when it is newer than `?since=`     |
+/// | `/api/state`      | GET    | the report, at once or when it is newer than `?since=`        |
 /// | `/api/solve`      | POST   | takes [`Knobs`], ends what runs; the revision from which on news of it come |
 /// | `/api/sweep`      | POST   | the same for a sweep                                                  |
 /// | `/api/cancel`     | POST   | ends what runs                                                        |
 /// | `/api/pin`        | POST   | takes the name of a recording, or null: its curves stand beside new ones |
 /// | `/run/ID.rrd`     | GET    | one of the latest recordings, as it grows                             |
-/// | `/api/run.rrd`    | GET    | the latest one, to save                                               |
-/// | `/api/run.npz`    | GET    | the arrays of the latest result, to save                              |
+/// | `/api/runs`       | GET    | what is told of the latest recordings that are complete               |
+/// | `/save/ID.rrd`    | GET    | one of the latest recordings, once it is complete, to save            |
+/// | `/save/ID.npz`    | GET    | the arrays of the result behind one of them, to save                  |
 pub struct Explorer {
     page: Page,
     session: Arc<Session>,
@@ -69,19 +71,9 @@ impl Explorer {
             "/api/start" => Reply::json(&self.start),
             "/api/observables" => Reply::json(&OBSERVABLES),
             "/api/state" => self.state(request.query),
-            "/api/run.rrd" => match self.session.latest() {
-                Some((_, live)) if live.written().is_some() => {
-                    Reply::Error(409, "the solve still runs: wait for its end, or cancel it".into())
-                }
-                Some((id, live)) => Reply::Recording(RecordingBytes::Live(live), Some(format!("asperity-{id}.rrd"))),
-                None => nothing_yet(),
-            },
-            "/api/run.npz" => match self.session.archive() {
-                Some((id, archive)) => Reply::Download(format!("asperity-{id}.npz"), archive),
-                None => nothing_yet(),
-            },
+            "/api/runs" => Reply::json(&self.session.told()),
             "/api/solve" | "/api/sweep" | "/api/cancel" | "/api/pin" => Reply::wrong_method("POST"),
-            path => self.page.file(path).or_else(|| self.run(path)).unwrap_or_else(|| Reply::missing(path)),
+            path => self.page.file(path).or_else(|| self.reel(path)).unwrap_or_else(|| Reply::missing(path)),
         }
     }
 
@@ -97,18 +89,37 @@ impl Explorer {
         }
     }
 
-    /// A recording, if the path is that of one of the latest.
-    fn run(&self, path: &str) -> Option<Reply> {
-        let name = path.strip_prefix("/run/")?.strip_suffix(".rrd")?;
-        Some(Reply::Recording(RecordingBytes::Live(self.session.recording(name)?), None))
+    /// One of the latest recordings, to show or to save, or the arrays of its result.
+    fn reel(&self, path: &str) -> Option<Reply> {
+        let (folder, file) = path.strip_prefix('/')?.split_once('/')?;
+        let (id, kind) = file.rsplit_once('.')?;
+        let reel = self.session.reel(id)?;
+        match (folder, kind) {
+            ("run", "rrd") => Some(Reply::Recording(RecordingBytes::Live(reel.live), None)),
+            ("save", "rrd") => Some(saved_recording(reel)),
+            ("save", "npz") => Some(saved_arrays(&reel)),
+            _ => None,
+        }
     }
 }
 
 /// Paths that are only read.
-const GETS: [&str; 5] = ["/api/start", "/api/observables", "/api/state", "/api/run.rrd", "/api/run.npz"];
+const GETS: [&str; 4] = ["/api/start", "/api/observables", "/api/state", "/api/runs"];
 
-fn nothing_yet() -> Reply {
-    Reply::Error(409, "there is no result yet: solve something first".into())
+/// The recording under the name of its run, once it is complete.
+fn saved_recording(reel: Reel) -> Reply {
+    if reel.live.written().is_some() {
+        return Reply::Error(409, format!("{} still runs: wait for its end, or cancel it", reel.id));
+    }
+    Reply::Recording(RecordingBytes::Live(reel.live), Some(format!("{}.rrd", reel.file_stem)))
+}
+
+/// The arrays under the name of their run, once there are any.
+fn saved_arrays(reel: &Reel) -> Reply {
+    match reel.solved().and_then(|solved| solved.archive()) {
+        Some(archive) => Reply::Download(format!("{}.npz", reel.file_stem), archive),
+        None => Reply::Error(409, format!("{} has no arrays: save those of a solve that has ended", reel.id)),
+    }
 }
 
 impl Site for Explorer {

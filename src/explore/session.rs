@@ -1,9 +1,10 @@
 //! One session: the orders of the page, and all that came of them, in one place.
 
 use super::knobs::{Knobs, Refusal};
-use super::report::{Numbers, Report};
-use crate::contact::{Contact, archive};
-use crate::record::{Ghost, Output};
+use super::reel::{Ended, Reel, Solved, Told};
+use super::report::{Numbers, Report, SweepReport};
+use crate::contact::Contact;
+use crate::record::Ghost;
 use crate::setup::Setup;
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -29,35 +30,31 @@ struct State {
     closed: bool,
     /// The latest recordings, the newest last.
     recordings: VecDeque<Reel>,
-    solution: Option<Arc<Solution>>,
-}
-
-/// A recording that can still be read.
-struct Reel {
-    id: String,
-    live: Output,
-    /// Curves of the recording, once it is complete.
-    curves: Option<Arc<Ghost>>,
 }
 
 impl State {
     /// Keeps a recording, and drops the oldest one that is not pinned.
-    fn keep(&mut self, id: String, live: Output) {
-        self.recordings.push_back(Reel { id, live, curves: None });
+    fn keep(&mut self, reel: Reel) {
+        self.recordings.push_back(reel);
         if self.recordings.len() > RECORDINGS {
             let is_free = |reel: &Reel| Some(&reel.id) != self.report.pinned.as_ref();
             self.recordings.iter().position(is_free).map(|place| self.recordings.remove(place));
         }
     }
 
-    fn reel(&mut self, id: &str) -> Option<&mut Reel> {
-        self.recordings.iter_mut().find(|reel| reel.id == id)
+    fn reel(&self, id: &str) -> Option<&Reel> {
+        self.recordings.iter().find(|reel| reel.id == id)
+    }
+
+    /// Notes what came of a recording.
+    fn end(&mut self, id: &str, ended: Ended) {
+        let reel = self.recordings.iter_mut().find(|reel| reel.id == id);
+        reel.into_iter().for_each(|reel| reel.ended = Some(ended.clone()));
     }
 
     /// The curves of the recording that is pinned.
-    fn ghost(&mut self) -> Option<Arc<Ghost>> {
-        let pinned = self.report.pinned.clone()?;
-        self.reel(&pinned)?.curves.clone()
+    fn ghost(&self) -> Option<Arc<Ghost>> {
+        Some(Arc::clone(&self.reel(self.report.pinned.as_ref()?)?.solved()?.curves))
     }
 }
 
@@ -65,14 +62,6 @@ impl State {
 pub enum Order {
     Solve(Knobs),
     Sweep(Knobs),
-}
-
-/// The result of a solve, and the setup that repeats it.
-pub struct Solution {
-    /// Name of the recording.
-    pub id: String,
-    pub setup: Setup,
-    pub contact: Contact,
 }
 
 /// The right to work until the next order.
@@ -123,7 +112,7 @@ impl Session {
 
     /// Has the curves of the recording of that name, if it can still be read, stand beside those of new ones, or of none.
     pub(super) fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
-        if let Some(name) = name.as_ref().filter(|name| self.recording(name).is_none()) {
+        if let Some(name) = name.as_ref().filter(|name| self.reel(name).is_none()) {
             return Err(Refusal(format!(
                 "there is no recording {name:?} to pin: choose one of the latest {RECORDINGS}"
             )));
@@ -131,21 +120,14 @@ impl Session {
         Ok(self.change(|state| state.report.pinned = name))
     }
 
-    /// The latest recording and its name.
-    pub(super) fn latest(&self) -> Option<(String, Output)> {
-        self.lock().recordings.back().map(|reel| (reel.id.clone(), reel.live.clone()))
-    }
-
     /// The recording of that name, if it is one of the latest.
-    pub(super) fn recording(&self, name: &str) -> Option<Output> {
-        self.lock().reel(name).map(|reel| reel.live.clone())
+    pub(super) fn reel(&self, name: &str) -> Option<Reel> {
+        self.lock().reel(name).cloned()
     }
 
-    /// The arrays of the latest result as `.npz`, and its name; none before there is one.
-    pub(super) fn archive(&self) -> Option<(String, Vec<u8>)> {
-        let solution = self.lock().solution.clone()?;
-        let (rank, setup) = (solution.setup.grid.points.len(), solution.setup.to_toml());
-        Some((solution.id.clone(), archive(&solution.contact, rank, Some(&setup)).ok()?))
+    /// What is told of the latest recordings that are complete, from the oldest one on.
+    pub(super) fn told(&self) -> Vec<Told> {
+        self.lock().recordings.iter().filter_map(Reel::told).collect()
     }
 
     /// Waits for an order; none when the session is closed.
@@ -183,8 +165,8 @@ impl Turn<'_> {
         self.session.lock().ghost()
     }
 
-    pub fn keep(self, id: &str, live: Output) {
-        self.session.change(|state| state.keep(id.into(), live));
+    pub fn keep(self, reel: Reel) {
+        self.session.change(|state| state.keep(reel));
     }
 
     pub fn tell(self, news: impl FnOnce(&mut Report)) {
@@ -192,17 +174,23 @@ impl Turn<'_> {
     }
 
     /// Keeps the result of a solve and the curves of its recording, and reports it.
-    pub fn finish(self, solution: Solution, curves: Ghost) {
-        let numbers = Numbers::of_contact(&solution.contact);
+    pub fn finish(self, setup: Setup, contact: Contact, curves: Ghost) {
+        let numbers = Numbers::of_contact(&contact);
         self.session.change(|state| {
-            if let Some(reel) = state.reel(&solution.id) {
-                reel.curves = Some(Arc::new(curves));
-            }
-            state.solution = Some(Arc::new(solution));
-            if let Some(run) = &mut state.report.run {
-                run.ended = true;
-                run.numbers = Some(numbers);
-            }
+            let Some(run) = &mut state.report.run else { return };
+            run.ended = true;
+            run.numbers = Some(numbers);
+            let report = run.clone();
+            let id = report.id.clone();
+            state.end(&id, Ended::Run(Arc::new(Solved { report, setup, contact, curves: Arc::new(curves) })));
+        });
+    }
+
+    /// Keeps the points of a sweep, and reports it.
+    pub fn finish_sweep(self, report: SweepReport) {
+        self.session.change(|state| {
+            state.end(&report.id, Ended::Sweep(Arc::new(report.clone())));
+            state.report.sweep = Some(report);
         });
     }
 

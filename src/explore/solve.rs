@@ -1,8 +1,9 @@
 //! One solve, recorded and reported as it goes.
 
 use super::knobs::Knobs;
-use super::report::{ExactNumbers, Numbers, RunReport};
-use super::session::{Solution, Turn};
+use super::reel::Reel;
+use super::report::{ExactNumbers, Numbers, RunReport, file_stem};
+use super::session::Turn;
 use crate::contact::{Failure, Observer, Step, Wish};
 use crate::error::SolveError;
 use crate::record::{Ghost, Options, Recording, Scene};
@@ -18,9 +19,10 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
     let setup = knobs.setup()?;
     let problem = setup.problem()?;
     let scene = Scene::of(&setup, &problem);
-    let title = format!("{}, p* = {:.3e}", scene.title, knobs.load);
+    let title = format!("{}, p* = {}", scene.title, knobs.load);
     let report = RunReport {
         id: format!("run-{}", turn.number),
+        file_stem: file_stem(&scene.title, &format!("p{}", knobs.load), setup.solver.name()),
         title: title.clone(),
         command: command(&setup),
         setup: setup.to_toml(),
@@ -30,9 +32,10 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
         exact: scene.exact.as_ref().map(ExactNumbers::from),
     };
     let id = report.id.clone();
+    let file_stem = report.file_stem.clone();
     let options = Options { ghost: turn.ghost(), ..Options::from(&setup.record) };
     let (recording, live) = Recording::live(&id, &[Scene { title, ..scene }], options)?;
-    turn.keep(&id, live);
+    turn.keep(Reel::new(&id, &file_stem, live));
     turn.tell(|news| news.run = Some(report));
     let mut curves = Ghost::new(&format!("pinned {id}"));
     let watch = Watch { turn, reported: Instant::now() };
@@ -42,7 +45,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
     if let Some(failure) = contact.failure {
         return Err(SolveError::Observer(failure).into());
     }
-    turn.finish(Solution { id, setup, contact }, curves);
+    turn.finish(setup, contact, curves);
     Ok(())
 }
 

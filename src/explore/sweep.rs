@@ -1,7 +1,8 @@
 //! Contact from first touch to full, load by load, recorded as it goes.
 
 use super::knobs::Knobs;
-use super::report::{ExactNumbers, SweepPoint, SweepReport};
+use super::reel::Reel;
+use super::report::{ExactNumbers, SweepPoint, SweepReport, file_stem};
 use super::session::Turn;
 use crate::contact::{Contact, Each, Failure, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
@@ -51,23 +52,25 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
         Some(_) => CURVES.into_iter().chain(EXACT).collect(),
         None => CURVES.to_vec(),
     };
+    let surface = setup.surface.title(problem.surface().grid());
     let report = SweepReport {
         id: format!("sweep-{}", turn.number),
-        title: format!("{}, load sweep", setup.surface.title(problem.surface().grid())),
+        file_stem: file_stem(&surface, "sweep", Multilevel.name()),
+        title: format!("{surface}, load sweep"),
         knobs,
         ended: false,
         points: Vec::new(),
     };
     let heaviest = at_load(&problem, heaviest(&loads))?;
     let (recording, live) = record(&report, &setup, &heaviest, &loads, &curves)?;
-    turn.keep(&report.id, live);
+    turn.keep(Reel::new(&report.id, &report.file_stem, live));
     let mut press = Press { turn, setup: &setup, report, recording: &recording, curves: &curves };
     press.tell();
     let pressed = press.all(&problem, &loads);
     press.report.ended = true;
     let report = press.report;
     recording.finish()?;
-    turn.tell(|news| news.sweep = Some(report));
+    turn.finish_sweep(report);
     pressed
 }
 

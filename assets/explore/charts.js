@@ -1,0 +1,80 @@
+"use strict";
+// The charts of the sweep against the load.
+
+const SVG = "http://www.w3.org/2000/svg";
+
+function drawn(tag, attributes, text) {
+  const made = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  if (text) made.textContent = text;
+  return made;
+}
+
+/** Room around the axes of a chart: numbers on the left, title and legend above, numbers and the name of the axis below. */
+const ROOM = { left: 30, right: 14, above: 36, below: 34 };
+/** Room between two names of a legend. */
+const APART = 8;
+
+/** A chart against log10 p*: curves are { name, points: [[p*, y]], style }. What is higher than `top` leaves the axes, and is said. */
+function chart(target, title, top, curves, note) {
+  const box = target.getBoundingClientRect();
+  const [w, h] = [Math.max(160, box.width), Math.max(120, box.height)];
+  const [wide, high] = [w - ROOM.left - ROOM.right, h - ROOM.above - ROOM.below];
+  const xs = curves.flatMap((curve) => curve.points.map(([x]) => Math.log10(x)));
+  const [first, last] = xs.length ? [Math.floor(Math.min(...xs)), Math.ceil(Math.max(...xs))] : [-4, 1];
+  const x = (v) => ROOM.left + (Math.log10(v) - first) / (last - first || 1) * wide;
+  const y = (v) => h - ROOM.below - v / top * high;
+  const svg = drawn("svg", { viewBox: `0 0 ${w} ${h}`, role: "img", "aria-label": `${title}${note ? `: ${note}` : ""}`, class: note ? "stale" : "" });
+  const frame = { x: ROOM.left, y: ROOM.above, width: wide, height: high };
+  const inside = `inside-${target.id}`;
+  const clip = drawn("clipPath", { id: inside });
+  clip.append(drawn("rect", frame));
+  svg.append(clip, drawn("rect", { class: "axis", ...frame }), drawn("text", { class: "title", x: ROOM.left, y: 13 }, title));
+  const every = Math.ceil((last - first) * 34 / wide);
+  for (let e = first; e <= last; e += every) svg.append(drawn("text", { x: x(10 ** e), y: h - 20, "text-anchor": "middle" }, e === 0 ? "1" : `1e${e}`));
+  svg.append(drawn("text", { x: ROOM.left + wide / 2, y: h - 5, "text-anchor": "middle" }, "p*"));
+  for (let i = 0; i <= 2; i++) svg.append(drawn("text", { x: ROOM.left - 4, y: y(i * top / 2) + 4, "text-anchor": "end" }, String(i * top / 2)));
+  if (knobs && knobs.load >= 10 ** first && knobs.load <= 10 ** last) svg.append(drawn("line", { class: "now", x1: x(knobs.load), x2: x(knobs.load), y1: ROOM.above, y2: h - ROOM.below }));
+  const shown = curves.filter((curve) => curve.points.length);
+  for (const curve of shown) {
+    svg.append(drawn("polyline", { class: curve.style, "clip-path": `url(#${inside})`, points: curve.points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ") }));
+  }
+  const said = note || (shown.length ? "" : "Sweep the load to draw this");
+  if (said) svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2, "text-anchor": "middle" }, said));
+  target.replaceChildren(svg);
+  legend(svg, top, shown, w);
+}
+
+/** The names of the curves in one line above the axes, each as wide as it is drawn. */
+function legend(svg, top, curves, width) {
+  const names = curves.map(({ name, style, points }) => {
+    const highest = Math.max(...points.map(([, value]) => value));
+    return drawn("text", { class: `of-${style}`, y: 28 }, highest > top ? `${name} ↑${figure(highest, 2)}` : name);
+  });
+  svg.append(...names);
+  const widths = names.map((name) => name.getComputedTextLength() + APART);
+  const whole = widths.reduce((sum, width) => sum + width, 0);
+  let place = Math.max(0, Math.min(ROOM.left, width - whole));
+  names.forEach((name, i) => { name.setAttribute("x", place); place += widths[i]; });
+}
+
+/** The knobs that make the surface of a sweep. */
+function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points }) {
+  return JSON.stringify([domain, body, body === "power-law" && exponent, points, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
+}
+
+/** Draws the sweep; one of another surface than that of the knobs is grey, and says so. */
+function charts() {
+  const { sweep: shown } = report;
+  const points = shown ? shown.points : [];
+  const isStale = points.length > 0 && surfaceOf(shown.knobs) !== surfaceOf(knobs);
+  const note = isStale ? "Another surface: sweep again" : "";
+  const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
+  chart(byId("chart-area"), "Area against p*", 1, [
+    curve("Persson", "persson", (p) => p.persson), curve("a_rel", "computed", (p) => p.relative_area_corrected),
+    curve("exact", "exact", (p) => p.exact?.relative_area)], note);
+  chart(byId("chart-kappa"), "κ and κ_r against p*", 4, [
+    curve("Persson", "persson", (p) => p.persson / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa_corrected),
+    curve("κ_r", "second", (p) => p.kappa_r_corrected), curve("exact", "exact", (p) => p.exact?.kappa_r)], note);
+  Object.assign(document.body.dataset, { sweep: shown ? (shown.ended ? "ended" : points.length) : "none", stale: isStale });
+}

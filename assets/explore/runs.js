@@ -1,0 +1,234 @@
+"use strict";
+// The server, the runs that it tells of, and their numbers.
+
+let posting = false;
+let waiting = false;
+
+async function post(path, body) {
+  const answer = await fetch(path, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) });
+  if (!answer.ok) throw new Error(await answer.text());
+  return answer.json();
+}
+
+/** Solves anew; while one request is under way, only the latest change waits. The curves of another surface are greyed at once. */
+async function changed() {
+  charts();
+  if (posting) { waiting = true; return; }
+  posting = true;
+  asked = performance.now();
+  do {
+    waiting = false;
+    await post("/api/solve", knobs).then(() => fault(""), (error) => fault(error.message));
+  } while (waiting);
+  posting = false;
+}
+
+const sweep = () => post("/api/sweep", knobs).then(() => fault(""), (error) => fault(error.message));
+const cancel = () => post("/api/cancel", {}).catch((error) => fault(error.message));
+
+function fault(sentence) {
+  byId("fault").textContent = sentence;
+  byId("fault").hidden = !sentence;
+}
+
+let report = { revision: 0 };
+let asked = 0;
+
+/** Asks for news for as long as the page is open. */
+async function listen() {
+  for (;;) {
+    try {
+      const answer = await fetch(`/api/state?since=${report.revision}`);
+      const news = await answer.json();
+      if (news.revision !== report.revision) heard(news);
+      if (document.body.dataset.server === "gone") fault("");
+      document.body.dataset.server = "there";
+    } catch {
+      document.body.dataset.server = "gone";
+      fault("The server has ended: start asperity explore again and reload this page.");
+      await new Promise((done) => setTimeout(done, 1000));
+    }
+  }
+}
+
+function heard(news) {
+  report = news;
+  if (news.fault) fault(news.fault);
+  if (news.run) heardRun(news.run);
+  if (news.sweep) heardSweep(news.sweep);
+  showPin(news.pinned);
+  byId("cancel").disabled = !news.busy;
+  offerSaves();
+  charts();
+  wake();
+  document.body.dataset.revision = news.revision;
+  document.body.dataset.busy = news.busy;
+}
+
+/** How many runs the viewer keeps. */
+const KEEP = 6;
+let runs = [];
+
+/** A sweep stands among the runs, with loads for steps; one that is older than the latest run was there before the page. */
+function heardSweep(sweep) {
+  const number = (run) => Number(run.id.split("-")[1]);
+  if (runOf(sweep.id) || !(report.run && number(report.run) > number(sweep))) heardRun(sweep);
+}
+
+function heardRun(run) {
+  const known = runOf(run.id);
+  if (known) Object.assign(known, run);
+  else {
+    runs.push(run);
+    byId("title").textContent = run.title;
+    if (viewer) follow(run);
+    while (runs.length > KEEP) forget(runs.splice(runs.findIndex((old) => old.id !== pinned), 1)[0]);
+    listRuns();
+  }
+  numbers();
+}
+
+/** Takes the runs of before this page was opened, as far as they can still be read. */
+function remember(earlier) {
+  runs = earlier;
+  listRuns();
+}
+
+const address = (run) => `${location.origin}/run/${run.id}.rrd`;
+
+/** The least time between two runs that the viewer gets, in milliseconds: of those in between only the last counts. */
+const BREATH = { line: 120, surface: 400 };
+let followed = 0;
+let next = null;
+
+/** Lets the viewer read a run as it grows. */
+function follow(run) {
+  shownRun = run.id;
+  clearTimeout(next);
+  next = setTimeout(() => {
+    followed = performance.now();
+    stopPlaying();
+    run.followed = true;
+    viewer.add_receiver(address(run));
+    wake();
+    byId("scrub").value = 1000;
+    byId("scrub-step").value = "latest";
+    watchFirst(run, asked);
+  }, Math.max(0, followed + BREATH[run.knobs.domain] - performance.now()));
+}
+
+/** Notes how long after the change of a control the viewer had the first steps of its run. */
+function watchFirst(run, since) {
+  const range = viewer && viewer.get_timeline_time_range(run.id, timeline(run));
+  if (range) {
+    document.body.dataset.shown = `${run.id} ${Math.round(performance.now() - since)} ms`;
+    wake();
+    byId("viewer-note").hidden = true;
+  } else if (shownRun === run.id) requestAnimationFrame(() => watchFirst(run, since));
+}
+
+function forget(run) {
+  if (viewer && run.followed) viewer.remove_receiver(address(run));
+}
+
+function listRuns() {
+  const options = [...runs].reverse().map((run, i) => element("option", { value: run.id }, `${"ABCDEF"[i]}: ${run.id}, ${run.title}`));
+  byId("runs").replaceChildren(...options);
+  byId("runs").title = `Switch the viewer between the latest runs. The viewer keeps ${KEEP}; older ones are dropped.`;
+}
+
+let shownRun = null;
+/** The run that others are compared with, instead of the one before. */
+let pinned = null;
+
+const runOf = (id) => runs.find((run) => run.id === id);
+const isSweep = (run) => "points" in run;
+const timeline = (run) => isSweep(run) ? "load" : "step";
+const latest = () => runs.findLast((run) => !isSweep(run));
+
+/** What a run is compared with. */
+function rival(run) {
+  return pinned && pinned !== run.id ? runOf(pinned) : runs.slice(0, runs.indexOf(run)).findLast((other) => !isSweep(other));
+}
+
+/** What the viewer shows, or will show: a run or a sweep. */
+const current = () => runOf(shownRun) || runs.at(-1);
+
+/** The run that is shown; behind a sweep the latest one. */
+function shownOrLatest() {
+  const shown = runOf(shownRun);
+  return shown && !isSweep(shown) ? shown : latest();
+}
+
+/** Switches between the latest run and what it is compared with. */
+function swap() {
+  const shown = runOf(shownRun) || latest();
+  const other = shown && shown === latest() ? rival(shown) : latest();
+  if (other) showRun(other.id);
+}
+
+/** Keeps the run that is shown to compare with, its curves beside those of the next ones, or lets it go. */
+function pin() {
+  const shown = shownOrLatest();
+  setPin(pinned || !shown ? null : shown.id);
+}
+
+async function setPin(id) {
+  if (id !== pinned) await post("/api/pin", id).then(() => fault(""), (error) => fault(error.message));
+}
+
+function showPin(id) {
+  if (pinned === id) return;
+  pinned = runOf(id) ? id : null;
+  byId("pin").setAttribute("aria-pressed", String(pinned !== null));
+  byId("pin").textContent = pinned ? `Pinned ${pinned}` : "Pin";
+  byId("rival").textContent = pinned ? "pinned" : "before";
+  numbers();
+}
+
+function showRun(id) {
+  stopPlaying();
+  shownRun = id;
+  byId("runs").value = id;
+  const run = runOf(id);
+  if (viewer && run.followed) viewer.set_active_recording_id(id);
+  else if (viewer) follow(run);
+  numbers();
+  offerSaves();
+  wake();
+}
+
+function figure(value, digits = 5) {
+  if (value === null || value === undefined) return "–";
+  if (Number.isInteger(value)) return String(value);
+  const size = Math.abs(value);
+  return size < 1e-3 || size >= 1e6 ? value.toExponential(Math.max(0, digits - 3)) : String(Number(value.toPrecision(digits)));
+}
+
+/** The observables that the server knows: those that change step by step are shown, and these. */
+let observables = [];
+const SHOWN = ["relative_area_corrected", "kappa_r_corrected", "iterations", "transforms", "seconds"];
+/** The exact values that stand beside corrected observables. */
+const EXACT = { relative_area_corrected: "relative_area", kappa_r_corrected: "kappa_r" };
+const SECONDS = { name: "seconds", sentence: "Seconds of the solver alone, recording left out." };
+
+/** The name of an observable for people. */
+const label = (name) => name.replace("kappa_r", "κ_r").replace("kappa", "κ").replaceAll(/(?<!κ)_/g, " ");
+
+function numbers() {
+  const shown = runOf(shownRun);
+  if (shown && isSweep(shown)) byId("title").textContent = `${shown.title}: ${shown.ended ? "ended" : "running"}, ${shown.points.length} loads`;
+  const run = shownOrLatest();
+  if (!run) return;
+  const before = rival(run);
+  const cell = (text, name) => element("td", { "data-number": name }, text);
+  const body = observables.map(({ name, sentence }) => {
+    const values = [run, before].map((r) => figure(r?.numbers?.[name]));
+    const theory = run.exact && EXACT[name] ? figure(run.exact[EXACT[name]]) : "";
+    return element("tr", { title: sentence }, element("th", { scope: "row" }, label(name)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
+  });
+  byId("numbers").tBodies[0].replaceChildren(...body);
+  const status = run.numbers ? run.numbers.status : "begun";
+  if (!shown || shown === run) byId("title").textContent = `${run.title}: ${status}${run.exact ? `; exact: ${run.exact.name}` : ""}`;
+  Object.assign(document.body.dataset, { run: run.id, status, ended: run.ended });
+}

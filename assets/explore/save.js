@@ -1,0 +1,102 @@
+"use strict";
+// What is saved: the run that is shown, and the curves of the sweep. File names come from the run.
+
+/** Offers what there is to save: of the run or the sweep that the viewer shows, and of the sweep that the charts show. */
+function offerSaves() {
+  const it = current();
+  const offer = (id, isThere) => { byId(id).disabled = !isThere; };
+  offer("save-rrd", it && it.ended);
+  offer("save-npz", it && it.ended && !isSweep(it));
+  offer("save-setup", it && !isSweep(it));
+  offer("copy-command", it && !isSweep(it));
+  offer("save-picture", it && viewer);
+  offer("save-curve", report.sweep && report.sweep.points.length);
+  offer("save-charts", report.sweep && report.sweep.points.length);
+}
+
+function save(address, name = "") {
+  element("a", { href: address, download: name }).click();
+}
+
+function saveText(text, type, name) {
+  saveBlob(new Blob([text], { type }), name);
+}
+
+function saveBlob(blob, name) {
+  const address = URL.createObjectURL(blob);
+  save(address, name);
+  setTimeout(() => URL.revokeObjectURL(address), 60000);
+}
+
+const saveRecording = () => save(`/save/${current().id}.rrd`);
+const saveArrays = () => save(`/save/${current().id}.npz`);
+const saveSetup = () => saveText(current().setup, "application/toml", `${current().file_stem}.toml`);
+
+/** The sweep as a table: all observables of each load, and what theories say. */
+function saveCurve() {
+  const rows = report.sweep.points.map(({ exact, ...numbers }) => ({ ...numbers, exact_relative_area: exact?.relative_area, exact_kappa_r: exact?.kappa_r }));
+  const names = Object.keys(rows[0]);
+  const lines = [names, ...rows.map((row) => names.map((name) => row[name] ?? ""))];
+  saveText(lines.map((line) => `${line.join(",")}\n`).join(""), "text/csv", `${report.sweep.file_stem}.csv`);
+}
+
+/** Properties of the style sheet that a picture takes along. */
+const STYLES = ["fill", "stroke", "stroke-width", "stroke-dasharray", "paint-order", "font-family", "font-size", "font-weight", "text-anchor"];
+
+/** Both charts side by side in one picture, on the ground of the page. */
+function saveCharts() {
+  const figures = [...document.querySelectorAll("#results figure svg")];
+  const boxes = figures.map((figure) => figure.getBoundingClientRect());
+  const width = boxes.reduce((sum, box) => sum + box.width, 0);
+  const height = Math.max(...boxes.map((box) => box.height));
+  const sheet = drawn("svg", { xmlns: SVG, width, height, viewBox: `0 0 ${width} ${height}` });
+  sheet.append(drawn("rect", { width, height, fill: getComputedStyle(document.body).backgroundColor }));
+  let x = 0;
+  figures.forEach((figure, i) => {
+    const copy = styled(figure);
+    for (const [name, value] of Object.entries({ x, y: 0, width: boxes[i].width, height: boxes[i].height })) copy.setAttribute(name, value);
+    sheet.append(copy);
+    x += boxes[i].width;
+  });
+  saveText(new XMLSerializer().serializeToString(sheet), "image/svg+xml", `${report.sweep.file_stem}.svg`);
+}
+
+/** A copy that looks the same without the style sheet. */
+function styled(original) {
+  const copy = original.cloneNode(true);
+  const copies = [copy, ...copy.querySelectorAll("*")];
+  [original, ...original.querySelectorAll("*")].forEach((it, i) => {
+    const style = getComputedStyle(it);
+    for (const name of STYLES) copies[i].setAttribute(name, style.getPropertyValue(name));
+    copies[i].removeAttribute("class");
+  });
+  return copy;
+}
+
+/** Frames after which the viewer is given up to draw. */
+const PATIENCE = 120;
+
+/** What the viewer shows, as it is drawn next: its canvas is empty between two frames. */
+function savePicture() {
+  const { file_stem } = current();
+  const picture = element("canvas", { width: byId("canvas").width, height: byId("canvas").height });
+  const look = (frames) => setTimeout(() => requestAnimationFrame(() => {
+    wake();
+    const pixels = picture.getContext("2d");
+    pixels.drawImage(byId("canvas"), 0, 0);
+    if (pixels.getImageData(0, 0, 1, 1).data[3]) picture.toBlob((blob) => saveBlob(blob, `${file_stem}.png`));
+    else if (frames) look(frames - 1);
+    else fault("The viewer drew nothing to save: try again, or take a picture of the screen.");
+  }));
+  look(PATIENCE);
+}
+
+async function copyCommand() {
+  const { command } = current();
+  try {
+    await navigator.clipboard.writeText(command);
+    byId("hint").textContent = `Copied: ${command}`;
+  } catch {
+    byId("hint").textContent = command;
+  }
+}

@@ -1,0 +1,121 @@
+"use strict";
+// The Rerun viewer inside the page, and playing what it shows.
+
+let viewer = null;
+
+/** How long the viewer draws on after a change, in milliseconds and at least in frames: its axes glide to their curves, and stop
+ * when it stops. */
+const GLIDE = { time: 500, frames: 12 };
+const awake = { until: 0, frames: 0 };
+
+/** Has the viewer draw for a while, after data, layout or size have changed. */
+function wake() {
+  const sleeps = !isAwake();
+  Object.assign(awake, { until: performance.now() + GLIDE.time, frames: GLIDE.frames });
+  if (sleeps) draw();
+}
+
+const isAwake = () => awake.frames > 0 || performance.now() < awake.until;
+
+/** Closing a channel that never was makes the viewer draw. */
+function draw() {
+  if (!viewer || viewer.has_panicked()) { Object.assign(awake, { until: 0, frames: 0 }); return; }
+  viewer.close_channel("wake");
+  awake.frames -= 1;
+  if (isAwake()) requestAnimationFrame(draw);
+}
+
+async function startViewer() {
+  const query = new URLSearchParams(location.search);
+  await wasm_bindgen({ module_or_path: `/re_viewer_bg.wasm` });
+  const canvas = element("canvas", { id: "canvas" });
+  byId("viewer").append(canvas);
+  const focused = document.activeElement;
+  const handle = new wasm_bindgen.WebHandle({
+    url: isView ? [`${location.origin}/recording.rrd`] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
+    render_backend: query.get("renderer"),
+    panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
+  });
+  await handle.start(canvas);
+  giveBack(focused);
+  if (isView) byId("viewer-note").hidden = true; else noteViewer("Waiting for the first picture.");
+  viewer = handle;
+  document.body.dataset.viewer = "started";
+  runs.slice(-1).forEach(follow);
+  new ResizeObserver(wake).observe(canvas);
+  setInterval(guardViewer, 1000);
+}
+
+/** The viewer takes the focus when it starts, and has a field for typed text that no key leads to: the focus stays with the page. */
+function giveBack(focused) {
+  byId("viewer").querySelectorAll("input").forEach((field) => { field.tabIndex = -1; field.ariaHidden = "true"; });
+  if (!inViewer(document.activeElement)) return;
+  document.activeElement.blur();
+  byId("skip").focus(); // where the next Tab goes on from
+  byId("skip").blur();
+  if (focused !== document.body) focused.focus();
+}
+
+const inViewer = (target) => target instanceof Element && byId("viewer").contains(target);
+
+function guardViewer() {
+  if (!viewer || !viewer.has_panicked()) return;
+  document.body.dataset.viewer = "failed";
+  noteViewer("The viewer has failed. Reload the page; if it fails again, add ?renderer=webgl to the address.");
+  viewer = null;
+}
+
+function noteViewer(sentence) {
+  byId("viewer-note").textContent = sentence;
+  byId("viewer-note").hidden = false;
+}
+
+let playing = null;
+
+/** The step at a share of the run: early steps, in which most happens, take most of the time. Loads take as long each. */
+function stepAt(run, share) {
+  const range = viewer && run && viewer.get_timeline_time_range(run.id, timeline(run));
+  if (!range) return null;
+  const length = range.max - range.min;
+  return Math.round(range.min + (isSweep(run) ? share * length : Math.expm1(share * Math.log1p(length))));
+}
+
+function seek(share) {
+  const run = runOf(shownRun);
+  const step = stepAt(run, share);
+  if (step === null) return false;
+  viewer.set_playing(run.id, false);
+  viewer.set_active_timeline(run.id, timeline(run));
+  viewer.set_time_for_timeline(run.id, timeline(run), step);
+  wake();
+  byId("scrub").value = 1000 * share;
+  byId("scrub-step").value = `${timeline(run)} ${step}`;
+  return true;
+}
+
+/** Seconds that the whole relaxation takes. */
+const duration = () => 2 ** Number(byId("duration").value);
+
+function showDuration() {
+  const seconds = `${figure(duration(), 2)} s`;
+  byId("duration-value").value = seconds;
+  byId("duration").setAttribute("aria-valuetext", seconds);
+}
+
+function play() {
+  if (playing) { stopPlaying(); return; }
+  const begun = performance.now();
+  const frame = (now) => {
+    const share = Math.min(1, (now - begun) / 1000 / duration());
+    if (!seek(Math.max(0, share)) || share >= 1) { stopPlaying(); return; }
+    playing = requestAnimationFrame(frame);
+  };
+  playing = requestAnimationFrame(frame);
+  byId("play").textContent = "Pause";
+}
+
+function stopPlaying() {
+  if (playing) cancelAnimationFrame(playing);
+  playing = null;
+  byId("play").textContent = "Play";
+}

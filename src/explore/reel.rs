@@ -1,0 +1,74 @@
+//! A recording of the session, and what came of the solve or sweep behind it.
+
+use super::report::{RunReport, SweepReport};
+use crate::contact::{Contact, archive};
+use crate::record::{Ghost, Output};
+use crate::setup::Setup;
+use serde::Serialize;
+use std::sync::Arc;
+
+/// A recording that can still be read.
+#[derive(Clone)]
+pub struct Reel {
+    /// Name of the recording.
+    pub id: String,
+    /// Name, without ending, of the files that it is saved as.
+    pub file_stem: String,
+    pub live: Output,
+    /// What came of it, once it is complete.
+    pub ended: Option<Ended>,
+}
+
+/// What came of a solve or a sweep.
+#[derive(Clone)]
+pub enum Ended {
+    Run(Arc<Solved>),
+    Sweep(Arc<SweepReport>),
+}
+
+/// What came of a solve.
+pub struct Solved {
+    pub report: RunReport,
+    pub setup: Setup,
+    pub contact: Contact,
+    /// Curves of the recording, to stand beside those of others.
+    pub curves: Arc<Ghost>,
+}
+
+/// What the page is told of a recording that is complete.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum Told {
+    Run(RunReport),
+    Sweep(SweepReport),
+}
+
+impl Reel {
+    /// A recording that has begun.
+    pub fn new(id: &str, file_stem: &str, live: Output) -> Self {
+        Self { id: id.into(), file_stem: file_stem.into(), live, ended: None }
+    }
+
+    /// What the page is told of it, once it is complete.
+    pub fn told(&self) -> Option<Told> {
+        Some(match self.ended.as_ref()? {
+            Ended::Run(solved) => Told::Run(solved.report.clone()),
+            Ended::Sweep(report) => Told::Sweep(SweepReport::clone(report)),
+        })
+    }
+
+    /// The solve behind it, once it is complete; none of a sweep.
+    pub fn solved(&self) -> Option<Arc<Solved>> {
+        match self.ended.as_ref()? {
+            Ended::Run(solved) => Some(Arc::clone(solved)),
+            Ended::Sweep(_) => None,
+        }
+    }
+}
+
+impl Solved {
+    /// The arrays and the setup as `.npz`; none if they cannot be written.
+    pub fn archive(&self) -> Option<Vec<u8>> {
+        archive(&self.contact, self.setup.grid.points.len(), Some(&self.setup.to_toml())).ok()
+    }
+}
