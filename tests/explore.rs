@@ -5,6 +5,8 @@ use asperity::contact::{Multilevel, Solver};
 use asperity::explore::{Explorer, Knobs, Server, Session, Start};
 use asperity::setup::Setup;
 use assert_cmd::Command;
+use rerun::components::Color;
+use rerun::external::re_sdk_types::blueprint::archetypes::Background;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Cursor, Read, Write};
@@ -472,6 +474,26 @@ fn a_sweep_is_recorded_load_by_load() {
     }
     assert!(rows["/contact/contact/contact"] >= points.len());
     assert!(!rows.keys().any(|entity| entity.contains("pressure")), "{rows:?}");
+}
+
+#[test]
+fn pictures_follow_the_theme_of_the_page() {
+    let page = Page::open();
+    let small = json!({"points": 256, "cutoff": 64, "theme": "light"});
+    let light = page.solve(&with(small.clone()));
+    assert!(light["setup"].as_str().unwrap().contains("theme = \"light\""), "{}", light["setup"]);
+    page.order("/api/sweep", &with(small));
+    page.wait(|state| state["busy"] == false);
+    let (run, sweep) = (page.get("/run/run-1.rrd").body, page.get("/run/sweep-2.rrd").body);
+    for rrd in [run, sweep] {
+        let config = &rerun::ChunkStoreConfig::ALL_DISABLED;
+        let stores = rerun::ChunkStore::from_rrd_reader(config, &mut Cursor::new(rrd)).unwrap();
+        let layout = stores.iter().find(|(id, _)| id.kind() == rerun::StoreKind::Blueprint).unwrap().1;
+        let component = Background::descriptor_color().component;
+        let grounds = layout.iter_physical_chunks().filter_map(|chunk| chunk.component_batch::<Color>(component, 0));
+        let grounds: Vec<Color> = grounds.flat_map(Result::unwrap).collect();
+        assert!(!grounds.is_empty() && grounds.iter().all(|ground| ground.to_array() == [255; 4]), "{grounds:?}");
+    }
 }
 
 #[test]

@@ -21,6 +21,8 @@ use std::time::{Duration, Instant};
 mod ghost;
 #[path = "recording/loads.rs"]
 mod loads;
+#[path = "recording/theme.rs"]
+mod theme;
 
 fn cylinder() -> Problem {
     let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();

@@ -3,7 +3,7 @@
 
 use asperity::contact::{Contact, Dynamics, Gfmd, Load, Masses};
 use asperity::error::SetupError;
-use asperity::setup::{Cell, Cost, Method, Part, Recipe, Record, Setup, Solid, Table};
+use asperity::setup::{Cell, Cost, Method, Part, Recipe, Record, Setup, Solid, Table, Theme};
 use asperity::surface::{Spectrum, read_heights, write_heights};
 use asperity::{Grid, Indenter, Stop, Surface};
 use std::fs;
@@ -36,7 +36,12 @@ fn setups() -> Vec<Setup> {
             damping: 0.7,
         }),
         stop: Stop::new(1e-7 / 3.0, 12_345).unwrap(),
-        record: Record { what: vec![Part::Traces, Part::Mesh], every: Some(3), length_unit: "um".into() },
+        record: Record {
+            what: vec![Part::Traces, Part::Mesh],
+            every: Some(3),
+            length_unit: "um".into(),
+            theme: Theme::Light,
+        },
         ..Setup::new(crossed, Cell::surface([24, 36], [1.0, 1.0 / 0.7]), Load::MeanPressure(1e8 / 3.0))
     };
     let both = Recipe { indenter: Some(Indenter::Cylinder { radius: 0.1 + 0.2 }), ..Recipe::rough(roughness(), 0) };
@@ -62,6 +67,15 @@ fn what_is_written_is_read_again_to_the_last_bit() {
         assert_eq!(setup.to_table().setup().unwrap(), setup);
         assert_eq!(Setup::from_toml(&text).unwrap().to_toml(), text);
     }
+}
+
+#[test]
+fn the_dark_theme_needs_no_mention() {
+    let dark = Setup::from_toml(SCENE).unwrap();
+    assert_eq!(dark.record.theme, Theme::Dark);
+    assert!(!dark.to_toml().contains("theme"));
+    let light = Setup { record: Record { theme: Theme::Light, ..Record::default() }, ..dark };
+    assert!(light.to_toml().contains("theme = \"light\""));
 }
 
 #[test]

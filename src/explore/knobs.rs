@@ -2,7 +2,7 @@
 
 use crate::contact::{Load, Stop};
 use crate::error::SetupError;
-use crate::setup::{Cell, Method, Part, Recipe, Record, Setup, Solid};
+use crate::setup::{Cell, Method, Part, Recipe, Record, Setup, Solid, Theme};
 use crate::surface::{Indenter, Spectrum};
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
@@ -45,6 +45,9 @@ pub struct Knobs {
     stop: Stop,
     /// Parts of the recording; of profile and mesh the one that the domain has.
     record: Vec<Part>,
+    /// Ground of the pictures; dark where the page says nothing.
+    #[serde(default)]
+    theme: Theme,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -118,6 +121,7 @@ impl Start {
             solver: Method::default(),
             stop: Stop::new(1e-8, 20_000).expect("both are positive"),
             record: vec![Part::Traces, Part::Profile, Part::Mesh, Part::Fields, Part::Mask],
+            theme: Theme::Dark,
         }
     }
 }
@@ -148,7 +152,7 @@ impl Knobs {
             solid: Solid { contact_modulus: MODULUS },
             solver: self.solver,
             stop: self.stop,
-            record: Record { what: self.parts(), ..Record::default() },
+            record: Record { what: self.parts(), theme: self.theme, ..Record::default() },
             ..Setup::new(surface, cell, Load::ReducedPressure(self.load))
         };
         setup.check()?;

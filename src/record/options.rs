@@ -2,7 +2,7 @@
 
 use super::draw::Ghost;
 use super::parts::Parts;
-use crate::setup::Record;
+use crate::setup::{Record, Theme};
 use std::sync::Arc;
 
 /// Parts and amount of what is recorded.
@@ -15,20 +15,22 @@ pub struct Options {
     pub every: Option<usize>,
     /// Unit of the lengths of the problems, for the axes. Metres (`m`) are shown as mm, µm or nm.
     pub length_unit: String,
+    /// Ground of the pictures, and with it all their colours.
+    pub theme: Theme,
     /// Curves of an earlier solve, drawn beside those of each scene.
     pub ghost: Option<Arc<Ghost>>,
 }
 
 impl Default for Options {
-    /// Every part but the spectrum, the automatic schedule, lengths in metres, no earlier solve.
+    /// Every part but the spectrum, the automatic schedule, lengths in metres, a dark ground, no earlier solve.
     fn default() -> Self {
-        Self { what: Parts::USUAL, every: None, length_unit: "m".into(), ghost: None }
+        Self { what: Parts::USUAL, every: None, length_unit: "m".into(), theme: Theme::Dark, ghost: None }
     }
 }
 
 impl From<&Record> for Options {
-    fn from(Record { what, every, length_unit }: &Record) -> Self {
+    fn from(Record { what, every, length_unit, theme }: &Record) -> Self {
         let what = if what.is_empty() { Parts::USUAL } else { what.iter().copied().collect() };
-        Self { what, every: *every, length_unit: length_unit.clone(), ghost: None }
+        Self { what, every: *every, length_unit: length_unit.clone(), theme: *theme, ghost: None }
     }
 }

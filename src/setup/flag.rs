@@ -1,6 +1,6 @@
 //! The flags of the command line that lay values over a setup.
 
-use super::{Method, Part};
+use super::{Method, Part, Theme};
 use crate::surface::Indenter;
 
 /// A flag of the command line, and the place in a setup that its value is laid over.
@@ -69,6 +69,7 @@ pub const FLAGS: &[Flag] = &[
     flag("record-what", "record.what", Value::Choices(&Part::PARTS), "PART[,PART]", "Parts to record, instead of all that a line or a surface usually has"),
     flag("record-every", "record.every", Value::One, "N", "Record the fields of every N-th step, instead of all early steps and then ever fewer"),
     flag("length-unit", "record.length-unit", Value::One, "UNIT", "Unit of lengths in the recording; metres are shown as mm, um or nm [default: m]"),
+    flag("theme", "record.theme", Value::Choice(&Theme::THEMES), "THEME", "Ground of the pictures in the recording [default: dark]"),
 ];
 
 const fn flag(

@@ -34,6 +34,7 @@ mod method;
 mod part;
 mod recipe;
 mod text;
+mod theme;
 
 pub use cell::Cell;
 pub use command::{command, lay};
@@ -43,6 +44,7 @@ pub use method::Method;
 pub use part::{Part, Record};
 pub use recipe::Recipe;
 pub use text::Table;
+pub use theme::Theme;
 
 use crate::contact::{ContactModulus, Load, Problem, Stop};
 use crate::error::{FileError, SetupError, SolveError};
@@ -62,7 +64,7 @@ use serde::{Deserialize, Serialize};
 /// | `load`    | a mean pressure, a reduced pressure or a mean gap            | must be there                   |
 /// | `solver`  | the method and its settings                                  | multilevel                      |
 /// | `stop`    | certificate to reach, and iterations at the most             | 1e-8, 100 000                   |
-/// | `record`  | parts of a recording                                         | the usual parts                 |
+/// | `record`  | parts and theme of a recording                               | the usual parts, dark           |
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Setup {

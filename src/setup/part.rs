@@ -1,5 +1,6 @@
 //! The parts of a recording.
 
+use super::Theme;
 use crate::error::SetupError;
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
@@ -46,12 +47,15 @@ pub struct Record {
     pub every: Option<usize>,
     /// Unit of lengths in the recording; metres are shown as mm, um or nm.
     pub length_unit: String,
+    /// Ground of the pictures.
+    #[serde(skip_serializing_if = "Theme::is_dark")]
+    pub theme: Theme,
 }
 
 impl Default for Record {
-    /// All usual parts, all early steps and then ever fewer, lengths in metres.
+    /// All usual parts, all early steps and then ever fewer, lengths in metres, on a dark ground.
     fn default() -> Self {
-        Self { what: Vec::new(), every: None, length_unit: "m".into() }
+        Self { what: Vec::new(), every: None, length_unit: "m".into(), theme: Theme::Dark }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Canvases: drawings on sheets as lines and words of the viewer, whose flat views have neither axes nor filled shapes.
 
 use super::fill;
-use super::palette::{INK, colour, on_ground};
+use super::palette::{Palette, colour};
 use crate::plot::{Align, Colour, Element, Frame, Sheet, Side, width};
 use rerun::{Color, LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
 
@@ -33,30 +33,38 @@ pub fn head(frame: &Frame) -> f64 {
 }
 
 /// Words above the middle of a frame.
-pub fn caption(frame: &Frame, words: String) -> Points2D {
-    labels(vec![([(frame.corner[0] + 0.5 * frame.size[0]) as f32, head(frame) as f32], words)])
+pub fn caption(palette: &Palette, frame: &Frame, words: String) -> Points2D {
+    labels(palette, vec![([(frame.corner[0] + 0.5 * frame.size[0]) as f32, head(frame) as f32], words)])
 }
 
 /// Draws the box and both axes of a frame under `entity`, for all times.
-pub fn log_axes(to: &RecordingStream, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
+pub fn log_axes(to: &RecordingStream, palette: &Palette, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
     let mut sheet = Sheet::default();
     frame.draw_box(&mut sheet);
     [Side::Below, Side::Left].into_iter().for_each(|side| frame.draw_axis(&mut sheet, side));
-    log_sheet(to, entity, &sheet, head(frame))
+    log_sheet(to, palette, entity, &sheet, head(frame))
 }
 
 /// Draws the lower side of a frame with its axis under `entity`, for all times.
-pub fn log_floor(to: &RecordingStream, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
+pub fn log_floor(to: &RecordingStream, palette: &Palette, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
     let mut sheet = Sheet::default();
     sheet.line([0.0, 1.0].map(|x| frame.position([x, 0.0])).to_vec(), Colour::GREY, 1.2);
     frame.draw_axis(&mut sheet, Side::Below);
-    log_sheet(to, entity, &sheet, head(frame))
+    log_sheet(to, palette, entity, &sheet, head(frame))
 }
 
 /// Draws `sheet` under `entity`, for all times. Words that read upwards on paper cannot do so here and stand at the height `head`.
-pub fn log_sheet(to: &RecordingStream, entity: &str, sheet: &Sheet, head: f64) -> RecordingStreamResult<()> {
-    to.log_static(format!("{entity}/lines"), &strips(sheet.elements.iter().filter_map(outline)).with_draw_order(20.0))?;
-    to.log_static(format!("{entity}/words"), &labels(sheet.elements.iter().filter_map(|it| words(it, head)).collect()))
+pub fn log_sheet(
+    to: &RecordingStream,
+    palette: &Palette,
+    entity: &str,
+    sheet: &Sheet,
+    head: f64,
+) -> RecordingStreamResult<()> {
+    let lines = strips(sheet.elements.iter().filter_map(|it| outline(palette, it)));
+    to.log_static(format!("{entity}/lines"), &lines.with_draw_order(20.0))?;
+    let words = sheet.elements.iter().filter_map(|it| words(it, head)).collect();
+    to.log_static(format!("{entity}/words"), &labels(palette, words))
 }
 
 pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
@@ -77,26 +85,26 @@ pub fn style(rgb: Colour, radius: Radius, order: f32) -> LineStrips2D {
 }
 
 /// Words at points that do not show themselves.
-pub fn labels(labels: Vec<([f32; 2], String)>) -> Points2D {
+pub fn labels(palette: &Palette, labels: Vec<([f32; 2], String)>) -> Points2D {
     let (positions, words): (Vec<_>, Vec<_>) = labels.into_iter().unzip();
     Points2D::new(positions)
         .with_labels(words)
         .with_show_labels(true)
-        .with_colors([colour(INK)])
+        .with_colors([colour(palette.ink)])
         .with_radii([Radius::new_ui_points(0.0)])
         .with_draw_order(40.0)
 }
 
 /// A line, or the line that fills a shape.
-fn outline(element: &Element) -> Option<Strip> {
+fn outline(palette: &Palette, element: &Element) -> Option<Strip> {
     let single = |points: &[[f64; 2]]| points.iter().map(|point| point.map(|p| p as f32)).collect::<Vec<_>>();
     match element {
-        Element::Line { points, colour, width } => {
-            Some((single(points), on_ground(*colour), Radius::new_ui_points(0.5 * *width as f32)))
+        Element::Line { points, colour: paper, width } => {
+            Some((single(points), colour(palette.on_ground(*paper)), Radius::new_ui_points(0.5 * *width as f32)))
         }
-        Element::Shape { corners, colour, .. } => {
+        Element::Shape { corners, colour: paper, .. } => {
             let line = fill::shape(&single(corners), PITCH);
-            Some((line, on_ground(*colour), Radius::new_scene_units(0.7 * PITCH)))
+            Some((line, colour(palette.on_ground(*paper)), Radius::new_scene_units(0.7 * PITCH)))
         }
         Element::Words { .. } => None,
     }

@@ -1,7 +1,7 @@
-//! The panels of a figure, drawn as on paper but on the dark ground, with a cursor at the current load.
+//! The panels of a figure, drawn as on paper but on the ground of the recording, with a cursor at the current load.
 
 use super::canvas;
-use super::palette::{self, colour};
+use super::palette::{Palette, colour};
 use crate::plot::{Figure, Panel, drawing, frame_of};
 use rerun::{Radius, RecordingStream, RecordingStreamResult};
 
@@ -12,16 +12,18 @@ const HEAD: f64 = 26.0;
 pub struct FigurePicture {
     /// Panels, each with the title of its view.
     panels: Vec<(String, Panel)>,
+    pub palette: &'static Palette,
     cursor: Vec<f64>,
 }
 
 impl FigurePicture {
     /// The picture of `figure`, with the loads at `cursor`. The view of a single panel takes the title of the figure.
-    pub fn new(figure: &Figure, cursor: Vec<f64>) -> Self {
+    pub fn new(figure: &Figure, cursor: Vec<f64>, palette: &'static Palette) -> Self {
         let is_single = figure.panels.len() == 1 && !figure.title.is_empty();
         let title =
             |panel: &Panel| if is_single || panel.title.is_empty() { &figure.title } else { &panel.title }.clone();
-        Self { panels: figure.panels.iter().map(|panel| (title(panel), panel.clone())).collect(), cursor }
+        let panels = figure.panels.iter().map(|panel| (title(panel), panel.clone())).collect();
+        Self { panels, palette, cursor }
     }
 
     /// Title, root and the part of the canvas of each panel.
@@ -35,7 +37,9 @@ impl FigurePicture {
     /// Records all but the cursor.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let mut panels = self.panels.iter().enumerate();
-        panels.try_for_each(|(i, (_, panel))| canvas::log_sheet(to, &root(i), &drawing(&alone(panel)), -HEAD))
+        panels.try_for_each(|(i, (_, panel))| {
+            canvas::log_sheet(to, self.palette, &root(i), &drawing(&alone(panel)), -HEAD)
+        })
     }
 
     /// Records the cursor at load number `load` and its caption, at the current time.
@@ -45,12 +49,12 @@ impl FigurePicture {
             let frame = frame_of(panel, [0.0, 0.0]);
             let place = panel.x.place(at);
             let upright = [0.0, 1.0].map(|y| frame.position([place, y]).map(|p| p as f32)).to_vec();
-            let upright = (upright, colour(palette::INK), Radius::new_ui_points(1.0));
+            let upright = (upright, colour(self.palette.ink), Radius::new_ui_points(1.0));
             let upright = (0.0..=1.0).contains(&place).then_some(upright);
             to.log(format!("{}/cursor", root(i)), &canvas::strips(upright).with_draw_order(21.0))?;
             let [x, _] = frame.position([0.7, 0.0]);
             let words = ([x as f32, -HEAD as f32], caption.to_owned());
-            to.log(format!("{}/caption", root(i)), &canvas::labels(vec![words]))?;
+            to.log(format!("{}/caption", root(i)), &canvas::labels(self.palette, vec![words]))?;
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 use super::canvas::{self, BOX, TEXT, strip, style};
 use super::fields::{Extent, Fields, range};
 use super::fill;
-use super::palette::{self, CONTACT_CLASS};
+use super::palette::{self, CONTACT_CLASS, Palette};
 use super::picture::Picture;
 use super::reduce::Columns;
 use super::ruler::Ruler;
@@ -24,6 +24,7 @@ const ROOM: f64 = 0.06;
 /// Pictures of a line; the pictures that are shown lie at the same place of the canvas.
 pub struct LinePicture {
     what: Parts,
+    palette: &'static Palette,
     root: String,
     window: Window,
     /// Height of the indenter on the canvas, for all nodes of the window; empty if it is not shown.
@@ -46,6 +47,7 @@ impl LinePicture {
         let shown = options.what.has(Part::Profile).then(|| nodes.of(problem.height()));
         Self {
             what: options.what,
+            palette: Palette::of(options.theme),
             root: root.into(),
             window,
             indenter: shown.into_iter().flatten().map(|h| HEIGHT * (1.0 - profile.place(-h)) as f32).collect(),
@@ -62,26 +64,26 @@ impl LinePicture {
 
     fn log_profile(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let root = format!("{}/profile", self.root);
-        canvas::log_axes(to, &format!("{root}/axes"), &self.frame())?;
+        canvas::log_axes(to, self.palette, &format!("{root}/axes"), &self.frame())?;
         let bars = Radius::new_scene_units(fill::radius(WIDTH));
-        to.log_static(format!("{root}/solid"), &style(palette::SOLID, Radius::new_ui_points(1.0), 32.0))?;
-        to.log_static(format!("{root}/solid_fill"), &style(palette::SOLID_FILL, bars, 10.0))?;
+        to.log_static(format!("{root}/solid"), &style(self.palette.solid, Radius::new_ui_points(1.0), 32.0))?;
+        to.log_static(format!("{root}/solid_fill"), &style(self.palette.solid_fill, bars, 10.0))?;
         let curve = curve(&self.window.every(1), |i| self.indenter[i]);
-        let body = style(palette::INDENTER_FILL, bars, 8.0);
+        let body = style(self.palette.indenter_fill, bars, 8.0);
         let body = body.with_strips([fill::under(&curve, WIDTH, 0.0, f32::min)]);
         to.log_static(format!("{root}/indenter_fill"), &body)?;
-        let line = style(palette::INDENTER, Radius::new_ui_points(0.8), 30.0);
+        let line = style(self.palette.indenter, Radius::new_ui_points(0.8), 30.0);
         to.log_static(format!("{root}/indenter"), &line.with_strips([curve]))
     }
 
     fn log_fields(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()> {
         let [pressure, gap] = ["pressure", "gap"].map(|name| format!("{}/{name}/curves", self.root));
-        to.log_static(format!("{pressure}/pressure"), &style(palette::PRESSURE, Radius::new_ui_points(1.4), 32.0))?;
-        to.log_static(format!("{gap}/gap"), &style(palette::GAP, Radius::new_ui_points(1.0), 32.0))?;
+        to.log_static(format!("{pressure}/pressure"), &style(self.palette.pressure, Radius::new_ui_points(1.4), 32.0))?;
+        to.log_static(format!("{gap}/gap"), &style(self.palette.gap, Radius::new_ui_points(1.0), 32.0))?;
         if let Some(exact) = &scene.exact {
             let values = exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect::<Vec<_>>();
             let curve = rising(&self.window.every(1), &values, &self.pressure);
-            let line = style(palette::EXACT, Radius::new_ui_points(0.5), 36.0);
+            let line = style(self.palette.exact, Radius::new_ui_points(0.5), 36.0);
             to.log_static(format!("{pressure}/exact"), &line.with_strips([curve]))?;
         }
         self.log_scaled(to, [self.pressure.axis.clone(), self.gap.axis.clone()])
@@ -90,7 +92,7 @@ impl LinePicture {
     /// The axes of pressure and gap, and the curves stretched to them: frames recorded before stay right.
     fn log_scaled(&self, to: &RecordingStream, axes: [Axis; 2]) -> RecordingStreamResult<()> {
         for ((name, ruler), axis) in [("pressure", &self.pressure), ("gap", &self.gap)].into_iter().zip(axes) {
-            canvas::log_axes(to, &format!("{}/{name}/axes", self.root), &self.frame_with(&axis))?;
+            canvas::log_axes(to, self.palette, &format!("{}/{name}/axes", self.root), &self.frame_with(&axis))?;
             let stretch = axis.place(ruler.axis.range[1]) as f32;
             let transform = Transform3D::from_translation([0.0, HEIGHT * (1.0 - stretch), 0.0]);
             to.log_static(format!("{}/{name}/curves", self.root), &transform.with_scale([1.0, stretch, 1.0]))?;
@@ -118,12 +120,12 @@ impl Picture for LinePicture {
             self.log_fields(to, scene)?;
         }
         if self.what.has(Part::Mask) {
-            let contact = style(palette::CONTACT, Radius::new_ui_points(2.5), 34.0);
+            let contact = style(self.palette.contact, Radius::new_ui_points(2.5), 34.0);
             let contact = contact.with_class_ids([CONTACT_CLASS]).with_show_labels(false);
             to.log_static(format!("{}/contact", self.root), &contact)?;
         }
         if self.what.has_mask_alone() {
-            canvas::log_floor(to, &format!("{}/contact/axes", self.root), &self.frame())?;
+            canvas::log_floor(to, self.palette, &format!("{}/contact/axes", self.root), &self.frame())?;
         }
         Ok(())
     }

@@ -23,7 +23,7 @@ pub use curves::{Curve, Curves};
 pub use fields::{Extent, Fields};
 pub use figure::FigurePicture;
 pub use ghost::{Ghost, entity_under};
-pub use palette::{GROUND, colour};
+pub use palette::{Palette, colour};
 pub use reduce::Columns;
 pub use relief::vertices;
 pub use stage::{Stage, level, stride};

@@ -1,53 +1,136 @@
-//! Colours on the dark ground: those of the one palette, some greys, and continuous maps.
+//! Colours: those of pictures by their ground, those of curves that the viewer draws on a ground of its own, and continuous
+//! maps.
 
 use crate::plot::Colour;
+use crate::setup::Theme;
 use colorgrad::Gradient;
 use rerun::components::Colormap;
 use rerun::{AnnotationContext, AnnotationInfo, Color};
 
-pub const GROUND: Colour = Colour([0x12, 0x14, 0x19]);
-pub const INK: Colour = Colour([0xc8, 0xcc, 0xd4]);
+/// Exact values among the curves of the viewer, seen on its dark ground and on its light one.
+pub const EXACT: Colour = Colour::GREEN;
+/// An earlier solve, on either ground.
+pub const GHOST: Colour = Colour([0x80, 0x86, 0x92]);
+/// What stands in the background, on either ground.
 pub const FAINT: Colour = Colour([0x6b, 0x70, 0x7c]);
-pub const INDENTER: Colour = Colour([0xb4, 0xb8, 0xc0]);
-pub const INDENTER_FILL: Colour = Colour([0x3a, 0x3d, 0x45]);
-pub const SOLID: Colour = Colour::SKY;
-pub const SOLID_FILL: Colour = Colour([0x1c, 0x3c, 0x52]);
-pub const SOLID_RELIEF: Colour = Colour([0x6f, 0x8a, 0x9e]);
-pub const CONTACT: Colour = Colour::VERMILION;
-pub const PRESSURE: Colour = Colour::ORANGE;
-pub const GAP: Colour = Colour::GREEN;
-pub const EXACT: Colour = Colour([0xf2, 0xf2, 0xf2]);
-pub const GHOST: Colour = Colour([0x8c, 0x92, 0x9e]);
+/// Curves of the viewer that stand side by side, on either ground.
+pub const SERIES: [Colour; 6] = [
+    Colour([0xc4, 0x7f, 0x00]),
+    Colour([0x2f, 0x8f, 0xd0]),
+    Colour([0x0a, 0x8f, 0x86]),
+    Colour([0xb8, 0x67, 0x9b]),
+    Colour([0x9a, 0x87, 0x00]),
+    Colour::VERMILION,
+];
 
 /// Classes of the nodes of a mask.
 pub const GAP_CLASS: u16 = 0;
 pub const CONTACT_CLASS: u16 = 1;
 
-/// Colours of curves that stand side by side.
-pub const SERIES: [Colour; 6] =
-    [Colour::ORANGE, Colour::SKY, Colour::GREEN, Colour::PURPLE, Colour::YELLOW, Colour::VERMILION];
+/// Contrast of a line with its ground at which it is seen well.
+const LEAST_CONTRAST: f64 = 3.0;
+/// Steps from a colour to that of words.
+const SHADES: u16 = 20;
+
+/// The colours of pictures on one ground.
+#[derive(Debug, PartialEq)]
+pub struct Palette {
+    pub ground: Colour,
+    /// Words, and whatever else must stand out.
+    pub ink: Colour,
+    pub indenter: Colour,
+    pub indenter_fill: Colour,
+    pub solid: Colour,
+    pub solid_fill: Colour,
+    /// The solid's surface in space where it does not touch.
+    pub relief: Colour,
+    pub contact: Colour,
+    pub pressure: Colour,
+    pub gap: Colour,
+    pub exact: Colour,
+}
+
+const DARK: Palette = Palette {
+    ground: Colour([0x12, 0x14, 0x19]),
+    ink: Colour([0xe8, 0xea, 0xee]),
+    indenter: Colour([0xb4, 0xb8, 0xc0]),
+    indenter_fill: Colour([0x3a, 0x3d, 0x45]),
+    solid: Colour::SKY,
+    solid_fill: Colour([0x1c, 0x3c, 0x52]),
+    relief: Colour([0x6f, 0x8a, 0x9e]),
+    contact: Colour::VERMILION,
+    pressure: Colour::ORANGE,
+    gap: Colour::PURPLE,
+    exact: Colour([0x2b, 0xbf, 0x95]),
+};
+
+const LIGHT: Palette = Palette {
+    ground: Colour::WHITE,
+    ink: Colour([0x15, 0x18, 0x1d]),
+    indenter: Colour([0x4b, 0x52, 0x60]),
+    indenter_fill: Colour([0xdc, 0xdf, 0xe5]),
+    solid: Colour([0x00, 0x67, 0xa5]),
+    solid_fill: Colour([0xbf, 0xdd, 0xf0]),
+    relief: Colour([0x8f, 0xab, 0xbf]),
+    contact: Colour::VERMILION,
+    pressure: Colour([0xa8, 0x5b, 0x00]),
+    gap: Colour([0x9c, 0x4f, 0x86]),
+    exact: Colour([0x00, 0x70, 0x4f]),
+};
+
+impl Palette {
+    pub fn of(theme: Theme) -> &'static Self {
+        match theme {
+            Theme::Dark => &DARK,
+            Theme::Light => &LIGHT,
+        }
+    }
+
+    /// A colour chosen for paper, on this ground: greys from white to black become those from the ground to the words, and
+    /// other colours come near to the words until they are seen well.
+    pub fn on_ground(&self, paper: Colour) -> Colour {
+        let Colour([r, g, b]) = paper;
+        if r == g && g == b {
+            return mixed(self.ground, self.ink, 1.0 - f64::from(r) / 255.0);
+        }
+        let shade = |i| mixed(paper, self.ink, f64::from(i) / f64::from(SHADES));
+        let is_seen = |shade: &Colour| contrast(*shade, self.ground) >= LEAST_CONTRAST;
+        (0..=SHADES).map(shade).find(is_seen).unwrap_or(self.ink)
+    }
+
+    /// The names and colours of contact and gap.
+    pub fn classes(&self) -> AnnotationContext {
+        let class = |id, name: &str, color| AnnotationInfo { id, label: Some(name.into()), color: Some(color) };
+        let clear = rerun::Rgba32::from_unmultiplied_rgba(0, 0, 0, 0);
+        let contact = class(CONTACT_CLASS, "contact", colour(self.contact).0);
+        AnnotationContext::new([class(GAP_CLASS, "gap", clear), contact])
+    }
+}
 
 /// A colour as the viewer knows it.
 pub fn colour(Colour([r, g, b]): Colour) -> Color {
     Color::from_rgb(r, g, b)
 }
 
-/// A colour chosen for paper, on the dark ground: greys from white to black become those from the ground to white.
-pub fn on_ground(Colour([r, g, b]): Colour) -> Color {
-    let darkness = 1.0 - f32::from(r) / 255.0;
-    let inverted = |i: usize| {
-        let [low, high] = [GROUND, EXACT].map(|end| f32::from(end.0[i]));
-        (low + darkness * (high - low)) as u8
-    };
-    colour(Colour(if r == g && g == b { [0, 1, 2].map(inverted) } else { [r, g, b] }))
+/// The colour at `share` of the way between two others.
+fn mixed(Colour(from): Colour, Colour(to): Colour, share: f64) -> Colour {
+    Colour([0, 1, 2].map(|i| (f64::from(from[i]) + share * (f64::from(to[i]) - f64::from(from[i]))).round() as u8))
 }
 
-/// The names and colours of contact and gap.
-pub fn classes() -> AnnotationContext {
-    let class = |id, name: &str, color| AnnotationInfo { id, label: Some(name.into()), color: Some(color) };
-    let clear = rerun::Rgba32::from_unmultiplied_rgba(0, 0, 0, 0);
-    let [gap, contact] = [class(GAP_CLASS, "gap", clear), class(CONTACT_CLASS, "contact", colour(CONTACT).0)];
-    AnnotationContext::new([gap, contact])
+/// The contrast of two colours after the Web Content Accessibility Guidelines: 1 for the same, 21 for black on white.
+fn contrast(a: Colour, b: Colour) -> f64 {
+    let [a, b] = [a, b].map(|colour| luminance(colour) + 0.05);
+    a.max(b) / a.min(b)
+}
+
+/// The light of a colour over that of white.
+fn luminance(Colour(levels): Colour) -> f64 {
+    let linear = |level: u8| match f64::from(level) / 255.0 {
+        level if level <= 0.04045 => level / 12.92,
+        level => ((level + 0.055) / 1.055).powf(2.4),
+    };
+    let weights = [0.2126, 0.7152, 0.0722];
+    levels.into_iter().zip(weights).map(|(level, weight)| weight * linear(level)).sum()
 }
 
 /// A continuous map, by the name under which the viewer knows it and as colours.
@@ -76,5 +159,66 @@ impl Map {
     /// The colour at `t` in 0 to 1, beyond which it stays.
     pub fn at(&self, t: f64) -> Color {
         self.colours[(t * 255.0).clamp(0.0, 255.0) as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each palette, and the plates that the viewer of the same theme lays under words.
+    const PLATES: [(&Palette, Colour); 2] = [(&DARK, Colour([0x2c, 0x2e, 0x33])), (&LIGHT, Colour([0xdd, 0xde, 0xe0]))];
+    /// Colours on paper.
+    const PAPER: [Colour; 7] =
+        [Colour::BLUE, Colour::VERMILION, Colour::GREEN, Colour::PURPLE, Colour::ORANGE, Colour::SKY, Colour::YELLOW];
+
+    #[test]
+    fn contrast_is_that_of_the_guidelines() {
+        assert!((contrast(Colour::BLACK, Colour::WHITE) - 21.0).abs() < 1e-9);
+        let grey = Colour([0x77; 3]);
+        assert!((contrast(grey, Colour::WHITE) - 4.48).abs() < 5e-3 && contrast(grey, grey) == 1.0);
+    }
+
+    #[test]
+    fn words_are_read_on_every_ground_under_them() {
+        for (palette, plate) in PLATES {
+            for ground in [palette.ground, plate, palette.indenter_fill, palette.solid_fill] {
+                assert!(contrast(palette.ink, ground) >= 4.5, "{:?} on {ground:?}", palette.ink);
+            }
+        }
+    }
+
+    #[test]
+    fn lines_are_seen_on_their_ground() {
+        for (palette, _) in PLATES {
+            let Palette { indenter, solid, relief, contact, pressure, gap, exact, .. } = *palette;
+            let axis = palette.on_ground(Colour::GREY);
+            for line in [indenter, solid, contact, pressure, gap, exact, axis, GHOST] {
+                let seen = contrast(line, palette.ground);
+                assert!(seen >= LEAST_CONTRAST, "{line:?} on {:?}: {seen}", palette.ground);
+            }
+            assert!(contrast(relief, palette.ground) > 2.0);
+            for paper in PAPER {
+                assert!(contrast(palette.on_ground(paper), palette.ground) >= LEAST_CONTRAST, "{paper:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn curves_of_the_viewer_are_seen_on_both_of_its_grounds() {
+        for curve in SERIES.into_iter().chain([EXACT, GHOST, FAINT]) {
+            for (Palette { ground, .. }, _) in PLATES {
+                assert!(contrast(curve, *ground) >= LEAST_CONTRAST, "{curve:?} on {ground:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn paper_becomes_the_ground_and_its_print_the_words() {
+        for (palette, _) in PLATES {
+            assert_eq!(palette.on_ground(Colour::WHITE), palette.ground);
+            assert_eq!(palette.on_ground(Colour::BLACK), palette.ink);
+        }
+        assert_eq!(LIGHT.on_ground(Colour::BLUE), Colour::BLUE);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::canvas::{self, style};
 use super::fill::zigzag;
-use super::palette;
+use super::palette::Palette;
 use crate::plot::{Axis, Frame};
 use rerun::{Radius, RecordingStream, RecordingStreamResult};
 
@@ -16,14 +16,15 @@ const FEWEST: usize = 4;
 /// A map of the contact, the position to the right and the load upwards. It grows with the load.
 pub struct PatchMap {
     frame: Frame,
+    palette: &'static Palette,
     pub root: String,
 }
 
 impl PatchMap {
     /// The map under `root` of a line under so many loads, beside pictures in `frame`.
-    pub fn new(frame: Frame, root: &str, loads: usize) -> Self {
+    pub fn new(frame: Frame, palette: &'static Palette, root: &str, loads: usize) -> Self {
         let y = Axis::linear("load", [0.5, loads.max(FEWEST) as f64 + 0.5]);
-        Self { frame: Frame { y, ..frame }, root: format!("{root}/patches") }
+        Self { frame: Frame { y, ..frame }, palette, root: format!("{root}/patches") }
     }
 
     pub fn bounds(&self) -> [f64; 4] {
@@ -31,7 +32,7 @@ impl PatchMap {
     }
 
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)
+        canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)
     }
 
     /// Records the contact under load number `load` at the current time, as the ends of its segments; it stays for heavier loads.
@@ -43,10 +44,10 @@ impl PatchMap {
             let bars = ((segment[1] - segment[0]) / width * BARS).ceil().max(1.0) as usize;
             zigzag(*segment, bars, |_, _| ends)
         };
-        let row = style(palette::CONTACT, Radius::new_scene_units(width / BARS), 10.0);
+        let row = style(self.palette.contact, Radius::new_scene_units(width / BARS), 10.0);
         let row = row.with_strips(segments.iter().map(fill));
         to.log(format!("{}/row/{}", self.root, load + 1), &row)?;
-        let cursor = style(palette::EXACT, Radius::new_ui_points(2.0), 30.0);
+        let cursor = style(self.palette.ink, Radius::new_ui_points(2.0), 30.0);
         let sides = [0.0, width].map(|x| ends.map(|y| [x, y]));
         to.log(format!("{}/cursor", self.root), &cursor.with_strips(sides))
     }

@@ -1,7 +1,7 @@
 //! The solid under the indenter as a relief in three dimensions, coloured by the pressure.
 
 use super::fields::{Fields, range};
-use super::palette::{self, Map, colour};
+use super::palette::{FAINT, Map, Palette, colour};
 use super::reduce::Blocks;
 use super::ruler::measured;
 use crate::contact::Forecast;
@@ -31,13 +31,14 @@ pub struct Relief {
     exaggeration: f64,
     highest_pressure: f64,
     shades: Map,
+    palette: &'static Palette,
     /// Lengths along y and x, in words.
     lengths: [String; 2],
     root: String,
 }
 
 impl Relief {
-    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, unit: &str) -> Self {
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, palette: &'static Palette, root: &str, unit: &str) -> Self {
         let problem = scene.problem;
         let grid = problem.surface().grid();
         let shape = grid.shape();
@@ -55,6 +56,7 @@ impl Relief {
             size: grid.size().map(|length| (LENGTH * length / longest) as f32),
             highest_pressure: forecast.max_pressure,
             shades: Map::inferno(),
+            palette,
             lengths: [0, 1].map(|axis| measured(["y", "x"][axis], unit, grid.size()[axis])),
             root: format!("{root}/relief"),
         }
@@ -66,13 +68,13 @@ impl Relief {
         let [y, x] = self.size.map(|length| length / 2.0);
         let base = -RELIEF as f32;
         let outline = [[-x, -y, base], [x, -y, base], [x, y, base], [-x, y, base], [-x, -y, base]];
-        let strip = LineStrips3D::new([outline]).with_colors([colour(palette::FAINT)]);
+        let strip = LineStrips3D::new([outline]).with_colors([colour(FAINT)]);
         to.log_static(format!("{}/outline", self.root), &strip.with_radii([Radius::new_ui_points(0.8)]))?;
         let [along_y, along_x] = self.lengths.clone();
         let labels = Points3D::new([[0.0, -1.1 * y, base], [1.1 * x, 0.0, base]])
             .with_labels([along_x, along_y])
             .with_show_labels(true)
-            .with_colors([colour(palette::INK)])
+            .with_colors([colour(self.palette.ink)])
             .with_radii([Radius::new_ui_points(0.0)]);
         to.log_static(format!("{}/labels", self.root), &labels)
     }
@@ -155,11 +157,7 @@ impl Relief {
     fn colours(&self, fields: &Fields<'_>) -> Vec<Color> {
         let pressure = self.blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
         let shade = |p: f64| {
-            if p > 0.0 {
-                self.shades.at(0.25 + 0.75 * p / self.highest_pressure)
-            } else {
-                colour(palette::SOLID_RELIEF)
-            }
+            if p > 0.0 { self.shades.at(0.25 + 0.75 * p / self.highest_pressure) } else { colour(self.palette.relief) }
         };
         self.at_vertices(fields.stride, |node| shade(pressure[self.block(node)]))
     }

@@ -2,7 +2,7 @@
 
 use super::canvas::{self, BOX, TEXT, strip, style};
 use super::fields::Fields;
-use super::palette;
+use super::palette::Palette;
 use crate::grid::Grid;
 use crate::plot::{Axis, Frame};
 use crate::record::scene::Scene;
@@ -18,6 +18,7 @@ const BINS: f64 = 40.0;
 /// The weight of each wavelength in the displacement, beside that in the heights: in full contact they are the same. Long
 /// waves that a solver leaves behind show on the left.
 pub struct SpectrumPicture {
+    palette: &'static Palette,
     grid: Grid,
     height: Vec<f64>,
     largest_density: f64,
@@ -27,13 +28,14 @@ pub struct SpectrumPicture {
 }
 
 impl SpectrumPicture {
-    pub fn new(scene: &Scene<'_>, root: &str) -> Self {
+    pub fn new(scene: &Scene<'_>, palette: &'static Palette, root: &str) -> Self {
         let surface = scene.problem.surface();
         let spectrum = PowerSpectrum::of(surface);
         let waves = surface.grid().shape()[1] as f64 / 2.0;
         let [x, y] = [("waves per longest period", [1.0, waves]), ("C(q) / C_max", DENSITIES)];
         let [x, y] = [x, y].map(|(name, range)| Axis::log(name, range));
         let mut picture = Self {
+            palette,
             grid: *surface.grid(),
             height: scene.problem.height().to_vec(),
             largest_density: spectrum.density.iter().copied().fold(f64::MIN_POSITIVE, f64::max),
@@ -51,11 +53,11 @@ impl SpectrumPicture {
 
     /// Records axes, styles and the spectrum of the heights.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)?;
+        canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
         let style = |rgb, order| style(rgb, Radius::new_ui_points(1.0), order);
-        let heights = style(palette::INDENTER, 30.0).with_strips([self.heights.clone()]);
+        let heights = style(self.palette.indenter, 30.0).with_strips([self.heights.clone()]);
         to.log_static(format!("{}/heights", self.root), &heights)?;
-        to.log_static(format!("{}/displacement", self.root), &style(palette::SOLID, 32.0))
+        to.log_static(format!("{}/displacement", self.root), &style(self.palette.solid, 32.0))
     }
 
     /// Records the spectrum of the displacement at the current time.

@@ -4,7 +4,7 @@ use super::canvas;
 use super::fields::Fields;
 use super::ghost::Ghost;
 use super::line::LinePicture;
-use super::palette;
+use super::palette::Palette;
 use super::patches::PatchMap;
 use super::picture::Picture;
 use super::spectrum::SpectrumPicture;
@@ -25,6 +25,7 @@ pub struct Stage {
     /// Root of the entities, with a leading `/`.
     pub root: String,
     pub title: String,
+    pub palette: &'static Palette,
     /// Rows of the table of parameters.
     description: String,
     pub grid: Grid,
@@ -51,8 +52,10 @@ impl Stage {
         let forecast = scene.forecast();
         let exact = scene.exact.as_ref();
         let kappa_r = exact.and_then(|exact| exact.kappa_r);
+        let palette = Palette::of(options.theme);
         Self {
             title: scene.title.clone(),
+            palette,
             description: description::of_scene(scene, &options.length_unit),
             what: options.what,
             grid,
@@ -65,7 +68,7 @@ impl Stage {
             } else {
                 Box::new(SurfacePicture::new(scene, forecast, &root, &options))
             },
-            spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, &root)),
+            spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, palette, &root)),
             patches: None,
             root,
         }
@@ -74,7 +77,7 @@ impl Stage {
     /// Adds the map of contact patches of a line under so many loads, if contacts are recorded.
     pub fn map_patches(&mut self, loads: usize) {
         let is_mapped = self.grid.is_line() && self.what.has(Part::Mask);
-        self.patches = is_mapped.then(|| PatchMap::new(self.picture.frame(), &self.root, loads));
+        self.patches = is_mapped.then(|| PatchMap::new(self.picture.frame(), self.palette, &self.root, loads));
     }
 
     /// Records everything that stays; `place` is that of the scene among several.
@@ -89,7 +92,7 @@ impl Stage {
             to.log_static(format!("{root}/{SETUP}"), &TextDocument::new(setup.clone().with_full_path().to_toml()))?;
         }
         if self.what.has(Part::Mask) {
-            to.log_static(root.as_str(), &palette::classes())?;
+            to.log_static(root.as_str(), &self.palette.classes())?;
         }
         if self.what.has(Part::Traces) {
             traces::log_styles(to, root, self.exact, place.map(|place| (place, title.as_str())))?;
@@ -141,7 +144,7 @@ impl Stage {
 
     /// Records words above the pictures at the current time.
     pub fn log_caption(&self, to: &RecordingStream, words: String) -> RecordingStreamResult<()> {
-        to.log(self.caption_entity(), &canvas::caption(&self.picture.frame(), words))
+        to.log(self.caption_entity(), &canvas::caption(self.palette, &self.picture.frame(), words))
     }
 
     pub fn caption_entity(&self) -> String {

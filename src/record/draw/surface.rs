@@ -2,7 +2,7 @@
 
 use super::canvas;
 use super::fields::{Extent, Fields, range};
-use super::palette::{CONTACT_CLASS, GAP_CLASS, Map};
+use super::palette::{CONTACT_CLASS, GAP_CLASS, Map, Palette};
 use super::picture::Picture;
 use super::reduce::Blocks;
 use super::relief::Relief;
@@ -39,20 +39,23 @@ pub struct SurfacePicture {
 struct Image {
     root: String,
     frame: Frame,
+    palette: &'static Palette,
     scale: Ruler,
     map: Map,
 }
 
 impl SurfacePicture {
     pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Self {
-        let Options { what, length_unit, .. } = options;
+        let Options { what, length_unit, theme, .. } = options;
+        let palette = Palette::of(*theme);
         let problem = scene.problem;
         let grid = problem.surface().grid();
         let blocks = Blocks::square(grid.shape(), grid.size(), PIXELS);
         let [height, width] = blocks.cells.map(|n| n as f64);
         let [y, x] = [0, 1].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
         let frame = Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) };
-        let image = |name, scale, map| Image { root: format!("{root}/{name}"), frame: frame.clone(), scale, map };
+        let image =
+            |name, scale, map| Image { root: format!("{root}/{name}"), frame: frame.clone(), palette, scale, map };
         let [low, high] = range(problem.height().iter().copied());
         let pressure = Ruler::pressure(forecast.max_pressure, problem.contact_modulus());
         Self {
@@ -61,7 +64,7 @@ impl SurfacePicture {
             blocks,
             pressure: image("pressure", pressure, Map::inferno()),
             gap: image("gap", Ruler::gap(high - low, problem.rms_height()), Map::viridis()),
-            relief: what.has(Part::Mesh).then(|| Relief::new(scene, forecast, root, length_unit)),
+            relief: what.has(Part::Mesh).then(|| Relief::new(scene, forecast, palette, root, length_unit)),
         }
     }
 
@@ -110,7 +113,7 @@ impl Picture for SurfacePicture {
             to.log_static(contact.as_str(), &style.with_format(format))?;
         }
         if self.what.has_mask_alone() {
-            canvas::log_axes(to, &format!("{contact}/axes"), &self.pressure.frame)?;
+            canvas::log_axes(to, self.pressure.palette, &format!("{contact}/axes"), &self.pressure.frame)?;
         }
         self.relief.as_ref().map_or(Ok(()), |relief| relief.log_static(to))
     }
@@ -144,7 +147,7 @@ impl Image {
     }
 
     fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        canvas::log_axes(to, &format!("{}/axes", self.root), &self.frame)?;
+        canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
         let style = DepthImage::update_fields()
             .with_format(format(&self.frame, ChannelDatatype::F32))
             .with_meter(1.0)
@@ -165,7 +168,13 @@ impl Image {
         let range = DepthImage::update_fields().with_depth_range(ValueRange::from(scale.range));
         to.log_static(self.pixels(), &range)?;
         to.log_static(format!("{}/scale/colours", self.root), &self.colour_bar())?;
-        canvas::log_sheet(to, &format!("{}/scale", self.root), &self.scale_words(scale), canvas::head(&self.frame))
+        canvas::log_sheet(
+            to,
+            self.palette,
+            &format!("{}/scale", self.root),
+            &self.scale_words(scale),
+            canvas::head(&self.frame),
+        )
     }
 
     /// Shades one above the other, each overlapped by the next.

@@ -8,7 +8,7 @@ use super::recording::{Recording, stages};
 use crate::contact::Contact;
 use crate::error::FileError;
 use crate::plot;
-use crate::record::draw::{Curve, Curves, Extent, Fields, FigurePicture, Stage};
+use crate::record::draw::{Curve, Curves, Extent, Fields, FigurePicture, Palette, Stage};
 use crate::record::layout::{LOAD, TEXT, send_loads};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
@@ -81,13 +81,14 @@ impl LoadRecording {
         for stage in &mut stages {
             stage.map_patches(loads.captions.len());
         }
+        let palette = Palette::of(options.theme);
         let extents = vec![Extent::NONE; stages.len()];
         let recording = Self {
             recording: Recording::open(output, &loads.title, id, stages, options)?,
             description: loads.description.clone(),
             captions: loads.captions.clone(),
-            curves: Curves(curves),
-            figure: loads.figure.as_ref().map(|(figure, cursor)| FigurePicture::new(figure, cursor.clone())),
+            curves: Curves { curves, palette },
+            figure: loads.figure.as_ref().map(|(figure, at)| FigurePicture::new(figure, at.clone(), palette)),
             progress: Mutex::new(Progress { loads: BTreeSet::new(), extents }),
         };
         recording.recording.write(|stream| recording.log_static(stream, loads.scenes))?;

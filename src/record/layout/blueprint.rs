@@ -1,6 +1,6 @@
 //! Writes a blueprint, the viewer's description of its own panes, into a recording.
 
-use crate::record::draw::{GROUND, colour};
+use crate::record::draw::{Palette, colour};
 use rerun::external::re_log_types::BlueprintActivationCommand;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::external::re_sdk_types::datatypes::{self, Uuid};
@@ -46,15 +46,21 @@ impl View {
     }
 
     /// A picture in the plane, showing `[left, right, top, bottom]` of its canvas.
-    pub fn plane(title: &str, origin: &str, contents: Vec<String>, [left, right, top, bottom]: [f64; 4]) -> Pane {
+    pub fn plane(
+        title: &str,
+        origin: &str,
+        contents: Vec<String>,
+        [left, right, top, bottom]: [f64; 4],
+        palette: &Palette,
+    ) -> Pane {
         let range = datatypes::Range2D { x_range: [left, right].into(), y_range: [top, bottom].into() };
         let bounds = panes::VisualBounds2D::new(components::VisualBounds2D(range));
         let view = Self::new("2D", title, origin, contents).with("VisualBounds2D", bounds);
-        Pane::View(view.with("Background", ground()))
+        Pane::View(view.with("Background", ground(palette)))
     }
 
     /// A picture in space, seen from the front, the right and above.
-    pub fn space(title: &str, origin: &str, contents: Vec<String>, eye: [f32; 3]) -> Pane {
+    pub fn space(title: &str, origin: &str, contents: Vec<String>, eye: [f32; 3], palette: &Palette) -> Pane {
         let eye = panes::EyeControls3D::new()
             .with_kind(components::Eye3DKind::Orbital)
             .with_position(eye)
@@ -62,7 +68,7 @@ impl View {
             .with_eye_up([0.0, 0.0, 1.0]);
         let view = Self::new("3D", title, origin, contents).with("EyeControls3D", eye);
         let view = view.with("LineGrid3D", panes::LineGrid3D::new().with_visible(false));
-        Pane::View(view.with("Background", ground()))
+        Pane::View(view.with("Background", ground(palette)))
     }
 
     /// Curves against time, their axis over `range` where it is known beforehand.
@@ -84,8 +90,8 @@ impl View {
     }
 }
 
-fn ground() -> panes::Background {
-    panes::Background::new(components::BackgroundKind::SolidColor).with_color(colour(GROUND))
+fn ground(palette: &Palette) -> panes::Background {
+    panes::Background::new(components::BackgroundKind::SolidColor).with_color(colour(palette.ground))
 }
 
 /// Writes the blueprint of its viewer into `recording`: `panes`, as tabs if there are several, and the

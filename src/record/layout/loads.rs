@@ -32,7 +32,8 @@ fn charts(stages: &[Stage], figure: Option<&FigurePicture>, curves: &Curves) -> 
     let mut rows = Vec::new();
     if let Some(figure) = figure {
         let panels = figure.panels();
-        let panels = panels.map(|(title, root, bounds)| View::plane(title, &root, vec![format!("{root}/**")], bounds));
+        let panels = panels
+            .map(|(title, root, bounds)| View::plane(title, &root, vec![format!("{root}/**")], bounds, figure.palette));
         rows.push((Pane::even(Kind::Tabs, "figure", panels.collect()), 2.0));
     }
     let views = curves.views().into_iter();

@@ -45,7 +45,10 @@ pub fn pictures(stage: &Stage) -> Pane {
     if let Some(map) = &stage.patches {
         rows.resize_with(rows.len().max(2), Vec::new);
         let contents = vec![format!("{}/**", map.root), stage.caption_entity()];
-        rows[1].insert(0, View::plane("Contact patches, load upwards", &stage.root, contents, map.bounds()));
+        rows[1].insert(
+            0,
+            View::plane("Contact patches, load upwards", &stage.root, contents, map.bounds(), stage.palette),
+        );
     }
     let rows = rows.into_iter().filter(|row| !row.is_empty());
     let rows = rows.map(|row| (Pane::even(beside, "pictures", row), 1.0)).collect();
@@ -64,13 +67,13 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
     }
     if what.has(Part::Fields) {
         let is_exact = stage.grid.is_line() && stage.exact[1].is_some();
-        let pressure = if is_exact { "Pressure (white: exact)" } else { "Pressure" };
+        let pressure = if is_exact { "Pressure (green: exact)" } else { "Pressure" };
         let gap = if !stage.grid.is_line() && what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
         rows.push(vec![plane(stage, "pressure", pressure, stage.grid.is_line()), plane(stage, "gap", gap, true)]);
     }
     if let Some(spectrum) = &stage.spectrum {
         let (title, origin) = ("Power spectra (blue: displacement, grey: heights)", format!("{}/spectrum", stage.root));
-        rows.push(vec![View::plane(title, &origin, vec![format!("{origin}/**")], spectrum.bounds())]);
+        rows.push(vec![View::plane(title, &origin, vec![format!("{origin}/**")], spectrum.bounds(), stage.palette)]);
     }
     if what.has_mask_alone() {
         rows.push(vec![plane(stage, "contact", &format!("{title}: contact"), false)]);
@@ -81,14 +84,14 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
 fn relief(stage: &Stage) -> Pane {
     let title = format!("{}: the solid's surface, coloured by pressure", stage.title);
     let origin = format!("{}/relief", stage.root);
-    View::space(&title, &origin, vec![format!("{origin}/**")], [4.8, -10.4, 7.2])
+    View::space(&title, &origin, vec![format!("{origin}/**")], [4.8, -10.4, 7.2], stage.palette)
 }
 
 fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> Pane {
     let root = &stage.root;
     let mut contents = vec![format!("{root}/{picture}/**"), stage.caption_entity()];
     contents.extend((contact && stage.what.has(Part::Mask)).then(|| format!("{root}/contact")));
-    View::plane(title, root, contents, stage.picture.bounds())
+    View::plane(title, root, contents, stage.picture.bounds(), stage.palette)
 }
 
 /// Curves of every step and the text, or the text alone.

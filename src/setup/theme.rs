@@ -1,0 +1,25 @@
+//! Themes of the pictures of a recording.
+
+use serde::{Deserialize, Serialize};
+
+/// The ground of the pictures of a recording, and with it all their colours.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Theme {
+    /// Light lines on a dark ground.
+    #[default]
+    Dark,
+    /// Dark lines on white.
+    Light,
+}
+
+impl Theme {
+    /// The themes by their names in scenes, in a few words.
+    pub const THEMES: [(&str, &str); 2] =
+        [("dark", "Light lines on a dark ground"), ("light", "Dark lines on white, for paper and bright rooms")];
+
+    /// Whether it is the dark one, which needs no mention.
+    pub fn is_dark(&self) -> bool {
+        *self == Self::Dark
+    }
+}
