@@ -183,7 +183,7 @@ fn own_pages_may_ask() {
 fn every_answer_confines_the_page() {
     let page = Page::open();
     for path in
-        ["/", "/explore.js", "/explore.css", "/favicon.svg", "/re_viewer.js", "/re_viewer_bg.wasm", "/api/state", "/no"]
+        ["/", "/runs.js", "/explore.css", "/favicon.svg", "/re_viewer.js", "/re_viewer_bg.wasm", "/api/state", "/no"]
     {
         let answer = page.get(path);
         assert_eq!(answer.status, if path == "/no" { 404 } else { 200 }, "{path}");
@@ -197,7 +197,12 @@ fn every_answer_confines_the_page() {
 #[test]
 fn the_page_names_nothing_outside() {
     let page = Page::open();
-    for path in ["/", "/explore.js", "/explore.css"] {
+    let html = page.get("/");
+    let scripts: Vec<&str> =
+        html.text().split("script src=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert!(scripts.contains(&"/explore.js"), "{scripts:?}");
+    let own = scripts.into_iter().filter(|path| *path != "/re_viewer.js");
+    for path in own.chain(["/", "/explore.css"]) {
         let answer = page.get(path);
         let elsewhere = answer.text().replace("http://www.w3.org/2000/svg", "");
         assert!(
@@ -233,7 +238,7 @@ fn no_path_leads_out() {
 #[test]
 fn methods_are_kept_apart() {
     let page = Page::open();
-    for path in ["/", "/api/state", "/api/start", "/api/observables", "/api/run.rrd"] {
+    for path in ["/", "/api/state", "/api/start", "/api/observables", "/api/runs"] {
         assert_eq!(page.post(path, "{}").status, 405, "{path}");
     }
     for path in ["/api/solve", "/api/sweep", "/api/cancel"] {
@@ -406,7 +411,7 @@ fn a_solve_can_be_ended_and_the_next_one_runs() {
     let page = Page::open();
     page.order("/api/solve", &endless());
     let running = page.wait(|state| state["run"]["numbers"]["status"] == "running");
-    assert_eq!(page.get("/api/run.rrd").status, 409);
+    assert_eq!(page.get(&format!("/save/{}.rrd", running["run"]["id"].as_str().unwrap())).status, 409);
     assert_eq!(page.post("/api/cancel", "{}").status, 200);
     let ended = page.wait(|state| state["busy"] == false);
     assert_eq!(ended["run"]["id"], running["run"]["id"]);
@@ -464,9 +469,10 @@ fn a_sweep_is_recorded_load_by_load() {
     page.order("/api/sweep", &with(json!({"body": "sine", "roughness": 0, "points": 512, "record": []})));
     let sweep = page.wait(|state| state["busy"] == false)["sweep"].clone();
     let points = sweep["points"].as_array().unwrap();
-    let saved = page.get("/api/run.rrd");
-    assert!(saved.headers.contains("filename=\"asperity-sweep-1.rrd\""), "{}", saved.headers);
-    assert_eq!(page.get("/api/run.npz").status, 409);
+    let saved = page.get("/save/sweep-1.rrd");
+    assert!(saved.headers.contains("filename=\"sine_sweep_multilevel.rrd\""), "{}", saved.headers);
+    assert_eq!(page.get("/save/sweep-1.npz").status, 409);
+    assert_eq!(page.get("/api/runs").json()[0]["points"], sweep["points"]);
     let (id, rows) = recorded(&saved.body);
     assert_eq!(sweep["id"], id);
     for curve in [0, 1, 2, 3, 4, 5, 6].map(|curve| format!("/curve/{curve}")) {
@@ -534,12 +540,12 @@ fn the_curves_of_a_pinned_run_stand_beside_those_of_later_ones() {
 #[test]
 fn what_is_saved_opens() {
     let page = Page::open();
-    assert_eq!(page.get("/api/run.rrd").status, 409);
-    assert_eq!(page.get("/api/run.npz").status, 409);
+    assert_eq!(page.get("/save/run-1.rrd").status, 404);
     let run = page.solve(&with(json!({"points": 512, "cutoff": 64, "record": ["traces", "fields", "spectrum"]})));
-    let (saved, streamed) = (page.get("/api/run.rrd"), page.get(&format!("/run/{}.rrd", run["id"].as_str().unwrap())));
+    let (saved, streamed) =
+        (page.get("/save/run-1.rrd"), page.get(&format!("/run/{}.rrd", run["id"].as_str().unwrap())));
     assert!(
-        saved.headers.contains("content-disposition: attachment; filename=\"asperity-run-1.rrd\""),
+        saved.headers.contains("content-disposition: attachment; filename=\"rough-line_p0.05_multilevel.rrd\""),
         "{}",
         saved.headers
     );
@@ -549,7 +555,7 @@ fn what_is_saved_opens() {
     assert_eq!(id, "run-1");
     assert!(rows.contains_key("/contact/trace/kappa_r"), "{rows:?}");
     assert!(rows.contains_key("/contact/spectrum/displacement"), "{rows:?}");
-    let mut npz = ndarray_npy::NpzReader::new(Cursor::new(page.get("/api/run.npz").body)).unwrap();
+    let mut npz = ndarray_npy::NpzReader::new(Cursor::new(page.get("/save/run-1.npz").body)).unwrap();
     let pressure: ndarray::Array1<f64> = npz.by_name("pressure").unwrap();
     let contact: ndarray::Array1<bool> = npz.by_name("contact").unwrap();
     let share = contact.iter().filter(|&&c| c).count() as f64 / pressure.len() as f64;
@@ -560,6 +566,23 @@ fn what_is_saved_opens() {
     let file = folder.path().join("run.rrd");
     std::fs::write(&file, &saved.body).unwrap();
     assert_eq!(asperity::record::setups(&file).unwrap().unwrap(), [run["setup"].as_str().unwrap()]);
+}
+
+#[test]
+fn earlier_runs_are_told_and_saved_as_long_as_they_are_kept() {
+    let page = Page::open();
+    let knobs = |load: f64| with(json!({"points": 512, "cutoff": 64, "load": load}));
+    assert_eq!(page.get("/api/runs").json(), json!([]));
+    let runs: Vec<Value> = (1..=8).map(|load| page.solve(&knobs(f64::from(load) * 0.01))).collect();
+    assert_eq!(page.get("/api/runs").json(), json!(runs[2..]));
+    let saved = page.get("/save/run-3.npz");
+    assert!(saved.headers.contains("filename=\"rough-line_p0.03_multilevel.npz\""), "{}", saved.headers);
+    let mut npz = ndarray_npy::NpzReader::new(Cursor::new(saved.body)).unwrap();
+    let setup: ndarray::Array1<u8> = npz.by_name("setup").unwrap();
+    assert_eq!(runs[2]["setup"], String::from_utf8(setup.to_vec()).unwrap());
+    for gone in ["/save/run-2.npz", "/save/run-2.rrd", "/run/run-2.rrd", "/save/run-3.exe", "/save/run-3"] {
+        assert_eq!(page.get(gone).status, 404, "{gone}");
+    }
 }
 
 #[test]

@@ -39,8 +39,8 @@ pub struct Solved {
 #[derive(Serialize)]
 #[serde(untagged)]
 pub enum Told {
-    Run(RunReport),
-    Sweep(SweepReport),
+    Run(Box<RunReport>),
+    Sweep(Box<SweepReport>),
 }
 
 impl Reel {
@@ -52,8 +52,8 @@ impl Reel {
     /// What the page is told of it, once it is complete.
     pub fn told(&self) -> Option<Told> {
         Some(match self.ended.as_ref()? {
-            Ended::Run(solved) => Told::Run(solved.report.clone()),
-            Ended::Sweep(report) => Told::Sweep(SweepReport::clone(report)),
+            Ended::Run(solved) => Told::Run(Box::new(solved.report.clone())),
+            Ended::Sweep(report) => Told::Sweep(Box::new(SweepReport::clone(report))),
         })
     }
 

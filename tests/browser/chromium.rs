@@ -177,6 +177,17 @@ impl Chromium {
         self.events.iter().filter(move |event| event["method"] == method).map(|event| &event["params"])
     }
 
+    /// Waits for the event after the first `known` ones of its kind.
+    pub fn told_after(&mut self, known: usize, method: &str) -> Value {
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            if let Some(event) = self.events(method).nth(known) {
+                return event.clone();
+            }
+            assert!(self.message(deadline).is_some(), "{method} never came");
+        }
+    }
+
     /// Waits for an event.
     pub fn told(&mut self, method: &str, is_so: impl Fn(&Value) -> bool) -> Value {
         let deadline = Instant::now() + PATIENCE;

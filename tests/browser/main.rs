@@ -1,11 +1,14 @@
 //! The explorer in a browser: what a person sees, what leaves the page, and what pages of others can do.
 //!
-//! Without Chromium the tests pass and say that they are skipped; the last line `browser tests: 2 ran, 0 skipped` counts them.
+//! Without Chromium the tests pass and say that they are skipped; the last line `browser tests: 4 ran, 0 skipped` counts them.
 //! `CHROME` or `CHROMIUM` names a Chromium that is not on the path.
 #![cfg(unix)]
 
 mod chromium;
+mod downloads;
 mod explorer;
+mod eyes;
+mod hands;
 mod measures;
 mod page;
 mod person;

@@ -13,7 +13,10 @@ const KEYS: &[(&str, u32, &str)] = &[
     ("ArrowRight", 39, ""),
     ("ArrowUp", 38, ""),
     ("End", 35, ""),
+    ("Enter", 13, "\r"),
+    ("Escape", 27, ""),
     ("Home", 36, ""),
+    ("Tab", 9, ""),
 ];
 
 /// A page in a browser of its own.
@@ -55,11 +58,21 @@ impl Page {
 
     /// Presses a key that has a name, or a letter, where the focus is.
     pub fn press(&mut self, key: &str) {
+        self.press_with(key, 0);
+    }
+
+    /// Presses a key with the shift key.
+    pub fn press_shifted(&mut self, key: &str) {
+        self.press_with(key, 8);
+    }
+
+    fn press_with(&mut self, key: &str, modifiers: u32) {
         let letter = (key, key.to_uppercase().bytes().next().unwrap().into(), key);
         let (_, code, typed) = KEYS.iter().find(|known| known.0 == key).copied().unwrap_or(letter);
         for kind in ["keyDown", "keyUp"] {
             let text = if kind == "keyDown" { typed } else { "" };
-            let event = json!({"type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code, "text": text});
+            let mut event = json!({"type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code, "text": text});
+            event["modifiers"] = modifiers.into();
             self.chromium.page("Input.dispatchKeyEvent", event);
         }
     }
@@ -81,8 +94,41 @@ impl Page {
         }
     }
 
+    /// Types a value into a field and leaves it with the Enter key.
+    pub fn type_into(&mut self, id: &str, value: &str) {
+        self.value(&format!("document.getElementById('{id}').focus(); document.getElementById('{id}').select()"));
+        self.chromium.page("Input.insertText", json!({"text": value}));
+        self.press("Enter");
+    }
+
+    /// Moves the pointer to a place, in pixels of the page.
+    pub fn point(&mut self, [x, y]: [f64; 2]) {
+        self.chromium.page("Input.dispatchMouseEvent", json!({"type": "mouseMoved", "x": x, "y": y}));
+    }
+
+    /// Sets the size of the page.
+    pub fn resize(&mut self, [width, height]: [u32; 2]) {
+        let size = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": false});
+        self.chromium.page("Emulation.setDeviceMetricsOverride", size);
+    }
+
+    /// The picture of the viewer, once it stands still.
+    pub fn settled(&mut self) -> Vec<[u8; 3]> {
+        let deadline = Instant::now() + Duration::from_secs(60);
+        self.until("!isAwake()", 60);
+        let mut before = self.picture("canvas");
+        while Instant::now() < deadline {
+            let now = self.picture("canvas");
+            if now == before {
+                return now;
+            }
+            before = now;
+        }
+        panic!("the viewer never stands still");
+    }
+
     /// Left, top, width and height of an element, scrolled into view.
-    fn place(&mut self, id: &str) -> [f64; 4] {
+    pub fn place(&mut self, id: &str) -> [f64; 4] {
         let place = self.value(&format!(
             "(() => {{ const it = document.getElementById('{id}'); it.scrollIntoView({{ block: 'nearest' }}); \
              const box = it.getBoundingClientRect(); return [box.x, box.y, box.width, box.height]; }})()"

@@ -1,15 +1,15 @@
 //! A person at the page: deeds, and the sights that follow.
 
 use crate::chromium::{Chromium, installed};
+use crate::downloads::{recording, save};
 use crate::explorer::{Explorer, opened, rested};
 use crate::page::Page;
 use asperity::setup::{Setup, command};
-use rerun::{ChunkStore, ChunkStoreConfig, StoreKind};
+use resvg::{tiny_skia::Pixmap, usvg};
 use serde_json::{Value, json};
 use std::collections::HashSet;
 use std::fs::File;
-use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// The latest run as the server tells it.
 fn run(explorer: &Explorer) -> Value {
@@ -33,20 +33,6 @@ fn agrees(explorer: &Explorer, page: &mut Page) -> Value {
     run
 }
 
-/// The picture of the viewer, once it stands still.
-fn settled(page: &mut Page) -> Vec<[u8; 3]> {
-    let deadline = Instant::now() + Duration::from_secs(60);
-    let mut before = page.picture("canvas");
-    while Instant::now() < deadline {
-        let now = page.picture("canvas");
-        if now == before {
-            return now;
-        }
-        before = now;
-    }
-    panic!("the viewer never stands still");
-}
-
 /// The share of pixels that differ.
 fn difference(one: &[[u8; 3]], other: &[[u8; 3]]) -> f64 {
     assert_eq!(one.len(), other.len());
@@ -54,7 +40,7 @@ fn difference(one: &[[u8; 3]], other: &[[u8; 3]]) -> f64 {
 }
 
 fn the_viewer_draws(page: &mut Page) {
-    let picture = settled(page);
+    let picture = page.settled();
     let background = picture[0];
     let (drawn, colours) =
         (difference(&picture, &vec![background; picture.len()]), HashSet::<_>::from_iter(&picture).len());
@@ -63,7 +49,7 @@ fn the_viewer_draws(page: &mut Page) {
 }
 
 fn the_load_moves_the_contact(explorer: &Explorer, page: &mut Page) {
-    let (before, picture) = (agrees(explorer, page), settled(page));
+    let (before, picture) = (agrees(explorer, page), page.settled());
     for _ in 0..25 {
         page.press_at("control-load", "ArrowRight");
     }
@@ -72,7 +58,7 @@ fn the_load_moves_the_contact(explorer: &Explorer, page: &mut Page) {
     assert!((load(&after) / load(&before) / 10f64.sqrt() - 1.0).abs() < 1e-2, "{} to {}", load(&before), load(&after));
     let kappa = |run: &Value| run["numbers"]["kappa"].as_f64().unwrap();
     assert!(kappa(&after) < 0.9 * kappa(&before), "{} to {}", kappa(&before), kappa(&after));
-    let changed = difference(&picture, &settled(page));
+    let changed = difference(&picture, &page.settled());
     assert!(changed > 0.01, "{changed} of the viewer has changed");
 }
 
@@ -112,13 +98,13 @@ fn runs_are_compared(explorer: &Explorer, page: &mut Page) {
 }
 
 fn a_run_plays(page: &mut Page) {
-    let picture = settled(page);
+    let picture = page.settled();
     page.value("document.getElementById('scrub').value = 1000");
     page.press_at("scrub", "Home");
     assert_eq!(page.text("document.getElementById('scrub-step').value"), "step 0");
-    let changed = difference(&picture, &settled(page));
+    let changed = difference(&picture, &page.settled());
     assert!(changed > 0.001, "{changed} of the viewer differs at the first step");
-    page.value("document.getElementById('speed').value = 4");
+    page.value("document.getElementById('duration').value = 0.9");
     page.click("play");
     page.until(
         "document.getElementById('play').textContent === 'Play' && document.getElementById('scrub').value === '1000'",
@@ -135,42 +121,65 @@ fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
         let drawn = page.value(&format!("document.querySelector('#{curve}').points.numberOfItems"));
         assert_eq!(drawn, points.len(), "{curve}");
     }
+    tables_and_charts_are_saved(&points, page);
     let id = explorer.state()["sweep"]["id"].as_str().unwrap().to_owned();
     page.until(&format!("(document.body.dataset.shown || '').startsWith('{id} ')"), 60);
-    let (name, store) = recording(&save(page, "save-rrd", &format!("asperity-{id}.rrd")));
+    let (name, store) = recording(&save(page, "save-rrd", "rough-line_sweep_multilevel.rrd"));
     let mut curves =
         store.iter_physical_chunks().filter(|chunk| chunk.entity_path().to_string().starts_with("/curve/"));
     assert!(name == id && curves.any(|chunk| chunk.timelines().contains_key(&"load".into())));
 }
 
-/// Saves by a button what goes by `name`, and returns where it is.
-fn save(page: &mut Page, button: &str, name: &str) -> PathBuf {
-    page.click(button);
-    let begun = page.chromium.told("Browser.downloadWillBegin", |event| event["suggestedFilename"] == name);
-    let is_whole = |event: &Value| event["guid"] == begun["guid"] && event["state"] == "completed";
-    page.chromium.told("Browser.downloadProgress", is_whole);
-    page.chromium.downloads().join(name)
-}
-
-/// Name and content of a recording in a file, without its layout.
-fn recording(path: &Path) -> (String, ChunkStore) {
-    let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut File::open(path).unwrap()).unwrap();
-    let (id, store) = stores.into_iter().find(|(id, _)| id.kind() == StoreKind::Recording).unwrap();
-    (id.recording_id().as_str().to_owned(), store)
-}
-
 fn what_is_saved_opens(explorer: &Explorer, page: &mut Page) {
-    let id = run(explorer)["id"].as_str().unwrap().to_owned();
-    let (name, store) = recording(&save(page, "save-rrd", &format!("asperity-{id}.rrd")));
-    assert_eq!(name, id);
+    let run = run(explorer);
+    let stem = run["file_stem"].as_str().unwrap();
+    assert_eq!(stem, format!("rough-line_p{}_multilevel", run["knobs"]["load"]));
+    let (name, store) = recording(&save(page, "save-rrd", &format!("{stem}.rrd")));
+    assert_eq!(run["id"], name);
     assert!(store.iter_physical_chunks().any(|chunk| chunk.entity_path().to_string() == "/contact/trace/kappa_r"));
-    let saved = save(page, "save-npz", &format!("asperity-{id}.npz"));
+    let saved = save(page, "save-npz", &format!("{stem}.npz"));
     let mut arrays = ndarray_npy::NpzReader::new(File::open(saved).unwrap()).unwrap();
     let pressure: ndarray::Array1<f64> = arrays.by_name("pressure").unwrap();
-    assert_eq!(run(explorer)["knobs"]["points"], pressure.len());
-    let scene = std::fs::read_to_string(save(page, "save-setup", "scene.toml")).unwrap();
-    assert_eq!(run(explorer)["setup"], scene);
-    assert_eq!(command(&Setup::from_toml(&scene).unwrap()), run(explorer)["command"].as_str().unwrap());
+    assert_eq!(run["knobs"]["points"], pressure.len());
+    let scene = std::fs::read_to_string(save(page, "save-setup", &format!("{stem}.toml"))).unwrap();
+    assert_eq!(run["setup"], scene);
+    assert_eq!(command(&Setup::from_toml(&scene).unwrap()), run["command"].as_str().unwrap());
+    let picture = Pixmap::load_png(save(page, "save-picture", &format!("{stem}.png"))).unwrap();
+    let [.., width, height] = page.place("canvas");
+    assert_eq!([picture.width(), picture.height()].map(f64::from), [width, height]);
+    let colours: HashSet<_> = picture.pixels().iter().map(|pixel| (pixel.red(), pixel.green(), pixel.blue())).collect();
+    assert!(colours.len() > 30, "the picture has {} colours", colours.len());
+}
+
+/// The earlier run that is shown is the one that is saved, by every button.
+fn all_buttons_save_the_run_that_is_shown(explorer: &Explorer, page: &mut Page) {
+    let latest = run(explorer);
+    page.click("swap");
+    page.until(&format!("document.body.dataset.run !== {}", latest["id"]), 10);
+    let (id, stem) = (page.text("current().id"), page.text("current().file_stem"));
+    let (name, _) = recording(&save(page, "save-rrd", &format!("{stem}.rrd")));
+    assert_eq!(name, id);
+    let mut arrays =
+        ndarray_npy::NpzReader::new(File::open(save(page, "save-npz", &format!("{stem}.npz"))).unwrap()).unwrap();
+    let setup: ndarray::Array1<u8> = arrays.by_name("setup").unwrap();
+    let scene = std::fs::read(save(page, "save-setup", &format!("{stem}.toml"))).unwrap();
+    assert_eq!(setup.to_vec(), scene);
+    assert_ne!(latest["setup"], String::from_utf8(scene).unwrap());
+    page.click("swap");
+}
+
+fn tables_and_charts_are_saved(points: &[Value], page: &mut Page) {
+    let mut table = csv::Reader::from_path(save(page, "save-curve", "rough-line_sweep_multilevel.csv")).unwrap();
+    let place = table.headers().unwrap().iter().position(|name| name == "kappa_r_corrected").unwrap();
+    let rows: Vec<f64> = table.records().map(|row| row.unwrap()[place].parse().unwrap()).collect();
+    let told: Vec<f64> = points.iter().map(|point| point["kappa_r_corrected"].as_f64().unwrap()).collect();
+    assert_eq!(rows, told);
+    let charts = std::fs::read_to_string(save(page, "save-charts", "rough-line_sweep_multilevel.svg")).unwrap();
+    let tree = usvg::Tree::from_str(&charts, &usvg::Options::default()).unwrap();
+    let mut picture = Pixmap::new(tree.size().width() as u32, tree.size().height() as u32).unwrap();
+    resvg::render(&tree, resvg::tiny_skia::Transform::default(), &mut picture.as_mut());
+    let blue = picture.pixels().iter().filter(|p| [p.red(), p.green(), p.blue()] == [0x56, 0xb4, 0xe9]).count();
+    assert!(blue > 100, "{blue} pixels have the colour of the computed curve");
 }
 
 fn lessons_lead_to_their_end(page: &mut Page) {
@@ -271,6 +280,7 @@ fn a_person_at_the_page() {
     a_run_plays(&mut page);
     done("a run plays");
     what_is_saved_opens(&explorer, &mut page);
+    all_buttons_save_the_run_that_is_shown(&explorer, &mut page);
     done("what is saved opens");
     a_sweep_draws_its_curves(&explorer, &mut page);
     done("a sweep draws its curves, and its recording opens");

@@ -1,0 +1,151 @@
+//! A person who looks: curves on their axes, contrast, room for everything, and what belongs to another surface.
+
+use crate::chromium::installed;
+use crate::explorer::{opened, rested};
+use crate::page::Page;
+use serde_json::Value;
+use std::collections::HashMap;
+
+/// Texts whose contrast with the ground behind them is below 4.5 (WCAG 2.1, 1.4.3), with their contrast.
+const PALE: &str = "(() => { \
+    const pen = document.createElement('canvas').getContext('2d', { willReadFrequently: true }); \
+    const rgba = (css) => { pen.clearRect(0, 0, 1, 1); pen.fillStyle = css; pen.fillRect(0, 0, 1, 1); return [...pen.getImageData(0, 0, 1, 1).data]; }; \
+    const bright = ([r, g, b]) => [0.2126, 0.7152, 0.0722].reduce((sum, share, i) => { \
+      const c = [r, g, b][i] / 255; return sum + share * (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4); }, 0); \
+    const ground = (it) => { for (; it; it = it.parentElement) { const c = rgba(getComputedStyle(it).backgroundColor); if (c[3] === 255) return c; } return [255, 255, 255, 255]; }; \
+    const isSeen = (it) => it.checkVisibility() && !it.closest(':disabled') && [...it.childNodes].some((node) => node.nodeType === 3 && node.data.trim()); \
+    return [...document.querySelectorAll('body *')].filter(isSeen).map((it) => { \
+      const style = getComputedStyle(it); const own = rgba(it instanceof SVGElement ? style.fill : style.color); \
+      const [low, high] = [bright(own), bright(ground(it))].sort((a, b) => a - b); \
+      return [`${it.tagName} ${it.textContent.trim().slice(0, 30)}`, (high + 0.05) / (low + 0.05)]; }).filter(([, contrast]) => contrast < 4.5); })()";
+
+/// Elements that stick out of the window or, as texts of charts, out of their chart; and controls that lie on one another.
+const CUT: &str = "(() => { \
+    const box = (it) => it.getBoundingClientRect(); const named = (it) => `${it.tagName} ${it.id} ${it.textContent.trim().slice(0, 30)}`; \
+    const isIn = (a, b) => a.left >= b.left - 1 && a.right <= b.right + 1 && a.top >= b.top - 1 && a.bottom <= b.bottom + 1; \
+    const all = [...document.querySelectorAll('header *, #player *, #lesson-card *, #numbers td, #numbers th, #results figure')].filter((it) => it.checkVisibility() && it.tagName !== 'OPTION'); \
+    const out = all.filter((it) => !isIn(box(it), { left: 0, top: 0, right: innerWidth, bottom: innerHeight })); \
+    const texts = [...document.querySelectorAll('#results svg text')].filter((it) => !isIn(box(it), box(it.closest('svg')))); \
+    const [table, ...figures] = [...document.querySelectorAll('#numbers, #results figure')].map(box); \
+    const on = figures.filter((figure) => table.right > figure.left + 1).map(() => 'the table lies on a chart'); \
+    return [...out.map(named), ...texts.map(named), ...on]; })()";
+
+/// The pictures before and after the pointer has moved are the same.
+fn curves_stand_on_their_axes(page: &mut Page, when: &str) {
+    let before = page.settled();
+    let [x, y, width, _] = page.place("canvas");
+    page.point([x + 0.3 * width, y + 3.0]);
+    page.point([x + 0.3 * width, 2.0]);
+    page.value("wake()");
+    let after = page.settled();
+    let moved = before.iter().zip(&after).filter(|(a, b)| a != b).count();
+    assert_eq!(moved, 0, "pixels that changed with the pointer, {when}");
+}
+
+fn sweep(page: &mut Page) {
+    page.click("sweep");
+    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
+    page.until("(document.body.dataset.shown || '').startsWith('sweep-')", 60);
+}
+
+fn axes_follow_data_layout_and_size(page: &mut Page) {
+    sweep(page);
+    curves_stand_on_their_axes(page, "after a sweep");
+    page.press_at("lesson", "h");
+    page.until("document.body.dataset.lesson === '0'", 10);
+    rested(page);
+    curves_stand_on_their_axes(page, "in a lesson");
+    page.click("lesson-close");
+    curves_stand_on_their_axes(page, "after a lesson was closed");
+    page.resize([1100, 800]);
+    curves_stand_on_their_axes(page, "after the window has changed");
+}
+
+/// Every text is read in both themes, and all of the page has room in both sizes.
+fn all_is_read_and_nothing_is_cut(page: &mut Page) {
+    page.press_at("lesson", "h");
+    page.until("document.body.dataset.lesson === '0'", 10);
+    for theme in ["dark", "light"] {
+        page.until(&format!("document.documentElement.dataset.theme === '{theme}'"), 10);
+        rested(page);
+        for size in [[1440, 900], [1024, 768]] {
+            page.resize(size);
+            page.until(&format!("innerWidth === {} && document.querySelector('#results svg')", size[0]), 10);
+            assert_eq!(page.value(PALE), serde_json::json!([]), "{theme}, {size:?}");
+            assert_eq!(page.value(CUT), serde_json::json!([]), "{theme}, {size:?}");
+        }
+        let picture = page.settled();
+        let mut counts = HashMap::new();
+        picture.iter().for_each(|pixel| *counts.entry(pixel).or_insert(0) += 1);
+        let (ground, _) = counts.into_iter().max_by_key(|(_, count)| *count).unwrap();
+        assert_eq!(ground[0] > 128, theme == "light", "the viewer's ground in the theme {theme} is {ground:?}");
+        page.click("theme");
+    }
+    page.click("lesson-close");
+}
+
+/// A sweep of another surface is grey and says so, and is drawn as before when its surface is back.
+fn stale_curves_say_so(page: &mut Page) {
+    page.value("document.getElementById('control-body').focus()");
+    page.press("Home");
+    rested(page);
+    sweep(page);
+    let note = "document.querySelector('#chart-kappa .note')?.textContent ?? ''";
+    assert_eq!(page.text(note), "");
+    let colour = "getComputedStyle(document.querySelector('#chart-kappa polyline.second')).stroke";
+    let fresh = page.text(colour);
+    let seed = page.value("knobs.seed").to_string();
+    page.click("dice");
+    assert_eq!(page.text(note), "Another surface: sweep again");
+    assert_ne!(page.text(colour), fresh);
+    rested(page);
+    page.type_into("control-seed", &seed);
+    rested(page);
+    assert_eq!((page.text(note), page.text(colour)), (String::new(), fresh));
+}
+
+/// A pin is set aside in a lesson and comes back after it; its numbers outlive a reload.
+fn a_pin_keeps_its_numbers(page: &mut Page) {
+    page.click("pin");
+    page.until("pinned !== null", 10);
+    let pin = page.text("pinned");
+    let kappa = page.text("document.querySelector('#numbers td[data-number=kappa]').innerText");
+    page.click("dice");
+    rested(page);
+    let rival = "document.querySelector('#numbers td[data-number=kappa] + td').innerText";
+    assert_eq!(page.text(rival), kappa);
+    page.press_at("lesson", "h");
+    page.until("document.body.dataset.lesson === '0' && pinned === null", 10);
+    rested(page);
+    page.click("lesson-close");
+    page.until(&format!("pinned === '{pin}'"), 10);
+    let address = page.text("location.href");
+    page.open("about:blank");
+    page.open(&address);
+    page.until("document.body.dataset.viewer === 'started' && pinned !== null", 120);
+    rested(page);
+    assert_eq!((page.text("pinned"), page.text(rival)), (pin, kappa));
+    assert_eq!(page.text("document.getElementById('rival').innerText"), "pinned");
+    page.click("pin");
+}
+
+/// What the table says of a symbol in the dialog *Words*.
+fn words_are_explained(page: &mut Page) {
+    page.click("words");
+    let words = page.value("[...document.querySelectorAll('#glossary dt')].map((it) => it.innerText)");
+    assert_eq!(words, serde_json::json!(["a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r"]));
+    assert_eq!(page.value("document.getElementById('glossary').open"), true);
+    page.press("Escape");
+    assert_eq!(page.value("document.getElementById('glossary').open"), Value::Bool(false));
+}
+
+#[test]
+fn a_person_who_looks() {
+    let Some(program) = installed() else { return };
+    let (_explorer, mut page) = opened(&program);
+    axes_follow_data_layout_and_size(&mut page);
+    all_is_read_and_nothing_is_cut(&mut page);
+    stale_curves_say_so(&mut page);
+    a_pin_keeps_its_numbers(&mut page);
+    words_are_explained(&mut page);
+}

@@ -1,0 +1,92 @@
+//! A person with a keyboard: the focus, the keys, and values that are typed.
+
+use crate::chromium::installed;
+use crate::explorer::{opened, rested};
+use crate::page::Page;
+use std::collections::HashSet;
+
+fn focus(page: &mut Page) -> String {
+    page.text("document.activeElement.id")
+}
+
+/// Tab goes through the page and out of the viewer, and so does Shift-Tab; Esc goes back to the page.
+fn the_focus_is_never_trapped(page: &mut Page) {
+    assert_eq!(focus(page), "", "the page opens with the focus on nothing");
+    let mut seen = Vec::new();
+    while !seen.contains(&"theme".to_owned()) || !seen.contains(&"runs".to_owned()) {
+        page.press("Tab");
+        seen.push(focus(page));
+        assert!(seen.len() < 100, "Tab leads round and round: {seen:?}");
+    }
+    assert_eq!(seen[0], "skip");
+    let place = |id: &str| seen.iter().position(|seen| seen == id).unwrap();
+    assert!(place("control-load") < place("canvas") && place("canvas") < place("play"), "{seen:?}");
+    let named: HashSet<_> = seen.iter().collect();
+    assert_eq!(named.len(), seen.len(), "{seen:?}");
+    page.value("document.getElementById('canvas').focus()");
+    page.press_shifted("Tab");
+    assert!(focus(page).starts_with("control-"));
+    page.value("document.getElementById('canvas').focus()");
+    page.press("Escape");
+    assert_eq!(focus(page), "play");
+}
+
+fn the_skip_link_leads_to_the_numbers(page: &mut Page) {
+    page.press_at("skip", "Enter");
+    page.until("document.activeElement.id === 'results'", 10);
+}
+
+/// The keys do what they say, wherever the focus is, and letters in a list belong to the list.
+fn keys_work_inside_the_viewer_too(page: &mut Page) {
+    let seed = |page: &mut Page| page.value("knobs.seed");
+    for id in ["canvas", "control-load", "play"] {
+        let before = seed(page);
+        page.press_at(id, "d");
+        assert_ne!(seed(page), before, "the dice key at {id}");
+        rested(page);
+    }
+    page.press_at("canvas", "p");
+    page.until("pinned !== null", 10);
+    page.press_at("canvas", "p");
+    page.until("pinned === null", 10);
+    let before = seed(page);
+    page.press_at("control-seed", "d");
+    assert_eq!(seed(page), before);
+    page.press_at("canvas", "t");
+    assert_eq!(page.text("document.documentElement.dataset.theme"), "light");
+    rested(page);
+    assert_eq!(page.text("latest().knobs.theme"), "light");
+}
+
+fn values_are_typed(page: &mut Page) {
+    page.type_into("control-load-value", "0.02");
+    rested(page);
+    assert_eq!(page.value("latest().knobs.load"), 0.02);
+    assert_eq!(page.text("document.getElementById('control-load').getAttribute('aria-valuetext')"), "0.02");
+    page.type_into("control-points-value", "3000");
+    rested(page);
+    assert_eq!(page.value("latest().knobs.points"), 3000);
+    assert_eq!(page.text("document.getElementById('control-rolloff').getAttribute('aria-valuetext')"), "4 waves");
+    for (id, value, sentence) in [
+        ("control-load-value", "0", "p* cannot be 0: give 0.00001 to 1000."),
+        ("control-points-value", "100.5", "Points cannot be 100.5: give a whole number, 32 to 262144."),
+    ] {
+        page.type_into(id, value);
+        assert_eq!(page.text("document.getElementById('fault').innerText"), sentence);
+    }
+    assert_eq!(page.value("[knobs.load, knobs.points]"), serde_json::json!([0.02, 3000]));
+    assert_eq!(page.text("document.getElementById('control-load-value').value"), "0.02");
+    page.type_into("control-points-value", "4096");
+    rested(page);
+    assert_eq!(page.value("document.getElementById('fault').hidden"), true);
+}
+
+#[test]
+fn a_person_with_a_keyboard() {
+    let Some(program) = installed() else { return };
+    let (_explorer, mut page) = opened(&program);
+    the_focus_is_never_trapped(&mut page);
+    the_skip_link_leads_to_the_numbers(&mut page);
+    keys_work_inside_the_viewer_too(&mut page);
+    values_are_typed(&mut page);
+}
