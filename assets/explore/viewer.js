@@ -6,7 +6,7 @@ let viewer = null;
 /** How long the viewer draws on after a change, in milliseconds and at least in frames: its axes glide to their curves, and stop
  * when it stops. */
 const GLIDE = { time: 500, frames: 12 };
-const awake = { until: 0, frames: 0 };
+const awake = { until: 0, frames: 0, seen: "" };
 
 /** Has the viewer draw for a while, after data, layout or size have changed. */
 function wake() {
@@ -17,12 +17,21 @@ function wake() {
 
 const isAwake = () => awake.frames > 0 || performance.now() < awake.until;
 
-/** Closing a channel that never was makes the viewer draw. */
+/** Closing a channel that never was makes the viewer draw. As long as it gets further in what it reads, it is kept awake. */
 function draw() {
   if (!viewer || viewer.has_panicked()) { Object.assign(awake, { until: 0, frames: 0 }); return; }
   viewer.close_channel("wake");
   awake.frames -= 1;
+  const seen = read();
+  if (seen !== awake.seen) { awake.seen = seen; wake(); }
   if (isAwake()) requestAnimationFrame(draw);
+}
+
+/** How far the viewer has read what it shows, and where it stands in it. */
+function read() {
+  const run = runOf(shownRun);
+  const range = run && viewer.get_timeline_time_range(run.id, timeline(run));
+  return range ? `${run.id} ${range.max} ${viewer.get_time_for_timeline(run.id, timeline(run))}` : "";
 }
 
 async function startViewer() {
@@ -43,7 +52,16 @@ async function startViewer() {
   document.body.dataset.viewer = "started";
   runs.slice(-1).forEach(follow);
   new ResizeObserver(wake).observe(canvas);
+  new PerformanceObserver((loaded) => loaded.getEntries().forEach(noteWhole)).observe({ type: "resource" });
   setInterval(guardViewer, 1000);
+}
+
+/** Has the viewer draw when it has read a recording to its end, and notes which. */
+function noteWhole({ name }) {
+  const run = runs.find((run) => address(run) === name);
+  if (!run) return;
+  document.body.dataset.whole = run.id;
+  wake();
 }
 
 /** The viewer takes the focus when it starts, and has a field for typed text that no key leads to: the focus stays with the page. */
@@ -51,9 +69,9 @@ function giveBack(focused) {
   byId("viewer").querySelectorAll("input").forEach((field) => { field.tabIndex = -1; field.ariaHidden = "true"; });
   if (!inViewer(document.activeElement)) return;
   document.activeElement.blur();
-  byId("skip").focus(); // where the next Tab goes on from
-  byId("skip").blur();
-  if (focused !== document.body) focused.focus();
+  document.body.tabIndex = -1;
+  focused.focus(); // where the next Tab goes on from
+  document.body.removeAttribute("tabindex");
 }
 
 const inViewer = (target) => target instanceof Element && byId("viewer").contains(target);
