@@ -67,7 +67,7 @@ impl Demo {
 fn smooth(indenter: Indenter, cell: Cell, strain: f64, damping: f64) -> Setup {
     let solver = Method::Gfmd(Gfmd { damping, ..Gfmd::default() });
     let setup = Setup::new(Recipe::indenter(indenter), cell, Load::MeanPressure(strain * MODULUS));
-    Setup { solver, solid: Solid { contact_modulus: MODULUS }, ..setup }
+    Setup { solver, ..setup.on(Solid::ContactModulus(MODULUS)) }
 }
 
 /// Self-affine roughness with a roll-off at `1/waves` of the cell and some points per shortest wavelength.
@@ -76,7 +76,7 @@ fn rough(cell: Cell, waves: f64, points_per_wave: f64) -> Setup {
     let (rolloff_wavelength, short_cutoff) = (CELL / waves, spacing * points_per_wave);
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength, short_cutoff, rms_gradient: 1e-3 };
     let setup = Setup::new(Recipe::rough(spectrum, 1), cell, Load::ReducedPressure(REDUCED_PRESSURE));
-    Setup { solver: Method::Gfmd(Gfmd::default()), solid: Solid { contact_modulus: MODULUS }, ..setup }
+    Setup { solver: Method::Gfmd(Gfmd::default()), ..setup.on(Solid::ContactModulus(MODULUS)) }
 }
 
 /// The four contacts: smooth and rough, line and surface.
