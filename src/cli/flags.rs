@@ -84,6 +84,11 @@ impl<const WHOLE: bool> clap::Args for Scene<WHOLE> {
     }
 }
 
+/// Heading of the flags of the load.
+pub const LOAD: &str = "\
+Load (one of --pressure, --reduced-pressure, --mean-gap; several such as 1e5,1e6, or 13 from first to last as 1e-3..1e-1:13, \
+each solved from the one before)";
+
 /// A flag as the parser takes it.
 fn arg(flag: &'static Flag) -> Arg {
     let arg = Arg::new(flag.name).long(flag.name).value_name(flag.placeholder).help(flag.help);
@@ -101,9 +106,9 @@ fn arg(flag: &'static Flag) -> Arg {
 fn heading(flag: &Flag) -> &'static str {
     match flag.section() {
         "surface" if flag.path.starts_with("surface.indenter.") => "Indenter",
-        "surface" if flag.name != "height" => "Roughness",
+        "surface" if !["height", "detrend"].contains(&flag.name) => "Roughness",
         "surface" | "grid" => "Surface (a height file, an indenter, roughness, or a sum of them) and its cell",
-        "load" | "solid" => "Load (one of --pressure, --reduced-pressure, --mean-gap)",
+        "load" | "solid" => LOAD,
         "record" => "Recording",
         _ => "Solver",
     }

@@ -2,22 +2,31 @@
 
 mod accuracy;
 mod bench;
+mod caution;
 mod choice;
 #[cfg(feature = "record")]
 mod demo;
 #[cfg(feature = "explore")]
 mod explore;
+mod finding;
 mod flags;
+mod load_curve;
+#[cfg(feature = "record")]
+mod load_recording;
+mod nodes;
 mod outcome;
 mod output;
+mod outputs;
 mod paper;
 mod plan;
 mod progress;
 mod solve;
 mod stability;
+mod subject;
 mod surface;
 #[cfg(feature = "explore")]
 mod view;
+mod wrote;
 
 use clap::{Parser, Subcommand};
 
@@ -53,7 +62,7 @@ enum Command {
     /// command makes a study of your own. Lengths are those of the paper: a roll-off of 20 um, of which 8 fit a line and 4 a side
     /// of a surface.
     Paper(Box<paper::Paper>),
-    /// Solve one contact
+    /// Solve a contact under a load, or under one after the other
     Solve(Box<solve::Solve>),
     /// Solve stiff and extreme cases and check the results
     Stability(stability::Stability),

@@ -31,6 +31,7 @@ mod cell;
 mod command;
 mod cost;
 mod flag;
+mod loads;
 mod method;
 mod one_or_more;
 mod part;

@@ -1,0 +1,30 @@
+//! What was written, and how to open it.
+
+use std::io::{Write, stderr};
+use std::path::Path;
+
+/// Says on standard error that a file was written, and how it is opened.
+pub fn wrote(path: &Path) {
+    writeln!(stderr(), "wrote {}: {}", path.display(), opened(path)).ok();
+}
+
+/// The way to open a file by its ending.
+fn opened(path: &Path) -> String {
+    let (name, word) = (path.display(), word(path));
+    match path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).as_deref() {
+        Some("rrd") if cfg!(feature = "explore") => format!("asperity view {word}"),
+        Some("rrd") => format!("rerun {word}"),
+        Some("toml") => format!("asperity solve {word}"),
+        Some("npy") => format!("asperity solve --height {word}, or numpy.load({name:?}) in Python", name = name.to_string()),
+        Some("npz") => format!("numpy.load({:?}) in Python", name.to_string()),
+        Some("csv") => format!("pandas.read_csv({:?}) in Python, or any spreadsheet", name.to_string()),
+        _ => "a folder of files".into(),
+    }
+}
+
+/// A path as one word of a shell.
+fn word(path: &Path) -> String {
+    let name = path.display().to_string();
+    let is_plain = |c: char| c.is_alphanumeric() || "._-+/\\:".contains(c);
+    if name.chars().all(is_plain) { name } else { format!("'{}'", name.replace('\'', r"'\''")) }
+}
