@@ -133,7 +133,9 @@ pub enum SolidError {
     #[error("it is empty: give the contact modulus, or Young's modulus and Poisson's ratio")]
     Nothing,
     /// The modulus that the constants would make, beside them.
-    #[error("a contact modulus and elastic constants are given: give the modulus, or Young's modulus and Poisson's ratio")]
+    #[error(
+        "a contact modulus and elastic constants are given: give the modulus, or Young's modulus and Poisson's ratio"
+    )]
     Both,
     /// Constants that are missing, or too many.
     #[error(

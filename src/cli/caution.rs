@@ -58,7 +58,9 @@ fn spacing(surface: &Surface) -> Option<String> {
     let [dy, dx] = surface.grid().spacing();
     let is_unequal = !surface.grid().is_line() && (dy / dx - 1.0).abs() > UNEQUAL;
     is_unequal.then(|| {
-        format!("the spacing is {dy:e} along y (rows) and {dx:e} along x (columns): if that is not so, give --size as y,x")
+        format!(
+            "the spacing is {dy:e} along y (rows) and {dx:e} along x (columns): if that is not so, give --size as y,x"
+        )
     })
 }
 

@@ -3,8 +3,10 @@
 use super::outcome::Outcome;
 use super::progress::Progress;
 use super::solve::settle;
+use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Gfmd, Load};
+use asperity::files::check_named;
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::{Cell, Method, Recipe, Setup, Solid};
 use asperity::surface::{Indenter, Spectrum};
@@ -20,7 +22,13 @@ const MODULUS: f64 = 1e9;
 /// Load of the rough contacts.
 const REDUCED_PRESSURE: f64 = 0.05;
 
+const EXAMPLES: &str = "\
+Examples:
+  asperity demo
+  asperity demo --out lecture.rrd";
+
 #[derive(Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Demo {
     /// The recording
     #[arg(long, value_name = "FILE.rrd", default_value = "demo.rrd")]
@@ -38,6 +46,7 @@ struct Exhibit {
 
 impl Demo {
     pub fn run(&self) -> Result<Outcome> {
+        check_named(&self.out, &["rrd"])?;
         let exhibits = exhibits();
         let problems = exhibits.iter().map(|exhibit| exhibit.setup.problem()).collect::<Result<Vec<_>, _>>()?;
         let scene = |(exhibit, problem): (&Exhibit, _)| Scene {
@@ -57,7 +66,7 @@ impl Demo {
         }
         recording.finish()?;
         write_table(&exhibits, &contacts)?;
-        writeln!(stdout(), "\nRecorded every step in {0}: open it with `asperity view {0}`.", self.out.display())?;
+        wrote(&self.out);
         Ok(outcome)
     }
 }

@@ -85,9 +85,7 @@ impl<const WHOLE: bool> clap::Args for Scene<WHOLE> {
 }
 
 /// Heading of the flags of the load.
-pub const LOAD: &str = "\
-Load (one of --pressure, --reduced-pressure, --mean-gap; several such as 1e5,1e6, or 13 from first to last as 1e-3..1e-1:13, \
-each solved from the one before)";
+pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several as 1e5,1e6 or 1e-3..1e-1:13)";
 
 /// A flag as the parser takes it.
 fn arg(flag: &'static Flag) -> Arg {
@@ -108,7 +106,8 @@ fn heading(flag: &Flag) -> &'static str {
         "surface" if flag.path.starts_with("surface.indenter.") => "Indenter",
         "surface" if !["height", "detrend"].contains(&flag.name) => "Roughness",
         "surface" | "grid" => "Surface (a height file, an indenter, roughness, or a sum of them) and its cell",
-        "load" | "solid" => LOAD,
+        "load" => LOAD,
+        "solid" => "Solid (the contact modulus, or elastic constants; a mean pressure needs it)",
         "record" => "Recording",
         _ => "Solver",
     }

@@ -111,7 +111,11 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     let mut warnings = caution::of_surface(&curve.setup.surface, problem.surface());
     warnings.extend(caution::of_contacts(&observables));
     let summary = Summary { subject, loads: findings, warnings, setup };
-    if outputs.json { write_json(&summary, &mut stdout())? } else { summary.write_text(&mut stdout())? }
+    if outputs.json {
+        write_json(&summary, &mut stdout())?
+    } else {
+        summary.write_text(&mut stdout())?
+    }
     caution::tell(&summary.warnings);
     outputs.files().for_each(wrote);
     Ok(())
@@ -120,7 +124,8 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
 impl Summary {
     /// Writes the summary for reading.
     fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
-        writeln!(out, "{}: {} loads", self.subject.line(), self.loads.len())?;
+        let loads = self.loads.len();
+        writeln!(out, "{}: {loads} loads, kappa and kappa_r by the corrected area", self.subject.line())?;
         write_rows(self.subject.rows(), out)?;
         writeln!(
             out,

@@ -3,7 +3,7 @@
 use super::finding::Finding;
 use super::subject::Subject;
 use anyhow::Result;
-use asperity::setup::Table;
+use asperity::setup::Setup;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -15,7 +15,7 @@ pub struct Summary {
     #[serde(flatten)]
     pub finding: Finding,
     pub warnings: Vec<String>,
-    pub setup: Table,
+    pub setup: Setup,
 }
 
 impl Summary {

@@ -67,7 +67,8 @@ impl Outputs {
             ("--out", self.out.as_deref(), RESULT),
             ("--save-setup", self.save_setup.as_deref(), SCENE),
         ];
-        let named: Vec<_> = named.into_iter().filter_map(|(flag, path, endings)| Some((flag, path?, endings))).collect();
+        let named: Vec<_> =
+            named.into_iter().filter_map(|(flag, path, endings)| Some((flag, path?, endings))).collect();
         for (i, (flag, path, endings)) in named.iter().enumerate() {
             check_named(path, endings)?;
             if let Some((other, ..)) = named[..i].iter().find(|(_, earlier, _)| earlier == path) {

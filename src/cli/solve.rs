@@ -22,7 +22,14 @@ use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write, stderr, stdout};
 
+const EXAMPLES: &str = "\
+Examples:
+  asperity solve --height profile.npy --size 160um --young 210GPa --poisson 0.3 --pressure 1MPa
+  asperity solve scene.toml --solver gfmd --record run.rrd --out run.npz
+  asperity solve scene.toml --reduced-pressure 1e-3..1e-1:13 --unload --out curve.csv";
+
 #[derive(Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Solve {
     #[command(flatten)]
     scene: Scene<true>,
@@ -74,7 +81,7 @@ impl Solve {
 
     /// Writes and prints what came out.
     fn write(&self, setup: &Setup, contact: &Contact) -> Result<()> {
-        let (outputs, full) = (&self.outputs, setup.clone().with_full_path().to_table());
+        let (outputs, full) = (&self.outputs, setup.clone().with_full_path());
         let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
         if let Some(path) = outputs.archive() {
             let bytes = archive(contact, subject.rank, Some(&full.to_toml()));
@@ -84,12 +91,16 @@ impl Solve {
             write_nodes(path, contact)?;
         }
         if let Some(path) = &outputs.save_setup {
-            full.write(path)?;
+            setup.write(path)?;
         }
         let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
         warnings.extend(caution::of_contacts(&[&finding.observables]));
         let summary = Summary { subject, finding, warnings, setup: full };
-        if outputs.json { write_json(&summary, &mut stdout())? } else { summary.write_text(&mut stdout())? }
+        if outputs.json {
+            write_json(&summary, &mut stdout())?
+        } else {
+            summary.write_text(&mut stdout())?
+        }
         caution::tell(&summary.warnings);
         outputs.files().for_each(wrote);
         Ok(())

@@ -18,7 +18,13 @@ use std::path::PathBuf;
 /// Fields that a surface takes while it is made and written: heights, spectrum, and the heights as given.
 const FIELDS: f64 = 3.0;
 
+const EXAMPLES: &str = "\
+Examples:
+  asperity surface --height profile.txt --size 160um --detrend plane --out flat.npy
+  asperity surface --indenter sphere --radius 1mm --points 256,256 --size 100um --json";
+
 #[derive(Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Describe {
     #[command(flatten)]
     scene: Scene<false>,
@@ -73,7 +79,11 @@ impl Describe {
             roughness: Roughness::of(&surface),
             warnings: caution::of_surface(&recipe, &surface),
         };
-        if self.json { write_json(&statistics, &mut stdout())? } else { statistics.write(&mut stdout())? }
+        if self.json {
+            write_json(&statistics, &mut stdout())?
+        } else {
+            statistics.write(&mut stdout())?
+        }
         caution::tell(&statistics.warnings);
         self.out.iter().for_each(|path| wrote(path));
         Ok(Outcome::Done)

@@ -10,15 +10,14 @@ pub fn wrote(path: &Path) {
 
 /// The way to open a file by its ending.
 fn opened(path: &Path) -> String {
-    let (name, word) = (path.display(), word(path));
+    let (name, word) = (path.display().to_string(), word(path));
     match path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).as_deref() {
         Some("rrd") if cfg!(feature = "explore") => format!("asperity view {word}"),
         Some("rrd") => format!("rerun {word}"),
         Some("toml") => format!("asperity solve {word}"),
-        Some("npy") => format!("asperity solve --height {word}, or numpy.load({name:?}) in Python", name = name.to_string()),
-        Some("npz") => format!("numpy.load({:?}) in Python", name.to_string()),
-        Some("csv") => format!("pandas.read_csv({:?}) in Python, or any spreadsheet", name.to_string()),
-        _ => "a folder of files".into(),
+        Some("npy" | "npz") => format!("numpy.load({name:?}) in Python"),
+        Some("csv") => format!("pandas.read_csv({name:?}) in Python, or any spreadsheet"),
+        _ => "a folder of tables, figures and recordings".into(),
     }
 }
 

@@ -44,7 +44,9 @@ pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Ve
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet, unless there are no contacts.
 pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
-    let Some(first) = contacts.first() else { return Ok(NpzWriter::new(Cursor::new(Vec::new())).finish()?.into_inner()) };
+    let Some(first) = contacts.first() else {
+        return Ok(NpzWriter::new(Cursor::new(Vec::new())).finish()?.into_inner());
+    };
     let mut archive = Archive::of(first, rank, Some(setup))?;
     for (name, of) in FIELDS {
         let fields: Vec<ArrayView2<f64>> = contacts.iter().map(of).collect();
@@ -105,7 +107,11 @@ impl Archive {
     ) -> Result<(), WriteNpzError> {
         let field = field.view().into_dyn();
         let rows = Axis(field.ndim() - 2);
-        if self.rank == 1 { self.npz.add_array(name, &field.index_axis(rows, 0)) } else { self.npz.add_array(name, &field) }
+        if self.rank == 1 {
+            self.npz.add_array(name, &field.index_axis(rows, 0))
+        } else {
+            self.npz.add_array(name, &field)
+        }
     }
 
     fn finish(self) -> Result<Vec<u8>, WriteNpzError> {

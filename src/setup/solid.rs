@@ -114,8 +114,7 @@ impl From<Solid> for Keys {
             Solid::ContactModulus(modulus) => Self { contact_modulus: Some(modulus), ..Self::default() },
             Solid::Bodies(first, second) => {
                 let bodies = || [Some(first), second].into_iter().flatten();
-                let [young, poisson] =
-                    [bodies().map(|it| it.young).collect(), bodies().map(|it| it.poisson).collect()];
+                let [young, poisson] = [bodies().map(|it| it.young).collect(), bodies().map(|it| it.poisson).collect()];
                 Self { young, poisson, ..Self::default() }
             }
         }

@@ -77,7 +77,8 @@ impl Contest {
         let contest = |((name, indenter, pressure), cell): ((&str, _, _), _)| Self {
             group,
             name: name.into(),
-            setup: Setup::new(Recipe::indenter(indenter), cell, Load::MeanPressure(pressure)).on(Solid::ContactModulus(1.0)),
+            setup: Setup::new(Recipe::indenter(indenter), cell, Load::MeanPressure(pressure))
+                .on(Solid::ContactModulus(1.0)),
         };
         lines.chain(surfaces).map(contest).collect()
     }

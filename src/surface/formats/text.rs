@@ -18,7 +18,12 @@ const SHOWN: usize = 40;
 fn is_text(file: &mut File) -> bool {
     let mut start = Vec::new();
     let is_read = file.rewind().is_ok() && file.take(START).read_to_end(&mut start).is_ok();
-    is_read && !start.is_empty() && !start.iter().any(|byte| *byte < b'\t')
+    is_read && !start.is_empty() && !start.iter().any(is_control)
+}
+
+/// Whether a byte stands in no text.
+fn is_control(byte: &u8) -> bool {
+    *byte < b'\t'
 }
 
 /// The numbers: of one column or row a line, else a matrix, row by row.
@@ -26,6 +31,9 @@ fn read(file: &mut File) -> io::Result<ArrayD<f64>> {
     let mut bytes = Vec::new();
     file.rewind()?;
     file.read_to_end(&mut bytes)?;
+    if bytes.iter().any(is_control) {
+        return Err(malformed("it is no .npy file, and not all of it is text"));
+    }
     let rows = rows(&String::from_utf8_lossy(&bytes))?;
     let shape = (rows.len(), rows[0].len());
     let matrix = Array2::from_shape_vec(shape, rows.concat()).map_err(|error| malformed(error.to_string()))?;
@@ -44,7 +52,8 @@ fn rows(text: &str) -> io::Result<Vec<Vec<f64>>> {
     let mut doubt = None;
     for (i, line) in lines.skip_while(|(_, line)| numbers(line).is_err()) {
         let place = i + 1;
-        let row = numbers(line).map_err(|word| malformed(format!("line {place} holds {word:?}, which is no number")))?;
+        let row =
+            numbers(line).map_err(|word| malformed(format!("line {place} holds {word:?}, which is no number")))?;
         let expected = rows.first().map_or(row.len(), Vec::len);
         if row.len() != expected {
             return Err(malformed(format!("line {place} holds {} numbers, those before it {expected}", row.len())));
@@ -77,5 +86,7 @@ fn numbers(line: &str) -> Result<Vec<f64>, &str> {
 
 /// Whether a line such as `1,5` may be one number with a decimal comma or two whole ones.
 fn is_doubtful(line: &str) -> bool {
-    line.split_once(',').is_some_and(|(a, b)| [a, b].iter().all(|part| part.trim_start_matches(['-', '+']).bytes().all(|c| c.is_ascii_digit())))
+    line.split_once(',').is_some_and(|(a, b)| {
+        [a, b].iter().all(|part| part.trim_start_matches(['-', '+']).bytes().all(|c| c.is_ascii_digit()))
+    })
 }
