@@ -74,7 +74,7 @@ impl Body {
 
 /// The keys of the section `solid`.
 #[derive(Default, Serialize, Deserialize)]
-#[serde(rename = "Solid", default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case", expecting = "a section for the Solid")]
 struct Keys {
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_pressure")]
     contact_modulus: Option<f64>,

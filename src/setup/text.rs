@@ -243,9 +243,11 @@ fn explained(message: &str, keys: &str) -> String {
     }
 }
 
+/// The known name that is nearest to an unknown one, first of all one that it is a part of.
 #[cfg(feature = "units")]
 fn nearest<'a>(unknown: &str, known: &[&'a str]) -> Option<&'a str> {
-    known.iter().copied().max_by(|a, b| strsim::jaro_winkler(unknown, a).total_cmp(&strsim::jaro_winkler(unknown, b)))
+    let nearness = |name: &str| if name.contains(unknown) { 1.0 } else { strsim::jaro_winkler(unknown, name) };
+    known.iter().copied().max_by(|a, b| nearness(a).total_cmp(&nearness(b)))
 }
 
 #[cfg(not(feature = "units"))]

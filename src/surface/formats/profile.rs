@@ -1,6 +1,7 @@
 //! Profiles given as pairs of position and height.
 
 use super::format::malformed;
+use crate::grid::Grid;
 use ndarray::{ArrayD, ArrayView1, Axis, Ix2};
 use std::io;
 
@@ -13,8 +14,8 @@ const TOLERANCE: f64 = 0.1;
 /// For positions that are not evenly spaced.
 pub(super) fn heights(array: ArrayD<f64>) -> io::Result<ArrayD<f64>> {
     let pairs = match *array.shape() {
-        [n, 2] if n > 2 => Axis(1),
-        [2, n] if n > 2 => Axis(0),
+        [n, 2] if n >= Grid::MIN_POINTS => Axis(1),
+        [2, n] if n >= Grid::MIN_POINTS => Axis(0),
         _ => return Ok(array),
     };
     let pairs_in = array.into_dimensionality::<Ix2>().map_err(|error| malformed(error.to_string()))?;
@@ -25,7 +26,7 @@ pub(super) fn heights(array: ArrayD<f64>) -> io::Result<ArrayD<f64>> {
 /// The shape of the heights in an array of some shape.
 pub(super) fn shape(shape: Vec<usize>) -> Vec<usize> {
     match *shape {
-        [n, 2] | [2, n] if n > 2 => vec![n],
+        [n, 2] | [2, n] if n >= Grid::MIN_POINTS => vec![n],
         _ => shape,
     }
 }

@@ -46,30 +46,35 @@ fn read(file: &mut File) -> io::Result<ArrayD<f64>> {
 
 /// The numbers, row by row, at least one row and each as long as the first.
 fn rows(text: &str) -> io::Result<Vec<Vec<f64>>> {
-    let lines = text.lines().map(str::trim).enumerate();
-    let lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with(['#', '%']));
-    let mut rows: Vec<Vec<f64>> = Vec::new();
-    let mut doubt = None;
-    for (i, line) in lines.skip_while(|(_, line)| numbers(line).is_err()) {
-        let place = i + 1;
-        let row =
-            numbers(line).map_err(|word| malformed(format!("line {place} holds {word:?}, which is no number")))?;
-        let expected = rows.first().map_or(row.len(), Vec::len);
-        if row.len() != expected {
-            return Err(malformed(format!("line {place} holds {} numbers, those before it {expected}", row.len())));
-        }
-        doubt = is_doubtful(line).then_some(line).filter(|_| rows.is_empty() || doubt.is_some());
-        rows.push(row);
+    let lines: Vec<(usize, &str)> = lines(text).collect();
+    let Some((_, first)) = lines.first() else {
+        let start: String = text.trim_start().lines().next().unwrap_or_default().chars().take(SHOWN).collect();
+        let reason = "it is no .npy file, and no text of numbers with decimal points either: it begins with";
+        return Err(malformed(format!("{reason} {start:?}")));
+    };
+    if lines.iter().all(|(_, line)| is_doubtful(line)) {
+        let reason =
+            "may be one number with a decimal comma or two whole ones: write points for commas, or spaces between";
+        return Err(malformed(format!("{first:?} {reason}")));
     }
-    match (rows.is_empty(), doubt) {
-        (true, _) => Err(malformed(format!(
-            "it is no .npy file, and no text of numbers with decimal points either: it begins with {:?}",
-            text.trim_start().chars().take_while(|c| *c != '\n').take(SHOWN).collect::<String>()
-        ))),
-        (false, Some(line)) => Err(malformed(format!(
-            "{line:?} may be one number with a decimal comma or two whole ones: write points for commas, or spaces between"
-        ))),
-        (false, None) => Ok(rows),
+    let columns = numbers(first).map_or(0, |numbers| numbers.len());
+    lines.into_iter().map(|(place, line)| row(place, line, columns)).collect()
+}
+
+/// The lines that may hold numbers and their places, from the first line on that holds nothing else.
+fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
+    let lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with(['#', '%']));
+    lines.skip_while(|(_, line)| numbers(line).is_err())
+}
+
+/// The numbers of the line at some place, which must be so many.
+fn row(place: usize, line: &str, columns: usize) -> io::Result<Vec<f64>> {
+    let row = numbers(line).map_err(|word| malformed(format!("line {place} holds {word:?}, which is no number")))?;
+    if row.len() == columns {
+        Ok(row)
+    } else {
+        Err(malformed(format!("line {place} holds {} numbers, those before it {columns}", row.len())))
     }
 }
 
