@@ -5,6 +5,7 @@ use anyhow::Result;
 use asperity::contact::{Contact, Load, Observables, Problem};
 use asperity::plot::Colour;
 use asperity::record::{Curve, LoadRecording, Loads, Options, Scene};
+use asperity::setup::Setup;
 use asperity::study::LoadCurve;
 
 /// A curve over the loads: its view, name and colour, and its value.
@@ -28,7 +29,8 @@ impl CurveRecording {
     /// Begins the recording that is asked for, if one is, with room for the contact of `problem`, the heaviest.
     pub fn begin(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Option<Self>> {
         let Some(path) = outputs.recording() else { return Ok(None) };
-        let scene = Scene { exact: None, ..Scene::of(&curve.setup, problem) };
+        let setup = Setup { load: problem.load(), ..curve.setup.clone() };
+        let scene = Scene { exact: None, ..Scene::of(&setup, problem) };
         let loads = Loads {
             title: format!("{}, {} loads", scene.title, curve.loads.len()),
             description: format!("{}, each load from the contact before.", curve.setup.surface.description()),

@@ -1,7 +1,6 @@
 //! The files that a solve writes.
 
-use super::outcome::usage;
-use anyhow::Result;
+use asperity::error::FileError;
 use asperity::files::check_named;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -60,22 +59,11 @@ impl Outputs {
         [self.recording(), self.out.as_deref(), self.save_setup.as_deref()].into_iter().flatten()
     }
 
-    /// Refuses places where nothing can be written, names that promise another content, and one file for two outputs.
-    pub fn check(&self) -> Result<()> {
-        let named = [
-            ("--record", self.recording(), RECORDING),
-            ("--out", self.out.as_deref(), RESULT),
-            ("--save-setup", self.save_setup.as_deref(), SCENE),
-        ];
-        let named: Vec<_> =
-            named.into_iter().filter_map(|(flag, path, endings)| Some((flag, path?, endings))).collect();
-        for (i, (flag, path, endings)) in named.iter().enumerate() {
-            check_named(path, endings)?;
-            if let Some((other, ..)) = named[..i].iter().find(|(_, earlier, _)| earlier == path) {
-                return usage(format!("{other} and {flag} both name {}: give two files", path.display()));
-            }
-        }
-        Ok(())
+    /// Refuses places where nothing can be written, and names that promise another content.
+    pub fn check(&self) -> Result<(), FileError> {
+        let (out, setup) = (self.out.as_deref(), self.save_setup.as_deref());
+        let named = [(self.recording(), RECORDING), (out, RESULT), (setup, SCENE)];
+        named.into_iter().try_for_each(|(path, endings)| path.map_or(Ok(()), |path| check_named(path, endings)))
     }
 }
 

@@ -60,8 +60,8 @@ fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
     };
     let (last, count) = rest.rsplit_once(':').ok_or_else(wrong)?;
     let count: u32 = count.trim().parse().ok().filter(|count| *count > 1).ok_or_else(wrong)?;
-    let [first, last] = [first, last].map(|end| load(kind, super::command::value(end.trim())));
-    let (first, last) = (first?, last?);
+    let end = |end: &str| if end.is_empty() { Err(wrong()) } else { load(kind, super::command::value(end)) };
+    let (first, last) = (end(first.trim())?, end(last.trim())?);
     let step = (last.value() / first.value()).ln() / f64::from(count - 1);
     let inner = (1..count - 1).map(|i| first.with_value(first.value() * (f64::from(i) * step).exp()));
     Ok([first].into_iter().chain(inner).chain([last]).collect())
