@@ -126,6 +126,28 @@ pub enum SolveError {
     NeedsPressure { solver: String },
 }
 
+/// Elastic constants that make no solid.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SolidError {
+    /// No constants at all.
+    #[error("it is empty: give the contact modulus, or Young's modulus and Poisson's ratio")]
+    Nothing,
+    /// The modulus that the constants would make, beside them.
+    #[error(
+        "a contact modulus and elastic constants are given: give the modulus, or Young's modulus and Poisson's ratio"
+    )]
+    Both,
+    /// Constants that are missing, or too many.
+    #[error(
+        "Young's moduli are {young} and Poisson's ratios {poisson} in number: give one of each for one elastic body, two for two"
+    )]
+    Bodies { young: usize, poisson: usize },
+    #[error("Young's modulus is {young:?}: give a positive, finite value")]
+    Young { young: f64 },
+    #[error("Poisson's ratio is {poisson:?}: it must lie above -1 and at most at 0.5")]
+    Poisson { poisson: f64 },
+}
+
 /// A setup that cannot be read, or that describes nothing that can be solved.
 #[derive(Debug, thiserror::Error)]
 pub enum SetupError {
@@ -133,6 +155,8 @@ pub enum SetupError {
     Grid(#[from] GridError),
     #[error(transparent)]
     Surface(#[from] SurfaceError),
+    #[error(transparent)]
+    Solid(#[from] SolidError),
     #[error(transparent)]
     Problem(#[from] ProblemError),
     #[error(transparent)]
@@ -149,11 +173,19 @@ pub enum SetupError {
     /// Nothing says how hard it is pressed.
     #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
     NoLoad,
+    /// A mean pressure without the modulus that it is held against.
+    #[error(
+        "the mean pressure {mean_pressure:?} is given without a modulus: give the contact modulus, or Young's modulus and Poisson's ratio of one body or of both"
+    )]
+    NoModulus { mean_pressure: f64 },
     /// A seed without roughness.
     #[error(
         "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
     )]
     SeedWithoutSpectrum,
+    /// A trend without measured heights.
+    #[error("a trend is to be taken off without a height file: give one as well, or leave the trend out")]
+    DetrendWithoutHeights,
     /// A seed that a scene in TOML cannot hold.
     #[error("the seed {seed} is too large: give at most {}", i64::MAX)]
     Seed { seed: u64 },

@@ -15,6 +15,29 @@ pub fn check_target(path: &Path) -> Result<(), FileError> {
     Draft::beside(path).map(drop)
 }
 
+/// Checks that a file can be made at `path` and that its name ends in one of the `endings`, such as `npz`, by which others will
+/// know what is in it.
+///
+/// # Errors
+/// [`FileError::Target`] as [`check_target`], and for another ending.
+///
+/// ```
+/// use asperity::files::check_named;
+/// use std::path::Path;
+/// assert!(check_named(Path::new("result.npz"), &["npz", "csv"]).is_ok());
+/// let refused = check_named(Path::new("result.txt"), &["npz", "csv"]).unwrap_err();
+/// assert_eq!(refused.to_string(), "cannot write result.txt: give a name that ends in .npz or .csv");
+/// ```
+pub fn check_named(path: &Path, endings: &[&str]) -> Result<(), FileError> {
+    check_target(path)?;
+    let given = path.extension().unwrap_or_default();
+    if endings.iter().any(|ending| given.eq_ignore_ascii_case(ending)) {
+        return Ok(());
+    }
+    let reason = format!("give a name that ends in .{}", endings.join(" or ."));
+    Err(FileError::Target { path: path.into(), reason })
+}
+
 /// Makes the file `path` whole or not at all: `write` fills a draft in the same folder, which is flushed, synced and then
 /// renamed over `path`.
 ///

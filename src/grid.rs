@@ -94,6 +94,12 @@ impl Grid {
         (0..self.shape[1]).map(move |i| i as f64 * dx)
     }
 
+    /// Positions `y` of the rows, from 0.
+    pub fn y(&self) -> impl ExactSizeIterator<Item = f64> + use<> {
+        let dy = self.spacing()[0];
+        (0..self.shape[0]).map(move |i| i as f64 * dy)
+    }
+
     /// The longest period along which anything varies: the longest wavelength that fits the cell.
     pub fn longest_wavelength(&self) -> f64 {
         if self.is_line() { self.size[1] } else { self.size[0].max(self.size[1]) }

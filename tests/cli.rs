@@ -92,8 +92,17 @@ impl Fields {
 fn solve(folder: &Folder, arguments: &str) -> (Value, Fields) {
     let output = folder.run(&format!("solve {arguments} --json --out contact.npz"));
     assert!(output.status.success(), "{arguments}: {}", text(&output.stderr));
-    assert_eq!(text(&output.stderr), "", "{arguments}");
-    (json(&output), Fields::read(File::open(folder.join("contact.npz")).unwrap()))
+    let summary = json(&output);
+    check_said(text(&output.stderr), &summary, arguments);
+    (summary, Fields::read(File::open(folder.join("contact.npz")).unwrap()))
+}
+
+/// What is said on standard error: the warnings of the summary, and which files were written.
+fn check_said(said: &str, summary: &Value, arguments: &str) {
+    let (wrote, warned): (Vec<&str>, Vec<&str>) = said.lines().partition(|line| line.starts_with("wrote "));
+    let warnings = summary["warnings"].as_array().unwrap().iter().map(|warning| warning.as_str().unwrap());
+    assert!(warned.into_iter().eq(warnings.map(|it| format!("warning: {it}"))), "{arguments}: {said}");
+    assert!(wrote.contains(&"wrote contact.npz: numpy.load(\"contact.npz\") in Python"), "{arguments}: {said}");
 }
 
 /// The one JSON object on standard output.
@@ -111,9 +120,9 @@ fn assert_close(found: f64, expected: f64, tolerance: f64, what: &str) {
     assert!((found - expected).abs() <= tolerance * expected.abs(), "{what}: {found:e} against {expected:e}");
 }
 
-/// The numbers of a summary without its seconds, which no two runs share, and its setup.
+/// The numbers of a summary without its seconds, which no two runs share, and what it says of its source.
 fn timeless(mut summary: Value) -> Value {
-    for key in ["seconds", "setup"] {
+    for key in ["seconds", "setup", "source", "warnings"] {
         summary.as_object_mut().unwrap().remove(key).unwrap();
     }
     summary
@@ -192,7 +201,7 @@ fn rms_gradient(height: &ArrayD<f64>, size: &[f64]) -> f64 {
 fn every_surface_that_can_be_made_is_solved() {
     let folder = Folder::new();
     for (surface, shape) in SURFACES {
-        let (summary, fields) = solve(&folder, &format!("{surface} --pressure 0.004"));
+        let (summary, fields) = solve(&folder, &format!("{surface} --modulus 1 --pressure 0.004"));
         check_summary(&summary, 0.004);
         check_fields(&fields, &summary, shape);
         assert!(fields.converged);
@@ -209,10 +218,11 @@ fn every_solver_finds_the_same_contact() {
         [(CYLINDER, &[64][..]), (SPHERE, &[24, 32]), (ROUGH_LINE, &[255]), (ROUGH_SURFACE, &[40, 36])]
     {
         let found = SOLVERS.map(|solver| {
-            let (summary, fields) = solve(&folder, &format!("{surface} --pressure 0.004 --solver {solver}"));
+            let (summary, fields) =
+                solve(&folder, &format!("{surface} --modulus 1 --pressure 0.004 --solver {solver}"));
             check_summary(&summary, 0.004);
             check_fields(&fields, &summary, shape);
-            assert_eq!(summary["solver"], solver.split(' ').next().unwrap());
+            assert_eq!(summary["solver"]["method"], solver.split(' ').next().unwrap());
             number(&summary, "mean_gap")
         });
         assert!(found.iter().all(|gap| (gap / found[0] - 1.0).abs() < 1e-6), "{surface}: {found:?}");
@@ -221,7 +231,8 @@ fn every_solver_finds_the_same_contact() {
 
 #[test]
 fn a_smooth_contact_comes_with_its_exact_solution() {
-    let (summary, _) = solve(&Folder::new(), &format!("{} --pressure 0.01", CYLINDER.replace("64", "1024")));
+    let (summary, _) =
+        solve(&Folder::new(), &format!("{} --modulus 1 --pressure 0.01", CYLINDER.replace("64", "1024")));
     let exact = &summary["exact"];
     assert_close(number(&summary, "relative_area_corrected"), number(exact, "relative_area"), 0.01, "area");
     assert_close(number(&summary, "kappa_r_corrected"), number(exact, "kappa_r"), 0.01, "kappa_r");
@@ -233,7 +244,7 @@ fn a_smooth_contact_comes_with_its_exact_solution() {
 fn a_mean_gap_presses_as_the_pressure_that_makes_it() {
     let folder = Folder::new();
     for (surface, shape) in [(CYLINDER, &[64][..]), (SPHERE, &[24, 32]), (ROUGH_SURFACE, &[40, 36])] {
-        let (pressed, _) = solve(&folder, &format!("{surface} --pressure 0.004 --tolerance 1e-11"));
+        let (pressed, _) = solve(&folder, &format!("{surface} --modulus 1 --pressure 0.004 --tolerance 1e-11"));
         let gap = number(&pressed, "mean_gap");
         let run = format!("{surface} --mean-gap {gap:e} --solver polonsky-keer --tolerance 1e-11");
         let (apart, fields) = solve(&folder, &run);
@@ -269,7 +280,7 @@ fn heights_from_a_file_come_back_as_they_were() {
         let rows = if shape.len() == 1 { 1 } else { shape[0] };
         let height = hills([rows, *shape.last().unwrap()]).into_shape_with_order(shape.clone()).unwrap();
         write_npy(folder.join("h.npy"), &height).unwrap();
-        let (summary, fields) = solve(&folder, &format!("--height h.npy --size {size} --pressure 0.3"));
+        let (summary, fields) = solve(&folder, &format!("--height h.npy --size {size} --modulus 1 --pressure 0.3"));
         check_summary(&summary, 0.3);
         check_fields(&fields, &summary, &shape);
         assert_same(&fields.height, &height);
@@ -283,7 +294,7 @@ fn lengths_are_along_the_axes_of_the_array() {
     let height = hills([12, 20]).into_dyn();
     write_npy(folder.join("h.npy"), &height).unwrap();
     for (size, lengths) in [("3,2", [3.0, 2.0]), ("2,3", [2.0, 3.0]), ("2.5", [2.5, 2.5])] {
-        let (summary, _) = solve(&folder, &format!("--height h.npy --size {size} --pressure 0.3"));
+        let (summary, _) = solve(&folder, &format!("--height h.npy --size {size} --modulus 1 --pressure 0.3"));
         assert_close(number(&summary, "rms_gradient"), rms_gradient(&height, &lengths), 1e-12, size);
     }
 }
@@ -291,7 +302,7 @@ fn lengths_are_along_the_axes_of_the_array() {
 #[test]
 fn singles_and_fortran_order_are_read() {
     let folder = Folder::new();
-    let load = "--height h.npy --size 3,2 --pressure 0.3";
+    let load = "--height h.npy --size 3,2 --modulus 1 --pressure 0.3";
     let height = hills([12, 20]);
     write_npy(folder.join("h.npy"), &height).unwrap();
     let (plain, _) = solve(&folder, load);
@@ -315,8 +326,11 @@ fn one_row_is_a_line() {
     write_npy(folder.join("row.npy"), &row).unwrap();
     write_npy(folder.join("line.npy"), &row.row(0)).unwrap();
     let of = |name: &str| {
-        let (mut summary, _) = solve(&folder, &format!("--height {name} --size 2 --pressure 0.3"));
-        summary.as_object_mut().unwrap().remove("points");
+        let (mut summary, _) = solve(&folder, &format!("--height {name} --size 2 --modulus 1 --pressure 0.3"));
+        for key in ["points", "size", "spacing", "jump"] {
+            let last = summary[key].as_array_mut().unwrap().pop().unwrap();
+            summary[key] = last;
+        }
         timeless(summary)
     };
     assert_eq!(of("row.npy"), of("line.npy"));
@@ -334,7 +348,7 @@ fn a_reduced_pressure_is_a_pressure_over_gradient_and_modulus() {
 fn the_modulus_only_scales_pressures() {
     let folder = Folder::new();
     for surface in [CYLINDER, ROUGH_SURFACE] {
-        let (soft, _) = solve(&folder, &format!("{surface} --pressure 0.004"));
+        let (soft, _) = solve(&folder, &format!("{surface} --modulus 1 --pressure 0.004"));
         let (stiff, _) = solve(&folder, &format!("{surface} --pressure 1.2e7 --modulus 3e9"));
         check_summary(&stiff, 1.2e7);
         assert_eq!(number(&stiff, "relative_area"), number(&soft, "relative_area"));
@@ -348,7 +362,8 @@ fn the_modulus_only_scales_pressures() {
 fn the_tolerance_is_reached_but_not_far_exceeded() {
     let folder = Folder::new();
     for tolerance in [1e-3, 1e-6, 1e-12] {
-        let (summary, _) = solve(&folder, &format!("{ROUGH_LINE} --pressure 0.004 --tolerance {tolerance}"));
+        let (summary, _) =
+            solve(&folder, &format!("{ROUGH_LINE} --modulus 1 --pressure 0.004 --tolerance {tolerance}"));
         let certificate = number(&summary, "certificate");
         assert!(certificate <= tolerance && certificate > 1e-3 * tolerance, "{certificate:e} for {tolerance:e}");
     }
@@ -363,7 +378,8 @@ fn a_seed_gives_the_same_numbers_on_any_number_of_threads() {
         [(line, "polonsky-keer"), (surface, "polonsky-keer"), (surface, "gfmd --max-iterations 40")]
     {
         let on = |threads: &str| {
-            let arguments = format!("solve {surface} --pressure 0.004 --solver {solver} --json --out {threads}.npz");
+            let arguments =
+                format!("solve {surface} --modulus 1 --pressure 0.004 --solver {solver} --json --out {threads}.npz");
             let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
             command.args(arguments.split(' ')).env("RAYON_NUM_THREADS", threads);
             let summary = timeless(json(&folder.finish(&mut command)));
@@ -379,7 +395,7 @@ fn a_seed_gives_the_same_numbers_on_any_number_of_threads() {
 #[test]
 fn another_seed_is_another_surface() {
     let folder = Folder::new();
-    let gap = |surface: &str| number(&solve(&folder, &format!("{surface} --pressure 0.004")).0, "mean_gap");
+    let gap = |surface: &str| number(&solve(&folder, &format!("{surface} --modulus 1 --pressure 0.004")).0, "mean_gap");
     assert_ne!(gap(ROUGH_LINE), gap(&ROUGH_LINE.replace("--seed 7", "--seed 8")));
 }
 
@@ -388,11 +404,12 @@ fn a_contact_that_does_not_converge_is_written_all_the_same_and_says_so() {
     let folder = Folder::new();
     for solver in SOLVERS {
         let recorded = if cfg!(feature = "record") { "--record contact.rrd" } else { "" };
-        let run = format!("solve {ROUGH_LINE} --pressure 0.004 --max-iterations 3 --solver {solver} {recorded}");
+        let run =
+            format!("solve {ROUGH_LINE} --modulus 1 --pressure 0.004 --max-iterations 3 --solver {solver} {recorded}");
         let output = folder.run(&format!("{run} --json --out contact.npz"));
         assert_eq!(output.status.code(), Some(3));
-        let warning = text(&output.stderr);
-        assert!(warning.starts_with("warning: not converged") && warning.lines().count() == 1, "{warning}");
+        let said = text(&output.stderr);
+        assert_eq!(said.lines().filter(|line| line.starts_with("warning: not converged")).count(), 1, "{said}");
         let summary = json(&output);
         assert_eq!(summary["status"], "iteration-cap");
         assert_eq!(summary["iterations"], 3);
@@ -411,20 +428,24 @@ fn a_contact_that_does_not_converge_is_written_all_the_same_and_says_so() {
 
 #[test]
 fn a_tolerance_below_rounding_ends_without_convergence() {
-    let output = Folder::new().run(&format!("solve {ROUGH_SURFACE} --pressure 0.004 --tolerance 1e-30 --json"));
+    let output =
+        Folder::new().run(&format!("solve {ROUGH_SURFACE} --modulus 1 --pressure 0.004 --tolerance 1e-30 --json"));
     assert_eq!(output.status.code(), Some(3));
     assert_eq!(json(&output)["status"], "stalled");
 }
 
 #[test]
 fn the_summary_reads_well() {
-    let output = Folder::new().run(&format!("solve {CYLINDER} --pressure 0.01"));
+    let output = Folder::new().run(&format!("solve {CYLINDER} --modulus 1 --pressure 0.01"));
     let out = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0));
     let title = out.lines().next().unwrap();
     assert!(["Cylinder", "64 points", "multilevel", ": converged"].iter().all(|words| title.contains(words)), "{out}");
     for line in ["reduced pressure", "relative area", "rms gradient", "kappa ", "kappa_r", "mean gap", "certificate"] {
         assert_eq!(out.matches(line).count(), 1, "{line} in {out}");
+    }
+    for words in ["cylinder, radius 1.0", "spacing                   6.250000e-2", "rms steps", "1.000000e0 (given)"] {
+        assert!(out.contains(words), "{words} in {out}");
     }
     assert!(text(&output.stderr).is_empty());
 }
@@ -434,8 +455,8 @@ fn a_surface_that_was_written_is_solved_as_if_just_made() {
     let folder = Folder::new();
     for (surface, size) in [(ROUGH_LINE, "1"), (ROUGH_SURFACE, "1,1.2")] {
         assert!(folder.run(&format!("surface {surface} --out h.npy")).status.success());
-        let (mut made, _) = solve(&folder, &format!("{surface} --pressure 0.004"));
-        let (read, _) = solve(&folder, &format!("--height h.npy --size {size} --pressure 0.004"));
+        let (mut made, _) = solve(&folder, &format!("{surface} --modulus 1 --pressure 0.004"));
+        let (read, _) = solve(&folder, &format!("--height h.npy --size {size} --modulus 1 --pressure 0.004"));
         assert!(made.as_object_mut().unwrap().remove("seed").is_some());
         assert_eq!(timeless(made), timeless(read));
     }
@@ -482,9 +503,12 @@ fn the_statistics_of_a_surface_are_those_of_its_heights() {
         assert_close(number(&made, "valley"), centred.fold(0.0, |m: f64, &z| m.max(-z)), 1e-12, "valley");
         let size = size.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
         let read = json(&folder.run(&format!("surface --height h.npy --size {size} --json")));
-        for (key, value) in read.as_object().unwrap() {
+        for (key, value) in
+            read.as_object().unwrap().iter().filter(|(key, _)| !["source", "warnings"].contains(&key.as_str()))
+        {
             assert_eq!(&made[key], value, "{key}");
         }
+        assert_eq!(read["source"], "heights from h.npy");
         assert!(made.get("seed").is_some() && read.get("seed").is_none());
     }
 }
@@ -493,8 +517,10 @@ fn the_statistics_of_a_surface_are_those_of_its_heights() {
 fn the_statistics_of_a_surface_read_well() {
     let output = Folder::new().run(&format!("surface {ROUGH_SURFACE}"));
     let out = text(&output.stdout);
-    assert!(output.status.success() && text(&output.stderr).is_empty());
-    for words in ["H = 0.5", "seed 1", "40 x 36", "1 x 1.2", "rms height", "rms gradient   1.000000e-1", "kurtosis"] {
+    assert!(output.status.success() && text(&output.stderr).is_empty(), "{output:?}");
+    for words in
+        ["H = 0.5", "seed 1", "40 x 36", "1 x 1.2", "rms height", "rms gradient              1.000000e-1", "kurtosis"]
+    {
         assert!(out.contains(words), "{words} in {out}");
     }
 }
@@ -503,7 +529,7 @@ fn the_statistics_of_a_surface_read_well() {
 fn an_output_replaces_an_older_one() {
     let folder = Folder::new();
     std::fs::write(folder.join("contact.npz"), "old").unwrap();
-    let (summary, fields) = solve(&folder, &format!("{CYLINDER} --pressure 0.01"));
+    let (summary, fields) = solve(&folder, &format!("{CYLINDER} --modulus 1 --pressure 0.01"));
     check_fields(&fields, &summary, &[64]);
 }
 
@@ -528,7 +554,7 @@ fn assert_is_recording(folder: &Folder, name: &str) -> usize {
 fn a_recording_does_not_change_the_result() {
     let folder = Folder::new();
     for surface in [CYLINDER, ROUGH_SURFACE] {
-        let run = format!("{surface} --pressure 0.004 --solver gfmd");
+        let run = format!("{surface} --modulus 1 --pressure 0.004 --solver gfmd");
         let (recorded, _) = solve(&folder, &format!("{run} --record contact.rrd --length-unit mm"));
         assert_is_recording(&folder, "contact.rrd");
         let (alone, _) = solve(&folder, &run);
@@ -541,7 +567,10 @@ fn a_recording_does_not_change_the_result() {
 fn fewer_recorded_steps_make_a_smaller_file() {
     let folder = Folder::new();
     let size = |every: &str| {
-        solve(&folder, &format!("{ROUGH_LINE} --pressure 0.004 --solver gfmd --record contact.rrd {every}"));
+        solve(
+            &folder,
+            &format!("{ROUGH_LINE} --modulus 1 --pressure 0.004 --solver gfmd --record contact.rrd {every}"),
+        );
         assert_is_recording(&folder, "contact.rrd")
     };
     let (all, some, few) = (size("--record-every 1"), size(""), size("--record-every 100000"));
@@ -571,7 +600,7 @@ fn a_dry_run_says_what_a_solve_takes_and_writes_nothing() {
     let file = "--height hills.npy --size 1";
     for (surface, points) in [(CYLINDER, "64"), (SPHERE, "24 x 32"), (ROUGH_LINE, "255"), (file, "32 x 48")] {
         for solver in SOLVERS {
-            let line = format!("solve {surface} --pressure 0.004 --solver {solver} --out a.npz --dry-run");
+            let line = format!("solve {surface} --modulus 1 --pressure 0.004 --solver {solver} --out a.npz --dry-run");
             let output = folder.run(&line);
             let out = text(&output.stdout);
             assert!(output.status.success() && output.stderr.is_empty(), "{line}: {}", text(&output.stderr));
@@ -584,7 +613,7 @@ fn a_dry_run_says_what_a_solve_takes_and_writes_nothing() {
     assert!(text(&output.stdout).contains("grids       10, from 32 x 32 to 16384 x 16384"), "{output:?}");
     assert_eq!(std::fs::read_dir(folder.join("")).unwrap().count(), before);
     for bad in ["--json", "--size 1,2,3", "--mean-gap 1"] {
-        let output = folder.run(&format!("solve {ROUGH_LINE} --pressure 0.004 --dry-run {bad}"));
+        let output = folder.run(&format!("solve {ROUGH_LINE} --modulus 1 --pressure 0.004 --dry-run {bad}"));
         assert_eq!(output.status.code(), Some(2), "{bad}");
     }
 }
@@ -616,7 +645,7 @@ fn a_dry_run_tells_the_size_of_a_recording_about() {
 fn a_recording_of_some_parts_is_smaller_and_does_not_change_the_result() {
     let folder = Folder::new();
     for (surface, parts) in [(ROUGH_LINE, ["traces", "mask,profile"]), (ROUGH_SURFACE, ["traces", "mesh"])] {
-        let run = format!("{surface} --pressure 0.004 --record contact.rrd");
+        let run = format!("{surface} --modulus 1 --pressure 0.004 --record contact.rrd");
         let (whole, _) = solve(&folder, &run);
         let bytes = assert_is_recording(&folder, "contact.rrd");
         for parts in parts {
@@ -634,9 +663,216 @@ fn the_demo_records_four_contacts_in_less_than_40_megabytes() {
     let output = folder.run("demo --out demo.rrd");
     let out = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    for words in ["kappa_r", "Hertz line", "Rough line", "Hertz point", "Rough surface", "asperity view demo.rrd"] {
+    for words in ["kappa_r", "Hertz line", "Rough line", "Hertz point", "Rough surface"] {
         assert!(out.contains(words), "{words} in {out}");
     }
+    assert_eq!(text(&output.stderr), "wrote demo.rrd: asperity view demo.rrd\n");
     let size = assert_is_recording(&folder, "demo.rrd");
     assert!(size < 40_000_000, "{size}");
+}
+
+/// The lines on standard error that warn.
+fn warnings(output: &Output) -> Vec<&str> {
+    text(&output.stderr).lines().filter_map(|line| line.strip_prefix("warning: ")).collect()
+}
+
+#[test]
+fn a_mean_pressure_needs_a_modulus_and_may_have_one_of_elastic_constants() {
+    let folder = Folder::new();
+    for arguments in [format!("{CYLINDER} --pressure 1e6"), format!("{ROUGH_LINE} --pressure 1MPa --json")] {
+        let output = folder.run(&format!("solve {arguments} --out new.npz"));
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        let said = text(&output.stderr);
+        assert!(said.starts_with("error: the mean pressure 1000000.0 is given without a modulus: give"), "{said}");
+        assert!(output.stdout.is_empty() && !folder.join("new.npz").exists());
+    }
+    let (two, _) = solve(&folder, &format!("{ROUGH_LINE} --pressure 1MPa --young 210GPa,70GPa --poisson 0.3,0.2"));
+    let expected = 1e9 / (0.91 / 210.0 + 0.96 / 70.0);
+    assert_close(number(&two, "contact_modulus"), expected, 1e-14, "two bodies");
+    // flags take the place of the other description of the solid
+    std::fs::write(folder.join("two.json"), two.to_string()).unwrap();
+    for (flags, modulus) in [("--modulus 3GPa", 3e9), ("--young 91GPa --poisson 0.3", 100e9), ("", expected)] {
+        let (again, _) = solve(&folder, &format!("--setup-of two.json {flags}"));
+        assert_close(number(&again, "contact_modulus"), modulus, 1e-14, flags);
+    }
+    let told = folder.run(&format!("solve {ROUGH_LINE} --pressure 1MPa --young 91GPa --poisson 0.3"));
+    let words = "1.000000e11 (of one elastic body, E 9.1e10, nu 0.3)";
+    assert!(text(&told.stdout).contains(words), "{}", text(&told.stdout));
+    let over = folder.run(&format!("solve {ROUGH_LINE} --reduced-pressure 0.01"));
+    assert!(text(&over.stdout).contains("1.000000e0 (none given: pressures are over it)"), "{}", text(&over.stdout));
+}
+
+#[test]
+fn a_load_far_beyond_full_contact_warns() {
+    let folder = Folder::new();
+    for (load, is_warned) in [("--reduced-pressure 11", true), ("--reduced-pressure 9", false)] {
+        let output = folder.run(&format!("solve {ROUGH_LINE} {load} --json"));
+        assert_eq!(output.status.code(), Some(0));
+        let warned = warnings(&output);
+        assert_eq!(warned.iter().any(|it| it.starts_with("the reduced pressure 1.100e1 is far above 1")), is_warned);
+        assert_eq!(json(&output)["warnings"], serde_json::json!(warned));
+    }
+}
+
+#[test]
+fn a_trace_that_jumps_across_the_period_warns_until_it_is_detrended() {
+    let folder = Folder::new();
+    let wave = |i: usize| 1e-2 * (std::f64::consts::TAU * i as f64 / 128.0).sin();
+    let tilted = ndarray::Array1::from_shape_fn(1024, |i| wave(i) + 1e-2 * i as f64 / 16.0);
+    write_npy(folder.join("h.npy"), &tilted).unwrap();
+    for command in ["surface --height h.npy --size 4", "solve --height h.npy --size 4 --reduced-pressure 0.1"] {
+        for (detrend, is_warned) in [("", true), ("--detrend mean", true), ("--detrend plane", false)] {
+            let output = folder.run(&format!("{command} {detrend} --json"));
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            let (summary, warned) = (json(&output), warnings(&output));
+            let jump = summary["jump"][0].as_f64().unwrap();
+            assert_eq!(jump > 10.0, is_warned, "{command} {detrend}: {jump}");
+            assert_eq!(warned.iter().any(|it| it.contains("across the period along x")), is_warned, "{warned:?}");
+            assert_eq!(summary["spacing"][0].as_f64().unwrap(), 4.0 / 1024.0);
+        }
+    }
+    // the result repeats itself, by its setup as well as by its heights
+    let run = "--height h.npy --size 4 --reduced-pressure 0.1 --detrend plane";
+    let (first, fields) = solve(&folder, &format!("{run} --save-setup flat.toml"));
+    std::fs::copy(folder.join("contact.npz"), folder.join("first.npz")).unwrap();
+    for source in ["flat.toml", "--setup-of first.npz"] {
+        let (again, same) = solve(&folder, source);
+        assert_eq!(same.pressure, fields.pressure, "{source}");
+        assert_eq!(again["jump"], first["jump"]);
+    }
+}
+
+#[test]
+fn lengths_that_may_be_swapped_and_patches_of_few_nodes_are_told() {
+    let folder = Folder::new();
+    write_npy(folder.join("h.npy"), &hills([12, 24])).unwrap();
+    for (size, is_told) in [("2,4", false), ("4,2", true)] {
+        let output = folder.run(&format!("surface --height h.npy --size {size}"));
+        let words = "the spacing is 3.3333e-1 along y (rows) and 8.3333e-2 along x (columns)";
+        assert_eq!(warnings(&output).iter().any(|it| it.starts_with(words)), is_told, "{}", text(&output.stderr));
+        assert!(text(&output.stdout).contains("(rows), x "), "{}", text(&output.stdout));
+    }
+    for (load, is_told) in [("1e-4", true), ("0.5", false)] {
+        let output = folder.run(&format!("solve {ROUGH_LINE} --reduced-pressure {load} --json"));
+        let nodes = number(&json(&output), "nodes_per_patch");
+        assert_eq!(nodes < 4.0, is_told, "{nodes}");
+        assert_eq!(warnings(&output).iter().any(|it| it.contains("fewer than 4: take more points")), is_told);
+    }
+}
+
+#[test]
+fn results_stand_alone() {
+    let folder = Folder::new();
+    let (summary, _) = solve(&folder, &format!("{ROUGH_SURFACE} --modulus 1GPa --pressure 1MPa --solver gfmd"));
+    assert_eq!(summary["size"], serde_json::json!([1.0, 1.2]));
+    assert!(summary["source"].as_str().unwrap().starts_with("self-affine roughness, H = 0.5"));
+    let mut npz = NpzReader::new(File::open(folder.join("contact.npz")).unwrap()).unwrap();
+    let mut array = |name: &str| -> ArrayD<f64> { npz.by_name(name).unwrap() };
+    let expected = |n: usize, length: f64| (0..n).map(|i| i as f64 * (length / n as f64)).collect::<Vec<_>>();
+    assert_eq!(array("x").into_raw_vec_and_offset().0, expected(36, 1.2));
+    assert_eq!(array("y").into_raw_vec_and_offset().0, expected(40, 1.0));
+    assert_eq!(array("size").into_raw_vec_and_offset().0, [1.0, 1.2]);
+    assert_eq!(array("contact_modulus")[[]], 1e9);
+    for key in ["mean_pressure", "reduced_pressure", "mean_gap", "kappa_r", "nodes_per_patch", "transforms"] {
+        assert_eq!(array(key)[[]], number(&summary, key), "{key}");
+    }
+    // three runs of one method are told apart
+    let settings = ["--masses uniform", "--masses stiffness", "--masses stiffness --dynamics fire"];
+    let solvers =
+        settings.map(|it| solve(&folder, &format!("{ROUGH_SURFACE} --reduced-pressure 0.1 --solver gfmd {it}")).0);
+    assert_eq!(solvers[2]["solver"]["dynamics"], "fire");
+    assert!(solvers.iter().enumerate().all(|(i, a)| solvers[..i].iter().all(|b| a["solver"] != b["solver"])));
+}
+
+#[test]
+fn a_line_is_written_as_a_table() {
+    let folder = Folder::new();
+    let (_, fields) = solve(&folder, &format!("{CYLINDER} --modulus 1 --pressure 0.01"));
+    let output = folder.run(&format!("solve {CYLINDER} --modulus 1 --pressure 0.01 --out nodes.csv"));
+    assert_eq!(output.status.code(), Some(0));
+    assert!(
+        text(&output.stderr)
+            .ends_with("wrote nodes.csv: pandas.read_csv(\"nodes.csv\") in Python, or any spreadsheet\n")
+    );
+    let table = std::fs::read_to_string(folder.join("nodes.csv")).unwrap();
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("x,height,pressure,gap,displacement,contact"));
+    let rows: Vec<Vec<f64>> = lines.map(|line| line.split(',').map(|word| word.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 64);
+    for (i, row) in rows.iter().enumerate() {
+        let contact = f64::from(u8::from(fields.contact[[i]]));
+        let expected =
+            [i as f64 / 16.0, fields.height[[i]], fields.pressure[[i]], fields.gap[[i]], fields.displacement[[i]]];
+        assert_eq!((&row[..5], row[5]), (&expected[..], contact));
+    }
+}
+
+#[test]
+fn a_load_curve_is_that_of_its_single_loads() {
+    let folder = Folder::new();
+    let run = format!("{ROUGH_LINE} --modulus 2e9 --tolerance 1e-11");
+    let output = folder.run(&format!("solve {run} --reduced-pressure 1e-2..1:5 --unload --json --out curve.npz"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let curve = json(&output);
+    let loads = curve["loads"].as_array().unwrap();
+    assert_eq!(loads.len(), 9);
+    for (i, found) in loads.iter().enumerate() {
+        let p = 10f64.powf(-2.0 + 0.5 * (i.min(8 - i)) as f64);
+        assert_close(number(found, "reduced_pressure"), p, 1e-12, "load");
+        let (alone, fields) = solve(&folder, &format!("{run} --reduced-pressure {p:e}"));
+        assert_eq!(found["relative_area"], alone["relative_area"], "load {i}");
+        assert_close(number(found, "mean_gap"), number(&alone, "mean_gap"), 1e-6, "mean gap");
+        let mut npz = NpzReader::new(File::open(folder.join("curve.npz")).unwrap()).unwrap();
+        let pressure: ArrayD<f64> = npz.by_name("pressure").unwrap();
+        assert_eq!(pressure.shape(), [9, 255]);
+        let highest = fields.pressure.fold(0.0, |high: f64, p| high.max(*p));
+        let under = pressure.index_axis(Axis(0), i);
+        assert!(under.iter().zip(&fields.pressure).all(|(a, b)| (a - b).abs() < 1e-4 * highest), "load {i}");
+        let means: ArrayD<f64> = npz.by_name("mean_pressure").unwrap();
+        assert_eq!(means[[i]], number(found, "mean_pressure"));
+    }
+}
+
+#[test]
+fn a_load_curve_is_written_and_repeated_from_its_setup() {
+    let folder = Folder::new();
+    let run = "--modulus 1GPa --pressure 1e6,1e7,30MPa --tolerance 1e-10";
+    let output = folder.run(&format!("solve {ROUGH_LINE} {run} --out curve.csv --save-setup curve.toml"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(text(&output.stdout).lines().last().unwrap().split_whitespace().nth(1), Some("3.0000e7"));
+    let table = std::fs::read_to_string(folder.join("curve.csv")).unwrap();
+    assert!(table.starts_with("load,status,mean_pressure,") && table.lines().count() == 4, "{table}");
+    let status = folder.run("solve curve.toml --out again.csv").status;
+    assert_eq!((status.code(), std::fs::read_to_string(folder.join("again.csv")).unwrap()), (Some(0), table));
+    // a single load takes the place of the list
+    let one = folder.run("solve curve.toml --pressure 1e7 --json");
+    assert_close(number(&json(&one), "mean_pressure"), 1e7, 1e-12, "load");
+    let dry = folder.run("solve curve.toml --dry-run");
+    assert!(text(&dry.stdout).contains("loads       3, each solved from the one before"), "{}", text(&dry.stdout));
+}
+
+#[test]
+fn a_load_curve_of_which_one_does_not_converge_ends_with_3() {
+    let folder = Folder::new();
+    let run = format!("solve {ROUGH_LINE} --reduced-pressure 0.01,0.1 --max-iterations 2 --out curve.csv");
+    let output = folder.run(&run);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(text(&output.stderr).contains("warning: not converged"));
+    assert_eq!(std::fs::read_to_string(folder.join("curve.csv")).unwrap().matches("iteration-cap").count(), 2);
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn a_load_curve_is_recorded_over_its_loads() {
+    let folder = Folder::new();
+    for (surface, gap, last) in [(ROUGH_LINE, "0.004..0.001:4", 0.001), (ROUGH_SURFACE, "0.008,0.002", 0.002)] {
+        let output = folder.run(&format!("solve {surface} --mean-gap {gap} --record curve.rrd"));
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(text(&output.stderr).ends_with("wrote curve.rrd: asperity view curve.rrd\n"));
+        assert_is_recording(&folder, "curve.rrd");
+        // it carries the setup of its heaviest contact, the last one
+        let again = folder.run("solve --setup-of curve.rrd --json");
+        assert_eq!(json(&again)["prescribed"], "mean gap");
+        assert_close(number(&json(&again), "mean_gap"), last, 1e-6, "mean gap");
+    }
 }

@@ -1,11 +1,11 @@
 //! Height files and archives: round trips, and why unusable ones are refused.
 
 use asperity::error::FileError;
-use asperity::surface::{read_heights, write_heights};
+use asperity::surface::{read_heights, read_shape, write_heights};
 use ndarray::{Array2, ShapeBuilder, arr1, arr2};
 use ndarray_npy::{NpzWriter, WriteNpyExt};
 use std::fs::File;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 fn reason(path: &Path) -> String {
     match read_heights(path) {
@@ -33,11 +33,122 @@ fn heights_survive_a_round_trip_in_both_orders() {
 }
 
 #[test]
-fn singles_are_widened() {
+fn singles_and_integers_are_widened() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("h.npy");
     ndarray_npy::write_npy(&path, &arr1(&[0.5f32, -2.25])).unwrap();
     assert_eq!(read_heights(&path).unwrap(), arr1(&[0.5, -2.25]).into_dyn());
+    macro_rules! widened {
+        ($($type:ty),+) => {
+            $(ndarray_npy::write_npy(&path, &arr1(&[<$type>::MIN, 7, <$type>::MAX])).unwrap();
+            let expected = arr1(&[<$type>::MIN as f64, 7.0, <$type>::MAX as f64]).into_dyn();
+            assert_eq!(read_heights(&path).unwrap(), expected, stringify!($type));)+
+        };
+    }
+    widened!(i8, i16, i32, i64, u8, u16, u32, u64);
+}
+
+/// An array in the words of NumPy: type, order, shape and bytes.
+fn npy(descr: &str, is_fortran: bool, shape: &str, bytes: &[u8]) -> Vec<u8> {
+    let order = if is_fortran { "True" } else { "False" };
+    let mut header = format!("{{'descr': '{descr}', 'fortran_order': {order}, 'shape': {shape}, }}");
+    header.push_str(&" ".repeat(117 - header.len()));
+    header.push('\n');
+    [b"\x93NUMPY\x01\x00", &(header.len() as u16).to_le_bytes()[..], header.as_bytes(), bytes].concat()
+}
+
+#[test]
+fn both_orders_of_bytes_and_of_axes_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("h.npy");
+    let values = [1i32, -2, 3, 400_000, 5, 6];
+    let big: Vec<u8> = values.iter().flat_map(|value| value.to_be_bytes()).collect();
+    let little: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+    let [rows, columns] = [arr2(&[[1.0, -2.0, 3.0], [4e5, 5.0, 6.0]]), arr2(&[[1.0, 3.0, 5.0], [-2.0, 4e5, 6.0]])];
+    for (descr, bytes) in [(">i4", &big), ("<i4", &little)] {
+        for (is_fortran, expected) in [(false, &rows), (true, &columns)] {
+            std::fs::write(&path, npy(descr, is_fortran, "(2, 3)", bytes)).unwrap();
+            let heights = read_heights(&path).unwrap();
+            assert_eq!(heights, expected.clone().into_dyn(), "{descr}, {is_fortran}");
+        }
+    }
+    let singles: Vec<u8> = [0.5f32, 1.5, -2.5, 0.0].iter().flat_map(|value| value.to_be_bytes()).collect();
+    std::fs::write(&path, npy(">f4", false, "(4,)", &singles)).unwrap();
+    assert_eq!(read_heights(&path).unwrap(), arr1(&[0.5, 1.5, -2.5, 0.0]).into_dyn());
+}
+
+#[test]
+fn texts_of_numbers_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("h.txt");
+    let (line, matrix) = (arr1(&[1.5, -2.0, 3e-3]).into_dyn(), arr2(&[[1.0, 2.5], [3.0, -4.0]]).into_dyn());
+    for (text, expected) in [
+        ("1.5\n-2\n3e-3\n", &line),
+        ("height (um)\n1.5\n\n-2\n3e-3", &line),
+        ("1.5 -2 3e-3\n", &line),
+        ("1.5,-2,3e-3\n", &line),
+        ("# Width: 12.34 \u{b5}m\n% and more, of it\n1 2.5\n3 -4\n", &matrix),
+        ("1\t2.5\r\n3\t-4\r\n", &matrix),
+        ("1,2.5\n3,-4\n", &matrix),
+        ("1, 2.5\n3, -4\n", &matrix),
+        ("1;2.5\n3;-4\n", &matrix),
+    ] {
+        std::fs::write(&path, text).unwrap();
+        assert_eq!(read_heights(&path).unwrap(), *expected, "{text:?}");
+    }
+    std::fs::write(&path, b"Width: 12 \xb5m\n1 2.5\n3 -4\n").unwrap();
+    assert_eq!(read_heights(&path).unwrap(), matrix);
+    for (text, words) in [
+        ("1 2\n3 4\n5\n", "line 3 holds 1 numbers, those before it 2"),
+        ("1 2\n\n3 four\n", "line 3 holds \"four\", which is no number"),
+        ("1,5\n2,5\n", "\"1,5\" may be one number with a decimal comma or two whole ones: write points for commas"),
+        ("1,5 2,5\n3,5 4,5\n", "no text of numbers with decimal points either: it begins with \"1,5 2,5\""),
+        ("1,5;2,5\n", "no text of numbers with decimal points either"),
+        ("# nothing\n", "no text of numbers with decimal points either: it begins with \"# nothing\""),
+    ] {
+        std::fs::write(&path, text).unwrap();
+        assert!(reason(&path).contains(words), "{text:?}: {}", reason(&path));
+    }
+}
+
+#[test]
+fn two_columns_or_rows_are_positions_and_heights() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("h");
+    let heights = [3.0, -1.0, 4.0, -1.0, 5.0];
+    let pairs =
+        Array2::from_shape_fn((5, 2), |(i, column)| if column == 0 { 0.3 + 0.1 * i as f64 } else { heights[i] });
+    for pairs in [pairs.clone(), pairs.t().to_owned()] {
+        ndarray_npy::write_npy(&path, &pairs).unwrap();
+        assert_eq!(read_heights(&path).unwrap(), arr1(&heights).into_dyn());
+        assert_eq!(read_shape(&path).unwrap(), [5]);
+    }
+    std::fs::write(&path, "X_(microns),y1\n0.0386,3.0\n0.0772,-1\n0.1158,4\n0.1544,-1\n0.1931,5\n").unwrap();
+    assert_eq!((read_heights(&path).unwrap(), read_shape(&path).unwrap()), (arr1(&heights).into_dyn(), vec![5]));
+    for (place, words) in [(3, "the position 0.75 in place 4 is not evenly spaced"), (2, "place 3"), (4, "place 2")] {
+        let mut uneven = pairs.clone();
+        uneven[[place, 0]] = 0.75;
+        ndarray_npy::write_npy(&path, &uneven).unwrap();
+        assert!(reason(&path).contains(words), "{}", reason(&path));
+    }
+    ndarray_npy::write_npy(&path, &Array2::from_elem((5, 2), 1.0)).unwrap();
+    assert!(reason(&path).contains("positions, is 1.0 throughout: give the heights alone"));
+}
+
+/// Real files, those of the tests of SurfaceTopography, in the folder of the environment variable `ASPERITY_SURFACES`.
+#[test]
+fn measured_profiles_and_matrices_are_read() {
+    let Some(folder) = std::env::var_os("ASPERITY_SURFACES").map(PathBuf::from) else {
+        eprintln!("skipped: ASPERITY_SURFACES names no folder of measured files");
+        return;
+    };
+    let read = |name: &str| read_heights(folder.join(name)).unwrap();
+    let matrix = read("matrix-3.txt");
+    assert_eq!((matrix.shape(), matrix[[0, 255]], matrix[[131, 121]]), (&[256, 256][..], 1.7899e-7, 3.3094e-10));
+    let (profile, microns) = (read("xy-4.txt"), read("csv-1.csv"));
+    assert_eq!((profile.shape(), profile[[3]]), (&[10001][..], 0.003585));
+    assert_eq!((microns.shape(), microns[[7]]), (&[8][..], 1.94981));
+    assert!(reason(&folder.join("nonuniform.asc")).contains("is not evenly spaced"));
 }
 
 #[test]
@@ -46,12 +157,12 @@ fn unusable_files_say_why() {
     let path = folder.path().join("h.npy");
     assert!(matches!(read_heights(&path), Err(FileError::Read { .. })));
     assert!(reason(folder.path()).contains("directory"));
-    for text in [&b""[..], b"hello", b"\x93NUMPY\x01\x00\xff\xff", b"\x93NUMPY\x02\x00\xff\xff\xff\xff"] {
+    for text in [&b""[..], b"hello", b"12 \x01", b"\x93NUMPY\x01\x00\xff\xff", b"\x93NUMPY\x02\x00\xff\xff\xff\xff"] {
         std::fs::write(&path, text).unwrap();
         assert!(reason(&path).contains("no .npy file"), "{text:?}: {}", reason(&path));
     }
-    ndarray_npy::write_npy(&path, &arr1(&[1i32, 2])).unwrap();
-    assert!(reason(&path).contains("i4"), "{}", reason(&path));
+    ndarray_npy::write_npy(&path, &arr1(&[true, false])).unwrap();
+    assert!(reason(&path).contains("'|b1', save integers, float32 or float64"), "{}", reason(&path));
     ndarray_npy::write_npy(&path, &ndarray::Array3::<f64>::zeros((1, 2, 3))).unwrap();
     assert!(reason(&path).contains("rank 3"));
     ndarray_npy::write_npy(&path, &ndarray::arr0(1.0)).unwrap();

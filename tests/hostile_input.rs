@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Output;
 
-const LOAD: &str = "--pressure 0.01";
+const LOAD: &str = "--modulus 1 --pressure 0.01";
 const CYLINDER: &str = "--indenter cylinder --radius 1 --points 64 --size 4";
 const ROUGH: &str = "--hurst 0.8 --rolloff 0.25 --short-cutoff 0.1 --rms-gradient 0.1 --points 64 --size 1";
 const OLD: &str = "an older result";
@@ -84,12 +84,23 @@ const NOT_POSITIVE: [&str; 4] = ["0", "-1", "inf", "NaN"];
 
 #[test]
 fn loads_that_are_not_positive_and_finite_are_refused() {
-    refuse_values(&format!("{CYLINDER} --pressure {{}}"), &NOT_POSITIVE);
-    refuse_values(&format!("{CYLINDER} --pressure={{}}"), &["-inf", "-0", "-1e-9", "1e101", "1e-101", "1e-320"]);
+    refuse_values(&format!("{CYLINDER} --modulus 1 --pressure {{}}"), &NOT_POSITIVE);
+    refuse_values(
+        &format!("{CYLINDER} --modulus 1 --pressure={{}}"),
+        &["-inf", "-0", "-1e-9", "1e101", "1e-101", "1e-320"],
+    );
     refuse_values(&format!("{CYLINDER} --reduced-pressure {{}}"), &NOT_POSITIVE);
     refuse_values(&format!("{CYLINDER} --mean-gap {{}}"), &NOT_POSITIVE);
     refuse_values(&format!("{CYLINDER} --mean-gap={{}}"), &["-inf", "-1e-9", "1e101", "1e-101", "7.25"]);
-    refuse_values(&format!("{CYLINDER} {LOAD} --modulus {{}}"), &NOT_POSITIVE);
+    refuse_values(&format!("{CYLINDER} --pressure 1 --modulus {{}}"), &NOT_POSITIVE);
+    refuse_values(&format!("{CYLINDER} --pressure 1 --poisson 0.3 --young {{}}"), &NOT_POSITIVE);
+    refuse_values(&format!("{CYLINDER} --pressure 1 --young 1 --poisson={{}}"), &["-1", "0.51", "inf", "NaN"]);
+    refuse_values(&format!("{CYLINDER} --modulus 1 --pressure 1,{{}}"), &NOT_POSITIVE);
+    refuse_values(&format!("{CYLINDER} --mean-gap 0.1,{{}}"), &["0", "-1", "7.25"]);
+    refuse_values(
+        &format!("{CYLINDER} --reduced-pressure {{}}"),
+        &["1..2", "1..2:1", "1..2:x", "..2:3", "0..2:3", "1..inf:3"],
+    );
 }
 
 #[test]
@@ -124,11 +135,14 @@ fn indenters_that_are_not_positive_and_finite_are_refused() {
 #[test]
 fn indenters_beyond_the_range_of_numbers_are_refused() {
     refuse_all(&[
-        ("--indenter cylinder --radius 1e-320 --points 64 --size 1 --pressure 0.01", "inf"),
-        ("--indenter cylinder --radius 1e300 --points 64 --size 1 --pressure 0.01", "rms height"),
-        ("--indenter cylinder --radius 1 --points 64 --size 1e200 --pressure 0.01", "inf"),
-        ("--indenter cylinder --radius 1 --points 64 --size 1e-320 --pressure 0.01", "flat"),
-        ("--indenter power-law --coefficient 1 --exponent 1000 --points 64 --size 1 --pressure 0.01", "rms height"),
+        ("--indenter cylinder --radius 1e-320 --points 64 --size 1 --modulus 1 --pressure 0.01", "inf"),
+        ("--indenter cylinder --radius 1e300 --points 64 --size 1 --modulus 1 --pressure 0.01", "rms height"),
+        ("--indenter cylinder --radius 1 --points 64 --size 1e200 --modulus 1 --pressure 0.01", "inf"),
+        ("--indenter cylinder --radius 1 --points 64 --size 1e-320 --modulus 1 --pressure 0.01", "flat"),
+        (
+            "--indenter power-law --coefficient 1 --exponent 1000 --points 64 --size 1 --modulus 1 --pressure 0.01",
+            "rms height",
+        ),
     ]);
 }
 
@@ -188,19 +202,31 @@ fn spectra_that_cannot_be_are_refused() {
 #[test]
 fn spectra_that_are_not_whole_are_refused() {
     refuse_all(&[
-        ("--hurst 0.8 --short-cutoff 0.1 --rms-gradient 0.1 --points 64 --size 1 --pressure 1", "--rolloff"),
-        ("--hurst 0.8 --rolloff 0.5 --rms-gradient 0.1 --points 64 --size 1 --pressure 1", "--short-cutoff"),
-        ("--hurst 0.8 --rolloff 0.5 --short-cutoff 0.1 --points 64 --size 1 --pressure 1", "--rms-gradient"),
+        (
+            "--hurst 0.8 --short-cutoff 0.1 --rms-gradient 0.1 --points 64 --size 1 --modulus 1 --pressure 1",
+            "--rolloff",
+        ),
+        (
+            "--hurst 0.8 --rolloff 0.5 --rms-gradient 0.1 --points 64 --size 1 --modulus 1 --pressure 1",
+            "--short-cutoff",
+        ),
+        (
+            "--hurst 0.8 --rolloff 0.5 --short-cutoff 0.1 --points 64 --size 1 --modulus 1 --pressure 1",
+            "--rms-gradient",
+        ),
     ]);
 }
 
 #[test]
 fn exactly_one_surface_and_one_load_are_needed() {
     refuse_all(&[
-        ("--points 64 --size 1 --pressure 1", "no surface"),
+        ("--points 64 --size 1 --modulus 1 --pressure 1", "no surface"),
         ("--points 64 --size 1", "no surface"),
-        ("--height old --indenter cylinder --radius 1 --size 1 --pressure 1", "old is not a usable height file"),
-        ("--height old --hurst 0.8 --size 1 --pressure 1", "--rolloff"),
+        (
+            "--height old --indenter cylinder --radius 1 --size 1 --modulus 1 --pressure 1",
+            "old is not a usable height file",
+        ),
+        ("--height old --hurst 0.8 --size 1 --modulus 1 --pressure 1", "--rolloff"),
         (&format!("{CYLINDER} --hurst 0.8 {LOAD}"), "--rolloff"),
         (CYLINDER, "no load"),
         (&format!("{CYLINDER} --mean-gap 0.1 --solver gfmd"), "gfmd works under a given mean pressure"),
@@ -232,7 +258,7 @@ fn grids_beyond_memory_are_refused() {
         let offence = points.split(',').next().unwrap();
         refuse_all(&[
             (&format!("--indenter power-law --coefficient 1 --exponent 2 --points {points} --size 1 {LOAD}"), offence),
-            (&ROUGH.replace("64", points).replace("--size", "--pressure 1 --size"), offence),
+            (&ROUGH.replace("64", points).replace("--size", "--modulus 1 --pressure 1 --size"), offence),
         ]);
         refuse_in_one_sentence(&folder(), &format!("surface {}", ROUGH.replace("64", points)), offence);
     }
@@ -285,9 +311,7 @@ fn arguments_that_do_not_belong_are_refused() {
         refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {arguments} {LOAD}"), offence);
     }
     assert!(refuse(&folder, &format!("solve {ROUGH} --radius 1 {LOAD}")).contains("--indenter"));
-    if cfg!(feature = "record") {
-        refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {LOAD} --record same --out same"), "same");
-    }
+    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {LOAD} --unload"), "there is one");
 }
 
 #[test]
@@ -341,7 +365,6 @@ fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
     write_npy(folder.join("empty.npy"), &Array1::<f64>::zeros(0)).unwrap();
     write_npy(folder.join("scalar.npy"), &arr0(1.0)).unwrap();
     write_npy(folder.join("cube.npy"), &Array3::<f64>::zeros((4, 5, 6))).unwrap();
-    write_npy(folder.join("integers.npy"), &Array1::<i64>::from_iter(0..8)).unwrap();
     write_npy(folder.join("truths.npy"), &Array1::from_elem(8, true)).unwrap();
     save("truncated.npy", good);
     let whole = std::fs::read(folder.join("truncated.npy")).unwrap();
@@ -349,6 +372,8 @@ fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
     std::fs::write(folder.join("head.npy"), &whole[..40]).unwrap();
     std::fs::write(folder.join("long.npy"), [&whole[..], &[0]].concat()).unwrap();
     std::fs::write(folder.join("nothing.npy"), "").unwrap();
+    std::fs::write(folder.join("words.txt"), "heights\nof nothing\n").unwrap();
+    save("uneven.npy", Array2::from_shape_fn((5, 2), |(i, _)| [0.0, 1.0, 5.0, 6.0, 7.0][i]));
     std::fs::write(folder.join("table.csv"), "0.1,0.2\n0.3,0.4\n").unwrap();
     std::fs::write(folder.join("noise.npy"), (0..=255).cycle().take(5000).collect::<Vec<u8>>()).unwrap();
     vec![
@@ -364,13 +389,14 @@ fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
         ("empty.npy", "0 points"),
         ("scalar.npy", "scalar.npy is not a usable height file: its array has rank 0"),
         ("cube.npy", "cube.npy is not a usable height file: its array has rank 3"),
-        ("integers.npy", "i8"),
         ("truths.npy", "b1"),
         ("truncated.npy", "truncated.npy is not a usable height file: it holds"),
         ("head.npy", "head.npy is not a usable height file"),
         ("long.npy", "long.npy is not a usable height file: it holds"),
         ("nothing.npy", "nothing.npy is not a usable height file"),
-        ("table.csv", "table.csv is not a usable height file"),
+        ("table.csv", "2 points"),
+        ("words.txt", "words.txt is not a usable height file: it is no .npy file, and no text of numbers"),
+        ("uneven.npy", "the position 5.0 in place 3 is not evenly spaced"),
         ("noise.npy", "noise.npy is not a usable height file"),
         ("sub", "sub is not a usable height file: it is a directory"),
         ("missing.npy", "cannot read missing.npy"),
@@ -422,22 +448,51 @@ fn places_that_no_file_can_take_are_refused() {
 }
 
 #[test]
+fn names_that_promise_another_content_are_refused() {
+    let folder = folder();
+    let solve = format!("solve {CYLINDER} {LOAD} --json");
+    let curve = format!("solve {CYLINDER} --reduced-pressure 0.1,0.2 --json");
+    let sphere = solve.replace("cylinder", "sphere").replace("64", "8,8");
+    for (line, offence) in [
+        (format!("{solve} --out x.rrd"), "cannot write x.rrd: give a name that ends in .npz or .csv"),
+        (format!("{curve} --out x.npy"), "cannot write x.npy: give a name that ends in .npz or .csv"),
+        (format!("{solve} --out old"), "cannot write old: give a name that ends in .npz or .csv"),
+        (format!("{solve} --save-setup x.npz"), "cannot write x.npz: give a name that ends in .toml"),
+        (format!("{sphere} --out x.csv"), "x.csv can hold the nodes of a line only: give a .npz for a surface"),
+        (format!("surface {CYLINDER} --out x.npz"), "cannot write x.npz: give a name that ends in .npy"),
+        ("bench --out x.npz".into(), "cannot write x.npz: give a name that ends in .csv"),
+        ("stability --out x".into(), "cannot write x: give a name that ends in .csv"),
+        #[cfg(feature = "record")]
+        (format!("{solve} --record x.npz"), "cannot write x.npz: give a name that ends in .rrd"),
+        #[cfg(feature = "record")]
+        (format!("{curve} --record x.csv"), "cannot write x.csv: give a name that ends in .rrd"),
+        #[cfg(feature = "record")]
+        ("demo --out x.npz".into(), "cannot write x.npz: give a name that ends in .rrd"),
+        #[cfg(feature = "record")]
+        (format!("{curve} --live"), "--live shows the steps under one load"),
+    ] {
+        refuse_in_one_sentence(&folder, &line, offence);
+    }
+}
+
+#[test]
 fn bad_input_leaves_an_older_result_alone() {
     let folder = folder();
-    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} --pressure -2 --out old"), "-2");
-    refuse_in_one_sentence(&folder, "surface --height missing.npy --size 1 --out old", "missing.npy");
+    ["old.npz", "old.npy", "old.rrd"].iter().for_each(|name| std::fs::write(folder.join(name), OLD).unwrap());
+    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} --modulus 1 --pressure -2 --out old.npz"), "-2");
+    refuse_in_one_sentence(&folder, "surface --height missing.npy --size 1 --out old.npy", "missing.npy");
     #[cfg(feature = "record")]
-    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} --pressure -2 --record old"), "-2");
+    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} --modulus 1 --pressure -2 --record old.rrd"), "-2");
     #[cfg(feature = "record")]
-    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {LOAD} --record old --out sub"), "sub");
+    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {LOAD} --record old.rrd --out sub"), "sub");
 }
 
 #[test]
 fn extreme_but_possible_contacts_end_with_numbers() {
     let folder = folder();
     let cases = [
-        format!("{CYLINDER} --pressure 1e99"),
-        format!("{CYLINDER} --pressure 1e-99"),
+        format!("{CYLINDER} --modulus 1 --pressure 1e99"),
+        format!("{CYLINDER} --modulus 1 --pressure 1e-99"),
         format!("{CYLINDER} --pressure 1 --modulus 1e99"),
         format!("{CYLINDER} --pressure 1 --modulus 1e-99"),
         format!("{CYLINDER} --reduced-pressure 1e-30"),
@@ -511,9 +566,9 @@ fn files_that_cannot_grow_are_reported_and_not_left_half_written() {
 fn an_older_result_survives_a_write_that_fails() {
     for (line, file) in writers().into_iter().take(2) {
         let folder = folder();
-        let line = line.replace(file, "old");
-        assert_write_failed(&shell(&folder, r#"trap "" XFSZ; ulimit -f 16; exec "$@""#, &line), "old");
-        assert_eq!(std::fs::read_to_string(folder.join("old")).unwrap(), OLD);
+        std::fs::write(folder.join(file), OLD).unwrap();
+        assert_write_failed(&shell(&folder, r#"trap "" XFSZ; ulimit -f 16; exec "$@""#, &line), file);
+        assert_eq!(std::fs::read_to_string(folder.join(file)).unwrap(), OLD);
     }
 }
 

@@ -3,13 +3,14 @@
 
 use asperity::contact::{Contact, Dynamics, Gfmd, Load, Masses};
 use asperity::error::SetupError;
-use asperity::setup::{Cell, Cost, Method, Part, Recipe, Record, Setup, Solid, Table, Theme};
+use asperity::setup::{Body, Cell, Cost, Method, Part, Recipe, Record, Setup, Solid, Table, Theme};
 use asperity::surface::{Spectrum, read_heights, write_heights};
 use asperity::{Grid, Indenter, Stop, Surface};
 use std::fs;
 
 const SCENE: &str = "surface = { indenter = { shape = \"cylinder\", radius = 1.0 } }
 grid = { points = 64, size = 4.0 }
+solid = { contact-modulus = 1.0 }
 load = { mean-pressure = 0.01 }
 ";
 
@@ -28,7 +29,7 @@ fn setups() -> Vec<Setup> {
         Setup::new(Recipe::rough(roughness(), i64::MAX as u64), Cell::line(512, 1.0), Load::ReducedPressure(0.07));
     let crossed = Recipe { indenter: Some(Indenter::CrossedSine { amplitude: 1.0 / 3.0 }), ..Recipe::default() };
     let wide = Setup {
-        solid: Solid { contact_modulus: 1e9 / 3.0 },
+        solid: Some(Solid::ContactModulus(1e9 / 3.0)),
         solver: Method::Gfmd(Gfmd {
             masses: Masses::Stiffness,
             dynamics: Dynamics::Fire,
@@ -45,18 +46,21 @@ fn setups() -> Vec<Setup> {
         ..Setup::new(crossed, Cell::surface([24, 36], [1.0, 1.0 / 0.7]), Load::MeanPressure(1e8 / 3.0))
     };
     let both = Recipe { indenter: Some(Indenter::Cylinder { radius: 0.1 + 0.2 }), ..Recipe::rough(roughness(), 0) };
-    let apart =
-        Setup { solver: Method::PolonskyKeer {}, ..Setup::new(both, Cell::line(255, 1.0), Load::MeanGap(1e-3 / 3.0)) };
-    vec![line, wide, apart]
+    let apart = Setup::new(both, Cell::line(255, 1.0), Load::MeanGap(1e-3 / 3.0));
+    let apart = Setup { solver: Method::PolonskyKeer {}, ..apart };
+    let [one, other] = [(210e9 / 7.0, 0.3), (0.1 + 0.2, -1.0 / 3.0)].map(|(young, poisson)| Body { young, poisson });
+    let on_body = line.clone().on(Solid::Bodies(one, None));
+    let on_bodies = apart.clone().on(Solid::Bodies(one, Some(other)));
+    vec![line, wide, apart, on_body, on_bodies]
 }
 
 #[test]
 fn what_is_left_out_has_its_default() {
     let cylinder = Recipe::indenter(Indenter::Cylinder { radius: 1.0 });
-    let expected = Setup::new(cylinder, Cell::line(64, 4.0), Load::MeanPressure(0.01));
+    let expected = Setup::new(cylinder, Cell::line(64, 4.0), Load::MeanPressure(0.01)).on(Solid::ContactModulus(1.0));
     assert_eq!(Setup::from_toml(SCENE).unwrap(), expected);
-    let defaults = (Method::Multilevel {}, Stop::new(1e-8, 100_000).unwrap(), Solid { contact_modulus: 1.0 });
-    assert_eq!((expected.solver, expected.stop, expected.solid), defaults);
+    let defaults = (Method::Multilevel {}, Stop::new(1e-8, 100_000).unwrap());
+    assert_eq!((expected.solver, expected.stop), defaults);
 }
 
 #[test]
@@ -129,7 +133,11 @@ fn a_scene_names_its_height_file_by_its_full_path() {
     let heights = ndarray::Array1::from_shape_fn(64, |i| (i as f64).sin());
     write_heights(folder.path().join("h.npy"), heights.view().into_dyn()).unwrap();
     let scene = folder.path().join("scene.toml");
-    fs::write(&scene, "surface.height = \"h.npy\"\ngrid.size = 1.0\nload.mean-pressure = 0.01").unwrap();
+    fs::write(
+        &scene,
+        "surface.height = \"h.npy\"\ngrid.size = 1.0\nsolid.contact-modulus = 1\nload.mean-pressure = 0.01",
+    )
+    .unwrap();
     let setup = Table::read(&scene).unwrap().setup().unwrap();
     let moved = folder.path().join("sub/moved.toml");
     setup.write(&moved).unwrap();
@@ -147,6 +155,7 @@ fn refusal(from: &str, to: &str) -> String {
 #[test]
 fn what_is_wrong_is_said_in_one_sentence() {
     let (cylinder, load) = ("indenter = { shape = \"cylinder\", radius = 1.0 }", "load = { mean-pressure = 0.01 }");
+    const SOLID: &str = "solid = { contact-modulus = 1.0 }";
     let (whole, name) = ("expected a whole number from 0 on", "expected the name of a file");
     for (from, to, words) in [
         (load, "", "no load is given: give a mean pressure, a reduced pressure or a mean gap"),
@@ -191,14 +200,134 @@ fn what_is_wrong_is_said_in_one_sentence() {
         ("grid", "record = { what = \"mesh\" }\ngrid", "record.what: invalid type: text \"mesh\", expected a list"),
         ("grid", "record = { what = [\"mesh\"] }\ngrid", "the recording asks for the mesh, which a line does not have"),
         ("grid", "record = { every = 0 }\ngrid", "every 0th step is to be recorded: give a positive number of steps"),
-        ("grid", "solid = 1e9\ngrid", "solid: invalid type: number `1000000000.0`, expected a section for the Solid"),
-        ("grid", "solid = { contact-modulus = 0 }\ngrid", "the contact modulus is 0.0: give a positive, finite value"),
+        (
+            "{ contact-modulus = 1.0 }",
+            "1e9",
+            "solid: invalid type: number `1000000000.0`, expected a section for the Solid",
+        ),
+        ("modulus = 1.0", "modulus = 0", "the contact modulus is 0.0: give a positive, finite value"),
+        (SOLID, "", "the mean pressure 0.01 is given without a modulus: give the contact modulus, or Young's modulus"),
+        ("contact-modulus = 1.0", "", "solid: it is empty: give the contact modulus, or Young's modulus and Poisson's"),
+        (
+            "modulus = 1.0",
+            "modulus = 1.0, young = 1, poisson = 0",
+            "solid: a contact modulus and elastic constants are given",
+        ),
+        ("contact-modulus = 1.0", "young = 1", "solid: Young's moduli are 1 and Poisson's ratios 0 in number"),
+        (
+            "contact-modulus = 1.0",
+            "young = [1, 2], poisson = 0.3",
+            "Young's moduli are 2 and Poisson's ratios 1 in number",
+        ),
+        ("contact-modulus = 1.0", "young = 0, poisson = 0.3", "Young's modulus is 0.0: give a positive, finite value"),
+        (
+            "contact-modulus = 1.0",
+            "young = 1, poisson = 0.6",
+            "Poisson's ratio is 0.6: it must lie above -1 and at most",
+        ),
+        ("mean-pressure = 0.01", "mean-pressure = []", "load: invalid type: list"),
+        ("1.0 }", "1.0 }, detrend = \"mean\"", "a trend is to be taken off without a height file: give one as well"),
         ("1.0 }", "1.0, radius = 2.0 }", "line 1: duplicate key"),
-        ("load =", "load", "line 3: "),
+        ("load =", "load", "line 4: "),
     ] {
         let said = refusal(from, to);
         assert!(said.contains(words), "{to}: {said}");
         assert!(!said.contains('\n') && !said.contains("usize") && !said.contains("f64"), "{to}: {said}");
+    }
+}
+
+#[test]
+fn elastic_constants_make_the_contact_modulus() {
+    let on = |solid: &str| {
+        let scene = SCENE.replace("contact-modulus = 1.0", solid).replace("mean-pressure", "reduced-pressure");
+        Setup::from_toml(&scene).unwrap().problem().unwrap().contact_modulus()
+    };
+    let near = |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-15, "{found}, {expected}");
+    near(on("young = 2.1, poisson = 0.3"), 2.1 / 0.91);
+    near(on("young = [2.1, 0.7], poisson = [0.3, 0.5]"), 1.0 / (0.91 / 2.1 + 0.75 / 0.7));
+    // a body twice as stiff as two of its kind
+    near(on("young = [1.0, 1.0], poisson = [0.3, 0.3]"), on("young = 0.5, poisson = 0.3"));
+}
+
+#[test]
+fn without_a_solid_pressures_are_over_the_modulus() {
+    let bare = |load| Setup::new(Recipe::indenter(Indenter::Cylinder { radius: 1.0 }), Cell::line(64, 4.0), load);
+    assert!(matches!(
+        bare(Load::MeanPressure(1e6)).problem().unwrap_err(),
+        SetupError::NoModulus { mean_pressure: 1e6 }
+    ));
+    for load in [Load::ReducedPressure(0.01), Load::MeanGap(0.3)] {
+        let (over, on) = (solve(&bare(load)), solve(&bare(load).on(Solid::ContactModulus(1.0))));
+        assert_eq!(over.pressure, on.pressure);
+    }
+}
+
+#[test]
+fn lists_and_ranges_of_loads_are_read_and_written() {
+    let loads = |load: &str| {
+        let mut table = Table::from_toml(&SCENE.replace("mean-pressure = 0.01", load)).unwrap();
+        let loads = table.take_loads().map_err(|error| error.to_string());
+        loads.map(|loads| (loads, table))
+    };
+    let (none, _) = loads("mean-pressure = 0.01").unwrap();
+    assert_eq!(none, None);
+    let (list, table) = loads("mean-gap = [0.3, 0.2]").unwrap();
+    let list = list.unwrap();
+    assert_eq!(list, [Load::MeanGap(0.3), Load::MeanGap(0.2)]);
+    let mut again = table.clone();
+    assert_eq!(table.setup().unwrap().load, list[0]);
+    again.lay_loads(&list);
+    assert_eq!(Table::from_toml(&again.to_toml()).unwrap().take_loads().unwrap(), Some(list));
+    let (range, _) = loads("reduced-pressure = '1e-3..1e-1:13'").unwrap();
+    let range: Vec<f64> = range.unwrap().iter().map(Load::value).collect();
+    assert_eq!((range.len(), range[0], range[12]), (13, 1e-3, 1e-1));
+    let ratio = 10f64.powf(1.0 / 6.0);
+    assert!(range.windows(2).all(|pair| (pair[1] / pair[0] / ratio - 1.0).abs() < 1e-14), "{range:?}");
+    for (load, words) in [
+        ("mean-pressure = []", "load: the list is empty: give at least one load"),
+        ("mean-pressure = [1.0, -2.0]", "the mean pressure is -2.0: give a positive, finite value"),
+        ("mean-gap = [1.0, \"x\"]", "load: invalid value: text \"x\", expected a length"),
+        ("mean-pressure = '1..10'", "load: `1..10` is no range: write first..last:number, such as 1e-3..1e-1:13"),
+        ("mean-pressure = '1..10:1'", "`1..10:1` is no range"),
+        ("mean-pressure = '0..10:3'", "the mean pressure is 0.0: give a positive, finite value"),
+        ("reduced-pressure = '1..x:3'", "load: invalid type: text \"x\", expected a number"),
+        ("mean_pressure = [1.0]", "load: unknown variant `mean_pressure`"),
+    ] {
+        let said = loads(load).unwrap_err();
+        assert!(said.contains(words) && !said.contains('\n'), "{load}: {said}");
+    }
+}
+
+#[test]
+fn measured_heights_lose_their_trend_and_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let waves = |y: f64, x: f64| (0.7 * y + 2.0).sin() + (0.4 * x).cos();
+    for (ny, nx) in [(1, 50), (12, 20)] {
+        let height = |tilt: f64| {
+            ndarray::Array2::from_shape_fn((ny, nx), |(i, j)| {
+                let (y, x) = (i as f64, j as f64);
+                waves(y, x) + tilt * (3.0 + 0.2 * y - 0.1 * x)
+            })
+        };
+        let surface = |tilt: f64, detrend: &str| {
+            write_heights(folder.path().join("h.npy"), height(tilt).view().into_dyn()).unwrap();
+            let scene = folder.path().join("scene.toml");
+            fs::write(&scene, format!("surface = {{ height = 'h.npy'{detrend} }}\ngrid.size = [1.0, 2.0]")).unwrap();
+            let (recipe, cell) = Table::read(&scene).unwrap().surface().unwrap();
+            recipe.surface(recipe.grid(&cell).unwrap()).unwrap()
+        };
+        let plane = [0.0, 1.0, -20.0].map(|tilt| surface(tilt, ", detrend = 'plane'"));
+        for other in &plane[1..] {
+            let pairs = plane[0].heights().iter().zip(other.heights());
+            assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12), "{ny} x {nx}");
+        }
+        // what is left has no slope: its sums against the positions vanish
+        let left = plane[0].height();
+        let slope = |f: fn((usize, usize)) -> f64| left.indexed_iter().map(|(at, h)| f(at) * h).sum::<f64>();
+        assert!(slope(|(i, _)| i as f64).abs() < 1e-10 && slope(|(_, j)| j as f64).abs() < 1e-10);
+        let (mean, whole) = (surface(1.0, ", detrend = 'mean'"), surface(1.0, ""));
+        assert!(mean.mean_height().abs() < 1e-14 && whole.mean_height().abs() > 0.1);
+        assert!(mean.heights().iter().zip(whole.heights()).all(|(a, b)| (a - b).abs() < 1e-14));
     }
 }
 
@@ -244,7 +373,7 @@ mod with_units {
             (read.rolloff_wavelength, spectrum.rolloff_wavelength),
             (read.short_cutoff, spectrum.short_cutoff),
             (found.grid.size[0], 160e-6),
-            (found.solid.contact_modulus, 1e9),
+            (found.contact_modulus().unwrap(), 1e9),
             (pressure, 8e6),
         ] {
             near(found, expected);
@@ -300,7 +429,7 @@ mod with_units {
             ("grid", "solver = { method = \"gfmd\", timestep = 0.1 }\ngrid", "solver: ", "time-step"),
             ("grid", "solver = { method = \"gfmd\", masses = \"uniforn\" }\ngrid", "solver: ", "uniform"),
             ("grid", "stop = { tol = 1e-8 }\ngrid", "stop: ", "tolerance"),
-            ("grid", "solid = { modulus = 1e9 }\ngrid", "solid: ", "contact-modulus"),
+            ("contact-modulus", "modulus", "solid: ", "contact-modulus"),
             ("grid", "record = { what = [\"mask\", \"trace\"] }\ngrid", "record.what: ", "traces"),
         ] {
             let said = refusal(from, to);

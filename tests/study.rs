@@ -3,7 +3,7 @@
 use asperity::Stop;
 use asperity::contact::{Dynamics, Gfmd, Load, Masses};
 use asperity::error::StudyError;
-use asperity::setup::{Cell as Size, Method, Recipe, Setup};
+use asperity::setup::{Cell as Size, Method, Recipe, Setup, Solid};
 use asperity::study::{Point, Realisation, Sweep, Table};
 use asperity::surface::{Indenter, Spectrum};
 use std::cell::Cell;
@@ -166,7 +166,7 @@ fn old_points_do_not_come_back_for_another_setup_of_the_same_name() {
         |it| it.grid.size = vec![1.0, 2.0],
         |it| it.grid.size = vec![2.0, 1.0],
         |it| it.grid.points = vec![16, 32],
-        |it| it.solid.contact_modulus = 2.0,
+        |it| it.solid = Some(Solid::ContactModulus(2.0)),
         |it| it.solver = Method::PolonskyKeer {},
         |it| it.stop = Stop::new(1e-9, 100_000).unwrap(),
     ];

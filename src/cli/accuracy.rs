@@ -3,6 +3,7 @@
 use super::choice::count;
 use super::outcome::{Outcome, usage};
 use super::progress::bar;
+use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::Stop;
 use asperity::error::FileError;
@@ -14,7 +15,11 @@ use std::io::{Write, stdout};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-const ERRORS: &str = "\
+const HELP: &str = "\
+Examples:
+  asperity accuracy sine --quick
+  asperity accuracy sphere rough-line --out accuracy
+
 Three errors, all relative, are kept apart:
   algebraic       of a step against the solution on the same grid
   discretisation  of a grid against the exact solution, or against a grid four times finer than the finest,
@@ -23,7 +28,7 @@ Three errors, all relative, are kept apart:
 Area and kappa_r are corrected for counting nodes.";
 
 #[derive(Args)]
-#[command(after_help = ERRORS)]
+#[command(after_help = HELP)]
 pub struct Accuracy {
     /// Scenes to solve, in this order
     #[arg(value_enum, value_name = "SCENE", default_values_t = Scene::ALL)]
@@ -85,6 +90,7 @@ impl Accuracy {
                 }
             }
         }
+        self.out.iter().for_each(|folder| wrote(folder));
         let mut ends = all.iter().zip(&experiments);
         let is_converged = ends.all(|(findings, experiment)| findings.is_converged(&experiment.stop));
         Ok(if is_converged { Outcome::Done } else { Outcome::NotConverged })

@@ -3,9 +3,10 @@
 use super::choice::{choice, count};
 use super::outcome::Outcome;
 use super::progress::bar;
+use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Status, Stop};
-use asperity::files::{check_target, write_csv};
+use asperity::files::{check_named, write_csv};
 use asperity::lab::bench::{Contest, Group, HEAD, Timing};
 use asperity::setup::Method;
 use clap::builder::PossibleValue;
@@ -14,7 +15,11 @@ use std::io::{Write, stdout};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-const COLUMNS: &str = "\
+const HELP: &str = "\
+Examples:
+  asperity bench lines --quick
+  asperity bench large --solver multilevel --out large.csv
+
 Each row is one case solved by one solver:
   steps       iterations; for the multilevel solver outer and inner steps on all grids
   transforms  Fourier transforms; those of coarser grids count by their share of points
@@ -29,7 +34,7 @@ Each row is one case solved by one solver:
   ratio       solve s over that of the case's first solver (- for a case with one solver)";
 
 #[derive(Args)]
-#[command(after_help = COLUMNS)]
+#[command(after_help = HELP)]
 pub struct Bench {
     /// Groups of cases to solve, in this order
     #[arg(value_enum, value_name = "GROUP", default_values_t = Group::USUAL)]
@@ -67,7 +72,7 @@ impl Bench {
         }
         let stops = self.groups.iter().map(|group| self.stop(*group)).collect::<Result<Vec<_>>>()?;
         if let Some(path) = &self.out {
-            check_target(path)?;
+            check_named(path, &["csv"])?;
         }
         let mut timings = Vec::new();
         writeln!(stdout(), "{HEAD}")?;
@@ -83,6 +88,7 @@ impl Bench {
                 }
             }
         }
+        self.out.iter().for_each(|path| wrote(path));
         let all_converged = timings.iter().all(|timing| timing.status == Status::Converged);
         Ok(if all_converged { Outcome::Done } else { Outcome::NotConverged })
     }

@@ -3,8 +3,10 @@
 use super::outcome::Outcome;
 use super::progress::Progress;
 use super::solve::settle;
+use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Gfmd, Load};
+use asperity::files::check_named;
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::{Cell, Method, Recipe, Setup, Solid};
 use asperity::surface::{Indenter, Spectrum};
@@ -20,7 +22,13 @@ const MODULUS: f64 = 1e9;
 /// Load of the rough contacts.
 const REDUCED_PRESSURE: f64 = 0.05;
 
+const EXAMPLES: &str = "\
+Examples:
+  asperity demo
+  asperity demo --out lecture.rrd";
+
 #[derive(Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Demo {
     /// The recording
     #[arg(long, value_name = "FILE.rrd", default_value = "demo.rrd")]
@@ -38,6 +46,7 @@ struct Exhibit {
 
 impl Demo {
     pub fn run(&self) -> Result<Outcome> {
+        check_named(&self.out, &["rrd"])?;
         let exhibits = exhibits();
         let problems = exhibits.iter().map(|exhibit| exhibit.setup.problem()).collect::<Result<Vec<_>, _>>()?;
         let scene = |(exhibit, problem): (&Exhibit, _)| Scene {
@@ -57,7 +66,7 @@ impl Demo {
         }
         recording.finish()?;
         write_table(&exhibits, &contacts)?;
-        writeln!(stdout(), "\nRecorded every step in {0}: open it with `asperity view {0}`.", self.out.display())?;
+        wrote(&self.out);
         Ok(outcome)
     }
 }
@@ -67,7 +76,7 @@ impl Demo {
 fn smooth(indenter: Indenter, cell: Cell, strain: f64, damping: f64) -> Setup {
     let solver = Method::Gfmd(Gfmd { damping, ..Gfmd::default() });
     let setup = Setup::new(Recipe::indenter(indenter), cell, Load::MeanPressure(strain * MODULUS));
-    Setup { solver, solid: Solid { contact_modulus: MODULUS }, ..setup }
+    Setup { solver, ..setup.on(Solid::ContactModulus(MODULUS)) }
 }
 
 /// Self-affine roughness with a roll-off at `1/waves` of the cell and some points per shortest wavelength.
@@ -76,7 +85,7 @@ fn rough(cell: Cell, waves: f64, points_per_wave: f64) -> Setup {
     let (rolloff_wavelength, short_cutoff) = (CELL / waves, spacing * points_per_wave);
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength, short_cutoff, rms_gradient: 1e-3 };
     let setup = Setup::new(Recipe::rough(spectrum, 1), cell, Load::ReducedPressure(REDUCED_PRESSURE));
-    Setup { solver: Method::Gfmd(Gfmd::default()), solid: Solid { contact_modulus: MODULUS }, ..setup }
+    Setup { solver: Method::Gfmd(Gfmd::default()), ..setup.on(Solid::ContactModulus(MODULUS)) }
 }
 
 /// The four contacts: smooth and rough, line and surface.

@@ -15,7 +15,13 @@ const OPEN: &[&str] = &["rundll32", "url.dll,FileProtocolHandler"];
 #[cfg(not(any(target_os = "macos", target_os = "windows")))]
 const OPEN: &[&str] = &["xdg-open"];
 
+const EXAMPLES: &str = "\
+Examples:
+  asperity explore
+  asperity explore hertz-line --port 9000 --no-open";
+
 #[derive(Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Explore {
     /// Where to start
     #[arg(value_enum, default_value = "rough-line")]

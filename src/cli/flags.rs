@@ -84,6 +84,9 @@ impl<const WHOLE: bool> clap::Args for Scene<WHOLE> {
     }
 }
 
+/// Heading of the flags of the load.
+pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several as 1e5,1e6 or 1e-3..1e-1:13)";
+
 /// A flag as the parser takes it.
 fn arg(flag: &'static Flag) -> Arg {
     let arg = Arg::new(flag.name).long(flag.name).value_name(flag.placeholder).help(flag.help);
@@ -101,9 +104,10 @@ fn arg(flag: &'static Flag) -> Arg {
 fn heading(flag: &Flag) -> &'static str {
     match flag.section() {
         "surface" if flag.path.starts_with("surface.indenter.") => "Indenter",
-        "surface" if flag.name != "height" => "Roughness",
+        "surface" if !["height", "detrend"].contains(&flag.name) => "Roughness",
         "surface" | "grid" => "Surface (a height file, an indenter, roughness, or a sum of them) and its cell",
-        "load" | "solid" => "Load (one of --pressure, --reduced-pressure, --mean-gap)",
+        "load" => LOAD,
+        "solid" => "Solid (the contact modulus, or elastic constants; a mean pressure needs it)",
         "record" => "Recording",
         _ => "Solver",
     }

@@ -2,22 +2,31 @@
 
 mod accuracy;
 mod bench;
+mod caution;
 mod choice;
 #[cfg(feature = "record")]
 mod demo;
 #[cfg(feature = "explore")]
 mod explore;
+mod finding;
 mod flags;
+mod load_curve;
+#[cfg(feature = "record")]
+mod load_recording;
+mod nodes;
 mod outcome;
 mod output;
+mod outputs;
 mod paper;
 mod plan;
 mod progress;
 mod solve;
 mod stability;
+mod subject;
 mod surface;
 #[cfg(feature = "explore")]
 mod view;
+mod wrote;
 
 use clap::{Parser, Subcommand};
 
@@ -53,7 +62,7 @@ enum Command {
     /// command makes a study of your own. Lengths are those of the paper: a roll-off of 20 um, of which 8 fit a line and 4 a side
     /// of a surface.
     Paper(Box<paper::Paper>),
-    /// Solve one contact
+    /// Solve a contact under a load, or under one after the other
     Solve(Box<solve::Solve>),
     /// Solve stiff and extreme cases and check the results
     Stability(stability::Stability),
@@ -61,6 +70,7 @@ enum Command {
     Surface(Box<surface::Describe>),
     /// Open a recording in the browser
     #[cfg(feature = "explore")]
+    #[command(after_help = "Examples:\n  asperity view demo.rrd\n  asperity view demo.rrd --port 9000 --no-open")]
     View(view::View),
 }
 
@@ -79,5 +89,27 @@ pub fn run() -> anyhow::Result<Outcome> {
         Command::Surface(describe) => describe.run(),
         #[cfg(feature = "explore")]
         Command::View(view) => view.run(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn every_command_has_examples_that_are_understood() {
+        for command in Cli::command().get_subcommands() {
+            let (name, help) =
+                (command.get_name(), command.get_after_help().map(ToString::to_string).unwrap_or_default());
+            let examples: Vec<&str> = help.lines().filter(|line| line.starts_with("  asperity ")).collect();
+            assert!(examples.len() >= 2, "{name} has {} examples", examples.len());
+            for example in examples {
+                let words: Vec<&str> = example.split_whitespace().collect();
+                assert_eq!(words[1], name, "{example}");
+                assert!(example.len() < 100, "{example}");
+                Cli::try_parse_from(words).map(drop).unwrap_or_else(|error| panic!("{example}: {error}"));
+            }
+        }
     }
 }

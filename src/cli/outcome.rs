@@ -1,7 +1,7 @@
 //! How commands end.
 
 use asperity::error::{
-    FileError, GridError, ProblemError, SettingError, SetupError, SolveError, StudyError, SurfaceError,
+    FileError, GridError, ProblemError, SettingError, SetupError, SolidError, SolveError, StudyError, SurfaceError,
 };
 use std::process::ExitCode;
 
@@ -40,6 +40,7 @@ pub fn exit_code(error: &anyhow::Error) -> ExitCode {
         || error.is::<SurfaceError>()
         || error.is::<ProblemError>()
         || error.is::<SettingError>()
+        || error.is::<SolidError>()
         || error.downcast_ref().is_some_and(SetupError::is_input)
         || error.downcast_ref().is_some_and(SolveError::is_input)
         || error.downcast_ref().is_some_and(FileError::is_input)

@@ -3,6 +3,7 @@
 use super::choice::count;
 use super::outcome::Outcome;
 use super::progress::blank;
+use super::wrote::wrote;
 use anyhow::Result;
 use asperity::paper::{self, Effort, Event, Item};
 use asperity::study::Point;
@@ -16,7 +17,13 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::time::Duration;
 
+const EXAMPLES: &str = "\
+Examples:
+  asperity paper fig2 --quick
+  asperity paper fig2 fig3 --hurst 0.3,0.6 --line-seeds 1-20 --out study";
+
 #[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Paper {
     /// Tables and figures to make, in this order
     #[arg(value_name = "PART", default_value = "all", value_parser = parts())]
@@ -77,9 +84,9 @@ impl Paper {
         let comparison = paper.run(&items, &|event| show(&bar, event))?;
         writeln!(stdout())?;
         comparison.write_text(&mut stdout())?;
-        writeln!(stdout(), "\nAll of it is in {}", self.out.display())?;
         let unconverged = paper.unconverged(&items)?;
         unconverged.iter().try_for_each(tell)?;
+        wrote(&self.out);
         Ok(if unconverged.is_empty() { Outcome::Done } else { Outcome::NotConverged })
     }
 

@@ -6,8 +6,15 @@ use asperity::record::{Options, Size};
 use asperity::setup::{Cost, Setup, available_bytes};
 use std::io::{self, Write};
 
-/// Writes what solving `setup` would cost, and how large its recording would become if one is made.
-pub fn write(setup: &Setup, cost: &Cost, is_recorded: bool, out: &mut impl Write) -> io::Result<()> {
+/// Writes what solving `setup` would cost, under a load or under a list of so many, and how large its recording would become if one
+/// is made.
+pub fn write(
+    setup: &Setup,
+    cost: &Cost,
+    loads: Option<usize>,
+    is_recorded: bool,
+    out: &mut impl Write,
+) -> io::Result<()> {
     let shape = cost.grid.shape();
     writeln!(out, "Nothing is solved: this is what {} would take.", setup.solver.name())?;
     writeln!(out, "  points      {}", points(shape))?;
@@ -19,9 +26,14 @@ pub fn write(setup: &Setup, cost: &Cost, is_recorded: bool, out: &mut impl Write
     let free = available_bytes().map_or(String::new(), |free| format!(" of {} that are free", bytes_in_words(free)));
     writeln!(out, "  memory      about {}{free}", bytes_in_words(cost.bytes))?;
     writeln!(out, "  transforms  {}", setup.solver.transforms())?;
+    if let Some(loads) = loads {
+        writeln!(out, "  loads       {loads}, each solved from the one before")?;
+    }
     #[cfg(feature = "record")]
-    if is_recorded {
-        write_recording(setup, cost, out)?;
+    match loads {
+        _ if !is_recorded => {}
+        Some(loads) => write_recording_of_loads(setup, cost, loads, out)?,
+        None => write_recording(setup, cost, out)?,
     }
     Ok(())
 }
@@ -46,6 +58,14 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
         (true, false) => writeln!(out, "  recording   {pictures}"),
         _ => writeln!(out, "  recording   about {} and {numbers} for 1000 steps", bytes_in_words(size.still)),
     }
+}
+
+/// Writes how large the recording over so many loads would become.
+#[cfg(feature = "record")]
+fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut impl Write) -> io::Result<()> {
+    let size = Size::of(Options::from(&setup.record).what, &cost.grid);
+    let most = bytes_in_words(size.still + loads as f64 * size.frame);
+    writeln!(out, "  recording   at most about {most}: {loads} frames of {}", bytes_in_words(size.frame))
 }
 
 fn points([ny, nx]: [usize; 2]) -> String {

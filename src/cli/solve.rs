@@ -1,108 +1,109 @@
-//! `asperity solve`: one contact.
+//! `asperity solve`: a contact under one load, or under one after the other.
 
+use super::caution;
+use super::finding::Finding;
 use super::flags::Scene;
+use super::load_curve;
+use super::nodes::write_nodes;
 use super::outcome::{Outcome, usage};
-use super::output::Summary;
+use super::output::{Summary, write_json};
+use super::outputs::Outputs;
 use super::plan;
 use super::progress::Progress;
+use super::subject::Subject;
+use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Problem, archive};
-use asperity::files::{check_target, write_beside};
+use asperity::files::write_beside;
 #[cfg(feature = "record")]
 use asperity::record;
 use asperity::setup::Setup;
+use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write, stderr, stdout};
-use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  asperity solve --height profile.npy --size 160um --young 210GPa --poisson 0.3 --pressure 1MPa
+  asperity solve scene.toml --solver gfmd --record run.rrd --out run.npz
+  asperity solve scene.toml --reduced-pressure 1e-3..1e-1:13 --unload --out curve.csv";
 
 #[derive(Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Solve {
     #[command(flatten)]
     scene: Scene<true>,
+    /// Go back through several loads after the last one
+    #[arg(long, help_heading = super::flags::LOAD)]
+    unload: bool,
     #[command(flatten)]
-    output: Output,
+    outputs: Outputs,
     /// Say what the solve would take in memory, transforms and recording, and do none of it
     #[arg(long, conflicts_with = "json")]
     dry_run: bool,
 }
 
-#[derive(Args)]
-#[command(next_help_heading = "Output")]
-#[cfg_attr(feature = "record", command(group = clap::ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
-struct Output {
-    /// Record every relaxation step for the Rerun viewer
-    #[cfg(feature = "record")]
-    #[arg(long, value_name = "FILE.rrd")]
-    record: Option<PathBuf>,
-    /// Show the steps in the installed Rerun viewer while they are made
-    #[cfg(feature = "record")]
-    #[arg(long)]
-    live: bool,
-    /// Write height, pressure, gap, displacement and contact, shaped as the input, and the setup
-    #[arg(long, value_name = "FILE.npz")]
-    out: Option<PathBuf>,
-    /// Write what was solved as a scene, all numbers to the last bit
-    #[arg(long, value_name = "SCENE.toml")]
-    save_setup: Option<PathBuf>,
-    /// Print one JSON object instead of a summary
-    #[arg(long)]
-    json: bool,
-}
-
-impl Output {
-    /// The recording.
-    fn recording(&self) -> Option<&PathBuf> {
-        #[cfg(feature = "record")]
-        {
-            self.record.as_ref()
-        }
-        #[cfg(not(feature = "record"))]
-        None
-    }
-
-    /// Refuses places where nothing can be written, and one file for two outputs.
-    fn check(&self) -> Result<()> {
-        let named =
-            [("--record", self.recording()), ("--out", self.out.as_ref()), ("--save-setup", self.save_setup.as_ref())];
-        let named: Vec<_> = named.into_iter().filter_map(|(flag, path)| Some((flag, path?))).collect();
-        for (i, (flag, path)) in named.iter().enumerate() {
-            check_target(path)?;
-            if let Some((other, _)) = named[..i].iter().find(|(_, earlier)| earlier == path) {
-                return usage(format!("{other} and {flag} both name {}: give two files", path.display()));
-            }
-        }
-        Ok(())
-    }
-}
-
 impl Solve {
     pub fn run(&self) -> Result<Outcome> {
-        let setup = self.scene.table()?.setup()?;
-        let cost = setup.cost(self.output.recording().is_some(), self.output.out.is_some())?;
-        self.output.check()?;
+        let mut table = self.scene.table()?;
+        let loads = table.take_loads()?;
+        let setup = table.setup()?;
+        match loads {
+            Some(loads) if self.unload => {
+                load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, self.dry_run)
+            }
+            Some(loads) => load_curve::run(&LoadCurve { setup, loads }, &self.outputs, self.dry_run),
+            None if self.unload => {
+                usage("--unload goes back through several loads, but there is one: give more, such as 1e-3..1e-1:13")
+            }
+            None => self.solve(&setup),
+        }
+    }
+
+    /// Solves a setup under its one load.
+    fn solve(&self, setup: &Setup) -> Result<Outcome> {
+        let Self { outputs, .. } = self;
+        let cost = setup.cost(outputs.recording().is_some(), outputs.archive().iter().count())?;
+        outputs.check()?;
+        if let Some(path) = outputs.table().filter(|_| !cost.grid.is_line()) {
+            return usage(format!("{} can hold the nodes of a line only: give a .npz for a surface", path.display()));
+        }
         if self.dry_run {
-            plan::write(&setup, &cost, self.output.recording().is_some(), &mut stdout())?;
+            plan::write(setup, &cost, None, outputs.recording().is_some(), &mut stdout())?;
             return Ok(Outcome::Done);
         }
         cost.check(setup.solver.name())?;
-        let contact = self.watch(&setup, &setup.problem()?)?;
-        self.write(&setup, &contact)?;
+        let problem = setup.problem()?;
+        let contact = self.watch(setup, &problem)?;
+        self.write(setup, &contact)?;
         settle(&contact)
     }
 
     /// Writes and prints what came out.
     fn write(&self, setup: &Setup, contact: &Contact) -> Result<()> {
-        let rank = setup.surface.rank(&setup.grid)?;
-        if let Some(path) = &self.output.out {
-            let text = setup.clone().with_full_path().to_toml();
-            let bytes = archive(contact, rank, Some(&text));
+        let (outputs, full) = (&self.outputs, setup.clone().with_full_path());
+        let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
+        if let Some(path) = outputs.archive() {
+            let bytes = archive(contact, subject.rank, Some(&full.to_toml()));
             write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
         }
-        if let Some(path) = &self.output.save_setup {
+        if let Some(path) = outputs.table() {
+            write_nodes(path, contact)?;
+        }
+        if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
         }
-        let summary = Summary::of(setup, contact, rank);
-        if self.output.json { summary.write_json(&mut stdout()) } else { Ok(summary.write_text(&mut stdout())?) }
+        let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
+        warnings.extend(caution::of_contacts(&[&finding.observables]));
+        let summary = Summary { subject, finding, warnings, setup: full };
+        if outputs.json {
+            write_json(&summary, &mut stdout())?
+        } else {
+            summary.write_text(&mut stdout())?
+        }
+        caution::tell(&summary.warnings);
+        outputs.files().for_each(wrote);
+        Ok(())
     }
 
     /// Solves, and shows the steps to whom it concerns.
@@ -110,12 +111,12 @@ impl Solve {
         let solver = setup.solver.solver();
         let mut progress = Progress::new(solver.name());
         #[cfg(feature = "record")]
-        if self.output.record.is_some() || self.output.live {
+        if self.outputs.record.is_some() || self.outputs.live {
             let scenes = [record::Scene::of(setup, problem)];
             let options = record::Options::from(&setup.record);
-            let path = self.output.record.as_deref();
+            let path = self.outputs.record.as_deref();
             let recording = match path {
-                Some(path) if !self.output.live => record::Recording::create(path, &scenes, options)?,
+                Some(path) if !self.outputs.live => record::Recording::create(path, &scenes, options)?,
                 _ => record::Recording::shown(path, &scenes, options)?,
             };
             let mut recorder = recording.recorder(0);

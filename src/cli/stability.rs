@@ -3,8 +3,9 @@
 use super::choice::choice;
 use super::outcome::{Outcome, usage};
 use super::progress::bar;
+use super::wrote::wrote;
 use anyhow::Result;
-use asperity::files::{check_target, write_csv};
+use asperity::files::{check_named, write_csv};
 use asperity::lab::Rival;
 use asperity::lab::stability::{HEAD, Tally, TimeSteps, Trial, judge, trials};
 use clap::Args;
@@ -12,7 +13,11 @@ use std::io::{Write, stdout};
 use std::path::PathBuf;
 use std::time::Duration;
 
-const COLUMNS: &str = "\
+const HELP: &str = "\
+Examples:
+  asperity stability --quick
+  asperity stability punch --solver multilevel --out punch.csv
+
 Each row is one case solved by one solver:
   steps    iterations; for the multilevel solver outer and inner steps on all grids
   seconds  in the solver
@@ -31,7 +36,7 @@ Exit code 0 if nothing is WRONG, the multilevel solver does what every case dema
 those of theory; else 3.";
 
 #[derive(Args)]
-#[command(after_help = COLUMNS)]
+#[command(after_help = HELP)]
 pub struct Stability {
     /// Cases to run: all those whose name contains one of these [default: all]
     #[arg(value_name = "NAME")]
@@ -61,7 +66,7 @@ impl Stability {
         }
         let budget = self.budget()?;
         if let Some(path) = &self.out {
-            check_target(path)?;
+            check_named(path, &["csv"])?;
         }
         let mut reports = Vec::new();
         writeln!(stdout(), "{HEAD}")?;
@@ -78,6 +83,7 @@ impl Stability {
         time_steps.iter().try_for_each(|time_steps| write!(stdout(), "\n{time_steps}"))?;
         let tally = Tally::of(&reports, time_steps.as_ref());
         writeln!(stdout(), "\n{tally}")?;
+        self.out.iter().for_each(|path| wrote(path));
         Ok(if tally.is_stable() { Outcome::Done } else { Outcome::NotConverged })
     }
 

@@ -1,44 +1,120 @@
-//! The fields of a contact in one file.
+//! The fields of contacts in one file.
 
-use crate::contact::Contact;
-use crate::surface::Field;
-use ndarray::{Array2, ArrayView1, arr0};
+use crate::contact::{Contact, OBSERVABLES, State};
+use ndarray::{Array0, Array1, Array2, ArrayView, ArrayView1, ArrayView2, Axis, Dimension, arr0, stack};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
 
-/// The fields of a contact as `.npz`, of the rank that the heights came in: `height`, `pressure`, `gap`, `displacement`,
-/// `contact` (bool), the scalars `converged` (bool) and `certificate`, and the text of the `setup` that repeats it, as bytes:
-/// `bytes(npz["setup"]).decode()` in Python.
+/// The fields of a contact as `.npz`, each of the `rank` that the heights came in, and all numbers that are told of it.
+///
+/// | array                                                | shape                | what it holds                               |
+/// |------------------------------------------------------|----------------------|---------------------------------------------|
+/// | `height`, `pressure`, `gap`, `displacement`          | `(ny, nx)` or `(nx)` | the fields, in the units of the problem     |
+/// | `contact`                                            | `(ny, nx)` or `(nx)` | whether the nodes touch                     |
+/// | `x`, and `y` of rank 2                               | `(nx)`, `(ny)`       | positions of columns and rows, from 0       |
+/// | `size`                                               | `(rank)`             | lengths of the cell along the axes          |
+/// | `contact_modulus`                                    | `()`                 | `E*`                                        |
+/// | those of [`OBSERVABLES`]                             | `()`                 | load, area and all else, by their names     |
+/// | `converged`                                          | `()`                 | whether the certificate met the tolerance   |
+/// | `setup`                                              | bytes                | the text of the setup that repeats it       |
+///
+/// The text is `bytes(npz["setup"]).decode()` in Python.
 ///
 /// The archive is made in memory: a `ZipWriter` that meets a full disk complains on standard error by itself.
 ///
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet.
 pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
-    let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
-    if let Some(text) = setup {
-        npz.add_array("setup", &ArrayView1::from(text.as_bytes()))?;
+    let mut archive = Archive::of(contact, rank, setup)?;
+    for (name, of) in FIELDS {
+        archive.add_field(name, &of(contact))?;
     }
-    let fields: [(&str, &Field); 4] = [
-        ("height", &contact.problem.surface().heights_as_given()),
-        ("pressure", &contact.pressure),
-        ("gap", &contact.gap),
-        ("displacement", &contact.displacement),
-    ];
-    for (name, field) in fields {
-        add(&mut npz, name, field, rank)?;
+    archive.add_field("contact", &contact.mask().view())?;
+    archive.npz.add_array("converged", &arr0(contact.is_converged()))?;
+    let state = State::from(contact);
+    for row in OBSERVABLES {
+        archive.npz.add_array(row.name, &arr0((row.value)(&state)))?;
     }
-    add(&mut npz, "contact", &contact.mask(), rank)?;
-    npz.add_array("converged", &arr0(contact.is_converged()))?;
-    npz.add_array("certificate", &arr0(contact.certificate.eta))?;
-    Ok(npz.finish()?.into_inner())
+    archive.finish()
 }
 
-fn add<T: WritableElement>(
-    npz: &mut NpzWriter<Cursor<Vec<u8>>>,
-    name: &str,
-    field: &Array2<T>,
+/// The contacts of one surface under several loads as `.npz`: as [`archive`], with the loads along a further first axis of all but
+/// `height`, positions, size and modulus.
+///
+/// # Errors
+/// The errors of the format, which fields of doubles do not meet, unless there are no contacts.
+pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
+    let Some(first) = contacts.first() else {
+        return Ok(NpzWriter::new(Cursor::new(Vec::new())).finish()?.into_inner());
+    };
+    let mut archive = Archive::of(first, rank, Some(setup))?;
+    for (name, of) in FIELDS {
+        let fields: Vec<ArrayView2<f64>> = contacts.iter().map(of).collect();
+        archive.add_field(name, &stack(Axis(0), &fields).expect("one surface has one shape").view())?;
+    }
+    let masks: Vec<Array2<bool>> = contacts.iter().map(Contact::mask).collect();
+    let masks: Vec<ArrayView2<bool>> = masks.iter().map(|mask| mask.view()).collect();
+    archive.add_field("contact", &stack(Axis(0), &masks).expect("one surface has one shape").view())?;
+    archive.npz.add_array("converged", &contacts.iter().map(Contact::is_converged).collect::<Array1<bool>>())?;
+    let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
+    for row in OBSERVABLES {
+        archive.npz.add_array(row.name, &states.iter().map(row.value).collect::<Array1<f64>>())?;
+    }
+    archive.finish()
+}
+
+/// A field of a contact.
+type FieldOf = fn(&Contact) -> ArrayView2<'_, f64>;
+
+/// The fields that are found.
+const FIELDS: [(&str, FieldOf); 3] = [
+    ("pressure", |contact| contact.pressure.view()),
+    ("gap", |contact| contact.gap.view()),
+    ("displacement", |contact| contact.displacement.view()),
+];
+
+/// An archive on its way.
+struct Archive {
+    npz: NpzWriter<Cursor<Vec<u8>>>,
     rank: usize,
-) -> Result<(), WriteNpzError> {
-    if rank == 1 { npz.add_array(name, &field.row(0)) } else { npz.add_array(name, field) }
+}
+
+impl Archive {
+    /// An archive of what does not depend on the load.
+    fn of(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
+        let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
+        if let Some(text) = setup {
+            npz.add_array("setup", &ArrayView1::from(text.as_bytes()))?;
+        }
+        let (surface, modulus) = (contact.problem.surface(), contact.problem.contact_modulus());
+        let grid = surface.grid();
+        npz.add_array("x", &grid.x().collect::<Array1<f64>>())?;
+        if rank > 1 {
+            npz.add_array("y", &grid.y().collect::<Array1<f64>>())?;
+        }
+        npz.add_array("size", &ArrayView1::from(&grid.size()[2 - rank.min(2)..]))?;
+        npz.add_array("contact_modulus", &Array0::from_elem((), modulus))?;
+        let mut archive = Self { npz, rank };
+        archive.add_field("height", &surface.heights_as_given().view())?;
+        Ok(archive)
+    }
+
+    /// Adds a field whose last axes are those of the grid.
+    fn add_field<T: WritableElement, D: Dimension>(
+        &mut self,
+        name: &str,
+        field: &ArrayView<'_, T, D>,
+    ) -> Result<(), WriteNpzError> {
+        let field = field.view().into_dyn();
+        let rows = Axis(field.ndim() - 2);
+        if self.rank == 1 {
+            self.npz.add_array(name, &field.index_axis(rows, 0))
+        } else {
+            self.npz.add_array(name, &field)
+        }
+    }
+
+    fn finish(self) -> Result<Vec<u8>, WriteNpzError> {
+        Ok(self.npz.finish()?.into_inner())
+    }
 }

@@ -16,6 +16,22 @@ pub enum Load {
 }
 
 impl Load {
+    /// The number.
+    pub fn value(&self) -> f64 {
+        match *self {
+            Self::MeanPressure(value) | Self::ReducedPressure(value) | Self::MeanGap(value) => value,
+        }
+    }
+
+    /// The load of the same kind with another number.
+    pub fn with_value(self, value: f64) -> Self {
+        match self {
+            Self::MeanPressure(_) => Self::MeanPressure(value),
+            Self::ReducedPressure(_) => Self::ReducedPressure(value),
+            Self::MeanGap(_) => Self::MeanGap(value),
+        }
+    }
+
     /// The name of the quantity that is prescribed.
     pub fn name(&self) -> &'static str {
         match self {

@@ -29,7 +29,7 @@ mod stop;
 use crate::chunks;
 
 pub use crate::error::Failure;
-pub use archive::archive;
+pub use archive::{archive, archive_of_loads};
 pub use certificate::Certificate;
 pub use forecast::Forecast;
 pub use gfmd::{Dynamics, Gfmd, Masses};

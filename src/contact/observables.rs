@@ -135,6 +135,8 @@ observables! {
         "Largest pressure over the contact modulus.";
     patches: usize, "n", "1", true, |it| *it.patches,
         "Number of contact patches.";
+    nodes_per_patch: f64, "n_c / n", "1", false, |it| it.measures.contact_nodes as f64 / (*it.patches).max(1) as f64,
+        "Nodes in contact for each contact patch: below about four its pressure is that of single nodes.";
     certificate: f64, "eta", "1", true, |it| it.certificate.eta,
         "Certificate: a bound of the error in energy over load times rms height.";
     pressure_error_bound: f64, "|dp| / |p|", "1", false, |it| it.certificate.pressure_error_bound,

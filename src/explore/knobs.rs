@@ -149,7 +149,7 @@ impl Knobs {
             Domain::Surface => Cell::surface([self.points; 2], [CELL; 2]),
         };
         let setup = Setup {
-            solid: Solid { contact_modulus: MODULUS },
+            solid: Some(Solid::ContactModulus(MODULUS)),
             solver: self.solver,
             stop: self.stop,
             record: Record { what: self.parts(), theme: self.theme, ..Record::default() },

@@ -103,7 +103,7 @@ impl Paper {
         for &source in items.iter().flat_map(|item| item.sources()) {
             let sweep = self.sweep(source)?;
             sweep.check()?;
-            sweep.realisations.iter().try_for_each(|it| it.setup.cost(false, false)?.check("a sweep"))?;
+            sweep.realisations.iter().try_for_each(|it| it.setup.cost(false, 0)?.check("a sweep"))?;
             if !self.is_fresh {
                 sweep.check_table(&self.table(source))?;
             }
@@ -134,7 +134,7 @@ impl Paper {
         let realisations = self.stopping(item, realisations)?;
         let mut bytes = 1.0f64;
         for realisation in &realisations {
-            let cost = realisation.setup.cost(false, false)?;
+            let cost = realisation.setup.cost(false, 0)?;
             // the pressure of the load before included
             bytes = bytes.max(cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes);
         }

@@ -1,9 +1,9 @@
 //! The cell: points and lengths along the axes of the arrays.
 
+use super::one_or_more;
 use crate::error::{GridError, SetupError};
 use crate::grid::Grid;
-use crate::quantity;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 
 /// Points and lengths along the axes of the arrays, in their order: one makes a line, two make a surface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -13,7 +13,7 @@ pub struct Cell {
     #[serde(default, skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
     pub points: Vec<usize>,
     /// Lengths along the axes; one serves all of them.
-    #[serde(serialize_with = "one_or_more::serialize", deserialize_with = "lengths")]
+    #[serde(serialize_with = "one_or_more::serialize", deserialize_with = "one_or_more::lengths")]
     pub size: Vec<f64>,
 }
 
@@ -56,58 +56,5 @@ impl Cell {
             _ => return Err(SetupError::Axes { axes }),
         };
         Ok(grid?)
-    }
-}
-
-/// A list of lengths, or a single one.
-fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
-    #[derive(Deserialize)]
-    #[serde(transparent)]
-    struct Length(#[serde(deserialize_with = "quantity::length")] f64);
-    Ok(one_or_more::deserialize::<_, Length>(from)?.into_iter().map(|Length(length)| length).collect())
-}
-
-/// A list that may be a single value.
-mod one_or_more {
-    use serde::de::value::SeqAccessDeserializer;
-    use serde::de::{Deserialize, Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
-    use serde::{Serialize, Serializer};
-    use std::fmt;
-    use std::marker::PhantomData;
-
-    struct OneOrMore<T>(PhantomData<T>);
-
-    /// Visits of a single value.
-    macro_rules! one {
-        ($($visit:ident: $type:ty),+) => {
-            $(fn $visit<E: Error>(self, value: $type) -> Result<Vec<T>, E> {
-                T::deserialize(value.into_deserializer()).map(|value| vec![value])
-            })+
-        };
-    }
-
-    impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrMore<T> {
-        type Value = Vec<T>;
-
-        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            f.write_str("one value, or a list with one for each axis")
-        }
-
-        one!(visit_i64: i64, visit_u64: u64, visit_f64: f64, visit_str: &str);
-
-        fn visit_seq<A: SeqAccess<'de>>(self, values: A) -> Result<Vec<T>, A::Error> {
-            Vec::deserialize(SeqAccessDeserializer::new(values))
-        }
-    }
-
-    pub fn deserialize<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<Vec<T>, D::Error> {
-        from.deserialize_any(OneOrMore(PhantomData))
-    }
-
-    pub fn serialize<S: Serializer, T: Serialize>(values: &[T], into: S) -> Result<S::Ok, S::Error> {
-        match values {
-            [one] => one.serialize(into),
-            more => more.serialize(into),
-        }
     }
 }

@@ -2,10 +2,17 @@
 
 use super::{FLAGS, Flag, Setup, Table, Value};
 
+/// The place of the contact modulus in a setup.
+const CONTACT_MODULUS: &str = "solid.contact-modulus";
+
 /// Lays flags with their words over a setup, in the order of [`FLAGS`].
 pub fn lay(given: &[(&Flag, Vec<String>)], over: &mut Table) {
     if given.iter().any(|(flag, _)| flag.section() == "load") {
         over.remove("load");
+    }
+    // a contact modulus and elastic constants take the place of one another
+    for (flag, _) in given.iter().filter(|(flag, _)| flag.section() == "solid") {
+        over.remove(if flag.path == CONTACT_MODULUS { "solid" } else { CONTACT_MODULUS });
     }
     for (flag, words) in given {
         if let (Value::Variant(_), Some((beside, _))) = (flag.value, flag.path.rsplit_once('.')) {
@@ -16,7 +23,7 @@ pub fn lay(given: &[(&Flag, Vec<String>)], over: &mut Table) {
 }
 
 /// A whole number, a number, or a text; whole numbers that are too long stay as they are written.
-fn value(word: &str) -> toml::Value {
+pub(super) fn value(word: &str) -> toml::Value {
     match (word.parse::<i64>(), word.parse()) {
         (Ok(whole), _) if whole.to_string() == word => toml::Value::Integer(whole),
         (_, Ok(number)) if !word.bytes().all(|byte| byte.is_ascii_digit()) => toml::Value::Float(number),
@@ -44,7 +51,7 @@ fn word(value: &toml::Value) -> String {
 
 /// The value that the words of a flag stand for.
 fn read(flag: &Flag, words: &[String]) -> toml::Value {
-    let is_list = matches!(flag.value, Value::List | Value::Choices(_));
+    let is_list = matches!(flag.value, Value::Choices(_));
     match words {
         [one] if !is_list => value(one),
         more => toml::Value::Array(more.iter().map(|word| value(word)).collect()),

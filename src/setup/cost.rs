@@ -5,8 +5,10 @@ use crate::contact::{Forecast, Load};
 use crate::error::SetupError;
 use crate::grid::Grid;
 
-/// Fields that are held while an archive is made in memory.
+/// Fields that are held for each contact while an archive is made in memory.
 const ARCHIVE_FIELDS: f64 = 9.5;
+/// Fields of a contact that is kept.
+const KEPT_FIELDS: f64 = 3.0;
 
 /// The memory and the grids that a solve takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,11 +24,12 @@ pub struct Cost {
 }
 
 impl Setup {
-    /// The cost of the solve; `is_recorded` and `is_archived` say whether its steps are recorded and its fields written.
+    /// The cost of the solve; `is_recorded` says whether its steps are recorded, `archived` how many contacts are kept until their
+    /// fields are written.
     ///
     /// # Errors
     /// The errors of [`Setup::check`].
-    pub fn cost(&self, is_recorded: bool, is_archived: bool) -> Result<Cost, SetupError> {
+    pub fn cost(&self, is_recorded: bool, archived: usize) -> Result<Cost, SetupError> {
         let grid = self.check()?;
         let contact = match self.load {
             Load::ReducedPressure(pressure) if self.surface.is_random() => Forecast::relative_area_at(pressure),
@@ -35,10 +38,10 @@ impl Setup {
         // the heights, the solver or the three fields of the result, and what watches
         let solved = |contact: f64| 1.0 + self.solver.fields(&grid, contact).max(3.0);
         let recorded = if is_recorded { self.solver.recorded_fields() } else { 0.0 };
-        let fields = solved(contact) + recorded;
-        let fields = if is_archived { fields.max(ARCHIVE_FIELDS) } else { fields };
+        let kept = archived.saturating_sub(1) as f64 * KEPT_FIELDS;
+        let fields = (solved(contact) + recorded + kept).max(archived as f64 * ARCHIVE_FIELDS);
         let coarse_grids = self.solver.coarse_grids(&grid);
-        Ok(Cost { grid, coarse_grids, bytes: bytes(&grid, fields), least_bytes: bytes(&grid, solved(0.0)) })
+        Ok(Cost { grid, coarse_grids, bytes: bytes(&grid, fields), least_bytes: bytes(&grid, solved(0.0) + kept) })
     }
 }
 

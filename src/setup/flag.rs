@@ -1,7 +1,7 @@
 //! The flags of the command line that lay values over a setup.
 
 use super::{Method, Part, Theme};
-use crate::surface::Indenter;
+use crate::surface::{Detrend, Indenter};
 
 /// A flag of the command line, and the place in a setup that its value is laid over.
 pub struct Flag {
@@ -22,7 +22,7 @@ pub struct Flag {
 pub enum Value {
     /// A number, a quantity with a unit, or a name.
     One,
-    /// Several of them, with commas between.
+    /// One of them, or several with commas between.
     List,
     /// One of some names, with a few words on each.
     Choice(&'static [(&'static str, &'static str)]),
@@ -39,7 +39,8 @@ const DYNAMICS: [(&str, &str); 2] = [("damped", "Constant friction"), ("fire", "
 /// All flags, in the order of a command line.
 #[rustfmt::skip]
 pub const FLAGS: &[Flag] = &[
-    flag("height", "surface.height", Value::One, "FILE.npy", "Heights from a file, of rank 1 (line) or 2 (surface); peaks towards the solid are positive"),
+    flag("height", "surface.height", Value::One, "FILE", "Heights of a line or a surface from a .npy, .npz or text of numbers; peaks towards the solid are positive"),
+    flag("detrend", "surface.detrend", Value::Choice(&Detrend::TRENDS), "TREND", "Trend to take off the heights of the file"),
     flag("indenter", "surface.indenter.shape", Value::Variant(&Indenter::SHAPES), "SHAPE", "A smooth indenter, centred in the cell"),
     flag("radius", "surface.indenter.radius", Value::One, "R", "Radius of the cylinder or sphere"),
     flag("amplitude", "surface.indenter.amplitude", Value::One, "D", "Amplitude of the sine or crossed sine (half of its peak-to-valley height)"),
@@ -52,13 +53,15 @@ pub const FLAGS: &[Flag] = &[
     flag("rolloff", "surface.spectrum.rolloff-wavelength", Value::One, "LAMBDA", "Wavelength above which the spectrum is flat"),
     flag("short-cutoff", "surface.spectrum.short-cutoff", Value::One, "LAMBDA", "Wavelength below which the spectrum is zero"),
     flag("rms-gradient", "surface.spectrum.rms-gradient", Value::One, "G", "Root-mean-square gradient of the roughness, made exact for the realisation"),
-    flag("seed", "surface.seed", Value::One, "SEED", "Seed of the realisation; 1 if none is given"),
+    flag("seed", "surface.seed", Value::One, "SEED", "Seed of the realisation [default: 1]"),
     flag("points", "grid.points", Value::List, "N[,N]", "Points along the array's axes, in their order: one makes a line, two a surface"),
     flag("size", "grid.size", Value::List, "L[,L]", "Lengths of the cell along the array's axes, in their order; one value serves all axes"),
-    flag("modulus", "solid.contact-modulus", Value::One, "E*", "Contact modulus E* = E / (1 - nu^2) [default: 1]"),
-    flag("pressure", "load.mean-pressure", Value::One, "P", "Mean pressure, in the units of the modulus"),
-    flag("reduced-pressure", "load.reduced-pressure", Value::One, "P*", "Reduced pressure p* = p / (rms gradient x modulus)"),
-    flag("mean-gap", "load.mean-gap", Value::One, "G", "Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd"),
+    flag("modulus", "solid.contact-modulus", Value::One, "E*", "Contact modulus E* = E / (1 - nu^2), a pressure: with a unit such as 1GPa, or a number in your units"),
+    flag("young", "solid.young", Value::List, "E[,E]", "Young's modulus, a pressure, of the elastic body, or of both: 1/E* = sum (1 - nu^2)/E; with --poisson"),
+    flag("poisson", "solid.poisson", Value::List, "NU[,NU]", "Poisson's ratio of the same"),
+    flag("pressure", "load.mean-pressure", Value::List, "P[,P]", "Mean pressure, with a unit or in that of the modulus, which must be given; several are solved one after the other"),
+    flag("reduced-pressure", "load.reduced-pressure", Value::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus pressures are over E*"),
+    flag("mean-gap", "load.mean-gap", Value::List, "G[,G]", "Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd"),
     flag("solver", "solver.method", Value::Variant(&Method::METHODS), "METHOD", "The method [default: multilevel]"),
     flag("masses", "solver.masses", Value::Choice(&MASSES), "MASSES", "GFMD: masses of the surface modes [default: uniform]"),
     flag("dynamics", "solver.dynamics", Value::Choice(&DYNAMICS), "DYNAMICS", "GFMD: damping of the motion [default: damped]"),
@@ -66,8 +69,8 @@ pub const FLAGS: &[Flag] = &[
     flag("damping", "solver.damping", Value::One, "C", "GFMD: friction over the critical one of the slowest mode [default: 1]"),
     flag("tolerance", "stop.tolerance", Value::One, "ETA", "Certificate eta to reach: error in energy over load times rms height [default: 1e-8]"),
     flag("max-iterations", "stop.max-iterations", Value::One, "N", "Iterations at the most [default: 100000]"),
-    flag("record-what", "record.what", Value::Choices(&Part::PARTS), "PART[,PART]", "Parts to record, instead of all that a line or a surface usually has"),
-    flag("record-every", "record.every", Value::One, "N", "Record the fields of every N-th step, instead of all early steps and then ever fewer"),
+    flag("record-what", "record.what", Value::Choices(&Part::PARTS), "PART[,PART]", "Parts to record [default: all but the spectrum]"),
+    flag("record-every", "record.every", Value::One, "N", "Record the fields of every N-th step [default: all early steps and then ever fewer]"),
     flag("length-unit", "record.length-unit", Value::One, "UNIT", "Unit of lengths in the recording; metres are shown as mm, um or nm [default: m]"),
     flag("theme", "record.theme", Value::Choice(&Theme::THEMES), "THEME", "Ground of the pictures in the recording [default: dark]"),
 ];

@@ -17,6 +17,7 @@
 //!     r#"
 //!     surface = { indenter = { shape = "cylinder", radius = 1.0 } }
 //!     grid = { points = 1024, size = 4.0 }
+//!     solid = { contact-modulus = 1.0 }
 //!     load = { mean-pressure = 0.008 }
 //!     "#,
 //! )?;
@@ -30,9 +31,12 @@ mod cell;
 mod command;
 mod cost;
 mod flag;
+mod loads;
 mod method;
+mod one_or_more;
 mod part;
 mod recipe;
+mod solid;
 mod text;
 mod theme;
 
@@ -43,13 +47,13 @@ pub use flag::{FLAGS, Flag, Value};
 pub use method::Method;
 pub use part::{Part, Record};
 pub use recipe::Recipe;
+pub use solid::{Body, Solid};
 pub use text::Table;
 pub use theme::Theme;
 
 use crate::contact::{ContactModulus, Load, Problem, Stop};
 use crate::error::{FileError, SetupError, SolveError};
 use crate::grid::Grid;
-use crate::quantity;
 use crate::surface::Surface;
 use crate::theory::Exact;
 use serde::{Deserialize, Serialize};
@@ -60,8 +64,8 @@ use serde::{Deserialize, Serialize};
 /// |-----------|--------------------------------------------------------------|---------------------------------|
 /// | `surface` | a height file, an indenter, a spectrum, or a sum of them     | must be there                   |
 /// | `grid`    | points and size of the cell                                  | must be there                   |
-/// | `solid`   | the contact modulus                                          | 1                               |
-/// | `load`    | a mean pressure, a reduced pressure or a mean gap            | must be there                   |
+/// | `solid`   | the contact modulus, or Young's moduli and Poisson's ratios  | pressures are over the modulus  |
+/// | `load`    | a mean pressure (of a `solid`), a reduced pressure, a mean gap | must be there                 |
 /// | `solver`  | the method and its settings                                  | multilevel                      |
 /// | `stop`    | certificate to reach, and iterations at the most             | 1e-8, 100 000                   |
 /// | `record`  | parts and theme of a recording                               | the usual parts, dark           |
@@ -72,9 +76,9 @@ pub struct Setup {
     pub surface: Recipe,
     /// Points and size.
     pub grid: Cell,
-    /// The elastic half-space.
-    #[serde(default)]
-    pub solid: Solid,
+    /// The elastic half-space; without it pressures are over its contact modulus, and a mean pressure is no load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solid: Option<Solid>,
     /// The load.
     pub load: Load,
     /// The solver with its settings.
@@ -88,40 +92,43 @@ pub struct Setup {
     pub record: Record,
 }
 
-/// The elastic solid.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Solid {
-    /// Contact modulus `E* = E / (1 - nu^2)`, a pressure.
-    #[serde(deserialize_with = "quantity::pressure")]
-    pub contact_modulus: f64,
-}
-
-impl Default for Solid {
-    /// A contact modulus of 1: pressures are over it.
-    fn default() -> Self {
-        Self { contact_modulus: 1.0 }
-    }
-}
-
 impl Setup {
-    /// The setup of a surface on a grid under a load: modulus 1, the usual solver, stop and recording.
+    /// The setup of a surface on a grid under a load: pressures over the modulus, the usual solver, stop and recording. Under a
+    /// mean pressure it needs a solid as well, see [`Setup::on`].
     pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
         let (solid, solver, stop, record) = Default::default();
         Self { surface, grid, solid, load, solver, stop, record }
+    }
+
+    /// The setup on a solid.
+    pub fn on(self, solid: Solid) -> Self {
+        Self { solid: Some(solid), ..self }
+    }
+
+    /// The contact modulus; 1 where no solid is given and pressures are over it.
+    ///
+    /// # Errors
+    /// [`SetupError::NoModulus`] for a mean pressure on no solid, [`SetupError::Solid`] for elastic constants that no body has.
+    pub fn contact_modulus(&self) -> Result<f64, SetupError> {
+        match (&self.solid, self.load) {
+            (Some(solid), _) => Ok(solid.contact_modulus()?),
+            (None, Load::MeanPressure(mean_pressure)) => Err(SetupError::NoModulus { mean_pressure }),
+            (None, Load::ReducedPressure(_) | Load::MeanGap(_)) => Ok(1.0),
+        }
     }
 
     /// Checks all that can be checked without making the surface, and returns the grid. Of a height file only the header is
     /// read.
     ///
     /// # Errors
-    /// For a grid, surface, load, setting or recording that cannot be.
+    /// For a grid, surface, solid, load, setting or recording that cannot be, and for a mean pressure without a solid.
     pub fn check(&self) -> Result<Grid, SetupError> {
         let grid = self.surface.grid(&self.grid)?;
         self.surface.check(&grid)?;
         self.solver.check()?;
         self.stop.check()?;
         self.record.check(&grid)?;
+        self.contact_modulus()?;
         if matches!(self.load, Load::MeanGap(_)) && !self.solver.takes_mean_gap() {
             return Err(SolveError::NeedsPressure { solver: self.solver.name().into() }.into());
         }
@@ -141,12 +148,12 @@ impl Setup {
     /// # Errors
     /// The errors of [`Setup::surface`] and of [`Problem::new`].
     pub fn problem(&self) -> Result<Problem, SetupError> {
-        Ok(Problem::new(self.surface()?, ContactModulus(self.solid.contact_modulus), self.load)?)
+        Ok(Problem::new(self.surface()?, ContactModulus(self.contact_modulus()?), self.load)?)
     }
 
     /// The exact solution under a mean pressure, where the surface is an indenter that has one.
     pub fn exact(&self, grid: &Grid, mean_pressure: f64) -> Option<Exact> {
-        Exact::of(&self.surface.smooth()?, grid, self.solid.contact_modulus, mean_pressure)
+        Exact::of(&self.surface.smooth()?, grid, self.contact_modulus().ok()?, mean_pressure)
     }
 
     /// Sixteen hexadecimal digits that tell setups apart whose contacts differ under the same load: by all that is in them but

@@ -3,7 +3,7 @@
 use super::Cell;
 use crate::error::SetupError;
 use crate::grid::Grid;
-use crate::surface::{Field, Indenter, Spectrum, Surface, read_heights, read_shape};
+use crate::surface::{Detrend, Field, Indenter, Spectrum, Surface, read_heights, read_shape};
 use ndarray::Axis;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -12,9 +12,12 @@ use std::path::PathBuf;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Recipe {
-    /// A `.npy` file of heights, of rank 1 (line) or 2 (surface); peaks towards the solid are positive.
+    /// A file of heights of a line or a surface, see [`read_heights`]; peaks towards the solid are positive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height: Option<PathBuf>,
+    /// The trend to take off the heights of the file; none if it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub detrend: Option<Detrend>,
     /// A smooth indenter, centred in the cell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub indenter: Option<Indenter>,
@@ -70,10 +73,13 @@ impl Recipe {
     /// Checks that the surface can be made on a grid. None is made.
     ///
     /// # Errors
-    /// For no surface at all, and for an indenter or a spectrum that cannot be on this grid.
+    /// For no surface at all, a trend without a height file, and an indenter or a spectrum that cannot be on this grid.
     pub fn check(&self, grid: &Grid) -> Result<(), SetupError> {
         if self.height.is_none() && self.indenter.is_none() && self.spectrum.is_none() {
             return Err(SetupError::NoSurface);
+        }
+        if self.detrend.is_some() && self.height.is_none() {
+            return Err(SetupError::DetrendWithoutHeights);
         }
         if self.seed.is_some() && self.spectrum.is_none() {
             return Err(SetupError::SeedWithoutSpectrum);
@@ -96,7 +102,11 @@ impl Recipe {
             let height = read_heights(path)?;
             let height = if height.ndim() == 1 { height.insert_axis(Axis(0)) } else { height };
             let height: Field = height.into_dimensionality().map_err(|_| SetupError::Axes { axes: 0 })?;
-            Ok(Surface::new(grid, height)?)
+            let height = Surface::new(grid, height)?;
+            Ok(match self.detrend {
+                Some(detrend) => Surface::new(grid, detrend.of(height.heights_as_given()))?,
+                None => height,
+            })
         };
         let measured = self.height.as_ref().map(read).transpose()?;
         let smooth = self.indenter.map(|indenter| indenter.surface(grid)).transpose()?;
@@ -126,7 +136,11 @@ impl Recipe {
 
     /// The parts of the surface, in words.
     pub fn description(&self) -> String {
-        let file = self.height.as_ref().map(|path| format!("heights from {}", path.display()));
+        let trend = self.detrend.map_or("", |detrend| match detrend {
+            Detrend::Mean => " less their mean",
+            Detrend::Plane => " less their plane",
+        });
+        let file = self.height.as_ref().map(|path| format!("heights from {}{trend}", path.display()));
         let smooth = self.indenter.map(|indenter| {
             let values = indenter.parameters().into_iter().map(|(name, value)| format!(", {name} {value:?}"));
             format!("{}{}", indenter.name(), values.collect::<String>().replace('_', " "))

@@ -4,13 +4,13 @@ use super::{Cell, FLAGS, Method, Recipe, Setup};
 use crate::error::{FileError, SetupError};
 use crate::files::write_beside;
 use crate::surface::read_text;
-use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// A setup on its way: its sections and keys with any values, to lay others over it before it is read.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Table(toml::Table);
 
 impl Table {
@@ -76,6 +76,19 @@ impl Table {
             self.lay("surface.height", result.to_string_lossy().into_owned().into());
         }
         self
+    }
+
+    /// The sections and keys as TOML, all numbers to the last bit.
+    pub fn to_toml(&self) -> String {
+        toml::to_string(&self.0).expect("a table has a form in TOML")
+    }
+
+    /// Writes the sections and keys as a scene.
+    ///
+    /// # Errors
+    /// The errors of [`write_beside`].
+    pub fn write(&self, path: &Path) -> Result<(), FileError> {
+        write_beside(path, |file| file.write_all(self.to_toml().as_bytes()))
     }
 
     /// Lays a value over what stands at a path of keys, such as `surface.indenter.radius`.
@@ -161,7 +174,7 @@ impl Table {
     }
 
     /// Reads it with a section for the grid, be it empty.
-    fn read_as<T: DeserializeOwned>(mut self) -> Result<T, SetupError> {
+    pub(super) fn read_as<T: DeserializeOwned>(mut self) -> Result<T, SetupError> {
         self.0.entry("grid").or_insert_with(|| toml::Table::new().into());
         self.0.try_into().map_err(|error: toml::de::Error| {
             let keys = keys(&error.to_string());
@@ -171,7 +184,7 @@ impl Table {
     }
 }
 
-fn wrong_load(reason: String) -> SetupError {
+pub(super) fn wrong_load(reason: String) -> SetupError {
     SetupError::Text { place: "load: ".into(), reason }
 }
 
@@ -230,9 +243,11 @@ fn explained(message: &str, keys: &str) -> String {
     }
 }
 
+/// The known name that is nearest to an unknown one, first of all one that it is a part of.
 #[cfg(feature = "units")]
 fn nearest<'a>(unknown: &str, known: &[&'a str]) -> Option<&'a str> {
-    known.iter().copied().max_by(|a, b| strsim::jaro_winkler(unknown, a).total_cmp(&strsim::jaro_winkler(unknown, b)))
+    let nearness = |name: &str| if name.contains(unknown) { 1.0 } else { strsim::jaro_winkler(unknown, name) };
+    known.iter().copied().max_by(|a, b| nearness(a).total_cmp(&nearness(b)))
 }
 
 #[cfg(not(feature = "units"))]
@@ -264,7 +279,7 @@ impl Setup {
     /// # Errors
     /// The errors of [`write_beside`].
     pub fn write(&self, path: &Path) -> Result<(), FileError> {
-        write_beside(path, |file| file.write_all(self.clone().with_full_path().to_toml().as_bytes()))
+        self.clone().with_full_path().to_table().write(path)
     }
 
     /// The setup whose height file is named by its full path.

@@ -5,12 +5,14 @@
 //! ```
 
 mod identity;
+mod load_curve;
 mod point;
 mod realisation;
 mod spread;
 mod sweep;
 mod table;
 
+pub use load_curve::LoadCurve;
 pub use point::Point;
 pub use realisation::Realisation;
 pub use spread::{Line, Spread};

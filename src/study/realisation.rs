@@ -1,10 +1,10 @@
 //! A setup and the loads it is solved under.
 
+use super::load_curve::LoadCurve;
 use crate::contact::{Contact, Load};
 use crate::error::{ProblemError, SetupError, StudyError};
 use crate::grid::Grid;
 use crate::setup::Setup;
-use crate::surface::Field;
 
 /// A setup and the loads it is solved under, one after the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,18 +24,10 @@ impl Realisation {
     /// For surfaces and loads that cannot be, and those of `each`. What did not converge is shown all the same.
     pub fn press<E: From<StudyError>>(&self, mut each: impl FnMut(&Contact) -> Result<(), E>) -> Result<(), E> {
         let Some(&first) = self.loads.first() else { return Ok(()) };
-        let mut problem = self.under(first).problem().map_err(StudyError::from)?;
-        let mut start: Option<Field> = None;
-        for &load in &self.loads {
-            problem =
-                problem.with_load(Load::ReducedPressure(load)).map_err(SetupError::from).map_err(StudyError::from)?;
-            let solver = self.setup.solver.solver();
-            let contact = solver.solve_from(start.as_ref(), &problem, &self.setup.stop, &mut ());
-            let contact = contact.map_err(StudyError::from)?;
-            each(&contact)?;
-            start = Some(contact.pressure);
-        }
-        Ok(())
+        let loads = self.loads.iter().copied().map(Load::ReducedPressure).collect();
+        let curve = LoadCurve { setup: self.under(first), loads };
+        let problem = curve.setup.problem().map_err(StudyError::from)?;
+        curve.press(&problem, |_| (), |_, contact| each(contact))
     }
 
     /// Checks all that can be checked before a surface is made, and returns the grid.

@@ -1,11 +1,14 @@
 //! Rigid surfaces: heights on a grid, peaks towards the solid positive.
 
+mod detrend;
 mod formats;
 mod indenter;
 mod roughness;
+mod seam;
 mod spectrum;
 mod synthesis;
 
+pub use detrend::Detrend;
 pub(crate) use formats::read_text;
 pub use formats::{read_heights, read_shape, write_heights};
 pub use indenter::Indenter;

@@ -2,7 +2,7 @@
 
 use crate::contact::Load;
 use crate::error::SetupError;
-use crate::setup::{Cell, Recipe, Setup};
+use crate::setup::{Cell, Recipe, Setup, Solid};
 use crate::surface::{Indenter, Spectrum};
 use crate::theory::Exact;
 use std::f64::consts::PI;
@@ -86,7 +86,8 @@ impl Scene {
 
     /// The setup under the load of the curves.
     pub fn setup(self, points: usize, seed: u64) -> Setup {
-        Setup::new(self.recipe(seed), self.cell(points), Load::MeanPressure(self.mean_pressure()))
+        let load = Load::MeanPressure(self.mean_pressure());
+        Setup::new(self.recipe(seed), self.cell(points), load).on(Solid::ContactModulus(1.0))
     }
 
     /// The exact solution, if it is one of the periodic problem.

@@ -2,7 +2,7 @@
 
 use super::group::Group;
 use crate::contact::Load;
-use crate::setup::{Cell, Recipe, Setup};
+use crate::setup::{Cell, Recipe, Setup, Solid};
 use crate::surface::{Indenter, Spectrum};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -77,7 +77,8 @@ impl Contest {
         let contest = |((name, indenter, pressure), cell): ((&str, _, _), _)| Self {
             group,
             name: name.into(),
-            setup: Setup::new(Recipe::indenter(indenter), cell, Load::MeanPressure(pressure)),
+            setup: Setup::new(Recipe::indenter(indenter), cell, Load::MeanPressure(pressure))
+                .on(Solid::ContactModulus(1.0)),
         };
         lines.chain(surfaces).map(contest).collect()
     }

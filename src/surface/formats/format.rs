@@ -8,7 +8,7 @@ use std::io;
 pub struct Format {
     /// Whether a file is of this format.
     pub is_it: fn(&mut File) -> bool,
-    /// The shape of the heights, without reading them.
+    /// The shape of the heights, without reading them where a header tells.
     pub shape: fn(&mut File) -> io::Result<Vec<usize>>,
     /// The heights.
     pub read: fn(&mut File) -> io::Result<ArrayD<f64>>,

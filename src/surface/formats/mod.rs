@@ -3,6 +3,8 @@
 mod format;
 mod npy;
 mod npz;
+mod profile;
+mod text;
 
 use crate::error::FileError;
 use crate::files::write_beside;
@@ -14,25 +16,26 @@ use std::io;
 use std::path::Path;
 
 /// All formats; the last one takes every file, and says why it cannot be read.
-const FORMATS: [Format; 2] = [npz::FORMAT, npy::FORMAT];
+const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 
-/// Reads heights from a NumPy `.npy` file of doubles (`float64`) or singles (`float32`), of rank 1 (a line) or 2 (rows
-/// of a surface), in C or Fortran order and either byte order; or from the array `height` of an `.npz` archive, such as a
-/// result.
+/// Reads heights from a NumPy `.npy` file of integers, singles or doubles, of rank 1 (a line) or 2 (rows of a surface), in C or
+/// Fortran order and either byte order; from the array `height` of an `.npz` archive, such as a result; or from a text of
+/// numbers, in one column or row (a line) or in a matrix (rows of a surface). Two columns or rows hold positions and heights of a
+/// line, and the positions must be evenly spaced.
 ///
 /// # Errors
 /// [`FileError::Read`] for a file that is missing or unreadable; [`FileError::Format`] with the reason for one that is
 /// no such file, is truncated, or holds another type or rank.
 pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
-    with_file(path.as_ref(), |file, format| (format.read)(file))
+    with_file(path.as_ref(), |file, format| (format.read)(file).and_then(profile::heights))
 }
 
-/// The shape of the heights in a file, as its header says.
+/// The shape of the heights in a file, as its header says if it has one.
 ///
 /// # Errors
 /// The errors of [`read_heights`].
 pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
-    with_file(path.as_ref(), |file, format| (format.shape)(file))
+    with_file(path.as_ref(), |file, format| (format.shape)(file).map(profile::shape))
 }
 
 /// Reads the text that an archive carries as an array of bytes; none from any other file.
@@ -49,7 +52,7 @@ pub fn read_text(path: impl AsRef<Path>, name: &str) -> Result<Option<String>, F
 fn with_file<T>(path: &Path, read: impl FnOnce(&mut File, &Format) -> io::Result<T>) -> Result<T, FileError> {
     let opened = std::fs::metadata(path).and_then(|metadata| match metadata.is_file() {
         true => File::open(path),
-        false => Err(malformed("it is a directory or a device, give a .npy file")),
+        false => Err(malformed("it is a directory or a device, give a file of heights")),
     });
     opened
         .and_then(|mut file| {

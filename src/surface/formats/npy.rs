@@ -3,7 +3,7 @@
 use super::format::{Format, malformed};
 use ndarray::ArrayD;
 use ndarray_npy::npy::header::Header;
-use ndarray_npy::{ReadNpyError, ReadNpyExt};
+use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement};
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom};
 use std::ops::Range;
@@ -29,13 +29,20 @@ pub(super) fn shape(file: &mut File, place: Range<u64>) -> io::Result<Vec<usize>
 
 /// The heights at a place in a file.
 pub(super) fn read(file: &mut File, place: Range<u64>) -> io::Result<ArrayD<f64>> {
-    let (_, is_single) = layout(file, place.clone())?;
+    let (_, kind) = layout(file, place.clone())?;
     file.seek(SeekFrom::Start(place.start))?;
     let bytes = BufReader::new(file.take(place.end - place.start));
-    let heights = if is_single {
-        ArrayD::<f32>::read_npy(bytes).map(|heights| heights.mapv(f64::from))
-    } else {
-        ArrayD::<f64>::read_npy(bytes)
+    let heights = match kind {
+        Kind::F8 => ArrayD::<f64>::read_npy(bytes),
+        Kind::F4 => widened::<f32>(bytes),
+        Kind::I1 => widened::<i8>(bytes),
+        Kind::I2 => widened::<i16>(bytes),
+        Kind::I4 => widened::<i32>(bytes),
+        Kind::I8 => ArrayD::<i64>::read_npy(bytes).map(|heights| heights.mapv(|h| h as f64)),
+        Kind::U1 => widened::<u8>(bytes),
+        Kind::U2 => widened::<u16>(bytes),
+        Kind::U4 => widened::<u32>(bytes),
+        Kind::U8 => ArrayD::<u64>::read_npy(bytes).map(|heights| heights.mapv(|h| h as f64)),
     };
     heights.map_err(|error| match error {
         ReadNpyError::Io(source) => source,
@@ -43,15 +50,50 @@ pub(super) fn read(file: &mut File, place: Range<u64>) -> io::Result<ArrayD<f64>
     })
 }
 
-/// The shape of heights, and whether they are singles: type, rank and length are checked before anything of the claimed size
-/// is allocated.
-fn layout(file: &mut File, place: Range<u64>) -> io::Result<(Vec<usize>, bool)> {
+fn widened<T: ReadableElement + Copy + Into<f64>>(bytes: impl Read) -> Result<ArrayD<f64>, ReadNpyError> {
+    Ok(ArrayD::<T>::read_npy(bytes)?.mapv(Into::into))
+}
+
+/// A type of numbers.
+#[derive(Clone, Copy)]
+enum Kind {
+    F8,
+    F4,
+    I1,
+    I2,
+    I4,
+    I8,
+    U1,
+    U2,
+    U4,
+    U8,
+}
+
+impl Kind {
+    /// The type of a name in NumPy, without the order of its bytes, and how many they are.
+    fn named(name: &str) -> Option<(Self, u64)> {
+        Some(match name {
+            "f8" => (Self::F8, 8),
+            "f4" => (Self::F4, 4),
+            "i1" => (Self::I1, 1),
+            "i2" => (Self::I2, 2),
+            "i4" => (Self::I4, 4),
+            "i8" => (Self::I8, 8),
+            "u1" => (Self::U1, 1),
+            "u2" => (Self::U2, 2),
+            "u4" => (Self::U4, 4),
+            "u8" => (Self::U8, 8),
+            _ => return None,
+        })
+    }
+}
+
+/// The shape of heights and their type: type, rank and length are checked before anything of the claimed size is allocated.
+fn layout(file: &mut File, place: Range<u64>) -> io::Result<(Vec<usize>, Kind)> {
     let (header, start) = header(file, &place)?;
-    let kind = header.type_descriptor.to_string();
-    let size = match kind.trim_matches(['\'', '"', '<', '>', '=']) {
-        "f8" => 8,
-        "f4" => 4,
-        _ => return Err(malformed(format!("it holds values of type {kind}, save float64 or float32"))),
+    let name = header.type_descriptor.to_string();
+    let Some((kind, size)) = Kind::named(name.trim_matches(['\'', '"', '<', '>', '=', '|'])) else {
+        return Err(malformed(format!("it holds values of type {name}, save integers, float32 or float64")));
     };
     let rank = header.shape.len();
     if !(1..=2).contains(&rank) {
@@ -60,7 +102,7 @@ fn layout(file: &mut File, place: Range<u64>) -> io::Result<(Vec<usize>, bool)> 
     let data = place.end - start;
     let expected = header.shape.iter().try_fold(size, |product: u64, &n| product.checked_mul(n as u64));
     match expected {
-        Some(expected) if expected == data => Ok((header.shape, size == 4)),
+        Some(expected) if expected == data => Ok((header.shape, kind)),
         _ => {
             let shape = header.shape;
             Err(malformed(format!("it holds {data} bytes of data, which is not what its shape {shape:?} needs")))

@@ -1,0 +1,71 @@
+//! What a person should look at before the numbers are believed.
+
+use asperity::contact::Observables;
+use asperity::setup::Recipe;
+use asperity::surface::{Detrend, Surface};
+use std::io::{Write, stderr};
+
+/// Reduced pressures above this one are far beyond full contact, which is near 1 to 2.
+const HEAVIEST: f64 = 10.0;
+/// Steps across the period above this many rms steps are a jump. Detrended traces have some tens, periodic surfaces about 1.
+const JUMP: f64 = 10.0;
+/// Patches of fewer nodes than this are not resolved.
+const FEWEST_NODES: f64 = 4.0;
+/// Rms gradients of measured heights above this one come from a wrong unit, as they differ by thousands.
+const STEEPEST: f64 = 10.0;
+/// Spacings that differ by less than this share count as equal.
+const UNEQUAL: f64 = 0.01;
+
+/// What to look at in a surface, in sentences.
+pub fn of_surface(recipe: &Recipe, surface: &Surface) -> Vec<String> {
+    let jumps = ["y", "x"].into_iter().zip(surface.jumps());
+    let jump = |(axis, jump): (&str, f64)| {
+        let remedy = match recipe.detrend {
+            Some(Detrend::Plane) => "taper or mirror the heights, or measure a longer trace",
+            _ => "take off their tilt by --detrend plane",
+        };
+        (jump > JUMP).then(|| {
+            format!("the heights jump by {jump:.3} rms steps across the period along {axis}, where the contact is not real: {remedy}")
+        })
+    };
+    let measured = recipe.height.as_ref().map(|_| [spacing(surface), gradient(surface)]);
+    jumps.filter_map(jump).chain(measured.into_iter().flatten().flatten()).collect()
+}
+
+/// What to look at in contacts under one load after the other, in sentences.
+pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
+    let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max).map(|p| {
+        format!("the reduced pressure {p:.3e} is far above 1, where contact is nearly full: check load, modulus and their units")
+    });
+    let few = found.iter().filter(|it| it.nodes_per_patch < FEWEST_NODES).count();
+    let fewest = found.iter().map(|it| it.nodes_per_patch).fold(f64::INFINITY, f64::min);
+    let of = if found.len() > 1 { format!(" under {few} of {} loads", found.len()) } else { String::new() };
+    let coarse = (few > 0).then(|| {
+        format!("the contact patches have {fewest:.2} nodes each{of}, fewer than {FEWEST_NODES}: take more points, or smoother heights")
+    });
+    heavy.into_iter().chain(coarse).collect()
+}
+
+/// Says them on standard error.
+pub fn tell(warnings: &[String]) {
+    for warning in warnings {
+        writeln!(stderr(), "warning: {warning}").ok();
+    }
+}
+
+/// Lengths of measured surfaces that may have been swapped.
+fn spacing(surface: &Surface) -> Option<String> {
+    let [dy, dx] = surface.grid().spacing();
+    let is_unequal = !surface.grid().is_line() && (dy / dx - 1.0).abs() > UNEQUAL;
+    is_unequal.then(|| {
+        format!(
+            "the spacing is {dy:.4e} along y (rows) and {dx:.4e} along x (columns): if that is not so, give --size as y,x"
+        )
+    })
+}
+
+/// Heights that may have another unit than the size.
+fn gradient(surface: &Surface) -> Option<String> {
+    let gradient = surface.rms_gradient();
+    (gradient > STEEPEST).then(|| format!("the rms gradient is {gradient:.3e}: give heights and size in the same unit"))
+}

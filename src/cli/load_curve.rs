@@ -1,0 +1,151 @@
+//! `asperity solve` under one load after the other.
+
+use super::caution;
+use super::finding::Finding;
+#[cfg(feature = "record")]
+use super::load_recording::CurveRecording;
+use super::outcome::Outcome;
+use super::output::{write_json, write_rows};
+use super::outputs::Outputs;
+use super::plan;
+use super::progress::Progress;
+use super::solve::settle;
+use super::subject::Subject;
+use super::wrote::wrote;
+use anyhow::Result;
+use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads};
+use asperity::files::{write_beside, write_csv};
+use asperity::setup::Table;
+use asperity::study::LoadCurve;
+use serde::Serialize;
+use std::io::{self, Write, stdout};
+
+/// Everything that a script may want to know about contacts under one load after the other, and the setup that repeats them.
+#[derive(Serialize)]
+struct Summary {
+    #[serde(flatten)]
+    subject: Subject,
+    loads: Vec<Finding>,
+    warnings: Vec<String>,
+    setup: Table,
+}
+
+/// A row of the table, before its observables.
+#[derive(Serialize)]
+struct Row {
+    /// Number of the load, from 1.
+    load: usize,
+    status: Status,
+}
+
+/// What came out under the loads.
+struct Pressed {
+    findings: Vec<Finding>,
+    /// The contacts, if their fields are to be written.
+    contacts: Vec<Contact>,
+    outcome: Outcome,
+}
+
+/// Solves the contacts of a curve, and writes and prints them.
+pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome> {
+    #[cfg(feature = "record")]
+    if outputs.live {
+        return super::outcome::usage("--live shows the steps under one load: give one, or --record FILE.rrd instead");
+    }
+    let loads = curve.loads.len();
+    let archived = outputs.archive().map_or(0, |_| loads);
+    let cost = curve.setup.cost(outputs.recording().is_some(), archived)?;
+    outputs.check()?;
+    if is_dry {
+        plan::write(&curve.setup, &cost, Some(loads), outputs.recording().is_some(), &mut stdout())?;
+        return Ok(Outcome::Done);
+    }
+    cost.check(curve.setup.solver.name())?;
+    let problem = curve.problem()?;
+    let pressed = press(curve, &problem, outputs)?;
+    let outcome = pressed.outcome;
+    write(curve, &problem, pressed, outputs)?;
+    Ok(outcome)
+}
+
+/// Solves and records the contacts.
+fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pressed> {
+    #[cfg(feature = "record")]
+    let recording = CurveRecording::begin(curve, problem, outputs)?;
+    let mut pressed = Pressed { findings: Vec::new(), contacts: Vec::new(), outcome: Outcome::Done };
+    let title = |number: usize| format!("load {} of {}", number + 1, curve.loads.len());
+    curve.press(
+        problem,
+        |number| Progress::new(&title(number)),
+        |number, contact| -> Result<()> {
+            pressed.outcome = pressed.outcome.max(settle(contact)?);
+            let finding = Finding::of(&curve.setup, contact);
+            #[cfg(feature = "record")]
+            recording.iter().try_for_each(|recording| recording.add(number, contact, &finding.observables))?;
+            pressed.findings.push(finding);
+            pressed.contacts.extend(outputs.archive().map(|_| contact.clone()));
+            Ok(())
+        },
+    )?;
+    #[cfg(feature = "record")]
+    recording.map_or(Ok(()), CurveRecording::finish)?;
+    Ok(pressed)
+}
+
+/// Writes and prints what came out.
+fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outputs) -> Result<()> {
+    let (subject, setup) = (Subject::of(&curve.setup, problem)?, curve.to_table());
+    let Pressed { findings, contacts, .. } = pressed;
+    if let Some(path) = outputs.archive() {
+        let bytes = archive_of_loads(&contacts, subject.rank, &setup.to_toml());
+        write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
+    }
+    if let Some(path) = outputs.table() {
+        let row = |(i, it): (usize, &Finding)| (Row { load: i + 1, status: it.status }, it.observables);
+        write_csv(path, findings.iter().enumerate().map(row))?;
+    }
+    if let Some(path) = &outputs.save_setup {
+        setup.write(path)?;
+    }
+    let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
+    let mut warnings = caution::of_surface(&curve.setup.surface, problem.surface());
+    warnings.extend(caution::of_contacts(&observables));
+    let summary = Summary { subject, loads: findings, warnings, setup };
+    if outputs.json {
+        write_json(&summary, &mut stdout())?
+    } else {
+        summary.write_text(&mut stdout())?
+    }
+    caution::tell(&summary.warnings);
+    outputs.files().for_each(wrote);
+    Ok(())
+}
+
+impl Summary {
+    /// Writes the summary for reading.
+    fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
+        let loads = self.loads.len();
+        writeln!(out, "{}: {loads} loads, kappa and kappa_r by the corrected area", self.subject.line())?;
+        write_rows(self.subject.rows(), out)?;
+        writeln!(
+            out,
+            "\n{:>12} {:>12} {:>12} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9}",
+            "p*", "pressure", "mean gap", "area", "corrected", "kappa", "kappa_r", "patches", "eta"
+        )?;
+        self.loads.iter().try_for_each(|Finding { observables: it, .. }| {
+            writeln!(
+                out,
+                "{:>12.4e} {:>12.4e} {:>12.4e} {:>9.5} {:>9.5} {:>8.4} {:>8.4} {:>8} {:>9.1e}",
+                it.reduced_pressure,
+                it.mean_pressure,
+                it.mean_gap,
+                it.relative_area,
+                it.relative_area_corrected,
+                it.kappa_corrected,
+                it.kappa_r_corrected,
+                it.patches,
+                it.certificate
+            )
+        })
+    }
+}

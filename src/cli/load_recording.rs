@@ -1,0 +1,65 @@
+//! The recording of contacts under one load after the other.
+
+use super::outputs::Outputs;
+use anyhow::Result;
+use asperity::contact::{Contact, Load, Observables, Problem};
+use asperity::plot::Colour;
+use asperity::record::{Curve, LoadRecording, Loads, Options, Scene};
+use asperity::setup::Setup;
+use asperity::study::LoadCurve;
+
+/// A curve over the loads: its view, name and colour, and its value.
+type LoadTrace = (&'static str, &'static str, Colour, fn(&Observables) -> f64);
+
+const AREA: &str = "Relative area";
+const KAPPA: &str = "kappa_r and kappa";
+const GAP: &str = "Mean gap over rms height";
+
+const CURVES: [LoadTrace; 4] = [
+    (AREA, "a_rel", Colour::SKY, |it| it.relative_area_corrected),
+    (KAPPA, "kappa_r", Colour::ORANGE, |it| it.kappa_r_corrected),
+    (KAPPA, "kappa", Colour::SKY, |it| it.kappa_corrected),
+    (GAP, "<g> / h_rms", Colour::ORANGE, |it| it.mean_gap_over_rms_height),
+];
+
+/// The recording of contacts under one load after the other, on its way into a file.
+pub struct CurveRecording(LoadRecording);
+
+impl CurveRecording {
+    /// Begins the recording that is asked for, if one is, with room for the contact of `problem`, the heaviest.
+    pub fn begin(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Option<Self>> {
+        let Some(path) = outputs.recording() else { return Ok(None) };
+        let setup = Setup { load: problem.load(), ..curve.setup.clone() };
+        let scene = Scene { exact: None, ..Scene::of(&setup, problem) };
+        let loads = Loads {
+            title: format!("{}, {} loads", scene.title, curve.loads.len()),
+            description: format!("{}, each load from the contact before.", curve.setup.surface.description()),
+            captions: curve.loads.iter().map(caption).collect(),
+            curves: CURVES
+                .map(|(view, name, colour, _)| Curve { view: view.into(), name: name.into(), colour: colour.0 })
+                .into(),
+            figure: None,
+            scenes: &[scene],
+        };
+        Ok(Some(Self(LoadRecording::create(path, &loads, Options::from(&curve.setup.record))?)))
+    }
+
+    /// Records the contact under load number `load`, from 0.
+    pub fn add(&self, load: usize, contact: &Contact, observables: &Observables) -> Result<()> {
+        self.0.values(load, &CURVES.map(|(.., of)| of(observables)))?;
+        Ok(self.0.contact(0, load, contact)?)
+    }
+
+    /// Ends the file.
+    pub fn finish(self) -> Result<()> {
+        Ok(self.0.finish()?)
+    }
+}
+
+fn caption(load: &Load) -> String {
+    match load {
+        Load::ReducedPressure(pressure) => format!("p* = {pressure:.3e}"),
+        Load::MeanPressure(pressure) => format!("p = {pressure:.3e}"),
+        Load::MeanGap(gap) => format!("mean gap = {gap:.3e}"),
+    }
+}

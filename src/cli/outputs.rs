@@ -1,0 +1,72 @@
+//! The files that a solve writes.
+
+use asperity::error::FileError;
+use asperity::files::check_named;
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// Endings of the names of the files.
+const RECORDING: &[&str] = &["rrd"];
+const RESULT: &[&str] = &["npz", "csv"];
+const SCENE: &[&str] = &["toml"];
+
+#[derive(Args)]
+#[command(next_help_heading = "Output")]
+#[cfg_attr(feature = "record", command(group = clap::ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
+pub struct Outputs {
+    /// Record every relaxation step, or the contact under each of several loads, for the Rerun viewer
+    #[cfg(feature = "record")]
+    #[arg(long, value_name = "FILE.rrd")]
+    pub record: Option<PathBuf>,
+    /// Show the steps in the installed Rerun viewer while they are made
+    #[cfg(feature = "record")]
+    #[arg(long)]
+    pub live: bool,
+    /// Write the fields, the numbers and the setup (.npz), or a table (.csv): of the nodes of a line, or of several loads
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Write what was solved as a scene, all numbers to the last bit
+    #[arg(long, value_name = "SCENE.toml")]
+    pub save_setup: Option<PathBuf>,
+    /// Print one JSON object instead of a summary
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl Outputs {
+    /// The recording.
+    pub fn recording(&self) -> Option<&Path> {
+        #[cfg(feature = "record")]
+        {
+            self.record.as_deref()
+        }
+        #[cfg(not(feature = "record"))]
+        None
+    }
+
+    /// The table, if one is asked for.
+    pub fn table(&self) -> Option<&Path> {
+        self.out.as_deref().filter(|path| has_ending(path, "csv"))
+    }
+
+    /// The archive, if one is asked for.
+    pub fn archive(&self) -> Option<&Path> {
+        self.out.as_deref().filter(|path| has_ending(path, "npz"))
+    }
+
+    /// The files to write, in their order.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        [self.recording(), self.out.as_deref(), self.save_setup.as_deref()].into_iter().flatten()
+    }
+
+    /// Refuses places where nothing can be written, and names that promise another content.
+    pub fn check(&self) -> Result<(), FileError> {
+        let (out, setup) = (self.out.as_deref(), self.save_setup.as_deref());
+        let named = [(self.recording(), RECORDING), (out, RESULT), (setup, SCENE)];
+        named.into_iter().try_for_each(|(path, endings)| path.map_or(Ok(()), |path| check_named(path, endings)))
+    }
+}
+
+fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|given| given.eq_ignore_ascii_case(ending))
+}

@@ -1,0 +1,81 @@
+//! What was solved, however heavy the load.
+
+use asperity::contact::Problem;
+use asperity::error::SetupError;
+use asperity::setup::{Method, Setup};
+use serde::Serialize;
+
+/// What was solved: surface, grid, solid and solver.
+#[derive(Serialize)]
+pub struct Subject {
+    /// The parts of the surface, such as a file, in words.
+    pub source: String,
+    pub points: Vec<usize>,
+    pub size: Vec<f64>,
+    /// Distances of rows and columns, or of the nodes of a line.
+    pub spacing: Vec<f64>,
+    /// Jumps across the period along the same axes, in rms steps.
+    pub jump: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
+    pub contact_modulus: f64,
+    pub prescribed: &'static str,
+    /// The solver with all its settings.
+    pub solver: Method,
+    #[serde(skip)]
+    pub title: String,
+    #[serde(skip)]
+    solid: String,
+    /// Axes of the arrays outside.
+    #[serde(skip)]
+    pub rank: usize,
+}
+
+impl Subject {
+    /// The subject of a setup and its problem.
+    pub fn of(setup: &Setup, problem: &Problem) -> Result<Self, SetupError> {
+        let (surface, rank) = (problem.surface(), setup.surface.rank(&setup.grid)?);
+        let (grid, outer) = (surface.grid(), 2 - rank.min(2));
+        Ok(Self {
+            source: setup.surface.description(),
+            points: grid.shape()[outer..].into(),
+            size: grid.size()[outer..].into(),
+            spacing: grid.spacing()[outer..].into(),
+            jump: surface.jumps()[outer..].into(),
+            seed: surface.seed(),
+            contact_modulus: problem.contact_modulus(),
+            prescribed: problem.load().name(),
+            solver: setup.solver,
+            title: setup.surface.title(grid),
+            solid: setup.solid.map_or("none given: pressures are over it".into(), |solid| solid.description()),
+            rank,
+        })
+    }
+
+    /// Surface, points and solver in one line.
+    pub fn line(&self) -> String {
+        let points: Vec<String> = self.points.iter().map(usize::to_string).collect();
+        format!("{}, {} points, by {}", self.title, points.join(" x "), self.solver.name())
+    }
+
+    /// Names and values for reading.
+    pub fn rows(&self) -> Vec<(String, String)> {
+        let rows = [
+            ("source", self.source.clone()),
+            ("spacing", along_axes(&self.spacing, |length| format!("{length:.6e}"))),
+            ("jump across the period", format!("{} rms steps", along_axes(&self.jump, |jump| format!("{jump:.3}")))),
+            ("contact modulus E*", format!("{:.6e} ({})", self.contact_modulus, self.solid)),
+            ("solver", self.solver.solver().settings()),
+            ("prescribed", self.prescribed.to_owned()),
+        ];
+        rows.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+    }
+}
+
+/// One value, or two of the rows and the columns.
+pub fn along_axes(values: &[f64], word: impl Fn(f64) -> String) -> String {
+    match *values {
+        [y, x] => format!("y {} (rows), x {} (columns)", word(y), word(x)),
+        _ => values.iter().copied().map(word).collect(),
+    }
+}

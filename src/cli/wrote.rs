@@ -1,0 +1,29 @@
+//! What was written, and how to open it.
+
+use std::io::{Write, stderr};
+use std::path::Path;
+
+/// Says on standard error that a file was written, and how it is opened.
+pub fn wrote(path: &Path) {
+    writeln!(stderr(), "wrote {}: {}", path.display(), opened(path)).ok();
+}
+
+/// The way to open a file by its ending.
+fn opened(path: &Path) -> String {
+    let (name, word) = (path.display().to_string(), word(path));
+    match path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).as_deref() {
+        Some("rrd") if cfg!(feature = "explore") => format!("asperity view {word}"),
+        Some("rrd") => format!("rerun {word}"),
+        Some("toml") => format!("asperity solve {word}"),
+        Some("npy" | "npz") => format!("numpy.load({name:?}) in Python"),
+        Some("csv") => format!("pandas.read_csv({name:?}) in Python, or any spreadsheet"),
+        _ => "a folder of tables, figures and recordings".into(),
+    }
+}
+
+/// A path as one word of a shell.
+fn word(path: &Path) -> String {
+    let name = path.display().to_string();
+    let is_plain = |c: char| c.is_alphanumeric() || "._-+/\\:".contains(c);
+    if name.chars().all(is_plain) { name } else { format!("'{}'", name.replace('\'', r"'\''")) }
+}

@@ -1,0 +1,85 @@
+//! Lists of loads in setups.
+
+use super::text::{Table, wrong_load};
+use crate::contact::Load;
+use crate::error::{ProblemError, SetupError};
+use serde::Deserialize;
+
+impl Table {
+    /// Takes a list of loads out of the section `load` and leaves the first of them there; none where there is a single load or
+    /// none. A list such as `[1e5, "1 MPa"]` holds loads, and ranges such as `"1e-3..1e-1:13"`, of 13 loads that are evenly
+    /// spaced in their logarithm.
+    ///
+    /// ```
+    /// use asperity::contact::Load;
+    /// use asperity::setup::Table;
+    /// let mut table = Table::from_toml("load.reduced-pressure = [1e-4, '1e-3..1e-1:3']")?;
+    /// let loads = table.take_loads()?.expect("a list is there");
+    /// assert_eq!(loads, [1e-4, 1e-3, 1e-2, 1e-1].map(Load::ReducedPressure));
+    /// assert!(table.take_loads()?.is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// For an empty list, and for what is no load or range.
+    pub fn take_loads(&mut self) -> Result<Option<Vec<Load>>, SetupError> {
+        let section = self.find("load").and_then(toml::Value::as_table).filter(|section| section.len() == 1);
+        let Some((kind, value)) = section.and_then(|section| section.iter().next()) else { return Ok(None) };
+        let words = match value {
+            toml::Value::Array(words) => words.clone(),
+            toml::Value::String(text) if text.contains("..") => vec![value.clone()],
+            _ => return Ok(None),
+        };
+        let kind = kind.clone();
+        let loads = words.iter().map(|word| expanded(&kind, word)).collect::<Result<Vec<_>, _>>()?.concat();
+        let Some(first) = loads.first() else {
+            return Err(wrong_load("the list is empty: give at least one load".into()));
+        };
+        self.lay(&format!("load.{kind}"), first.value().into());
+        Ok(Some(loads))
+    }
+
+    /// Lays a list of loads, all of the kind of the first one, over the section `load`.
+    pub fn lay_loads(&mut self, loads: &[Load]) {
+        let Some(first) = loads.first() else { return };
+        let named = toml::Table::try_from(first).expect("a load has a form in TOML");
+        let values: Vec<toml::Value> = loads.iter().map(|load| load.value().into()).collect();
+        self.remove("load");
+        named.keys().for_each(|kind| self.lay(&format!("load.{kind}"), values.clone().into()));
+    }
+}
+
+/// The loads that a word of a list stands for.
+fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
+    let Some((first, rest)) = word.as_str().and_then(|text| text.split_once("..")) else {
+        return Ok(vec![load(kind, word.clone())?]);
+    };
+    let wrong = || {
+        let text = word.as_str().unwrap_or_default();
+        wrong_load(format!("`{text}` is no range: write first..last:number, such as 1e-3..1e-1:13"))
+    };
+    let (last, count) = rest.rsplit_once(':').ok_or_else(wrong)?;
+    let count: u32 = count.trim().parse().ok().filter(|count| *count > 1).ok_or_else(wrong)?;
+    let end = |end: &str| if end.is_empty() { Err(wrong()) } else { load(kind, super::command::value(end)) };
+    let (first, last) = (end(first.trim())?, end(last.trim())?);
+    let step = (last.value() / first.value()).ln() / f64::from(count - 1);
+    let inner = (1..count - 1).map(|i| first.with_value(first.value() * (f64::from(i) * step).exp()));
+    Ok([first].into_iter().chain(inner).chain([last]).collect())
+}
+
+/// The load of a kind and a number, which must be positive.
+fn load(kind: &str, value: toml::Value) -> Result<Load, SetupError> {
+    #[derive(Deserialize)]
+    struct Part {
+        load: Load,
+    }
+    let mut table = Table::default();
+    table.lay(&format!("load.{kind}"), value);
+    let Part { load } = table.read_as()?;
+    let value = load.value();
+    if value.is_finite() && value > 0.0 {
+        Ok(load)
+    } else {
+        Err(ProblemError::NotPositive { name: load.name(), value }.into())
+    }
+}

@@ -1,0 +1,62 @@
+//! Lists that may be a single value.
+
+use crate::quantity;
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{Deserialize, Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
+use serde::{Serialize, Serializer};
+use std::fmt;
+use std::marker::PhantomData;
+
+struct OneOrMore<T>(PhantomData<T>);
+
+/// Visits of a single value.
+macro_rules! one {
+    ($($visit:ident: $type:ty),+) => {
+        $(fn $visit<E: Error>(self, value: $type) -> Result<Vec<T>, E> {
+            T::deserialize(value.into_deserializer()).map(|value| vec![value])
+        })+
+    };
+}
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrMore<T> {
+    type Value = Vec<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("one value, or a list of them")
+    }
+
+    one!(visit_i64: i64, visit_u64: u64, visit_f64: f64, visit_str: &str);
+
+    fn visit_seq<A: SeqAccess<'de>>(self, values: A) -> Result<Vec<T>, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(values))
+    }
+}
+
+/// Reads a list, or a single value.
+pub fn deserialize<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<Vec<T>, D::Error> {
+    from.deserialize_any(OneOrMore(PhantomData))
+}
+
+/// Writes a list, that of one value as the value.
+pub fn serialize<S: Serializer, T: Serialize>(values: &[T], into: S) -> Result<S::Ok, S::Error> {
+    match values {
+        [one] => one.serialize(into),
+        more => more.serialize(into),
+    }
+}
+
+/// Reads a list of lengths, or a single one.
+pub fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    #[derive(serde::Deserialize)]
+    #[serde(transparent)]
+    struct Length(#[serde(deserialize_with = "quantity::length")] f64);
+    Ok(deserialize::<_, Length>(from)?.into_iter().map(|Length(length)| length).collect())
+}
+
+/// Reads a list of pressures, or a single one.
+pub fn pressures<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    #[derive(serde::Deserialize)]
+    #[serde(transparent)]
+    struct Pressure(#[serde(deserialize_with = "quantity::pressure")] f64);
+    Ok(deserialize::<_, Pressure>(from)?.into_iter().map(|Pressure(pressure)| pressure).collect())
+}

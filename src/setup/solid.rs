@@ -1,0 +1,122 @@
+//! The elastic solid.
+
+use super::one_or_more;
+use crate::error::SolidError;
+use crate::quantity;
+use serde::{Deserialize, Deserializer, Serialize};
+
+/// The elastic solid: its contact modulus, or the elastic constants that make one.
+///
+/// ```
+/// use asperity::setup::{Body, Solid};
+/// let (steel, glass) = (Body { young: 210e9, poisson: 0.3 }, Body { young: 70e9, poisson: 0.22 });
+/// // 1/E* = sum (1 - nu^2)/E over both bodies
+/// assert_eq!(Solid::Bodies(steel, None).contact_modulus()?, 210e9 / (1.0 - 0.09));
+/// assert!(Solid::Bodies(steel, Some(glass)).contact_modulus()? < 70e9);
+/// assert_eq!(Solid::ContactModulus(1e9).contact_modulus()?, 1e9);
+/// # Ok::<(), asperity::error::SolidError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Keys", into = "Keys")]
+pub enum Solid {
+    /// The contact modulus `E*`, a pressure.
+    ContactModulus(f64),
+    /// One elastic body against a rigid one, or two elastic bodies.
+    Bodies(Body, Option<Body>),
+}
+
+/// The elastic constants of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body {
+    /// Young's modulus `E`, a pressure.
+    pub young: f64,
+    /// Poisson's ratio `nu`, above -1 and at most 1/2.
+    pub poisson: f64,
+}
+
+impl Solid {
+    /// The contact modulus `E*`, of bodies by `1/E* = sum (1 - nu^2)/E`.
+    ///
+    /// # Errors
+    /// For elastic constants that no body has. The contact modulus itself is checked where the problem is posed.
+    pub fn contact_modulus(&self) -> Result<f64, SolidError> {
+        match *self {
+            Self::ContactModulus(modulus) => Ok(modulus),
+            Self::Bodies(first, None) => Ok(first.compliance()?.recip()),
+            Self::Bodies(first, Some(second)) => Ok((first.compliance()? + second.compliance()?).recip()),
+        }
+    }
+
+    /// The solid in words.
+    pub fn description(&self) -> String {
+        let words = |Body { young, poisson }: Body| format!("E {young:e}, nu {poisson}");
+        match *self {
+            Self::ContactModulus(_) => "given".into(),
+            Self::Bodies(one, None) => format!("of one elastic body, {}", words(one)),
+            Self::Bodies(one, Some(other)) => format!("of two elastic bodies, {} and {}", words(one), words(other)),
+        }
+    }
+}
+
+impl Body {
+    /// `(1 - nu^2)/E`.
+    fn compliance(&self) -> Result<f64, SolidError> {
+        let Self { young, poisson } = *self;
+        if !(young.is_finite() && young > 0.0) {
+            return Err(SolidError::Young { young });
+        }
+        if !(poisson > -1.0 && poisson <= 0.5) {
+            return Err(SolidError::Poisson { poisson });
+        }
+        Ok((1.0 - poisson * poisson) / young)
+    }
+}
+
+/// The keys of the section `solid`.
+#[derive(Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case", expecting = "a section for the Solid")]
+struct Keys {
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_pressure")]
+    contact_modulus: Option<f64>,
+    #[serde(
+        skip_serializing_if = "Vec::is_empty",
+        serialize_with = "one_or_more::serialize",
+        deserialize_with = "one_or_more::pressures"
+    )]
+    young: Vec<f64>,
+    #[serde(skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
+    poisson: Vec<f64>,
+}
+
+fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    quantity::pressure(from).map(Some)
+}
+
+impl TryFrom<Keys> for Solid {
+    type Error = SolidError;
+
+    fn try_from(Keys { contact_modulus, young, poisson }: Keys) -> Result<Self, SolidError> {
+        let body = |i: usize| Body { young: young[i], poisson: poisson[i] };
+        match (contact_modulus, young.len(), poisson.len()) {
+            (Some(modulus), 0, 0) => Ok(Self::ContactModulus(modulus)),
+            (Some(_), ..) => Err(SolidError::Both),
+            (None, 0, 0) => Err(SolidError::Nothing),
+            (None, 1, 1) => Ok(Self::Bodies(body(0), None)),
+            (None, 2, 2) => Ok(Self::Bodies(body(0), Some(body(1)))),
+            (None, young, poisson) => Err(SolidError::Bodies { young, poisson }),
+        }
+    }
+}
+
+impl From<Solid> for Keys {
+    fn from(solid: Solid) -> Self {
+        match solid {
+            Solid::ContactModulus(modulus) => Self { contact_modulus: Some(modulus), ..Self::default() },
+            Solid::Bodies(first, second) => {
+                let bodies = || [Some(first), second].into_iter().flatten();
+                let [young, poisson] = [bodies().map(|it| it.young).collect(), bodies().map(|it| it.poisson).collect()];
+                Self { young, poisson, ..Self::default() }
+            }
+        }
+    }
+}

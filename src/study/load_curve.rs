@@ -1,0 +1,86 @@
+//! A contact under one load after the other.
+
+use crate::contact::{Contact, Load, Observer, Problem};
+use crate::error::{SetupError, StudyError};
+use crate::setup::{Setup, Table};
+use crate::surface::Field;
+
+/// A contact under one load after the other, each solved from the contact before.
+///
+/// ```
+/// use asperity::contact::Load;
+/// use asperity::setup::{Cell, Recipe, Setup};
+/// use asperity::{Indenter, study::LoadCurve};
+///
+/// let cylinder = Recipe::indenter(Indenter::Cylinder { radius: 1.0 });
+/// let loads = [0.001, 0.002, 0.004].map(Load::ReducedPressure);
+/// let setup = Setup::new(cylinder, Cell::line(1024, 4.0), loads[0]);
+/// let curve = LoadCurve { setup, loads: loads.into() }.and_back();
+/// let mut areas = Vec::new();
+/// curve.press(&curve.problem()?, |_| (), |_, contact| {
+///     areas.push(contact.measures().relative_area);
+///     Ok::<(), asperity::error::StudyError>(())
+/// })?;
+/// assert!(areas[0] < areas[1] && areas[1] < areas[2]);
+/// // without friction and adhesion there is no hysteresis
+/// assert_eq!(areas[..2], [areas[4], areas[3]]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadCurve {
+    /// The contact, whose own load does not count.
+    pub setup: Setup,
+    /// Loads in the order in which they are applied.
+    pub loads: Vec<Load>,
+}
+
+impl LoadCurve {
+    /// The curve that goes back through the same loads after the last one.
+    pub fn and_back(mut self) -> Self {
+        let back: Vec<Load> = self.loads.iter().rev().skip(1).copied().collect();
+        self.loads.extend(back);
+        self
+    }
+
+    /// The setup with its list of loads.
+    pub fn to_table(&self) -> Table {
+        let mut table = self.setup.clone().with_full_path().to_table();
+        table.lay_loads(&self.loads);
+        table
+    }
+
+    /// The problem under the heaviest of the loads, all of which are checked.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::problem`], under any of the loads.
+    pub fn problem(&self) -> Result<Problem, SetupError> {
+        let any = self.setup.problem()?;
+        let under = |load: &Load| any.clone().with_load(*load);
+        let all = self.loads.iter().map(under).collect::<Result<Vec<_>, _>>()?;
+        let heaviest = all.into_iter().max_by(|a, b| a.expected_mean_pressure().total_cmp(&b.expected_mean_pressure()));
+        Ok(heaviest.unwrap_or(any))
+    }
+
+    /// Solves `problem` under one load after the other. `watch` makes the observer of each load and `each` sees each contact, both
+    /// by the number of the load, from 0.
+    ///
+    /// # Errors
+    /// For loads that cannot be, and those of `each`. What did not converge is shown all the same.
+    pub fn press<O: Observer, E: From<StudyError>>(
+        &self,
+        problem: &Problem,
+        mut watch: impl FnMut(usize) -> O,
+        mut each: impl FnMut(usize, &Contact) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut start: Option<Field> = None;
+        for (number, &load) in self.loads.iter().enumerate() {
+            let problem = problem.clone().with_load(load).map_err(SetupError::from).map_err(StudyError::from)?;
+            let (solver, stop) = (self.setup.solver.solver(), &self.setup.stop);
+            let contact = solver.solve_from(start.as_ref(), &problem, stop, &mut watch(number));
+            let contact = contact.map_err(StudyError::from)?;
+            each(number, &contact)?;
+            start = Some(contact.pressure);
+        }
+        Ok(())
+    }
+}

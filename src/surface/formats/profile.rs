@@ -1,0 +1,53 @@
+//! Profiles given as pairs of position and height.
+
+use super::format::malformed;
+use crate::grid::Grid;
+use ndarray::{ArrayD, ArrayView1, Axis, Ix2};
+use std::io;
+
+/// The largest deviation from an even spacing, as a share of it: what positions of three digits come to.
+const TOLERANCE: f64 = 0.1;
+
+/// The heights of an array. One of two columns or two rows, which no surface has, holds positions and heights of a profile.
+///
+/// # Errors
+/// For positions that are not evenly spaced.
+pub(super) fn heights(array: ArrayD<f64>) -> io::Result<ArrayD<f64>> {
+    let pairs = match *array.shape() {
+        [n, 2] if n >= Grid::MIN_POINTS => Axis(1),
+        [2, n] if n >= Grid::MIN_POINTS => Axis(0),
+        _ => return Ok(array),
+    };
+    let pairs_in = array.into_dimensionality::<Ix2>().map_err(|error| malformed(error.to_string()))?;
+    check(pairs_in.index_axis(pairs, 0))?;
+    Ok(pairs_in.index_axis(pairs, 1).to_owned().into_dyn())
+}
+
+/// The shape of the heights in an array of some shape.
+pub(super) fn shape(shape: Vec<usize>) -> Vec<usize> {
+    match *shape {
+        [n, 2] | [2, n] if n >= Grid::MIN_POINTS => vec![n],
+        _ => shape,
+    }
+}
+
+/// Refuses positions that are not evenly spaced.
+fn check(position: ArrayView1<f64>) -> io::Result<()> {
+    let (first, last) = (position[0], position[position.len() - 1]);
+    let spacing = (last - first) / (position.len() - 1) as f64;
+    let is_off = |(i, x): (usize, &f64)| {
+        let off = (x - first - i as f64 * spacing).abs();
+        (off.is_nan() || off > TOLERANCE * spacing.abs()).then_some((i, *x))
+    };
+    match position.iter().enumerate().find_map(is_off) {
+        None if spacing != 0.0 => Ok(()),
+        None => Err(malformed(format!(
+            "its first column or row, of positions, is {first:?} throughout: give the heights alone"
+        ))),
+        Some((i, x)) => Err(malformed(format!(
+            "it holds pairs of position and height, and the position {x:?} in place {} is not evenly spaced between {first:?} and \
+             {last:?}: interpolate the heights at even positions, and give the heights alone",
+            i + 1
+        ))),
+    }
+}
