@@ -211,6 +211,24 @@ fn a_scene_records_only_what_it_shows() {
 }
 
 #[test]
+fn exact_pressure_lies_in_dashes_over_everything_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.rrd");
+    let problem = cylinder();
+    let exact = Exact::of(&Indenter::Cylinder { radius: 1.0 }, problem.surface().grid(), 1.0, 0.01);
+    record(&path, &problem, &PolonskyKeer, exact, None);
+    let order = |name: &str| {
+        let order = rerun::LineStrips2D::descriptor_draw_order();
+        rows::<rerun::components::DrawOrder>(&path, &format!("/it/{name}"), order)[0].1[0].0.0
+    };
+    let others = ["pressure/curves/pressure", "contact", "pressure/axes/lines"].map(order);
+    assert!(others.into_iter().all(|other| order("pressure/curves/exact") > other), "{others:?}");
+    let exact = rerun::LineStrips2D::descriptor_strips();
+    let dashes = rows::<rerun::components::LineStrip2D>(&path, "/it/pressure/curves/exact", exact).remove(0).1;
+    assert!(dashes.len() > 20, "{} dashes", dashes.len());
+}
+
+#[test]
 fn lines_have_no_mesh_and_surfaces_no_profile() {
     let line = Parts::on(&Grid::line(4, 1.0).unwrap());
     let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
@@ -409,7 +427,7 @@ fn coarse_grids_of_a_surface_are_drawn_in_place() {
     });
     let words = rows::<rerun::components::Text>(&path, "/it/caption", rerun::Points2D::descriptor_labels());
     let frames: Vec<(String, Vec<f32>)> = words.iter().map(|(_, words)| words[0].to_string()).zip(images).collect();
-    for (stride, level) in [(4, "level 2: 8 x 12,"), (2, "level 1: 16 x 24,"), (1, "level 0: 32 x 48,")] {
+    for (stride, level) in [(4, "8 x 12,"), (2, "16 x 24,"), (1, "32 x 48,")] {
         let contact = PolonskyKeer.solve(&coarse(&problem, stride), &Stop::default(), &mut ()).unwrap();
         let (_, image) = frames.iter().rfind(|(words, _)| words.starts_with(level)).unwrap();
         let highest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
@@ -420,7 +438,7 @@ fn coarse_grids_of_a_surface_are_drawn_in_place() {
             assert!((pixel - scale * pressure).abs() <= 1e-6 * highest_pixel, "{pixel} at {y}, {x} of every {stride}");
         }
     }
-    assert!(frames.last().unwrap().0.starts_with("level 0"));
+    assert!(frames.last().unwrap().0.starts_with("32 x 48"));
     let positions = rerun::Mesh3D::descriptor_vertex_positions();
     let meshes = rows::<rerun::components::Position3D>(&path, "/it/relief/solid", positions);
     let columns = |mesh: &[rerun::components::Position3D]| {

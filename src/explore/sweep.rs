@@ -7,7 +7,7 @@ use super::session::Turn;
 use crate::contact::{Contact, Each, Failure, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
 use crate::plot::Colour;
-use crate::record::{Curve, LoadRecording, Loads, Options, Output, Scene};
+use crate::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Output, Scene};
 use crate::setup::{Part, Setup};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
@@ -21,24 +21,26 @@ const FULL: f64 = 0.9999;
 /// Below so many nodes in contact the numbers mean little.
 const FEWEST_NODES: usize = 4;
 
-/// A curve of the recording: its view, name and colour, and its value at a point.
-type PointCurve = (&'static str, &'static str, Colour, fn(&SweepPoint) -> f64);
+/// A curve of the recording: its view, name, kind and colour, and its value at a point.
+type PointCurve = (&'static str, &'static str, CurveKind, Colour, fn(&SweepPoint) -> f64);
 
-const AREA: &str = "Relative area, 12 loads a decade from p* = 1e-4";
-const KAPPA: &str = "kappa_r and kappa over the same loads";
+const AREA: &str = "Relative area a_rel";
+const KAPPA: &str = "kappa_r and kappa";
 const GREY: Colour = Colour([0x80; 3]);
 
 /// Curves of every sweep, and behind them those of an exact solution.
 const CURVES: [PointCurve; 5] = [
-    (AREA, "a_rel", Colour::SKY, |point| point.observables.relative_area_corrected),
-    (AREA, "Persson", GREY, |point| point.persson),
-    (KAPPA, "kappa_r", Colour::ORANGE, |point| point.observables.kappa_r_corrected),
-    (KAPPA, "kappa", Colour::SKY, |point| point.observables.kappa_corrected),
-    (KAPPA, "Persson", GREY, |point| point.persson / point.observables.reduced_pressure),
+    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.relative_area_corrected),
+    (AREA, "Persson", CurveKind::Theory, GREY, |point| point.persson),
+    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| point.observables.kappa_r_corrected),
+    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.kappa_corrected),
+    (KAPPA, "Persson", CurveKind::Theory, GREY, |point| point.persson / point.observables.reduced_pressure),
 ];
 const EXACT: [PointCurve; 2] = [
-    (AREA, "exact", Colour::BLACK, |point| point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)),
-    (KAPPA, "exact kappa_r", Colour::BLACK, |point| {
+    (AREA, "exact", CurveKind::Exact, Colour::GREEN, |point| {
+        point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)
+    }),
+    (KAPPA, "exact kappa_r", CurveKind::Exact, Colour::GREEN, |point| {
         point.exact.as_ref().and_then(|exact| exact.kappa_r).unwrap_or(f64::NAN)
     }),
 ];
@@ -105,10 +107,16 @@ fn record(
     let loads = Loads {
         title: title.clone(),
         description: format!("{description}, each load from the contact before, until contact is full."),
+        axis: LoadAxis::log("p*", loads.to_vec()),
         captions: loads.iter().map(|load| format!("p* = {load:.3e}")).collect(),
         curves: curves
             .iter()
-            .map(|&(view, name, colour, _)| Curve { view: view.into(), name: name.into(), colour: colour.0 })
+            .map(|&(view, name, kind, colour, _)| Curve {
+                view: view.into(),
+                name: name.into(),
+                colour: colour.0,
+                kind,
+            })
             .collect(),
         figure: None,
         scenes: &[Scene { title, exact: None, ..Scene::of(setup, problem) }],

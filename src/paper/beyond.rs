@@ -4,7 +4,7 @@ use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::smooth::{LINE, PERIOD, loads, narrow, realisation, widths};
 use super::verdict::Verdict;
-use crate::plot::{Axis, Colour, Mark, Panel, Symbol};
+use crate::plot::{Axis, Colour, Mark, Panel, Scale, Symbol};
 use crate::setup::Cell;
 use crate::study::Realisation;
 use crate::surface::Indenter;
@@ -56,15 +56,16 @@ pub fn reproduce(points: &Points) -> Reproduction {
     verdicts.extend(half.map(|row| Verdict::exact("beyond.sine", "corrected", row.observables.kappa_r_corrected)));
     let ramp = Ramp {
         captions: SINE.map(|share| format!("p/p_full = {share}")).to_vec(),
+        quantity: ("p/p_full", Scale::Linear),
         cursor: SINE.to_vec(),
         curves: vec![
             RampCurve::new(
-                "sine",
+                "a_rel and κ_r",
                 "a_rel corrected",
                 Colour::VERMILION,
                 points.values("sine", |it| it.relative_area_corrected),
             ),
-            RampCurve::new("sine", "κ_r corrected", Colour::BLUE, points.values("sine", corrected)),
+            RampCurve::new("a_rel and κ_r", "κ_r corrected", Colour::BLUE, points.values("sine", corrected)),
         ],
         contacts: vec![sine()],
         length_unit: "L/4",

@@ -4,7 +4,7 @@ use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::smooth::{LINE, cylinder, narrow, periodic_cylinder, sphere, widths};
 use super::verdict::Verdict;
-use crate::plot::{Axis, Colour, Mark, Panel, Symbol};
+use crate::plot::{Axis, Colour, Mark, Panel, Scale, Symbol};
 use crate::study::Realisation;
 use crate::theory::hertz;
 
@@ -66,6 +66,7 @@ fn ramp(points: &Points) -> Ramp {
         |name, colour| RampCurve::new("κ_r corrected", name, colour, each(name, |it| it.kappa_r_corrected).into_iter());
     Ramp {
         captions: captions("a/L", &widths),
+        quantity: ("p_r*", Scale::Log),
         cursor: each("cylinder", |it| it.reduced_pressure_contact),
         curves: vec![curve("cylinder", Colour::VERMILION), curve("sphere", Colour::BLUE)],
         contacts: vec![cylinder(SHOWN_LINE, &widths), sphere(SHOWN_SIDE, &widths)],

@@ -4,11 +4,11 @@ use super::reproduction::{Ramp, RampCurve};
 use crate::contact::Problem;
 use crate::error::StudyError;
 use crate::plot::Figure;
-use crate::record::{Curve, LoadRecording, Loads, Options, Scene};
+use crate::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Scene};
 use crate::study::Realisation;
 use std::path::Path;
 
-const DESCRIPTION: &str = "Tribology Letters 66:115 (2018), made again. Click a load in a curve to see its contact.";
+const DESCRIPTION: &str = "Tribology Letters 66:115 (2018), made again. Pick a load on the time line, or click one in a curve load by load, to see its contact.";
 
 /// Records `figure`, the curves of `ramp`, and `contacts` under its loads.
 pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation]) -> Result<(), StudyError> {
@@ -18,8 +18,9 @@ pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation
         title: figure.title.clone(),
         description: DESCRIPTION.into(),
         captions: ramp.captions.clone(),
+        axis: LoadAxis { name: ramp.quantity.0.into(), scale: ramp.quantity.1, values: ramp.cursor.clone() },
         curves: ramp.curves.iter().map(curve).collect(),
-        figure: Some((figure, ramp.cursor.clone())),
+        figure: Some(figure),
         scenes: &scenes,
     };
     let options = Options { length_unit: ramp.length_unit.into(), ..Options::default() };
@@ -51,5 +52,5 @@ fn scene<'a>((contact, problem): (&Realisation, &'a Problem)) -> Scene<'a> {
 }
 
 fn curve(RampCurve { view, name, colour, .. }: &RampCurve) -> Curve {
-    Curve { view: (*view).into(), name: name.clone(), colour: colour.0 }
+    Curve { view: (*view).into(), name: name.clone(), colour: colour.0, kind: CurveKind::Computed }
 }

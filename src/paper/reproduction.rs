@@ -1,7 +1,7 @@
 //! The content of a table or figure that was made again.
 
 use super::verdict::Verdict;
-use crate::plot::{Colour, Figure, Panel};
+use crate::plot::{Colour, Figure, Panel, Scale};
 use crate::study::Realisation;
 
 /// A table or figure that was made again.
@@ -23,7 +23,9 @@ impl Reproduction {
 pub struct Ramp {
     /// The loads in words, lightest first.
     pub captions: Vec<String>,
-    /// Where each load stands in the panels of the figure.
+    /// The quantity along the x axes of figure and curves, and the spacing of its values.
+    pub quantity: (&'static str, Scale),
+    /// Where each load stands along them.
     pub cursor: Vec<f64>,
     /// Curves over the loads.
     pub curves: Vec<RampCurve>,

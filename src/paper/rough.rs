@@ -4,7 +4,7 @@ use super::means::{Points, Quantity};
 use super::reproduction::{Ramp, RampCurve, captions};
 use crate::contact::Load;
 use crate::error::StudyError;
-use crate::plot::{Axis, Colour, Dot, Mark, Panel, Symbol};
+use crate::plot::{Axis, Colour, Dot, Mark, Panel, Scale, Symbol};
 use crate::setup::{Cell, Recipe, Setup};
 use crate::study::Realisation;
 use crate::surface::Spectrum;
@@ -179,6 +179,7 @@ impl Rough {
         };
         Ramp {
             captions: captions("p*", &self.loads),
+            quantity: ("p*", Scale::Log),
             cursor: self.loads.clone(),
             curves: curves.iter().flat_map(each).collect(),
             contacts: Vec::new(),

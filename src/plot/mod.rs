@@ -33,6 +33,7 @@ pub use mark::{Mark, Symbol};
 pub use svg::{write_png, write_svg};
 #[cfg(feature = "record")]
 pub(crate) use {
+    clip::dashes,
     drawing::{drawing, frame_of},
     font::width,
     frame::{Frame, Side},

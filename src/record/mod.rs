@@ -39,7 +39,7 @@ mod scene;
 mod setups;
 mod size;
 
-pub use draw::{Curve, Ghost};
+pub use draw::{Curve, CurveKind, Ghost, LoadAxis};
 pub use file::{LoadRecording, Loads, Output, Recorder, Recording};
 pub use options::Options;
 pub use parts::Parts;

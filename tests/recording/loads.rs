@@ -1,15 +1,19 @@
 //! Recordings over loads, read back from their files.
 
-use super::{chunks, cylinder, row_counts};
+use super::{chunks, cylinder, row_counts, stores};
 use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
 use asperity::error::FileError;
 use asperity::plot::{Axis, Figure, Panel};
-use asperity::record::{Curve, LoadRecording, Loads, Options, Parts, Scene};
+use asperity::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Parts, Scene};
 use asperity::setup::Part;
 use asperity::{Grid, Indenter, Problem, Stop};
+use rerun::components::{LineStrip2D, Position2D, Radius, Scale3D, Text, Translation3D};
+use rerun::{Component, ComponentDescriptor, StoreKind};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 const CAPTIONS: [&str; 3] = ["light", "middling", "heavy"];
+const LOADS: [f64; 3] = [1e-3, 1e-2, 2.0];
 
 fn sphere() -> Problem {
     let grid = Grid::surface([16, 16], [4.0, 4.0]).unwrap();
@@ -23,7 +27,7 @@ fn figure() -> Figure {
 }
 
 fn curve(view: &str, name: &str) -> Curve {
-    Curve { view: view.into(), name: name.into(), colour: [0, 0, 0] }
+    Curve { view: view.into(), name: name.into(), colour: [0, 0, 0], kind: CurveKind::Computed }
 }
 
 fn loads<'a>(scenes: &'a [Scene<'a>], figure: Option<&'a Figure>) -> Loads<'a> {
@@ -31,8 +35,9 @@ fn loads<'a>(scenes: &'a [Scene<'a>], figure: Option<&'a Figure>) -> Loads<'a> {
         title: "loads".into(),
         description: "about".into(),
         captions: CAPTIONS.map(String::from).to_vec(),
+        axis: LoadAxis::log("p*", LOADS.to_vec()),
         curves: vec![curve("kappa", "kappa_r"), curve("kappa", "kappa"), curve("area", "area")],
-        figure: figure.map(|figure| (figure, vec![1e-3, 1e-2, 2.0])),
+        figure,
         scenes,
     }
 }
@@ -79,7 +84,7 @@ fn each_load_is_drawn_once_and_values_that_are_not_finite_are_left_out() {
 fn the_one_timeline_counts_loads_from_one_and_captions_follow() {
     let (_folder, path) = recorded(Parts::USUAL);
     let component = rerun::TextDocument::descriptor_text().component;
-    let mut texts = std::collections::BTreeMap::new();
+    let mut texts = BTreeMap::new();
     for chunk in chunks(&path) {
         let timelines: Vec<String> = chunk.timelines().keys().map(|name| name.to_string()).collect();
         assert_eq!(timelines, ["load"], "{}", chunk.entity_path());
@@ -120,4 +125,94 @@ fn a_recording_of_nothing_can_be_finished_and_bad_places_are_refused() {
         let created = LoadRecording::create(&path, &loads(&[], None), Options::default());
         assert!(matches!(created, Err(FileError::Target { .. })));
     }
+}
+
+/// The latest values of a component of an entity at each load; static ones are at load 0.
+fn latest<C: Component>(path: &Path, entity: &str, component: &ComponentDescriptor) -> BTreeMap<i64, Vec<C>> {
+    let mut rows = BTreeMap::new();
+    for chunk in stores(path, StoreKind::Recording).iter().flat_map(|store| store.iter_physical_chunks()) {
+        let loads = chunk.timelines().get(&"load".into()).map(|column| column.times_raw().to_vec());
+        for (i, id) in chunk.row_ids().enumerate().filter(|_| chunk.entity_path().to_string() == entity) {
+            if let Some(values) = chunk.component_batch::<C>(component.component, i) {
+                rows.insert(id, (loads.as_ref().map_or(0, |loads| loads[i]), values.unwrap()));
+            }
+        }
+    }
+    rows.into_values().collect()
+}
+
+fn strips(path: &Path, entity: &str) -> BTreeMap<i64, Vec<Vec<[f32; 2]>>> {
+    let rows = latest::<LineStrip2D>(path, entity, &rerun::LineStrips2D::descriptor_strips());
+    let points = |strip: &LineStrip2D| strip.0.iter().map(|point| [point.x(), point.y()]).collect();
+    rows.into_iter().map(|(load, strips)| (load, strips.iter().map(points).collect())).collect()
+}
+
+fn words(path: &Path, entity: &str) -> Vec<String> {
+    let words = latest::<Text>(path, entity, &rerun::Points2D::descriptor_labels()).remove(&0).unwrap();
+    words.iter().map(|word| word.to_string()).collect()
+}
+
+#[test]
+fn curves_grow_with_the_load_on_axes_that_are_named_and_numbered_by_it() {
+    let (_folder, path) = recorded(Parts::USUAL);
+    let axes = words(&path, "/chart/0/axes/words");
+    assert!(["p*", "10⁻³", "10⁻²", "kappa"].iter().all(|word| axes.iter().any(|it| it == word)), "{axes:?}");
+    assert_eq!(words(&path, "/chart/0/legend/words"), ["kappa_r", "kappa"]);
+    let lines = strips(&path, "/chart/0/lines");
+    let lengths: Vec<Vec<usize>> = lines.values().map(|strips| strips.iter().map(Vec::len).collect()).collect();
+    assert_eq!(lengths, [[1, 1], [2, 1], [3, 2]]);
+    let [left, middle, right] = [0, 1, 2].map(|i| lines[&3][0][i][0]);
+    let decades = LOADS.map(f64::log10);
+    let share = (decades[1] - decades[0]) / (decades[2] - decades[0]);
+    assert!((f64::from((middle - left) / (right - left)) - share).abs() < 1e-5, "{left} {middle} {right}");
+    let dots = latest::<Position2D>(&path, "/chart/0/dots", &rerun::Points2D::descriptor_positions());
+    let radii = latest::<Radius>(&path, "/chart/0/dots", &rerun::Points2D::descriptor_radii());
+    for (load, strips) in &lines {
+        let sizes: Vec<f32> = radii[load].iter().map(|radius| radius.0.0.abs()).collect();
+        let large = (0..sizes.len()).filter(|&i| sizes[i] > 1.5 * sizes.iter().copied().fold(f32::MAX, f32::min));
+        let large: Vec<[f32; 2]> = large.map(|i| [dots[load][i].x(), dots[load][i].y()]).collect();
+        let here = strips[0].last().unwrap()[0];
+        let ends: Vec<[f32; 2]> =
+            strips.iter().filter_map(|strip| strip.last().copied()).filter(|end| end[0] == here).collect();
+        assert_eq!(large, if *load == 1 { Vec::new() } else { ends }, "at load {load}");
+    }
+}
+
+#[test]
+fn each_load_has_its_value_for_programs() {
+    let (_folder, path) = recorded([Part::Traces].into_iter().collect());
+    let values = latest::<rerun::components::Scalar>(&path, "/load/value", &rerun::Scalars::descriptor_scalars());
+    let values: Vec<f64> = values.into_values().map(|value| value[0].0.0).collect();
+    assert_eq!(values, LOADS);
+}
+
+#[test]
+fn the_picture_of_patches_is_filled_by_the_loads_that_came() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("loads.rrd");
+    let problem = cylinder();
+    let scenes = [Scene::new("cylinder", &problem)];
+    let values: Vec<f64> = (0..10).map(|load| 1e-3 * 2f64.powi(load)).collect();
+    let captions = values.iter().map(|value| format!("p* = {value}")).collect();
+    let loads = Loads { captions, axis: LoadAxis::log("p*", values), ..loads(&scenes, None) };
+    let recording = LoadRecording::create(&path, &loads, Options::default()).unwrap();
+    for load in 0..5 {
+        recording.contact(0, load, &PolonskyKeer.solve(&problem, &Stop::default(), &mut ()).unwrap()).unwrap();
+    }
+    recording.finish().unwrap();
+    let map = "/contact/cylinder/patches";
+    let box_height = 460.0;
+    let rows = format!("{map}/row");
+    let scale = latest::<Scale3D>(&path, &rows, &rerun::Transform3D::descriptor_scale())[&0][0].y();
+    let shift = latest::<Translation3D>(&path, &rows, &rerun::Transform3D::descriptor_translation())[&0][0].0.y();
+    let ends = [1, 5].map(|row| {
+        let drawn = strips(&path, &format!("{map}/row/{row}")).remove(&row).unwrap();
+        let heights = drawn.iter().flatten().map(|point| shift + scale * point[1]);
+        heights.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], y| [low.min(y), high.max(y)])
+    });
+    let row = box_height / 5.0;
+    assert!(ends[1][0] > 0.0 && ends[1][0] < 0.2 * row, "{ends:?}");
+    assert!(ends[0][1] < box_height && ends[0][1] > box_height - 0.2 * row, "{ends:?}");
+    let axes = words(&path, &format!("{map}/axes/words"));
+    assert!(axes.contains(&"p*".into()) && axes.contains(&"10⁻²".into()), "{axes:?}");
 }

@@ -3,7 +3,7 @@
 use super::{cylinder, rough_surface, stores};
 use asperity::contact::{PolonskyKeer, Solver};
 use asperity::plot::{Axis, Figure, Panel};
-use asperity::record::{LoadRecording, Loads, Options, Recording, Scene};
+use asperity::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Recording, Scene};
 use asperity::setup::Theme;
 use asperity::{Problem, Stop};
 use rerun::components::Color;
@@ -29,8 +29,9 @@ fn record_loads(path: &Path, problem: &Problem, theme: Theme) {
         title: "loads".into(),
         description: "about".into(),
         captions: vec!["light".into()],
-        curves: Vec::new(),
-        figure: Some((&figure, vec![0.1])),
+        axis: LoadAxis::log("x", vec![0.1]),
+        curves: vec![Curve { view: "y".into(), name: "y".into(), colour: [0; 3], kind: CurveKind::Computed }],
+        figure: Some(&figure),
         scenes: &[Scene::new("it", problem)],
     };
     let recording = LoadRecording::create(path, &loads, themed(theme)).unwrap();

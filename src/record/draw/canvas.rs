@@ -2,15 +2,19 @@
 
 use super::fill;
 use super::palette::{Palette, colour};
-use crate::plot::{Align, Colour, Element, Frame, Sheet, Side, width};
+use crate::plot::{Align, Axis, Colour, Element, Frame, Sheet, Side, dashes, width};
 use rerun::{Color, LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
 
 /// Width and height of the box of a curve.
-pub const BOX: [f64; 2] = [1000.0, 400.0];
+pub const BOX: [f64; 2] = [1000.0, 460.0];
 /// Size of words beside a curve.
 pub const TEXT: f64 = 15.0;
 /// Room left, right, above and below the box of a frame, over the size of its words.
-const MARGINS: [f64; 4] = [5.6, 2.4, 3.5, 4.8];
+const MARGINS: [f64; 4] = [5.6, 8.0, 3.5, 3.1];
+/// From the lower right corner of a box to the middle of the name of its x axis, over the size of its words: beside the numbers.
+const X_NAME: [f64; 2] = [5.0, 1.2];
+/// Length of a dash, and of what is between dashes.
+const DASHES: [f64; 2] = [14.0, 9.0];
 /// From a box up to the words above it, over their size.
 const HEAD: f64 = 2.5;
 /// From the middle of words up to their position, over their size: the viewer hangs words below their positions.
@@ -41,7 +45,8 @@ pub fn caption(palette: &Palette, frame: &Frame, words: String) -> Points2D {
 pub fn log_axes(to: &RecordingStream, palette: &Palette, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
     let mut sheet = Sheet::default();
     frame.draw_box(&mut sheet);
-    [Side::Below, Side::Left].into_iter().for_each(|side| frame.draw_axis(&mut sheet, side));
+    frame.draw_axis(&mut sheet, Side::Left);
+    draw_x_axis(&mut sheet, frame);
     log_sheet(to, palette, entity, &sheet, head(frame))
 }
 
@@ -49,8 +54,17 @@ pub fn log_axes(to: &RecordingStream, palette: &Palette, entity: &str, frame: &F
 pub fn log_floor(to: &RecordingStream, palette: &Palette, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
     let mut sheet = Sheet::default();
     sheet.line([0.0, 1.0].map(|x| frame.position([x, 0.0])).to_vec(), Colour::GREY, 1.2);
-    frame.draw_axis(&mut sheet, Side::Below);
+    draw_x_axis(&mut sheet, frame);
     log_sheet(to, palette, entity, &sheet, head(frame))
+}
+
+/// Draws the axis below a frame, its name to the right of the numbers: below them the viewer's words would lie on one another.
+fn draw_x_axis(sheet: &mut Sheet, frame: &Frame) {
+    let nameless = Axis { name: String::new(), ..frame.x.clone() };
+    Frame { x: nameless, ..frame.clone() }.draw_axis(sheet, Side::Below);
+    let corner = frame.position([1.0, 0.0]);
+    let at = [0, 1].map(|i| corner[i] + X_NAME[i] * frame.text);
+    sheet.words(&frame.x.name, at, frame.text, Align::Middle);
 }
 
 /// Draws `sheet` under `entity`, for all times. Words that read upwards on paper cannot do so here and stand at the height `head`.
@@ -72,6 +86,12 @@ pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
     let (points, styles): (Vec<_>, Vec<_>) = strips.unzip();
     let (colours, radii): (Vec<_>, Vec<_>) = styles.into_iter().unzip();
     LineStrips2D::new(points).with_colors(colours).with_radii(radii)
+}
+
+/// A line in dashes.
+pub fn dashed(line: &[[f64; 2]]) -> impl Iterator<Item = Vec<[f32; 2]>> + use<> {
+    let dashes = dashes(line, DASHES).into_iter();
+    dashes.map(|dash| dash.into_iter().map(|point| point.map(|p| p as f32)).collect())
 }
 
 /// A strip without its style, which is recorded once.
@@ -133,7 +153,8 @@ mod tests {
         let (x, y) = (Axis::linear("across", [0.0, 1.0]), Axis::linear("up", [0.0, 1.0]));
         let frame = Frame { x, y, corner: [0.0, 0.0], size: [100.0, 100.0], text: 10.0 };
         let mut sheet = Sheet::default();
-        [Side::Below, Side::Left].into_iter().for_each(|side| frame.draw_axis(&mut sheet, side));
+        frame.draw_axis(&mut sheet, Side::Left);
+        draw_x_axis(&mut sheet, &frame);
         let all: Vec<_> = sheet.elements.iter().filter_map(|element| words(element, head(&frame))).collect();
         let [left, right, top, bottom] = bounds(&frame);
         for word in ["across", "0.2", "up"] {

@@ -13,6 +13,19 @@ pub struct Curve {
     pub name: String,
     /// Red, green and blue, as on paper: on a dark ground black is drawn white.
     pub colour: [u8; 3],
+    /// What it stands for.
+    pub kind: CurveKind,
+}
+
+/// What a curve stands for, and so its look.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CurveKind {
+    /// Results of solves: a line with dots.
+    Computed,
+    /// A theory that leaves something out: a fine line.
+    Theory,
+    /// An exact solution: dashes over everything else, in the colour of exact values instead of its own.
+    Exact,
 }
 
 /// The curves of a recording.

@@ -83,8 +83,9 @@ impl LinePicture {
         if let Some(exact) = &scene.exact {
             let values = exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect::<Vec<_>>();
             let curve = rising(&self.window.every(1), &values, &self.pressure);
-            let line = style(self.palette.exact, Radius::new_ui_points(0.5), 36.0);
-            to.log_static(format!("{pressure}/exact"), &line.with_strips([curve]))?;
+            let curve: Vec<[f64; 2]> = curve.into_iter().map(|point| point.map(f64::from)).collect();
+            let line = style(self.palette.exact, Radius::new_ui_points(1.0), 38.0);
+            to.log_static(format!("{pressure}/exact"), &line.with_strips(canvas::dashed(&curve)))?;
         }
         self.log_scaled(to, [self.pressure.axis.clone(), self.gap.axis.clone()])
     }

@@ -1,12 +1,14 @@
 //! The drawings of a recording: pictures, curves and captions, and the scenes that they show.
 
 mod canvas;
+mod chart;
 mod curves;
 mod fields;
 mod figure;
 mod fill;
 mod ghost;
 mod line;
+mod load_axis;
 mod palette;
 mod patches;
 mod picture;
@@ -19,10 +21,12 @@ mod surface;
 mod traces;
 mod window;
 
-pub use curves::{Curve, Curves};
+pub use chart::{Chart, LOAD};
+pub use curves::{Curve, CurveKind, Curves};
 pub use fields::{Extent, Fields};
 pub use figure::FigurePicture;
 pub use ghost::{Ghost, entity_under};
+pub use load_axis::LoadAxis;
 pub use palette::{Palette, colour};
 pub use reduce::Columns;
 pub use relief::vertices;

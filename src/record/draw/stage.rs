@@ -4,6 +4,7 @@ use super::canvas;
 use super::fields::Fields;
 use super::ghost::Ghost;
 use super::line::LinePicture;
+use super::load_axis::LoadAxis;
 use super::palette::Palette;
 use super::patches::PatchMap;
 use super::picture::Picture;
@@ -74,10 +75,10 @@ impl Stage {
         }
     }
 
-    /// Adds the map of contact patches of a line under so many loads, if contacts are recorded.
-    pub fn map_patches(&mut self, loads: usize) {
+    /// Adds the map of contact patches of a line under `loads`, if contacts are recorded.
+    pub fn map_patches(&mut self, loads: &LoadAxis) {
         let is_mapped = self.grid.is_line() && self.what.has(Part::Mask);
-        self.patches = is_mapped.then(|| PatchMap::new(self.picture.frame(), self.palette, &self.root, loads));
+        self.patches = is_mapped.then(|| PatchMap::new(self.picture.frame(), self.palette, &self.root, loads.clone()));
     }
 
     /// Records everything that stays; `place` is that of the scene among several.
@@ -155,9 +156,9 @@ impl Stage {
     pub fn caption(&self, phase: Phase, stride: [usize; 2]) -> String {
         let [ny, nx] = [0, 1].map(|axis| self.grid.shape()[axis] / stride[axis]);
         let points = if self.grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx}") };
-        let Phase { level, outer, inner } = phase;
+        let Phase { outer, inner, .. } = phase;
         let inner = if inner > 0 { format!(", inner {inner}") } else { String::new() };
-        format!("level {level}: {points}, outer {outer}{inner}")
+        format!("{points}, outer {outer}{inner}")
     }
 }
 

@@ -94,13 +94,6 @@ impl Picture for SurfacePicture {
         self.pressure.frame.clone()
     }
 
-    /// An image and its colour scale.
-    fn bounds(&self) -> [f64; 4] {
-        let frame = &self.pressure.frame;
-        let [left, right, top, bottom] = canvas::bounds(frame);
-        [left, right + 4.0 * frame.text, top, bottom]
-    }
-
     fn log_static(&self, to: &RecordingStream, _: &Scene<'_>) -> RecordingStreamResult<()> {
         if self.what.has(Part::Fields) {
             self.pressure.log_static(to)?;

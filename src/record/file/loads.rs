@@ -1,6 +1,6 @@
 //! Recordings over loads: curves and a figure, and for each load the contact under it.
 //!
-//! The one timeline is `load`, the number of the load from 1 on. A time picked in a curve or on the time line shows the
+//! The one timeline is `load`, the number of the load from 1 on; the value of each is under `/load/value`. A time picked in a curve or on the time line shows the
 //! contacts under that load. The pictures are those of [`Recording`], on axes that all loads share.
 
 use super::output::Output;
@@ -8,16 +8,19 @@ use super::recording::{Recording, stages};
 use crate::contact::Contact;
 use crate::error::FileError;
 use crate::plot;
-use crate::record::draw::{Curve, Curves, Extent, Fields, FigurePicture, Palette, Stage};
-use crate::record::layout::{LOAD, TEXT, send_loads};
+use crate::record::draw::{Chart, Curve, Curves, Extent, Fields, FigurePicture, LOAD, LoadAxis, Palette, Stage};
+use crate::record::layout::{TEXT, send_loads};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
 use crate::setup::Part;
-use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
+use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TextDocument};
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Entity of the value of each load on their axis.
+const VALUE: &str = "/load/value";
 
 /// The content of a recording over loads.
 pub struct Loads<'a> {
@@ -27,10 +30,12 @@ pub struct Loads<'a> {
     pub description: String,
     /// Meaning of each value of the timeline `load`, such as `p* = 1.0e-3`; lightest first.
     pub captions: Vec<String>,
+    /// The quantity that grows from load to load: the axis of curves and patches, and of the panels of the figure.
+    pub axis: LoadAxis,
     /// Curves over the loads.
     pub curves: Vec<Curve>,
-    /// A figure, and where in its panels each load stands along x.
-    pub figure: Option<(&'a plot::Figure, Vec<f64>)>,
+    /// A figure with the loads along x.
+    pub figure: Option<&'a plot::Figure>,
     /// Contacts that grow; each problem is the one under the heaviest load, as is its exact solution.
     pub scenes: &'a [Scene<'a>],
 }
@@ -42,15 +47,17 @@ pub struct LoadRecording {
     recording: Recording,
     description: String,
     captions: Vec<String>,
+    axis: LoadAxis,
     curves: Curves,
     figure: Option<FigurePicture>,
     progress: Mutex<Progress>,
 }
 
-/// The loads so far, and the extents of the contacts of each scene.
+/// The loads so far, the extents of the contacts of each scene, and the charts of the curves.
 struct Progress {
     loads: BTreeSet<usize>,
     extents: Vec<Extent>,
+    charts: Vec<Chart>,
 }
 
 impl LoadRecording {
@@ -79,7 +86,7 @@ impl LoadRecording {
         let options = Options { what: options.what.and(Parts::PICTURES), ..options };
         let mut stages = stages(loads.scenes, "/contact", &options);
         for stage in &mut stages {
-            stage.map_patches(loads.captions.len());
+            stage.map_patches(&loads.axis);
         }
         let palette = Palette::of(options.theme);
         let extents = vec![Extent::NONE; stages.len()];
@@ -87,9 +94,14 @@ impl LoadRecording {
             recording: Recording::open(output, &loads.title, id, stages, options)?,
             description: loads.description.clone(),
             captions: loads.captions.clone(),
+            axis: loads.axis.clone(),
+            progress: Mutex::new(Progress {
+                loads: BTreeSet::new(),
+                extents,
+                charts: Chart::all(&curves, &loads.axis, palette),
+            }),
             curves: Curves { curves, palette },
-            figure: loads.figure.as_ref().map(|(figure, at)| FigurePicture::new(figure, at.clone(), palette)),
-            progress: Mutex::new(Progress { loads: BTreeSet::new(), extents }),
+            figure: loads.figure.map(|figure| FigurePicture::new(figure, loads.axis.values.clone(), palette)),
         };
         recording.recording.write(|stream| recording.log_static(stream, loads.scenes))?;
         Ok(recording)
@@ -108,7 +120,10 @@ impl LoadRecording {
             self.turn_to(stream, load)?;
             self.curves.log(stream, values)?;
             let table = self.curves.table(values);
-            if table.is_empty() { Ok(()) } else { stream.log(TEXT, &self.text(load, &table)) }
+            if !table.is_empty() {
+                stream.log(TEXT, &self.text(load, &table))?;
+            }
+            self.progress().charts.iter_mut().try_for_each(|chart| chart.add(stream, load, values))
         })
     }
 
@@ -142,16 +157,28 @@ impl LoadRecording {
     /// # Errors
     /// [`FileError::Write`] if that fails.
     pub fn finish(self) -> Result<(), FileError> {
-        let extents = std::mem::take(&mut self.progress().extents);
-        let mut stages = self.recording.stages.iter().zip(extents).filter(|(_, extent)| *extent != Extent::NONE);
-        self.recording.write(|stream| stages.try_for_each(|(stage, extent)| stage.picture.settle(stream, extent)))?;
+        self.recording.write(|stream| self.settle(stream))?;
         self.recording.finish()
+    }
+
+    fn settle(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
+        let Progress { loads, extents, charts } = &mut *self.progress();
+        for (stage, extent) in self.recording.stages.iter().zip(extents).filter(|(_, it)| **it != Extent::NONE) {
+            stage.picture.settle(stream, *extent)?;
+            if let Some(patches) = &stage.patches {
+                patches.settle(stream, loads.iter().copied())?;
+            }
+        }
+        charts.iter_mut().try_for_each(|chart| chart.settle(stream))
     }
 
     fn log_static(&self, stream: &RecordingStream, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
         let Self { recording, figure, curves, .. } = self;
-        send_loads(&recording.stages, figure.as_ref(), curves, stream)?;
+        let charts = &self.progress().charts;
+        send_loads(&recording.stages, figure.as_ref(), charts, curves, stream)?;
         curves.log_static(stream)?;
+        charts.iter().try_for_each(|chart| chart.log_static(stream))?;
+        stream.log_static(VALUE, &SeriesLines::new().with_names([self.axis.name.as_str()]))?;
         if let Some(figure) = figure {
             figure.log_static(stream)?;
         }
@@ -167,6 +194,9 @@ impl LoadRecording {
         }
         if let Some(figure) = &self.figure {
             figure.log_cursor(stream, load, &self.captions[load])?;
+        }
+        if let Some(value) = self.axis.values.get(load).filter(|value| value.is_finite()) {
+            stream.log(VALUE, &Scalars::single(*value))?;
         }
         stream.log(TEXT, &self.text(load, ""))
     }

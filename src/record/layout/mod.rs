@@ -4,5 +4,5 @@ mod blueprint;
 mod loads;
 mod steps;
 
-pub use loads::{LOAD, TEXT, send_loads};
+pub use loads::{TEXT, send_loads};
 pub use steps::send_steps;

@@ -67,7 +67,7 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
     }
     if what.has(Part::Fields) {
         let is_exact = stage.grid.is_line() && stage.exact[1].is_some();
-        let pressure = if is_exact { "Pressure (green: exact)" } else { "Pressure" };
+        let pressure = if is_exact { "Pressure (green, dashed: exact)" } else { "Pressure" };
         let gap = if !stage.grid.is_line() && what.has(Part::Mask) { "Gap and contact" } else { "Gap" };
         rows.push(vec![plane(stage, "pressure", pressure, stage.grid.is_line()), plane(stage, "gap", gap, true)]);
     }
