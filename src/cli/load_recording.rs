@@ -4,7 +4,7 @@ use super::outputs::Outputs;
 use anyhow::Result;
 use asperity::contact::{Contact, Load, Observables, Problem};
 use asperity::plot::Colour;
-use asperity::record::{Curve, LoadRecording, Loads, Options, Scene};
+use asperity::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Scene};
 use asperity::setup::Setup;
 use asperity::study::LoadCurve;
 
@@ -36,8 +36,14 @@ impl CurveRecording {
             description: format!("{}, each load from the contact before.", curve.setup.surface.description()),
             captions: curve.loads.iter().map(caption).collect(),
             curves: CURVES
-                .map(|(view, name, colour, _)| Curve { view: view.into(), name: name.into(), colour: colour.0 })
+                .map(|(view, name, colour, _)| Curve {
+                    view: view.into(),
+                    name: name.into(),
+                    colour: colour.0,
+                    kind: CurveKind::Computed,
+                })
                 .into(),
+            axis: axis(&curve.loads),
             figure: None,
             scenes: &[scene],
         };
@@ -53,6 +59,18 @@ impl CurveRecording {
     /// Ends the file.
     pub fn finish(self) -> Result<()> {
         Ok(self.0.finish()?)
+    }
+}
+
+/// The axis of the loads: mean gaps go on in even steps, pressures in ratios.
+fn axis(loads: &[Load]) -> LoadAxis {
+    let values = loads.iter().map(|load| match *load {
+        Load::ReducedPressure(value) | Load::MeanPressure(value) | Load::MeanGap(value) => value,
+    });
+    match loads.first() {
+        Some(Load::MeanGap(_)) => LoadAxis::linear("mean gap", values.collect()),
+        Some(Load::MeanPressure(_)) => LoadAxis::log("mean pressure", values.collect()),
+        Some(Load::ReducedPressure(_)) | None => LoadAxis::log("p*", values.collect()),
     }
 }
 

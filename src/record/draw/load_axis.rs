@@ -2,7 +2,7 @@
 
 use crate::plot::{Axis, Scale};
 
-/// The quantity that tells loads apart, and its value at each of them, lightest first. A value that has no place on the axis
+/// The quantity that tells loads apart, and its value at each of them, in their order. A value that has no place on the axis
 /// leaves its load without one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadAxis {
@@ -53,6 +53,7 @@ impl LoadAxis {
             Scale::Linear => ALONE * own.abs(),
         };
         let [before, after] = match beside {
+            [Some(before), Some(after)] if before * after > 0.0 => [before, -after], // where the load turns back
             [Some(before), Some(after)] => [before, after],
             [Some(one), None] | [None, Some(one)] => [-one, one],
             [None, None] => [-alone, alone],
@@ -78,6 +79,12 @@ impl LoadAxis {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_load_that_turns_back_has_room_on_both_sides() {
+        let there_and_back = LoadAxis::linear("d", vec![1.0, 2.0, 1.0]);
+        assert_eq!(there_and_back.room(1), Some([1.5, 2.5]));
+    }
 
     #[test]
     fn rooms_of_neighbours_meet_half_way() {
