@@ -36,8 +36,8 @@ const CURVES: [PointCurve; 5] = [
     (KAPPA, "Persson", GREY, |point| point.persson / point.observables.reduced_pressure),
 ];
 const EXACT: [PointCurve; 2] = [
-    (AREA, "exact", Colour::BLACK, |point| point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)),
-    (KAPPA, "exact kappa_r", Colour::BLACK, |point| {
+    (AREA, "exact", Colour::GREEN, |point| point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)),
+    (KAPPA, "exact kappa_r", Colour::GREEN, |point| {
         point.exact.as_ref().and_then(|exact| exact.kappa_r).unwrap_or(f64::NAN)
     }),
 ];

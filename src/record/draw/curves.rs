@@ -1,6 +1,6 @@
 //! Curves over the loads.
 
-use super::palette;
+use super::contrast::legible;
 use crate::plot::Colour;
 use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, SeriesPoints};
 
@@ -11,7 +11,7 @@ pub struct Curve {
     pub view: String,
     /// Name in the legend.
     pub name: String,
-    /// Red, green and blue, as on paper: black is drawn white.
+    /// Red, green and blue, as on paper: on other grounds it is drawn as pale or dark as it must be to be seen.
     pub colour: [u8; 3],
 }
 
@@ -34,7 +34,7 @@ impl Curves {
     /// Records names and colours.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         for (i, Curve { name, colour, .. }) in self.0.iter().enumerate() {
-            let (name, colour) = (name.as_str(), palette::on_ground(Colour(*colour)));
+            let (name, colour) = (name.as_str(), legible(Colour(*colour)));
             let line = SeriesLines::new().with_names([name]).with_colors([colour]).with_widths([1.8]);
             let points = SeriesPoints::new().with_names([name]).with_colors([colour]).with_marker_sizes([3.0]);
             to.log_static(entity(i), &[&line as &dyn rerun::AsComponents, &points])?;

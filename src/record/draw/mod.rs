@@ -1,6 +1,7 @@
 //! The drawings of a recording: pictures, curves and captions, and the scenes that they show.
 
 mod canvas;
+mod contrast;
 mod curves;
 mod fields;
 mod figure;
@@ -28,4 +29,4 @@ pub use reduce::Columns;
 pub use relief::vertices;
 pub use stage::{Stage, level, stride};
 pub use surface::pixels;
-pub use traces::{SECONDS, STEP, TRANSFORMS, Traces, title, traced};
+pub use traces::{SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, title, traced};

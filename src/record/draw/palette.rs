@@ -23,10 +23,6 @@ pub const GHOST: Colour = Colour([0x8c, 0x92, 0x9e]);
 pub const GAP_CLASS: u16 = 0;
 pub const CONTACT_CLASS: u16 = 1;
 
-/// Colours of curves that stand side by side.
-pub const SERIES: [Colour; 6] =
-    [Colour::ORANGE, Colour::SKY, Colour::GREEN, Colour::PURPLE, Colour::YELLOW, Colour::VERMILION];
-
 /// A colour as the viewer knows it.
 pub fn colour(Colour([r, g, b]): Colour) -> Color {
     Color::from_rgb(r, g, b)

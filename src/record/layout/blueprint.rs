@@ -65,13 +65,23 @@ impl View {
         Pane::View(view.with("Background", ground()))
     }
 
-    /// Curves against time, their axis over `range` where it is known beforehand.
-    pub fn curves(title: &str, contents: Vec<String>, range: Option<[f64; 2]>) -> Pane {
-        let legend = panes::PlotLegend::new().with_corner(components::Corner2D::RightTop);
-        let view = Self::new("TimeSeries", title, "/", contents).with("PlotLegend", legend);
-        let Some(range) = range else { return Pane::View(view) };
+    /// Curves of all times whose ends lie in the lower half of an axis over `range`; the legend stands below them.
+    pub fn settling(title: &str, contents: Vec<String>, range: [f64; 2]) -> Pane {
         let range = rerun::components::Range1D(range.into());
+        let view = Self::curves(title, contents, components::Corner2D::RightBottom);
         Pane::View(view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)))
+    }
+
+    /// Curves of all times; the legend stands where nothing is, if they fall.
+    pub fn falling(title: &str, contents: Vec<String>) -> Pane {
+        Pane::View(Self::curves(title, contents, components::Corner2D::RightTop))
+    }
+
+    fn curves(title: &str, contents: Vec<String>, legend: components::Corner2D) -> Self {
+        let time = panes::TimeAxis::new().with_link(components::LinkAxis::Independent);
+        Self::new("TimeSeries", title, "/", contents)
+            .with("PlotLegend", panes::PlotLegend::new().with_corner(legend))
+            .with("TimeAxis", time.with_view_range(datatypes::TimeRange::EVERYTHING))
     }
 
     pub fn text(title: &str, entity: String) -> Pane {

@@ -36,7 +36,7 @@ fn charts(stages: &[Stage], figure: Option<&FigurePicture>, curves: &Curves) -> 
         rows.push((Pane::even(Kind::Tabs, "figure", panels.collect()), 2.0));
     }
     let views = curves.views().into_iter();
-    let mut views = views.map(|(title, entities)| View::curves(title, entities, None));
+    let mut views = views.map(|(title, entities)| View::falling(title, entities));
     rows.extend(views.next().map(|first| (first, 1.0)));
     let load = View::text("Load", TEXT.into());
     let scenes = stages.iter().map(|stage| View::text(&stage.title, stage.description()));
