@@ -4,6 +4,8 @@ mod accuracy;
 mod bench;
 mod choice;
 #[cfg(feature = "record")]
+mod compare;
+#[cfg(feature = "record")]
 mod demo;
 #[cfg(feature = "explore")]
 mod explore;
@@ -39,6 +41,12 @@ enum Command {
     Accuracy(accuracy::Accuracy),
     /// Time the solvers on chosen cases
     Bench(bench::Bench),
+    /// Lay the traces of several recordings over each other
+    ///
+    /// One recording comes out, with the curves of certificate, kappa_r, area and others of all runs, named by what tells the runs
+    /// apart, and each recording as it was in a tab of its own.
+    #[cfg(feature = "record")]
+    Compare(compare::Compare),
     /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
     #[cfg(feature = "record")]
     Demo(demo::Demo),
@@ -59,7 +67,7 @@ enum Command {
     Stability(stability::Stability),
     /// Make a surface, or describe one
     Surface(Box<surface::Describe>),
-    /// Open a recording in the browser
+    /// Open a recording in the browser, or several over each other
     #[cfg(feature = "explore")]
     View(view::View),
 }
@@ -69,6 +77,8 @@ pub fn run() -> anyhow::Result<Outcome> {
     match Cli::parse().command {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),
+        #[cfg(feature = "record")]
+        Command::Compare(compare) => compare.run(),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
         #[cfg(feature = "explore")]

@@ -34,6 +34,7 @@ mod method;
 mod part;
 mod recipe;
 mod text;
+mod words;
 
 pub use cell::Cell;
 pub use command::{command, lay};
@@ -43,6 +44,7 @@ pub use method::Method;
 pub use part::{Part, Record};
 pub use recipe::Recipe;
 pub use text::Table;
+pub use words::{differences, in_words};
 
 use crate::contact::{ContactModulus, Load, Problem, Stop};
 use crate::error::{FileError, SetupError, SolveError};
@@ -163,7 +165,7 @@ impl Setup {
 }
 
 /// The hash FNV-1a of some bytes, the same on every machine.
-fn fnv1a<'a>(bytes: impl IntoIterator<Item = &'a [u8]>) -> u64 {
+pub(crate) fn fnv1a<'a>(bytes: impl IntoIterator<Item = &'a [u8]>) -> u64 {
     let next = |hash: u64, &byte: &u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
     bytes.into_iter().flatten().fold(0xcbf2_9ce4_8422_2325, next)
 }

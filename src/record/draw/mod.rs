@@ -29,4 +29,4 @@ pub use reduce::Columns;
 pub use relief::vertices;
 pub use stage::{Stage, level, stride};
 pub use surface::pixels;
-pub use traces::{SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, title, traced};
+pub use traces::{COMPARED, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced};

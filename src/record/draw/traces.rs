@@ -201,6 +201,18 @@ pub fn log_off_scale(to: &RecordingStream, root: &str, kappa: f64) -> RecordingS
     to.log_static(format!("{root}/trace/kappa"), &SeriesLines::update_fields().with_names([name]))
 }
 
+/// Records name and colour of the curve of a run among others, or of exact values if it has no number.
+pub fn log_run_style(
+    to: &RecordingStream,
+    entity: &str,
+    name: &str,
+    number: Option<usize>,
+) -> RecordingStreamResult<()> {
+    let (rgb, width) = number.map_or((Colour::GREEN, 1.0), |number| (SERIES[number % SERIES.len()], 1.8));
+    let style = SeriesLines::new().with_names([name]).with_colors([legible(rgb)]);
+    to.log_static(entity, &style.with_widths([width]))
+}
+
 /// Curves that are compared between scenes take the colour of their scene.
 fn series_colour(entity: &str, i: usize, scene: Option<(usize, &str)>) -> Colour {
     let [first, second, rest @ ..] = SERIES;

@@ -21,6 +21,14 @@ impl Pane {
         Self::Container(kind, title.into(), panes)
     }
 
+    /// The pane with another title.
+    pub fn titled(self, title: &str) -> Self {
+        match self {
+            Self::View(view) => Self::View(View { title: title.into(), ..view }),
+            Self::Container(kind, _, panes) => Self::Container(kind, title.into(), panes),
+        }
+    }
+
     /// A container of panes with the same share of the room each; a single one needs no container.
     pub fn even(kind: Kind, title: &str, mut panes: Vec<Self>) -> Self {
         match panes.pop() {
@@ -32,17 +40,17 @@ impl Pane {
 
 /// A view: its content and its properties.
 pub struct View {
-    class: &'static str,
-    title: String,
-    origin: String,
-    contents: Vec<String>,
-    properties: Vec<(&'static str, Box<dyn AsComponents>)>,
+    pub(super) class: String,
+    pub(super) title: String,
+    pub(super) origin: String,
+    pub(super) contents: Vec<String>,
+    pub(super) properties: Vec<(String, Box<dyn AsComponents>)>,
 }
 
 impl View {
     /// A view of `class` of the entities that match `contents` (`/scene/pressure/**`).
-    fn new(class: &'static str, title: &str, origin: &str, contents: Vec<String>) -> Self {
-        Self { class, title: title.into(), origin: origin.into(), contents, properties: Vec::new() }
+    fn new(class: &str, title: &str, origin: &str, contents: Vec<String>) -> Self {
+        Self { class: class.into(), title: title.into(), origin: origin.into(), contents, properties: Vec::new() }
     }
 
     /// A picture in the plane, showing `[left, right, top, bottom]` of its canvas.
@@ -88,8 +96,8 @@ impl View {
         Pane::View(Self::new("TextDocument", title, &entity.clone(), vec![entity]))
     }
 
-    fn with(mut self, name: &'static str, property: impl AsComponents + 'static) -> Self {
-        self.properties.push((name, Box::new(property)));
+    fn with(mut self, name: &str, property: impl AsComponents + 'static) -> Self {
+        self.properties.push((name.into(), Box::new(property)));
         self
     }
 }
@@ -138,7 +146,7 @@ impl Blueprint {
     }
 
     fn view(&mut self, view: View) -> RecordingStreamResult<String> {
-        let path = format!("view/{}", self.next_id(view.class));
+        let path = format!("view/{}", self.next_id(&view.class));
         let contents = view.contents.into_iter().map(|entities| components::QueryExpression(entities.into()));
         self.store.log(format!("{path}/ViewContents"), &panes::ViewContents::new(contents))?;
         let pane = panes::ViewBlueprint::new(view.class).with_display_name(view.title).with_space_origin(view.origin);

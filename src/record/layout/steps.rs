@@ -6,7 +6,7 @@ use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Frames per second when the steps are played.
-const FRAMES_PER_SEC: f64 = 30.0;
+pub const FRAMES_PER_SEC: f64 = 30.0;
 
 /// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
 pub fn send_steps(stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
