@@ -50,7 +50,7 @@ impl Tape {
                 }
             }
         }
-        let without = "it has no traces: record without --record-what, or with its part traces";
+        let without = "it has no traces over steps: record it anew, with the part `traces`";
         if tape.roots().is_empty() { Err(useless(without)) } else { Ok(tape) }
     }
 

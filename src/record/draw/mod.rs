@@ -18,6 +18,7 @@ mod spectrum;
 mod stage;
 mod surface;
 mod traces;
+mod values;
 mod window;
 
 pub use curves::{Curve, Curves};
