@@ -248,6 +248,9 @@ pub enum FileError {
     /// The file is not what it should be.
     #[error("{} is not a usable height file: {reason}", path.display())]
     Format { path: PathBuf, reason: String },
+    /// The file is no recording, or one in which there is nothing to compare.
+    #[error("{} cannot be compared: {reason}", path.display())]
+    Incomparable { path: PathBuf, reason: String },
     /// The output cannot be made at that place.
     #[error("cannot write {}: {reason}", path.display())]
     Target { path: PathBuf, reason: String },

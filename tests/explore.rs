@@ -522,7 +522,7 @@ fn the_curves_of_a_pinned_run_stand_beside_those_of_later_ones() {
     let small = |seed: u32| with(json!({"seed": seed, "points": 512, "cutoff": 64}));
     let has_ghost = |run: &Value| {
         let (_, rows) = recorded(&page.get(&format!("/run/{}.rrd", run["id"].as_str().unwrap())).body);
-        rows.contains_key("/contact/ghost/certificate")
+        rows.contains_key("/contact/ghost/certificate_log10")
     };
     assert_eq!(page.post("/api/pin", "\"run-1\"").status, 400);
     page.solve(&small(1));

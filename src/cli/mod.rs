@@ -5,6 +5,8 @@ mod bench;
 mod caution;
 mod choice;
 #[cfg(feature = "record")]
+mod compare;
+#[cfg(feature = "record")]
 mod demo;
 #[cfg(feature = "explore")]
 mod explore;
@@ -48,6 +50,12 @@ enum Command {
     Accuracy(accuracy::Accuracy),
     /// Time the solvers on chosen cases
     Bench(bench::Bench),
+    /// Lay the traces of several recordings over each other
+    ///
+    /// One recording comes out, with the curves of certificate, kappa_r, area and others of all runs, named by what tells the runs
+    /// apart, and each recording as it was in a tab of its own.
+    #[cfg(feature = "record")]
+    Compare(compare::Compare),
     /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
     #[cfg(feature = "record")]
     Demo(demo::Demo),
@@ -68,7 +76,7 @@ enum Command {
     Stability(stability::Stability),
     /// Make a surface, or describe one
     Surface(Box<surface::Describe>),
-    /// Open a recording in the browser
+    /// Open a recording in the browser, or several over each other
     #[cfg(feature = "explore")]
     #[command(after_help = "Examples:\n  asperity view demo.rrd\n  asperity view demo.rrd --port 9000 --no-open")]
     View(view::View),
@@ -79,6 +87,8 @@ pub fn run() -> anyhow::Result<Outcome> {
     match Cli::parse().command {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),
+        #[cfg(feature = "record")]
+        Command::Compare(compare) => compare.run(),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
         #[cfg(feature = "explore")]

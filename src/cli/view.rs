@@ -4,26 +4,40 @@ use super::explore::PageArgs;
 use super::outcome::{Outcome, usage};
 use anyhow::Result;
 use asperity::explore::Viewing;
-use asperity::record::is_recording;
+use asperity::record::{compare, is_recording};
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct View {
-    /// The recording
-    #[arg(value_name = "FILE.rrd")]
-    file: PathBuf,
+    /// The recording, or several to lay over each other
+    #[arg(value_name = "FILE.rrd", required = true)]
+    files: Vec<PathBuf>,
     #[command(flatten)]
     page: PageArgs,
 }
 
 impl View {
     pub fn run(&self) -> Result<Outcome> {
-        if !is_recording(&self.file)? {
-            let file = self.file.display();
-            return usage(format!("{file} is no recording: give a file that `asperity solve --record` wrote"));
+        for file in &self.files {
+            if !is_recording(file)? {
+                let file = file.display();
+                return usage(format!("{file} is no recording: give a file that `asperity solve --record` wrote"));
+            }
         }
-        let viewing = Viewing::new(self.file.clone())?;
+        match self.files.as_slice() {
+            [only] => self.show(only),
+            several => {
+                let folder = tempfile::tempdir()?;
+                let comparison = folder.path().join("comparison.rrd");
+                compare(several, &comparison)?;
+                self.show(&comparison)
+            }
+        }
+    }
+
+    fn show(&self, file: &Path) -> Result<Outcome> {
+        let viewing = Viewing::new(file.into())?;
         self.page.open()?.run(viewing)?;
         Ok(Outcome::Done)
     }

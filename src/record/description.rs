@@ -2,6 +2,34 @@
 
 use super::scene::Scene;
 use crate::contact::{Solver, Stop};
+use crate::setup::{fnv1a, in_words};
+
+/// The name of a recording, which tells it from others beside it: surface, load and solver with its settings, or the titles of
+/// several scenes.
+pub fn name(scenes: &[Scene<'_>]) -> String {
+    match scenes {
+        [Scene { setup: Some(setup), problem, .. }] => {
+            let surface = setup.surface.title(problem.surface().grid());
+            format!("{surface}, {}", in_words(setup, &["load", "solver"]))
+        }
+        _ => scenes.iter().map(|scene| scene.title.as_str()).collect::<Vec<_>>().join(", "),
+    }
+}
+
+/// The application of a recording, to which the viewer keeps its layout: the same for the same scenes, and under another title
+/// another one.
+pub fn application(title: &str, scenes: &[Scene<'_>]) -> String {
+    let describe = |scene: &Scene<'_>| {
+        let setup = scene.setup.as_ref().map_or_else(String::new, |setup| setup.clone().with_full_path().to_toml());
+        format!("{}\n{}\n{}\n{setup}", scene.name, scene.title, of_scene(scene, ""))
+    };
+    application_of(&[&[title.to_owned()], scenes.iter().map(describe).collect::<Vec<_>>().as_slice()].concat())
+}
+
+/// The application that some words stand for.
+pub fn application_of(words: &[String]) -> String {
+    format!("asperity-{:016x}", fnv1a(words.iter().map(|word| word.as_bytes())))
+}
 
 /// The head of the table.
 pub const HEAD: &str = "| | |\n|---|---|\n";

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! A recording carries the setups of its scenes, from which [`setups`] takes them back. A recording over loads instead of
-//! steps is a [`LoadRecording`]. `draw` holds the drawings, `layout` the places of their views in the viewer, `file` the
+//! steps is a [`LoadRecording`]; [`compare`] lays the traces of several over each other. `draw` holds the drawings, `layout` the places of their views in the viewer, `file` the
 //! streams into files.
 //!
 //! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pressures are
@@ -38,9 +38,10 @@ mod parts;
 mod scene;
 mod setups;
 mod size;
+mod tape;
 
 pub use draw::{Curve, CurveKind, Ghost, LoadAxis};
-pub use file::{LoadRecording, Loads, Output, Recorder, Recording};
+pub use file::{LoadRecording, Loads, Output, Recorder, Recording, compare};
 pub use options::Options;
 pub use parts::Parts;
 pub use scene::Scene;

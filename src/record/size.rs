@@ -43,7 +43,7 @@ fn bytes(part: Part, grid: &Grid) -> f64 {
     let [pixels, vertices] = [pixels(grid), vertices(grid)].map(|count| count as f64);
     match (part, grid.is_line()) {
         (Part::Profile, _) => 12.0 * points,
-        (Part::Fields, true) => 16.0 * points,
+        (Part::Fields, true) => 16.0 * points + 32.0 * Columns::new(grid.len()).count() as f64,
         (Part::Fields, false) => 8.0 * pixels,
         (Part::Mask, true) => points,
         (Part::Mask, false) => 0.1 * pixels,

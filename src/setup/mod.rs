@@ -39,6 +39,7 @@ mod recipe;
 mod solid;
 mod text;
 mod theme;
+mod words;
 
 pub use cell::Cell;
 pub use command::{command, lay};
@@ -50,6 +51,7 @@ pub use recipe::Recipe;
 pub use solid::{Body, Solid};
 pub use text::Table;
 pub use theme::Theme;
+pub use words::{differences, in_words};
 
 use crate::contact::{ContactModulus, Load, Problem, Stop};
 use crate::error::{FileError, SetupError, SolveError};
@@ -172,7 +174,7 @@ impl Setup {
 }
 
 /// The hash FNV-1a of some bytes, the same on every machine.
-fn fnv1a<'a>(bytes: impl IntoIterator<Item = &'a [u8]>) -> u64 {
+pub(crate) fn fnv1a<'a>(bytes: impl IntoIterator<Item = &'a [u8]>) -> u64 {
     let next = |hash: u64, &byte: &u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
     bytes.into_iter().flatten().fold(0xcbf2_9ce4_8422_2325, next)
 }

@@ -42,7 +42,7 @@ fn the_earlier_curves_stand_at_their_own_steps() {
         let of_entity = chunks(&path).into_iter().filter(|chunk| chunk.entity_path().to_string() == entity);
         of_entity.map(|chunk| chunk.timelines()[&"step".into()].time_range().max().as_i64()).max()
     };
-    assert_eq!(last("/cylinder/ghost/certificate"), Some(earlier as i64));
+    assert_eq!(last("/cylinder/ghost/certificate_log10"), Some(earlier as i64));
     assert_eq!(last("/cylinder/trace/certificate"), Some(steps as i64));
     assert!(draws_pressure(&path));
 }

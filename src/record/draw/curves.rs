@@ -1,6 +1,7 @@
 //! Curves over the loads.
 
-use super::palette::{self, Palette};
+use super::contrast::legible;
+use super::palette;
 use crate::plot::Colour;
 use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, SeriesPoints};
 
@@ -11,7 +12,7 @@ pub struct Curve {
     pub view: String,
     /// Name in the legend.
     pub name: String,
-    /// Red, green and blue, as on paper: on a dark ground black is drawn white.
+    /// Red, green and blue, as on paper: on other grounds it is drawn as pale or dark as it must be to be seen.
     pub colour: [u8; 3],
     /// What it stands for.
     pub kind: CurveKind,
@@ -29,16 +30,13 @@ pub enum CurveKind {
 }
 
 /// The curves of a recording.
-pub struct Curves {
-    pub curves: Vec<Curve>,
-    pub palette: &'static Palette,
-}
+pub struct Curves(pub Vec<Curve>);
 
 impl Curves {
     /// Titles of the views and the entities in each, in the order in which they come first.
     pub fn views(&self) -> Vec<(&str, Vec<String>)> {
         let mut views: Vec<(&str, Vec<String>)> = Vec::new();
-        for (i, curve) in self.curves.iter().enumerate() {
+        for (i, curve) in self.0.iter().enumerate() {
             match views.iter_mut().find(|(title, _)| *title == curve.view) {
                 Some((_, entities)) => entities.push(entity(i)),
                 None => views.push((&curve.view, vec![entity(i)])),
@@ -49,8 +47,8 @@ impl Curves {
 
     /// Records names and colours.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        for (i, Curve { name, colour: paper, .. }) in self.curves.iter().enumerate() {
-            let (name, colour) = (name.as_str(), palette::colour(self.palette.on_ground(Colour(*paper))));
+        for (i, Curve { name, colour, .. }) in self.0.iter().enumerate() {
+            let (name, colour) = (name.as_str(), palette::colour(legible(Colour(*colour))));
             let line = SeriesLines::new().with_names([name]).with_colors([colour]).with_widths([1.8]);
             let points = SeriesPoints::new().with_names([name]).with_colors([colour]).with_marker_sizes([3.0]);
             to.log_static(entity(i), &[&line as &dyn rerun::AsComponents, &points])?;
@@ -60,13 +58,13 @@ impl Curves {
 
     /// Records values at the current time.
     pub fn log(&self, to: &RecordingStream, values: &[f64]) -> RecordingStreamResult<()> {
-        let mut finite = values.iter().take(self.curves.len()).enumerate().filter(|(_, value)| value.is_finite());
+        let mut finite = values.iter().take(self.0.len()).enumerate().filter(|(_, value)| value.is_finite());
         finite.try_for_each(|(i, &value)| to.log(entity(i), &Scalars::single(value)))
     }
 
     /// The values with their names, in Markdown.
     pub fn table(&self, values: &[f64]) -> String {
-        let finite = self.curves.iter().zip(values).filter(|(_, value)| value.is_finite());
+        let finite = self.0.iter().zip(values).filter(|(_, value)| value.is_finite());
         let rows: String = finite.map(|(curve, value)| format!("| {} | {} |\n", curve.name, number(*value))).collect();
         if rows.is_empty() { rows } else { format!("| curve | value |\n|---|---|\n{rows}") }
     }

@@ -1,7 +1,7 @@
 //! The curves of an earlier solve, in grey beside those of a later one.
 
-use super::palette::{self, colour};
-use super::traces::{COMPARED, ObservableTraces, title, traced};
+use super::palette;
+use super::traces::{COMPARED, ObservableTraces, drawn, title, traced};
 use crate::contact::{Contact, Failure, Observer, Step, Wish};
 use rerun::{RecordingStream, RecordingStreamResult, SeriesLines};
 use std::ops::ControlFlow;
@@ -26,10 +26,10 @@ impl Ghost {
     /// Records all curves under `root`, each value at its own step.
     pub(super) fn log(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
         for (observable, trace) in &self.traces.0 {
-            let entity = entity_under(root, observable.name);
+            let entity = entity_under(root, &drawn(observable));
             let style = SeriesLines::new().with_names([format!("{}: {}", self.name, title(observable))]);
-            to.log_static(entity.as_str(), &style.with_colors([colour(palette::GHOST)]).with_widths([1.8]))?;
-            trace.log(to, entity)?;
+            to.log_static(entity.as_str(), &style.with_colors([palette::colour(palette::GHOST)]).with_widths([1.8]))?;
+            trace.drawn(observable).log(to, entity)?;
         }
         Ok(())
     }

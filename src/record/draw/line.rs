@@ -7,6 +7,7 @@ use super::palette::{self, CONTACT_CLASS, Palette};
 use super::picture::Picture;
 use super::reduce::Columns;
 use super::ruler::Ruler;
+use super::values::{self, Values};
 use super::window::{Samples, Window};
 use crate::contact::Forecast;
 use crate::plot::{Axis, Frame};
@@ -30,6 +31,8 @@ pub struct LinePicture {
     /// Height of the indenter on the canvas, for all nodes of the window; empty if it is not shown.
     indenter: Vec<f32>,
     x: Axis,
+    /// First and last position.
+    ends: [f64; 2],
     profile: Ruler,
     pressure: Ruler,
     gap: Ruler,
@@ -45,13 +48,15 @@ impl LinePicture {
         let length = |symbol, range| Ruler::new(symbol, &options.length_unit, range);
         let profile = length("z", [-high - 2.0 * room, -low + room]);
         let shown = options.what.has(Part::Profile).then(|| nodes.of(problem.height()));
+        let ends = window.ends(problem.surface().grid().spacing()[1]);
         Self {
             what: options.what,
             palette: Palette::of(options.theme),
             root: root.into(),
             window,
             indenter: shown.into_iter().flatten().map(|h| HEIGHT * (1.0 - profile.place(-h)) as f32).collect(),
-            x: length("x", window.ends(problem.surface().grid().spacing()[1])).axis,
+            x: length("x", ends).axis,
+            ends,
             profile,
             pressure: Ruler::pressure(forecast.max_pressure, problem.contact_modulus()),
             gap: Ruler::gap(high - low, problem.rms_height()),
@@ -80,6 +85,8 @@ impl LinePicture {
         let [pressure, gap] = ["pressure", "gap"].map(|name| format!("{}/{name}/curves", self.root));
         to.log_static(format!("{pressure}/pressure"), &style(self.palette.pressure, Radius::new_ui_points(1.4), 32.0))?;
         to.log_static(format!("{gap}/gap"), &style(self.palette.gap, Radius::new_ui_points(1.0), 32.0))?;
+        values::log_style(to, &format!("{pressure}/values"), self.palette.pressure, 1.4, 33.0)?;
+        values::log_style(to, &format!("{gap}/values"), self.palette.gap, 1.0, 33.0)?;
         if let Some(exact) = &scene.exact {
             let values = exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect::<Vec<_>>();
             let curve = rising(&self.window.every(1), &values, &self.pressure);
@@ -99,6 +106,19 @@ impl LinePicture {
             to.log_static(format!("{}/{name}/curves", self.root), &transform.with_scale([1.0, stretch, 1.0]))?;
         }
         Ok(())
+    }
+
+    /// The values of a field along the line, in each column the one that `pick` prefers.
+    fn values(&self, nodes: &Samples, field: &[f64], ruler: &Ruler, pick: fn(f64, f64) -> f64) -> Values {
+        let mut values = Values::default();
+        let [start, end] = self.ends;
+        for (sample, value) in Columns::new(nodes.count()).fold(|i| field[nodes.node(i)], pick) {
+            let place = f64::from(nodes.place(0)) + sample * f64::from(nodes.spacing());
+            values.places.push([place as f32 * WIDTH, HEIGHT - HEIGHT * ruler.share(value) as f32]);
+            values.x.push((start + place * (end - start)) as f32);
+            values.values.push(value as f32);
+        }
+        values
     }
 
     /// The solid, a gap below the nodes of the indenter.
@@ -142,6 +162,10 @@ impl Picture for LinePicture {
             let pressure = rising(&nodes, &fields.pressure, &self.pressure);
             to.log(format!("{root}/pressure/curves/pressure"), &strip(pressure))?;
             to.log(format!("{root}/gap/curves/gap"), &strip(rising(&nodes, &fields.gap, &self.gap)))?;
+            let pressure = self.values(&nodes, &fields.pressure, &self.pressure, f64::max);
+            pressure.log(to, &format!("{root}/pressure/curves/values"), "pressure")?;
+            let gap = self.values(&nodes, &fields.gap, &self.gap, f64::min);
+            gap.log(to, &format!("{root}/gap/curves/values"), "gap")?;
         }
         if self.what.has(Part::Mask) {
             let segments = self.segments(fields).into_iter().map(|ends| ends.map(|x| [x, HEIGHT]));

@@ -2,6 +2,7 @@
 
 mod canvas;
 mod chart;
+mod contrast;
 mod curves;
 mod fields;
 mod figure;
@@ -19,6 +20,7 @@ mod spectrum;
 mod stage;
 mod surface;
 mod traces;
+mod values;
 mod window;
 
 pub use chart::{Chart, LOAD};
@@ -32,4 +34,4 @@ pub use reduce::Columns;
 pub use relief::vertices;
 pub use stage::{Stage, level, stride};
 pub use surface::pixels;
-pub use traces::{SECONDS, STEP, TRANSFORMS, Traces, title, traced};
+pub use traces::{COMPARED, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced};

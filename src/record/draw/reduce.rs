@@ -50,6 +50,19 @@ impl Columns {
         points
     }
 
+    /// The middle of each column, as a point with a fraction, and the value of the point in it that `pick` prefers to the others.
+    pub fn fold(self, value: impl Fn(usize) -> f64, pick: fn(f64, f64) -> f64) -> impl Iterator<Item = (f64, f64)> {
+        self.ranges().filter_map(move |column| {
+            let middle = 0.5 * (column.start + column.end - 1) as f64;
+            Some((middle, column.map(&value).reduce(pick)?))
+        })
+    }
+
+    /// The number of columns.
+    pub fn count(self) -> usize {
+        self.count
+    }
+
     /// Runs of columns in which any point holds, as runs of their points.
     pub fn runs(self, holds: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
         let mut runs: Vec<Range<usize>> = Vec::new();

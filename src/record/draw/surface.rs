@@ -152,13 +152,14 @@ impl Image {
     }
 
     fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
-        let bytes: Vec<u8> = values.flat_map(|value| ((value / self.scale.unit) as f32).to_le_bytes()).collect();
+        let bytes: Vec<u8> = values.flat_map(|value| (value as f32).to_le_bytes()).collect();
         to.log(self.pixels(), &DepthImage::update_fields().with_buffer(bytes))
     }
 
     /// Records the range of the colours, and beside the image the bar that explains it.
     fn log_scale(&self, to: &RecordingStream, scale: &Axis) -> RecordingStreamResult<()> {
-        let range = DepthImage::update_fields().with_depth_range(ValueRange::from(scale.range));
+        let range = ValueRange::from(scale.range.map(|number| number * self.scale.unit));
+        let range = DepthImage::update_fields().with_depth_range(range);
         to.log_static(self.pixels(), &range)?;
         to.log_static(format!("{}/scale/colours", self.root), &self.colour_bar())?;
         canvas::log_sheet(

@@ -1,9 +1,10 @@
 //! Numbers of every step, sent column by column.
 
-use super::palette::{self, colour};
+use super::palette::{self, SERIES};
 use crate::contact::{Contact, Energy, OBSERVABLES, Observable, Phase, State, Step, Work};
 use crate::plot::Colour;
 use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
+use std::borrow::Cow;
 
 /// Timeline of relaxation steps.
 pub const STEP: &str = "step";
@@ -15,10 +16,14 @@ pub const TRANSFORMS: &str = "transforms";
 /// Observables that are compared between scenes and with an earlier solve.
 pub const COMPARED: [&str; 3] = ["kappa_r", "relative_area", "certificate"];
 
-/// Entities under `trace` besides those of the observables, and the names of their curves.
+/// Observables that are recorded for programs, in their own units, and not drawn.
+const NOT_DRAWN: [&str; 1] = ["mean_gap"];
+
+/// Entities under `trace` besides those of the observables, and the names of their curves. Those of exact values come after the
+/// computed ones in the alphabet, as the viewer draws in its order.
 const BESIDES: [(&str, &str); 7] = [
-    ("exact_kappa_r", "exact kappa_r"),
-    ("exact_relative_area", "exact relative area"),
+    ("kappa_r_exact", "exact kappa_r"),
+    ("relative_area_exact", "exact relative area"),
     ("complementary_energy", "complementary energy / (p_mean h_rms)"),
     ("potential_energy", "potential energy / (p_mean h_rms)"),
     ("level", "grid level"),
@@ -31,6 +36,11 @@ pub fn traced() -> impl Iterator<Item = &'static Observable> {
     OBSERVABLES.iter().filter(|observable| observable.is_traced)
 }
 
+/// The observables that are recorded step by step.
+fn recorded() -> impl Iterator<Item = &'static Observable> {
+    OBSERVABLES.iter().filter(|observable| observable.is_traced || NOT_DRAWN.contains(&observable.name))
+}
+
 pub fn title(observable: &Observable) -> String {
     let name = observable.name.replace('_', " ").replace("kappa r", "kappa_r");
     if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
@@ -38,6 +48,12 @@ pub fn title(observable: &Observable) -> String {
 
 fn is_logarithmic(observable: &Observable) -> bool {
     observable.name == "certificate"
+}
+
+/// The name of the entity that is drawn for an observable.
+pub fn drawn(observable: &Observable) -> String {
+    let end = if is_logarithmic(observable) { "_log10" } else { "" };
+    format!("{}{end}", observable.name)
 }
 
 /// Curves of observables.
@@ -56,27 +72,38 @@ impl ObservableTraces {
     pub fn add(&mut self, step: &Step<'_>) {
         let state = State::from(step);
         for (observable, trace) in &mut self.0 {
-            let value = (observable.value)(&state);
-            trace.add(step.work(), Some(if is_logarithmic(observable) { value.log10() } else { value }));
+            trace.add(step.work(), Some((observable.value)(&state)));
         }
     }
 
     /// Adds the certificate of the final state.
     pub fn add_certificate(&mut self, contact: &Contact) {
         for (_, trace) in self.0.iter_mut().filter(|(observable, _)| is_logarithmic(observable)) {
-            trace.add(contact.work, Some(contact.certificate.eta.log10()));
+            trace.add(contact.work, Some(contact.certificate.eta));
         }
     }
 }
 
 impl Trace {
-    /// Adds a value; one that cannot be drawn is left out.
+    /// The curve of an observable that is drawn of these values.
+    pub fn drawn(&self, observable: &Observable) -> Cow<'_, Self> {
+        if !is_logarithmic(observable) {
+            return Cow::Borrowed(self);
+        }
+        let logarithms = self.0.iter().map(|&(work, value)| (work, value.log10()));
+        Cow::Owned(Self(logarithms.filter(|(_, logarithm)| logarithm.is_finite()).collect()))
+    }
+
+    /// Adds a value; one that is not finite is left out.
     fn add(&mut self, work: Work, value: Option<f64>) {
         self.0.extend(value.filter(|value| value.is_finite()).map(|value| (work, value)));
     }
 
     /// Sends its values under `entity`, each at the time at which it was added.
     pub fn log(&self, to: &RecordingStream, entity: String) -> RecordingStreamResult<()> {
+        if self.0.is_empty() {
+            return Ok(());
+        }
         let work = || self.0.iter().map(|(work, _)| work);
         let times = [
             TimeColumn::new_sequence(STEP, work().map(|work| work.iterations as i64)),
@@ -101,7 +128,7 @@ pub type ExactValues = [Option<f64>; 2];
 impl Traces {
     /// Empty curves under `root`.
     pub fn new(root: &str, exact: ExactValues) -> Self {
-        Self { root: root.into(), observables: ObservableTraces::new(traced()), besides: Default::default(), exact }
+        Self { root: root.into(), observables: ObservableTraces::new(recorded()), besides: Default::default(), exact }
     }
 
     /// Adds the numbers of a step, in a `phase` if its solver has any.
@@ -122,11 +149,17 @@ impl Traces {
 
     /// Sends the numbers collected so far.
     pub fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        let observables = self.observables.0.iter_mut().map(|(observable, trace)| (observable.name, trace));
-        let besides = BESIDES.iter().map(|(entity, _)| *entity).zip(&mut self.besides);
-        for (name, trace) in observables.chain(besides).filter(|(_, trace)| !trace.0.is_empty()) {
-            std::mem::take(trace).log(to, format!("{}/trace/{name}", self.root))?;
+        let Self { root, observables, besides, .. } = self;
+        for (observable, trace) in &observables.0 {
+            trace.log(to, format!("{root}/trace/{}", observable.name))?;
+            if is_logarithmic(observable) {
+                trace.drawn(observable).log(to, format!("{root}/trace/{}", drawn(observable)))?;
+            }
         }
+        for ((entity, _), trace) in BESIDES.iter().zip(&*besides) {
+            trace.log(to, format!("{root}/trace/{entity}"))?;
+        }
+        observables.0.iter_mut().map(|(_, trace)| trace).chain(besides).for_each(|trace| trace.0.clear());
         Ok(())
     }
 }
@@ -140,28 +173,46 @@ pub fn log_styles(
     scene: Option<(usize, &str)>,
 ) -> RecordingStreamResult<()> {
     let is_drawn = |entity: &str| match entity {
-        "exact_kappa_r" => kappa_r.is_some(),
-        "exact_relative_area" => area.is_some(),
+        "kappa_r_exact" => kappa_r.is_some(),
+        "relative_area_exact" => area.is_some(),
         _ => true,
     };
-    let observables = traced().map(|observable| (observable.name, title(observable)));
-    let besides = BESIDES.iter().map(|&(entity, name)| (entity, name.to_owned()));
-    for (i, (entity, name)) in observables.chain(besides).enumerate().filter(|(_, (entity, _))| is_drawn(entity)) {
-        let exact = entity.starts_with("exact");
-        let rgb = if exact { palette::EXACT } else { series_colour(entity, i, scene) };
+    let observables = traced().map(|observable| (observable.name, drawn(observable), title(observable)));
+    let besides = BESIDES.iter().map(|&(entity, name)| (entity, entity.to_owned(), name.to_owned()));
+    for (i, (of, entity, name)) in observables.chain(besides).enumerate().filter(|(_, (of, ..))| is_drawn(of)) {
+        let exact = of.ends_with("_exact");
+        let rgb = if exact { palette::EXACT } else { series_colour(of, i, scene) };
         let name = scene.map_or_else(|| name.clone(), |(_, title)| format!("{name}, {title}"));
-        let style = SeriesLines::new().with_names([name]).with_colors([colour(rgb)]);
+        let style = SeriesLines::new().with_names([name]).with_colors([palette::colour(rgb)]);
         let width = if exact { 1.0 } else { 1.8 };
         to.log_static(format!("{root}/trace/{entity}"), &style.with_widths([width]))?;
     }
     Ok(())
 }
 
+/// Says in the legend that the curve of `kappa` ends above its axis.
+pub fn log_off_scale(to: &RecordingStream, root: &str, kappa: f64) -> RecordingStreamResult<()> {
+    let name = format!("kappa: {kappa:.1}, off the scale");
+    to.log_static(format!("{root}/trace/kappa"), &SeriesLines::update_fields().with_names([name]))
+}
+
+/// Records name and colour of the curve of a run among others, or of exact values if it has no number.
+pub fn log_run_style(
+    to: &RecordingStream,
+    entity: &str,
+    name: &str,
+    number: Option<usize>,
+) -> RecordingStreamResult<()> {
+    let (rgb, width) = number.map_or((palette::EXACT, 1.0), |number| (SERIES[number % SERIES.len()], 1.8));
+    let style = SeriesLines::new().with_names([name]).with_colors([palette::colour(rgb)]);
+    to.log_static(entity, &style.with_widths([width]))
+}
+
 /// Curves that are compared between scenes take the colour of their scene.
 fn series_colour(entity: &str, i: usize, scene: Option<(usize, &str)>) -> Colour {
-    let [first, second, rest @ ..] = palette::SERIES;
+    let [first, second, rest @ ..] = SERIES;
     match (entity, scene) {
-        (_, Some((scene, _))) if COMPARED.contains(&entity) => palette::SERIES[scene % palette::SERIES.len()],
+        (_, Some((scene, _))) if COMPARED.contains(&entity) => SERIES[scene % SERIES.len()],
         ("kappa", Some(_)) => palette::FAINT,
         ("kappa_r", None) => first,
         ("kappa", None) => second,

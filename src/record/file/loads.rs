@@ -4,7 +4,7 @@
 //! contacts under that load. The pictures are those of [`Recording`], on axes that all loads share.
 
 use super::output::Output;
-use super::recording::{Recording, stages};
+use super::recording::{Name, Recording, stages};
 use crate::contact::Contact;
 use crate::error::FileError;
 use crate::plot;
@@ -91,7 +91,7 @@ impl LoadRecording {
         let palette = Palette::of(options.theme);
         let extents = vec![Extent::NONE; stages.len()];
         let recording = Self {
-            recording: Recording::open(output, &loads.title, id, stages, options)?,
+            recording: Recording::open(output, &Name::of(loads.title.clone(), loads.scenes, id), stages, options)?,
             description: loads.description.clone(),
             captions: loads.captions.clone(),
             axis: loads.axis.clone(),
@@ -100,7 +100,7 @@ impl LoadRecording {
                 extents,
                 charts: Chart::all(&curves, &loads.axis, palette),
             }),
-            curves: Curves { curves, palette },
+            curves: Curves(curves),
             figure: loads.figure.map(|figure| FigurePicture::new(figure, loads.axis.values.clone(), palette)),
         };
         recording.recording.write(|stream| recording.log_static(stream, loads.scenes))?;

@@ -1,11 +1,13 @@
 //! Streams of recordings into files and viewers, and the observers that fill them.
 
+mod comparison;
 mod loads;
 mod output;
 mod recorder;
 mod recording;
 mod schedule;
 
+pub use comparison::compare;
 pub use loads::{LoadRecording, Loads};
 pub use output::Output;
 pub use recorder::Recorder;

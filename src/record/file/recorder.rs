@@ -4,7 +4,7 @@ use super::recording::{Recording, UNFINISHED};
 use super::schedule::{Schedule, Thinning};
 use crate::contact::{Contact, Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish, Work};
 use crate::record::description;
-use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, stride};
+use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, log_off_scale, stride};
 use crate::setup::Part;
 use rerun::RecordingStreamResult;
 use std::ops::ControlFlow;
@@ -55,6 +55,10 @@ impl Recorder<'_> {
         let fields = &Fields::of_contact(contact);
         if let Some(traces) = &mut self.traces {
             traces.observables.add_certificate(contact);
+            let kappa = contact.measures().kappa;
+            if kappa > self.stage.most_kappa {
+                log_off_scale(&self.recording.stream, &self.stage.root, kappa)?;
+            }
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
         self.stage.picture.settle(&self.recording.stream, self.stage.picture.extent(fields))?;

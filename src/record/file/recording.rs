@@ -2,6 +2,7 @@
 
 use super::output::Output;
 use crate::error::FileError;
+use crate::record::description;
 use crate::record::draw::Stage;
 use crate::record::layout;
 use crate::record::options::Options;
@@ -11,9 +12,6 @@ use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 use std::io;
 use std::path::Path;
 use std::time::Duration;
-
-/// Application under which the viewer keeps layouts apart.
-const APPLICATION: &str = "asperity";
 
 /// The result of a run until there is one.
 pub(super) const UNFINISHED: &str = "still running, or ended by force";
@@ -57,23 +55,16 @@ impl Recording {
     }
 
     fn begin(output: Output, id: Option<&str>, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
-        let titles: Vec<&str> = scenes.iter().map(|scene| scene.title.as_str()).collect();
-        let recording = Self::open(output, &titles.join(", "), id, stages(scenes, "", &options), options)?;
+        let name = Name::of(description::name(scenes), scenes, id);
+        let recording = Self::open(output, &name, stages(scenes, "", &options), options)?;
         recording.write(|stream| recording.log_static(stream, scenes))?;
         Ok(recording)
     }
 
-    /// Writes into `output` no more than a title for people and, if there is one, an identity for programs. With that, the
-    /// recording is an application as well, whose layout is its own, and comes soon after it is made.
-    pub(super) fn open(
-        output: Output,
-        title: &str,
-        id: Option<&str>,
-        stages: Vec<Stage>,
-        options: Options,
-    ) -> Result<Self, FileError> {
-        let stream = stream(output.clone(), title, id).map_err(|failure| output.error(io::Error::other(failure)))?;
-        let flush_interval = Duration::from_millis(if id.is_some() { 40 } else { 200 });
+    /// Begins a recording with no more than its name. One that has an identity comes soon after it is made.
+    pub(super) fn open(output: Output, name: &Name, stages: Vec<Stage>, options: Options) -> Result<Self, FileError> {
+        let stream = stream(output.clone(), name).map_err(|failure| output.error(io::Error::other(failure)))?;
+        let flush_interval = Duration::from_millis(if name.id.is_some() { 40 } else { 200 });
         Ok(Self { stream, output, stages, options, flush_interval })
     }
 
@@ -126,11 +117,35 @@ impl Recording {
     }
 }
 
+/// What a recording is called.
+pub struct Name {
+    /// The title for people.
+    title: String,
+    /// The application to which the viewer keeps a layout: recordings with layouts of their own have each its own.
+    application: String,
+    /// The identity for programs, if it is not left to chance.
+    id: Option<String>,
+}
+
+impl Name {
+    /// The name of a recording of some scenes.
+    pub(super) fn of(title: String, scenes: &[Scene<'_>], id: Option<&str>) -> Self {
+        let application = description::application(&title, scenes);
+        let application = id.map_or(application.clone(), |id| format!("{application}-{id}"));
+        Self { title, application, id: id.map(String::from) }
+    }
+
+    /// The name of a recording that is made of others.
+    pub(super) fn made_of(title: String, others: &[String]) -> Self {
+        Self { title, application: description::application_of(others), id: None }
+    }
+}
+
 /// A stream into `output` whose times are ours alone.
-fn stream(output: Output, title: &str, id: Option<&str>) -> RecordingStreamResult<RecordingStream> {
-    let own = id.and_then(|id| ApplicationId::try_new(format!("{APPLICATION}-{id}")).ok());
-    let builder = RecordingStreamBuilder::new(own.unwrap_or(APPLICATION.into())).recording_name(title).enabled(true);
-    let builder = if let Some(id) = id { builder.recording_id(id) } else { builder };
+pub(super) fn stream(output: Output, name: &Name) -> RecordingStreamResult<RecordingStream> {
+    let application = ApplicationId::new_or_unknown(name.application.as_str());
+    let builder = RecordingStreamBuilder::new(application).recording_name(name.title.as_str()).enabled(true);
+    let builder = if let Some(id) = &name.id { builder.recording_id(id.as_str()) } else { builder };
     let stream = builder.buffered()?;
     stream.set_sink(Box::new(output));
     stream.set_log_time_enabled(false);

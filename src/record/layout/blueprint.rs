@@ -21,6 +21,14 @@ impl Pane {
         Self::Container(kind, title.into(), panes)
     }
 
+    /// The pane with another title.
+    pub fn titled(self, title: &str) -> Self {
+        match self {
+            Self::View(view) => Self::View(View { title: title.into(), ..view }),
+            Self::Container(kind, _, panes) => Self::Container(kind, title.into(), panes),
+        }
+    }
+
     /// A container of panes with the same share of the room each; a single one needs no container.
     pub fn even(kind: Kind, title: &str, mut panes: Vec<Self>) -> Self {
         match panes.pop() {
@@ -32,17 +40,17 @@ impl Pane {
 
 /// A view: its content and its properties.
 pub struct View {
-    class: &'static str,
-    title: String,
-    origin: String,
-    contents: Vec<String>,
-    properties: Vec<(&'static str, Box<dyn AsComponents>)>,
+    pub(super) class: String,
+    pub(super) title: String,
+    pub(super) origin: String,
+    pub(super) contents: Vec<String>,
+    pub(super) properties: Vec<(String, Box<dyn AsComponents>)>,
 }
 
 impl View {
     /// A view of `class` of the entities that match `contents` (`/scene/pressure/**`).
-    fn new(class: &'static str, title: &str, origin: &str, contents: Vec<String>) -> Self {
-        Self { class, title: title.into(), origin: origin.into(), contents, properties: Vec::new() }
+    fn new(class: &str, title: &str, origin: &str, contents: Vec<String>) -> Self {
+        Self { class: class.into(), title: title.into(), origin: origin.into(), contents, properties: Vec::new() }
     }
 
     /// A picture in the plane, showing `[left, right, top, bottom]` of its canvas.
@@ -71,21 +79,31 @@ impl View {
         Pane::View(view.with("Background", ground(palette)))
     }
 
-    /// Curves against time, their axis over `range` where it is known beforehand.
-    pub fn curves(title: &str, contents: Vec<String>, range: Option<[f64; 2]>) -> Pane {
-        let legend = panes::PlotLegend::new().with_corner(components::Corner2D::RightTop);
-        let view = Self::new("TimeSeries", title, "/", contents).with("PlotLegend", legend);
-        let Some(range) = range else { return Pane::View(view) };
+    /// Curves of all times whose ends lie in the lower half of an axis over `range`; the legend stands below them.
+    pub fn settling(title: &str, contents: Vec<String>, range: [f64; 2]) -> Pane {
         let range = rerun::components::Range1D(range.into());
+        let view = Self::curves(title, contents, components::Corner2D::RightBottom);
         Pane::View(view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)))
+    }
+
+    /// Curves of all times; the legend stands where nothing is, if they fall.
+    pub fn falling(title: &str, contents: Vec<String>) -> Pane {
+        Pane::View(Self::curves(title, contents, components::Corner2D::RightTop))
+    }
+
+    fn curves(title: &str, contents: Vec<String>, legend: components::Corner2D) -> Self {
+        let time = panes::TimeAxis::new().with_link(components::LinkAxis::Independent);
+        Self::new("TimeSeries", title, "/", contents)
+            .with("PlotLegend", panes::PlotLegend::new().with_corner(legend))
+            .with("TimeAxis", time.with_view_range(datatypes::TimeRange::EVERYTHING))
     }
 
     pub fn text(title: &str, entity: String) -> Pane {
         Pane::View(Self::new("TextDocument", title, &entity.clone(), vec![entity]))
     }
 
-    fn with(mut self, name: &'static str, property: impl AsComponents + 'static) -> Self {
-        self.properties.push((name, Box::new(property)));
+    fn with(mut self, name: &str, property: impl AsComponents + 'static) -> Self {
+        self.properties.push((name.into(), Box::new(property)));
         self
     }
 }
@@ -134,7 +152,7 @@ impl Blueprint {
     }
 
     fn view(&mut self, view: View) -> RecordingStreamResult<String> {
-        let path = format!("view/{}", self.next_id(view.class));
+        let path = format!("view/{}", self.next_id(&view.class));
         let contents = view.contents.into_iter().map(|entities| components::QueryExpression(entities.into()));
         self.store.log(format!("{path}/ViewContents"), &panes::ViewContents::new(contents))?;
         let pane = panes::ViewBlueprint::new(view.class).with_display_name(view.title).with_space_origin(view.origin);

@@ -52,6 +52,6 @@ fn chart(chart: &Chart) -> Pane {
 fn texts(stages: &[Stage], curves: &Curves) -> Vec<Pane> {
     let scenes = stages.iter().map(|stage| View::text(&stage.title, stage.description()));
     let numbered = curves.views().into_iter();
-    let numbered = numbered.map(|(title, entities)| View::curves(&format!("{title}, load by load"), entities, None));
+    let numbered = numbered.map(|(title, entities)| View::falling(&format!("{title}, load by load"), entities));
     [View::text("Load", TEXT.into())].into_iter().chain(scenes).chain(numbered).collect()
 }

@@ -1,8 +1,12 @@
 //! Layouts: the views of a recording and their places in the viewer.
 
 mod blueprint;
+mod comparison;
+mod copy;
 mod loads;
 mod steps;
 
+pub use comparison::{Compared, send_comparison};
+pub use copy::copy;
 pub use loads::{TEXT, send_loads};
 pub use steps::send_steps;

@@ -1,12 +1,12 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
 use super::blueprint::{Kind, Pane, View, send};
-use crate::record::draw::{STEP, Stage, entity_under, title, traced};
+use crate::record::draw::{STEP, Stage, drawn, entity_under, title, traced};
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Frames per second when the steps are played.
-const FRAMES_PER_SEC: f64 = 30.0;
+pub const FRAMES_PER_SEC: f64 = 30.0;
 
 /// Lays out all scenes: alone, a scene fills the window; several get a tab each after an overview.
 pub fn send_steps(stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
@@ -25,8 +25,8 @@ fn overview(stages: &[Stage]) -> Pane {
     if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
         let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
         let most = stages.iter().map(|stage| stage.most_kappa).fold(0.0, f64::max);
-        let kappa_r = View::curves("kappa_r of all scenes", all("kappa_r"), Some([0.0, most]));
-        let certificate = View::curves("log10 certificate of all scenes", all("certificate"), None);
+        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most]);
+        let certificate = View::falling("log10 certificate of all scenes", all("certificate_log10"));
         panes.push((Pane::even(Kind::Vertical, "curves", vec![kappa_r, certificate]), 1.0));
     }
     Pane::container(Kind::Horizontal, "Overview", panes)
@@ -103,22 +103,22 @@ fn curves(stage: &Stage) -> Pane {
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
     let earlier = |name: &str| stage.has_ghost.then(|| entity_under(&stage.root, name));
     let beside = |names: &[&str]| traces(names).into_iter().chain(earlier(names[0])).collect::<Vec<_>>();
-    let kappa = beside(&["kappa_r", "kappa", "exact_kappa_r"]);
-    let area = beside(&["relative_area", "exact_relative_area"]);
-    let free = |title: &str, names: &[&str]| View::curves(title, traces(names), None);
+    let kappa = beside(&["kappa_r", "kappa", "kappa_r_exact"]);
+    let area = beside(&["relative_area", "relative_area_exact"]);
+    let free = |title: &str, names: &[&str]| View::falling(title, traces(names));
     let levels = vec![
         free("Grid level (0: finest)", &["level"]),
         free("Outer and inner steps on the level", &["outer", "inner"]),
     ];
     let is_elsewhere = |name| ["kappa_r", "kappa", "relative_area", "certificate"].contains(&name);
-    let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[it.name]));
+    let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[&drawn(it)]));
     let mut more: Vec<Pane> = [text].into_iter().chain(others).collect();
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(Pane::even(Kind::Vertical, "Levels", levels));
     let rows = vec![
-        (View::curves("Proportionality kappa_r, kappa", kappa, Some([0.0, stage.most_kappa])), 1.3),
-        (View::curves("Relative contact area", area, Some([0.0, stage.most_area])), 0.9),
-        (View::curves("Certificate: log10 of the error bound eta", beside(&["certificate"]), None), 1.2),
+        (View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa]), 1.3),
+        (View::settling("Relative contact area", area, [0.0, stage.most_area]), 0.9),
+        (View::falling("Certificate: log10 of the error bound eta", beside(&["certificate_log10"])), 1.2),
         (Pane::even(Kind::Tabs, "more", more), 1.2),
     ];
     Pane::container(Kind::Vertical, "curves", rows)

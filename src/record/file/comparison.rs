@@ -1,0 +1,135 @@
+//! Recordings made of several others.
+
+use super::output::Output;
+use super::recording::{Name, stream};
+use crate::contact::Observable;
+use crate::error::FileError;
+use crate::record::draw::{COMPARED, drawn, log_run_style, title, traced};
+use crate::record::layout::{Compared, copy, send_comparison};
+use crate::record::tape::Tape;
+use crate::setup::differences;
+use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
+use std::collections::BTreeSet;
+use std::io;
+use std::path::Path;
+
+/// Entity of the text about the runs.
+const TEXT: &str = "/compare/runs";
+/// Observables that settle at a value above zero.
+const SETTLING: [&str; 3] = ["relative_area", "kappa", "kappa_r"];
+/// Room above the curves that settle at some value, over the largest of these values.
+const ROOM: f64 = 1.8;
+
+/// Writes one recording with the traces of several over each other, and behind them each as it was.
+///
+/// Each scene of each recording is a run, named by what tells it from the others. The traces are under
+/// `/compare/OBSERVABLE/NUMBER`, the recordings under `/recording_NUMBER`, numbers from 1 on.
+///
+/// # Errors
+/// [`FileError::Read`] for a file that is missing, unreadable or damaged, [`FileError::Incomparable`] for one that is no
+/// recording or has no traces; [`FileError::Target`] if no file can be made at `out`, [`FileError::Write`] if writing fails.
+pub fn compare<P: AsRef<Path>>(recordings: &[P], out: &Path) -> Result<(), FileError> {
+    let tapes = recordings.iter().map(|path| Tape::read(path.as_ref())).collect::<Result<Vec<_>, _>>()?;
+    let runs = runs(&tapes);
+    let output = Output::create(out)?;
+    let failure = |failure| output.error(io::Error::other(failure));
+    let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
+    let identities: Vec<String> = tapes.iter().map(|tape| tape.name.clone()).collect();
+    let name = Name::made_of(format!("Comparison: {}", names.join("; ")), &identities);
+    let stream = stream(output.clone(), &name).map_err(failure)?;
+    log(&stream, &tapes, &runs).map_err(failure)?;
+    stream.flush_blocking().map_err(|failure| output.error(io::Error::other(failure)))?;
+    output.finish()
+}
+
+/// A scene of a recording.
+struct Run<'a> {
+    tape: &'a Tape,
+    root: String,
+    name: String,
+}
+
+/// All runs, named by what tells them apart: their setups, or else their files.
+fn runs(tapes: &[Tape]) -> Vec<Run<'_>> {
+    let scenes = tapes.iter().flat_map(|tape| tape.roots().into_iter().map(move |root| (tape, root)));
+    let mut runs: Vec<Run<'_>> = scenes.map(|(tape, root)| Run { tape, root, name: String::new() }).collect();
+    let setups: Option<Vec<_>> = runs.iter().map(|run| run.tape.setup(&run.root)).collect();
+    if let Some(setups) = setups {
+        runs.iter_mut().zip(differences(&setups)).for_each(|(run, words)| run.name = words);
+    }
+    let distinct: BTreeSet<&str> = runs.iter().map(|run| run.name.as_str()).collect();
+    if distinct.len() < runs.len() || distinct.contains("") {
+        runs.iter_mut().for_each(Run::add_file);
+    }
+    runs
+}
+
+impl Run<'_> {
+    /// Records one of its traces as `entity`.
+    fn copy_trace(&self, to: &RecordingStream, name: &str, entity: &str) {
+        let chunks = self.tape.trace(&self.root, name);
+        to.send_chunks(chunks.map(|chunk| chunk.clone_with_new_entity_path(entity.into())));
+    }
+
+    /// Puts file and scene in front of the name.
+    fn add_file(&mut self) {
+        let scene = if self.tape.roots().len() > 1 { self.root.as_str() } else { "" };
+        let name = if self.name.is_empty() { String::new() } else { format!(": {}", self.name) };
+        self.name = format!("{}{scene}{name}", self.tape.path.display());
+    }
+
+    /// A row about it, in Markdown.
+    fn row(&self) -> String {
+        let text = self.tape.text(format!("{}/description", self.root)).unwrap_or_default();
+        let result = text.lines().find_map(|line| line.strip_prefix("**Result**: ")).unwrap_or("-");
+        format!("| {} | {} | {result} |\n", self.name, self.tape.path.display())
+    }
+}
+
+fn log(to: &RecordingStream, tapes: &[Tape], runs: &[Run<'_>]) -> RecordingStreamResult<()> {
+    let mut recordings = Vec::new();
+    for (number, tape) in (1..).zip(tapes) {
+        let root = format!("/recording_{number}");
+        for chunk in &tape.chunks {
+            to.send_chunk(chunk.clone_with_new_entity_path(format!("{root}{}", chunk.entity_path()).into()));
+        }
+        let name = tape.path.file_stem().unwrap_or_default().to_string_lossy();
+        recordings
+            .extend(tape.blueprint.as_ref().and_then(|blueprint| copy(blueprint, &root)).map(|it| it.titled(&name)));
+    }
+    let mut observables: Vec<&Observable> = traced().collect();
+    observables.sort_by_key(|observable| !COMPARED.contains(&observable.name));
+    let curves = observables.into_iter().map(|observable| log_curves(to, runs, observable));
+    let curves = curves.collect::<RecordingStreamResult<Vec<_>>>()?;
+    let rows: String = runs.iter().map(Run::row).collect();
+    let about = "All curves are drawn over the active timeline: pick `transforms` or `seconds` instead of `step` to compare work.";
+    let text = TextDocument::from_markdown(format!("| run | recording | result |\n|---|---|---|\n{rows}\n{about}"));
+    to.log_static(TEXT, &text)?;
+    send_comparison(curves, TEXT.into(), recordings, to)
+}
+
+/// Records the curves of an observable of all runs, and those of its exact values as far as they differ.
+fn log_curves(to: &RecordingStream, runs: &[Run<'_>], observable: &Observable) -> RecordingStreamResult<Compared> {
+    let (name, root) = (drawn(observable), format!("/compare/{}", drawn(observable)));
+    let mut entities = Vec::new();
+    for (number, run) in runs.iter().enumerate() {
+        let entity = format!("{root}/{:02}", number + 1);
+        run.copy_trace(to, &name, &entity);
+        log_run_style(to, &entity, &run.name, Some(number))?;
+        entities.push(entity);
+    }
+    let exact = format!("{name}_exact");
+    let last = |name| move |run: &&Run<'_>| run.tape.last(&run.root, name);
+    let mut with_exact: Vec<&Run<'_>> = runs.iter().filter(|run| last(&exact)(run).is_some()).collect();
+    with_exact.dedup_by_key(|run| last(&exact)(run).map(f64::to_bits));
+    for (number, run) in with_exact.iter().enumerate() {
+        let entity = format!("{root}/exact_{:02}", number + 1);
+        run.copy_trace(to, &exact, &entity);
+        let name = if with_exact.len() > 1 { format!("exact, {}", run.name) } else { "exact".into() };
+        log_run_style(to, &entity, &name, None)?;
+        entities.push(entity);
+    }
+    let highest = runs.iter().filter_map(|run| last(&name)(&run)).fold(0.0, f64::max);
+    let settles = SETTLING.contains(&observable.name) && highest > 0.0;
+    Ok(Compared { title: title(observable), entities, most: settles.then_some(ROOM * highest) })
+}

@@ -1,0 +1,104 @@
+//! Comparisons of recordings, read back from their files.
+
+use super::{record, rough_line, rough_surface, rows, shown_paths, stores, trace};
+use asperity::contact::{Gfmd, Load, Multilevel, PolonskyKeer, Solver};
+use asperity::error::FileError;
+use asperity::record::{Options, Recording, Scene, compare};
+use asperity::setup::{Cell, Method, Part, Recipe, Setup};
+use asperity::{Indenter, Stop};
+use rerun::{SeriesLines, StoreKind};
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::process::Command;
+
+/// Records the solve of a setup.
+fn record_setup(path: &Path, setup: &Setup) {
+    let problem = setup.problem().unwrap();
+    let recording = Recording::create(path, &[Scene::of(setup, &problem)], Options::default()).unwrap();
+    setup.solver.solver().solve(&problem, &Stop::default(), &mut recording.recorder(0)).unwrap();
+    recording.finish().unwrap();
+}
+
+fn names(path: &Path, entities: &[&str]) -> Vec<String> {
+    let name = |entity: &&str| rows::<rerun::components::Name>(path, entity, SeriesLines::descriptor_names());
+    entities.iter().map(|entity| name(entity)[0].1[0].to_string()).collect()
+}
+
+#[test]
+fn traces_lie_over_each_other_under_names_that_tell_the_runs_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let [fast, slow, both] = ["fast.rrd", "slow.rrd", "both.rrd"].map(|name| folder.path().join(name));
+    let sine = Recipe::indenter(Indenter::Sine { amplitude: 0.01 });
+    let setup = Setup::new(sine, Cell::line(64, 1.0), Load::ReducedPressure(0.1));
+    record_setup(&fast, &setup);
+    record_setup(&slow, &Setup { solver: Method::Gfmd(Gfmd::default()), ..setup });
+    compare(&[&fast, &slow], &both).unwrap();
+    for name in ["kappa_r", "relative_area", "certificate_log10", "patches"] {
+        let curves = [format!("/compare/{name}/01"), format!("/compare/{name}/02")];
+        assert_eq!(names(&both, &[&curves[0], &curves[1]]), ["multilevel", "gfmd"]);
+        for (path, curve) in [&fast, &slow].into_iter().zip(&curves) {
+            let own = trace(path, &format!("/contact/trace/{name}"), "transforms");
+            assert!(own.len() > 1 && trace(&both, curve, "transforms") == own, "{name}");
+        }
+    }
+    assert_eq!(names(&both, &["/compare/kappa_r/exact_01"]), ["exact"]);
+    let entities: BTreeSet<String> = super::entities(&both);
+    assert!(!entities.contains("/compare/kappa_r/exact_02"), "it is the same for both");
+    let shown = shown_paths(&both);
+    for entity in ["/compare/kappa_r/02", "/recording_2/contact/profile/**", "/recording_1/contact/trace/kappa_r"] {
+        assert!(shown.contains(entity), "{entity} is not among {shown:?}");
+    }
+    assert!(entities.contains("/recording_2/contact/profile/solid"));
+    let layouts = [&fast, &both].map(|path| stores(path, StoreKind::Blueprint).remove(0).id().application_id().clone());
+    assert_ne!(layouts[0], layouts[1]);
+}
+
+#[test]
+fn runs_without_setups_are_named_by_their_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let [one, other, both] = ["one.rrd", "other.rrd", "both.rrd"].map(|name| folder.path().join(name));
+    record(&one, &rough_line(), &PolonskyKeer, None, None);
+    record(&other, &rough_surface(), &Multilevel as &dyn Solver, None, None);
+    compare(&[&one, &other], &both).unwrap();
+    let names = names(&both, &["/compare/kappa_r/01", "/compare/kappa_r/02"]);
+    assert_eq!(names, [one.display().to_string(), other.display().to_string()]);
+}
+
+#[test]
+fn what_cannot_be_compared_is_refused_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let [good, silent, both] = ["good.rrd", "silent.rrd", "both.rrd"].map(|name| folder.path().join(name));
+    record(&good, &rough_line(), &PolonskyKeer, None, None);
+    let what = [Part::Mask].into_iter().collect();
+    super::record_with(&silent, &rough_line(), &PolonskyKeer, None, Options { what, ..Options::default() });
+    let text = folder.path().join("text.rrd");
+    std::fs::write(&text, "no recording").unwrap();
+    for useless in [&silent, &text] {
+        let failure = compare(&[&good, useless], &both).unwrap_err();
+        assert!(matches!(&failure, FileError::Incomparable { path, .. } if path == useless), "{failure}");
+        assert!(failure.is_input() && !both.exists());
+    }
+    assert!(matches!(compare(&[good, folder.path().join("none.rrd")], &both), Err(FileError::Read { .. })));
+}
+
+#[test]
+fn the_command_compares_two_or_more_and_says_what_it_wrote() {
+    let folder = tempfile::tempdir().unwrap();
+    record(&folder.path().join("a.rrd"), &rough_line(), &PolonskyKeer, None, None);
+    record(&folder.path().join("b.rrd"), &rough_line(), &Gfmd::default(), None, None);
+    let run = |line: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+        let output = command.current_dir(folder.path()).args(line.split(' ')).output().unwrap();
+        (output.status.code(), String::from_utf8([output.stdout, output.stderr].concat()).unwrap())
+    };
+    assert_eq!(run("compare a.rrd b.rrd --out c.rrd"), (Some(0), "wrote c.rrd: asperity view c.rrd\n".into()));
+    for (line, words) in [
+        ("compare a.rrd", "a.rrd alone cannot be compared: give two recordings or more"),
+        ("compare a.rrd missing.rrd", "cannot read missing.rrd"),
+        ("compare a.rrd b.rrd --out ./b.rrd", "--out ./b.rrd is one of the recordings: give another name"),
+        ("view --no-open a.rrd missing.rrd", "cannot read missing.rrd"),
+    ] {
+        let (code, said) = run(line);
+        assert!(code == Some(2) && said.contains(words) && said.lines().count() == 1, "{line}: {said}");
+    }
+}
