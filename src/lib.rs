@@ -61,7 +61,7 @@
 //! | 2     | [`theory`]   | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson       |           |
 //! | 3     | [`contact`]  | the problem, its certificate, solvers, observers, measures and patches            |           |
 //! | 4     | [`setup`]    | the one description of a contact to solve, and what it costs                      | (`units`) |
-//! | 5     | [`study`]    | sweeps over surfaces and loads in tables that a killed run resumes                |           |
+//! | 5     | [`study`]    | load curves, and sweeps over surfaces and loads in tables that a killed run resumes |         |
 //! | 5     | `plot`       | figures as data, written as SVG and PNG                                           | `figures` |
 //! | 6     | `record`     | an observer that writes recordings for the Rerun viewer                           | `record`  |
 //! | 7     | `lab`        | accuracy, stability and speed: experiments on the solvers themselves              | `figures` |

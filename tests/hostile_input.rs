@@ -97,10 +97,7 @@ fn loads_that_are_not_positive_and_finite_are_refused() {
     refuse_values(&format!("{CYLINDER} --pressure 1 --young 1 --poisson={{}}"), &["-1", "0.51", "inf", "NaN"]);
     refuse_values(&format!("{CYLINDER} --modulus 1 --pressure 1,{{}}"), &NOT_POSITIVE);
     refuse_values(&format!("{CYLINDER} --mean-gap 0.1,{{}}"), &["0", "-1", "7.25"]);
-    refuse_values(
-        &format!("{CYLINDER} --reduced-pressure {{}}"),
-        &["1..2", "1..2:1", "1..2:x", "..2:3", "0..2:3", "1..inf:3"],
-    );
+    refuse_values(&format!("{CYLINDER} --reduced-pressure {{}}"), &["1..2", "1..2:1", "1..2:x", "..2:3", "1..:3"]);
 }
 
 #[test]
@@ -396,7 +393,7 @@ fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
         ("nothing.npy", "nothing.npy is not a usable height file"),
         ("table.csv", "2 points"),
         ("words.txt", "words.txt is not a usable height file: it is no .npy file, and no text of numbers"),
-        ("uneven.npy", "the position 5.0 in place 3 is not evenly spaced"),
+        ("uneven.npy", "the position 1.0 in place 2 is not evenly spaced"),
         ("noise.npy", "noise.npy is not a usable height file"),
         ("sub", "sub is not a usable height file: it is a directory"),
         ("missing.npy", "cannot read missing.npy"),

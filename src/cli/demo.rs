@@ -1,8 +1,7 @@
 //! `asperity demo`: Hertz beside rough contact.
 
-use super::outcome::Outcome;
+use super::outcome::{Outcome, settle};
 use super::progress::Progress;
-use super::solve::settle;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Gfmd, Load};

@@ -4,12 +4,11 @@ use super::caution;
 use super::finding::Finding;
 #[cfg(feature = "record")]
 use super::load_recording::CurveRecording;
-use super::outcome::Outcome;
+use super::outcome::{Outcome, settle};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
 use super::plan;
 use super::progress::Progress;
-use super::solve::settle;
 use super::subject::Subject;
 use super::wrote::wrote;
 use anyhow::Result;

@@ -1,8 +1,11 @@
 //! How commands end.
 
+use anyhow::Result;
+use asperity::contact::Contact;
 use asperity::error::{
     FileError, GridError, ProblemError, SettingError, SetupError, SolidError, SolveError, StudyError, SurfaceError,
 };
+use std::io::{Write, stderr};
 use std::process::ExitCode;
 
 /// How a command ended.
@@ -23,13 +26,25 @@ impl From<Outcome> for ExitCode {
     }
 }
 
+/// How a solve ended. That it has not converged is said on standard error; the failure of an observer is an error.
+pub fn settle(contact: &Contact) -> Result<Outcome> {
+    match contact.fault() {
+        None => Ok(Outcome::Done),
+        Some(fault) if contact.failure.is_some() => Err(fault.into()),
+        Some(fault) => {
+            writeln!(stderr(), "warning: {fault}").ok();
+            Ok(Outcome::NotConverged)
+        }
+    }
+}
+
 /// Options that do not go together, in one sentence.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub struct Usage(pub String);
 
 /// A [`Usage`] error.
-pub fn usage<T>(sentence: impl Into<String>) -> anyhow::Result<T> {
+pub fn usage<T>(sentence: impl Into<String>) -> Result<T> {
     Err(Usage(sentence.into()).into())
 }
 

@@ -5,7 +5,7 @@ use super::finding::Finding;
 use super::flags::Scene;
 use super::load_curve;
 use super::nodes::write_nodes;
-use super::outcome::{Outcome, usage};
+use super::outcome::{Outcome, settle, usage};
 use super::output::{Summary, write_json};
 use super::outputs::Outputs;
 use super::plan;
@@ -20,7 +20,7 @@ use asperity::record;
 use asperity::setup::Setup;
 use asperity::study::LoadCurve;
 use clap::Args;
-use std::io::{self, Write, stderr, stdout};
+use std::io::{self, Write, stdout};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -128,17 +128,5 @@ impl Solve {
             return Ok(contact);
         }
         Ok(solver.solve(problem, &setup.stop, &mut progress)?)
-    }
-}
-
-/// How a solve ended. That it has not converged is said on standard error; the failure of an observer is an error.
-pub fn settle(contact: &Contact) -> Result<Outcome> {
-    match contact.fault() {
-        None => Ok(Outcome::Done),
-        Some(fault) if contact.failure.is_some() => Err(fault.into()),
-        Some(fault) => {
-            writeln!(stderr(), "warning: {fault}").ok();
-            Ok(Outcome::NotConverged)
-        }
     }
 }

@@ -6,6 +6,9 @@
 //!                                   +----- carried by every result
 //! ```
 //!
+//! A scene may hold a list of loads, `load.reduced-pressure = [1e-3, 1e-2]` or `"1e-3..1e-1:13"`: [`Table::take_loads`] takes it out
+//! for [`crate::study::LoadCurve`], and what is left is a setup under the first one.
+//!
 //! A setup is read from TOML, or from JSON with the feature `units`. Lengths and pressures are numbers in any consistent set of
 //! units or, with that feature, texts such as `"160 um"` and `"1 GPa"`, which become metres and pascals. A setup that is written
 //! and read again is the same to the last bit.

@@ -1,6 +1,7 @@
 //! Studies: setups solved under rising loads, kept in tables that a killed run resumes, and what is made of them.
 //!
 //! ```text
+//! LoadCurve { setup, loads } --> Contacts
 //! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Line
 //! ```
 
