@@ -7,7 +7,8 @@
 //! ```
 //!
 //! A recording carries the setups of its scenes, from which [`setups`] takes them back. A recording over loads instead of
-//! steps is a [`LoadRecording`]; [`compare`] lays the traces of several over each other. `draw` holds the drawings, `layout` the places of their views in the viewer, `file` the
+//! steps is a [`LoadRecording`], whose curves stand against the quantity of its [`LoadAxis`]; [`compare`] lays the traces of
+//! several recordings over each other. `draw` holds the drawings, `layout` the places of their views in the viewer, `file` the
 //! streams into files.
 //!
 //! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pressures are

@@ -18,14 +18,15 @@ const BOX: [f64; 2] = [560.0, 200.0];
 /// Size of words, large enough for the viewer's in a quarter of a small window.
 const TEXT: f64 = 21.0;
 /// From the box to the legend, and the length of a line in it.
-const LEGEND: [f64; 2] = [50.0, 100.0];
-/// Distance of the entries of the legend, unless there are many.
+const LEGEND: [f64; 2] = [40.0, 150.0];
+/// Distance of the entries of the legend, unless there are many, and how far above the box these begin.
 const ENTRY: f64 = 46.0;
+const ABOVE: f64 = 44.0;
 /// Radii of the dot of a load, and of the marker at the current one.
 const DOT: f32 = 2.0;
 const MARKER: f32 = 4.5;
 /// Ratio of the largest value to the smallest from which on the axis is logarithmic.
-const WIDE: f64 = 100.0;
+const WIDE: f64 = 30.0;
 /// Share of the largest value below which the smallest one has zero beside it on the axis.
 const NEAR_ZERO: f64 = 0.5;
 /// Share of a value that an axis around it alone reaches to either side.
@@ -76,16 +77,18 @@ impl Chart {
     }
 
     pub fn bounds(&self) -> [f64; 4] {
-        let [left, right, top, bottom] = canvas::bounds(&self.frame());
-        [left, right.max(BOX[0] + LEGEND.iter().sum::<f64>() + 0.5 * LEGEND[0]), top, bottom]
+        let [left, _, top, bottom] = canvas::bounds(&self.frame());
+        [left, BOX[0] + LEGEND.iter().sum::<f64>() + 0.5 * LEGEND[0], top, bottom]
     }
 
     /// Records axes and legend.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame())?;
-        let pitch = ENTRY.min(BOX[1] / self.curves.len() as f64);
+        let count = self.curves.len() as f64;
+        let pitch = ENTRY.min((BOX[1] + ABOVE) / count);
+        let top = (BOX[1] - pitch * count).min(0.0);
         let left = (BOX[0] + LEGEND[0]) as f32;
-        let entry = |i: usize| [left, (pitch * i as f64) as f32];
+        let entry = |i: usize| [left, (top + pitch * i as f64) as f32];
         let line = |(i, (_, curve)): (usize, &(usize, Curve))| {
             let [x, y] = entry(i);
             (vec![[x, y], [x + LEGEND[1] as f32, y]], colour(self.colour(curve)), Radius::new_ui_points(2.0))
@@ -226,6 +229,7 @@ mod tests {
             (vec![1.42, 1.71], [1.4, 1.75]),
             (vec![0.2, 1.7], [0.0, 2.0]),
             (vec![3e-4, 0.9], [1e-4, 1.0]),
+            (vec![1.1, 84.0], [1.0, 100.0]),
             (vec![-3.2, -0.4], [-3.5, 0.0]),
         ];
         for (values, expected) in ranges {

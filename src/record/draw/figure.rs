@@ -17,12 +17,14 @@ pub struct FigurePicture {
 }
 
 impl FigurePicture {
-    /// The picture of `figure`, with the loads at `cursor`. The view of a single panel takes the title of the figure.
+    /// The picture of `figure`, with the loads at `cursor`. Views have the titles of their panels, that of a single one the
+    /// title of the figure.
     pub fn new(figure: &Figure, cursor: Vec<f64>, palette: &'static Palette) -> Self {
         let is_single = figure.panels.len() == 1 && !figure.title.is_empty();
         let title =
             |panel: &Panel| if is_single || panel.title.is_empty() { &figure.title } else { &panel.title }.clone();
-        let panels = figure.panels.iter().map(|panel| (title(panel), panel.clone())).collect();
+        let untitled = |panel: &Panel| Panel { title: String::new(), ..panel.clone() };
+        let panels = figure.panels.iter().map(|panel| (title(panel), untitled(panel))).collect();
         Self { panels, palette, cursor }
     }
 

@@ -32,7 +32,7 @@ impl SpectrumPicture {
         let surface = scene.problem.surface();
         let spectrum = PowerSpectrum::of(surface);
         let waves = surface.grid().shape()[1] as f64 / 2.0;
-        let [x, y] = [("waves per longest period", [1.0, waves]), ("C(q) / C_max", DENSITIES)];
+        let [x, y] = [("q L / 2π", [1.0, waves]), ("C(q) / C_max", DENSITIES)];
         let [x, y] = [x, y].map(|(name, range)| Axis::log(name, range));
         let mut picture = Self {
             palette,
