@@ -18,7 +18,6 @@ mod spectrum;
 mod stage;
 mod surface;
 mod traces;
-mod values;
 mod window;
 
 pub use curves::{Curve, Curves};
