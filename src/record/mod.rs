@@ -11,9 +11,13 @@
 //! several recordings over each other. `draw` holds the drawings, `layout` the places of their views in the viewer, `file` the
 //! streams into files.
 //!
-//! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pressures are
-//! recorded over `E*`, gaps over the rms height, both in the power of a thousand that the axes state. Positions are
-//! coordinates of the drawing. Steps of coarser grids are drawn on the axes of the scene, each node at its true place.
+//! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pictures are drawn in
+//! coordinates of their canvas, with axes for pressures over `E*`, gaps over the rms height and lengths, each in the power of a
+//! thousand that the axis states; the numbers behind them stand beside them. Steps of coarser grids are drawn on the axes of
+//! the scene, each node at its true place.
+//!
+//! The viewer keeps a layout to each application: a recording is an application of its own, the same for the same scenes, and
+//! its name tells surface, load and solver.
 //!
 //! ```no_run
 //! use asperity::{Grid, Indenter, Problem, Stop};

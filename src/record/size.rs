@@ -13,7 +13,7 @@ pub struct Size {
     pub still: f64,
     /// The pictures of a frame.
     pub frame: f64,
-    /// Some ten numbers of a step and the times that go with each, packed.
+    /// Some twelve numbers of a step and the times that go with each, packed.
     pub step: f64,
     schedule: Schedule,
 }
@@ -43,7 +43,7 @@ fn bytes(part: Part, grid: &Grid) -> f64 {
     let [pixels, vertices] = [pixels(grid), vertices(grid)].map(|count| count as f64);
     match (part, grid.is_line()) {
         (Part::Profile, _) => 12.0 * points,
-        (Part::Fields, true) => 16.0 * points + 32.0 * Columns::new(grid.len()).count() as f64,
+        (Part::Fields, true) => 16.0 * points + 40.0 * Columns::new(grid.len()).count() as f64,
         (Part::Fields, false) => 8.0 * pixels,
         (Part::Mask, true) => points,
         (Part::Mask, false) => 0.1 * pixels,

@@ -46,7 +46,7 @@ impl Tape {
                 StoreKind::Recording => {
                     let is_own = |chunk: &&Arc<Chunk>| !chunk.entity_path().to_string().starts_with("/__");
                     tape.chunks.extend(store.iter_physical_chunks().filter(is_own).cloned());
-                    tape.name = format!("{id:?}");
+                    tape.name = format!("{}/{}", id.application_id(), id.recording_id());
                 }
             }
         }

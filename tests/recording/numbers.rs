@@ -83,7 +83,7 @@ fn traces_are_in_their_own_units() {
 
 /// Steps and values of a component of a curve.
 fn curve(path: &Path, field: &str, component: &'static str) -> Vec<(i64, Vec<f32>)> {
-    let entity = format!("/it/{field}/curves/values");
+    let entity = format!("/it/{field}/curves/{field}");
     let mut frames = Vec::new();
     for chunk in chunks(path).iter().filter(|chunk| chunk.entity_path().to_string() == entity) {
         let component = component.into();

@@ -7,7 +7,6 @@ use super::palette::{self, CONTACT_CLASS, Palette};
 use super::picture::Picture;
 use super::reduce::Columns;
 use super::ruler::Ruler;
-use super::values::{self, Values};
 use super::window::{Samples, Window};
 use crate::contact::Forecast;
 use crate::plot::{Axis, Frame};
@@ -15,7 +14,8 @@ use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
 use crate::setup::Part;
-use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
+use rerun::datatypes::Float32;
+use rerun::{AnyValues, AsComponents, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
 const WIDTH: f32 = BOX[0] as f32;
 const HEIGHT: f32 = BOX[1] as f32;
@@ -85,8 +85,6 @@ impl LinePicture {
         let [pressure, gap] = ["pressure", "gap"].map(|name| format!("{}/{name}/curves", self.root));
         to.log_static(format!("{pressure}/pressure"), &style(self.palette.pressure, Radius::new_ui_points(1.4), 32.0))?;
         to.log_static(format!("{gap}/gap"), &style(self.palette.gap, Radius::new_ui_points(1.0), 32.0))?;
-        values::log_style(to, &format!("{pressure}/values"), self.palette.pressure, 1.4, 33.0)?;
-        values::log_style(to, &format!("{gap}/values"), self.palette.gap, 1.0, 33.0)?;
         if let Some(exact) = &scene.exact {
             let values = exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect::<Vec<_>>();
             let curve = rising(&self.window.every(1), &values, &self.pressure);
@@ -108,17 +106,30 @@ impl LinePicture {
         Ok(())
     }
 
-    /// The values of a field along the line, in each column the one that `pick` prefers.
-    fn values(&self, nodes: &Samples, field: &[f64], ruler: &Ruler, pick: fn(f64, f64) -> f64) -> Values {
-        let mut values = Values::default();
+    /// Records the curve of a field in pieces, each with its position `x` and the value that it stands for, of those of its
+    /// nodes the one that `pick` prefers: numbers for programs, and for people who point at the curve.
+    fn log_field(
+        &self,
+        to: &RecordingStream,
+        name: &'static str,
+        nodes: &Samples,
+        (field, ruler): (&[f64], &Ruler),
+        pick: fn(f64, f64) -> f64,
+    ) -> RecordingStreamResult<()> {
+        let columns = Columns::new(nodes.count());
+        let pieces = columns.pieces(|i| height(field[nodes.node(i)], ruler)).into_iter();
+        let strips =
+            pieces.map(|piece| piece.into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect::<Vec<_>>());
         let [start, end] = self.ends;
-        for (sample, value) in Columns::new(nodes.count()).fold(|i| field[nodes.node(i)], pick) {
-            let place = f64::from(nodes.place(0)) + sample * f64::from(nodes.spacing());
-            values.places.push([place as f32 * WIDTH, HEIGHT - HEIGHT * ruler.share(value) as f32]);
-            values.x.push((start + place * (end - start)) as f32);
-            values.values.push(value as f32);
-        }
-        values
+        let position = |sample: f64| f64::from(nodes.place(0)) + sample * f64::from(nodes.spacing());
+        let values = columns.fold(|i| field[nodes.node(i)], pick);
+        let (x, values): (Vec<_>, Vec<_>) =
+            values.map(|(sample, value)| ((start + position(sample) * (end - start)) as f32, value as f32)).unzip();
+        let values = AnyValues::default()
+            .with_component_override::<Float32>("x", "length", x)
+            .with_component_override::<Float32>(name, name, values);
+        let strips = LineStrips2D::update_fields().with_strips(strips);
+        to.log(format!("{}/{name}/curves/{name}", self.root), &[&strips as &dyn AsComponents, &values])
     }
 
     /// The solid, a gap below the nodes of the indenter.
@@ -159,13 +170,8 @@ impl Picture for LinePicture {
             to.log(format!("{root}/profile/solid"), &strip(solid))?;
         }
         if self.what.has(Part::Fields) {
-            let pressure = rising(&nodes, &fields.pressure, &self.pressure);
-            to.log(format!("{root}/pressure/curves/pressure"), &strip(pressure))?;
-            to.log(format!("{root}/gap/curves/gap"), &strip(rising(&nodes, &fields.gap, &self.gap)))?;
-            let pressure = self.values(&nodes, &fields.pressure, &self.pressure, f64::max);
-            pressure.log(to, &format!("{root}/pressure/curves/values"), "pressure")?;
-            let gap = self.values(&nodes, &fields.gap, &self.gap, f64::min);
-            gap.log(to, &format!("{root}/gap/curves/values"), "gap")?;
+            self.log_field(to, "pressure", &nodes, (&fields.pressure, &self.pressure), f64::max)?;
+            self.log_field(to, "gap", &nodes, (&fields.gap, &self.gap), f64::min)?;
         }
         if self.what.has(Part::Mask) {
             let segments = self.segments(fields).into_iter().map(|ends| ends.map(|x| [x, HEIGHT]));
@@ -206,7 +212,12 @@ impl Picture for LinePicture {
 
 /// Values upwards from the lower edge of the box.
 fn rising(nodes: &Samples, values: &[f64], ruler: &Ruler) -> Vec<[f32; 2]> {
-    curve(nodes, |i| HEIGHT - HEIGHT * ruler.share(values[nodes.node(i)]) as f32)
+    curve(nodes, |i| height(values[nodes.node(i)], ruler))
+}
+
+/// The height of a value on the canvas.
+fn height(value: f64, ruler: &Ruler) -> f32 {
+    HEIGHT - HEIGHT * ruler.share(value) as f32
 }
 
 /// A curve with the height `y(i)` at sample `i`.

@@ -20,7 +20,6 @@ mod spectrum;
 mod stage;
 mod surface;
 mod traces;
-mod values;
 mod window;
 
 pub use chart::{Chart, LOAD};

@@ -39,15 +39,21 @@ impl Columns {
     /// The points that hold the smallest and the largest value of each column, in the order in which they lie on the curve.
     pub fn extremes(self, value: impl Fn(usize) -> f32) -> Vec<(usize, f32)> {
         let mut points = Vec::with_capacity(2 * self.count);
-        for range in self.ranges() {
-            let (low, high) = extremes(range, &value);
-            let (first, second) = if low.0 <= high.0 { (low, high) } else { (high, low) };
-            points.push(first);
-            if second.0 != first.0 {
-                points.push(second);
-            }
-        }
+        self.ranges().for_each(|range| points.extend(ends(range, &value)));
         points
+    }
+
+    /// The same curve in pieces, one for each column, which reach to the next one; the last one begins in the one before.
+    pub fn pieces(self, value: impl Fn(usize) -> f32) -> Vec<Vec<(usize, f32)>> {
+        let mut pieces: Vec<Vec<_>> = self.ranges().map(|range| ends(range, &value).collect()).collect();
+        for i in 1..pieces.len() {
+            let next = pieces[i][0];
+            pieces[i - 1].push(next);
+        }
+        if let [.., before, last] = pieces.as_mut_slice() {
+            last.insert(0, before[before.len() - 2]);
+        }
+        pieces
     }
 
     /// The middle of each column, as a point with a fraction, and the value of the point in it that `pick` prefers to the others.
@@ -74,6 +80,13 @@ impl Columns {
         }
         runs
     }
+}
+
+/// The points of the smallest and of the largest value in `range`, in their order, or the one that is both.
+fn ends(range: Range<usize>, value: &impl Fn(usize) -> f32) -> impl Iterator<Item = (usize, f32)> {
+    let (low, high) = extremes(range, value);
+    let (first, second) = if low.0 <= high.0 { (low, high) } else { (high, low) };
+    [Some(first), (second.0 != first.0).then_some(second)].into_iter().flatten()
 }
 
 /// First node and value of the smallest and of the largest value in `range`.
@@ -147,6 +160,24 @@ mod tests {
     fn short_lines_are_kept_as_they_are() {
         let points = Columns::new(20).extremes(|i| i as f32);
         assert_eq!(points, (0..20).map(|i| (i, i as f32)).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn pieces_join_to_the_curve_and_values_stand_for_their_nodes() {
+        for points in [2, 20, 100_000] {
+            let (columns, value) = (Columns::new(points), |i: usize| (i * 7919 % 1013) as f32);
+            let pieces = columns.pieces(value);
+            assert!(pieces.len() == columns.count() && pieces.iter().all(|piece| piece.len() > 1));
+            let mut joined: Vec<_> = pieces.into_iter().flatten().collect();
+            joined.sort_by_key(|(i, _)| *i);
+            joined.dedup();
+            assert_eq!(joined, columns.extremes(value));
+            let folded: Vec<_> = columns.fold(|i| f64::from(value(i)), f64::max).collect();
+            assert_eq!(folded.len(), columns.count());
+            let most = (0..points).map(value).fold(0.0, f32::max);
+            assert!(folded.iter().any(|(_, largest)| *largest == f64::from(most)));
+            assert!(folded.is_sorted_by_key(|(middle, _)| *middle) && folded[0].0 >= 0.0);
+        }
     }
 
     #[test]
