@@ -213,6 +213,18 @@ fn the_page_names_nothing_outside() {
 }
 
 #[test]
+fn page_and_readme_explain_the_same_symbols() {
+    let page = Page::open();
+    let html = page.get("/");
+    let words = html.text().split("<dt>").skip(1).filter_map(|rest| rest.split("</dt>").next());
+    let symbols = ["a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r"];
+    assert_eq!(words.collect::<Vec<_>>(), symbols);
+    for symbol in ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`"] {
+        assert!(include_str!("../README.md").contains(&format!("| {symbol} | ")), "{symbol}");
+    }
+}
+
+#[test]
 fn no_path_leads_out() {
     let page = Page::open();
     for path in [
