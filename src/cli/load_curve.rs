@@ -51,12 +51,10 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome
     if outputs.live {
         return super::outcome::usage("--live shows the steps under one load: give one, or --record FILE.rrd instead");
     }
-    let loads = curve.loads.len();
-    let archived = outputs.archive().map_or(0, |_| loads);
-    let cost = curve.setup.cost(outputs.recording().is_some(), archived)?;
+    let cost = curve.cost(outputs.recording().is_some(), outputs.archive().is_some())?;
     outputs.check()?;
     if is_dry {
-        plan::write(&curve.setup, &cost, Some(loads), outputs.recording().is_some(), &mut stdout())?;
+        plan::write(&curve.setup, &cost, Some(curve.loads.len()), outputs.recording().is_some(), &mut stdout())?;
         return Ok(Outcome::Done);
     }
     cost.check(curve.setup.solver.name())?;
@@ -76,11 +74,11 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
     curve.press(
         problem,
         |number| Progress::new(&title(number)),
-        |number, contact| -> Result<()> {
+        |_, contact| -> Result<()> {
             pressed.outcome = pressed.outcome.max(settle(contact)?);
             let finding = Finding::of(&curve.setup, contact);
             #[cfg(feature = "record")]
-            recording.iter().try_for_each(|recording| recording.add(number, contact, &finding.observables))?;
+            recording.iter().try_for_each(|it| it.add(pressed.findings.len(), contact, &finding.observables))?;
             pressed.findings.push(finding);
             pressed.contacts.extend(outputs.archive().map(|_| contact.clone()));
             Ok(())

@@ -62,8 +62,9 @@ fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
     let count: u32 = count.trim().parse().ok().filter(|count| *count > 1).ok_or_else(wrong)?;
     let end = |end: &str| if end.is_empty() { Err(wrong()) } else { load(kind, super::command::value(end)) };
     let (first, last) = (end(first.trim())?, end(last.trim())?);
-    let step = (last.value() / first.value()).ln() / f64::from(count - 1);
-    let inner = (1..count - 1).map(|i| first.with_value(first.value() * (f64::from(i) * step).exp()));
+    let ratio = last.value() / first.value();
+    let share = |i: u32| f64::from(i) / f64::from(count - 1);
+    let inner = (1..count - 1).map(|i| first.with_value(first.value() * ratio.powf(share(i))));
     Ok([first].into_iter().chain(inner).chain([last]).collect())
 }
 

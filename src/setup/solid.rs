@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 /// use asperity::setup::{Body, Solid};
 /// let (steel, glass) = (Body { young: 210e9, poisson: 0.3 }, Body { young: 70e9, poisson: 0.22 });
 /// // 1/E* = sum (1 - nu^2)/E over both bodies
-/// assert_eq!(Solid::Bodies(steel, None).contact_modulus()?, 210e9 / (1.0 - 0.09));
+/// assert!((Solid::Bodies(steel, None).contact_modulus()? / (210e9 / 0.91) - 1.0).abs() < 1e-15);
 /// assert!(Solid::Bodies(steel, Some(glass)).contact_modulus()? < 70e9);
 /// assert_eq!(Solid::ContactModulus(1e9).contact_modulus()?, 1e9);
 /// # Ok::<(), asperity::error::SolidError>(())

@@ -2,7 +2,7 @@
 
 use crate::contact::{Contact, Load, Observer, Problem};
 use crate::error::{SetupError, StudyError};
-use crate::setup::{Setup, Table};
+use crate::setup::{Cost, Setup, Table};
 use crate::surface::Field;
 
 /// A contact under one load after the other, each solved from the contact before.
@@ -47,6 +47,16 @@ impl LoadCurve {
         let mut table = self.setup.clone().with_full_path().to_table();
         table.lay_loads(&self.loads);
         table
+    }
+
+    /// The cost of all solves, see [`Setup::cost`].
+    ///
+    /// # Errors
+    /// The errors of [`Setup::cost`].
+    pub fn cost(&self, is_recorded: bool, is_archived: bool) -> Result<Cost, SetupError> {
+        let largest = self.loads.iter().copied().max_by(|a, b| a.value().total_cmp(&b.value()));
+        let setup = Setup { load: largest.unwrap_or(self.setup.load), ..self.setup.clone() };
+        setup.cost(is_recorded, if is_archived { self.loads.len() } else { 0 })
     }
 
     /// The problem under the heaviest of the loads, all of which are checked.
