@@ -39,8 +39,10 @@ function chart(target, title, top, curves, note) {
   for (const curve of shown) {
     svg.append(drawn("polyline", { class: curve.style, "clip-path": `url(#${inside})`, points: curve.points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ") }));
   }
-  const said = note || (shown.length ? "" : "Sweep the load to draw this");
-  if (said) svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2, "text-anchor": "middle" }, said));
+  const said = note || (shown.length ? "" : "Sweep the load, to draw this");
+  said.split(", ").filter(Boolean).forEach((line, i) => {
+    svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2 + 16 * i, "text-anchor": "middle" }, line));
+  });
   target.replaceChildren(svg);
   legend(svg, top, shown, w);
 }
@@ -68,7 +70,7 @@ function charts() {
   const { sweep: shown } = report;
   const points = shown ? shown.points : [];
   const isStale = points.length > 0 && surfaceOf(shown.knobs) !== surfaceOf(knobs);
-  const note = isStale ? "Another surface: sweep again" : "";
+  const note = isStale ? "Another surface, sweep again" : "";
   const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
   chart(byId("chart-area"), "Area against p*", 1, [
     curve("Persson", "persson", (p) => p.persson), curve("a_rel", "computed", (p) => p.relative_area_corrected),

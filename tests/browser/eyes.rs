@@ -90,13 +90,13 @@ fn stale_curves_say_so(page: &mut Page) {
     page.press("Home");
     rested(page);
     sweep(page);
-    let note = "document.querySelector('#chart-kappa .note')?.textContent ?? ''";
+    let note = "[...document.querySelectorAll('#chart-kappa .note')].map((it) => it.textContent).join(', ')";
     assert_eq!(page.text(note), "");
     let colour = "getComputedStyle(document.querySelector('#chart-kappa polyline.second')).stroke";
     let fresh = page.text(colour);
     let seed = page.value("knobs.seed").to_string();
     page.click("dice");
-    assert_eq!(page.text(note), "Another surface: sweep again");
+    assert_eq!(page.text(note), "Another surface, sweep again");
     assert_ne!(page.text(colour), fresh);
     rested(page);
     page.type_into("control-seed", &seed);

@@ -112,14 +112,11 @@ fn curves(stage: &Stage) -> Pane {
     ];
     let is_elsewhere = |name| ["kappa_r", "kappa", "relative_area", "certificate"].contains(&name);
     let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[&drawn(it)]));
-    let mut more: Vec<Pane> = [text].into_iter().chain(others).collect();
+    let area = View::settling("Relative contact area", area, [0.0, stage.most_area]);
+    let mut more: Vec<Pane> = [text, area].into_iter().chain(others).collect();
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(Pane::even(Kind::Vertical, "Levels", levels));
-    let rows = vec![
-        (View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa]), 1.3),
-        (View::settling("Relative contact area", area, [0.0, stage.most_area]), 0.9),
-        (View::falling("Certificate: log10 of the error bound eta", beside(&["certificate_log10"])), 1.2),
-        (Pane::even(Kind::Tabs, "more", more), 1.2),
-    ];
-    Pane::container(Kind::Vertical, "curves", rows)
+    let kappa = View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa]);
+    let certificate = View::falling("Certificate: log10 of the error bound eta", beside(&["certificate_log10"]));
+    Pane::even(Kind::Vertical, "curves", vec![kappa, certificate, Pane::even(Kind::Tabs, "more", more)])
 }
