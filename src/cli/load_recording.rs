@@ -64,13 +64,11 @@ impl CurveRecording {
 
 /// The axis of the loads: mean gaps go on in even steps, pressures in ratios.
 fn axis(loads: &[Load]) -> LoadAxis {
-    let values = loads.iter().map(|load| match *load {
-        Load::ReducedPressure(value) | Load::MeanPressure(value) | Load::MeanGap(value) => value,
-    });
+    let values = loads.iter().map(Load::value).collect();
     match loads.first() {
-        Some(Load::MeanGap(_)) => LoadAxis::linear("mean gap", values.collect()),
-        Some(Load::MeanPressure(_)) => LoadAxis::log("mean pressure", values.collect()),
-        Some(Load::ReducedPressure(_)) | None => LoadAxis::log("p*", values.collect()),
+        Some(Load::MeanGap(_)) => LoadAxis::linear("mean gap", values),
+        Some(Load::MeanPressure(_)) => LoadAxis::log("mean pressure", values),
+        Some(Load::ReducedPressure(_)) | None => LoadAxis::log("p*", values),
     }
 }
 
