@@ -327,7 +327,7 @@ fn one_row_is_a_line() {
     write_npy(folder.join("line.npy"), &row.row(0)).unwrap();
     let of = |name: &str| {
         let (mut summary, _) = solve(&folder, &format!("--height {name} --size 2 --modulus 1 --pressure 0.3"));
-        for key in ["points", "size", "spacing", "jump"] {
+        for key in ["points", "size", "spacing", "jump_in_rms_steps"] {
             let last = summary[key].as_array_mut().unwrap().pop().unwrap();
             summary[key] = last;
         }
@@ -725,7 +725,7 @@ fn a_trace_that_jumps_across_the_period_warns_until_it_is_detrended() {
             let output = folder.run(&format!("{command} {detrend} --json"));
             assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
             let (summary, warned) = (json(&output), warnings(&output));
-            let jump = summary["jump"][0].as_f64().unwrap();
+            let jump = summary["jump_in_rms_steps"][0].as_f64().unwrap();
             assert_eq!(jump > 10.0, is_warned, "{command} {detrend}: {jump}");
             assert_eq!(warned.iter().any(|it| it.contains("across the period along x")), is_warned, "{warned:?}");
             assert_eq!(summary["spacing"][0].as_f64().unwrap(), 4.0 / 1024.0);
@@ -738,7 +738,7 @@ fn a_trace_that_jumps_across_the_period_warns_until_it_is_detrended() {
     for source in ["flat.toml", "--setup-of first.npz"] {
         let (again, same) = solve(&folder, source);
         assert_eq!(same.pressure, fields.pressure, "{source}");
-        assert_eq!(again["jump"], first["jump"]);
+        assert_eq!(again["jump_in_rms_steps"], first["jump_in_rms_steps"]);
     }
 }
 
