@@ -761,6 +761,19 @@ fn lengths_that_may_be_swapped_and_patches_of_few_nodes_are_told() {
 }
 
 #[test]
+fn positions_that_fit_the_size_in_no_unit_are_told() {
+    let folder = Folder::new();
+    let rows: String = (0..100).map(|i| format!("{},{}\n", 0.25 * i as f64, (i as f64 * 0.2).sin())).collect();
+    std::fs::write(folder.join("h.csv"), format!("x (um),z (um)\n{rows}")).unwrap();
+    for (size, is_told) in [("25", false), ("24.75", false), ("25e-6", false), ("40um", true)] {
+        let output = folder.run(&format!("surface --height h.csv --size {size}"));
+        let words = "the positions in h.csv have a period of 2.500000e1 and the size is 4.000000e-5: give the period as the size";
+        assert_eq!(warnings(&output).contains(&words), is_told, "{size}: {}", text(&output.stderr));
+        assert_eq!(output.status.code(), Some(0));
+    }
+}
+
+#[test]
 fn results_stand_alone() {
     let folder = Folder::new();
     let (summary, _) = solve(&folder, &format!("{ROUGH_SURFACE} --modulus 1GPa --pressure 1MPa --solver gfmd"));
