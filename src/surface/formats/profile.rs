@@ -5,7 +5,7 @@ use crate::grid::Grid;
 use ndarray::{ArrayD, ArrayView1, Axis, Ix2};
 use std::io;
 
-/// The largest deviation from an even spacing, as a share of it: what positions of three digits come to.
+/// The largest deviation from an even spacing, as a share of it: what positions that are rounded to a tenth of it come to.
 const TOLERANCE: f64 = 0.1;
 
 /// The heights of an array. One of two columns or two rows, which no surface has, holds positions and heights of a profile.
