@@ -327,7 +327,7 @@ fn one_row_is_a_line() {
     write_npy(folder.join("line.npy"), &row.row(0)).unwrap();
     let of = |name: &str| {
         let (mut summary, _) = solve(&folder, &format!("--height {name} --size 2 --modulus 1 --pressure 0.3"));
-        for key in ["points", "size", "spacing", "jump"] {
+        for key in ["points", "size", "spacing", "jump_in_rms_steps"] {
             let last = summary[key].as_array_mut().unwrap().pop().unwrap();
             summary[key] = last;
         }
@@ -725,7 +725,7 @@ fn a_trace_that_jumps_across_the_period_warns_until_it_is_detrended() {
             let output = folder.run(&format!("{command} {detrend} --json"));
             assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
             let (summary, warned) = (json(&output), warnings(&output));
-            let jump = summary["jump"][0].as_f64().unwrap();
+            let jump = summary["jump_in_rms_steps"][0].as_f64().unwrap();
             assert_eq!(jump > 10.0, is_warned, "{command} {detrend}: {jump}");
             assert_eq!(warned.iter().any(|it| it.contains("across the period along x")), is_warned, "{warned:?}");
             assert_eq!(summary["spacing"][0].as_f64().unwrap(), 4.0 / 1024.0);
@@ -738,7 +738,7 @@ fn a_trace_that_jumps_across_the_period_warns_until_it_is_detrended() {
     for source in ["flat.toml", "--setup-of first.npz"] {
         let (again, same) = solve(&folder, source);
         assert_eq!(same.pressure, fields.pressure, "{source}");
-        assert_eq!(again["jump"], first["jump"]);
+        assert_eq!(again["jump_in_rms_steps"], first["jump_in_rms_steps"]);
     }
 }
 
@@ -757,6 +757,19 @@ fn lengths_that_may_be_swapped_and_patches_of_few_nodes_are_told() {
         let nodes = number(&json(&output), "nodes_per_patch");
         assert_eq!(nodes < 4.0, is_told, "{nodes}");
         assert_eq!(warnings(&output).iter().any(|it| it.contains("fewer than 4: take more points")), is_told);
+    }
+}
+
+#[test]
+fn positions_that_fit_the_size_in_no_unit_are_told() {
+    let folder = Folder::new();
+    let rows: String = (0..100).map(|i| format!("{},{}\n", 0.25 * i as f64, (i as f64 * 0.2).sin())).collect();
+    std::fs::write(folder.join("h.csv"), format!("x (um),z (um)\n{rows}")).unwrap();
+    for (size, is_told) in [("25", false), ("24.75", false), ("25e-6", false), ("40um", true)] {
+        let output = folder.run(&format!("surface --height h.csv --size {size}"));
+        let words = "the positions in h.csv have a period of 2.500000e1 and the size is 4.000000e-5: give the period as the size";
+        assert_eq!(warnings(&output).contains(&words), is_told, "{size}: {}", text(&output.stderr));
+        assert_eq!(output.status.code(), Some(0));
     }
 }
 

@@ -2,8 +2,9 @@
 
 use asperity::contact::Observables;
 use asperity::setup::Recipe;
-use asperity::surface::{Detrend, Surface};
+use asperity::surface::{Detrend, Surface, read_period};
 use std::io::{Write, stderr};
+use std::path::Path;
 
 /// Reduced pressures above this one are far beyond full contact, which is near 1 to 2.
 const HEAVIEST: f64 = 10.0;
@@ -14,6 +15,8 @@ const JUMP: f64 = 10.0;
 const FEWEST_NODES: f64 = 4.0;
 /// Rms gradients of measured heights above this one come from a wrong unit, as they differ by thousands.
 const STEEPEST: f64 = 10.0;
+/// Lengths whose logarithms to the base of ten differ from a whole number by less than this may be the same in another unit.
+const SAME_LENGTH: f64 = 0.01;
 /// Spacings that differ by less than this share count as equal.
 const UNEQUAL: f64 = 0.01;
 
@@ -29,7 +32,7 @@ pub fn of_surface(recipe: &Recipe, surface: &Surface) -> Vec<String> {
             format!("the heights jump by {jump:.3} rms steps across the period along {axis}, where the contact is not real: {remedy}")
         })
     };
-    let measured = recipe.height.as_ref().map(|_| [spacing(surface), gradient(surface)]);
+    let measured = recipe.height.as_ref().map(|path| [spacing(surface), gradient(surface), period(path, surface)]);
     jumps.filter_map(jump).chain(measured.into_iter().flatten().flatten()).collect()
 }
 
@@ -61,6 +64,19 @@ fn spacing(surface: &Surface) -> Option<String> {
     is_unequal.then(|| {
         format!(
             "the spacing is {dy:.4e} along y (rows) and {dx:.4e} along x (columns): if that is not so, give --size as y,x"
+        )
+    })
+}
+
+/// Positions beside the heights that fit the size in no unit.
+fn period(path: &Path, surface: &Surface) -> Option<String> {
+    let (period, size) = (read_period(path).ok()??, surface.grid().size()[1]);
+    let power = (size / period).log10();
+    let is_same = (power - power.round()).abs() < SAME_LENGTH;
+    (!is_same).then(|| {
+        format!(
+            "the positions in {} have a period of {period:.6e} and the size is {size:.6e}: give the period as the size",
+            path.display()
         )
     })
 }

@@ -14,8 +14,8 @@ pub struct Subject {
     pub size: Vec<f64>,
     /// Distances of rows and columns, or of the nodes of a line.
     pub spacing: Vec<f64>,
-    /// Jumps across the period along the same axes, in rms steps.
-    pub jump: Vec<f64>,
+    /// Jumps across the period along the same axes.
+    pub jump_in_rms_steps: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
     pub contact_modulus: f64,
@@ -41,7 +41,7 @@ impl Subject {
             points: grid.shape()[outer..].into(),
             size: grid.size()[outer..].into(),
             spacing: grid.spacing()[outer..].into(),
-            jump: surface.jumps()[outer..].into(),
+            jump_in_rms_steps: surface.jumps()[outer..].into(),
             seed: surface.seed(),
             contact_modulus: problem.contact_modulus(),
             prescribed: problem.load().name(),
@@ -63,7 +63,10 @@ impl Subject {
         let rows = [
             ("source", self.source.clone()),
             ("spacing", along_axes(&self.spacing, |length| format!("{length:.6e}"))),
-            ("jump across the period", format!("{} rms steps", along_axes(&self.jump, |jump| format!("{jump:.3}")))),
+            (
+                "jump across the period",
+                format!("{} rms steps", along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"))),
+            ),
             ("contact modulus E*", format!("{:.6e} ({})", self.contact_modulus, self.solid)),
             ("solver", self.solver.solver().settings()),
             ("prescribed", self.prescribed.to_owned()),

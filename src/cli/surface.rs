@@ -45,8 +45,8 @@ struct Statistics {
     size: Vec<f64>,
     /// Distances of rows and columns, or of the nodes of a line.
     spacing: Vec<f64>,
-    /// Jumps across the period along the same axes, in rms steps.
-    jump: Vec<f64>,
+    /// Jumps across the period along the same axes.
+    jump_in_rms_steps: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
     #[serde(flatten)]
@@ -74,7 +74,7 @@ impl Describe {
             source: recipe.description(),
             size: grid.size()[outer..].to_vec(),
             spacing: grid.spacing()[outer..].to_vec(),
-            jump: surface.jumps()[outer..].to_vec(),
+            jump_in_rms_steps: surface.jumps()[outer..].to_vec(),
             seed: surface.seed(),
             roughness: Roughness::of(&surface),
             warnings: caution::of_surface(&recipe, &surface),
@@ -99,7 +99,10 @@ impl Statistics {
             ("points", join(self.points.iter().map(usize::to_string).collect())),
             ("size", join(self.size.iter().map(f64::to_string).collect())),
             ("spacing", along_axes(&self.spacing, number)),
-            ("jump across the period", format!("{} rms steps", along_axes(&self.jump, |jump| format!("{jump:.3}")))),
+            (
+                "jump across the period",
+                format!("{} rms steps", along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"))),
+            ),
             ("rms height", number(rms_height)),
             ("rms gradient", number(rms_gradient)),
             ("rms curvature", number(rms_curvature)),

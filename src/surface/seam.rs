@@ -16,23 +16,18 @@ impl Surface {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn jumps(&self) -> [f64; 2] {
-        let [ny, nx] = self.grid().shape();
-        let h = self.heights();
-        let along_y = jump(ny, nx, |row, column| h[row * nx + column]);
-        let along_x = jump(nx, ny, |column, row| h[row * nx + column]);
-        [along_y, along_x]
+        let ([ny, nx], h) = (self.grid().shape(), self.heights());
+        let square = |a: usize, b: usize| (h[a] - h[b]).powi(2);
+        let last_row = (ny - 1) * nx;
+        let along_y = chunks::sum(last_row, |i| square(i + nx, i));
+        let along_x = chunks::sum(h.len() - 1, |i| if (i + 1) % nx == 0 { 0.0 } else { square(i + 1, i) });
+        let across_y = chunks::sum(nx, |x| square(x, last_row + x));
+        let across_x = chunks::sum(ny, |y| square(y * nx, y * nx + nx - 1));
+        [jump(across_y, along_y, ny - 1), jump(across_x, along_x, nx - 1)]
     }
 }
 
-/// The jump of heights `h(i, lane)` across the seam of `nodes` nodes in each of so many lanes.
-fn jump(nodes: usize, lanes: usize, h: impl Fn(usize, usize) -> f64 + Sync) -> f64 {
-    let mean_square = |pairs: usize, pair: &(dyn Fn(usize, usize) -> f64 + Sync)| {
-        chunks::sum(pairs * lanes, |i| pair(i / lanes, i % lanes).powi(2)) / (pairs * lanes) as f64
-    };
-    if nodes < 2 {
-        return 0.0;
-    }
-    let inside = mean_square(nodes - 1, &|i, lane| h(i + 1, lane) - h(i, lane));
-    let seam = mean_square(1, &|_, lane| h(0, lane) - h(nodes - 1, lane));
-    if inside > 0.0 { (seam / inside).sqrt() } else { 0.0 }
+/// The jump of sums of squares across the seam and inside, where so many pairs stand for each across it.
+fn jump(across: f64, inside: f64, pairs: usize) -> f64 {
+    if inside > 0.0 { (across * pairs as f64 / inside).sqrt() } else { 0.0 }
 }

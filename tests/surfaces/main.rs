@@ -4,4 +4,5 @@ mod heights;
 mod indenter;
 mod rough;
 mod roughness;
+mod seam;
 mod spectrum;

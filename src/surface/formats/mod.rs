@@ -38,6 +38,15 @@ pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
     with_file(path.as_ref(), |file, format| (format.shape)(file).map(profile::shape))
 }
 
+/// Reads the period of the positions beside the heights in a file, their number times their spacing, in whatever unit; none from a
+/// file of heights alone.
+///
+/// # Errors
+/// The errors of [`read_heights`].
+pub fn read_period(path: impl AsRef<Path>) -> Result<Option<f64>, FileError> {
+    with_file(path.as_ref(), |file, format| Ok(profile::period(&(format.read)(file)?)))
+}
+
 /// Reads the text that an archive carries as an array of bytes; none from any other file.
 ///
 /// # Errors

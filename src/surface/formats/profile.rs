@@ -5,7 +5,7 @@ use crate::grid::Grid;
 use ndarray::{ArrayD, ArrayView1, Axis, Ix2};
 use std::io;
 
-/// The largest deviation from an even spacing, as a share of it: what positions of three digits come to.
+/// The largest deviation from an even spacing, as a share of it: what positions that are rounded to a tenth of it come to.
 const TOLERANCE: f64 = 0.1;
 
 /// The heights of an array. One of two columns or two rows, which no surface has, holds positions and heights of a profile.
@@ -13,21 +13,33 @@ const TOLERANCE: f64 = 0.1;
 /// # Errors
 /// For positions that are not evenly spaced.
 pub(super) fn heights(array: ArrayD<f64>) -> io::Result<ArrayD<f64>> {
-    let pairs = match *array.shape() {
-        [n, 2] if n >= Grid::MIN_POINTS => Axis(1),
-        [2, n] if n >= Grid::MIN_POINTS => Axis(0),
-        _ => return Ok(array),
-    };
+    let Some(pairs) = pairs(array.shape()) else { return Ok(array) };
     let pairs_in = array.into_dimensionality::<Ix2>().map_err(|error| malformed(error.to_string()))?;
     check(pairs_in.index_axis(pairs, 0))?;
     Ok(pairs_in.index_axis(pairs, 1).to_owned().into_dyn())
 }
 
+/// The period of the positions, their number times their spacing, in an array that holds some.
+pub(super) fn period(array: &ArrayD<f64>) -> Option<f64> {
+    let position = array.index_axis(pairs(array.shape())?, 0);
+    let nodes = position.len();
+    Some((position[nodes - 1] - position[0]).abs() / (nodes - 1) as f64 * nodes as f64)
+}
+
 /// The shape of the heights in an array of some shape.
 pub(super) fn shape(shape: Vec<usize>) -> Vec<usize> {
+    match pairs(&shape) {
+        Some(Axis(pairs)) => vec![shape[1 - pairs]],
+        None => shape,
+    }
+}
+
+/// The axis along which an array of some shape holds pairs, if it does.
+fn pairs(shape: &[usize]) -> Option<Axis> {
     match *shape {
-        [n, 2] | [2, n] if n >= Grid::MIN_POINTS => vec![n],
-        _ => shape,
+        [n, 2] if n >= Grid::MIN_POINTS => Some(Axis(1)),
+        [2, n] if n >= Grid::MIN_POINTS => Some(Axis(0)),
+        _ => None,
     }
 }
 
