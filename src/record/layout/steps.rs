@@ -1,6 +1,6 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
-use super::blueprint::{Kind, Pane, View, send};
+use super::blueprint::{Corner, Kind, Pane, View, send};
 use crate::record::draw::{STEP, Stage, drawn, entity_under, title, traced};
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
@@ -25,7 +25,7 @@ fn overview(stages: &[Stage]) -> Pane {
     if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
         let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
         let most = stages.iter().map(|stage| stage.most_kappa).fold(0.0, f64::max);
-        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most]);
+        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most], Corner::RightBottom);
         let certificate = View::falling("log10 certificate of all scenes", all("certificate_log10"));
         panes.push((Pane::even(Kind::Vertical, "curves", vec![kappa_r, certificate]), 1.0));
     }
@@ -113,8 +113,8 @@ fn curves(stage: &Stage) -> Pane {
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(Pane::even(Kind::Vertical, "Levels", levels));
     let rows = vec![
-        (View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa]), 1.3),
-        (View::settling("Relative contact area", area, [0.0, stage.most_area]), 0.9),
+        (View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa], Corner::RightBottom), 1.3),
+        (View::settling("Relative contact area", area, [0.0, stage.most_area], Corner::RightTop), 0.9),
         (View::falling("Certificate: log10 of the error bound eta", beside(&["certificate_log10"])), 1.2),
         (Pane::even(Kind::Tabs, "more", more), 1.2),
     ];
