@@ -54,6 +54,11 @@ impl Tape {
         if tape.roots().is_empty() { Err(useless(without)) } else { Ok(tape) }
     }
 
+    /// The name of its file, without the end.
+    pub fn stem(&self) -> String {
+        self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
     /// The roots of the scenes that have traces.
     pub fn roots(&self) -> BTreeSet<String> {
         let entities = self.chunks.iter().map(|chunk| chunk.entity_path().to_string());

@@ -67,6 +67,7 @@ fn words<'a>(table: &Table, flags: impl Iterator<Item = &'a Flag>) -> String {
 fn plain(value: &toml::Value) -> String {
     match value {
         toml::Value::String(text) => text.clone(),
+        toml::Value::Float(number) if number.abs() >= 1e5 => format!("{number:e}"),
         toml::Value::Float(number) => format!("{number:?}"),
         toml::Value::Array(values) => values.iter().map(plain).collect::<Vec<_>>().join(" x "),
         other => other.to_string(),

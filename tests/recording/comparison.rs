@@ -5,6 +5,7 @@ use asperity::contact::{Gfmd, Load, Multilevel, PolonskyKeer, Solver};
 use asperity::error::FileError;
 use asperity::record::{Options, Recording, Scene, compare};
 use asperity::setup::{Cell, Method, Part, Recipe, Setup};
+use asperity::surface::Spectrum;
 use asperity::{Indenter, Stop};
 use rerun::{SeriesLines, StoreKind};
 use std::collections::BTreeSet;
@@ -61,7 +62,23 @@ fn runs_without_setups_are_named_by_their_files() {
     record(&other, &rough_surface(), &Multilevel as &dyn Solver, None, None);
     compare(&[&one, &other], &both).unwrap();
     let names = names(&both, &["/compare/kappa_r/01", "/compare/kappa_r/02"]);
-    assert_eq!(names, [one.display().to_string(), other.display().to_string()]);
+    assert_eq!(names, ["one", "other"]);
+}
+
+#[test]
+fn runs_that_differ_in_much_are_named_by_their_files_and_the_text_says_in_what() {
+    let folder = tempfile::tempdir().unwrap();
+    let [smooth, rough, both] = ["smooth.rrd", "rough.rrd", "both.rrd"].map(|name| folder.path().join(name));
+    let setup = |recipe| Setup::new(recipe, Cell::line(256, 1.0), Load::ReducedPressure(0.1));
+    record_setup(&smooth, &setup(Recipe::indenter(Indenter::Sine { amplitude: 0.01 })));
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 0.1, rms_gradient: 0.01 };
+    record_setup(&rough, &setup(Recipe::rough(spectrum, 5)));
+    compare(&[&smooth, &rough], &both).unwrap();
+    assert_eq!(names(&both, &["/compare/kappa_r/01", "/compare/kappa_r/02"]), ["smooth", "rough"]);
+    let texts = rows::<rerun::components::Text>(&both, "/compare/runs", rerun::TextDocument::descriptor_text());
+    let text = texts[0].1[0].as_str();
+    let differs = "| hurst 0.8, rolloff 0.25, short-cutoff 0.1, rms-gradient 0.01, seed 5 |";
+    assert!(text.contains(differs) && text.contains("| sine |"), "{text}");
 }
 
 #[test]

@@ -35,8 +35,7 @@ pub struct Stage {
     pub exact: ExactValues,
     /// Whether an earlier solve stands beside it.
     pub has_ghost: bool,
-    /// Upper end of the axis of `kappa` and `kappa_r`, known before solving so that the first steps do not dwarf the last,
-    /// with room for a legend above the curves.
+    /// Upper end of the axis of `kappa` and `kappa_r`, known before solving so that the first steps do not dwarf the last.
     pub most_kappa: f64,
     /// Upper end of the axis of the relative area.
     pub most_area: f64,
@@ -63,7 +62,7 @@ impl Stage {
             grid,
             exact: [kappa_r, exact.map(|exact| exact.relative_area)],
             has_ghost: options.ghost.is_some(),
-            most_kappa: kappa_r.map_or(4.0, |kappa_r| 2.5 * kappa_r),
+            most_kappa: kappa_r.map_or(4.0, |kappa_r| 1.8 * kappa_r),
             most_area: (2.5 * forecast.relative_area).min(1.05),
             picture: if grid.is_line() {
                 Box::new(LinePicture::new(scene, forecast, &root, &options))

@@ -17,12 +17,14 @@ use std::path::Path;
 const TEXT: &str = "/compare/runs";
 /// Observables that settle at a value above zero.
 const SETTLING: [&str; 3] = ["relative_area", "kappa", "kappa_r"];
+/// Letters of the longest name that leaves room for curves beside the legend.
+const LONGEST_NAME: usize = 40;
 /// Room above the curves that settle at some value, over the largest of these values.
 const ROOM: f64 = 1.8;
 
 /// Writes one recording with the traces of several over each other, and behind them each as it was.
 ///
-/// Each scene of each recording is a run, named by what tells it from the others. The traces are under
+/// Each scene of each recording is a run, named by what tells it from the others, or by its file where that takes many words. The traces are under
 /// `/compare/OBSERVABLE/NUMBER`, the recordings under `/recording_NUMBER`, numbers from 1 on.
 ///
 /// # Errors
@@ -47,21 +49,30 @@ struct Run<'a> {
     tape: &'a Tape,
     root: String,
     name: String,
+    /// What its setup has that those of the others have not.
+    differences: String,
 }
 
-/// All runs, named by what tells them apart: their setups, or else their files.
+/// All runs, named by what tells their setups apart as long as that is short, or else by their files.
 fn runs(tapes: &[Tape]) -> Vec<Run<'_>> {
-    let scenes = tapes.iter().flat_map(|tape| tape.roots().into_iter().map(move |root| (tape, root)));
-    let mut runs: Vec<Run<'_>> = scenes.map(|(tape, root)| Run { tape, root, name: String::new() }).collect();
-    let setups: Option<Vec<_>> = runs.iter().map(|run| run.tape.setup(&run.root)).collect();
-    if let Some(setups) = setups {
-        runs.iter_mut().zip(differences(&setups)).for_each(|(run, words)| run.name = words);
-    }
-    let distinct: BTreeSet<&str> = runs.iter().map(|run| run.name.as_str()).collect();
-    if distinct.len() < runs.len() || distinct.contains("") {
-        runs.iter_mut().for_each(Run::add_file);
+    let scenes: Vec<_> = tapes.iter().flat_map(|tape| tape.roots().into_iter().map(move |root| (tape, root))).collect();
+    let setups: Option<Vec<_>> = scenes.iter().map(|(tape, root)| tape.setup(root)).collect();
+    let told = setups.map_or_else(|| vec![String::new(); scenes.len()], |setups| differences(&setups));
+    let is_short = told.iter().all(|words| (1..=LONGEST_NAME).contains(&words.len()));
+    let is_enough = is_short && told.iter().collect::<BTreeSet<_>>().len() == told.len();
+    let mut runs = Vec::new();
+    for ((tape, root), differences) in scenes.into_iter().zip(told) {
+        let name = if is_enough { differences.clone() } else { place(tapes, tape, &root) };
+        runs.push(Run { tape, root, name, differences });
     }
     runs
+}
+
+/// The file of a run and, where it holds several, its scene.
+fn place(tapes: &[Tape], tape: &Tape, root: &str) -> String {
+    let stems: BTreeSet<String> = tapes.iter().map(Tape::stem).collect();
+    let file = if stems.len() == tapes.len() { tape.stem() } else { tape.path.display().to_string() };
+    if tape.roots().len() > 1 { format!("{file}{root}") } else { file }
 }
 
 impl Run<'_> {
@@ -71,18 +82,12 @@ impl Run<'_> {
         to.send_chunks(chunks.map(|chunk| chunk.clone_with_new_entity_path(entity.into())));
     }
 
-    /// Puts file and scene in front of the name.
-    fn add_file(&mut self) {
-        let scene = if self.tape.roots().len() > 1 { self.root.as_str() } else { "" };
-        let name = if self.name.is_empty() { String::new() } else { format!(": {}", self.name) };
-        self.name = format!("{}{scene}{name}", self.tape.path.display());
-    }
-
     /// A row about it, in Markdown.
     fn row(&self) -> String {
         let text = self.tape.text(format!("{}/description", self.root)).unwrap_or_default();
         let result = text.lines().find_map(|line| line.strip_prefix("**Result**: ")).unwrap_or("-");
-        format!("| {} | {} | {result} |\n", self.name, self.tape.path.display())
+        let Self { name, tape, differences, .. } = self;
+        format!("| {name} | {} | {result} | {differences} |\n", tape.path.display())
     }
 }
 
@@ -103,7 +108,9 @@ fn log(to: &RecordingStream, tapes: &[Tape], runs: &[Run<'_>]) -> RecordingStrea
     let curves = curves.collect::<RecordingStreamResult<Vec<_>>>()?;
     let rows: String = runs.iter().map(Run::row).collect();
     let about = "All curves are drawn over the active timeline: pick `transforms` or `seconds` instead of `step` to compare work.";
-    let text = TextDocument::from_markdown(format!("| run | recording | result |\n|---|---|---|\n{rows}\n{about}"));
+    let text = TextDocument::from_markdown(format!(
+        "| run | recording | result | differs in |\n|---|---|---|---|\n{rows}\n{about}"
+    ));
     to.log_static(TEXT, &text)?;
     send_comparison(curves, TEXT.into(), recordings, to)
 }

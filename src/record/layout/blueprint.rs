@@ -7,6 +7,7 @@ use rerun::external::re_sdk_types::datatypes::{self, Uuid};
 use rerun::{AsComponents, RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 
 pub use components::ContainerKind as Kind;
+pub use components::Corner2D as Corner;
 
 /// A part of the window: a view, or panes side by side with their shares of the room.
 pub enum Pane {
@@ -79,19 +80,19 @@ impl View {
         Pane::View(view.with("Background", ground(palette)))
     }
 
-    /// Curves of all times whose ends lie in the lower half of an axis over `range`; the legend stands below them.
-    pub fn settling(title: &str, contents: Vec<String>, range: [f64; 2]) -> Pane {
+    /// Curves of all times on an axis over `range`, with the legend in a corner that they leave free.
+    pub fn settling(title: &str, contents: Vec<String>, range: [f64; 2], legend: Corner) -> Pane {
         let range = rerun::components::Range1D(range.into());
-        let view = Self::curves(title, contents, components::Corner2D::RightBottom);
+        let view = Self::curves(title, contents, legend);
         Pane::View(view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)))
     }
 
-    /// Curves of all times; the legend stands where nothing is, if they fall.
+    /// Curves of all times on an axis that fits them; the legend stands where nothing is, if they fall.
     pub fn falling(title: &str, contents: Vec<String>) -> Pane {
-        Pane::View(Self::curves(title, contents, components::Corner2D::RightTop))
+        Pane::View(Self::curves(title, contents, Corner::RightTop))
     }
 
-    fn curves(title: &str, contents: Vec<String>, legend: components::Corner2D) -> Self {
+    fn curves(title: &str, contents: Vec<String>, legend: Corner) -> Self {
         let time = panes::TimeAxis::new().with_link(components::LinkAxis::Independent);
         Self::new("TimeSeries", title, "/", contents)
             .with("PlotLegend", panes::PlotLegend::new().with_corner(legend))

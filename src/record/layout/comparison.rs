@@ -1,6 +1,6 @@
 //! The layout of a comparison: the curves of all runs over each other, and behind them each recording as it was.
 
-use super::blueprint::{Kind, Pane, View, send};
+use super::blueprint::{Corner, Kind, Pane, View, send};
 use super::steps::FRAMES_PER_SEC;
 use crate::record::draw::STEP;
 use rerun::{RecordingStream, RecordingStreamResult};
@@ -33,7 +33,7 @@ pub fn send_comparison(
 
 fn view(Compared { title, entities, most }: Compared) -> Pane {
     match most {
-        Some(most) => View::settling(&title, entities, [0.0, most]),
+        Some(most) => View::settling(&title, entities, [0.0, most], Corner::RightBottom),
         None => View::falling(&title, entities),
     }
 }

@@ -1,6 +1,6 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
-use super::blueprint::{Kind, Pane, View, send};
+use super::blueprint::{Corner, Kind, Pane, View, send};
 use crate::record::draw::{STEP, Stage, drawn, entity_under, title, traced};
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
@@ -25,7 +25,7 @@ fn overview(stages: &[Stage]) -> Pane {
     if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
         let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
         let most = stages.iter().map(|stage| stage.most_kappa).fold(0.0, f64::max);
-        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most]);
+        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most], Corner::RightBottom);
         let certificate = View::falling("log10 certificate of all scenes", all("certificate_log10"));
         panes.push((Pane::even(Kind::Vertical, "curves", vec![kappa_r, certificate]), 1.0));
     }
@@ -112,11 +112,11 @@ fn curves(stage: &Stage) -> Pane {
     ];
     let is_elsewhere = |name| ["kappa_r", "kappa", "relative_area", "certificate"].contains(&name);
     let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[&drawn(it)]));
-    let area = View::settling("Relative contact area", area, [0.0, stage.most_area]);
+    let area = View::settling("Relative contact area", area, [0.0, stage.most_area], Corner::RightTop);
     let mut more: Vec<Pane> = [text, area].into_iter().chain(others).collect();
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(Pane::even(Kind::Vertical, "Levels", levels));
-    let kappa = View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa]);
+    let kappa = View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa], Corner::RightBottom);
     let certificate = View::falling("Certificate: log10 of the error bound eta", beside(&["certificate_log10"]));
     Pane::even(Kind::Vertical, "curves", vec![kappa, certificate, Pane::even(Kind::Tabs, "more", more)])
 }
