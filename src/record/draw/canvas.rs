@@ -10,7 +10,7 @@ pub const BOX: [f64; 2] = [1000.0, 460.0];
 /// Size of words beside a curve.
 pub const TEXT: f64 = 18.0;
 /// Room left, right, above and below the box of a frame, over the size of its words.
-const MARGINS: [f64; 4] = [4.8, 7.0, 3.1, 3.9];
+const MARGINS: [f64; 4] = [4.8, 8.2, 3.1, 3.9];
 /// From the lower right corner of a box to the middle of the name of its x axis, over the size of its words: beside the numbers.
 const X_NAME: [f64; 2] = [4.3, 1.2];
 /// Length of a dash, and of what is between dashes.

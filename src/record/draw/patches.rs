@@ -7,10 +7,11 @@ use super::palette::Palette;
 use crate::plot::Frame;
 use rerun::{Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
-/// Bars of a row along the line.
-const BARS: f32 = 1024.0;
-/// Share of its room that a row fills.
-const FILL: f64 = 0.86;
+/// Half of the width of the bars that fill a row: in a small window still wide enough to leave no pixel out.
+const BAR: f32 = 2.0;
+/// Share of its room that a row leaves free, and the room from which on it does so.
+const FREE: f32 = 0.14;
+const ROOMY: f32 = 12.0;
 
 /// A map of the contact, the position to the right and the load upwards. It grows with the load.
 pub struct PatchMap {
@@ -37,17 +38,13 @@ impl PatchMap {
     /// Records the contact under load number `load` at the current time, as the ends of its segments; it stays for heavier loads.
     pub fn log(&self, to: &RecordingStream, load: usize, segments: &[[f32; 2]]) -> RecordingStreamResult<()> {
         let Some(room) = self.loads.room(load) else { return Ok(()) };
-        let [low, high] = room.map(|end| self.frame.y.place(end));
-        let y = |side: f64| self.frame.position([0.0, 0.5 * (low + high) + side * FILL * (high - low)])[1] as f32;
-        let ends = [y(-0.5), y(0.5)];
-        let width = self.frame.size[0] as f32;
-        let fill = |segment: &[f32; 2]| {
-            let bars = ((segment[1] - segment[0]) / width * BARS).ceil().max(1.0) as usize;
-            zigzag(*segment, bars, |_, _| ends)
-        };
-        let row = style(self.palette.contact, Radius::new_scene_units(width / BARS), 10.0);
-        let row = row.with_strips(segments.iter().map(fill));
+        let [bottom, top] = room.map(|end| self.frame.position([0.0, self.frame.y.place(end)])[1] as f32);
+        let free = if bottom - top > ROOMY { 0.5 * FREE * (bottom - top) + BAR } else { 0.0 };
+        let ends = [bottom - free, top + free];
+        let row = style(self.palette.contact, Radius::new_scene_units(BAR), 10.0);
+        let row = row.with_strips(segments.iter().map(|&segment| filled(segment, ends)));
         to.log(format!("{}/row/{}", self.root, load + 1), &row)?;
+        let width = self.frame.size[0] as f32;
         let cursor = style(self.palette.ink, Radius::new_ui_points(2.0), 30.0);
         let sides = [0.0, width].map(|x| ends.map(|y| [x, y]));
         to.log(format!("{}/cursor", self.root), &cursor.with_strips(sides))
@@ -64,5 +61,35 @@ impl PatchMap {
             to.log_static(format!("{}/{stretched}", self.root), &transform)?;
         }
         canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &Frame { y, ..self.frame.clone() })
+    }
+}
+
+/// Bars between the heights `ends`, side by side from `left` to `right` so that they do not stick out; one or two where that
+/// is narrower than they are.
+fn filled([left, right]: [f32; 2], ends: [f32; 2]) -> Vec<[f32; 2]> {
+    let reach = (0.5 * (right - left) - BAR).max(0.0);
+    let steps = (2.0 * reach / BAR).ceil().max(1.0);
+    let (middle, half_pitch) = (left.midpoint(right), reach / steps);
+    let outer = reach + half_pitch;
+    zigzag([middle - outer, middle + outer], steps as usize + 1, |_, _| ends)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bars_fill_a_patch_from_side_to_side_and_no_more() {
+        let points = filled([10.0, 31.0], [60.0, 40.0]);
+        let ends = |axis: usize| {
+            let values = points.iter().map(|point| point[axis]);
+            values.fold([f32::MAX, f32::MIN], |[low, high], value| [low.min(value), high.max(value)])
+        };
+        for (found, expected) in [(ends(0), [10.0 + BAR, 31.0 - BAR]), (ends(1), [40.0, 60.0])] {
+            assert!((0..2).all(|end| (found[end] - expected[end]).abs() < 1e-4), "{found:?}");
+        }
+        assert!(points.windows(2).all(|pair| (pair[1][0] - pair[0][0]).abs() < 1.01 * BAR));
+        let narrow = filled([5.0, 5.5], [60.0, 40.0]);
+        assert!(narrow.iter().all(|point| (point[0] - 5.25).abs() < 1e-4), "{narrow:?}");
     }
 }
