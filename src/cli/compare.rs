@@ -1,20 +1,27 @@
 //! `asperity compare`: the traces of several recordings over each other.
 
 use super::outcome::{Outcome, usage};
+use super::wrote::wrote;
 use anyhow::Result;
+use asperity::files::check_named;
 use asperity::record;
 use clap::Args;
 use std::fs::canonicalize;
-use std::io::{Write, stdout};
 use std::path::PathBuf;
 
+const EXAMPLES: &str = "\
+Examples:
+  asperity compare gfmd.rrd multilevel.rrd
+  asperity compare damping-1.rrd damping-0.5.rrd damping-0.1.rrd --out damping.rrd";
+
 #[derive(Args)]
+#[command(after_help = EXAMPLES)]
 pub struct Compare {
     /// The recordings, two or more
     #[arg(value_name = "FILE.rrd", required = true)]
     recordings: Vec<PathBuf>,
     /// The recording that is made of them
-    #[arg(long, value_name = "FILE.rrd", default_value = "comparison.rrd")]
+    #[arg(long, value_name = "FILE.rrd", default_value = "comparison.rrd", help_heading = "Output")]
     out: PathBuf,
 }
 
@@ -24,12 +31,13 @@ impl Compare {
         if let [only] = recordings.as_slice() {
             return usage(format!("{} alone cannot be compared: give two recordings or more", only.display()));
         }
+        check_named(out, &["rrd"])?;
         let place = canonicalize(out).ok();
         if place.is_some() && recordings.iter().any(|recording| canonicalize(recording).ok() == place) {
             return usage(format!("--out {} is one of the recordings: give another name", out.display()));
         }
         record::compare(recordings, out)?;
-        writeln!(stdout(), "wrote {0}: asperity view {0}", out.display())?;
+        wrote(out);
         Ok(Outcome::Done)
     }
 }
