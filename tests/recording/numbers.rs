@@ -3,7 +3,7 @@
 use super::{chunks, cylinder, record, rough, rough_line, rough_surface, rows, stores, trace};
 use asperity::contact::{ContactModulus, Gfmd, Load, Multilevel, PolonskyKeer, Solver};
 use asperity::record::{Options, Recording, Scene};
-use asperity::setup::{Cell, Recipe, Setup};
+use asperity::setup::{Cell, Recipe, Setup, Solid};
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter, Problem, Stop};
 use rerun::StoreKind;
@@ -53,7 +53,7 @@ fn the_documented_table_and_recordings_agree() {
     let mut found = BTreeSet::new();
     for (indenter, cell) in setups {
         let load = Load::MeanPressure(0.01);
-        let setup = Setup::new(Recipe::indenter(indenter), cell, load);
+        let setup = Setup::new(Recipe::indenter(indenter), cell, load).on(Solid::ContactModulus(1.0));
         let problem = setup.problem().unwrap();
         for solver in [&Multilevel as &dyn Solver, &Gfmd::default()] {
             let recording = Recording::create(&path, &[Scene::of(&setup, &problem)], Options::default()).unwrap();
