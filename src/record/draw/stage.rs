@@ -62,7 +62,7 @@ impl Stage {
             grid,
             exact: [kappa_r, exact.map(|exact| exact.relative_area)],
             has_ghost: options.ghost.is_some(),
-            most_kappa: kappa_r.map_or(4.0, |kappa_r| 1.8 * kappa_r),
+            most_kappa: kappa_r.map_or(4.0, |kappa_r| 1.6 * kappa_r),
             most_area: (2.5 * forecast.relative_area).min(1.05),
             picture: if grid.is_line() {
                 Box::new(LinePicture::new(scene, forecast, &root, &options))
