@@ -92,6 +92,7 @@ function heardRun(run) {
 function remember(earlier) {
   runs = earlier;
   listRuns();
+  if (viewer) runs.slice(-1).forEach(follow);
 }
 
 const address = (run) => `${location.origin}/run/${run.id}.rrd`;
