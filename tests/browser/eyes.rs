@@ -5,6 +5,7 @@ use crate::explorer::{opened, rested};
 use crate::page::Page;
 use serde_json::Value;
 use std::collections::HashMap;
+use std::io::Write;
 
 /// Texts whose contrast with the ground behind them is below 4.5 (WCAG 2.1, 1.4.3), with their contrast.
 const PALE: &str = "(() => { \
@@ -29,6 +30,21 @@ const CUT: &str = "(() => { \
     const [table, ...figures] = [...document.querySelectorAll('#numbers, #results figure')].map(box); \
     const on = figures.filter((figure) => table.right > figure.left + 1).map(() => 'the table lies on a chart'); \
     return [...out.map(named), ...texts.map(named), ...on]; })()";
+
+/// Loads the checker of accessibility that `AXE` names, the file `axe.min.js` of the package `axe-core`; without it says so.
+fn load_axe(page: &mut Page) -> bool {
+    let Some(file) = std::env::var_os("AXE") else {
+        writeln!(std::io::stderr(), "skipped: AXE names no axe.min.js to check the page with").ok();
+        return false;
+    };
+    page.value(&format!("{}; true", std::fs::read_to_string(file).unwrap()));
+    true
+}
+
+/// What axe-core finds that is serious or worse.
+const SERIOUS: &str = "axe.run(document).then(({ violations }) => violations \
+    .filter(({ impact }) => ['serious', 'critical'].includes(impact)) \
+    .map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(' ')).join(', ')}`))";
 
 /// The pictures before and after the pointer has moved are the same.
 fn curves_stand_on_their_axes(page: &mut Page, when: &str) {
@@ -61,8 +77,9 @@ fn axes_follow_data_layout_and_size(page: &mut Page) {
     curves_stand_on_their_axes(page, "after the window has changed");
 }
 
-/// Every text is read in both themes, and all of the page has room in both sizes.
+/// Every text is read in both themes, all of the page has room in both sizes, and nothing keeps anybody out.
 fn all_is_read_and_nothing_is_cut(page: &mut Page) {
+    let has_axe = load_axe(page);
     page.press_at("lesson", "h");
     page.until("document.body.dataset.lesson === '0'", 10);
     for theme in ["dark", "light"] {
@@ -73,6 +90,9 @@ fn all_is_read_and_nothing_is_cut(page: &mut Page) {
             page.until(&format!("innerWidth === {} && document.querySelector('#results svg')", size[0]), 10);
             assert_eq!(page.value(PALE), serde_json::json!([]), "{theme}, {size:?}");
             assert_eq!(page.value(CUT), serde_json::json!([]), "{theme}, {size:?}");
+            if has_axe {
+                assert_eq!(page.value(SERIOUS), serde_json::json!([]), "{theme}, {size:?}");
+            }
         }
         let picture = page.settled();
         let mut counts = HashMap::new();
