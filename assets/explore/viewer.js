@@ -11,9 +11,11 @@ const awake = { until: 0, frames: 0, seen: "" };
 /** Has the viewer draw for a while, after data, layout or size have changed. */
 function wake() {
   const sleeps = !isAwake();
-  Object.assign(awake, { until: performance.now() + GLIDE.time, frames: GLIDE.frames });
+  stayAwake();
   if (sleeps) draw();
 }
+
+const stayAwake = () => Object.assign(awake, { until: performance.now() + GLIDE.time, frames: GLIDE.frames });
 
 const isAwake = () => awake.frames > 0 || performance.now() < awake.until;
 
@@ -23,7 +25,7 @@ function draw() {
   viewer.close_channel("wake");
   awake.frames -= 1;
   const seen = read();
-  if (seen !== awake.seen) { awake.seen = seen; wake(); }
+  if (seen !== awake.seen) { awake.seen = seen; stayAwake(); }
   if (isAwake()) requestAnimationFrame(draw);
 }
 
