@@ -30,7 +30,7 @@ function chart(target, title, top, curves, note) {
   const clip = drawn("clipPath", { id: inside });
   clip.append(drawn("rect", frame));
   svg.append(clip, drawn("rect", { class: "axis", ...frame }), drawn("text", { class: "title", x: ROOM.left, y: 13 }, title));
-  const every = Math.ceil((last - first) * 34 / wide);
+  const every = Math.max(1, Math.ceil((last - first) * 34 / wide));
   for (let e = first; e <= last; e += every) svg.append(drawn("text", { x: x(10 ** e), y: h - 20, "text-anchor": "middle" }, e === 0 ? "1" : `1e${e}`));
   svg.append(drawn("text", { x: ROOM.left + wide / 2, y: h - 5, "text-anchor": "middle" }, "p*"));
   for (let i = 0; i <= 2; i++) svg.append(drawn("text", { x: ROOM.left - 4, y: y(i * top / 2) + 4, "text-anchor": "end" }, String(i * top / 2)));

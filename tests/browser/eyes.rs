@@ -104,6 +104,15 @@ fn all_is_read_and_nothing_is_cut(page: &mut Page) {
     page.click("lesson-close");
 }
 
+/// A sweep that has one load yet is drawn, though its axis has no length.
+fn the_first_load_of_a_sweep_is_drawn(page: &mut Page) {
+    let drawn = "(() => { const { sweep } = report; \
+        report.sweep = { ...sweep, points: [{ ...sweep.points[0], reduced_pressure: 1e-4 }] }; charts(); \
+        const points = document.querySelector('#chart-kappa polyline.second').points.numberOfItems; \
+        report.sweep = sweep; charts(); return points; })()";
+    assert_eq!(page.value(drawn), 1);
+}
+
 /// A sweep of another surface is grey and says so, and is drawn as before when its surface is back.
 fn stale_curves_say_so(page: &mut Page) {
     page.value("document.getElementById('control-body').focus()");
@@ -112,6 +121,7 @@ fn stale_curves_say_so(page: &mut Page) {
     sweep(page);
     let note = "[...document.querySelectorAll('#chart-kappa .note')].map((it) => it.textContent).join(', ')";
     assert_eq!(page.text(note), "");
+    the_first_load_of_a_sweep_is_drawn(page);
     let colour = "getComputedStyle(document.querySelector('#chart-kappa polyline.second')).stroke";
     let fresh = page.text(colour);
     let seed = page.value("knobs.seed").to_string();
