@@ -9,7 +9,7 @@ fn main() -> ExitCode {
     match cli::run() {
         Ok(outcome) => outcome.into(),
         Err(error) => {
-            writeln!(stderr(), "error: {error}").ok();
+            writeln!(stderr(), "error: {error}{}", cli::remedy(&error)).ok();
             cli::exit_code(&error)
         }
     }

@@ -684,6 +684,7 @@ fn a_mean_pressure_needs_a_modulus_and_may_have_one_of_elastic_constants() {
         assert_eq!(output.status.code(), Some(2), "{arguments}");
         let said = text(&output.stderr);
         assert!(said.starts_with("error: the mean pressure 1000000.0 is given without a modulus: give"), "{said}");
+        assert!(said.ends_with(" (--modulus, or --young and --poisson)\n"), "{said}");
         assert!(output.stdout.is_empty() && !folder.join("new.npz").exists());
     }
     let (two, _) = solve(&folder, &format!("{ROUGH_LINE} --pressure 1MPa --young 210GPa,70GPa --poisson 0.3,0.2"));

@@ -32,7 +32,7 @@ mod wrote;
 
 use clap::{Parser, Subcommand};
 
-pub use outcome::{Outcome, exit_code};
+pub use outcome::{Outcome, exit_code, remedy};
 
 /// Rough contact: press a rigid surface on an elastic half-space and watch it relax.
 ///

@@ -48,6 +48,17 @@ pub fn usage<T>(sentence: impl Into<String>) -> Result<T> {
     Err(Usage(sentence.into()).into())
 }
 
+/// The flags by which a person can give what is missing, to stand behind the sentence of an error.
+pub fn remedy(error: &anyhow::Error) -> &'static str {
+    match error.downcast_ref() {
+        Some(SetupError::NoSurface) => " (--height, --indenter, --hurst)",
+        Some(SetupError::NoLoad) => " (--pressure, --reduced-pressure, --mean-gap)",
+        Some(SetupError::NoModulus { .. }) => " (--modulus, or --young and --poisson)",
+        Some(SetupError::NoPoints) => " (--points)",
+        _ => "",
+    }
+}
+
 /// 2 for what the person at the keyboard can mend, 1 for the rest.
 pub fn exit_code(error: &anyhow::Error) -> ExitCode {
     let is_input = error.is::<Usage>()
