@@ -50,7 +50,7 @@ function leaveViewer() {
 /** Paints page and viewer, and solves again for the pictures, which are drawn for one ground. */
 function toggleTheme() {
   paint(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
-  if (isView) return;
+  if (!knobs) return;
   const it = current();
   takeTheme();
   if (it && isSweep(it)) sweep(); else changed();
