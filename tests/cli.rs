@@ -1,6 +1,10 @@
 //! What a user does at the command line, run for real on small contacts.
 
 mod command;
+#[path = "cli/load_curves.rs"]
+mod load_curves;
+#[path = "cli/warnings.rs"]
+mod warnings;
 
 use assert_cmd::Command;
 use command::{Folder, text};
@@ -671,109 +675,6 @@ fn the_demo_records_four_contacts_in_less_than_40_megabytes() {
     assert!(size < 40_000_000, "{size}");
 }
 
-/// The lines on standard error that warn.
-fn warnings(output: &Output) -> Vec<&str> {
-    text(&output.stderr).lines().filter_map(|line| line.strip_prefix("warning: ")).collect()
-}
-
-#[test]
-fn a_mean_pressure_needs_a_modulus_and_may_have_one_of_elastic_constants() {
-    let folder = Folder::new();
-    for arguments in [format!("{CYLINDER} --pressure 1e6"), format!("{ROUGH_LINE} --pressure 1MPa --json")] {
-        let output = folder.run(&format!("solve {arguments} --out new.npz"));
-        assert_eq!(output.status.code(), Some(2), "{arguments}");
-        let said = text(&output.stderr);
-        assert!(said.starts_with("error: the mean pressure 1000000.0 is given without a modulus: give"), "{said}");
-        assert!(said.ends_with(" (--modulus, or --young and --poisson)\n"), "{said}");
-        assert!(output.stdout.is_empty() && !folder.join("new.npz").exists());
-    }
-    let (two, _) = solve(&folder, &format!("{ROUGH_LINE} --pressure 1MPa --young 210GPa,70GPa --poisson 0.3,0.2"));
-    let expected = 1e9 / (0.91 / 210.0 + 0.96 / 70.0);
-    assert_close(number(&two, "contact_modulus"), expected, 1e-14, "two bodies");
-    // flags take the place of the other description of the solid
-    std::fs::write(folder.join("two.json"), two.to_string()).unwrap();
-    for (flags, modulus) in [("--modulus 3GPa", 3e9), ("--young 91GPa --poisson 0.3", 100e9), ("", expected)] {
-        let (again, _) = solve(&folder, &format!("--setup-of two.json {flags}"));
-        assert_close(number(&again, "contact_modulus"), modulus, 1e-14, flags);
-    }
-    let told = folder.run(&format!("solve {ROUGH_LINE} --pressure 1MPa --young 91GPa --poisson 0.3"));
-    let words = "1.000000e11 (of one elastic body, E 9.1e10, nu 0.3)";
-    assert!(text(&told.stdout).contains(words), "{}", text(&told.stdout));
-    let over = folder.run(&format!("solve {ROUGH_LINE} --reduced-pressure 0.01"));
-    assert!(text(&over.stdout).contains("1.000000e0 (none given: pressures are over it)"), "{}", text(&over.stdout));
-}
-
-#[test]
-fn a_load_far_beyond_full_contact_warns() {
-    let folder = Folder::new();
-    for (load, is_warned) in [("--reduced-pressure 11", true), ("--reduced-pressure 9", false)] {
-        let output = folder.run(&format!("solve {ROUGH_LINE} {load} --json"));
-        assert_eq!(output.status.code(), Some(0));
-        let warned = warnings(&output);
-        assert_eq!(warned.iter().any(|it| it.starts_with("the reduced pressure 1.100e1 is far above 1")), is_warned);
-        assert_eq!(json(&output)["warnings"], serde_json::json!(warned));
-    }
-}
-
-#[test]
-fn a_trace_that_jumps_across_the_period_warns_until_it_is_detrended() {
-    let folder = Folder::new();
-    let wave = |i: usize| 1e-2 * (std::f64::consts::TAU * i as f64 / 128.0).sin();
-    let tilted = ndarray::Array1::from_shape_fn(1024, |i| wave(i) + 1e-2 * i as f64 / 16.0);
-    write_npy(folder.join("h.npy"), &tilted).unwrap();
-    for command in ["surface --height h.npy --size 4", "solve --height h.npy --size 4 --reduced-pressure 0.1"] {
-        for (detrend, is_warned) in [("", true), ("--detrend mean", true), ("--detrend plane", false)] {
-            let output = folder.run(&format!("{command} {detrend} --json"));
-            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-            let (summary, warned) = (json(&output), warnings(&output));
-            let jump = summary["jump_in_rms_steps"][0].as_f64().unwrap();
-            assert_eq!(jump > 10.0, is_warned, "{command} {detrend}: {jump}");
-            assert_eq!(warned.iter().any(|it| it.contains("across the period along x")), is_warned, "{warned:?}");
-            assert_eq!(summary["spacing"][0].as_f64().unwrap(), 4.0 / 1024.0);
-        }
-    }
-    // the result repeats itself, by its setup as well as by its heights
-    let run = "--height h.npy --size 4 --reduced-pressure 0.1 --detrend plane";
-    let (first, fields) = solve(&folder, &format!("{run} --save-setup flat.toml"));
-    std::fs::copy(folder.join("contact.npz"), folder.join("first.npz")).unwrap();
-    for source in ["flat.toml", "--setup-of first.npz"] {
-        let (again, same) = solve(&folder, source);
-        assert_eq!(same.pressure, fields.pressure, "{source}");
-        assert_eq!(again["jump_in_rms_steps"], first["jump_in_rms_steps"]);
-    }
-}
-
-#[test]
-fn lengths_that_may_be_swapped_and_patches_of_few_nodes_are_told() {
-    let folder = Folder::new();
-    write_npy(folder.join("h.npy"), &hills([12, 24])).unwrap();
-    for (size, is_told) in [("2,4", false), ("4,2", true)] {
-        let output = folder.run(&format!("surface --height h.npy --size {size}"));
-        let words = "the spacing is 3.3333e-1 along y (rows) and 8.3333e-2 along x (columns)";
-        assert_eq!(warnings(&output).iter().any(|it| it.starts_with(words)), is_told, "{}", text(&output.stderr));
-        assert!(text(&output.stdout).contains("(rows), x "), "{}", text(&output.stdout));
-    }
-    for (load, is_told) in [("1e-4", true), ("0.5", false)] {
-        let output = folder.run(&format!("solve {ROUGH_LINE} --reduced-pressure {load} --json"));
-        let nodes = number(&json(&output), "nodes_per_patch");
-        assert_eq!(nodes < 4.0, is_told, "{nodes}");
-        assert_eq!(warnings(&output).iter().any(|it| it.contains("fewer than 4: take more points")), is_told);
-    }
-}
-
-#[test]
-fn positions_that_fit_the_size_in_no_unit_are_told() {
-    let folder = Folder::new();
-    let rows: String = (0..100).map(|i| format!("{},{}\n", 0.25 * i as f64, (i as f64 * 0.2).sin())).collect();
-    std::fs::write(folder.join("h.csv"), format!("x (um),z (um)\n{rows}")).unwrap();
-    for (size, is_told) in [("25", false), ("24.75", false), ("25e-6", false), ("40um", true)] {
-        let output = folder.run(&format!("surface --height h.csv --size {size}"));
-        let words = "the positions in h.csv have a period of 2.500000e1 and the size is 4.000000e-5: give the period as the size";
-        assert_eq!(warnings(&output).contains(&words), is_told, "{size}: {}", text(&output.stderr));
-        assert_eq!(output.status.code(), Some(0));
-    }
-}
-
 #[test]
 fn results_stand_alone() {
     let folder = Folder::new();
@@ -818,75 +719,5 @@ fn a_line_is_written_as_a_table() {
         let expected =
             [i as f64 / 16.0, fields.height[[i]], fields.pressure[[i]], fields.gap[[i]], fields.displacement[[i]]];
         assert_eq!((&row[..5], row[5]), (&expected[..], contact));
-    }
-}
-
-#[test]
-fn a_load_curve_is_that_of_its_single_loads() {
-    let folder = Folder::new();
-    let run = format!("{ROUGH_LINE} --modulus 2e9 --tolerance 1e-11");
-    let output = folder.run(&format!("solve {run} --reduced-pressure 1e-2..1:5 --unload --json --out curve.npz"));
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let curve = json(&output);
-    let loads = curve["loads"].as_array().unwrap();
-    assert_eq!(loads.len(), 9);
-    for (i, found) in loads.iter().enumerate() {
-        let p = 10f64.powf(-2.0 + 0.5 * (i.min(8 - i)) as f64);
-        assert_close(number(found, "reduced_pressure"), p, 1e-12, "load");
-        let (alone, fields) = solve(&folder, &format!("{run} --reduced-pressure {p:e}"));
-        assert_eq!(found["relative_area"], alone["relative_area"], "load {i}");
-        assert_close(number(found, "mean_gap"), number(&alone, "mean_gap"), 1e-6, "mean gap");
-        let mut npz = NpzReader::new(File::open(folder.join("curve.npz")).unwrap()).unwrap();
-        let pressure: ArrayD<f64> = npz.by_name("pressure").unwrap();
-        assert_eq!(pressure.shape(), [9, 255]);
-        let highest = fields.pressure.fold(0.0, |high: f64, p| high.max(*p));
-        let under = pressure.index_axis(Axis(0), i);
-        assert!(under.iter().zip(&fields.pressure).all(|(a, b)| (a - b).abs() < 1e-4 * highest), "load {i}");
-        let means: ArrayD<f64> = npz.by_name("mean_pressure").unwrap();
-        assert_eq!(means[[i]], number(found, "mean_pressure"));
-    }
-}
-
-#[test]
-fn a_load_curve_is_written_and_repeated_from_its_setup() {
-    let folder = Folder::new();
-    let run = "--modulus 1GPa --pressure 1e6,1e7,30MPa --tolerance 1e-10";
-    let output = folder.run(&format!("solve {ROUGH_LINE} {run} --out curve.csv --save-setup curve.toml"));
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert_eq!(text(&output.stdout).lines().last().unwrap().split_whitespace().nth(1), Some("3.0000e7"));
-    let table = std::fs::read_to_string(folder.join("curve.csv")).unwrap();
-    assert!(table.starts_with("load,status,mean_pressure,") && table.lines().count() == 4, "{table}");
-    let status = folder.run("solve curve.toml --out again.csv").status;
-    assert_eq!((status.code(), std::fs::read_to_string(folder.join("again.csv")).unwrap()), (Some(0), table));
-    // a single load takes the place of the list
-    let one = folder.run("solve curve.toml --pressure 1e7 --json");
-    assert_close(number(&json(&one), "mean_pressure"), 1e7, 1e-12, "load");
-    let dry = folder.run("solve curve.toml --dry-run");
-    assert!(text(&dry.stdout).contains("loads       3, each solved from the one before"), "{}", text(&dry.stdout));
-}
-
-#[test]
-fn a_load_curve_of_which_one_does_not_converge_ends_with_3() {
-    let folder = Folder::new();
-    let run = format!("solve {ROUGH_LINE} --reduced-pressure 0.01,0.1 --max-iterations 2 --out curve.csv");
-    let output = folder.run(&run);
-    assert_eq!(output.status.code(), Some(3));
-    assert!(text(&output.stderr).contains("warning: not converged"));
-    assert_eq!(std::fs::read_to_string(folder.join("curve.csv")).unwrap().matches("iteration-cap").count(), 2);
-}
-
-#[cfg(feature = "record")]
-#[test]
-fn a_load_curve_is_recorded_over_its_loads() {
-    let folder = Folder::new();
-    for (surface, gap, last) in [(ROUGH_LINE, "0.004..0.001:4", 0.001), (ROUGH_SURFACE, "0.008,0.002", 0.002)] {
-        let output = folder.run(&format!("solve {surface} --mean-gap {gap} --record curve.rrd"));
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        assert!(text(&output.stderr).ends_with("wrote curve.rrd: asperity view curve.rrd\n"));
-        assert_is_recording(&folder, "curve.rrd");
-        // it carries the setup of its heaviest contact, the last one
-        let again = folder.run("solve --setup-of curve.rrd --json");
-        assert_eq!(json(&again)["prescribed"], "mean gap");
-        assert_close(number(&json(&again), "mean_gap"), last, 1e-6, "mean gap");
     }
 }

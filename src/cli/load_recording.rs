@@ -34,7 +34,7 @@ impl CurveRecording {
         let loads = Loads {
             title: format!("{}, {} loads", scene.title, curve.loads.len()),
             description: format!("{}, each load from the contact before.", curve.setup.surface.description()),
-            captions: curve.loads.iter().map(caption).collect(),
+            captions: curve.loads.iter().map(Load::to_string).collect(),
             curves: CURVES
                 .map(|(view, name, colour, _)| Curve {
                     view: view.into(),
@@ -69,13 +69,5 @@ fn axis(loads: &[Load]) -> LoadAxis {
         Some(Load::MeanGap(_)) => LoadAxis::linear("mean gap", values),
         Some(Load::MeanPressure(_)) => LoadAxis::log("mean pressure", values),
         Some(Load::ReducedPressure(_)) | None => LoadAxis::log("p*", values),
-    }
-}
-
-fn caption(load: &Load) -> String {
-    match load {
-        Load::ReducedPressure(pressure) => format!("p* = {pressure:.3e}"),
-        Load::MeanPressure(pressure) => format!("p = {pressure:.3e}"),
-        Load::MeanGap(gap) => format!("mean gap = {gap:.3e}"),
     }
 }

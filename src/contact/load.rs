@@ -2,6 +2,7 @@
 
 use crate::quantity;
 use serde::{Deserialize, Serialize};
+use std::fmt;
 
 /// The load that presses the surface on the solid: one of three numbers, of which the solution tells the others.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -38,6 +39,29 @@ impl Load {
             Self::MeanPressure(_) => "mean pressure",
             Self::ReducedPressure(_) => "reduced pressure",
             Self::MeanGap(_) => "mean gap",
+        }
+    }
+}
+
+/// Symbol and number, of four digits at the most.
+///
+/// ```
+/// use asperity::contact::Load;
+/// assert_eq!(Load::ReducedPressure(1.778279).to_string(), "p* = 1.778");
+/// assert_eq!(Load::MeanPressure(2.5e7).to_string(), "p = 2.5e7");
+/// assert_eq!(Load::MeanGap(0.001).to_string(), "mean gap = 0.001");
+/// ```
+impl fmt::Display for Load {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let symbol = match self {
+            Self::MeanPressure(_) => "p",
+            Self::ReducedPressure(_) => "p*",
+            Self::MeanGap(_) => "mean gap",
+        };
+        let rounded: f64 = format!("{:.3e}", self.value()).parse().unwrap_or(f64::NAN);
+        match rounded.abs() {
+            1e-4..1e4 => write!(f, "{symbol} = {rounded}"),
+            _ => write!(f, "{symbol} = {rounded:e}"),
         }
     }
 }

@@ -108,7 +108,7 @@ fn record(
         title: title.clone(),
         description: format!("{description}, each load from the contact before, until contact is full."),
         axis: LoadAxis::log("p*", loads.to_vec()),
-        captions: loads.iter().map(|load| format!("p* = {load:.3e}")).collect(),
+        captions: loads.iter().map(|load| Load::ReducedPressure(*load).to_string()).collect(),
         curves: curves
             .iter()
             .map(|&(view, name, kind, colour, _)| Curve {

@@ -1,0 +1,73 @@
+//! One load after the other.
+
+use super::*;
+
+#[test]
+fn a_load_curve_is_that_of_its_single_loads() {
+    let folder = Folder::new();
+    let run = format!("{ROUGH_LINE} --modulus 2e9 --tolerance 1e-11");
+    let output = folder.run(&format!("solve {run} --reduced-pressure 1e-2..1:5 --unload --json --out curve.npz"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let curve = json(&output);
+    let loads = curve["loads"].as_array().unwrap();
+    assert_eq!(loads.len(), 9);
+    for (i, found) in loads.iter().enumerate() {
+        let p = 10f64.powf(-2.0 + 0.5 * (i.min(8 - i)) as f64);
+        assert_close(number(found, "reduced_pressure"), p, 1e-12, "load");
+        let (alone, fields) = solve(&folder, &format!("{run} --reduced-pressure {p:e}"));
+        assert_eq!(found["relative_area"], alone["relative_area"], "load {i}");
+        assert_close(number(found, "mean_gap"), number(&alone, "mean_gap"), 1e-6, "mean gap");
+        let mut npz = NpzReader::new(File::open(folder.join("curve.npz")).unwrap()).unwrap();
+        let pressure: ArrayD<f64> = npz.by_name("pressure").unwrap();
+        assert_eq!(pressure.shape(), [9, 255]);
+        let highest = fields.pressure.fold(0.0, |high: f64, p| high.max(*p));
+        let under = pressure.index_axis(Axis(0), i);
+        assert!(under.iter().zip(&fields.pressure).all(|(a, b)| (a - b).abs() < 1e-4 * highest), "load {i}");
+        let means: ArrayD<f64> = npz.by_name("mean_pressure").unwrap();
+        assert_eq!(means[[i]], number(found, "mean_pressure"));
+    }
+}
+
+#[test]
+fn a_load_curve_is_written_and_repeated_from_its_setup() {
+    let folder = Folder::new();
+    let run = "--modulus 1GPa --pressure 1e6,1e7,30MPa --tolerance 1e-10";
+    let output = folder.run(&format!("solve {ROUGH_LINE} {run} --out curve.csv --save-setup curve.toml"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(text(&output.stdout).lines().last().unwrap().split_whitespace().nth(1), Some("3.0000e7"));
+    let table = std::fs::read_to_string(folder.join("curve.csv")).unwrap();
+    assert!(table.starts_with("load,status,mean_pressure,") && table.lines().count() == 4, "{table}");
+    let status = folder.run("solve curve.toml --out again.csv").status;
+    assert_eq!((status.code(), std::fs::read_to_string(folder.join("again.csv")).unwrap()), (Some(0), table));
+    // a single load takes the place of the list
+    let one = folder.run("solve curve.toml --pressure 1e7 --json");
+    assert_close(number(&json(&one), "mean_pressure"), 1e7, 1e-12, "load");
+    let dry = folder.run("solve curve.toml --dry-run");
+    assert!(text(&dry.stdout).contains("loads       3, each solved from the one before"), "{}", text(&dry.stdout));
+}
+
+#[test]
+fn a_load_curve_of_which_one_does_not_converge_ends_with_3() {
+    let folder = Folder::new();
+    let run = format!("solve {ROUGH_LINE} --reduced-pressure 0.01,0.1 --max-iterations 2 --out curve.csv");
+    let output = folder.run(&run);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(text(&output.stderr).contains("warning: not converged"));
+    assert_eq!(std::fs::read_to_string(folder.join("curve.csv")).unwrap().matches("iteration-cap").count(), 2);
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn a_load_curve_is_recorded_over_its_loads() {
+    let folder = Folder::new();
+    for (surface, gap, last) in [(ROUGH_LINE, "0.004..0.001:4", 0.001), (ROUGH_SURFACE, "0.008,0.002", 0.002)] {
+        let output = folder.run(&format!("solve {surface} --mean-gap {gap} --record curve.rrd"));
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(text(&output.stderr).ends_with("wrote curve.rrd: asperity view curve.rrd\n"));
+        assert_is_recording(&folder, "curve.rrd");
+        // it carries the setup of its heaviest contact, the last one
+        let again = folder.run("solve --setup-of curve.rrd --json");
+        assert_eq!(json(&again)["prescribed"], "mean gap");
+        assert_close(number(&json(&again), "mean_gap"), last, 1e-6, "mean gap");
+    }
+}
