@@ -1,4 +1,4 @@
-//! What a person should look at before the numbers are believed.
+//! Warnings about surfaces and loads for which the numbers of a contact mean little.
 
 use asperity::contact::Observables;
 use asperity::setup::Recipe;
@@ -20,7 +20,7 @@ const SAME_LENGTH: f64 = 0.01;
 /// Spacings that differ by less than this share count as equal.
 const UNEQUAL: f64 = 0.01;
 
-/// What to look at in a surface, in sentences.
+/// Warnings about a surface, a sentence each: jumps across the period, unequal spacings, and gradients of a wrong unit.
 pub fn of_surface(recipe: &Recipe, surface: &Surface) -> Vec<String> {
     let jumps = ["y", "x"].into_iter().zip(surface.jumps());
     let jump = |(axis, jump): (&str, f64)| {
@@ -36,7 +36,7 @@ pub fn of_surface(recipe: &Recipe, surface: &Surface) -> Vec<String> {
     jumps.filter_map(jump).chain(measured.into_iter().flatten().flatten()).collect()
 }
 
-/// What to look at in contacts under one load after the other, in sentences.
+/// Warnings about contacts, a sentence each: loads far beyond full contact, and patches of too few nodes.
 pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
     let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max).map(|p| {
         format!("the reduced pressure {p:.3e} is far above 1, where contact is nearly full: check load, modulus and their units")

@@ -1,4 +1,4 @@
-//! What was found under one load.
+//! The findings of a solve under one load: status, observables, and the exact solution where there is one.
 
 use asperity::contact::{Contact, OBSERVABLES, Observables, Status};
 use asperity::setup::Setup;

@@ -37,7 +37,7 @@ struct Row {
     status: Status,
 }
 
-/// What came out under the loads.
+/// The findings under all loads, their contacts, and how the solves ended.
 struct Pressed {
     findings: Vec<Finding>,
     /// The contacts, if their fields are to be written.

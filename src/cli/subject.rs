@@ -1,11 +1,11 @@
-//! What was solved, however heavy the load.
+//! The subject of a solve: surface, grid, solid and solver, which are the same under all loads.
 
 use asperity::contact::Problem;
 use asperity::error::SetupError;
 use asperity::setup::{Method, Setup};
 use serde::Serialize;
 
-/// What was solved: surface, grid, solid and solver.
+/// Surface, grid, solid and solver of a solve, for people and for scripts.
 #[derive(Serialize)]
 pub struct Subject {
     /// The parts of the surface, such as a file, in words.

@@ -1,4 +1,4 @@
-//! What was written, and how to open it.
+//! The last words of a command: the files that it wrote, and how each is opened.
 
 use std::io::{Write, stderr};
 use std::path::Path;
