@@ -62,7 +62,7 @@ impl CurveRecording {
     }
 }
 
-/// The axis of the loads: mean gaps go on in even steps, pressures in ratios.
+/// The axis of the loads: logarithmic for pressures, linear for mean gaps.
 fn axis(loads: &[Load]) -> LoadAxis {
     let values = loads.iter().map(Load::value).collect();
     match loads.first() {
