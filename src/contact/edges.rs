@@ -6,7 +6,6 @@
 
 use crate::contact::{Problem, chunks};
 use crate::grid::Grid;
-use crate::surface::Surface;
 use std::f64::consts::{E, PI};
 
 /// Excess `c` of counted nodes over the true contact of a line, per switch between contact and gap, in nodes: exactly
@@ -50,9 +49,8 @@ const MOST_OF_SHAPE: f64 = 0.5;
 /// # Source
 /// This crate's own; [`crate::theory::counting_excess`] has the excess at any angle.
 pub struct Edges<'a, G> {
+    problem: &'a Problem,
     grid: &'a Grid,
-    surface: &'a Surface,
-    contact_modulus: f64,
     pressure: &'a [f64],
     gap: G,
 }
@@ -72,7 +70,7 @@ pub struct Edge {
     pub is_of_shape: bool,
 }
 
-/// Area and gradient of a contact whose edges are resolved between the nodes; dimensionless.
+/// Area, gradient and `kappa_r` of a contact whose edges are resolved between the nodes; dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolved {
     /// `a_rel`, the share of the area in contact.
@@ -80,6 +78,8 @@ pub struct Resolved {
     /// `gbar_r`, root-mean-square gradient over the contact, by differences of fourth order; 0 without contact, NaN where most
     /// edges are given by the shape, whose gradient there is a step.
     pub rms_gradient_contact: f64,
+    /// `kappa_r = a_rel gbar_r E* / <p>`.
+    pub kappa_r: f64,
     /// Links between contact and gap.
     pub edges: usize,
     /// Those at which the shape of the surface gives the edge.
@@ -92,9 +92,9 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
     /// # Panics
     /// If the length of `pressure` does not fit the grid.
     pub fn of(problem: &'a Problem, pressure: &'a [f64], gap: G) -> Self {
-        let surface = problem.surface();
-        assert_eq!(pressure.len(), surface.grid().len(), "pressure must fit the grid");
-        Self { grid: surface.grid(), surface, contact_modulus: problem.contact_modulus(), pressure, gap }
+        let grid = problem.surface().grid();
+        assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
+        Self { problem, grid, pressure, gap }
     }
 
     /// The edges around a node, none if it is not in contact.
@@ -106,7 +106,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
 
     /// Area and gradient.
     pub fn resolved(&self) -> Resolved {
-        let square_slope = self.surface.square_slope();
+        let square_slope = self.problem.surface().square_slope();
         let parts = chunks::visit(self.pressure.len(), |nodes| {
             let touching = nodes.filter(|&node| self.touches(node));
             touching.fold(Sums::default(), |sums, node| sums.plus(self.share(node, &square_slope)))
@@ -114,9 +114,13 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         let sums = parts.into_iter().fold(Sums::default(), Sums::plus);
         let is_smooth = sums.edges_of_shape as f64 <= MOST_OF_SHAPE * sums.edges as f64;
         let mean_square = if sums.area > 0.0 { sums.squares / sums.area } else { 0.0 };
+        let strain = self.problem.mean_pressure_of(self.pressure) / self.problem.contact_modulus();
+        let relative_area = sums.area / self.grid.len() as f64;
+        let rms_gradient_contact = if is_smooth { mean_square.max(0.0).sqrt() } else { f64::NAN };
         Resolved {
-            relative_area: sums.area / self.grid.len() as f64,
-            rms_gradient_contact: if is_smooth { mean_square.max(0.0).sqrt() } else { f64::NAN },
+            relative_area,
+            rms_gradient_contact,
+            kappa_r: relative_area * rms_gradient_contact / strain,
             edges: sums.edges,
             edges_of_shape: sums.edges_of_shape,
         }
@@ -143,7 +147,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         if self.touches(next) {
             return None;
         }
-        let per_modulus = self.along(self.grid.spacing(), towards) / self.contact_modulus;
+        let per_modulus = self.along(self.grid.spacing(), towards) / self.problem.contact_modulus();
         let (p, g) = (self.pressure[node] * per_modulus, GAP_WEIGHT * (self.gap)(next).max(0.0));
         let weight = self.weight([node, next], towards, per_modulus, p + g);
         let p = p * weight.sqrt();

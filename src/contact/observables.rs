@@ -3,7 +3,7 @@
 //! A row of the table is all that a new one takes: results, tables of studies, the explorer and the curves of recordings show
 //! what is in it.
 
-use crate::contact::{Certificate, Contact, Load, Measures, Problem, Resolved, Step, Work};
+use crate::contact::{Certificate, Contact, Load, Measures, Patches, Problem, Resolution, Resolved, Step, Work};
 use ndarray::ArrayView1;
 use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
@@ -35,7 +35,9 @@ pub struct State<'a> {
     certificate: Certificate,
     measures: Lazy<'a, Measures>,
     resolved: Lazy<'a, Resolved>,
-    patches: Lazy<'a, usize>,
+    patches: Lazy<'a, Patches>,
+    /// What the next coarser grid had, if that is known.
+    coarser: Option<&'a Resolved>,
     mean_gap: Lazy<'a, f64>,
     mean_pressure: Lazy<'a, f64>,
     max_pressure: Lazy<'a, f64>,
@@ -124,17 +126,17 @@ observables! {
         "Root-mean-square gradient of the contact less the mean excess of counting nodes at its edges.";
     rms_gradient_contact_resolved: f64, "g_r, resolved", "1", false, |it| it.resolved.rms_gradient_contact,
         "Root-mean-square gradient over the contact within edges that are resolved between the nodes.";
-    kappa: f64, "kappa", "1", true, |it| it.measures.kappa,
+    kappa: f64, "kappa", "1", false, |it| it.measures.kappa,
         "Relative contact area over reduced pressure.";
     kappa_corrected: f64, "kappa, corrected", "1", false, |it| it.measures.relative_area_corrected / it.measures.reduced_pressure,
         "Corrected relative contact area over reduced pressure.";
-    kappa_resolved: f64, "kappa, resolved", "1", false, |it| it.resolved.relative_area / it.measures.reduced_pressure,
+    kappa_resolved: f64, "kappa, resolved", "1", true, |it| it.resolved.relative_area / it.measures.reduced_pressure,
         "Resolved relative contact area over reduced pressure.";
     kappa_r: f64, "kappa_r", "1", true, |it| it.measures.kappa_r,
         "Relative contact area over the reduced pressure with the rms gradient of the nodes in contact.";
     kappa_r_corrected: f64, "kappa_r, corrected", "1", false, |it| it.measures.kappa_r_corrected,
         "Corrected relative contact area over the reduced pressure with the corrected rms gradient of the contact.";
-    kappa_r_resolved: f64, "kappa_r, resolved", "1", true, |it| it.kappa_r_resolved(),
+    kappa_r_resolved: f64, "kappa_r, resolved", "1", true, |it| it.resolved.kappa_r,
         "Resolved relative contact area over the reduced pressure with the resolved rms gradient of the contact.";
     mean_gap: f64, "<g>", "length", false, |it| *it.mean_gap,
         "Mean gap between the surfaces.";
@@ -144,10 +146,18 @@ observables! {
         "Largest pressure.";
     max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
         "Largest pressure over the contact modulus.";
-    patches: usize, "n", "1", true, |it| *it.patches,
+    patches: usize, "n", "1", true, |it| it.patches.count(),
         "Number of contact patches.";
-    nodes_per_patch: f64, "n_c / n", "1", false, |it| it.measures.contact_nodes as f64 / (*it.patches).max(1) as f64,
-        "Nodes in contact for each contact patch: below about four its pressure is that of single nodes.";
+    nodes_per_patch: f64, "n_c / n", "1", false, |it| it.resolution().nodes_per_patch,
+        "Nodes in contact for each contact patch.";
+    unresolved_share: f64, "n_c < few / n_c", "1", false, |it| it.resolution().unresolved_share,
+        "Share of the nodes in contact that are in patches too small to trust: of fewer than 4 nodes on lines, 12 on surfaces.";
+    edges_of_shape: usize, "n_e", "1", false, |it| it.resolved.edges_of_shape,
+        "Number of links between contact and gap at which the shape of the surface gives the edge, as that of a punch does.";
+    relative_area_error: f64, "|da| / a_rel", "1", false, |it| it.resolution().relative_area_error,
+        "Estimated relative error of the resolved relative contact area on this grid.";
+    kappa_r_error: f64, "|dkappa_r| / kappa_r", "1", false, |it| it.resolution().kappa_r_error,
+        "Estimated relative error of the resolved kappa_r on this grid.";
     certificate: f64, "eta", "1", true, |it| it.certificate.eta,
         "Certificate: a bound of the error in energy over load times rms height.";
     pressure_error_bound: f64, "|dp| / |p|", "1", false, |it| it.certificate.pressure_error_bound,
@@ -163,10 +173,10 @@ observables! {
 }
 
 impl State<'_> {
-    /// `kappa_r` with the resolved area and gradient, under the load of the other factors.
-    fn kappa_r_resolved(&self) -> f64 {
-        let strain = self.measures.reduced_pressure * self.measures.rms_gradient;
-        self.resolved.relative_area * self.resolved.rms_gradient_contact / strain
+    /// How well the grid resolves the contact.
+    fn resolution(&self) -> Resolution {
+        let grid = self.problem.surface().grid();
+        Resolution::of(grid, &self.measures, &self.resolved, &self.patches, self.coarser)
     }
 
     /// The reduced pressure: that which is prescribed, to the last bit, or else the one that is found.
@@ -186,7 +196,8 @@ impl<'a> From<&'a Contact> for State<'a> {
             certificate: contact.certificate,
             measures: lazy(|| contact.measures()),
             resolved: lazy(|| contact.resolved()),
-            patches: lazy(|| contact.patches().count()),
+            patches: lazy(|| contact.patches()),
+            coarser: contact.coarser.as_ref(),
             mean_gap: lazy(|| contact.mean_gap()),
             mean_pressure: lazy(|| contact.mean_pressure()),
             max_pressure: lazy(|| contact.max_pressure()),
@@ -205,7 +216,8 @@ impl<'a> From<&'a Step<'_>> for State<'a> {
             certificate: Certificate { eta, pressure_error_bound, load_error, min_pressure, penetration },
             measures: lazy(|| *step.measures()),
             resolved: lazy(|| *step.resolved()),
-            patches: lazy(|| step.patches().count()),
+            patches: lazy(|| step.patches().clone()),
+            coarser: None,
             mean_gap: lazy(|| step.mean_gap()),
             mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),
             max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),

@@ -1,6 +1,6 @@
 //! The contact that a solver returns.
 
-use crate::contact::{Certificate, Edges, Failure, Measures, Patches, Problem, Resolved, certificate};
+use crate::contact::{Certificate, Edges, Failure, Measures, Patches, Problem, Resolution, Resolved, certificate};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
@@ -25,6 +25,8 @@ pub struct Contact {
     pub gap: Field,
     /// Error bounds of this very pressure, from a fresh transform pair.
     pub certificate: Certificate,
+    /// What the next coarser grid had of the contact, if the solver went over one.
+    pub coarser: Option<Resolved>,
     /// Work done.
     pub work: Work,
     /// How the solver stopped.
@@ -98,6 +100,7 @@ impl Contact {
             displacement: field(displacement),
             gap: field(gap),
             certificate,
+            coarser: None,
             work: Work { transforms: work.transforms + 2, ..work },
             status: Status::Stalled,
             solver: solver.into(),
@@ -148,6 +151,12 @@ impl Contact {
     /// Area and gradient with the edges resolved between the nodes.
     pub fn resolved(&self) -> Resolved {
         self.edges().resolved()
+    }
+
+    /// How well the grid resolves the contact.
+    pub fn resolution(&self) -> Resolution {
+        let grid = self.problem.surface().grid();
+        Resolution::of(grid, &self.measures(), &self.resolved(), &self.patches(), self.coarser.as_ref())
     }
 
     /// Contact patches.

@@ -1,7 +1,7 @@
 //! The bookkeeping of a run.
 
 use crate::contact::best::Best;
-use crate::contact::{Contact, Failure, Observer, Problem, Solver, Status, Step, Stop, Wish, Work};
+use crate::contact::{Contact, Failure, Observer, Problem, Resolved, Solver, Status, Step, Stop, Wish, Work};
 use crate::elastic::HalfSpace;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -40,6 +40,8 @@ pub struct Run<'a, P = Vec<f64>> {
     iterations: usize,
     patience: usize,
     failure: Option<Failure>,
+    /// What the next coarser grid had of the contact, if the solver went over one.
+    pub(super) coarser: Option<Resolved>,
     /// The best state found.
     pub(super) best: Best<P>,
 }
@@ -58,6 +60,7 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
             iterations: 0,
             patience: PATIENCE,
             failure,
+            coarser: None,
             best: Best::none(0),
         }
     }
@@ -142,6 +145,7 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         let uniform = || vec![self.problem.expected_mean_pressure(); self.problem.nodes()];
         let pressure = self.best.pressure.take().map_or_else(uniform, P::into);
         let mut contact = Contact::new(self.problem, pressure, half_space, work, self.solver.name());
+        contact.coarser = self.coarser;
         let is_missed = status == Status::Converged && !self.is_converged(contact.certificate.eta);
         contact.status = if is_missed { Status::Stalled } else { status };
         let ended = self.observer.end(&contact);

@@ -5,7 +5,7 @@ use super::extension::Extension;
 use super::support::{Pressure, RowOfNodes, Support};
 use crate::chunks;
 use crate::contact::best::Best;
-use crate::contact::{Problem, Status, certificate};
+use crate::contact::{Edges, Problem, Resolved, Status, certificate};
 use crate::elastic::HalfSpace;
 use std::ops::Range;
 
@@ -79,6 +79,12 @@ impl<'a> Level<'a> {
         let v = self.extremes_of_v();
         let above_gap = self.problem.mean_gap().map_or(0.0, |gap| v.mean + (v.reference + gap));
         certificate::excess(v.mean - v.lowest, above_gap) / self.problem.rms_height()
+    }
+
+    /// Area and gradient of this state with its edges resolved.
+    pub fn resolved(&self) -> Resolved {
+        let (u, h, lambda) = (&self.u, self.problem.height(), self.lambda());
+        Edges::of(self.problem, &self.pressure.spread(), |node| u[node] - h[node] - lambda).resolved()
     }
 
     /// `lambda` of this state: the mean of `v` weighted by the pressure or, at a given mean gap, minus that.

@@ -172,6 +172,7 @@ impl Cascade<'_> {
         };
         let (mut level, ended) = self.level_on(&coarse, depth + 1);
         let ended = self.relax(&mut level, depth + 1, ended);
+        self.run.coarser = (depth == 0).then(|| level.resolved());
         self.spent += self.share(&level) * level.half_space.transforms() as f64;
         let pressure = self.run.best.pressure.take().unwrap_or(level.pressure).spread();
         drop(level.half_space);
