@@ -58,6 +58,13 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
     heavy.into_iter().chain(coarse).collect()
 }
 
+/// The warning that the finest grid that could be tried is too coarse.
+pub fn unsettled() -> String {
+    "area and kappa_r have not settled on the finest grid that memory and 64-fold refinement allow: give a larger --area-tolerance, or \
+     smoother heights"
+        .into()
+}
+
 /// Whether the grid is too coarse for the numbers of a contact.
 fn is_doubtful(it: &Observables) -> bool {
     error(it) > LARGEST_ERROR || it.unresolved_share > LARGEST_SHARE

@@ -6,7 +6,7 @@ use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const TOLD: [&str; 28] = [
+const TOLD: [&str; 29] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
@@ -31,6 +31,7 @@ const TOLD: [&str; 28] = [
     "patches",
     "nodes_per_patch",
     "unresolved_share",
+    "edges_of_shape",
     "certificate",
     "pressure_error_bound",
     "iterations",
@@ -65,8 +66,15 @@ impl Finding {
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {v:.6}"));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
-        let counted = |resolved: f64, counted: f64, corrected: f64| {
-            format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})")
+        let counted = |resolved: f64, counted: f64, corrected: f64| match resolved.is_nan() {
+            true => format!("not resolved (counted {counted:.6})"),
+            false => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
+        };
+        let percent =
+            |share: f64| if share.is_nan() { "unknown".to_owned() } else { format!("{:.2} %", 100.0 * share) };
+        let of_shape = match it.edges_of_shape {
+            0 => String::new(),
+            edges => format!(", {edges} edges given by the shape"),
         };
         let rows = [
             (
@@ -78,15 +86,15 @@ impl Finding {
             ("kappa", counted(it.kappa_resolved, it.kappa, it.kappa_corrected)),
             ("kappa_r", counted(it.kappa_r_resolved, it.kappa_r, it.kappa_r_corrected) + &kappa_r),
             (
-                "error of the grid, estimated",
-                format!("area {:.2} %, kappa_r {:.2} %", 100.0 * it.relative_area_error, 100.0 * it.kappa_r_error),
+                "grid error, estimated",
+                format!("area {}, kappa_r {}", percent(it.relative_area_error), percent(it.kappa_r_error)),
             ),
             ("mean gap", format!("{:.6e} ({:.4} rms heights)", it.mean_gap, it.mean_gap_over_rms_height)),
             ("pressure, mean and max", format!("{:.6e} {:.6e}", it.mean_pressure, it.max_pressure)),
             (
                 "contact patches",
                 format!(
-                    "{} ({:.2} nodes each, {:.1} % of the contact in those too small to trust)",
+                    "{} ({:.2} nodes each, {:.1} % of the contact in those too small to trust){of_shape}",
                     it.patches,
                     it.nodes_per_patch,
                     100.0 * it.unresolved_share

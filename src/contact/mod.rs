@@ -10,6 +10,7 @@
 mod archive;
 mod best;
 mod certificate;
+mod contour;
 mod edges;
 mod forecast;
 mod gfmd;

@@ -222,12 +222,15 @@ impl<'a> Step<'a> {
         self.measures.get_or_init(|| Measures::of(self.problem, &self.pressure))
     }
 
-    /// Area and gradient with the edges resolved between the nodes.
+    /// The edges of the contact, between the nodes.
+    pub fn edges(&self) -> Edges<'_, impl Fn(usize) -> f64 + Sync> {
+        let (u, h, datum): (&[f64], _, _) = (&self.displacement, self.problem.height(), self.datum());
+        Edges::of(self.problem, &self.pressure, move |node| u[node] - h[node] + datum)
+    }
+
+    /// Area, gradient and `kappa_r` with the edges resolved between the nodes.
     pub fn resolved(&self) -> &Resolved {
-        self.resolved.get_or_init(|| {
-            let (u, h, datum): (&[f64], _, _) = (&self.displacement, self.problem.height(), self.datum());
-            Edges::of(self.problem, &self.pressure, |node| u[node] - h[node] + datum).resolved()
-        })
+        self.resolved.get_or_init(|| self.edges().resolved())
     }
 
     /// Contact patches.

@@ -73,6 +73,7 @@ impl Table {
     fn with_heights_of(mut self, result: &Path) -> Self {
         if self.find("surface.height").is_some() {
             self.remove("surface");
+            self.remove("grid.refine");
             self.lay("surface.height", result.to_string_lossy().into_owned().into());
         }
         self

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! LoadCurve { setup, loads } --> Contacts
+//! Refinement { setup, tolerance } --> Settled { setup, contact }
 //! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Line
 //! ```
 
@@ -9,6 +10,7 @@ mod identity;
 mod load_curve;
 mod point;
 mod realisation;
+mod refinement;
 mod spread;
 mod sweep;
 mod table;
@@ -16,6 +18,7 @@ mod table;
 pub use load_curve::LoadCurve;
 pub use point::Point;
 pub use realisation::Realisation;
+pub use refinement::{Refinement, Settled};
 pub use spread::{Line, Spread};
 pub use sweep::Sweep;
 pub use table::Table;

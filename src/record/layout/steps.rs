@@ -91,7 +91,10 @@ fn relief(stage: &Stage) -> Pane {
 fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> Pane {
     let root = &stage.root;
     let mut contents = vec![format!("{root}/{picture}/**"), stage.caption_entity()];
-    contents.extend((contact && stage.what.has(Part::Mask)).then(|| format!("{root}/contact")));
+    if stage.what.has(Part::Mask) {
+        contents.extend(contact.then(|| format!("{root}/contact")));
+        contents.extend((!stage.grid.is_line()).then(|| format!("{root}/contact/contour")));
+    }
     View::plane(title, root, contents, stage.picture.bounds(), stage.palette)
 }
 
