@@ -456,7 +456,8 @@ fn the_summary_reads_well() {
     let title = out.lines().next().unwrap();
     assert!(["Cylinder", "64 points", "multilevel", ": converged"].iter().all(|words| title.contains(words)), "{out}");
     for line in ["reduced pressure", "relative area", "rms gradient", "kappa ", "kappa_r", "mean gap", "certificate"] {
-        assert_eq!(out.matches(line).count(), 1, "{line} in {out}");
+        let begins = |row: &str| row.trim_start().starts_with(line);
+        assert_eq!(out.lines().filter(|row| begins(row)).count(), 1, "{line} in {out}");
     }
     for words in ["cylinder, radius 1.0", "spacing                   6.250000e-2", "rms steps", "1.000000e0 (given)"] {
         assert!(out.contains(words), "{words} in {out}");

@@ -4,7 +4,7 @@ use asperity::surface::{Field, Spectrum};
 use asperity::{Grid, Surface};
 
 fn rough(grid: Grid) -> Surface {
-    let spectrum = Spectrum { hurst: 0.5, rolloff_wavelength: 1.0, short_cutoff: 0.2, rms_gradient: 0.1 };
+    let spectrum = Spectrum { hurst: 0.5, rolloff_wavelength: 1.0, short_cutoff: 0.26, rms_gradient: 0.1 };
     Surface::rough(grid, &spectrum, 4).unwrap()
 }
 

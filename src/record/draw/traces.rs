@@ -25,8 +25,8 @@ const NOT_DRAWN: [&str; 2] = ["mean_gap", "kappa"];
 /// Entities under `trace` besides those of the observables, and the names of their curves. Those of exact values come after the
 /// computed ones in the alphabet, as the viewer draws in its order.
 const BESIDES: [(&str, &str); 7] = [
-    ("kappa_r_exact", "exact kappa_r"),
-    ("relative_area_exact", "exact relative area"),
+    ("kappa_r_theory", "exact kappa_r"),
+    ("relative_area_theory", "exact relative area"),
     ("complementary_energy", "complementary energy / (p_mean h_rms)"),
     ("potential_energy", "potential energy / (p_mean h_rms)"),
     ("level", "grid level"),
@@ -177,14 +177,14 @@ pub fn log_styles(
     scene: Option<(usize, &str)>,
 ) -> RecordingStreamResult<()> {
     let is_drawn = |entity: &str| match entity {
-        "kappa_r_exact" => kappa_r.is_some(),
-        "relative_area_exact" => area.is_some(),
+        "kappa_r_theory" => kappa_r.is_some(),
+        "relative_area_theory" => area.is_some(),
         _ => true,
     };
     let observables = traced().map(|observable| (observable.name, drawn(observable), title(observable)));
     let besides = BESIDES.iter().map(|&(entity, name)| (entity, entity.to_owned(), name.to_owned()));
     for (i, (of, entity, name)) in observables.chain(besides).enumerate().filter(|(_, (of, ..))| is_drawn(of)) {
-        let exact = of.ends_with("_exact");
+        let exact = of.ends_with("_theory");
         let rgb = if exact { palette::EXACT } else { series_colour(of, i, scene) };
         let name = scene.map_or_else(|| name.clone(), |(_, title)| format!("{name}, {title}"));
         let style = SeriesLines::new().with_names([name]).with_colors([palette::colour(rgb)]);

@@ -107,8 +107,8 @@ fn curves(stage: &Stage) -> Pane {
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
     let earlier = |name: &str| stage.has_ghost.then(|| entity_under(&stage.root, name));
     let beside = |names: &[&str]| traces(names).into_iter().chain(earlier(names[0])).collect::<Vec<_>>();
-    let kappa = beside(&["kappa_r_resolved", "kappa_resolved", "kappa_r", "kappa_r_exact"]);
-    let area = beside(&["relative_area_resolved", "relative_area", "relative_area_exact"]);
+    let kappa = beside(&["kappa_r_resolved", "kappa_resolved", "kappa_r", "kappa_r_theory"]);
+    let area = beside(&["relative_area_resolved", "relative_area", "relative_area_theory"]);
     let free = |title: &str, names: &[&str]| View::falling(title, traces(names));
     let levels = vec![
         free("Grid level (0: finest)", &["level"]),
