@@ -75,6 +75,7 @@ impl Solve {
         cost.check(setup.solver.name())?;
         let problem = setup.problem()?;
         let contact = self.watch(setup, &problem)?;
+        outputs.complete(&contact);
         self.write(setup, &contact)?;
         settle(&contact)
     }

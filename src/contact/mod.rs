@@ -9,6 +9,7 @@
 
 mod archive;
 mod best;
+mod bound;
 mod certificate;
 mod forecast;
 mod gfmd;
@@ -21,12 +22,15 @@ mod outcome;
 mod patches;
 mod polonsky_keer;
 mod problem;
+mod rounding;
 mod run;
 mod solver;
 mod step;
 mod stop;
+mod sums;
 
 use crate::chunks;
+use sums::Sums;
 
 pub use crate::error::Failure;
 pub use archive::{archive, archive_of_loads};

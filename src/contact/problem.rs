@@ -48,6 +48,7 @@ pub struct Problem {
     mean_pressure: Option<f64>,
     expected_mean_pressure: f64,
     rms_height: f64,
+    highest: f64,
     rms_gradient: OnceLock<f64>,
 }
 
@@ -78,9 +79,19 @@ impl Problem {
         let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
         check_magnitude("rms height", rms_height)?;
         check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
+        let highest = height.iter().fold(0.0, |highest: f64, &h| highest.max(h));
         let (mean_pressure, expected_mean_pressure, rms_gradient) = (None, f64::NAN, OnceLock::new());
-        Self { surface, contact_modulus, load, mean_pressure, expected_mean_pressure, rms_height, rms_gradient }
-            .with_load(load)
+        Self {
+            surface,
+            contact_modulus,
+            load,
+            mean_pressure,
+            expected_mean_pressure,
+            rms_height,
+            highest,
+            rms_gradient,
+        }
+        .with_load(load)
     }
 
     /// The problem of the same surface and solid under another load.
@@ -108,7 +119,7 @@ impl Problem {
     }
 
     fn check_mean_gap(&self, mean_gap: f64) -> Result<(), ProblemError> {
-        let highest = self.height().iter().fold(0.0, |highest: f64, &h| highest.max(h));
+        let highest = self.highest;
         if mean_gap.is_finite() && mean_gap <= 0.0 {
             return Err(ProblemError::EverythingTouches { mean_gap, highest });
         }
@@ -195,6 +206,11 @@ impl Problem {
     /// Root mean square of the heights about their mean.
     pub fn rms_height(&self) -> f64 {
         self.rms_height
+    }
+
+    /// The highest peak above the mean height, above which no mean gap lets the surfaces touch.
+    pub fn highest(&self) -> f64 {
+        self.highest
     }
 
     /// Root-mean-square gradient `gbar` of the whole surface; computed when first asked for.
