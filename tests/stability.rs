@@ -74,7 +74,7 @@ fn solution(problem: &Problem) -> Vec<f64> {
 fn a_solution_passes_the_check() {
     for problem in problems() {
         let check = Check::of(&problem, &solution(&problem));
-        assert_eq!((check.fault(), check.doubt(1e-8)), (None, None));
+        assert_eq!((check.fault(), check.doubt(1e-8, None)), (None, None));
     }
 }
 
@@ -87,10 +87,10 @@ fn a_spoiled_pressure_does_not() {
             Check::of(&problem, &pressure)
         };
         let moved = spoiled(&|i, _| solution[(i + 1) % solution.len()]);
-        assert!(moved.fault().is_none() && moved.doubt(1e-8).unwrap().contains("eta"));
-        assert!(spoiled(&|_, p| 1.001 * p).doubt(1e-8).is_some());
+        assert!(moved.fault().is_none() && moved.doubt(1e-8, None).unwrap().contains("eta"));
+        assert!(spoiled(&|_, p| 1.001 * p).doubt(1e-8, None).is_some());
         let uniform = spoiled(&|_, _| solution.iter().sum::<f64>() / solution.len() as f64);
-        assert!(uniform.fault().is_none() && uniform.doubt(1e-3).is_some());
+        assert!(uniform.fault().is_none() && uniform.doubt(1e-3, None).is_some());
         assert!(spoiled(&|i, p| if i == 0 { -1e-9 } else { p }).fault().unwrap().contains("tension"));
         assert!(spoiled(&|i, p| if i == 0 { f64::NAN } else { p }).fault().unwrap().contains("finite"));
         assert!(spoiled(&|_, _| 0.0).fault().unwrap().contains("finite"));

@@ -2,7 +2,7 @@
 
 use super::check::Check;
 use super::report::Report;
-use super::trial::Trial;
+use super::trial::{Trial, Twin};
 use super::verdict::{Demand, Verdict};
 use crate::contact::Contact;
 use crate::error::{SetupError, SolveError};
@@ -22,13 +22,16 @@ pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: Watch) -> Re
     match catch_unwind(AssertUnwindSafe(|| trial.solve(rival, budget, watch))) {
         Ok(Ok((contact, twin))) => {
             let check = Check::of(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
-            let mismatch = || twin.and_then(|twin| mismatch(&contact, &twin));
-            let fault = fault(&contact, &check, trial.tolerance).or_else(mismatch);
-            let (verdict, note) = match fault {
+            let mismatch = || twin.as_ref().and_then(|twin| mismatch(trial, &contact, twin));
+            let unsolved_twin = twin.as_ref().filter(|twin| !twin.is_converged());
+            let (verdict, note) = match fault(trial, &contact, &check).or_else(mismatch) {
                 Some(fault) => (Verdict::Wrong, fault),
                 None if trial.demand_of(rival) == Demand::Refusal => (Verdict::Wrong, "this cannot be solved".into()),
-                None if contact.is_converged() => (Verdict::Converged, String::new()),
-                None => (Verdict::NotConverged, contact.status.to_string()),
+                None if !contact.is_converged() => (Verdict::NotConverged, contact.status.to_string()),
+                None => match unsolved_twin {
+                    Some(twin) => (Verdict::NotConverged, format!("its twin: {}", twin.status)),
+                    None => (Verdict::Converged, String::new()),
+                },
             };
             report(Some((&contact, &check)), verdict, note)
         }
@@ -41,8 +44,8 @@ pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: Watch) -> Re
 }
 
 /// The fault of a returned contact, if it has one.
-fn fault(contact: &Contact, check: &Check, tolerance: f64) -> Option<String> {
-    let doubt = || check.doubt(tolerance).filter(|_| contact.is_converged());
+fn fault(trial: &Trial, contact: &Contact, check: &Check) -> Option<String> {
+    let doubt = || check.doubt(trial.tolerance, trial.pressure_tolerance).filter(|_| contact.is_converged());
     check.fault().or_else(|| disagreement(contact, check)).or_else(doubt)
 }
 
@@ -56,11 +59,29 @@ fn disagreement(contact: &Contact, check: &Check) -> Option<String> {
     (said.is_nan() || differs).then(|| format!("the certificate is said to be {said:.1e}, but is {:.1e}", check.eta))
 }
 
-/// How dimensionless results differ, if they do and both have converged.
-fn mismatch(contact: &Contact, twin: &Contact) -> Option<String> {
+/// How a contact differs from its twin, if both have converged and it does by more than their tolerances let it.
+fn mismatch(trial: &Trial, contact: &Contact, twin: &Contact) -> Option<String> {
     if !(contact.is_converged() && twin.is_converged()) {
         return None;
     }
+    match trial.twin.as_ref()? {
+        Twin::InOtherUnits(_) => unlike_in_other_units(contact, twin),
+        Twin::UnderItsLoad => unlike_under_its_load(contact, twin, trial.tolerance),
+    }
+}
+
+/// How the mean gap of the contact under the load that was found differs from the one at which it was found.
+fn unlike_under_its_load(contact: &Contact, twin: &Contact, tolerance: f64) -> Option<String> {
+    let gap = contact.problem.mean_gap()?;
+    let left = gap.min(contact.problem.highest() - gap);
+    let difference = (twin.mean_gap() - gap).abs() / left;
+    let is_like = difference <= 2.0 * tolerance.sqrt();
+    (!is_like)
+        .then(|| format!("under the load that was found the gap differs by {difference:.1e} of what is left of it"))
+}
+
+/// How dimensionless results differ.
+fn unlike_in_other_units(contact: &Contact, twin: &Contact) -> Option<String> {
     let [a, b] = [contact, twin].map(|contact| {
         let measures = contact.measures();
         let mean = contact.problem.mean_pressure_of(contact.pressure.as_slice().unwrap_or_default());

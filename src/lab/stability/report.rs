@@ -33,6 +33,8 @@ pub struct Report {
     certificate: Option<f64>,
     /// Certificate, as checked, like all that follows.
     pub eta: Option<f64>,
+    eta_gap: Option<f64>,
+    pressure_error: Option<f64>,
     penetration: Option<f64>,
     min_pressure: Option<f64>,
     load_error: Option<f64>,
@@ -68,6 +70,8 @@ impl Report {
             relative_area: contact.map(|contact| contact.measures().relative_area),
             certificate: contact.map(|contact| contact.certificate.eta),
             eta: check.map(|check| check.eta),
+            eta_gap: check.map(|check| check.eta_gap),
+            pressure_error: check.map(|check| check.pressure_error),
             penetration: check.map(|check| check.penetration),
             min_pressure: check.map(|check| check.min_pressure),
             load_error: check.map(|check| check.load_error),
