@@ -289,6 +289,7 @@ fn parts_that_a_scene_does_not_have_are_refused() {
 fn settings_out_of_range_are_refused() {
     let with = |setting: &str| format!("{CYLINDER} {LOAD} --solver gfmd {setting}");
     refuse_values(&with("--tolerance {}"), &NOT_POSITIVE);
+    refuse_values(&with("--pressure-tolerance {}"), &NOT_POSITIVE);
     refuse_values(&with("--time-step {}"), &["0", "1", "1.5", "-0.5", "inf", "NaN"]);
     refuse_values(&with("--damping {}"), &NOT_POSITIVE);
     refuse_values(&with("--max-iterations {}"), &["0"]);

@@ -8,6 +8,9 @@ use std::f64::consts::PI;
 /// lengths are transformed as convolutions of three times as many steps, and get more than four times as much.
 const TRANSFORM: f64 = 16.0 * f64::EPSILON;
 
+/// Relative rounding of the differences of `u`, `h` and the reference: four at the most.
+const RHO: f64 = 4.0 * f64::EPSILON;
+
 /// Terms that a sum adds one after the other at the most.
 const IN_A_ROW: f64 = 32_768.0;
 
@@ -18,12 +21,12 @@ const IN_A_ROW: f64 = 32_768.0;
 /// by a few roundings of `u`, `h` and the reference. So, with the softest and the stiffest mode,
 ///
 /// ```text
-/// |delta|*^2 = sum k |delta_q|^2 <= 12 epsilon^2 (<p^2> / k_min + k_max (<u^2> + h_rms^2 + v_reference^2))
-/// |<delta>|  <= epsilon <u^2>^(1/2) + some roundings of u, h and the datum
+/// |delta|*^2 = sum k |delta_q|^2 <= 12 (epsilon^2 (<p^2> / k_min + k_max <u^2>) + rho^2 k_max (<u^2> + h_rms^2 + v_reference^2))
+/// |<delta>|  <= epsilon <u^2>^(1/2) + rho ((<u^2> + h_rms^2 + v_reference^2)^(1/2) + D)
 /// ```
 ///
-/// since `(a + b + c)^2 <= 3 (a^2 + b^2 + c^2)` and the first of them counts twice, for the product with the compliance. All is
-/// bounded by magnitudes that are met in the sums.
+/// with a few roundings `rho`, since `(a + b + c)^2 <= 3 (a^2 + b^2 + c^2)`, and the first of them counts twice, for the product
+/// with the compliance. All is bounded by magnitudes that are met in the sums.
 pub(super) struct Rounding {
     /// `|delta|*^2`, an energy per area: dual to `|x|^2 = <x A x>`, so that `<delta x> <= |delta|* |x|` where `<x> = 0`.
     pub energy: f64,
@@ -50,8 +53,10 @@ impl Rounding {
         let mean_v = sums.pressure_v / sums.pressure;
         let sum = 0.5 * f64::EPSILON * n.min(IN_A_ROW); // relative error of a sum of positive terms
         Self {
-            energy: 12.0 * epsilon.powi(2) * (square_p / softest + stiffest * square_lengths),
-            mean: epsilon * square_u.sqrt() + 4.0 * f64::EPSILON * (square_lengths.sqrt() + datum),
+            energy: 12.0
+                * (epsilon.powi(2) * (square_p / softest + stiffest * square_u)
+                    + RHO.powi(2) * stiffest * square_lengths),
+            mean: epsilon * square_u.sqrt() + RHO * (square_lengths.sqrt() + datum),
             depth: 2.0 * sum * (mean_v.abs() + 2.0 * sums.lowest_v.abs()),
             elastic: sum * (square_p * square_u).sqrt(),
         }

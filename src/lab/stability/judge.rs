@@ -99,3 +99,52 @@ fn message(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("without a message")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{ContactModulus, Load, Multilevel, Problem, Solver, Stop};
+    use crate::grid::Grid;
+    use crate::surface::Indenter;
+
+    fn sine(load: Load) -> Result<Problem, SetupError> {
+        let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
+        Ok(Problem::new(sine, ContactModulus(1.0), load)?)
+    }
+
+    fn solved(load: Load) -> Contact {
+        Multilevel.solve(&sine(load).unwrap(), &Stop::default(), &mut ()).unwrap()
+    }
+
+    fn with_twin(load: Load, twin: Twin) -> Trial {
+        Trial { twin: Some(twin), ..Trial::new("sine", move || sine(load)) }
+    }
+
+    fn judged(trial: &Trial) -> Report {
+        judge(trial, &Rival::MULTILEVEL, Duration::MAX, |_| Box::new(()))
+    }
+
+    #[test]
+    fn a_load_that_is_not_that_of_the_gap_is_wrong() {
+        // from all but touching to all but closed
+        for gap in [0.01 * (1.0 - 1e-6), 0.005, 1e-9] {
+            let trial = with_twin(Load::MeanGap(gap), Twin::UnderItsLoad);
+            assert_eq!(judged(&trial).verdict, Verdict::Converged, "{gap}");
+            let contact = solved(Load::MeanGap(gap));
+            for factor in [0.9, 1.1, 100.0] {
+                let twin = solved(Load::MeanPressure(factor * contact.mean_pressure()));
+                let fault = mismatch(&trial, &contact, &twin);
+                assert!(fault.is_some_and(|fault| fault.contains("the gap differs")), "{factor} at {gap}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_contact_is_not_solved_until_its_twin_is() {
+        // a gap of which rounding leaves nothing
+        let pose = || sine(Load::MeanGap(1e-15));
+        let report = judged(&with_twin(Load::MeanPressure(0.01), Twin::InOtherUnits(Box::new(pose))));
+        assert_eq!(report.verdict, Verdict::NotConverged);
+        assert!(!report.as_demanded && report.to_string().contains("its twin: no further progress"), "{report}");
+    }
+}
