@@ -48,7 +48,7 @@ pub struct Stability {
     /// The methods [default: all but gfmd-uniform, which runs where stiffness matters]
     #[arg(long = "solver", value_parser = choice(Rival::ALL.map(|rival| (rival.name, rival.about)), Rival::named), value_name = "NAME[,NAME]", value_delimiter = ',')]
     rivals: Vec<Rival>,
-    /// Seconds that each run may take [default: 20, quick: 5]
+    /// Seconds that each run may take [default: 60, quick: 5]
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     budget: Option<f64>,
     /// Shrink the grids and the budget
@@ -108,7 +108,7 @@ impl Stability {
     }
 
     fn budget(&self) -> Result<Duration> {
-        let seconds = self.budget.unwrap_or(if self.quick { 5.0 } else { 20.0 });
+        let seconds = self.budget.unwrap_or(if self.quick { 5.0 } else { 60.0 });
         match Duration::try_from_secs_f64(seconds) {
             Ok(budget) if !budget.is_zero() => Ok(budget),
             _ => usage(format!("--budget is {seconds:?}: give a positive, finite number of seconds")),

@@ -8,6 +8,9 @@ use std::sync::{Arc, OnceLock};
 /// Per reduced pressure, the mean gap of rough surfaces near full contact falls by this power of e: 5 to 6, as measured.
 const GAP_DECAY: f64 = 5.5;
 
+/// A pressure to start from at a mean gap is so many times the expected one at the most.
+const FARTHEST: f64 = 1e6;
+
 /// A rigid surface pressed on an elastic half-space, frictionless and without adhesion, under a given mean pressure or at a
 /// given mean gap.
 ///
@@ -170,8 +173,9 @@ impl Problem {
         self.mean_pressure.unwrap_or_else(|| chunks::sum(pressure.len(), |i| pressure[i]) / pressure.len() as f64)
     }
 
-    /// The pressure that a run starts from: what `start` holds of one, scaled to the mean pressure if that is given, or the
-    /// uniform pressure. Values that are no pressures (negative, not finite) count as none.
+    /// The pressure that a run starts from: what `start` holds of one, or the uniform pressure. It is scaled to the mean pressure if
+    /// that is given, and to the expected one if it is so much higher that rounding would hide what it displaces. Values that are no
+    /// pressures (negative, not finite) count as none.
     ///
     /// # Panics
     /// If the shape of `start` is not that of the grid.
@@ -185,10 +189,10 @@ impl Problem {
         if highest <= 0.0 {
             return vec![load; pressure.len()];
         }
-        if self.mean_pressure.is_none() {
+        let mean = chunks::sum(pressure.len(), |i| pressure[i] / highest) / pressure.len() as f64;
+        if self.mean_pressure.is_none() && highest * mean <= FARTHEST * load {
             return pressure;
         }
-        let mean = chunks::sum(pressure.len(), |i| pressure[i] / highest) / pressure.len() as f64;
         pressure.into_iter().map(|p| p / highest * (load / mean)).collect()
     }
 

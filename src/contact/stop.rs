@@ -4,6 +4,9 @@ use crate::contact::Certificate;
 use crate::error::SettingError;
 use serde::{Deserialize, Serialize};
 
+/// The least tolerance of the pressure, whose square has a place among doubles.
+const LEAST_PRESSURE_TOLERANCE: f64 = 1e-100;
+
 /// When a solver stops, besides at the wish of its observer: the goals that its [`Certificate`] must meet, all of them, and the
 /// iterations that it gets.
 ///
@@ -52,7 +55,7 @@ impl Stop {
     /// [`Certificate::pressure_error_bound`].
     ///
     /// # Errors
-    /// [`SettingError::Range`] for a tolerance that is not positive and finite.
+    /// [`SettingError::Range`] for a tolerance that is not finite, or below 1e-100.
     pub fn with_pressure_tolerance(self, pressure_tolerance: f64) -> Result<Self, SettingError> {
         let stop = Self { pressure_tolerance: Some(pressure_tolerance), ..self };
         stop.check()?;
@@ -64,13 +67,16 @@ impl Stop {
     /// # Errors
     /// The errors of [`Stop::new`] and [`Stop::with_pressure_tolerance`].
     pub fn check(&self) -> Result<(), SettingError> {
-        let goals = [("the tolerance", Some(self.tolerance)), ("the pressure tolerance", self.pressure_tolerance)];
-        for (name, value) in goals.into_iter().filter_map(|(name, value)| Some((name, value?))) {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(SettingError::Range { name, value, range: "(0, infinity)" });
-            }
+        let Self { tolerance, pressure_tolerance, max_iterations } = *self;
+        if !(tolerance.is_finite() && tolerance > 0.0) {
+            return Err(SettingError::Range { name: "the tolerance", value: tolerance, range: "(0, infinity)" });
         }
-        if self.max_iterations == 0 {
+        if let Some(value) = pressure_tolerance
+            && !(value.is_finite() && value >= LEAST_PRESSURE_TOLERANCE)
+        {
+            return Err(SettingError::Range { name: "the pressure tolerance", value, range: "[1e-100, infinity)" });
+        }
+        if max_iterations == 0 {
             return Err(SettingError::Range { name: "the iteration cap", value: 0.0, range: "[1, infinity)" });
         }
         Ok(())
@@ -103,12 +109,12 @@ impl Stop {
             && self.pressure_tolerance.is_none_or(|tolerance| certificate.pressure_error_bound <= tolerance)
     }
 
-    /// How far a certificate is from the goals: the largest of its errors over what they may be, the one of the pressure squared.
-    /// So the distance falls as `eta` does, and is 1 where the last goal is met.
+    /// How far a certificate is from the goals: `eta`, or the `eta` that would be as far from its tolerance as another error is from
+    /// its own, if that is larger. All fall alike, the bound of the pressure by its square.
     pub fn distance(&self, certificate: &Certificate) -> f64 {
-        let [energy, gap] = [certificate.eta / self.tolerance, certificate.eta_gap / self.gap_tolerance()];
+        let gap = certificate.eta_gap / self.gap_tolerance() * self.tolerance;
         let pressure = self.pressure_tolerance.map_or(0.0, |it| (certificate.pressure_error_bound / it).powi(2));
-        energy.max(gap).max(pressure)
+        certificate.eta.max(gap).max(pressure * self.tolerance)
     }
 }
 

@@ -52,18 +52,18 @@ impl Report {
         note: String,
     ) -> Self {
         let (contact, check) = found.unzip();
-        let is_stalled = contact.is_some_and(|contact| contact.status == Status::Stalled);
+        let status = contact.map(|contact| contact.status);
         let shape = contact.map(|contact| contact.problem.surface().grid().shape());
         let work = contact.map(|contact| contact.work);
         Self {
             case: trial.name.clone(),
             solver: rival.name,
             verdict,
-            as_demanded: trial.demand_of(rival).is_met(verdict, check.map(|check| check.eta), is_stalled),
+            as_demanded: trial.demand_of(rival).is_met(verdict, check.map(|check| check.eta), status),
             note,
             ny: shape.map(|[ny, _]| ny),
             nx: shape.map(|[_, nx]| nx),
-            status: contact.map(|contact| contact.status),
+            status,
             iterations: work.map(|work| work.iterations),
             transforms: work.map(|work| work.transforms),
             seconds: work.map(|work| work.seconds),

@@ -17,6 +17,8 @@ pub struct Trial {
     pub(super) tolerance: f64,
     pub(super) demand: Demand,
     pub(super) is_at_mean_gap: bool,
+    /// The solver that may run out of its budget.
+    pub(super) slow: Option<Rival>,
     pub(super) pose: Pose,
     /// The bound of the relative error of the pressure to reach as well.
     pub(super) pressure_tolerance: Option<f64>,
@@ -46,6 +48,7 @@ impl Trial {
             pressure_tolerance: None,
             demand: Demand::Solution,
             is_at_mean_gap: false,
+            slow: None,
             pose: Box::new(pose),
             twin: None,
             start: None,
@@ -63,7 +66,11 @@ impl Trial {
 
     /// The demand on a solver: one that cannot take a mean gap must refuse it.
     pub fn demand_of(&self, rival: &Rival) -> Demand {
-        if self.is_at_mean_gap && !rival.method.takes_mean_gap() { Demand::Refusal } else { self.demand }
+        match self.demand {
+            _ if self.is_at_mean_gap && !rival.method.takes_mean_gap() => Demand::Refusal,
+            Demand::Solution if self.slow.as_ref() == Some(rival) => Demand::Budget,
+            demand => demand,
+        }
     }
 
     /// Solves the contact, and the one that it must be like, if there is one, each until the step in which the budget runs out.

@@ -218,7 +218,9 @@ fn sizes(is_quick: bool) -> Vec<Trial> {
     // the stiffest wave is half the number of points as stiff as the softest
     let stiff = |power: u32| {
         let pose = move || pressed(rough(Grid::line(1 << power, 1.0)?)?, LOAD);
-        Trial { rivals: &Rival::ALL, ..Trial::new(format!("stiff-2^{power}"), pose) }
+        // conjugate gradients take tens of thousands of steps on the finest of them
+        let slow = Rival::named("polonsky-keer").filter(|_| power >= 18);
+        Trial { rivals: &Rival::ALL, slow, ..Trial::new(format!("stiff-2^{power}"), pose) }
     };
     let mut trials = Vec::from([4, 5, 7, 255, 251, 1021].map(line));
     trials.extend([[4, 4], [5, 7], [15, 33], [31, 37], [4, 4096]].map(|shape| surface(shape, [1.0, 1.0])));
