@@ -1,6 +1,6 @@
 //! The contact that a solver returns.
 
-use crate::contact::{Certificate, Failure, Measures, Patches, Problem, certificate, multilevel};
+use crate::contact::{Certificate, Failure, Measures, Patches, Problem, Status, certificate, multilevel};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
@@ -45,34 +45,6 @@ pub struct Work {
     pub transforms: u64,
     /// Seconds, without those spent in observers.
     pub seconds: f64,
-}
-
-/// How a solver stopped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Status {
-    /// The certificate met all goals of the stop.
-    Converged,
-    /// The iteration cap was reached.
-    IterationCap,
-    /// Nothing improved any more: the tolerance lies below what rounding, or the method, attains.
-    Stalled,
-    /// The observer wished to stop.
-    StoppedByObserver,
-    /// The observer failed.
-    ObserverFailed,
-}
-
-impl std::fmt::Display for Status {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Converged => "converged",
-            Self::IterationCap => "iteration cap reached",
-            Self::Stalled => "no further progress",
-            Self::StoppedByObserver => "stopped by the observer",
-            Self::ObserverFailed => "the observer failed",
-        })
-    }
 }
 
 impl Contact {

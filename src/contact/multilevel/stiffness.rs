@@ -7,7 +7,7 @@ use crate::contact::Problem;
 use crate::elastic::HalfSpace;
 
 /// Reduction of the residual. The stiffness errs by the square of it.
-const REDUCTION: f64 = 1e-3;
+const REDUCTION: f64 = 1e-2;
 
 /// The contact stiffness `k = -d<p>/dD` of a pressure whose displacement is at hand, both row by row: a pressure per length.
 ///
