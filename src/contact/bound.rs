@@ -3,8 +3,8 @@
 /// A gradient is uniform whose curvature is this part of that of the longest wave: a few roundings.
 const UNIFORM: f64 = 64.0 * f64::EPSILON;
 
-/// Whether a gradient on all nodes, with the mean `square` and the mean product `curvature` with what it displaces, is uniform. A
-/// uniform pressure displaces nothing, so that the energy falls evenly along such a gradient.
+/// Whether a gradient is uniform on all nodes: one whose squares add up to `square`, and its products with what it displaces to
+/// `curvature`. A uniform pressure displaces nothing, so that the energy falls evenly along such a gradient.
 pub(super) fn is_uniform(square: f64, curvature: f64, softest_stiffness: f64) -> bool {
     curvature.is_nan() || curvature * softest_stiffness <= UNIFORM * square
 }

@@ -95,36 +95,38 @@ impl fmt::Display for Kernel {
     }
 }
 
-/// How far both displacements differ along the middle of the cell, over the largest of them there; each less its value at the
-/// far corner, since a sum over images leaves the datum open.
+/// How far both displacements differ at some nodes far from the pressure, over the largest of them; each less its value at the last
+/// one, since a sum over images leaves the datum open.
 fn difference(grid: &Grid) -> f64 {
     let ([ny, nx], [dy, dx]) = (grid.shape(), grid.spacing());
-    let load = |y: usize, x: usize| {
-        let away = |i: usize, n: usize| i.min(n - i) as f64 / WIDTH;
-        (-away(y, ny).powi(2) - away(x, nx).powi(2)).exp()
+    let pressure = bump(grid);
+    let (computed, sources) = (displacement(grid, 1.0, &pressure), sources(grid, &pressure));
+    let both = |x: usize| {
+        let y = ny / 2;
+        [computed[y * nx + x], images(grid, &sources, [y as f64 * dy, x as f64 * dx])]
     };
-    let pressure: Vec<f64> = (0..grid.len()).map(|i| load(i / nx, i % nx)).collect();
-    let computed = displacement(grid, 1.0, &pressure);
-    let nodes: Vec<[usize; 2]> = (0..=4).map(|i| [ny / 2, nx / 4 + i * (nx / 2 - nx / 4) / 4]).collect();
-    let sources: Vec<[f64; 3]> = (0..grid.len())
-        .filter(|&i| pressure[i] > f64::EPSILON)
-        .map(|i| {
-            let place =
-                |i: usize, n: usize, spacing: f64| (if 2 * i > n { i as f64 - n as f64 } else { i as f64 }) * spacing;
-            [place(i / nx, ny, dy), place(i % nx, nx, dx), pressure[i]]
-        })
-        .collect();
-    let by_images: Vec<f64> =
-        nodes.iter().map(|&[y, x]| images(grid, &sources, [y as f64 * dy, x as f64 * dx])).collect();
-    let far = nodes.len() - 1;
-    let pairs = nodes.iter().zip(&by_images).map(|(&[y, x], &image)| {
-        let [ylast, xlast] = nodes[far];
-        [computed[y * nx + x] - computed[ylast * nx + xlast], image - by_images[far]]
-    });
-    let [worst, largest] = pairs.fold([0.0_f64; 2], |[worst, largest], [computed, image]| {
+    let last = both(nx / 2);
+    let others = (0..4).map(|i| nx / 4 + i * (nx / 2 - nx / 4) / 4).map(both);
+    let [worst, largest] = others.fold([0.0_f64; 2], |[worst, largest], [computed, image]| {
+        let [computed, image] = [computed - last[0], image - last[1]];
         [worst.max((computed - image).abs()), largest.max(image.abs())]
     });
     worst / largest
+}
+
+/// A smooth pressure about the first node.
+fn bump(grid: &Grid) -> Vec<f64> {
+    let [ny, nx] = grid.shape();
+    let square = |i: usize, n: usize| (i.min(n - i) as f64 / WIDTH).powi(2);
+    (0..grid.len()).map(|i| (-square(i / nx, ny) - square(i % nx, nx)).exp()).collect()
+}
+
+/// Places along y and x of the nodes that a pressure acts on, about the origin, and their pressures.
+fn sources(grid: &Grid, pressure: &[f64]) -> Vec<[f64; 3]> {
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.spacing());
+    let signed = |i: usize, n: usize| if 2 * i > n { i as f64 - n as f64 } else { i as f64 };
+    let at = |(i, &p): (usize, &f64)| [signed(i / nx, ny) * dy, signed(i % nx, nx) * dx, p];
+    pressure.iter().enumerate().filter(|(_, p)| **p > f64::EPSILON).map(at).collect()
 }
 
 /// The displacement at a place, for a modulus of 1: what the sums over a small and a wide window of images tend to, as the rest falls
