@@ -113,9 +113,9 @@ pub enum SettingError {
 pub enum SolveError {
     /// The iterations or the attainable accuracy ran out.
     #[error(
-        "not converged: {solver} stopped after {iterations} iterations ({reason}) at a certificate of {certificate:.3e}"
+        "not converged: {solver} stopped after {iterations} iterations ({reason}) at a certificate of {certificate:.3e}, with the pressure within {pressure_error_bound:.1e}"
     )]
-    NotConverged { solver: String, iterations: usize, reason: String, certificate: f64 },
+    NotConverged { solver: String, iterations: usize, reason: String, certificate: f64, pressure_error_bound: f64 },
     /// An observer failed, which ended the run.
     #[error("{0}")]
     Observer(Arc<Failure>),

@@ -254,6 +254,35 @@ fn a_smooth_contact_comes_with_its_exact_solution() {
     assert_close(number(&summary, "max_pressure"), number(exact, "max_pressure"), 1e-3, "peak pressure");
 }
 
+/// A cylinder that touches on three thousandths of its cell: `eta`, over its rms height, is met long before its pressure is known.
+#[test]
+fn a_narrow_contact_is_solved_to_a_bound_of_its_pressure() {
+    let folder = Folder::new();
+    let narrow = "--indenter cylinder --radius 1 --points 16384 --size 4 --modulus 1 --pressure 8e-6";
+    let [(loose, _), (tight, _)] =
+        ["", " --pressure-tolerance 1e-5"].map(|goal| solve(&folder, &format!("{narrow}{goal}")));
+    let bound = |summary| number(summary, "pressure_error_bound");
+    assert!(bound(&loose) > 1e-4 && bound(&tight) <= 1e-5, "{} {}", bound(&loose), bound(&tight));
+    assert_eq!(tight["setup"]["stop"]["pressure-tolerance"], 1e-5);
+    let output = folder.run(&format!("solve {narrow} --pressure-tolerance 1e-30 --max-iterations 40"));
+    assert_eq!(output.status.code(), Some(3));
+    assert!(text(&output.stderr).contains("with the pressure within"), "{}", text(&output.stderr));
+}
+
+#[test]
+fn the_stiffness_is_told_where_it_is_asked_for() {
+    let folder = Folder::new();
+    let sine = "--indenter sine --amplitude 0.01 --points 1024 --size 1 --modulus 1";
+    let (without, _) = solve(&folder, &format!("{sine} --mean-gap 0.002"));
+    assert!(without["stiffness"].is_null() && without["mean_pressure_error"].is_null(), "{without}");
+    let (with, _) = solve(&folder, &format!("{sine} --mean-gap 0.002 --stiffness"));
+    assert!(number(&with, "stiffness") > 0.0 && number(&with, "mean_pressure_error") < 1e-5, "{with}");
+    let output = folder.run(&format!("solve {sine} --mean-gap 0.004,0.002 --stiffness --json"));
+    let loads = json(&output)["loads"].as_array().unwrap().clone();
+    assert_close(number(&loads[1], "stiffness"), number(&with, "stiffness"), 1e-4, "stiffness of a curve");
+    assert!(number(&loads[0], "stiffness") < number(&loads[1], "stiffness"));
+}
+
 #[test]
 fn a_mean_gap_presses_as_the_pressure_that_makes_it() {
     let folder = Folder::new();

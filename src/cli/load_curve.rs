@@ -75,6 +75,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
         problem,
         |number| Progress::new(&title(number)),
         |_, contact| -> Result<()> {
+            outputs.complete(contact);
             pressed.outcome = pressed.outcome.max(settle(contact)?);
             let finding = Finding::of(&curve.setup, contact);
             #[cfg(feature = "record")]

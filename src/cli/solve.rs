@@ -84,6 +84,7 @@ impl Solve {
             Some(refinement) => self.settle(&refinement),
             None => {
                 let contact = self.watch(setup, &setup.problem()?)?;
+                outputs.complete(&contact);
                 self.write(setup, &contact, false)?;
                 settle(&contact)
             }
@@ -99,6 +100,7 @@ impl Solve {
         if self.outputs.recording().is_some() {
             contact = self.watch(&setup, &contact.problem.clone())?;
         }
+        self.outputs.complete(&contact);
         self.write(&setup, &contact, !is_within)?;
         settle(&contact)
     }

@@ -15,7 +15,7 @@ pub struct Observable {
     pub name: &'static str,
     /// The symbol of the field.
     pub symbol: &'static str,
-    /// The unit: `length`, `pressure`, or `1` for a pure number.
+    /// The unit: `length`, `pressure`, `pressure/length`, or `1` for a pure number.
     pub unit: &'static str,
     /// Whether the number is drawn step by step: it changes while a contact is solved, and a step knows it.
     pub is_traced: bool,
@@ -33,6 +33,8 @@ pub struct State<'a> {
     work: Work,
     /// The certificate; NaN where it is not known.
     certificate: Certificate,
+    /// The contact stiffness; NaN where nobody has asked for it.
+    stiffness: f64,
     measures: Lazy<'a, Measures>,
     resolved: Lazy<'a, Resolved>,
     patches: Lazy<'a, Patches>,
@@ -162,10 +164,18 @@ observables! {
         "Certificate: a bound of the error in energy over load times rms height.";
     pressure_error_bound: f64, "|dp| / |p|", "1", false, |it| it.certificate.pressure_error_bound,
         "Bound of the relative error of the pressure in the energy norm.";
+    certificate_gap: f64, "eta_D", "1", false, |it| it.certificate.eta_gap,
+        "Certificate at a mean gap over what is left of the gap: the relative error of the load in order of magnitude.";
+    mean_gap_error_bound: f64, "|d<g>| / h_rms", "1", false, |it| it.certificate.mean_gap_error_bound,
+        "Bound of the error of the mean gap over the rms height.";
     penetration: f64, "-min g / h_rms", "1", false, |it| it.certificate.penetration,
         "Largest penetration over the rms height.";
     load_error: f64, "|dl| / l", "1", false, |it| it.certificate.load_error,
         "Distance from the load that is prescribed: over it, or for a mean gap over the rms height.";
+    stiffness: f64, "k", "pressure/length", false, |it| it.stiffness,
+        "Contact stiffness, by how much the mean pressure rises as the mean gap falls; known where it was asked for.";
+    mean_pressure_error: f64, "|d<p>| / <p>", "1", false, |it| it.mean_pressure_error(),
+        "Relative error of the mean pressure at a mean gap to first order, by the contact stiffness; 0 where the pressure is given.";
     iterations: usize, "iterations", "1", false, |it| it.work.iterations,
         "Relaxation steps of the solver.";
     transforms: u64, "transforms", "1", false, |it| it.work.transforms,
@@ -186,6 +196,14 @@ impl State<'_> {
             Load::MeanPressure(_) | Load::MeanGap(_) => self.measures.reduced_pressure,
         }
     }
+
+    /// The stiffness times the error of the gap, over the mean pressure.
+    fn mean_pressure_error(&self) -> f64 {
+        if self.problem.mean_gap().is_none() {
+            return 0.0;
+        }
+        self.stiffness * self.certificate.eta * self.problem.rms_height() / *self.mean_pressure
+    }
 }
 
 impl<'a> From<&'a Contact> for State<'a> {
@@ -194,6 +212,7 @@ impl<'a> From<&'a Contact> for State<'a> {
             problem: &contact.problem,
             work: contact.work,
             certificate: contact.certificate,
+            stiffness: contact.known_stiffness().unwrap_or(f64::NAN),
             measures: lazy(|| contact.measures()),
             resolved: lazy(|| contact.resolved()),
             patches: lazy(|| contact.patches()),
@@ -208,12 +227,11 @@ impl<'a> From<&'a Contact> for State<'a> {
 impl<'a> From<&'a Step<'_>> for State<'a> {
     fn from(step: &'a Step<'_>) -> Self {
         let pressure = || ArrayView1::from(step.pressure());
-        let [pressure_error_bound, load_error, min_pressure, penetration] = [f64::NAN; 4];
-        let eta = step.certificate().unwrap_or(f64::NAN);
         Self {
             problem: step.problem(),
             work: step.work(),
-            certificate: Certificate { eta, pressure_error_bound, load_error, min_pressure, penetration },
+            stiffness: f64::NAN,
+            certificate: step.certificate().copied().unwrap_or(Certificate::UNKNOWN),
             measures: lazy(|| *step.measures()),
             resolved: lazy(|| *step.resolved()),
             patches: lazy(|| step.patches().clone()),

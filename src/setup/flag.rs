@@ -70,6 +70,7 @@ pub const FLAGS: &[Flag] = &[
     flag("time-step", "solver.time-step", Value::One, "DT", "GFMD: time step over the stability limit, in (0, 1) [default: 0.5]"),
     flag("damping", "solver.damping", Value::One, "C", "GFMD: friction over the critical one of the slowest mode [default: 1]"),
     flag("tolerance", "stop.tolerance", Value::One, "ETA", "Certificate eta to reach: error in energy over load times rms height [default: 1e-8]"),
+    flag("pressure-tolerance", "stop.pressure-tolerance", Value::One, "E", "Bound of the relative error of the pressure to reach as well, in the energy norm: for indenters that are narrow in their cell"),
     flag("max-iterations", "stop.max-iterations", Value::One, "N", "Iterations at the most [default: 100000]"),
     flag("record-what", "record.what", Value::Choices(&Part::PARTS), "PART[,PART]", "Parts to record [default: all but the spectrum]"),
     flag("record-every", "record.every", Value::One, "N", "Record the fields of every N-th step [default: all early steps and then ever fewer]"),
