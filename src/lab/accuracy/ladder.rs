@@ -1,6 +1,6 @@
 //! The error of the grid.
 
-use super::quantity::{QUANTITIES, Values, errors, exact, found, root_mean_square};
+use super::quantity::{self, QUANTITIES, Values, errors, exact, found, root_mean_square};
 use super::realised::Realised;
 use super::scene::Scene;
 use crate::contact::{Load, Multilevel, Solver, Stop, Work};
@@ -43,7 +43,10 @@ impl Ladder {
             None => {
                 let finer = solved(realised, REFINEMENT * finest, stop, watch)?;
                 let name = points(scene.shape(REFINEMENT * finest));
-                (format!("{name} points"), finer.into_iter().map(|(values, _)| values).collect())
+                (
+                    format!("{name} points"),
+                    finer.into_iter().map(|([best @ .., _, _], _)| quantity::truth(best)).collect(),
+                )
             }
         };
         let rung = |&side: &usize| -> Result<Rung, SetupError> {
