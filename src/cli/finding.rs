@@ -6,7 +6,7 @@ use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const TOLD: [&str; 20] = [
+const TOLD: [&str; 24] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
@@ -24,7 +24,11 @@ const TOLD: [&str; 20] = [
     "patches",
     "nodes_per_patch",
     "certificate",
+    "certificate_gap",
     "pressure_error_bound",
+    "mean_gap_error_bound",
+    "stiffness",
+    "mean_pressure_error",
     "iterations",
     "transforms",
 ];
@@ -57,6 +61,11 @@ impl Finding {
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {v:.6}"));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
+        let gap =
+            if it.certificate_gap > 0.0 { format!(", {:.1e} of the gap", it.certificate_gap) } else { String::new() };
+        let stiffness = (!it.stiffness.is_nan()).then(|| {
+            ("contact stiffness", format!("{:.6e} (mean pressure within {:.1e})", it.stiffness, it.mean_pressure_error))
+        });
         let rows = [
             (
                 "reduced pressure p*",
@@ -66,14 +75,20 @@ impl Finding {
             ("rms gradient", format!("{:.6e} (contact {:.6e})", it.rms_gradient, it.rms_gradient_contact)),
             ("kappa", format!("{:.4} (corrected {:.4})", it.kappa, it.kappa_corrected)),
             ("kappa_r", format!("{:.4} (corrected {:.4}){kappa_r}", it.kappa_r, it.kappa_r_corrected)),
-            ("mean gap", format!("{:.6e} ({:.4} rms heights)", it.mean_gap, it.mean_gap_over_rms_height)),
+            (
+                "mean gap",
+                format!(
+                    "{:.6e} ({:.4} rms heights, within {:.1e})",
+                    it.mean_gap, it.mean_gap_over_rms_height, it.mean_gap_error_bound
+                ),
+            ),
             ("pressure, mean and max", format!("{:.6e} {:.6e}", it.mean_pressure, it.max_pressure)),
             ("contact patches", format!("{} ({:.2} nodes each)", it.patches, it.nodes_per_patch)),
-            ("certificate", format!("{:.2e} (pressure within {:.1e})", it.certificate, it.pressure_error_bound)),
+            ("certificate", format!("{:.2e} (pressure within {:.1e}{gap})", it.certificate, it.pressure_error_bound)),
             ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
         ];
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
-        let rows = rows.into_iter().chain(exact).map(|(name, value)| (name.to_owned(), value));
+        let rows = rows.into_iter().chain(stiffness).chain(exact).map(|(name, value)| (name.to_owned(), value));
         rows.chain(self.others()).collect()
     }
 
