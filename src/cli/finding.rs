@@ -61,11 +61,12 @@ impl Finding {
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {v:.6}"));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
-        let gap =
-            if it.certificate_gap > 0.0 { format!(", {:.1e} of the gap", it.certificate_gap) } else { String::new() };
-        let stiffness = (!it.stiffness.is_nan()).then(|| {
-            ("contact stiffness", format!("{:.6e} (mean pressure within {:.1e})", it.stiffness, it.mean_pressure_error))
-        });
+        // what is prescribed has no error of its own
+        let within = |what, error| if error > 0.0 { format!("{what} {error:.1e}") } else { String::new() };
+        let gap = within(", within", it.mean_gap_error_bound);
+        let left = within(", of what is left of the gap", it.certificate_gap);
+        let load = within(", mean pressure within", it.mean_pressure_error);
+        let stiffness = (!it.stiffness.is_nan()).then(|| ("contact stiffness", format!("{:.6e}{load}", it.stiffness)));
         let rows = [
             (
                 "reduced pressure p*",
@@ -75,16 +76,10 @@ impl Finding {
             ("rms gradient", format!("{:.6e} (contact {:.6e})", it.rms_gradient, it.rms_gradient_contact)),
             ("kappa", format!("{:.4} (corrected {:.4})", it.kappa, it.kappa_corrected)),
             ("kappa_r", format!("{:.4} (corrected {:.4}){kappa_r}", it.kappa_r, it.kappa_r_corrected)),
-            (
-                "mean gap",
-                format!(
-                    "{:.6e} ({:.4} rms heights, within {:.1e})",
-                    it.mean_gap, it.mean_gap_over_rms_height, it.mean_gap_error_bound
-                ),
-            ),
+            ("mean gap", format!("{:.6e} ({:.4} rms heights{gap})", it.mean_gap, it.mean_gap_over_rms_height)),
             ("pressure, mean and max", format!("{:.6e} {:.6e}", it.mean_pressure, it.max_pressure)),
             ("contact patches", format!("{} ({:.2} nodes each)", it.patches, it.nodes_per_patch)),
-            ("certificate", format!("{:.2e} (pressure within {:.1e}{gap})", it.certificate, it.pressure_error_bound)),
+            ("certificate", format!("{:.2e} (pressure within {:.1e}{left})", it.certificate, it.pressure_error_bound)),
             ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
         ];
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
