@@ -216,7 +216,7 @@ const EXACT = { relative_area_resolved: "relative_area", kappa_r_resolved: "kapp
 const SECONDS = { name: "seconds", sentence: "Seconds of the solver alone, recording left out." };
 
 /** The name of an observable for people. */
-const label = (name) => name.replace("kappa_r", "κ_r").replace("kappa", "κ").replaceAll(/(?<!κ)_/g, " ");
+const label = (name) => name.replace("kappa", "κ").replaceAll(/_(?!r(?![a-z]))/g, " ");
 
 function numbers() {
   const shown = runOf(shownRun);

@@ -68,8 +68,8 @@ impl Finding {
     pub fn rows(&self) -> Vec<(String, String)> {
         let rows = self.contact().into_iter().chain(self.solution());
         let stiffness = Some(&self.observables).filter(|it| !it.stiffness.is_nan()).map(|it| {
-            let words = format!("{:.6e} (mean pressure within {:.1e})", it.stiffness, it.mean_pressure_error);
-            ("contact stiffness", words)
+            let load = within(", mean pressure within", it.mean_pressure_error);
+            ("contact stiffness", format!("{:.6e}{load}", it.stiffness))
         });
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
         let rows = rows.chain(stiffness).chain(exact).map(|(name, value)| (name.to_owned(), value));
@@ -117,18 +117,12 @@ impl Finding {
     /// Gap and pressure with their bounds, and the work.
     fn solution(&self) -> [(&'static str, String); 4] {
         let it = &self.observables;
-        let gap =
-            if it.certificate_gap > 0.0 { format!(", {:.1e} of the gap", it.certificate_gap) } else { String::new() };
+        let gap = within(", within", it.mean_gap_error_bound);
+        let left = within(", of what is left of the gap", it.certificate_gap);
         [
-            (
-                "mean gap",
-                format!(
-                    "{:.6e} ({:.4} rms heights, within {:.1e})",
-                    it.mean_gap, it.mean_gap_over_rms_height, it.mean_gap_error_bound
-                ),
-            ),
+            ("mean gap", format!("{:.6e} ({:.4} rms heights{gap})", it.mean_gap, it.mean_gap_over_rms_height)),
             ("pressure, mean and max", format!("{:.6e} {:.6e}", it.mean_pressure, it.max_pressure)),
-            ("certificate", format!("{:.2e} (pressure within {:.1e}{gap})", it.certificate, it.pressure_error_bound)),
+            ("certificate", format!("{:.2e} (pressure within {:.1e}{left})", it.certificate, it.pressure_error_bound)),
             ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
         ]
     }
@@ -149,6 +143,11 @@ fn resolved(resolved: f64, counted: f64, corrected: f64) -> String {
         true => format!("not resolved (counted {counted:.6})"),
         false => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
     }
+}
+
+/// Words and an error; none of what is prescribed.
+fn within(words: &str, error: f64) -> String {
+    if error > 0.0 { format!("{words} {error:.1e}") } else { String::new() }
 }
 
 fn percent(share: f64) -> String {

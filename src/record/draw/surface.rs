@@ -8,7 +8,6 @@ use super::reduce::Blocks;
 use super::relief::Relief;
 use super::ruler::Ruler;
 use crate::contact::Forecast;
-use crate::grid::Grid;
 use crate::plot::{Align, Axis, Frame, Sheet};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
