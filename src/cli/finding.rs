@@ -42,6 +42,9 @@ const TOLD: [&str; 33] = [
     "transforms",
 ];
 
+/// A share of edges given by the shape above this one is told.
+const MANY_OF_SHAPE: f64 = 0.05;
+
 /// The numbers of a contact under its load.
 #[derive(Serialize)]
 pub struct Finding {
@@ -82,9 +85,9 @@ impl Finding {
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {v:.6}"));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
-        let of_shape = match it.edges_of_shape {
-            0 => String::new(),
-            edges => format!(", {edges} edges given by the shape"),
+        let of_shape = match it.edges_of_shape > MANY_OF_SHAPE {
+            true => format!(", {} of its edges given by the shape", percent(it.edges_of_shape)),
+            false => String::new(),
         };
         [
             (

@@ -154,8 +154,8 @@ observables! {
         "Nodes in contact for each contact patch.";
     unresolved_share: f64, "n_c < few / n_c", "1", false, |it| it.resolution().unresolved_share,
         "Share of the nodes in contact that are in patches too small to trust: of fewer than 4 nodes on lines, 12 on surfaces.";
-    edges_of_shape: usize, "n_e", "1", false, |it| it.resolved.edges_of_shape,
-        "Number of links between contact and gap at which the shape of the surface gives the edge, as that of a punch does.";
+    edges_of_shape: f64, "n_e / n", "1", false, |it| it.resolved.edges_of_shape as f64 / (it.resolved.edges.max(1)) as f64,
+        "Share of the links between contact and gap at which the shape of the surface gives the edge, as that of a punch does.";
     relative_area_error: f64, "|da| / a_rel", "1", false, |it| it.resolution().relative_area_error,
         "Estimated relative error of the resolved relative contact area on this grid.";
     kappa_r_error: f64, "|dkappa_r| / kappa_r", "1", false, |it| it.resolution().kappa_r_error,
