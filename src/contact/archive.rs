@@ -1,6 +1,7 @@
 //! The fields of contacts in one file.
 
 use crate::contact::{Contact, OBSERVABLES, State};
+use crate::surface::PowerSpectrum;
 use ndarray::{Array0, Array1, Array2, ArrayView, ArrayView1, ArrayView2, Axis, Dimension, arr0, stack};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
@@ -11,6 +12,10 @@ use std::io::Cursor;
 /// |------------------------------------------------------|----------------------|---------------------------------------------|
 /// | `height`, `pressure`, `gap`, `displacement`          | `(ny, nx)` or `(nx)` | the fields, in the units of the problem     |
 /// | `contact`                                            | `(ny, nx)` or `(nx)` | whether the nodes touch                     |
+/// | `pressure_edges`, `pressure_density`                 | `(65)`, `(64)`       | the [`Distribution`](crate::contact::Distribution) of the pressure in contact |
+/// | `gap_edges`, `gap_density`                           | `(65)`, `(64)`       | and that of the gap beside it               |
+/// | `wavenumber`                                         | `(waves)`            | `q = 2 pi / wavelength`, ascending          |
+/// | `height_spectrum`, `pressure_spectrum`               | `(waves)`            | the [`PowerSpectrum`] of each               |
 /// | `x`, and `y` of rank 2                               | `(nx)`, `(ny)`       | positions of columns and rows, from 0       |
 /// | `size`                                               | `(rank)`             | lengths of the cell along the axes          |
 /// | `contact_modulus`                                    | `()`                 | `E*`                                        |
@@ -30,6 +35,9 @@ pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Ve
         archive.add_field(name, &of(contact))?;
     }
     archive.add_field("contact", &contact.mask().view())?;
+    for (name, of) in CURVES {
+        archive.npz.add_array(name, &ArrayView1::from(&of(contact)))?;
+    }
     archive.npz.add_array("converged", &arr0(contact.is_converged()))?;
     let state = State::from(contact);
     for row in OBSERVABLES {
@@ -39,7 +47,7 @@ pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Ve
 }
 
 /// The contacts of one surface under several loads as `.npz`: as [`archive`], with the loads along a further first axis of all but
-/// `height`, positions, size and modulus.
+/// `height` and its spectrum, wavenumbers, positions, size and modulus.
 ///
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet, unless there are no contacts.
@@ -55,6 +63,11 @@ pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Resul
     let masks: Vec<Array2<bool>> = contacts.iter().map(Contact::mask).collect();
     let masks: Vec<ArrayView2<bool>> = masks.iter().map(|mask| mask.view()).collect();
     archive.add_field("contact", &stack(Axis(0), &masks).expect("one surface has one shape").view())?;
+    for (name, of) in CURVES {
+        let curves: Vec<Array1<f64>> = contacts.iter().map(|contact| of(contact).into()).collect();
+        let curves: Vec<ArrayView1<f64>> = curves.iter().map(|curve| curve.view()).collect();
+        archive.npz.add_array(name, &stack(Axis(0), &curves).expect("one surface has one set of waves"))?;
+    }
     archive.npz.add_array("converged", &contacts.iter().map(Contact::is_converged).collect::<Array1<bool>>())?;
     let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
     for row in OBSERVABLES {
@@ -71,6 +84,21 @@ const FIELDS: [(&str, FieldOf); 3] = [
     ("pressure", |contact| contact.pressure.view()),
     ("gap", |contact| contact.gap.view()),
     ("displacement", |contact| contact.displacement.view()),
+];
+
+/// Bins of the distributions.
+const BINS: usize = 64;
+
+/// A curve over the bins or waves of a contact.
+type CurveOf = fn(&Contact) -> Vec<f64>;
+
+/// The curves that are found: distributions, and the spectrum of the pressure.
+const CURVES: [(&str, CurveOf); 5] = [
+    ("pressure_edges", |contact| contact.pressure_distribution(BINS).edges),
+    ("pressure_density", |contact| contact.pressure_distribution(BINS).density),
+    ("gap_edges", |contact| contact.gap_distribution(BINS).edges),
+    ("gap_density", |contact| contact.gap_distribution(BINS).density),
+    ("pressure_spectrum", |contact| contact.pressure_spectrum().density),
 ];
 
 /// An archive on its way.
@@ -94,6 +122,9 @@ impl Archive {
         }
         npz.add_array("size", &ArrayView1::from(&grid.size()[2 - rank.min(2)..]))?;
         npz.add_array("contact_modulus", &Array0::from_elem((), modulus))?;
+        let heights = PowerSpectrum::of(surface);
+        npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
+        npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
         let mut archive = Self { npz, rank };
         archive.add_field("height", &surface.heights_as_given().view())?;
         Ok(archive)

@@ -10,6 +10,7 @@
 mod archive;
 mod best;
 mod certificate;
+mod distribution;
 mod forecast;
 mod gfmd;
 mod load;
@@ -31,6 +32,7 @@ use crate::chunks;
 pub use crate::error::Failure;
 pub use archive::{archive, archive_of_loads};
 pub use certificate::Certificate;
+pub use distribution::Distribution;
 pub use forecast::Forecast;
 pub use gfmd::{Dynamics, Gfmd, Masses};
 pub use load::Load;

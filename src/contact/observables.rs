@@ -15,7 +15,7 @@ pub struct Observable {
     pub name: &'static str,
     /// The symbol of the field.
     pub symbol: &'static str,
-    /// The unit: `length`, `pressure`, or `1` for a pure number.
+    /// The unit: `length`, `pressure`, their product, or `1` for a pure number.
     pub unit: &'static str,
     /// Whether the number is drawn step by step: it changes while a contact is solved, and a step knows it.
     pub is_traced: bool,
@@ -36,6 +36,8 @@ pub struct State<'a> {
     measures: Lazy<'a, Measures>,
     patches: Lazy<'a, usize>,
     mean_gap: Lazy<'a, f64>,
+    /// The elastic energy; NaN where it is not known.
+    elastic_energy: Lazy<'a, f64>,
     mean_pressure: Lazy<'a, f64>,
     max_pressure: Lazy<'a, f64>,
 }
@@ -129,6 +131,8 @@ observables! {
         "Mean gap between the surfaces.";
     mean_gap_over_rms_height: f64, "<g> / h_rms", "1", true, |it| *it.mean_gap / it.problem.rms_height(),
         "Mean gap over the rms height.";
+    elastic_energy: f64, "U", "pressure length", false, |it| *it.elastic_energy,
+        "Elastic energy per area, half the mean of pressure times displacement.";
     max_pressure: f64, "p_max", "pressure", false, |it| *it.max_pressure,
         "Largest pressure.";
     max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
@@ -170,6 +174,7 @@ impl<'a> From<&'a Contact> for State<'a> {
             measures: lazy(|| contact.measures()),
             patches: lazy(|| contact.patches().count()),
             mean_gap: lazy(|| contact.mean_gap()),
+            elastic_energy: lazy(|| contact.elastic_energy()),
             mean_pressure: lazy(|| contact.mean_pressure()),
             max_pressure: lazy(|| contact.max_pressure()),
         }
@@ -188,6 +193,7 @@ impl<'a> From<&'a Step<'_>> for State<'a> {
             measures: lazy(|| *step.measures()),
             patches: lazy(|| step.patches().count()),
             mean_gap: lazy(|| step.mean_gap()),
+            elastic_energy: lazy(|| f64::NAN),
             mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),
             max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),
         }

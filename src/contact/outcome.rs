@@ -1,6 +1,6 @@
 //! The contact that a solver returns.
 
-use crate::contact::{Certificate, Failure, Measures, Patches, Problem, certificate};
+use crate::contact::{Certificate, Failure, Measures, Patches, Problem, certificate, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
@@ -158,6 +158,14 @@ impl Contact {
     /// Mean gap.
     pub fn mean_gap(&self) -> f64 {
         self.gap.mean().unwrap_or(0.0)
+    }
+
+    /// Elastic energy `<p u>/2` per area of the cell, pressure times length. Under one load after the other it falls with the
+    /// mean gap as `<p> = -dU/d<g>`.
+    pub fn elastic_energy(&self) -> f64 {
+        let displacement = self.displacement.as_slice().expect("results are made in standard layout");
+        let pressure = self.pressures();
+        0.5 * chunks::sum(pressure.len(), |i| pressure[i] * displacement[i]) / pressure.len() as f64
     }
 
     /// Largest pressure.
