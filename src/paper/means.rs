@@ -1,8 +1,9 @@
 //! Means of solved points over realisations.
 
+use super::measure::Measure;
 use crate::contact::Observables;
 use crate::plot::Dot;
-use crate::study::{Line, Point, Spread};
+use crate::study::{Estimate, GridValues, Limit, Point, Spread};
 
 /// A quantity of a point.
 pub type Quantity = fn(&Observables) -> f64;
@@ -50,10 +51,70 @@ impl Points {
         Spread::of(self.on(nx).filter(is_it).map(|row| quantity(&row.observables)))
     }
 
-    /// `quantity` averaged over the loads of each realisation, over all realisations.
-    pub fn overall(&self, nx: usize, quantity: Quantity) -> Spread {
-        let mean = |rows: Vec<&Point>| Spread::of(rows.iter().map(|row| quantity(&row.observables))).mean;
-        Spread::of(self.realisations(nx).into_iter().map(mean))
+    /// The loads, lightest first.
+    pub fn loads(&self) -> Vec<f64> {
+        let mut loads: Vec<f64> = self.0.iter().map(|row| row.observables.reduced_pressure).collect();
+        loads.sort_unstable_by(f64::total_cmp);
+        loads.dedup();
+        loads
+    }
+
+    /// The points under some loads.
+    pub fn under(mut self, loads: &[f64]) -> Self {
+        self.0.retain(|row| loads.contains(&row.observables.reduced_pressure));
+        self
+    }
+
+    /// The Hurst exponents, in their order.
+    pub fn exponents(&self) -> Vec<f64> {
+        let mut exponents: Vec<f64> = self.0.iter().filter_map(|row| row.hurst).collect();
+        exponents.sort_unstable_by(f64::total_cmp);
+        exponents.dedup();
+        exponents
+    }
+
+    /// `quantity` at one Hurst exponent, averaged over the loads of each realisation, over the realisations on a grid.
+    pub fn average(&self, hurst: f64, nx: usize, quantity: Quantity) -> Estimate {
+        Estimate::of(self.averages(hurst, None, nx, quantity).into_iter().map(|(_, value)| value))
+    }
+
+    /// The mean of the averages of all Hurst exponents, each with its own error.
+    pub fn overall(&self, nx: usize, quantity: Quantity) -> Estimate {
+        Estimate::mean_of(
+            &self.exponents().into_iter().map(|hurst| self.average(hurst, nx, quantity)).collect::<Vec<_>>(),
+        )
+    }
+
+    /// The average over one load or over all, for each realisation by its seed.
+    fn averages(&self, hurst: f64, load: Option<f64>, nx: usize, quantity: Quantity) -> Vec<(u64, f64)> {
+        let is_it = |row: &&&Point| load.is_none_or(|load| row.observables.reduced_pressure == load);
+        let mean = |rows: Vec<&Point>| {
+            let mean = Spread::of(rows.iter().filter(is_it).map(|row| quantity(&row.observables))).mean;
+            (rows[0].seed.unwrap_or_default(), mean)
+        };
+        self.realisations(nx).into_iter().filter(|rows| rows[0].hurst == Some(hurst)).map(mean).collect()
+    }
+
+    /// A quantity of a measure at one Hurst exponent and load, or averaged over all loads, extrapolated from the grids that there
+    /// are to one of `nx` points along x, or to the continuum.
+    pub fn limit(
+        &self,
+        hurst: f64,
+        load: Option<f64>,
+        nx: Option<usize>,
+        measure: Measure,
+        quantity: Quantity,
+    ) -> Estimate {
+        let spacing = |nx: usize| 1.0 / nx as f64;
+        let grid = |nx| GridValues { spacing: spacing(nx), values: self.averages(hurst, load, nx, quantity) };
+        let grids: Vec<GridValues> = self.grids().into_iter().map(grid).collect();
+        Limit { order: measure.order(), spacing: nx.map_or(0.0, spacing) }.of(&grids)
+    }
+
+    /// The mean of the limits of all Hurst exponents, averaged over all loads.
+    pub fn overall_limit(&self, nx: Option<usize>, measure: Measure, quantity: Quantity) -> Estimate {
+        let limit = |hurst| self.limit(hurst, None, nx, measure, quantity);
+        Estimate::mean_of(&self.exponents().into_iter().map(limit).collect::<Vec<_>>())
     }
 
     /// The points of each realisation on a grid.
@@ -83,35 +144,6 @@ impl Points {
         loads.iter().map(|&load| self.at(hurst, load, self.finest(), quantity).mean).collect()
     }
 
-    /// The points as on a grid of `nx` points along x: quantity by quantity on the line in the grid spacing through the grids
-    /// that there are. Without `nx`, of infinitely many points.
-    ///
-    /// Cost and certificate of a point are those of the finest grid.
-    pub fn extrapolated(&self, nx: Option<usize>) -> Self {
-        let spacing = nx.map_or(0.0, |nx| 1.0 / nx as f64);
-        let row = |row: &Point| {
-            let others: Vec<&Point> = self.0.iter().filter(|other| is_same_point(row, other)).collect();
-            let value = |quantity: Quantity| {
-                let points: Vec<_> =
-                    others.iter().map(|row| (1.0 / row.nx as f64, quantity(&row.observables))).collect();
-                Line::through(&points).at(spacing)
-            };
-            let observables = Observables {
-                reduced_pressure_contact: value(|it| it.reduced_pressure_contact),
-                relative_area: value(|it| it.relative_area),
-                relative_area_corrected: value(|it| it.relative_area_corrected),
-                rms_gradient_contact: value(|it| it.rms_gradient_contact),
-                kappa: value(|it| it.kappa),
-                kappa_corrected: value(|it| it.kappa_corrected),
-                kappa_r: value(|it| it.kappa_r),
-                kappa_r_corrected: value(|it| it.kappa_r_corrected),
-                ..row.observables
-            };
-            Point { observables, ..row.clone() }
-        };
-        Self(self.on(self.finest()).map(row).collect())
-    }
-
     /// Means over the realisations of each grid, Hurst exponent and load.
     pub fn means(&self) -> Vec<Mean> {
         let mut means: Vec<Mean> = Vec::new();
@@ -123,11 +155,6 @@ impl Points {
         }
         means
     }
-}
-
-/// Whether two points differ in their grid alone.
-fn is_same_point(a: &Point, b: &Point) -> bool {
-    (a.hurst, a.seed, a.observables.reduced_pressure) == (b.hurst, b.seed, b.observables.reduced_pressure)
 }
 
 /// Means over realisations with their standard deviations.

@@ -28,6 +28,7 @@ mod fit;
 mod gw;
 mod item;
 mod means;
+mod measure;
 mod plan;
 #[cfg(feature = "record")]
 mod recording;
@@ -40,9 +41,9 @@ mod table1;
 mod verdict;
 
 pub use comparison::Comparison;
-pub use fit::Fit;
+pub use fit::{Fit, Weights};
 pub use item::Item;
 pub use plan::{Effort, Paper};
 pub use rough::Rough;
 pub use run::{Event, Watch};
-pub use verdict::Verdict;
+pub use verdict::{Evidence, Verdict};

@@ -50,9 +50,9 @@ pub struct Paper {
 pub enum Effort {
     /// Small grids, short spectra and few loads, to see that it works.
     Quick,
-    /// Rough surfaces of up to 4096 points a side, 16 per shortest wavelength.
+    /// Rough surfaces of up to 8192 points a side, 32 per shortest wavelength, on three grids to extrapolate from.
     Usual,
-    /// Rough surfaces at the paper's own size, 16384 points a side, one for each Hurst exponent.
+    /// Rough surfaces of 16384 points a side, the size of the paper as its `eps_c` is read, one for each Hurst exponent.
     Full,
 }
 
@@ -64,16 +64,17 @@ impl Paper {
         let lines = Rough {
             points: vec![effort.of([1 << 13, 1 << 18, 1 << 18])],
             hurst: hurst.clone(),
-            seeds: (1..=effort.of([3, 10, 10])).collect(),
+            seeds: vec![seeds(effort.of([3, 10, 10]))],
             cutoff: 1.0 / effort.of([64.0, 512.0, 512.0]),
             loads: loads.clone(),
         };
         let surfaces = Rough {
-            points: effort.of([vec![256, 512], vec![2048, 4096], vec![16384]]),
+            points: effort.of([vec![128, 256, 512], vec![2048, 4096, 8192], vec![16384]]),
             hurst,
-            seeds: (1..=effort.of([1, 2, 1])).collect(),
+            seeds: effort.of([&[3, 2, 2][..], &[6, 4, 2], &[1]]).iter().map(|&count| seeds(count)).collect(),
             cutoff: 1.0 / effort.of([16.0, 64.0, 64.0]),
-            loads,
+            // every second load of lines, or every one of few
+            loads: loads.into_iter().step_by(effort.of([1, 2, 1])).collect(),
         };
         Self {
             folder: folder.into(),
@@ -164,6 +165,11 @@ impl Paper {
     pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
+}
+
+/// Seeds from 1.
+fn seeds(count: u64) -> Vec<u64> {
+    (1..=count).collect()
 }
 
 /// Reduced pressures equally far apart in their logarithm.

@@ -1,13 +1,14 @@
 //! A run: points solved, figures drawn, numbers compared.
 
 use super::comparison::Comparison;
+use super::fig5::Both;
 use super::item::Item;
 use super::means::Points;
 use super::plan::Paper;
 #[cfg(feature = "record")]
 use super::recording;
 use super::reproduction::Reproduction;
-use super::{beyond, fig1, fig2, fig3, fig4, fig5, gw, table1};
+use super::{beyond, fig1, fig2, fig3, fig4, gw, table1};
 use crate::error::StudyError;
 use crate::files::write_csv;
 use crate::plot::{write_png, write_svg};
@@ -81,18 +82,19 @@ impl Paper {
                 let points = points(Item::Fig2)?;
                 let fits = fig3::fits(lines, &points);
                 write_csv(&file("fig3"), fits.iter().flatten())?;
-                fig3::reproduce(lines, &points, &fits[0])
+                fig3::reproduce(lines, &points, &fits)
             }
             Item::Fig4 => {
                 let points = points(item)?;
                 write_csv(&file("fig4.means"), points.means())?;
+                write_csv(&file("fig4.limits"), fig4::limits(surfaces, &points))?;
                 fig4::reproduce(surfaces, &points)
             }
             Item::Fig5 => {
-                let [of_lines, of_surfaces] = [points(Item::Fig2)?, points(Item::Fig4)?];
-                let ratios = fig5::ratios([lines, surfaces], [&of_lines, &of_surfaces]);
+                let both = Both::of(surfaces, [points(Item::Fig2)?, points(Item::Fig4)?]);
+                let ratios = both.ratios();
                 write_csv(&file("fig5"), &ratios)?;
-                fig5::reproduce(lines, of_surfaces.finest(), &ratios)
+                both.reproduce(&ratios)
             }
             Item::Gw => {
                 let separations = gw::separations();

@@ -4,7 +4,7 @@ use super::means::{Points, Quantity};
 use crate::contact::Load;
 use crate::plot::Dot;
 use crate::setup::{Cell, Recipe, Setup};
-use crate::study::{Point, Realisation, Spread};
+use crate::study::{Estimate, Point, Realisation};
 use crate::surface::Indenter;
 use crate::theory::{Geometry, Periodic, PowerLaw, hertz};
 
@@ -58,9 +58,9 @@ pub fn half_width(row: &Point) -> f64 {
 }
 
 /// A quantity of the contacts of a name up to some `widest` half-width over the period.
-pub fn narrow(points: &Points, name: &str, widest: f64, quantity: Quantity) -> Spread {
+pub fn narrow(points: &Points, name: &str, widest: f64, quantity: Quantity) -> Estimate {
     let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * widest * PERIOD);
-    Spread::of(narrow.map(|row| quantity(&row.observables)))
+    Estimate::of(narrow.map(|row| quantity(&row.observables)))
 }
 
 /// Mean pressure of a row over the contact modulus.

@@ -2,10 +2,12 @@
 //!
 //! ```text
 //! LoadCurve { setup, loads } --> Contacts
-//! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Line
+//! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Estimate, Limit
 //! ```
 
+mod estimate;
 mod identity;
+mod limit;
 mod load_curve;
 mod point;
 mod realisation;
@@ -13,9 +15,11 @@ mod spread;
 mod sweep;
 mod table;
 
+pub use estimate::Estimate;
+pub use limit::{GridValues, Limit};
 pub use load_curve::LoadCurve;
 pub use point::Point;
 pub use realisation::Realisation;
-pub use spread::{Line, Spread};
+pub use spread::Spread;
 pub use sweep::Sweep;
 pub use table::Table;
