@@ -34,8 +34,8 @@ pub struct Paper {
     /// Hurst exponents [default: 0.2,0.5,0.8]
     #[arg(long, value_name = "H,H,...", value_delimiter = ',', allow_negative_numbers = true)]
     hurst: Vec<f64>,
-    /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1, every second one of surfaces; with --full
-    /// 1e-3, 1e-2, 1e-1]
+    /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1, every third one of surfaces; 8 from 1e-4 to
+    /// 0.32 of hurst; with --full 1e-3, 1e-2, 1e-1]
     #[arg(long, value_name = "P,P,...", value_delimiter = ',', allow_negative_numbers = true)]
     loads: Vec<f64>,
     /// Seeds of rough lines, such as 1-10 or 3,5,8 [default: 1-10]
@@ -109,18 +109,20 @@ impl Paper {
             _ => Effort::Usual,
         };
         let mut paper = paper::Paper::new(&self.out, effort);
-        let paper::Paper { lines, surfaces, .. } = &mut paper;
-        for rough in [&mut *lines, &mut *surfaces] {
+        let paper::Paper { lines, surfaces, fine_lines, .. } = &mut paper;
+        for rough in [&mut *lines, &mut *surfaces, &mut *fine_lines] {
             replace(&mut rough.hurst, sorted(&self.hurst));
             replace(&mut rough.loads, sorted(&self.loads));
         }
         replace(&mut lines.points, self.line_points.into_iter().collect());
         replace(&mut surfaces.points, self.surface_points.clone());
-        for (rough, given) in [(&mut *lines, &self.line_seeds), (&mut *surfaces, &self.surface_seeds)] {
+        let (of_lines, of_surfaces) = (&self.line_seeds, &self.surface_seeds);
+        for (rough, given) in [(&mut *lines, of_lines), (&mut *fine_lines, of_lines), (&mut *surfaces, of_surfaces)] {
             let seeds = each_once(given);
             replace(&mut rough.seeds, if seeds.is_empty() { Vec::new() } else { vec![seeds] });
         }
         lines.cutoff = self.line_cutoff.unwrap_or(lines.cutoff);
+        fine_lines.cutoff = lines.cutoff;
         surfaces.cutoff = self.surface_cutoff.unwrap_or(surfaces.cutoff);
         paper::Paper {
             tolerance: self.tolerance,

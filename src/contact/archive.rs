@@ -94,10 +94,10 @@ type CurveOf = fn(&Contact) -> Vec<f64>;
 
 /// The curves that are found: distributions, and the spectrum of the pressure.
 const CURVES: [(&str, CurveOf); 5] = [
-    ("pressure_edges", |contact| contact.pressure_distribution(BINS).edges),
-    ("pressure_density", |contact| contact.pressure_distribution(BINS).density),
-    ("gap_edges", |contact| contact.gap_distribution(BINS).edges),
-    ("gap_density", |contact| contact.gap_distribution(BINS).density),
+    ("pressure_edges", |contact| contact.pressure_distribution(BINS, contact.max_pressure()).edges),
+    ("pressure_density", |contact| contact.pressure_distribution(BINS, contact.max_pressure()).density),
+    ("gap_edges", |contact| contact.gap_distribution(BINS, contact.max_gap()).edges),
+    ("gap_density", |contact| contact.gap_distribution(BINS, contact.max_gap()).density),
     ("pressure_spectrum", |contact| contact.pressure_spectrum().density),
 ];
 

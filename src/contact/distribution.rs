@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// The distribution of a quantity over the nodes of one kind: the pressure of those in contact, or the gap of the others.
 ///
-/// Its integral is the share of these nodes. At all other nodes the quantity is zero.
+/// Its integral is the share of these nodes, unless some values are above the last bin. At all other nodes the quantity is zero.
 ///
 /// ```
 /// use asperity::setup::Setup;
@@ -16,29 +16,30 @@ use std::ops::Range;
 ///     load = { reduced-pressure = 0.1 }
 /// ")?;
 /// let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?;
-/// let [pressure, gap] = [contact.pressure_distribution(20), contact.gap_distribution(20)];
+/// let pressure = contact.pressure_distribution(20, contact.max_pressure());
 /// let share: f64 = pressure.bins().map(|([low, high], density)| density * (high - low)).sum();
 /// assert!((share - contact.measures().relative_area).abs() < 1e-12);
-/// assert_eq!((gap.edges[0], gap.density.len()), (0.0, 20));
+/// let gap = contact.gap_distribution(20, contact.max_gap());
+/// let share: f64 = gap.bins().map(|([low, high], density)| density * (high - low)).sum();
+/// assert!((share + contact.measures().relative_area - 1.0).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distribution {
-    /// Ends of the bins, which are equally wide, from 0 to the largest value; in the unit of the quantity.
+    /// Ends of the bins, which are equally wide, from 0; in the unit of the quantity.
     pub edges: Vec<f64>,
     /// Density in each bin, over the unit of the quantity; 0 if there are no such nodes.
     pub density: Vec<f64>,
 }
 
 impl Distribution {
-    /// The distribution of the values of `nodes` nodes into `bins` bins; `value` is that of a node, or none of the other kind.
-    fn of(nodes: usize, bins: usize, value: impl Fn(usize) -> Option<f64> + Sync) -> Self {
-        let largest = |range: Range<usize>| range.filter_map(&value).fold(0.0, f64::max);
-        let largest = chunks::visit(nodes, largest).into_iter().fold(0.0, f64::max);
+    /// The distribution of the values of `nodes` nodes into `bins` bins up to `largest`; `value` is that of a node, or none of the
+    /// other kind.
+    fn of(nodes: usize, bins: usize, largest: f64, value: impl Fn(usize) -> Option<f64> + Sync) -> Self {
         let width = largest / bins as f64;
         let counts = |range: Range<usize>| {
             let mut counts = vec![0u64; bins];
-            for value in range.filter_map(&value) {
+            for value in range.filter_map(&value).filter(|value| *value <= largest) {
                 counts[((value / width) as usize).min(bins - 1)] += 1;
             }
             counts
@@ -61,16 +62,16 @@ impl Distribution {
 }
 
 impl Contact {
-    /// Distribution of the pressure over the nodes in contact.
-    pub fn pressure_distribution(&self, bins: usize) -> Distribution {
+    /// Distribution of the pressure over the nodes in contact, up to the `largest` one.
+    pub fn pressure_distribution(&self, bins: usize, largest: f64) -> Distribution {
         let pressure = values(&self.pressure);
-        Distribution::of(pressure.len(), bins, |node| (pressure[node] > 0.0).then_some(pressure[node]))
+        Distribution::of(pressure.len(), bins, largest, |node| (pressure[node] > 0.0).then_some(pressure[node]))
     }
 
-    /// Distribution of the gap over the nodes that are not in contact.
-    pub fn gap_distribution(&self, bins: usize) -> Distribution {
+    /// Distribution of the gap over the nodes that are not in contact, up to the `largest` one.
+    pub fn gap_distribution(&self, bins: usize, largest: f64) -> Distribution {
         let [pressure, gap] = [&self.pressure, &self.gap].map(values);
-        Distribution::of(gap.len(), bins, |node| (pressure[node] <= 0.0).then(|| gap[node].max(0.0)))
+        Distribution::of(gap.len(), bins, largest, |node| (pressure[node] <= 0.0).then(|| gap[node].max(0.0)))
     }
 
     /// Power spectrum of the pressure: pressure^2 length for lines, pressure^2 length^2 for surfaces.

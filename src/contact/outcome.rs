@@ -173,6 +173,11 @@ impl Contact {
         self.pressure.fold(0.0, |max: f64, &p| max.max(p))
     }
 
+    /// Largest gap.
+    pub fn max_gap(&self) -> f64 {
+        self.gap.fold(0.0, |max: f64, &gap| max.max(gap))
+    }
+
     /// The active set: nodes with `p > 0`.
     pub fn mask(&self) -> ndarray::Array2<bool> {
         self.pressure.mapv(|p| p > 0.0)

@@ -5,7 +5,8 @@ use super::measure::Measure;
 use super::reproduction::Reproduction;
 use super::rough::Rough;
 use super::verdict::Verdict;
-use crate::study::{Estimate, Point};
+use crate::study::{Estimate, Point, Spread};
+use std::collections::BTreeMap;
 
 /// The figure, and what the paper says of it.
 pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
@@ -13,7 +14,7 @@ pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
     let title = format!("Fig. 2: rough lines, {nx} points, {} profiles each", lines.seeds_on(0).len());
     let panels = vec![lines.area_panel(points), lines.kappa_panel(points, [1.5, 4.2])];
     let kappa_r =
-        |measure: Measure| Verdict::number("fig2.kappa_r", measure.name(), points.overall(nx, measure.kappa_r()));
+        |measure: Measure| Verdict::number("fig2.kappa_r", measure.name(), points.average(None, nx, measure.kappa_r()));
     let mut verdicts = vec![kappa_r(Measure::Counted), kappa_r(Measure::Resolved).beside()];
     if lines.loads.len() > 1 {
         verdicts.push(Verdict::number("fig2.variation", "counted", variation(points)));
@@ -25,33 +26,32 @@ pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
     Reproduction::of(title, panels, lines.ramp_of(points, lines.lines()), verdicts)
 }
 
-/// Fall of `kappa` from the lightest to the heaviest load in per cent of that at the lightest.
+/// Fall of `kappa` from the lightest to the heaviest load in per cent of that at the lightest, averaged over Hurst exponents.
 fn variation(points: &Points) -> Estimate {
-    let fall = |rows: &Vec<&Point>| match rows.as_slice() {
+    let fall = |rows: &[&Point]| match rows {
         [first, .., last] => 100.0 * (1.0 - last.observables.kappa / first.observables.kappa),
         _ => f64::NAN,
     };
-    let all = points.realisations(points.finest());
-    let of = |hurst| Estimate::of(all.iter().filter(|rows| rows[0].hurst == Some(hurst)).map(fall));
-    Estimate::mean_of(&points.exponents().into_iter().map(of).collect::<Vec<_>>())
-}
-
-/// Averages over loads of each Hurst exponent, in words.
-fn words(averages: &[Estimate]) -> String {
-    let word = |it: &Estimate| format!("{:.3} ± {:.3}", it.mean, it.error);
-    averages.iter().map(word).collect::<Vec<_>>().join(", ")
-}
-
-/// How many standard errors lie between two means, as far as a sample of as many realisations can tell.
-fn apart(pair: &[Estimate]) -> f64 {
-    (pair[0].mean - pair[1].mean).abs() / pair[0].error.hypot(pair[1].error)
+    let mut falls: BTreeMap<Option<u64>, Vec<f64>> = BTreeMap::new();
+    for rows in points.realisations(points.finest()) {
+        falls.entry(rows[0].seed).or_default().push(fall(&rows));
+    }
+    Estimate::of(falls.into_values().map(|falls| Spread::of(falls).mean))
 }
 
 /// Whether `kappa`, averaged over loads, differs between neighbouring Hurst exponents by more than twice the error.
 fn depends_on_hurst(points: &Points) -> Verdict {
-    let average = |hurst| points.average(hurst, points.finest(), Measure::Counted.kappa());
-    let kappa: Vec<Estimate> = points.exponents().into_iter().map(average).collect();
-    Verdict::statement("fig2.hurst", words(&kappa), kappa.windows(2).all(|pair| apart(pair) > 2.0))
+    let (exponents, nx, kappa) = (points.exponents(), points.finest(), Measure::Counted.kappa());
+    let average = |&hurst: &f64| {
+        let Estimate { mean, error, .. } = points.average(Some(hurst), nx, kappa);
+        format!("{mean:.2} ± {error:.2}")
+    };
+    let words: Vec<String> = exponents.iter().map(average).collect();
+    let differs = |pair: &[f64]| {
+        let Estimate { mean, error, .. } = points.contrast([pair[0], pair[1]], nx, kappa);
+        mean.abs() > 2.0 * error
+    };
+    Verdict::statement("fig2.hurst", words.join(", "), exponents.windows(2).all(differs))
 }
 
 /// Whether `kappa_r` varies over loads and Hurst exponents by less than a fifth of what `kappa` does.

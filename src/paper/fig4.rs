@@ -40,9 +40,9 @@ fn verdicts(surfaces: &Rough, points: &Points, fit: Option<Fit>) -> Vec<Verdict>
     let kinds = [("fig4.kappa", counted.kappa()), ("fig4.kappa_r", counted.kappa_r())];
     let at = |(key, quantity)| {
         let (how, here) = match grids.contains(&side) {
-            true => (format!("counted, {side}^2"), points.overall(side, quantity)),
+            true => (format!("counted, {side}^2"), points.average(None, side, quantity)),
             false => {
-                (format!("counted, extrapolated to {side}^2"), points.overall_limit(Some(side), counted, quantity))
+                (format!("counted, extrapolated to {side}^2"), points.limit(None, None, Some(side), counted, quantity))
             }
         };
         Verdict::number(key, &how, here).because(COARSER)
@@ -50,53 +50,17 @@ fn verdicts(surfaces: &Rough, points: &Points, fit: Option<Fit>) -> Vec<Verdict>
     let mut verdicts: Vec<Verdict> = kinds.into_iter().map(at).collect();
     let mut beside = |key, how: String, here: Estimate| verdicts.push(Verdict::number(key, &how, here).beside());
     for &nx in grids.iter().filter(|nx| **nx != side) {
-        kinds.iter().for_each(|&(key, quantity)| beside(key, format!("counted, {nx}^2"), points.overall(nx, quantity)));
+        kinds
+            .iter()
+            .for_each(|&(key, quantity)| beside(key, format!("counted, {nx}^2"), points.average(None, nx, quantity)));
     }
     let resolved = Measure::Resolved;
     for (key, quantity) in [("fig4.kappa", resolved.kappa()), ("fig4.kappa_r", resolved.kappa_r())] {
-        beside(key, "resolved, continuum".into(), points.overall_limit(None, resolved, quantity));
+        beside(key, "resolved, continuum".into(), points.limit(None, None, None, resolved, quantity));
     }
     verdicts.extend(fit.map(|fit| {
         let how = format!("of the empirical fit on {}^2", points.finest());
         Verdict::exact("fig4.kappa", &how, fit.area.kappa(0.0)).because(HEAVY).beside()
     }));
     verdicts
-}
-
-/// The estimates of one Hurst exponent and load on the paper's grid and in the continuum.
-#[derive(serde::Serialize)]
-pub struct LimitRow {
-    hurst: f64,
-    reduced_pressure: f64,
-    measure: Measure,
-    /// Points along a side; none for the continuum.
-    nx: Option<usize>,
-    kappa: f64,
-    kappa_error: f64,
-    kappa_grid_error: f64,
-    kappa_r: f64,
-    kappa_r_error: f64,
-    kappa_r_grid_error: f64,
-}
-
-/// The limits of all Hurst exponents and loads: counted on the paper's grid and in the continuum, resolved in the continuum.
-pub fn limits(surfaces: &Rough, points: &Points) -> Vec<LimitRow> {
-    let kinds = [(Measure::Counted, Some(surfaces.paper_side())), (Measure::Counted, None), (Measure::Resolved, None)];
-    let row = |(measure, nx): (Measure, Option<usize>), (hurst, reduced_pressure): (f64, f64)| {
-        let of = |quantity| points.limit(hurst, Some(reduced_pressure), nx, measure, quantity);
-        let [kappa, kappa_r] = [of(measure.kappa()), of(measure.kappa_r())];
-        LimitRow {
-            hurst,
-            reduced_pressure,
-            measure,
-            nx,
-            kappa: kappa.mean,
-            kappa_error: kappa.error,
-            kappa_grid_error: kappa.grid,
-            kappa_r: kappa_r.mean,
-            kappa_r_error: kappa_r.error,
-            kappa_r_grid_error: kappa_r.grid,
-        }
-    };
-    kinds.into_iter().flat_map(|kind| surfaces.pairs().map(move |pair| row(kind, pair))).collect()
 }

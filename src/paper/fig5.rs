@@ -46,17 +46,11 @@ impl Both<'_> {
         Both { rough, lines: lines.under(&shared[1]), surfaces: surfaces.under(&shared[0]) }
     }
 
-    /// The ratio of a quantity of a measure at a Hurst exponent, under one load or averaged over all.
-    fn ratio(&self, hurst: f64, load: Option<f64>, measure: Measure, quantity: Quantity) -> Estimate {
+    /// The ratio of a quantity of a measure at a Hurst exponent or averaged over all, under one load or averaged over all.
+    fn ratio(&self, hurst: Option<f64>, load: Option<f64>, measure: Measure, quantity: Quantity) -> Estimate {
         let side = (measure == Measure::Counted).then(|| self.rough.paper_side());
         let line = self.lines.limit(hurst, load, Some(self.lines.finest()), measure, quantity);
         line.over(self.surfaces.limit(hurst, load, side, measure, quantity))
-    }
-
-    /// The ratio of averages over all loads, averaged over Hurst exponents.
-    fn overall(&self, measure: Measure, quantity: Quantity) -> Estimate {
-        let ratio = |hurst| self.ratio(hurst, None, measure, quantity);
-        Estimate::mean_of(&self.surfaces.exponents().into_iter().map(ratio).collect::<Vec<_>>())
     }
 
     /// The ratios at all Hurst exponents and loads.
@@ -64,7 +58,7 @@ impl Both<'_> {
         let [counted, resolved] = Measure::ALL;
         let ratio = |(hurst, load): (f64, f64)| {
             let of = |measure, quantity| {
-                let ratio = self.ratio(hurst, Some(load), measure, quantity);
+                let ratio = self.ratio(Some(hurst), Some(load), measure, quantity);
                 [ratio.mean, ratio.uncertainty()]
             };
             let [kappa, kappa_r] = [of(counted, counted.kappa()), of(counted, counted.kappa_r())];
@@ -95,10 +89,11 @@ impl Both<'_> {
 
     fn verdicts(&self) -> Vec<Verdict> {
         let [counted, resolved] = Measure::ALL;
-        let kappa =
-            |measure: Measure| Verdict::number("fig5.kappa", measure.name(), self.overall(measure, measure.kappa()));
+        let kappa = |measure: Measure| {
+            Verdict::number("fig5.kappa", measure.name(), self.ratio(None, None, measure, measure.kappa()))
+        };
         let kappa_r = |measure: Measure| {
-            Verdict::number("fig5.kappa_r", measure.name(), self.overall(measure, measure.kappa_r()))
+            Verdict::number("fig5.kappa_r", measure.name(), self.ratio(None, None, measure, measure.kappa_r()))
         };
         vec![
             kappa_r(counted),

@@ -4,6 +4,7 @@ use super::measure::Measure;
 use crate::contact::Observables;
 use crate::plot::Dot;
 use crate::study::{Estimate, GridValues, Limit, Point, Spread};
+use std::collections::BTreeMap;
 
 /// A quantity of a point.
 pub type Quantity = fn(&Observables) -> f64;
@@ -73,48 +74,76 @@ impl Points {
         exponents
     }
 
-    /// `quantity` at one Hurst exponent, averaged over the loads of each realisation, over the realisations on a grid.
-    pub fn average(&self, hurst: f64, nx: usize, quantity: Quantity) -> Estimate {
-        Estimate::of(self.averages(hurst, None, nx, quantity).into_iter().map(|(_, value)| value))
+    /// `quantity` on a grid, over the realisations: of one Hurst exponent, or averaged over all; averaged over the loads.
+    pub fn average(&self, hurst: Option<f64>, nx: usize, quantity: Quantity) -> Estimate {
+        Estimate::of(self.averages(hurst, None, nx, quantity).into_values())
     }
 
-    /// The mean of the averages of all Hurst exponents, each with its own error.
-    pub fn overall(&self, nx: usize, quantity: Quantity) -> Estimate {
-        Estimate::mean_of(
-            &self.exponents().into_iter().map(|hurst| self.average(hurst, nx, quantity)).collect::<Vec<_>>(),
-        )
+    /// How much larger `quantity` is at the second of two Hurst exponents than at the first, by pairs of the same seed, which
+    /// share their random waves; averaged over the loads.
+    pub fn contrast(&self, pair: [f64; 2], nx: usize, quantity: Quantity) -> Estimate {
+        Estimate::of(self.contrasts(pair, None, nx, quantity).into_values())
     }
 
-    /// The average over one load or over all, for each realisation by its seed.
-    fn averages(&self, hurst: f64, load: Option<f64>, nx: usize, quantity: Quantity) -> Vec<(u64, f64)> {
-        let is_it = |row: &&&Point| load.is_none_or(|load| row.observables.reduced_pressure == load);
-        let mean = |rows: Vec<&Point>| {
-            let mean = Spread::of(rows.iter().filter(is_it).map(|row| quantity(&row.observables))).mean;
-            (rows[0].seed.unwrap_or_default(), mean)
-        };
-        self.realisations(nx).into_iter().filter(|rows| rows[0].hurst == Some(hurst)).map(mean).collect()
-    }
-
-    /// A quantity of a measure at one Hurst exponent and load, or averaged over all loads, extrapolated from the grids that there
-    /// are to one of `nx` points along x, or to the continuum.
+    /// A quantity of a measure as [`Points::average`] and under one load or averaged over all, extrapolated from the grids that
+    /// there are to one of `nx` points along x, or to the continuum.
     pub fn limit(
         &self,
-        hurst: f64,
+        hurst: Option<f64>,
         load: Option<f64>,
         nx: Option<usize>,
         measure: Measure,
         quantity: Quantity,
     ) -> Estimate {
+        self.extrapolated(nx, measure, |nx| self.averages(hurst, load, nx, quantity))
+    }
+
+    /// The contrast of two Hurst exponents in the continuum, under one load or averaged over all.
+    pub fn limit_of_contrast(
+        &self,
+        pair: [f64; 2],
+        load: Option<f64>,
+        measure: Measure,
+        quantity: Quantity,
+    ) -> Estimate {
+        self.extrapolated(None, measure, |nx| self.contrasts(pair, load, nx, quantity))
+    }
+
+    /// Values of a measure on each grid, by their seeds, extrapolated.
+    fn extrapolated(
+        &self,
+        nx: Option<usize>,
+        measure: Measure,
+        values: impl Fn(usize) -> BTreeMap<u64, f64>,
+    ) -> Estimate {
         let spacing = |nx: usize| 1.0 / nx as f64;
-        let grid = |nx| GridValues { spacing: spacing(nx), values: self.averages(hurst, load, nx, quantity) };
+        let grid = |nx| GridValues { spacing: spacing(nx), values: values(nx) };
         let grids: Vec<GridValues> = self.grids().into_iter().map(grid).collect();
         Limit { order: measure.order(), spacing: nx.map_or(0.0, spacing) }.of(&grids)
     }
 
-    /// The mean of the limits of all Hurst exponents, averaged over all loads.
-    pub fn overall_limit(&self, nx: Option<usize>, measure: Measure, quantity: Quantity) -> Estimate {
-        let limit = |hurst| self.limit(hurst, None, nx, measure, quantity);
-        Estimate::mean_of(&self.exponents().into_iter().map(limit).collect::<Vec<_>>())
+    /// `quantity` under one load or averaged over all, at one Hurst exponent or averaged over all, by the seeds.
+    ///
+    /// The surfaces of one seed share their random waves, so that those of several Hurst exponents are not independent: only the
+    /// averages over them, seed by seed, are.
+    fn averages(&self, hurst: Option<f64>, load: Option<f64>, nx: usize, quantity: Quantity) -> BTreeMap<u64, f64> {
+        let is_asked = |row: &&Point| {
+            hurst.is_none_or(|hurst| row.hurst == Some(hurst))
+                && load.is_none_or(|load| row.observables.reduced_pressure == load)
+        };
+        let mut values: BTreeMap<u64, Vec<f64>> = BTreeMap::new();
+        for row in self.on(nx).filter(is_asked) {
+            values.entry(row.seed.unwrap_or_default()).or_default().push(quantity(&row.observables));
+        }
+        // a seed some of whose points did not converge would be an average over others
+        let whole = values.values().map(Vec::len).max().unwrap_or(0);
+        let values = values.into_iter().filter(|(_, values)| values.len() == whole);
+        values.map(|(seed, values)| (seed, Spread::of(values).mean)).collect()
+    }
+
+    fn contrasts(&self, pair: [f64; 2], load: Option<f64>, nx: usize, quantity: Quantity) -> BTreeMap<u64, f64> {
+        let [first, second] = pair.map(|hurst| self.averages(Some(hurst), load, nx, quantity));
+        second.into_iter().filter_map(|(seed, value)| Some((seed, value - first.get(&seed)?))).collect()
     }
 
     /// The points of each realisation on a grid.

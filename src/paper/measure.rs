@@ -25,7 +25,7 @@ impl Measure {
     }
 
     /// The relative area.
-    pub fn area(self) -> Quantity {
+    pub const fn area(self) -> Quantity {
         match self {
             Self::Counted => |it| it.relative_area,
             Self::Resolved => |it| it.relative_area_corrected,
@@ -33,7 +33,7 @@ impl Measure {
     }
 
     /// `kappa`.
-    pub fn kappa(self) -> Quantity {
+    pub const fn kappa(self) -> Quantity {
         match self {
             Self::Counted => |it| it.kappa,
             Self::Resolved => |it| it.kappa_corrected,
@@ -41,7 +41,7 @@ impl Measure {
     }
 
     /// `kappa_r`.
-    pub fn kappa_r(self) -> Quantity {
+    pub const fn kappa_r(self) -> Quantity {
         match self {
             Self::Counted => |it| it.kappa_r,
             Self::Resolved => |it| it.kappa_r_corrected,

@@ -26,9 +26,12 @@ mod fig4;
 mod fig5;
 mod fit;
 mod gw;
+mod hurst;
 mod item;
+mod limits;
 mod means;
 mod measure;
+mod persson;
 mod plan;
 #[cfg(feature = "record")]
 mod recording;

@@ -26,6 +26,12 @@ pub const WARM: [Colour; 4] = [Colour::VERMILION, Colour::ORANGE, Colour::PURPLE
 /// Colours beside [`WARM`].
 pub const COLD: [Colour; 4] = [Colour::BLUE, Colour::SKY, Colour::GREEN, Colour::GREY];
 
+/// The colour of the Hurst exponent of a number, where colours tell them apart.
+pub fn shade(number: usize) -> Colour {
+    const SHADES: [Colour; 4] = [Colour::VERMILION, Colour::GREEN, Colour::BLUE, Colour::PURPLE];
+    SHADES[number % SHADES.len()]
+}
+
 /// Rough lines or surfaces of several Hurst exponents and seeds on one or more grids. All lists ascend.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rough {
@@ -87,6 +93,16 @@ impl Rough {
     /// Points along a side with which a surface has the paper's 64 points per shortest wavelength.
     pub(super) fn paper_side(&self) -> usize {
         (POINTS_PER_WAVE * SIDE / self.cutoff).round() as usize
+    }
+
+    /// Points with which a line has the paper's 64 points per shortest wavelength.
+    pub(super) fn paper_line(&self) -> usize {
+        (POINTS_PER_WAVE * LINE / self.cutoff).round() as usize
+    }
+
+    /// Points per shortest wavelength of a line of so many points.
+    pub(super) fn points_per_wave_of_line(&self, points: usize) -> f64 {
+        points as f64 * self.cutoff / LINE
     }
 
     /// Points per shortest wavelength of a surface with `side` points along a side.

@@ -6,11 +6,11 @@ use super::spread::Spread;
 ///
 /// ```
 /// use asperity::study::Estimate;
-/// let [low, high] = [[1.0, 1.2, 1.1], [2.0, 2.2, 2.1]].map(Estimate::of);
-/// let mean = Estimate::mean_of(&[low, high]);
-/// // two groups that differ by 1 do not scatter by 1: each has its own error
-/// assert!((mean.mean - 1.6).abs() < 1e-12 && (mean.scatter - 0.1 / 2f64.sqrt()).abs() < 1e-12);
-/// assert!((mean.error - mean.scatter / 3f64.sqrt()).abs() < 1e-12);
+/// let [lines, surfaces] = [[1.6, 1.8, 1.7], [1.8, 2.0, 1.9]].map(Estimate::of);
+/// assert!((lines.mean - 1.7).abs() < 1e-12 && (lines.error - 0.1 / 3f64.sqrt()).abs() < 1e-12);
+/// let ratio = lines.over(surfaces);
+/// assert!((ratio.error / ratio.mean - (lines.error / 1.7).hypot(surfaces.error / 1.9)).abs() < 1e-12);
+/// assert!(Estimate::of([1.7]).error.is_nan());
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
@@ -20,7 +20,7 @@ pub struct Estimate {
     pub error: f64,
     /// Error of the grid: of an extrapolation in its spacing, or of a measure that is not extrapolated.
     pub grid: f64,
-    /// Standard deviation of one realisation; of one of each group for a mean of groups.
+    /// Standard deviation of one realisation.
     pub scatter: f64,
 }
 
@@ -34,20 +34,6 @@ impl Estimate {
     /// A number without errors.
     pub fn exact(mean: f64) -> Self {
         Self { mean, error: 0.0, grid: 0.0, scatter: 0.0 }
-    }
-
-    /// The mean of groups that are independent of each other, each with its own mean. Errors of the grid are taken to be of one
-    /// sign, and do not average out.
-    pub fn mean_of(groups: &[Self]) -> Self {
-        let count = groups.len() as f64;
-        let mean = |of: fn(&Self) -> f64| groups.iter().map(of).sum::<f64>() / count;
-        let squares = |of: fn(&Self) -> f64| groups.iter().map(|group| of(group).powi(2)).sum::<f64>().sqrt() / count;
-        Self {
-            mean: mean(|group| group.mean),
-            error: squares(|group| group.error),
-            grid: mean(|group| group.grid),
-            scatter: squares(|group| group.scatter),
-        }
     }
 
     /// The quotient of two independent means.

@@ -2,6 +2,7 @@
 
 use super::estimate::Estimate;
 use super::spread::Spread;
+use std::collections::BTreeMap;
 
 /// Grids that an extrapolation takes at the most: the finest of them.
 const GRIDS: usize = 3;
@@ -11,8 +12,8 @@ const GRIDS: usize = 3;
 pub struct GridValues {
     /// Spacing of the grid, in any unit.
     pub spacing: f64,
-    /// The realisation, by its seed, and its value.
-    pub values: Vec<(u64, f64)>,
+    /// The value of each realisation, by its seed.
+    pub values: BTreeMap<u64, f64>,
 }
 
 /// How the error of a quantity vanishes with the spacing of the grid: as a series in `spacing^order`.
@@ -48,7 +49,7 @@ impl Limit {
     pub fn of(&self, grids: &[GridValues]) -> Estimate {
         let grids = &grids[grids.len().saturating_sub(GRIDS)..];
         let Some(coarsest) = grids.first() else { return Estimate::exact(f64::NAN) };
-        let spread = Spread::of(coarsest.values.iter().map(|(_, value)| *value));
+        let spread = Spread::of(coarsest.values.values().copied());
         let finer: Vec<Spread> = grids.windows(2).map(|pair| differences(&pair[0], &pair[1])).collect();
         let [all, fewer] = [0, 1].map(|skipped| self.shares(grids, skipped));
         let sum =
@@ -71,10 +72,7 @@ impl Limit {
 
 /// How much larger the values are on the finer of two grids, over the realisations that are on both.
 fn differences(coarse: &GridValues, fine: &GridValues) -> Spread {
-    let difference = |(seed, value): &(u64, f64)| {
-        let (_, other) = coarse.values.iter().find(|(other, _)| other == seed)?;
-        Some(value - other)
-    };
+    let difference = |(seed, value): (&u64, &f64)| Some(value - coarse.values.get(seed)?);
     Spread::of(fine.values.iter().filter_map(difference))
 }
 

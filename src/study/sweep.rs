@@ -66,6 +66,15 @@ impl Sweep {
         self.realisations.iter().try_for_each(|realisation| Ok(realisation.check().map(drop)?))
     }
 
+    /// Refuses surfaces and loads that cannot be, or do not fit in memory.
+    ///
+    /// # Errors
+    /// The errors of [`Realisation::check`] and [`crate::setup::Cost::check`].
+    pub fn check_cost(&self) -> Result<(), StudyError> {
+        self.check()?;
+        Ok(self.realisations.iter().try_for_each(|it| it.setup.cost(false, 0)?.check("a sweep"))?)
+    }
+
     /// Refuses a table that would be lost.
     ///
     /// # Errors
