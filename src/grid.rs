@@ -88,6 +88,18 @@ impl Grid {
         [self.size[0] / self.shape[0] as f64, self.size[1] / self.shape[1] as f64]
     }
 
+    /// The node, counted row by row, so many nodes along y and x from another; periodic.
+    ///
+    /// ```
+    /// let grid = asperity::Grid::surface([4, 5], [1.0, 1.0])?;
+    /// assert_eq!((grid.neighbour(0, [0, -1]), grid.neighbour(0, [-1, 2])), (4, 17));
+    /// # Ok::<(), asperity::error::GridError>(())
+    /// ```
+    pub fn neighbour(&self, node: usize, [dy, dx]: [isize; 2]) -> usize {
+        let [ny, nx] = self.shape;
+        wrapped(node / nx, dy, ny) * nx + wrapped(node % nx, dx, nx)
+    }
+
     /// Positions `x` of the columns, from 0.
     pub fn x(&self) -> impl ExactSizeIterator<Item = f64> + use<> {
         let dx = self.spacing()[1];
@@ -136,4 +148,9 @@ impl Grid {
             (0..ny).map(move |_| weight)
         })
     }
+}
+
+/// `i + step` on `0..n`, periodic.
+fn wrapped(i: usize, step: isize, n: usize) -> usize {
+    (i as isize + step).rem_euclid(n as isize) as usize
 }

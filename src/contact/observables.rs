@@ -3,7 +3,7 @@
 //! A row of the table is all that a new one takes: results, tables of studies, the explorer and the curves of recordings show
 //! what is in it.
 
-use crate::contact::{Certificate, Contact, Load, Measures, Problem, Step, Work};
+use crate::contact::{Certificate, Contact, Load, Measures, Problem, Resolved, Step, Work};
 use ndarray::ArrayView1;
 use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
@@ -34,6 +34,7 @@ pub struct State<'a> {
     /// The certificate; NaN where it is not known.
     certificate: Certificate,
     measures: Lazy<'a, Measures>,
+    resolved: Lazy<'a, Resolved>,
     patches: Lazy<'a, usize>,
     mean_gap: Lazy<'a, f64>,
     /// The elastic energy; NaN where it is not known.
@@ -112,21 +113,31 @@ observables! {
     relative_area: f64, "a_rel", "1", true, |it| it.measures.relative_area,
         "Relative contact area, the share of nodes in contact.";
     relative_area_corrected: f64, "a_rel, corrected", "1", false, |it| it.measures.relative_area_corrected,
-        "Relative contact area less the excess of counting nodes along the perimeter.";
+        "Relative contact area less the mean excess of counting nodes at its edges.";
+    relative_area_resolved: f64, "a_rel, resolved", "1", true, |it| it.resolved.relative_area,
+        "Relative contact area within edges that are resolved between the nodes.";
     rms_height: f64, "h_rms", "length", false, |it| it.problem.rms_height(),
         "Root mean square of the heights about their mean.";
     rms_gradient: f64, "g_rms", "1", false, |it| it.problem.rms_gradient(),
         "Root-mean-square gradient of the surface.";
     rms_gradient_contact: f64, "g_r", "1", false, |it| it.measures.rms_gradient_contact,
         "Root-mean-square gradient of the nodes in contact.";
+    rms_gradient_contact_corrected: f64, "g_r, corrected", "1", false, |it| it.measures.rms_gradient_contact_corrected,
+        "Root-mean-square gradient of the contact less the mean excess of counting nodes at its edges.";
+    rms_gradient_contact_resolved: f64, "g_r, resolved", "1", false, |it| it.resolved.rms_gradient_contact,
+        "Root-mean-square gradient over the contact within edges that are resolved between the nodes.";
     kappa: f64, "kappa", "1", true, |it| it.measures.kappa,
         "Relative contact area over reduced pressure.";
     kappa_corrected: f64, "kappa, corrected", "1", false, |it| it.measures.relative_area_corrected / it.measures.reduced_pressure,
         "Corrected relative contact area over reduced pressure.";
+    kappa_resolved: f64, "kappa, resolved", "1", false, |it| it.resolved.relative_area / it.measures.reduced_pressure,
+        "Resolved relative contact area over reduced pressure.";
     kappa_r: f64, "kappa_r", "1", true, |it| it.measures.kappa_r,
         "Relative contact area over the reduced pressure with the rms gradient of the nodes in contact.";
     kappa_r_corrected: f64, "kappa_r, corrected", "1", false, |it| it.measures.kappa_r_corrected,
-        "Corrected relative contact area over the reduced pressure with the rms gradient of the nodes in contact.";
+        "Corrected relative contact area over the reduced pressure with the corrected rms gradient of the contact.";
+    kappa_r_resolved: f64, "kappa_r, resolved", "1", true, |it| it.kappa_r_resolved(),
+        "Resolved relative contact area over the reduced pressure with the resolved rms gradient of the contact.";
     mean_gap: f64, "<g>", "length", false, |it| *it.mean_gap,
         "Mean gap between the surfaces.";
     mean_gap_over_rms_height: f64, "<g> / h_rms", "1", true, |it| *it.mean_gap / it.problem.rms_height(),
@@ -156,6 +167,12 @@ observables! {
 }
 
 impl State<'_> {
+    /// `kappa_r` with the resolved area and gradient, under the load of the other factors.
+    fn kappa_r_resolved(&self) -> f64 {
+        let strain = self.measures.reduced_pressure * self.measures.rms_gradient;
+        self.resolved.relative_area * self.resolved.rms_gradient_contact / strain
+    }
+
     /// The reduced pressure: that which is prescribed, to the last bit, or else the one that is found.
     fn reduced_pressure(&self) -> f64 {
         match self.problem.load() {
@@ -172,6 +189,7 @@ impl<'a> From<&'a Contact> for State<'a> {
             work: contact.work,
             certificate: contact.certificate,
             measures: lazy(|| contact.measures()),
+            resolved: lazy(|| contact.resolved()),
             patches: lazy(|| contact.patches().count()),
             mean_gap: lazy(|| contact.mean_gap()),
             elastic_energy: lazy(|| contact.elastic_energy()),
@@ -191,6 +209,7 @@ impl<'a> From<&'a Step<'_>> for State<'a> {
             work: step.work(),
             certificate: Certificate { eta, pressure_error_bound, load_error, min_pressure, penetration },
             measures: lazy(|| *step.measures()),
+            resolved: lazy(|| *step.resolved()),
             patches: lazy(|| step.patches().count()),
             mean_gap: lazy(|| step.mean_gap()),
             elastic_energy: lazy(|| f64::NAN),

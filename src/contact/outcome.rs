@@ -1,6 +1,6 @@
 //! The contact that a solver returns.
 
-use crate::contact::{Certificate, Failure, Measures, Patches, Problem, certificate, chunks};
+use crate::contact::{Certificate, Edges, Failure, Measures, Patches, Problem, Resolved, certificate, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
@@ -137,6 +137,17 @@ impl Contact {
     /// Area, gradients and proportionality factors.
     pub fn measures(&self) -> Measures {
         Measures::of(&self.problem, self.pressures())
+    }
+
+    /// The edges of the contact, between the nodes.
+    pub fn edges(&self) -> Edges<'_, impl Fn(usize) -> f64 + Sync> {
+        let gap = self.gap.as_slice().expect("results are made in standard layout");
+        Edges::of(&self.problem, self.pressures(), |node| gap[node])
+    }
+
+    /// Area and gradient with the edges resolved between the nodes.
+    pub fn resolved(&self) -> Resolved {
+        self.edges().resolved()
     }
 
     /// Contact patches.

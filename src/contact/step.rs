@@ -1,6 +1,6 @@
 //! The state of a solver at one relaxation step.
 
-use crate::contact::{Measures, Patches, Problem, Work, certificate, chunks};
+use crate::contact::{Edges, Measures, Patches, Problem, Resolved, Work, certificate, chunks};
 use std::cell::{LazyCell, OnceCell};
 use std::ops::Deref;
 
@@ -25,6 +25,7 @@ pub struct Step<'a> {
     force: Option<&'a [f64]>,
     gap: OnceCell<Vec<f64>>,
     measures: OnceCell<Measures>,
+    resolved: OnceCell<Resolved>,
     patches: OnceCell<Patches>,
 }
 
@@ -116,6 +117,7 @@ impl<'a> Step<'a> {
             force: None,
             gap: OnceCell::new(),
             measures: OnceCell::new(),
+            resolved: OnceCell::new(),
             patches: OnceCell::new(),
         }
     }
@@ -218,6 +220,14 @@ impl<'a> Step<'a> {
     /// Area, gradients and proportionality factors.
     pub fn measures(&self) -> &Measures {
         self.measures.get_or_init(|| Measures::of(self.problem, &self.pressure))
+    }
+
+    /// Area and gradient with the edges resolved between the nodes.
+    pub fn resolved(&self) -> &Resolved {
+        self.resolved.get_or_init(|| {
+            let (u, h, datum): (&[f64], _, _) = (&self.displacement, self.problem.height(), self.datum());
+            Edges::of(self.problem, &self.pressure, |node| u[node] - h[node] + datum).resolved()
+        })
     }
 
     /// Contact patches.

@@ -197,22 +197,24 @@ pub struct Mean {
     relative_area: f64,
     relative_area_deviation: f64,
     relative_area_corrected: f64,
+    relative_area_resolved: f64,
     kappa: f64,
     kappa_deviation: f64,
     kappa_corrected: f64,
-    kappa_corrected_deviation: f64,
+    kappa_resolved: f64,
+    kappa_resolved_deviation: f64,
     kappa_r: f64,
     kappa_r_deviation: f64,
     kappa_r_corrected: f64,
-    kappa_r_corrected_deviation: f64,
+    kappa_r_resolved: f64,
+    kappa_r_resolved_deviation: f64,
 }
 
 impl Mean {
     fn of(points: &Points, (nx, hurst, reduced_pressure): (usize, f64, f64)) -> Self {
         let of = |quantity| points.at(hurst, reduced_pressure, nx, quantity);
-        let [area, kappa, kappa_corrected] =
-            [of(|it| it.relative_area), of(|it| it.kappa), of(|it| it.kappa_corrected)];
-        let [kappa_r, kappa_r_corrected] = [of(|it| it.kappa_r), of(|it| it.kappa_r_corrected)];
+        let [area, kappa, kappa_r] = [of(|it| it.relative_area), of(|it| it.kappa), of(|it| it.kappa_r)];
+        let [kappa_resolved, kappa_r_resolved] = [of(|it| it.kappa_resolved), of(|it| it.kappa_r_resolved)];
         Self {
             nx,
             hurst,
@@ -222,14 +224,17 @@ impl Mean {
             relative_area: area.mean,
             relative_area_deviation: area.deviation,
             relative_area_corrected: of(|it| it.relative_area_corrected).mean,
+            relative_area_resolved: of(|it| it.relative_area_resolved).mean,
             kappa: kappa.mean,
             kappa_deviation: kappa.deviation,
-            kappa_corrected: kappa_corrected.mean,
-            kappa_corrected_deviation: kappa_corrected.deviation,
+            kappa_corrected: of(|it| it.kappa_corrected).mean,
+            kappa_resolved: kappa_resolved.mean,
+            kappa_resolved_deviation: kappa_resolved.deviation,
             kappa_r: kappa_r.mean,
             kappa_r_deviation: kappa_r.deviation,
-            kappa_r_corrected: kappa_r_corrected.mean,
-            kappa_r_corrected_deviation: kappa_r_corrected.deviation,
+            kappa_r_corrected: of(|it| it.kappa_r_corrected).mean,
+            kappa_r_resolved: kappa_r_resolved.mean,
+            kappa_r_resolved_deviation: kappa_r_resolved.deviation,
         }
     }
 }

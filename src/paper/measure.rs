@@ -28,7 +28,7 @@ impl Measure {
     pub const fn area(self) -> Quantity {
         match self {
             Self::Counted => |it| it.relative_area,
-            Self::Resolved => |it| it.relative_area_corrected,
+            Self::Resolved => |it| it.relative_area_resolved,
         }
     }
 
@@ -36,7 +36,7 @@ impl Measure {
     pub const fn kappa(self) -> Quantity {
         match self {
             Self::Counted => |it| it.kappa,
-            Self::Resolved => |it| it.kappa_corrected,
+            Self::Resolved => |it| it.kappa_resolved,
         }
     }
 
@@ -44,7 +44,7 @@ impl Measure {
     pub const fn kappa_r(self) -> Quantity {
         match self {
             Self::Counted => |it| it.kappa_r,
-            Self::Resolved => |it| it.kappa_r_corrected,
+            Self::Resolved => |it| it.kappa_r_resolved,
         }
     }
 
@@ -52,7 +52,7 @@ impl Measure {
     pub fn order(self) -> i32 {
         match self {
             Self::Counted => 1,
-            Self::Resolved => 1,
+            Self::Resolved => 2,
         }
     }
 }

@@ -25,6 +25,8 @@ use std::f64::consts::PI;
 /// Profiles of lines, and surfaces, of each Hurst exponent at the most.
 const LINES: usize = 4;
 const SURFACES: usize = 2;
+/// Loads, about.
+const LOADS: usize = 6;
 /// Bins of the pressure, and the largest one over its mean in contact.
 const BINS: usize = 40;
 const LARGEST: f64 = 4.0;
@@ -91,7 +93,7 @@ pub fn realisations([lines, surfaces]: [&Rough; 2]) -> Vec<Realisation> {
     let few = |rough: &Rough, grid: usize, count: usize| Rough {
         points: vec![rough.points[grid]],
         seeds: vec![rough.seeds_on(grid).iter().take(count).copied().collect()],
-        loads: lines.loads.iter().step_by(2).copied().collect(),
+        loads: lines.loads.iter().step_by((lines.loads.len() / LOADS).max(1)).copied().collect(),
         ..rough.clone()
     };
     let (lines, surfaces) = (few(lines, lines.points.len() - 1, LINES), few(surfaces, 0, SURFACES));
@@ -153,22 +155,28 @@ impl Group<'_> {
         sums
     }
 
-    /// Between a load and the next one: the geometric mean of both, the stiffness `-dp/d<g>` over `p/h_rms`, and the loss of
-    /// elastic energy over the work of the load.
-    ///
-    /// The pressure falls with the mean gap about as an exponential does: its mean along the way is the logarithmic one.
+    /// Around each load but the first and the last: the load, the stiffness `-dp/d<g>` over `p/h_rms`, and the gain of elastic
+    /// energy over the work of the load, from the load before to the one after it.
     fn steps(&self) -> Vec<[Estimate; 3]> {
-        let step = |pair: &[Seen]| {
-            let [a, b] = [pair[0].point.observables, pair[1].point.observables];
-            let (rise, fall) = ((b.mean_pressure / a.mean_pressure).ln(), a.mean_gap - b.mean_gap);
-            let work = (b.mean_pressure - a.mean_pressure) / rise * fall;
-            let gain = b.elastic_energy - a.elastic_energy;
-            [(a.reduced_pressure * b.reduced_pressure).sqrt(), rise * a.rms_height / fall, gain / work]
-        };
-        let steps: Vec<Vec<[f64; 3]>> = self.all.iter().map(|seen| seen.windows(2).map(step).collect()).collect();
-        let count = self.loads().len().saturating_sub(1);
+        let steps: Vec<Vec<[f64; 3]>> = self.all.iter().map(|seen| seen.windows(3).map(step).collect()).collect();
+        let count = self.loads().len().saturating_sub(2);
         (0..count).map(|i| [0, 1, 2].map(|j| Estimate::of(steps.iter().map(|steps| steps[i][j])))).collect()
     }
+}
+
+/// Load, stiffness, and energy over work, as [`Group::steps`], of one contact under three loads.
+///
+/// The mean gap is a parabola in `x = ln p` through the three, of slope `a + b x`, so that the work is the integral of
+/// `-e^x (a + b x)`.
+fn step(three: &[Seen]) -> [f64; 3] {
+    let at = [0, 1, 2].map(|i| three[i].point.observables);
+    let x = at.map(|it| (it.mean_pressure / at[1].mean_pressure).ln());
+    let slope = |i: usize| (at[i + 1].mean_gap - at[i].mean_gap) / (x[i + 1] - x[i]);
+    let bend = (slope(1) - slope(0)) / (x[2] - x[0]);
+    let [a, b] = [slope(0) - bend * x[0], 2.0 * bend];
+    let integral = |x: f64| x.exp() * (a + b * (x - 1.0));
+    let work = at[1].mean_pressure * (integral(x[0]) - integral(x[2]));
+    [at[1].reduced_pressure, -at[1].rms_height / a, (at[2].elastic_energy - at[0].elastic_energy) / work]
 }
 
 /// The pressures of a group under one load.
@@ -183,9 +191,9 @@ pub struct PressureRow {
     shape: f64,
     /// Mean square of the pressure over that of Persson's theory.
     mean_square_over_persson: f64,
-    /// The stiffness `-dp/d<g>` over `p/h_rms`, between this load and the next.
+    /// The stiffness `-dp/d<g>` over `p/h_rms`; none at the ends of the curve.
     stiffness: Option<f64>,
-    /// The gain of elastic energy over the work of the load, between this load and the next.
+    /// The gain of elastic energy over the work of the load, from the load before to the next.
     energy_over_work: Option<f64>,
 }
 
@@ -193,6 +201,7 @@ pub struct PressureRow {
 pub fn rows(seen: &[Vec<Seen>]) -> Vec<PressureRow> {
     let rows = |group: Group<'_>| {
         let steps = group.steps();
+        let around = |load: usize| load.checked_sub(1).and_then(|step| steps.get(step));
         let row = |load: usize| PressureRow {
             name: if group.is_line { "rough line" } else { "rough surface" },
             hurst: group.hurst,
@@ -201,8 +210,8 @@ pub fn rows(seen: &[Vec<Seen>]) -> Vec<PressureRow> {
             kappa: group.mean(load, |it| KAPPA(&it.point.observables)),
             shape: group.mean(load, Seen::shape),
             mean_square_over_persson: group.mean(load, |it| it.mean_square[0] / it.mean_square[1]),
-            stiffness: steps.get(load).map(|step| step[1].mean),
-            energy_over_work: steps.get(load).map(|step| step[2].mean),
+            stiffness: around(load).map(|step| step[1].mean),
+            energy_over_work: around(load).map(|step| step[2].mean),
         };
         group.loads().map(row).collect::<Vec<_>>()
     };

@@ -1,6 +1,7 @@
 //! Cylinder and sphere of Section 2.
 
 use super::means::{Points, Quantity};
+use super::measure::Measure;
 use crate::contact::Load;
 use crate::plot::Dot;
 use crate::setup::{Cell, Recipe, Setup};
@@ -49,11 +50,11 @@ pub fn loads(indenter: &PowerLaw, widths: &[f64]) -> Vec<f64> {
     widths.iter().map(|width| indenter.load(width * PERIOD) / (area * directions.sqrt() * slope)).collect()
 }
 
-/// Half-width or radius of the contact of a row, from the corrected area.
+/// Half-width or radius of the contact of a row, from the resolved area.
 pub fn half_width(row: &Point) -> f64 {
     match row.ny {
-        1 => 0.5 * row.observables.relative_area_corrected * PERIOD,
-        _ => (row.observables.relative_area_corrected / std::f64::consts::PI).sqrt() * PERIOD,
+        1 => 0.5 * Measure::Resolved.area()(&row.observables) * PERIOD,
+        _ => (Measure::Resolved.area()(&row.observables) / std::f64::consts::PI).sqrt() * PERIOD,
     }
 }
 

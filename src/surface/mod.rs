@@ -133,6 +133,26 @@ impl Surface {
         }
     }
 
+    /// Local square gradient `|grad h|^2` as a function of the node, counted row by row, by central differences of fourth order,
+    /// `h' = (8 (h_{i+1} - h_{i-1}) - (h_{i+2} - h_{i-2})) / (12 l)`, periodic. On smooth heights it is closer to the gradient of the
+    /// surface than Eq. 8, which is larger by a term of second order. The function panics where there is no node.
+    pub fn square_slope(&self) -> impl Fn(usize) -> f64 + Sync {
+        let (h, grid) = (self.heights(), self.grid);
+        let [per_dy, per_dx] = grid.spacing().map(|spacing| 1.0 / (12.0 * spacing));
+        let [ny, nx] = grid.shape();
+        let slope = |[far_back, back, on, far_on]: [usize; 4]| 8.0 * (h[on] - h[back]) - (h[far_on] - h[far_back]);
+        let around = |i: usize, n: usize| match i {
+            2.. if i + 2 < n => [i - 2, i - 1, i + 1, i + 2],
+            _ => [(i + n - 2) % n, (i + n - 1) % n, (i + 1) % n, (i + 2) % n],
+        };
+        move |node| {
+            let (y, x) = (node / nx, node % nx);
+            let along_x = slope(around(x, nx).map(|x| y * nx + x)) * per_dx;
+            let along_y = if ny == 1 { 0.0 } else { slope(around(y, ny).map(|y| y * nx + x)) * per_dy };
+            along_x.powi(2) + along_y.powi(2)
+        }
+    }
+
     /// Root-mean-square gradient `gbar`: that of all nodes, see [`Surface::square_gradient`].
     pub fn rms_gradient(&self) -> f64 {
         let n = self.height.len();
