@@ -155,20 +155,20 @@ impl Group<'_> {
         sums
     }
 
-    /// Around each load but the first and the last: the load, the stiffness `-dp/d<g>` over `p/h_rms`, and the gain of elastic
-    /// energy over the work of the load, from the load before to the one after it.
-    fn steps(&self) -> Vec<[Estimate; 3]> {
-        let steps: Vec<Vec<[f64; 3]>> = self.all.iter().map(|seen| seen.windows(3).map(step).collect()).collect();
+    /// Around each load but the first and the last: the load, the stiffness `-dp/d<g>` over `p/h_rms`, the gain of elastic energy
+    /// over the work of the load, from the load before to the one after it, and by how much that is off for lack of loads.
+    fn steps(&self) -> Vec<[Estimate; 4]> {
+        let steps: Vec<Vec<[f64; 4]>> = self.all.iter().map(|seen| seen.windows(3).map(step).collect()).collect();
         let count = self.loads().len().saturating_sub(2);
-        (0..count).map(|i| [0, 1, 2].map(|j| Estimate::of(steps.iter().map(|steps| steps[i][j])))).collect()
+        (0..count).map(|i| [0, 1, 2, 3].map(|j| Estimate::of(steps.iter().map(|steps| steps[i][j])))).collect()
     }
 }
 
-/// Load, stiffness, and energy over work, as [`Group::steps`], of one contact under three loads.
+/// Load, stiffness, energy over work and its error, as [`Group::steps`], of one contact under three loads.
 ///
 /// The mean gap is a parabola in `x = ln p` through the three, of slope `a + b x`, so that the work is the integral of
-/// `-e^x (a + b x)`.
-fn step(three: &[Seen]) -> [f64; 3] {
+/// `-e^x (a + b x)`. With straight lines from load to load, each of a logarithmic mean pressure, it is another: the error.
+fn step(three: &[Seen]) -> [f64; 4] {
     let at = [0, 1, 2].map(|i| three[i].point.observables);
     let x = at.map(|it| (it.mean_pressure / at[1].mean_pressure).ln());
     let slope = |i: usize| (at[i + 1].mean_gap - at[i].mean_gap) / (x[i + 1] - x[i]);
@@ -176,7 +176,10 @@ fn step(three: &[Seen]) -> [f64; 3] {
     let [a, b] = [slope(0) - bend * x[0], 2.0 * bend];
     let integral = |x: f64| x.exp() * (a + b * (x - 1.0));
     let work = at[1].mean_pressure * (integral(x[0]) - integral(x[2]));
-    [at[1].reduced_pressure, -at[1].rms_height / a, (at[2].elastic_energy - at[0].elastic_energy) / work]
+    let straight = |i: usize| (at[i].mean_pressure - at[i + 1].mean_pressure) * slope(i);
+    let gain = at[2].elastic_energy - at[0].elastic_energy;
+    let error = gain / work - gain / (straight(0) + straight(1));
+    [at[1].reduced_pressure, -at[1].rms_height / a, gain / work, error.abs()]
 }
 
 /// The pressures of a group under one load.
@@ -277,14 +280,15 @@ pub fn reproduce(seen: &[Vec<Seen>]) -> Reproduction {
         densities("(b) pressures of surfaces", &surfaces),
         waves("(c) W(q) of lines", &lines),
         waves("(d) W(q) of surfaces", &surfaces),
-        along("(e) waves pressed flat", "⟨p²⟩ over Persson's", [0.4, 1.4], &groups, &ratio),
+        along("(e) waves pressed flat", "⟨p²⟩ over Persson's", [0.3, 1.0], &groups, &ratio),
         along("(f) shape of the distribution", "⟨p²⟩/⟨p⟩² in contact", [1.1, 1.6], &groups, &Seen::shape),
-        between("(g) contact stiffness", "−dp/d⟨g⟩ over p/h_rms", [0.0, 8.0], &groups, 1),
+        between("(g) contact stiffness", "−dp/d⟨g⟩ over p/h_rms", [1.5, 4.5], &groups, 1),
         between("(h) −dU/d⟨g⟩ over p", "energy over work", [0.98, 1.02], &groups, 2),
     ];
     let work = |key, groups: &[&Group<'_>]| {
-        let steps = groups.iter().flat_map(|group| group.steps()).map(|step| step[2].mean);
-        Verdict::number(key, "", Estimate::of(steps))
+        let steps: Vec<_> = groups.iter().flat_map(|group| group.steps()).collect();
+        let over = |i: usize| Estimate::of(steps.iter().map(|step| step[i].mean));
+        Verdict::number(key, "", Estimate { grid: over(3).mean, ..over(2) })
     };
     let verdicts = vec![work("persson.line", &lines), work("persson.surface", &surfaces)];
     Reproduction::of("Pressures of lines and surfaces beside Persson's theory", panels, ramp(&groups, &ratio), verdicts)
@@ -312,7 +316,7 @@ fn densities(title: &str, groups: &[&Group<'_>]) -> Panel {
 fn waves(title: &str, groups: &[&Group<'_>]) -> Panel {
     let bins = groups.iter().map(|group| group.waves(0).len()).max().unwrap_or(1);
     let x = Axis::log("q over that of the longest wave", [0.8, 1.3 * middle(bins)]);
-    let mut panel = Panel::new(title, x, Axis::log("found over Persson's", [0.2, 5.0]));
+    let mut panel = Panel::new(title, x, Axis::log("found over Persson's", [0.02, 3.0]));
     panel.add_curve("", Colour::BLACK, Mark::Dotted, |_| 1.0);
     for (i, group) in groups.iter().enumerate() {
         for (load, mark) in ends(group) {
@@ -358,7 +362,7 @@ fn between(title: &str, name: &str, range: [f64; 2], groups: &[Group<'_>], numbe
     let mut panel = Panel::new(title, load_axis(groups), Axis::linear(name, range));
     for group in groups {
         let (colour, mark) = style(groups, group);
-        let dot = |step: [Estimate; 3]| {
+        let dot = |step: [Estimate; 4]| {
             let it = step[number];
             Dot { x: step[0].mean, y: it.mean, spread: it.scatter }
         };
