@@ -58,7 +58,7 @@ fn factors(lines: &Rough, points: &Points) -> Panel {
 
 /// How much larger `kappa_r` is at the highest Hurst exponent than at the lowest, by pairs of profiles with the same waves.
 fn contrasts(lines: &Rough, points: &Points) -> Panel {
-    let axis = Axis::linear("difference of κ_r", [-0.2, 0.2]);
+    let axis = Axis::linear("difference of κ_r", [-0.1, 0.1]);
     let mut panel = Panel::new("(b) highest less lowest H, by pairs of profiles", load_axis(lines), axis);
     panel.add_curve("", Colour::BLACK, Mark::Dotted, |_| 0.0);
     let Some(pair) = lines_apart(points) else { return panel };
@@ -67,12 +67,14 @@ fn contrasts(lines: &Rough, points: &Points) -> Panel {
     let dot = |load: f64, it: Estimate| Dot { x: load, y: it.mean, spread: it.uncertainty() };
     let at = |&load: &f64| dot(load, points.limit_of_contrast(pair, Some(load), resolved, resolved.kappa_r()));
     let continuum: Vec<Dot> = lines.loads.iter().map(at).collect();
-    let coarse = |&load: &f64| {
-        let [low, high] = pair.map(|hurst| points.at(hurst, load, points.grids()[0], counted.kappa_r()).mean);
+    let nx = lines.paper_line();
+    let count = |&load: &f64| {
+        let [low, high] =
+            pair.map(|hurst| points.limit(Some(hurst), Some(load), Some(nx), counted, counted.kappa_r()).mean);
         Dot::at(load, high - low)
     };
-    let counts: Vec<Dot> = lines.loads.iter().map(coarse).collect();
-    let name = format!("counted on {} points", points.grids()[0]);
+    let counts: Vec<Dot> = lines.loads.iter().map(count).collect();
+    let name = format!("counted on {nx} points");
     panel.add(name, Colour::GREY, Mark::Joined { symbol, filled: false }, counts);
     panel.add("continuum", Colour::BLUE, Mark::Joined { symbol, filled: true }, continuum);
     panel
@@ -108,17 +110,15 @@ fn load_axis(lines: &Rough) -> Axis {
     Axis::log("p*", [low / 1.5, high * 1.5])
 }
 
-/// Whether `kappa_r`, averaged over loads, is the same in the continuum at the lowest and the highest Hurst exponent, within twice
-/// the error of their difference.
+/// Whether `kappa_r` is the same in the continuum at the lowest and the highest Hurst exponent, within twice the error of their
+/// difference.
 fn depends_on_hurst(points: &Points, pair: [f64; 2]) -> Verdict {
     let (resolved, kappa_r) = (Measure::Resolved, Measure::Resolved.kappa_r());
-    let average = |hurst| {
-        let it = points.limit(Some(hurst), None, None, resolved, kappa_r);
-        format!("{:.3} ± {:.3}", it.mean, it.uncertainty())
-    };
-    let words: Vec<String> = points.exponents().into_iter().map(average).collect();
-    let apart = points.limit_of_contrast(pair, None, resolved, kappa_r);
-    let sigma = apart.mean / apart.uncertainty();
-    let words = format!("{}; apart by {:+.3}, {sigma:+.1} σ", words.join(", "), apart.mean);
+    let average = points.limit(Some(pair[0]), None, None, resolved, kappa_r);
+    let apart = points.mean_contrast(pair, resolved, kappa_r);
+    let (percent, sigma) = (100.0 / average.mean, apart.mean / apart.uncertainty());
+    let [off, error] = [apart.mean, apart.uncertainty()].map(|value| percent * value);
+    let [low, high] = pair;
+    let words = format!("H = {high} above {low} by {off:.2} ± {error:.2} %, {sigma:+.1} σ");
     Verdict::statement("hurst.kappa_r", words, sigma.abs() <= 2.0)
 }

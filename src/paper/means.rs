@@ -109,6 +109,26 @@ impl Points {
         self.extrapolated(None, measure, |nx| self.contrasts(pair, load, nx, quantity))
     }
 
+    /// The contrast of two Hurst exponents in the continuum, averaged over the loads by the inverse squares of their errors. The
+    /// error is that of these averages, seed by seed: loads of one profile are not independent.
+    pub fn mean_contrast(&self, pair: [f64; 2], measure: Measure, quantity: Quantity) -> Estimate {
+        let weight = |load: &f64| {
+            let weight = self.limit_of_contrast(pair, Some(*load), measure, quantity).uncertainty().powi(-2);
+            (*load, if weight.is_finite() { weight } else { 0.0 })
+        };
+        let weights: Vec<(f64, f64)> = self.loads().iter().map(weight).collect();
+        let sum: f64 = weights.iter().map(|(_, weight)| weight).sum();
+        self.extrapolated(None, measure, |nx| {
+            let mut means = BTreeMap::new();
+            for (load, weight) in &weights {
+                for (seed, value) in self.contrasts(pair, Some(*load), nx, quantity) {
+                    *means.entry(seed).or_insert(0.0) += weight / sum * value;
+                }
+            }
+            means
+        })
+    }
+
     /// Values of a measure on each grid, by their seeds, extrapolated.
     fn extrapolated(
         &self,
