@@ -1,7 +1,7 @@
 //! Beyond the paper: `kappa_r` is not the same for all indenters, nor up to full contact.
 
-use super::means::{Points, Quantity};
-use super::measure::Measure;
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::smooth::{LINE, PERIOD, loads, narrow, realisation, widths};
 use super::verdict::Verdict;

@@ -1,7 +1,7 @@
 //! Fig. 1: `kappa_r` of cylinder and sphere against `p_r*`.
 
-use super::means::{Points, Quantity};
-use super::measure::Measure;
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::smooth::{LINE, cylinder, narrow, periodic_cylinder, sphere, widths};
 use super::verdict::Verdict;

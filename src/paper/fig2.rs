@@ -1,7 +1,7 @@
 //! Fig. 2: rough lines.
 
-use super::means::{Points, Quantity};
-use super::measure::Measure;
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::Reproduction;
 use super::rough::Rough;
 use super::verdict::Verdict;

@@ -1,8 +1,8 @@
 //! Fig. 3: fits of Eq. 11 to the rough lines, for each Hurst exponent and for all.
 
 use super::fit::{Fit, Weights};
-use super::means::{Points, Quantity};
-use super::measure::Measure;
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough, WARM};
 use super::verdict::Verdict;

@@ -1,7 +1,7 @@
 //! Fig. 5: the proportionality factors of lines over those of surfaces.
 
-use super::means::{Points, Quantity};
-use super::measure::Measure;
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, Reproduction};
 use super::rough::{COLD, Rough, WARM};
 use super::verdict::Verdict;
@@ -29,8 +29,9 @@ pub struct Ratio {
     kappa_r_resolved_error: f64,
 }
 
-/// One of the ratios with its error.
+/// One of the ratios with its error, and without.
 type Of = fn(&Ratio) -> [f64; 2];
+type ValueOf = fn(&Ratio) -> f64;
 
 /// The points of lines and surfaces under the same loads.
 pub struct Both<'a> {
@@ -130,7 +131,7 @@ fn panel(rough: &Rough, ratios: &[Ratio]) -> Panel {
 /// The ratios against the loads; no contacts.
 fn ramp(rough: &Rough, ratios: &[Ratio]) -> Ramp {
     let view = "lines over surfaces";
-    let curves: [(&str, &str, &[Colour], fn(&Ratio) -> f64); 2] =
+    let curves: [(&str, &str, &[Colour], ValueOf); 2] =
         [(view, "κ", &WARM, |ratio| ratio.kappa), (view, "κ_r", &COLD, |ratio| ratio.kappa_r)];
     rough.ramp(&curves, |hurst, of| ratios.iter().filter(|ratio| ratio.hurst == hurst).map(of).collect())
 }

@@ -1,13 +1,9 @@
 //! Means of solved points over realisations.
 
-use super::measure::Measure;
-use crate::contact::Observables;
+use super::measure::{Measure, Quantity};
 use crate::plot::Dot;
 use crate::study::{Estimate, GridValues, Limit, Point, Spread};
 use std::collections::BTreeMap;
-
-/// A quantity of a point.
-pub type Quantity = fn(&Observables) -> f64;
 
 /// Solved points, all converged.
 pub struct Points(pub Vec<Point>);

@@ -1,6 +1,9 @@
 //! The ways to measure the area of a contact and the gradient in it.
 
-use super::means::Quantity;
+use crate::contact::Observables;
+
+/// A quantity of a point.
+pub type Quantity = fn(&Observables) -> f64;
 
 /// A way to measure the area of a contact and the gradient in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]

@@ -9,8 +9,7 @@
 //! exactly: `kappa` drifts with the load if the shape of the distribution does, `c`, or if the waves are pressed flat otherwise
 //! than in Persson's theory, `W(q)`, for which `kappa` is level.
 
-use super::means::Quantity;
-use super::measure::Measure;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::rough::{Rough, shade};
 use super::verdict::Verdict;

@@ -1,7 +1,7 @@
 //! Self-affine lines and surfaces, the panels of their figures, and their curves over the loads.
 
-use super::means::{Points, Quantity};
-use super::measure::Measure;
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, RampCurve, captions};
 use crate::contact::Load;
 use crate::error::StudyError;

@@ -1,7 +1,7 @@
 //! Cylinder and sphere of Section 2.
 
-use super::means::{Points, Quantity};
-use super::measure::Measure;
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use crate::contact::Load;
 use crate::plot::Dot;
 use crate::setup::{Cell, Recipe, Setup};
