@@ -201,6 +201,10 @@ fn what_cannot_be_is_refused_before_anything_is_solved() {
     }
     assert_refused(&folder.run("paper fig4 --quick --surface-points 512,256"), &["[512, 256]", "ascending"]);
     assert_refused(&folder.run("paper fig4 --surface-points 4194304"), &["4194304 x 4194304 points", "memory"]);
+    let mut no_seeds = Paper::new(folder.join("paper"), Effort::Quick);
+    no_seeds.lines.seeds = Vec::new();
+    let refused = no_seeds.run(&[Item::Fig2], &|_| ()).unwrap_err().to_string();
+    assert!(refused.contains("seeds"), "{refused}");
     assert!(!folder.join("paper").exists());
     fs::create_dir(folder.join("other")).unwrap();
     fs::write(folder.join("other/comparison.csv"), "a,b\n1,2\n").unwrap();

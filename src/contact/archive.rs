@@ -25,19 +25,20 @@ use std::io::Cursor;
 ///
 /// The text is `bytes(npz["setup"]).decode()` in Python.
 ///
-/// The archive is made in memory: a `ZipWriter` that meets a full disk complains on standard error by itself.
+/// The archive is made in memory, spectra first, while there is room for their transforms: a `ZipWriter` that meets a full disk
+/// complains on standard error by itself.
 ///
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet.
 pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
     let mut archive = Archive::of(contact, rank, setup)?;
+    for (name, of) in CURVES {
+        archive.npz.add_array(name, &ArrayView1::from(&of(contact)))?;
+    }
     for (name, of) in FIELDS {
         archive.add_field(name, &of(contact))?;
     }
     archive.add_field("contact", &contact.mask().view())?;
-    for (name, of) in CURVES {
-        archive.npz.add_array(name, &ArrayView1::from(&of(contact)))?;
-    }
     archive.npz.add_array("converged", &arr0(contact.is_converged()))?;
     let state = State::from(contact);
     for row in OBSERVABLES {
@@ -56,6 +57,11 @@ pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Resul
         return Ok(NpzWriter::new(Cursor::new(Vec::new())).finish()?.into_inner());
     };
     let mut archive = Archive::of(first, rank, Some(setup))?;
+    for (name, of) in CURVES {
+        let curves: Vec<Array1<f64>> = contacts.iter().map(|contact| of(contact).into()).collect();
+        let curves: Vec<ArrayView1<f64>> = curves.iter().map(|curve| curve.view()).collect();
+        archive.npz.add_array(name, &stack(Axis(0), &curves).expect("one surface has one set of waves"))?;
+    }
     for (name, of) in FIELDS {
         let fields: Vec<ArrayView2<f64>> = contacts.iter().map(of).collect();
         archive.add_field(name, &stack(Axis(0), &fields).expect("one surface has one shape").view())?;
@@ -63,11 +69,6 @@ pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Resul
     let masks: Vec<Array2<bool>> = contacts.iter().map(Contact::mask).collect();
     let masks: Vec<ArrayView2<bool>> = masks.iter().map(|mask| mask.view()).collect();
     archive.add_field("contact", &stack(Axis(0), &masks).expect("one surface has one shape").view())?;
-    for (name, of) in CURVES {
-        let curves: Vec<Array1<f64>> = contacts.iter().map(|contact| of(contact).into()).collect();
-        let curves: Vec<ArrayView1<f64>> = curves.iter().map(|curve| curve.view()).collect();
-        archive.npz.add_array(name, &stack(Axis(0), &curves).expect("one surface has one set of waves"))?;
-    }
     archive.npz.add_array("converged", &contacts.iter().map(Contact::is_converged).collect::<Array1<bool>>())?;
     let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
     for row in OBSERVABLES {

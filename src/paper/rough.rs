@@ -86,6 +86,9 @@ impl Rough {
     pub(super) fn check(&self) -> Result<(), StudyError> {
         check_ascending("points along a side", &self.points)?;
         check_ascending("Hurst exponents", &self.hurst)?;
+        if self.seeds.is_empty() {
+            return Err(StudyError::List { what: "seeds", values: "[]".into() });
+        }
         self.seeds.iter().try_for_each(|seeds| check_ascending("seeds", seeds))?;
         check_ascending("reduced pressures", &self.loads)
     }
