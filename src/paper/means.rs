@@ -254,3 +254,64 @@ impl Mean {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Status;
+
+    /// `kappa_r` is 1.7, more by 0.02 at the higher exponent, scatters from seed to seed in both alike, and is off by the square of
+    /// the spacing.
+    fn points() -> Points {
+        let mut all = Vec::new();
+        for nx in [64, 128, 256] {
+            for (hurst, seed, load) in (0..18).map(|i| ([0.2, 0.8][i % 2], i as u64 / 2 % 3, [0.01, 0.03, 0.1][i / 6]))
+            {
+                let (high, scatter) = (if hurst > 0.5 { 0.02 } else { 0.0 }, 0.05 * seed as f64 / load.sqrt());
+                let own = if seed == 1 && hurst > 0.5 { 0.001 / load } else { 0.0 };
+                let kappa_r_resolved = 1.7 + high + scatter + own + 50.0 / (nx * nx) as f64;
+                let observables = Observables { reduced_pressure: load, kappa_r_resolved, ..Observables::default() };
+                all.push(Point {
+                    name: "rough line".into(),
+                    ny: 1,
+                    nx,
+                    length: 1.0,
+                    hurst: Some(hurst),
+                    rolloff_wavelength: None,
+                    short_cutoff: None,
+                    seed: Some(seed),
+                    load: 1,
+                    tolerance: 1e-8,
+                    status: Status::Converged,
+                    setup: String::new(),
+                    version: String::new(),
+                    observables,
+                    seconds: 0.0,
+                });
+            }
+        }
+        Points(all)
+    }
+
+    #[test]
+    fn pairs_of_the_same_seed_tell_what_their_scatter_hides() {
+        let (points, measure) = (points(), Measure::Resolved);
+        let kappa_r = measure.kappa_r();
+        let [low, high] = [0.2, 0.8].map(|hurst| points.limit(Some(hurst), Some(0.1), None, measure, kappa_r));
+        assert!(high.mean - low.mean < 2.0 * high.error, "{low:?} {high:?}");
+        let apart = points.limit_of_contrast([0.2, 0.8], Some(0.1), measure, kappa_r);
+        assert!((apart.mean - 0.02 - 0.01 / 3.0).abs() < 1e-12 && apart.mean > 5.0 * apart.uncertainty(), "{apart:?}");
+        // the heaviest load is known best, and weighs most
+        let all = points.mean_contrast([0.2, 0.8], measure, kappa_r);
+        assert!(all.error < 1.2 * apart.error && (all.mean - apart.mean).abs() < 0.01, "{all:?}");
+    }
+
+    #[test]
+    fn exponents_are_averaged_seed_by_seed() {
+        let (points, kappa_r) = (points(), Measure::Resolved.kappa_r());
+        let one = points.average(Some(0.2), 256, kappa_r);
+        let all = points.average(None, 256, kappa_r);
+        // as they share their scatter, a second exponent does not make the error smaller by the square root of two
+        assert!(all.error > 0.95 * one.error, "{one:?} {all:?}");
+    }
+}
