@@ -33,10 +33,10 @@ impl Solver for MinimalPolonskyKeer {
         let (mut old_square, mut delta) = (1.0, 0.0);
         let status = loop {
             half_space.displacement(&p, &mut u);
-            let eta = Certificate::of_displaced(problem, &p, &u).eta;
-            run.offer(eta, &p);
+            let certificate = Certificate::of_displaced(problem, &p, &u);
+            run.offer(&certificate, &p);
             let work = run.work(half_space.transforms());
-            if let Some(status) = run.show(&Step::new(problem, work, &p, &u).with_certificate(eta)) {
+            if let Some(status) = run.show(&Step::new(problem, work, &p, &u).with_certificate(certificate)) {
                 break status;
             }
             // the gap, less its mean over the contact, is the gradient

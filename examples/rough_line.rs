@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let surface = Surface::rough(Grid::line(1 << 14, period)?, &spectrum, 1)?;
     // masses proportional to mode stiffness: the same state of rest as the paper's uniform masses, in far fewer steps
     let solver = Gfmd { masses: Masses::Stiffness, dynamics: Dynamics::Fire, ..Gfmd::default() };
-    println!("    p*    area    patches  kappa   kappa_r  corrected  steps");
+    println!("    p*    area    patches  kappa   kappa_r  resolved  steps");
     let mut problem = Problem::new(surface, ContactModulus(1e9), Load::ReducedPressure(1e-3))?;
     for reduced_pressure in [1e-3, 3e-3, 1e-2, 3e-2, 1e-1] {
         problem = problem.with_load(Load::ReducedPressure(reduced_pressure))?;
@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             contact.patches().count(),
             m.kappa,
             m.kappa_r,
-            m.kappa_r_corrected,
+            contact.resolved().kappa_r,
             contact.work.iterations
         );
     }

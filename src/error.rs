@@ -113,9 +113,9 @@ pub enum SettingError {
 pub enum SolveError {
     /// The iterations or the attainable accuracy ran out.
     #[error(
-        "not converged: {solver} stopped after {iterations} iterations ({reason}) at a certificate of {certificate:.3e}"
+        "not converged: {solver} stopped after {iterations} iterations ({reason}) at a certificate of {certificate:.3e}, with the pressure within {pressure_error_bound:.1e}"
     )]
-    NotConverged { solver: String, iterations: usize, reason: String, certificate: f64 },
+    NotConverged { solver: String, iterations: usize, reason: String, certificate: f64, pressure_error_bound: f64 },
     /// An observer failed, which ended the run.
     #[error("{0}")]
     Observer(Arc<Failure>),
@@ -195,6 +195,18 @@ pub enum SetupError {
     /// Points beside those of a height file.
     #[error("points are given beside a height file, which has its own: leave them out")]
     PointsOfFile,
+    /// No points for each that is given.
+    #[error("the grid is refined 0 times: give 1 or more points for each, or auto")]
+    Refine,
+    /// Points to be found along some axes only.
+    #[error("points are to be found along some axes only: give auto for all axes, or a number for each")]
+    SomePoints,
+    /// Points to be found without roughness that sets them.
+    #[error("points can be found for roughness alone: give a spectrum, or points and refine = auto")]
+    PointsOfNothing,
+    /// A tolerance of a grid that is given.
+    #[error("the area has a tolerance but the grid is given: let it be found by refine = auto or points = auto")]
+    ToleranceOfGrid,
     /// Lengths of the cell that do not fit the axes.
     #[error("the size of the cell has {sizes} lengths for {axes} axes: give one for all axes, or one for each")]
     Sizes { sizes: usize, axes: usize },

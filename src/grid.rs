@@ -62,6 +62,23 @@ impl Grid {
         }
     }
 
+    /// The grid of `factor` times as many points along each side of the same cell.
+    ///
+    /// # Errors
+    /// [`GridError::TooManyPoints`].
+    pub fn refined(&self, factor: usize) -> Result<Self, GridError> {
+        let [ny, nx] = self.shape.map(|n| n.saturating_mul(factor));
+        self.with_shape([if self.is_line() { 1 } else { ny }, nx])
+    }
+
+    /// The grid of another shape over the same cell.
+    ///
+    /// # Errors
+    /// The errors of [`Grid::line`].
+    pub fn with_shape(&self, shape: [usize; 2]) -> Result<Self, GridError> {
+        if self.is_line() { Self::line(shape[1], self.size[1]) } else { Self::surface(shape, self.size) }
+    }
+
     /// Points along y and x.
     pub fn shape(&self) -> [usize; 2] {
         self.shape

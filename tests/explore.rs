@@ -375,7 +375,7 @@ fn the_command_repeats_the_run() {
             Command::new(env!("CARGO_BIN_EXE_asperity")).args(line.split(' ').skip(1)).arg("--json").output().unwrap();
         assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
         let repeated: Value = serde_json::from_slice(&output.stdout).unwrap();
-        for name in ["kappa_r", "kappa_r_corrected", "relative_area", "certificate", "iterations", "patches"] {
+        for name in ["kappa_r", "kappa_r_resolved", "relative_area", "certificate", "iterations", "patches"] {
             assert_eq!(run["numbers"][name], repeated[name], "{name} of {line}");
         }
     }
@@ -412,7 +412,7 @@ fn a_smooth_body_stands_beside_its_exact_solution() {
     let page = Page::open();
     let run = page.solve(&with(json!({"body": "round", "roughness": 0, "load": 0.02})));
     let number = |value: &Value| value.as_f64().unwrap();
-    let (computed, exact) = (number(&run["numbers"]["kappa_r_corrected"]), number(&run["exact"]["kappa_r"]));
+    let (computed, exact) = (number(&run["numbers"]["kappa_r_resolved"]), number(&run["exact"]["kappa_r"]));
     assert!((computed / exact - 1.0).abs() < 0.01, "{computed} against {exact}");
     let rough = page.solve(&with(json!({"body": "round", "roughness": 0.001})));
     assert_eq!(rough["exact"], Value::Null);
@@ -445,7 +445,7 @@ fn the_latest_order_wins() {
 }
 
 /// The area that a sweep draws.
-const AREA: &str = "relative_area_corrected";
+const AREA: &str = "relative_area_resolved";
 
 #[test]
 fn a_sweep_goes_from_first_touch_to_full_contact() {

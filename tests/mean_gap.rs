@@ -4,7 +4,7 @@
 mod common;
 
 use asperity::contact::{
-    Contact, ContactModulus, Each, Gfmd, Load, Multilevel, PolonskyKeer, Problem, Solver, Step, Stop,
+    Contact, ContactModulus, Each, Gfmd, Load, Multilevel, Observables, PolonskyKeer, Problem, Solver, Step, Stop,
 };
 use asperity::error::{ProblemError, SolveError};
 use asperity::surface::Spectrum;
@@ -169,7 +169,7 @@ fn the_certificate_bounds_the_energy() {
             let mut steps = Vec::new();
             let mut watch = Each(|step: &Step<'_>| {
                 let pressure = step.pressure().iter().sum::<f64>() / step.pressure().len() as f64;
-                if let (Some(eta), 0) = (step.certificate(), step.phase().level) {
+                if let (Some(eta), 0) = (step.certificate().map(|it| it.eta), step.phase().level) {
                     steps.push((step.energy().value(), eta, pressure / problem.expected_mean_pressure()));
                 }
                 ControlFlow::Continue(())
@@ -228,4 +228,60 @@ fn gfmd_says_that_it_needs_a_pressure() {
     let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanGap(0.1)).unwrap();
     let refused = Gfmd::default().solve(&problem, &Stop::default(), &mut ()).unwrap_err();
     assert!(matches!(refused, SolveError::NeedsPressure { solver } if solver == "gfmd"));
+}
+
+/// Contact stiffness of a sine in closed form: `k = pi E* / (2 L ln(1 / sin psi))` from Westergaard's load and mean gap at half
+/// the width `psi`.
+#[test]
+fn the_stiffness_of_a_sine_is_that_of_its_closed_form() {
+    let errors = [256, 1024, 4096].map(|points| {
+        let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(points, 2.0).unwrap()).unwrap();
+        [0.2_f64, 0.6, 1.2].map(|psi| {
+            let full = 3.0 * std::f64::consts::PI * 0.01 / 2.0;
+            let load = Load::MeanPressure(full * psi.sin().powi(2));
+            let contact = solve(&Multilevel, &Problem::new(sine.clone(), ContactModulus(3.0), load).unwrap(), 1e-12);
+            contact.stiffness() / (3.0 * std::f64::consts::PI / (4.0 * (1.0 / psi.sin()).ln())) - 1.0
+        })
+    });
+    // the edge falls anywhere between two nodes
+    for (errors, points) in errors.iter().zip([256.0, 1024.0, 4096.0]) {
+        assert!(errors.iter().all(|error| error.abs() < 10.0 / points), "{errors:?} on {points}");
+    }
+}
+
+/// The elastic energy `U` is what the load does on the way: `<p> = -dU/dD`, and the stiffness is `-d<p>/dD`.
+#[test]
+fn pressure_and_stiffness_are_the_derivatives_of_the_energy() {
+    for problem in pressed().filter(|problem| problem.load() != Load::ReducedPressure(0.6)) {
+        let gap = solve(&Multilevel, &problem, TOLERANCE).mean_gap();
+        let step = 1e-3 * gap;
+        let [wide, middle, close] = [gap + step, gap, gap - step].map(|gap| {
+            let apart = problem.clone().with_load(Load::MeanGap(gap)).unwrap();
+            solve(&Multilevel, &apart, TOLERANCE)
+        });
+        let energy = |it: &Contact| (&it.pressure * &it.displacement).mean().unwrap() / 2.0;
+        let pressure = (energy(&close) - energy(&wide)) / (2.0 * step);
+        let what = format!("{:?} under {:?}", problem.surface().grid(), problem.load());
+        assert!((pressure / middle.mean_pressure() - 1.0).abs() < 1e-4, "{what}: {pressure}");
+        let stiffness = (close.mean_pressure() - wide.mean_pressure()) / (2.0 * step);
+        let error = middle.stiffness() / stiffness - 1.0;
+        assert!(error.abs() < 1e-2, "{what}: {error}");
+    }
+}
+
+/// The forward error of the load, by the stiffness, is that of a state on the way, within a factor of order one.
+#[test]
+fn the_error_of_the_load_is_foretold() {
+    for surface in surfaces() {
+        for share in [1e-4, 0.3, 0.999] {
+            let gap = share * surface.heights().iter().fold(0.0, |most: f64, &h| most.max(h));
+            let problem = Problem::new(surface.clone(), ContactModulus(3.0), Load::MeanGap(gap)).unwrap();
+            let exact = solve(&Multilevel, &problem, 1e-12).mean_pressure();
+            let rough = Multilevel.solve(&problem, &Stop::new(1e-5, 1000).unwrap(), &mut ()).unwrap();
+            rough.stiffness();
+            let told = Observables::of(&rough).mean_pressure_error;
+            let error = (rough.mean_pressure() / exact - 1.0).abs();
+            assert!(error <= 3.0 * told + 1e-9, "{:?} at {share}: {error} {told}", surface.grid());
+        }
+    }
 }

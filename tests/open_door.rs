@@ -41,9 +41,9 @@ impl Solver for ProjectedGradient {
         let (mut p, mut u) = (problem.first_pressure(start), vec![0.0; problem.nodes()]);
         let status = loop {
             half_space.displacement(&p, &mut u);
-            let eta = Certificate::of_displaced(problem, &p, &u).eta;
-            run.offer(eta, &p);
-            let step = Step::new(problem, run.work(half_space.transforms()), &p, &u).with_certificate(eta);
+            let certificate = Certificate::of_displaced(problem, &p, &u);
+            run.offer(&certificate, &p);
+            let step = Step::new(problem, run.work(half_space.transforms()), &p, &u).with_certificate(certificate);
             if let Some(status) = run.show(&step) {
                 break status;
             }
@@ -285,8 +285,9 @@ impl Solver for Boaster {
     ) -> Result<Contact, SolveError> {
         let mut run = Run::begin(self, problem, stop, observer);
         let p = problem.first_pressure(start);
-        run.offer(0.0, &p);
-        let status = run.show(&Step::new(problem, run.work(0), &p, &vec![0.0; p.len()]).with_certificate(0.0));
+        let boast = Certificate { eta: 0.0, ..Certificate::of(problem, &p) };
+        run.offer(&boast, &p);
+        let status = run.show(&Step::new(problem, run.work(0), &p, &vec![0.0; p.len()]).with_certificate(boast));
         let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
         Ok(run.finish(status.unwrap_or(Status::Converged), half_space))
     }

@@ -163,7 +163,7 @@ fn every_step_has_numbers_and_the_last_state_is_drawn() {
     let (steps, rows) = (contact.work.iterations + 1, row_counts(&path));
     assert_eq!(rows["/it/trace/kappa_r"], steps);
     assert_eq!(rows["/it/profile/solid"], steps.min(32) + 1);
-    assert!(!rows.contains_key("/it/trace/kappa_r_exact"));
+    assert!(!rows.contains_key("/it/trace/kappa_r_theory"));
     assert!(!rows.keys().any(|entity| entity.contains("relief")));
 }
 
@@ -213,7 +213,7 @@ fn a_scene_records_only_what_it_shows() {
     let kappa_r = exact.as_ref().unwrap().kappa_r.unwrap();
     record(&path, &problem, &PolonskyKeer, exact, None);
     assert!(has(&entities(&path), "/it/pressure/curves/exact"));
-    assert!(trace(&path, "kappa_r_exact", "step").values().all(|&k| k == kappa_r));
+    assert!(trace(&path, "kappa_r_theory", "step").values().all(|&k| k == kappa_r));
 }
 
 #[test]

@@ -36,7 +36,7 @@ fn setups() -> Vec<Setup> {
             time_step: 0.3,
             damping: 0.7,
         }),
-        stop: Stop::new(1e-7 / 3.0, 12_345).unwrap(),
+        stop: Stop::new(1e-7 / 3.0, 12_345).unwrap().with_pressure_tolerance(1e-4 / 3.0).unwrap(),
         record: Record {
             what: vec![Part::Traces, Part::Mesh],
             every: Some(3),

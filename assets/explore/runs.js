@@ -208,9 +208,9 @@ function figure(value, digits = 5) {
 
 /** The observables that the server knows: those that change step by step are shown, and these. */
 let observables = [];
-const SHOWN = ["relative_area_corrected", "kappa_r_corrected", "iterations", "transforms", "seconds"];
-/** The exact values that stand beside corrected observables. */
-const EXACT = { relative_area_corrected: "relative_area", kappa_r_corrected: "kappa_r" };
+const SHOWN = ["kappa_r_error", "iterations", "transforms", "seconds"];
+/** The exact values that stand beside resolved observables. */
+const EXACT = { relative_area_resolved: "relative_area", kappa_r_resolved: "kappa_r" };
 const SECONDS = { name: "seconds", sentence: "Seconds of the solver alone, recording left out." };
 
 /** The name of an observable for people. */

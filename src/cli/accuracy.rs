@@ -25,7 +25,7 @@ Three errors, all relative, are kept apart:
   discretisation  of a grid against the exact solution, or against a grid four times finer than the finest,
                   whose own error may hide a quarter of that of the finest
   model           of a theory against the same
-Area and kappa_r are corrected for counting nodes.";
+Area and kappa_r have resolved edges; the errors of counting nodes stand beside those of the grids.";
 
 #[derive(Args)]
 #[command(after_help = HELP)]

@@ -27,7 +27,7 @@ Each row is one case solved by one solver:
   make s      seconds of making the surface and posing the problem
   eta         certificate
   area        relative contact area
-  kappa_r     corrected for counting nodes
+  kappa_r     with resolved edges, as the area
   MiB         peak of resident memory while the surface was made and solved (Linux; else -);
               what the allocator kept of earlier rows counts; with glibc, the environment
               MALLOC_MMAP_THRESHOLD_=131072 has it keep next to nothing

@@ -11,8 +11,10 @@ const HEAVIEST: f64 = 10.0;
 /// Steps across the period above this many rms steps are a jump: periodic random lines have 0.05 to 2, measured traces less their
 /// plane up to 100.
 const JUMP: f64 = 10.0;
-/// Patches of fewer nodes than this are not resolved.
-const FEWEST_NODES: f64 = 4.0;
+/// Estimated errors of area or `kappa_r` above this one are told.
+const LARGEST_ERROR: f64 = 0.1;
+/// A share of the contact in patches too small to trust above this one is told.
+const LARGEST_SHARE: f64 = 0.25;
 /// Rms gradients of measured heights above this one come from a wrong unit, as they differ by thousands.
 const STEEPEST: f64 = 10.0;
 /// Lengths whose logarithms to the base of ten differ from a whole number by less than this may be the same in another unit.
@@ -41,13 +43,36 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
     let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max).map(|p| {
         format!("the reduced pressure {p:.3e} is far above 1, where contact is nearly full: check load, modulus and their units")
     });
-    let few = found.iter().filter(|it| it.nodes_per_patch < FEWEST_NODES).count();
-    let fewest = found.iter().map(|it| it.nodes_per_patch).fold(f64::INFINITY, f64::min);
-    let of = if found.len() > 1 { format!(" under {few} of {} loads", found.len()) } else { String::new() };
-    let coarse = (few > 0).then(|| {
-        format!("the contact patches have {fewest:.2} nodes each{of}, fewer than {FEWEST_NODES}: take more points, or smoother heights")
+    let doubtful: Vec<_> = found.iter().filter(|it| is_doubtful(it)).collect();
+    let of =
+        if found.len() > 1 { format!(" under {} of {} loads", doubtful.len(), found.len()) } else { String::new() };
+    let worst = doubtful.into_iter().max_by(|a, b| error(a).total_cmp(&error(b)));
+    let coarse = worst.map(|it| {
+        format!(
+            "area and kappa_r may be off by {:.0} %{of} on this grid, and {:.0} % of the contact is in patches too small to \
+             trust: refine it by --refine auto, take more points, or smoother heights",
+            100.0 * error(it),
+            100.0 * it.unresolved_share
+        )
     });
     heavy.into_iter().chain(coarse).collect()
+}
+
+/// The warning that the finest grid that could be tried is too coarse.
+pub fn unsettled() -> String {
+    "area and kappa_r have not settled on the finest grid that memory and 64-fold refinement allow: give a larger --area-tolerance, or \
+     smoother heights"
+        .into()
+}
+
+/// Whether the grid is too coarse for the numbers of a contact.
+fn is_doubtful(it: &Observables) -> bool {
+    error(it) > LARGEST_ERROR || it.unresolved_share > LARGEST_SHARE
+}
+
+/// The larger one of the estimated errors of the grid.
+fn error(it: &Observables) -> f64 {
+    it.relative_area_error.max(it.kappa_r_error)
 }
 
 /// Says them on standard error.

@@ -4,7 +4,7 @@ use super::outcome::{Outcome, settle};
 use super::progress::Progress;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Gfmd, Load};
+use asperity::contact::{Contact, Gfmd, Load, Observables};
 use asperity::files::check_named;
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::{Cell, Method, Recipe, Setup, Solid};
@@ -106,10 +106,10 @@ fn write_table(exhibits: &[Exhibit], contacts: &[Contact]) -> Result<()> {
     writeln!(
         out,
         "{:<14} {:>6} {:>8} {:>8} {:>8} {:>10} {:>8} {:>6} {:>11}",
-        "", "steps", "area", "kappa", "kappa_r", "corrected", "exact", "paper", "certificate"
+        "", "steps", "area", "kappa", "kappa_r", "counted", "exact", "paper", "certificate"
     )?;
     for (exhibit, contact) in exhibits.iter().zip(contacts) {
-        let measures = contact.measures();
+        let it = Observables::of(contact);
         let exact = exhibit.setup.exact(contact.problem.surface().grid(), contact.problem.expected_mean_pressure());
         let exact = exact.and_then(|exact| exact.kappa_r).map_or("-".into(), |kappa_r| format!("{kappa_r:.4}"));
         writeln!(
@@ -117,10 +117,10 @@ fn write_table(exhibits: &[Exhibit], contacts: &[Contact]) -> Result<()> {
             "{:<14} {:>6} {:>8.4} {:>8.4} {:>8.4} {:>10.4} {exact:>8} {:>6} {:>11.1e}",
             exhibit.title,
             contact.work.iterations,
-            measures.relative_area,
-            measures.kappa,
-            measures.kappa_r,
-            measures.kappa_r_corrected,
+            it.relative_area_resolved,
+            it.kappa_resolved,
+            it.kappa_r_resolved,
+            it.kappa_r,
             exhibit.paper,
             contact.certificate.eta
         )?;

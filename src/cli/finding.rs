@@ -6,23 +6,32 @@ use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const TOLD: [&str; 20] = [
+const TOLD: [&str; 29] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
     "relative_area",
     "relative_area_corrected",
+    "relative_area_resolved",
+    "relative_area_error",
     "rms_gradient",
     "rms_gradient_contact",
+    "rms_gradient_contact_corrected",
+    "rms_gradient_contact_resolved",
     "kappa",
     "kappa_corrected",
+    "kappa_resolved",
     "kappa_r",
     "kappa_r_corrected",
+    "kappa_r_resolved",
+    "kappa_r_error",
     "mean_gap",
     "mean_gap_over_rms_height",
     "max_pressure",
     "patches",
     "nodes_per_patch",
+    "unresolved_share",
+    "edges_of_shape",
     "certificate",
     "pressure_error_bound",
     "iterations",
@@ -57,18 +66,40 @@ impl Finding {
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {v:.6}"));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
+        let counted = |resolved: f64, counted: f64, corrected: f64| match resolved.is_nan() {
+            true => format!("not resolved (counted {counted:.6})"),
+            false => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
+        };
+        let percent =
+            |share: f64| if share.is_nan() { "unknown".to_owned() } else { format!("{:.2} %", 100.0 * share) };
+        let of_shape = match it.edges_of_shape {
+            0 => String::new(),
+            edges => format!(", {edges} edges given by the shape"),
+        };
         let rows = [
             (
                 "reduced pressure p*",
                 format!("{:.6e} (contact {:.6e})", it.reduced_pressure, it.reduced_pressure_contact),
             ),
-            ("relative area", format!("{:.6} (corrected {:.6}){area}", it.relative_area, it.relative_area_corrected)),
-            ("rms gradient", format!("{:.6e} (contact {:.6e})", it.rms_gradient, it.rms_gradient_contact)),
-            ("kappa", format!("{:.4} (corrected {:.4})", it.kappa, it.kappa_corrected)),
-            ("kappa_r", format!("{:.4} (corrected {:.4}){kappa_r}", it.kappa_r, it.kappa_r_corrected)),
+            ("relative area", counted(it.relative_area_resolved, it.relative_area, it.relative_area_corrected) + &area),
+            ("rms gradient", format!("{:.6e} (contact {:.6e})", it.rms_gradient, it.rms_gradient_contact_resolved)),
+            ("kappa", counted(it.kappa_resolved, it.kappa, it.kappa_corrected)),
+            ("kappa_r", counted(it.kappa_r_resolved, it.kappa_r, it.kappa_r_corrected) + &kappa_r),
+            (
+                "grid error, estimated",
+                format!("area {}, kappa_r {}", percent(it.relative_area_error), percent(it.kappa_r_error)),
+            ),
             ("mean gap", format!("{:.6e} ({:.4} rms heights)", it.mean_gap, it.mean_gap_over_rms_height)),
             ("pressure, mean and max", format!("{:.6e} {:.6e}", it.mean_pressure, it.max_pressure)),
-            ("contact patches", format!("{} ({:.2} nodes each)", it.patches, it.nodes_per_patch)),
+            (
+                "contact patches",
+                format!(
+                    "{} ({:.2} nodes each, {:.1} % of the contact in those too small to trust){of_shape}",
+                    it.patches,
+                    it.nodes_per_patch,
+                    100.0 * it.unresolved_share
+                ),
+            ),
             ("certificate", format!("{:.2e} (pressure within {:.1e})", it.certificate, it.pressure_error_bound)),
             ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
         ];

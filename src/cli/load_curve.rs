@@ -75,6 +75,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
         problem,
         |number| Progress::new(&title(number)),
         |_, contact| -> Result<()> {
+            outputs.complete(contact);
             pressed.outcome = pressed.outcome.max(settle(contact)?);
             let finding = Finding::of(&curve.setup, contact);
             #[cfg(feature = "record")]
@@ -122,12 +123,12 @@ impl Summary {
     /// Writes the summary for reading.
     fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         let loads = self.loads.len();
-        writeln!(out, "{}: {loads} loads, kappa and kappa_r by the corrected area", self.subject.line())?;
+        writeln!(out, "{}: {loads} loads, area, kappa and kappa_r with resolved edges", self.subject.line())?;
         write_rows(self.subject.rows(), out)?;
         writeln!(
             out,
             "\n{:>12} {:>12} {:>12} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9}",
-            "p*", "pressure", "mean gap", "area", "corrected", "kappa", "kappa_r", "patches", "eta"
+            "p*", "pressure", "mean gap", "area", "counted", "kappa", "kappa_r", "patches", "eta"
         )?;
         self.loads.iter().try_for_each(|Finding { observables: it, .. }| {
             writeln!(
@@ -136,10 +137,10 @@ impl Summary {
                 it.reduced_pressure,
                 it.mean_pressure,
                 it.mean_gap,
+                it.relative_area_resolved,
                 it.relative_area,
-                it.relative_area_corrected,
-                it.kappa_corrected,
-                it.kappa_r_corrected,
+                it.kappa_resolved,
+                it.kappa_r_resolved,
                 it.patches,
                 it.certificate
             )

@@ -1,5 +1,6 @@
 //! The files that a solve writes.
 
+use asperity::contact::Contact;
 use asperity::error::FileError;
 use asperity::files::check_named;
 use clap::Args;
@@ -28,6 +29,9 @@ pub struct Outputs {
     /// Write what was solved as a scene, all numbers to the last bit
     #[arg(long, value_name = "SCENE.toml")]
     pub save_setup: Option<PathBuf>,
+    /// Find the contact stiffness as well, the rise of the mean pressure as the mean gap falls: a tenth of the work more
+    #[arg(long)]
+    pub stiffness: bool,
     /// Print one JSON object instead of a summary
     #[arg(long)]
     pub json: bool,
@@ -57,6 +61,13 @@ impl Outputs {
     /// The files to write, in their order.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         [self.recording(), self.out.as_deref(), self.save_setup.as_deref()].into_iter().flatten()
+    }
+
+    /// Has computed of a contact what is told of it only if it is asked for.
+    pub fn complete(&self, contact: &Contact) {
+        if self.stiffness {
+            contact.stiffness();
+        }
     }
 
     /// Refuses places where nothing can be written, and names that promise another content.

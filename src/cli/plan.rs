@@ -4,6 +4,7 @@ use asperity::quantity::bytes_in_words;
 #[cfg(feature = "record")]
 use asperity::record::{Options, Size};
 use asperity::setup::{Cost, Setup, available_bytes};
+use asperity::study::Refinement;
 use std::io::{self, Write};
 
 /// Writes what solving `setup` would cost, under a load or under a list of so many, and how large its recording would become if one
@@ -66,6 +67,16 @@ fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut 
     let size = Size::of(Options::from(&setup.record).what, &cost.grid);
     let most = bytes_in_words(size.still + loads as f64 * size.frame);
     writeln!(out, "  recording   at most about {most}: {loads} frames of {}", bytes_in_words(size.frame))
+}
+
+/// Writes the grids that a contact may take until it has settled.
+pub fn write_grids(refinement: &Refinement, out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "Finer grids follow until area and kappa_r have settled, each as far as memory goes:")?;
+    for setup in refinement.setups().skip(1) {
+        let Ok(cost) = setup.cost(false, 0) else { break };
+        writeln!(out, "  {:<11} about {}", points(cost.grid.shape()), bytes_in_words(cost.bytes))?;
+    }
+    Ok(())
 }
 
 fn points([ny, nx]: [usize; 2]) -> String {

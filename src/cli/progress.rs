@@ -91,7 +91,12 @@ impl Observer for Progress {
 
     fn step(&mut self, step: &Step<'_>) -> Wish {
         if !self.bar.is_hidden() {
-            self.show(step.index(), step.phase(), step.certificate(), self.bar.elapsed().as_secs_f64());
+            self.show(
+                step.index(),
+                step.phase(),
+                step.certificate().map(|it| it.eta),
+                self.bar.elapsed().as_secs_f64(),
+            );
         }
         Ok(ControlFlow::Continue(()))
     }

@@ -17,8 +17,8 @@ use asperity::contact::{Contact, Problem, archive};
 use asperity::files::write_beside;
 #[cfg(feature = "record")]
 use asperity::record;
-use asperity::setup::Setup;
-use asperity::study::LoadCurve;
+use asperity::setup::{Auto, Setup};
+use asperity::study::{LoadCurve, Refinement, Settled};
 use clap::Args;
 use std::io::{self, Write, stdout};
 
@@ -46,9 +46,12 @@ pub struct Solve {
 impl Solve {
     pub fn run(&self) -> Result<Outcome> {
         let mut table = self.scene.table()?;
-        let loads = table.take_loads()?;
+        let (loads, auto) = (table.take_loads()?, table.take_auto()?);
         let setup = table.setup()?;
         match loads {
+            Some(_) if auto.is_some() => {
+                usage("a grid is found under one load, but several are given: give one, or a number for --refine")
+            }
             Some(loads) if self.unload => {
                 load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, self.dry_run)
             }
@@ -56,13 +59,16 @@ impl Solve {
             None if self.unload => {
                 usage("--unload goes back through several loads, but there is one: give more, such as 1e-3..1e-1:13")
             }
-            None => self.solve(&setup),
+            None => self.solve(&setup, auto),
         }
     }
 
-    /// Solves a setup under its one load.
-    fn solve(&self, setup: &Setup) -> Result<Outcome> {
+    /// Solves a setup under its one load, on a grid that is found first if it is not given.
+    fn solve(&self, setup: &Setup, auto: Option<Auto>) -> Result<Outcome> {
         let Self { outputs, .. } = self;
+        let refinement = auto.map(|auto| Refinement::new(setup.clone(), auto));
+        let first = refinement.iter().flat_map(Refinement::setups).next();
+        let setup = first.as_ref().unwrap_or(setup);
         let cost = setup.cost(outputs.recording().is_some(), outputs.archive().iter().count())?;
         outputs.check()?;
         if let Some(path) = outputs.table().filter(|_| !cost.grid.is_line()) {
@@ -70,17 +76,37 @@ impl Solve {
         }
         if self.dry_run {
             plan::write(setup, &cost, None, outputs.recording().is_some(), &mut stdout())?;
+            refinement.iter().try_for_each(|refinement| plan::write_grids(refinement, &mut stdout()))?;
             return Ok(Outcome::Done);
         }
         cost.check(setup.solver.name())?;
-        let problem = setup.problem()?;
-        let contact = self.watch(setup, &problem)?;
-        self.write(setup, &contact)?;
+        match refinement {
+            Some(refinement) => self.settle(&refinement),
+            None => {
+                let contact = self.watch(setup, &setup.problem()?)?;
+                outputs.complete(&contact);
+                self.write(setup, &contact, false)?;
+                settle(&contact)
+            }
+        }
+    }
+
+    /// Solves on ever finer grids, and records the last of them if that is wished for.
+    fn settle(&self, refinement: &Refinement) -> Result<Outcome> {
+        let Settled { setup, mut contact, is_within } = refinement.settle(|setup| -> Result<Contact> {
+            let solver = setup.solver.solver();
+            Ok(solver.solve(&setup.problem()?, &setup.stop, &mut Progress::new(solver.name()))?)
+        })?;
+        if self.outputs.recording().is_some() {
+            contact = self.watch(&setup, &contact.problem.clone())?;
+        }
+        self.outputs.complete(&contact);
+        self.write(&setup, &contact, !is_within)?;
         settle(&contact)
     }
 
-    /// Writes and prints what came out.
-    fn write(&self, setup: &Setup, contact: &Contact) -> Result<()> {
+    /// Writes and prints what came out, on a grid that is not fine enough if it is `unsettled`.
+    fn write(&self, setup: &Setup, contact: &Contact, unsettled: bool) -> Result<()> {
         let (outputs, full) = (&self.outputs, setup.clone().with_full_path());
         let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
         if let Some(path) = outputs.archive() {
@@ -95,6 +121,7 @@ impl Solve {
         }
         let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
         warnings.extend(caution::of_contacts(&[&finding.observables]));
+        warnings.extend(unsettled.then(caution::unsettled));
         let summary = Summary { subject, finding, warnings, setup: full };
         if outputs.json {
             write_json(&summary, &mut stdout())?

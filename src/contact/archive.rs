@@ -2,7 +2,7 @@
 
 use crate::contact::{Contact, OBSERVABLES, State};
 use crate::surface::PowerSpectrum;
-use ndarray::{Array0, Array1, Array2, ArrayView, ArrayView1, ArrayView2, Axis, Dimension, arr0, stack};
+use ndarray::{Array0, Array1, Array2, ArrayView, ArrayView1, ArrayView2, Axis, Dimension, arr0, arr2, arr3, stack};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
 
@@ -16,6 +16,8 @@ use std::io::Cursor;
 /// | `gap_edges`, `gap_density`                           | `(65)`, `(64)`       | and that of the gap beside it               |
 /// | `wavenumber`                                         | `(waves)`            | `q = 2 pi / wavelength`, ascending          |
 /// | `height_spectrum`, `pressure_spectrum`               | `(waves)`            | the [`PowerSpectrum`] of each               |
+/// | `segments`, of rank 1                                | `(n, 2)`             | first and last position of each segment of contact |
+/// | `contour`, of rank 2                                 | `(n, 2, 2)`          | lines of the contour, the `x` and `y` of both ends |
 /// | `x`, and `y` of rank 2                               | `(nx)`, `(ny)`       | positions of columns and rows, from 0       |
 /// | `size`                                               | `(rank)`             | lengths of the cell along the axes          |
 /// | `contact_modulus`                                    | `()`                 | `E*`                                        |
@@ -39,6 +41,7 @@ pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Ve
         archive.add_field(name, &of(contact))?;
     }
     archive.add_field("contact", &contact.mask().view())?;
+    archive.add_outline(contact)?;
     archive.npz.add_array("converged", &arr0(contact.is_converged()))?;
     let state = State::from(contact);
     for row in OBSERVABLES {
@@ -129,6 +132,18 @@ impl Archive {
         let mut archive = Self { npz, rank };
         archive.add_field("height", &surface.heights_as_given().view())?;
         Ok(archive)
+    }
+
+    /// Adds the edges of a contact, resolved between the nodes.
+    fn add_outline(&mut self, contact: &Contact) -> Result<(), WriteNpzError> {
+        let edges = contact.edges();
+        if self.rank == 1 {
+            return self.npz.add_array("segments", &arr2(&edges.segments()));
+        }
+        let [dy, dx] = contact.problem.surface().grid().spacing();
+        let lines: Vec<[[f64; 2]; 2]> =
+            edges.contour().into_iter().map(|line| line.map(|[y, x]| [x * dx, y * dy])).collect();
+        self.npz.add_array("contour", &arr3(&lines))
     }
 
     /// Adds a field whose last axes are those of the grid.

@@ -1,8 +1,9 @@
 //! The best state of a run.
 
-/// The pressure with the smallest certificate among those that the method has made.
+/// The pressure that is nearest to the goals of its run among those that the method has made.
 pub(super) struct Best<P = Vec<f64>> {
-    pub eta: f64,
+    /// Its distance from them, see [`crate::contact::Stop::distance`].
+    pub distance: f64,
     pub pressure: Option<P>,
     found_at: usize,
 }
@@ -10,13 +11,13 @@ pub(super) struct Best<P = Vec<f64>> {
 impl<P: Clone> Best<P> {
     /// Nothing yet, at the given iteration.
     pub fn none(iteration: usize) -> Self {
-        Self { eta: f64::INFINITY, pressure: None, found_at: iteration }
+        Self { distance: f64::INFINITY, pressure: None, found_at: iteration }
     }
 
-    /// Keeps `pressure` if `eta` is smaller than before.
-    pub fn offer(&mut self, eta: f64, pressure: &P, iteration: usize) {
-        if eta < self.eta {
-            self.eta = eta;
+    /// Keeps `pressure` if its distance is smaller than before.
+    pub fn offer(&mut self, distance: f64, pressure: &P, iteration: usize) {
+        if distance < self.distance {
+            self.distance = distance;
             self.found_at = iteration;
             match &mut self.pressure {
                 Some(best) => best.clone_from(pressure),

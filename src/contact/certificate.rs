@@ -1,44 +1,90 @@
 //! How far a pressure can be from the solution.
 
-use crate::contact::{Problem, chunks};
+use crate::contact::rounding::Rounding;
+use crate::contact::{Problem, Sums, chunks};
 use crate::elastic::HalfSpace;
 
-/// A rigorous bound of the error of a feasible pressure `p >= 0`, with `<p>` as given if it is: a duality gap, or
-/// Frank-Wolfe gap, over load and rms height.
+/// Rigorous bounds of the error of a feasible pressure `p >= 0` under the load that it carries: a duality gap, or Frank-Wolfe gap,
+/// and what follows from it.
 ///
-/// **Under a mean pressure.** With `v = u(p) - h`, every feasible pressure obeys `f(p) - f* <= G`, `G = <p (v - min v)>`: the
-/// solution cannot lie deeper than the load times the lowest point of the linearised energy. `G` vanishes only at the
-/// solution. It is a mean over nodes here, as `f` is.
+/// Angle brackets are means over the nodes, `u = A p` is the displacement, `v = u - h`, and `|x|^2 = <x A x>`, in which a uniform
+/// pressure has no length. An asterisk marks the solution.
 ///
-/// **At a mean gap** `D`, the energy is `F = f + D <p>` and its gradient `v + D`. With `d = -<p v>/<p>`, the mean gap at which
-/// `<p g> = 0`, convexity says `F(p) - F* <= <(p - p*) (v + D)>`, and since `<p (v + D)> = <p> (D - d)` and
-/// `<p* v> >= <p*> min v`,
+/// # Under a mean pressure
+/// Every feasible pressure obeys `f(p) - f* <= G`, `G = <p (v - min v)>`: the solution cannot lie deeper than the load times the
+/// lowest point of the linearised energy, since `<(p - p*) v> <= <p v> - <p> min v`. `G` vanishes only at the solution. With
+/// `a = G / <p>`, the mean gap where `<p g> = 0` is `d = -<p v>/<p>`, and the deepest node lies `a` below it.
+///
+/// **The pressure.** The solution obeys the variational inequality `<(p - p*) v*> >= 0`. So
 ///
 /// ```text
-/// F(p) - F* <= <p*> (-d - min v) + (<p> - <p*>) (D - d) <= max(<p>, <p*>) (|-d - min v| + |D - d|)
+/// |p - p*|^2 = <(p - p*) (v - v*)> <= <(p - p*) v> <= G
 /// ```
 ///
-/// where `-d - min v = G / <p>`. So `G / <p> + |D - d|` takes the place of `G / <p>`. Both vanish only at the solution.
+/// and the relative error of the pressure in this norm is at most `sqrt(G / <p u>)`.
+///
+/// **The mean gap.** With `t = |p - p*|` and `<p (v* + D*)> >= 0`, `D* = -min v* = -<p* v*>/<p>`,
+///
+/// ```text
+/// D* >= -<p v*>/<p>  = d - <u (p* - p)>/<p>                  >= d - |p| t / <p>
+/// D* <= -min v - <u* (p* - p)>/<p> <= d + a + (|p| t - t^2) / <p>
+/// ```
+///
+/// and `t^2 <= G`. Where `4 G <= <p u>` the last bracket is largest at `t^2 = G`, and `|D* - d| <= sqrt(a <p u>/<p>)`.
+///
+/// # At a mean gap
+/// For the mean gap `D` the energy is `F = f + D <p>`, its gradient `v + D`, and the variational inequality that of `v* + D`.
+/// Since `<p (v + D)> = <p> (D - d)` and `<p* v> >= <p*> min v`,
+///
+/// ```text
+/// F(p) - F* <= <(p - p*) (v + D)> <= <p*> a + (<p> - <p*>) (D - d) <= max(<p>, <p*>) (a + |D - d|)
+/// ```
+///
+/// So `a + |D - d|` takes the place of `a`. Both vanish only at the solution.
+///
+/// **The load.** Nothing here compares `a + |D - d|` with what is left of the gap. Close to closure, where `u` is all but `h`, any
+/// uniform pressure may be added at the price of `|D - d| <= D`, and close to first touch all of the load is made by the last
+/// `h_max - D` of the heights. The pressure is that of nearly the same heights at nearly the same gap, off by `a + |D - d|`; with
+/// the contact stiffness `k = -d<p>/dD` its load is off by `k (a + |D - d|)` to first order. Near touch `k` is `<p> / (h_max - D)`
+/// and near closure, where the gap falls exponentially with the load, it is about `<p> / D`, each times a factor of order one. So
+/// [`Certificate::eta_gap`] is the relative error of the load in order of magnitude.
+///
+/// # Rounding
+/// The computed `v` is off by `delta`, which [`Certificate::of_displaced`] bounds by magnitudes that it meets. As
+/// `<(p - p*) v> <= G + |delta|* t` with the dual norm `|delta|*^2 = <delta A^-1 delta>`,
+///
+/// ```text
+/// f(p) - f* <= <(p - p*) v> - t^2 / 2 <= G + |delta|*^2 / 2,    t <= |delta|* / 2 + sqrt(|delta|*^2 / 4 + G)
+/// ```
+///
+/// The energy errs by the square of the rounding only: by some 1e-22 of the load times the rms height, where `G` itself may err by
+/// 1e-15. At a mean gap the load is free, and the mean of `delta` counts as an error of `D`. All bounds here have these terms in
+/// them. `penetration` and `load_error` are no bounds, but what is measured.
 ///
 /// All fields are dimensionless. Where there is no pressure at all, and where a value is negative or not finite, nothing is
 /// bounded: the errors are infinite. At the head of the crate the pressure of somebody else is certified.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     /// `eta = G / (<p> h_rms)`, the error in energy against load times rms height: what [`crate::contact::Stop`] asks for. At a
-    /// mean gap `eta = (G / <p> + |D - d|) / h_rms`, the same against the larger of `<p>` and `<p*>`.
+    /// mean gap `eta = (a + |D - d|) / h_rms`, the same against the larger of `<p>` and `<p*>`.
     pub eta: f64,
-    /// `sqrt(2 eta <p> h_rms / <p u(p)>)`: a bound of the relative error of the pressure in the energy norm
-    /// `|x|^2 = <x u(x)>`, since `f(p) - f* >= 1/2 |p - p*|^2`. At low loads, where `h_rms` is a coarse yardstick, this one
-    /// tells the truth. At a mean gap it takes `<p>` for `<p*>`, whose ratio is 1 but for the error itself.
-    /// A pressure that does not deform the solid, such as a uniform one, has no such bound: infinite, unless it is exact.
+    /// `eta_D = (a + |D - d|) / min(D, h_max - D)`, with the highest peak `h_max` above the mean height: at a mean gap `D` the
+    /// relative error of the load in order of magnitude. Under a mean pressure 0.
+    pub eta_gap: f64,
+    /// `sqrt(G / <p u(p)>)`: a bound of the relative error of the pressure in the norm `|x|^2 = <x u(x)>`. At low loads, where
+    /// `h_rms` is a coarse yardstick, this one tells the truth. At a mean gap `G = <p> (a + |D - d|)`, which takes `<p>` for
+    /// the larger of `<p>` and `<p*>`. Infinite where `<p u(p)>` is not positive: a pressure that does not deform the solid,
+    /// such as a uniform one, bounds nothing.
     pub pressure_error_bound: f64,
+    /// The bound of `|D* - d| / h_rms`, the error of the mean gap that is found under a mean pressure. At a given mean gap 0.
+    pub mean_gap_error_bound: f64,
     /// How far what is prescribed is missed: `|<p> / mean_pressure - 1|`, or `|D - d| / h_rms` at a mean gap.
     pub load_error: f64,
     /// Smallest pressure over the mean pressure; never negative in a result.
     pub min_pressure: f64,
     /// Largest penetration (negative gap) over `h_rms`. With the datum of the gap where `<p g> = 0`, as under a mean pressure,
-    /// the deepest node lies `G / <p>` below zero, so this **is** `eta`. At a mean gap the datum is `D`, and it is `eta` at the
-    /// most.
+    /// the deepest node lies `a` below zero, so this **is** `eta`, but for rounding. At a mean gap the datum is `D`, and it is
+    /// `eta` at the most.
     pub penetration: f64,
 }
 
@@ -46,10 +92,23 @@ impl Certificate {
     /// The certificate of no pressure, or of one that is infeasible.
     const NONE: Self = Self {
         eta: f64::INFINITY,
+        eta_gap: f64::INFINITY,
         pressure_error_bound: f64::INFINITY,
+        mean_gap_error_bound: f64::INFINITY,
         load_error: f64::INFINITY,
         min_pressure: 0.0,
         penetration: f64::INFINITY,
+    };
+
+    /// The certificate of a state that nobody has certified.
+    pub(super) const UNKNOWN: Self = Self {
+        eta: f64::NAN,
+        eta_gap: f64::NAN,
+        pressure_error_bound: f64::NAN,
+        mean_gap_error_bound: f64::NAN,
+        load_error: f64::NAN,
+        min_pressure: f64::NAN,
+        penetration: f64::NAN,
     };
 
     /// The certificate of `pressure`, row by row: by one transform pair of its own.
@@ -62,41 +121,108 @@ impl Certificate {
         Self::of_displaced(problem, pressure, &displacement)
     }
 
-    /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is at hand, both row by row.
+    /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is at hand from a transform pair, both row by
+    /// row.
     pub fn of_displaced(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
-        let sums = Sums::of(problem, pressure, displacement);
+        Self::of_sums(problem, &Sums::of(problem, pressure, displacement))
+    }
+
+    /// The certificate of the state with these sums.
+    pub(super) fn of_sums(problem: &Problem, sums: &Sums) -> Self {
         if !(sums.pressure > 0.0 && sums.pressure.is_finite()) {
             return Self::NONE;
         }
-        let mean_v = sums.pressure_v / sums.pressure;
         let mean_pressure = sums.pressure / problem.nodes() as f64;
         let min_pressure = sums.lowest_pressure / mean_pressure;
         if min_pressure < 0.0 {
             return Self { min_pressure, ..Self::NONE };
         }
-        // how far the mean of `v` weighted by the pressure lies above minus the mean gap that is prescribed
-        let above_gap = problem.mean_gap().map_or(0.0, |gap| mean_v + (sums.reference_v + gap));
+        let bounds = Bounds::of(problem, sums, mean_pressure);
+        let rms_height = problem.rms_height();
         let load_error = match problem.mean_pressure() {
             Some(prescribed) => (mean_pressure / prescribed - 1.0).abs(),
-            None => above_gap.abs() / problem.rms_height(),
+            None => bounds.above_gap.abs() / rms_height,
         };
-        let excess = excess(mean_v - sums.lowest_v, above_gap);
-        let doubled_energy = sums.elastic / sums.pressure;
-        let unbounded = if excess > 0.0 { f64::INFINITY } else { 0.0 };
+        let (gap, eta) = (problem.mean_gap(), bounds.excess() / rms_height);
+        if !eta.is_finite() {
+            return Self { min_pressure, ..Self::NONE };
+        }
         Self {
-            eta: excess / problem.rms_height(),
-            pressure_error_bound: if doubled_energy > 0.0 { (2.0 * excess / doubled_energy).sqrt() } else { unbounded },
+            eta,
+            eta_gap: gap.map_or(0.0, |gap| bounds.excess() / gap.min(problem.highest() - gap)),
+            pressure_error_bound: bounds.pressure_error(),
+            mean_gap_error_bound: if gap.is_some() { 0.0 } else { bounds.gap_error() / rms_height },
             load_error,
             min_pressure,
-            penetration: (mean_v - sums.lowest_v - above_gap).max(0.0) / problem.rms_height(),
+            penetration: (bounds.depth - bounds.above_gap).max(0.0) / rms_height,
         }
     }
 }
 
-/// `eta h_rms`: the depth of the lowest point of the gap below the datum where `<p g> = 0`, and the distance of that datum from
-/// the mean gap, if it is prescribed.
-pub(super) fn excess(depth: f64, above_gap: f64) -> f64 {
-    depth.max(0.0) + above_gap.abs()
+/// The quantities of the proof of [`Certificate`], by their letters there.
+struct Bounds {
+    mean_pressure: f64,
+    /// `a`: the depth of the lowest point of the gap below the datum where `<p g> = 0`.
+    depth: f64,
+    /// `D - d`; 0 under a mean pressure.
+    above_gap: f64,
+    /// `<p u>`.
+    elastic: f64,
+    is_at_gap: bool,
+    rounding: Rounding,
+}
+
+impl Bounds {
+    fn of(problem: &Problem, sums: &Sums, mean_pressure: f64) -> Self {
+        let (mean_v, gap) = (sums.pressure_v / sums.pressure, problem.mean_gap());
+        Self {
+            mean_pressure,
+            depth: (mean_v - sums.lowest_v).max(0.0),
+            above_gap: gap.map_or(0.0, |gap| mean_v + (sums.reference_v + gap)),
+            elastic: sums.elastic / problem.nodes() as f64,
+            is_at_gap: gap.is_some(),
+            rounding: Rounding::of(problem, sums),
+        }
+    }
+
+    /// `a + |D - d|` with the rounding of its parts, but not of the transforms.
+    fn distance(&self) -> f64 {
+        let Self { depth, above_gap, rounding, .. } = self;
+        depth + above_gap.abs() + rounding.depth + if self.is_at_gap { rounding.mean } else { 0.0 }
+    }
+
+    /// `eta h_rms`: the bound of the error in energy over the load.
+    fn excess(&self) -> f64 {
+        self.distance() + 0.5 * self.rounding.energy / self.mean_pressure
+    }
+
+    /// The bound of `|p - p*|`.
+    fn error(&self) -> f64 {
+        length(self.rounding.energy, self.mean_pressure * self.distance())
+    }
+
+    /// The bound of `|p - p*| / |p|`.
+    fn pressure_error(&self) -> f64 {
+        let Self { mean_pressure, elastic, rounding, .. } = self;
+        let least = elastic - mean_pressure * rounding.mean - rounding.elastic;
+        let least = (0.25 * rounding.energy + least).sqrt() - 0.5 * rounding.energy.sqrt();
+        if least > 0.0 { self.error() / least } else { f64::INFINITY }
+    }
+
+    /// The bound of `|D* - d|`.
+    fn gap_error(&self) -> f64 {
+        let Self { mean_pressure, elastic, rounding, .. } = self;
+        let most = length(rounding.energy, elastic.max(0.0) + mean_pressure * rounding.mean + rounding.elastic);
+        let (error, slope) = (self.error(), most + rounding.energy.sqrt());
+        let t = error.min(0.5 * slope);
+        let [below, above] = [most * error, mean_pressure * self.distance() + (slope - t) * t];
+        (below.max(above) + rounding.energy.sqrt() * most) / mean_pressure + rounding.mean
+    }
+}
+
+/// The largest `t` with `t^2 <= square + t |delta|*`.
+fn length(rounding: f64, square: f64) -> f64 {
+    0.5 * rounding.sqrt() + (0.25 * rounding + square).sqrt()
 }
 
 /// The datum `d` of the gap `g = u - h + d`: the prescribed mean gap, or else minus the mean of `u - h` weighted by the
@@ -108,56 +234,4 @@ pub(super) fn datum(problem: &Problem, pressure: &[f64], displacement: &[f64]) -
     let height = problem.height();
     let load = chunks::sum(pressure.len(), |i| pressure[i]);
     -chunks::sum(pressure.len(), |i| pressure[i] / load * (displacement[i] - height[i]))
-}
-
-/// Sums of one pass over pressure, displacement and heights. `v` is taken relative to its value at the first node
-/// in contact, so that the differences near the solution keep their digits.
-#[derive(Clone, Copy)]
-struct Sums {
-    reference_v: f64,
-    pressure: f64,
-    pressure_v: f64,
-    elastic: f64,
-    lowest_v: f64,
-    lowest_pressure: f64,
-}
-
-impl Sums {
-    fn of(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
-        let height = problem.height();
-        let reference_v = pressure.iter().position(|&p| p > 0.0).map_or(0.0, |i| displacement[i] - height[i]);
-        let none = Self {
-            reference_v,
-            pressure: 0.0,
-            pressure_v: 0.0,
-            elastic: 0.0,
-            lowest_v: f64::INFINITY,
-            lowest_pressure: f64::INFINITY,
-        };
-        let parts = chunks::visit(pressure.len(), |range| {
-            let mut sums = none;
-            for i in range {
-                let (p, u) = (pressure[i], displacement[i]);
-                let v = u - height[i] - reference_v;
-                sums.pressure += p;
-                sums.pressure_v += p * v;
-                sums.elastic += p * u;
-                sums.lowest_v = sums.lowest_v.min(v);
-                sums.lowest_pressure = sums.lowest_pressure.min(p);
-            }
-            sums
-        });
-        parts.into_iter().fold(none, Self::plus)
-    }
-
-    fn plus(self, other: Self) -> Self {
-        Self {
-            reference_v: self.reference_v,
-            pressure: self.pressure + other.pressure,
-            pressure_v: self.pressure_v + other.pressure_v,
-            elastic: self.elastic + other.elastic,
-            lowest_v: self.lowest_v.min(other.lowest_v),
-            lowest_pressure: self.lowest_pressure.min(other.lowest_pressure),
-        }
-    }
 }

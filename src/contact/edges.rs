@@ -6,7 +6,6 @@
 
 use crate::contact::{Problem, chunks};
 use crate::grid::Grid;
-use crate::surface::Surface;
 use std::f64::consts::{E, PI};
 
 /// Excess `c` of counted nodes over the true contact of a line, per switch between contact and gap, in nodes: exactly
@@ -38,10 +37,9 @@ const MOST_OF_SHAPE: f64 = 0.5;
 ///
 /// **Surfaces.** A straight edge along the grid, and one along its diagonal, obey the same law with `P k` in the place of `P`.
 /// At other angles nodes lie at several distances from the edge; there the law errs by 0.03 spacings for one node and
-/// by less than 0.002 on average (from the factors along lattice directions up to (8, 5)). The cosine comes from differences
-/// of the distances from the edge that pressures and gaps tell, `(pi^2 / 4e) (P / a)^2` inside and
-/// `(3 pi / (8 sqrt e))^(2/3) (G / a)^(2/3)` outside, with the strength `a = P + (pi / 2e) G` of the link. A link counts by `k^2` in
-/// area, so that those along rows and columns add up to the contour.
+/// by less than 0.002 on average (from the factors along lattice directions up to (8, 5)). The cosine comes from how the distance
+/// from the edge, as pressures and gaps tell it, changes along the link and across it. A link counts by `k^2` in area, so
+/// that those along rows and columns add up to the contour.
 ///
 /// **What is not an edge of this kind.** The edge of a punch is where its shape has it: the pressure rises towards it, which is
 /// how it is known, over three nodes. It is put halfway between the nodes, as counting does. A node or two in contact
@@ -50,9 +48,8 @@ const MOST_OF_SHAPE: f64 = 0.5;
 /// # Source
 /// This crate's own; [`crate::theory::counting_excess`] has the excess at any angle.
 pub struct Edges<'a, G> {
-    grid: &'a Grid,
-    surface: &'a Surface,
-    contact_modulus: f64,
+    problem: &'a Problem,
+    pub(super) grid: &'a Grid,
     pressure: &'a [f64],
     gap: G,
 }
@@ -72,7 +69,7 @@ pub struct Edge {
     pub is_of_shape: bool,
 }
 
-/// Area and gradient of a contact whose edges are resolved between the nodes; dimensionless.
+/// Area, gradient and `kappa_r` of a contact whose edges are resolved between the nodes; dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolved {
     /// `a_rel`, the share of the area in contact.
@@ -80,6 +77,8 @@ pub struct Resolved {
     /// `gbar_r`, root-mean-square gradient over the contact, by differences of fourth order; 0 without contact, NaN where most
     /// edges are given by the shape, whose gradient there is a step.
     pub rms_gradient_contact: f64,
+    /// `kappa_r = a_rel gbar_r E* / <p>`.
+    pub kappa_r: f64,
     /// Links between contact and gap.
     pub edges: usize,
     /// Those at which the shape of the surface gives the edge.
@@ -92,9 +91,9 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
     /// # Panics
     /// If the length of `pressure` does not fit the grid.
     pub fn of(problem: &'a Problem, pressure: &'a [f64], gap: G) -> Self {
-        let surface = problem.surface();
-        assert_eq!(pressure.len(), surface.grid().len(), "pressure must fit the grid");
-        Self { grid: surface.grid(), surface, contact_modulus: problem.contact_modulus(), pressure, gap }
+        let grid = problem.surface().grid();
+        assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
+        Self { problem, grid, pressure, gap }
     }
 
     /// The edges around a node, none if it is not in contact.
@@ -106,7 +105,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
 
     /// Area and gradient.
     pub fn resolved(&self) -> Resolved {
-        let square_slope = self.surface.square_slope();
+        let square_slope = self.problem.surface().square_slope();
         let parts = chunks::visit(self.pressure.len(), |nodes| {
             let touching = nodes.filter(|&node| self.touches(node));
             touching.fold(Sums::default(), |sums, node| sums.plus(self.share(node, &square_slope)))
@@ -114,9 +113,13 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         let sums = parts.into_iter().fold(Sums::default(), Sums::plus);
         let is_smooth = sums.edges_of_shape as f64 <= MOST_OF_SHAPE * sums.edges as f64;
         let mean_square = if sums.area > 0.0 { sums.squares / sums.area } else { 0.0 };
+        let strain = self.problem.mean_pressure_of(self.pressure) / self.problem.contact_modulus();
+        let relative_area = sums.area / self.grid.len() as f64;
+        let rms_gradient_contact = if is_smooth { mean_square.max(0.0).sqrt() } else { f64::NAN };
         Resolved {
-            relative_area: sums.area / self.grid.len() as f64,
-            rms_gradient_contact: if is_smooth { mean_square.max(0.0).sqrt() } else { f64::NAN },
+            relative_area,
+            rms_gradient_contact,
+            kappa_r: relative_area * rms_gradient_contact / strain,
             edges: sums.edges,
             edges_of_shape: sums.edges_of_shape,
         }
@@ -143,35 +146,48 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         if self.touches(next) {
             return None;
         }
-        let per_modulus = self.along(self.grid.spacing(), towards) / self.contact_modulus;
-        let (p, g) = (self.pressure[node] * per_modulus, GAP_WEIGHT * (self.gap)(next).max(0.0));
-        let weight = self.weight([node, next], towards, per_modulus, p + g);
-        let p = p * weight.sqrt();
+        let link = [node, next].map(|node| self.state(node, towards));
+        let Normal { cosine, weight } = self.normal([node, next], link, towards);
         let is_of_shape = self.rises(node, towards);
+        let (p, g) = (link[0].pressure * cosine, link[1].gap);
         let place = if is_of_shape { 0.5 } else { p / (p + g) - NODE_EXCESS_PER_SWITCH_LINE };
         Some(Edge { node, towards, place: if place.is_finite() { place } else { 0.5 }, weight, is_of_shape })
     }
 
-    /// `k^2`, from how the distance to the edge changes along the link and across it; `per_modulus` is `l / E*`.
-    fn weight(&self, [node, next]: [usize; 2], [dy, dx]: [isize; 2], per_modulus: f64, strength: f64) -> f64 {
+    /// The normal of the edge against the link, found in a few rounds, since distances take the cosine.
+    fn normal(&self, nodes: [usize; 2], link: [State; 2], [dy, dx]: [isize; 2]) -> Normal {
         if self.grid.is_line() {
-            return 1.0;
+            return Normal { cosine: 1.0, weight: 1.0 };
         }
-        let distance = |node: usize| {
-            let (p, g) = (self.pressure[node] * per_modulus / strength, (self.gap)(node).max(0.0) / strength);
-            if self.touches(node) { PI * PI / (4.0 * E) * p * p } else { -(g * GAP_TO_DISTANCE).powi(2).cbrt() }
+        let aside = nodes.map(|node| [[dx, dy], [-dx, -dy]].map(|step| self.grid.neighbour(node, step)));
+        let aside = aside.map(|both| both.map(|node| self.state(node, [dy, dx])));
+        let spacing = self.grid.spacing();
+        let ratio = along(spacing, [dy, dx]) / along(spacing, [dx, dy]);
+        let round = |Normal { cosine, .. }, _| {
+            let strength = link[0].pressure * cosine + link[1].gap;
+            let distance = |state: State| state.distance(cosine, strength);
+            let here = link.map(distance);
+            let steps = [0, 1].map(|i| aside[i].map(distance).map(|there| (there - here[i]) * ratio));
+            let along = (here[0] - here[1]).powi(2);
+            let mean = 0.25 * (steps[0][0] - steps[0][1] + steps[1][0] - steps[1][1]);
+            let across = 0.25 * steps.iter().flatten().map(|step| step.powi(2)).sum::<f64>();
+            let next = (along / (along + mean * mean)).sqrt();
+            Normal { cosine: cosine.powf(DAMPING) * next.powf(1.0 - DAMPING), weight: along / (along + across) }
         };
-        let (inside, outside) = (distance(node), distance(next));
-        let across = |node: usize, here: f64| {
-            let aside = [[dx, dy], [-dx, -dy]].map(|step| distance(self.grid.neighbour(node, step)) - here);
-            0.25 * (aside[0].powi(2) + aside[1].powi(2))
-        };
-        let [dy, dx] = [dy, dx].map(isize::abs);
-        let [link, aside] = [[dy, dx], [dx, dy]].map(|axis| self.along(self.grid.spacing(), axis));
-        let along = ((inside - outside) / link).powi(2);
-        let across = (across(node, inside) + across(next, outside)) / aside.powi(2);
-        let weight = along / (along + across);
-        if weight.is_finite() { weight } else { 0.5 }
+        let Normal { cosine, weight } = (0..ROUNDS).fold(Normal { cosine: FIRST_COSINE, weight: 0.5 }, round);
+        if cosine.is_finite() && weight.is_finite() {
+            Normal { cosine, weight }
+        } else {
+            Normal { cosine: 1.0, weight: 0.5 }
+        }
+    }
+
+    /// What a node knows of an edge across a link.
+    fn state(&self, node: usize, towards: [isize; 2]) -> State {
+        let per_modulus = along(self.grid.spacing(), towards) / self.problem.contact_modulus();
+        let touches = self.touches(node);
+        let gap = if touches { 0.0 } else { GAP_WEIGHT * (self.gap)(node).max(0.0) };
+        State { touches, pressure: self.pressure[node] * per_modulus, gap }
     }
 
     /// Whether the pressure rises towards the edge over three nodes, as that of a punch does.
@@ -181,17 +197,62 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         p >= before && before >= first && first > 0.0
     }
 
-    fn along(&self, [of_y, of_x]: [f64; 2], [dy, _]: [isize; 2]) -> f64 {
-        if dy != 0 { of_y } else { of_x }
-    }
-
-    fn touches(&self, node: usize) -> bool {
+    pub(super) fn touches(&self, node: usize) -> bool {
         self.pressure[node] > 0.0
     }
 }
 
-/// `3 pi / (8 sqrt e)`.
-const GAP_TO_DISTANCE: f64 = 0.714_552_1;
+/// The normal of an edge against a link.
+struct Normal {
+    /// `k`.
+    cosine: f64,
+    /// Share of the link in the contour: as `k^2`, but for differences to either side that do not cancel at the tip of a contact.
+    weight: f64,
+}
+
+/// What a node knows of an edge.
+#[derive(Clone, Copy)]
+struct State {
+    touches: bool,
+    /// `p l / E*`, a length.
+    pressure: f64,
+    /// `(pi / 2e) g`, a length; 0 in contact.
+    gap: f64,
+}
+
+impl State {
+    /// The distance from an edge of the strength `a`, in spacings along the normal, into the contact: `P / a - c` of the last node
+    /// and `-c - (pi / 2e) G / a` of the next one, exactly; linear up to the second one on either side, as it is there, and farther
+    /// as in the continuum.
+    fn distance(self, cosine: f64, strength: f64) -> f64 {
+        let c = NODE_EXCESS_PER_SWITCH_LINE;
+        let (p, g) = (self.pressure * cosine / strength, self.gap / strength);
+        match self.touches {
+            true if p <= 1.0 => p - c,
+            true if p <= SECOND_PRESSURE => 1.0 - c + (p - 1.0) / (SECOND_PRESSURE - 1.0),
+            true => PI * PI / (4.0 * E) * p * p,
+            false if g <= 1.0 => -c - g,
+            false if g <= SECOND_GAP => -c - 1.0 - (g - 1.0) / (SECOND_GAP - 1.0),
+            false => -(0.75 * E.sqrt() * g).powi(2).cbrt(),
+        }
+    }
+}
+
+/// Pressure and weighted gap of the second node on either side of an edge, in those of the first one, where that is as far from the
+/// edge as a first node can be: from the coefficients of the factors.
+const SECOND_PRESSURE: f64 = 1.410_510_1;
+const SECOND_GAP: f64 = 2.589_489_9;
+
+/// Rounds in which the cosine is found, where they begin, and how much of the cosine before each of them keeps: rounds alternate
+/// about the solution.
+const ROUNDS: usize = 4;
+const FIRST_COSINE: f64 = 0.85;
+const DAMPING: f64 = 0.4;
+
+/// The value along the axis of a step.
+fn along([of_y, of_x]: [f64; 2], [dy, _]: [isize; 2]) -> f64 {
+    if dy != 0 { of_y } else { of_x }
+}
 
 /// Steps from a node to its neighbours; those of a line come first.
 pub(super) const STEPS: [[isize; 2]; 4] = [[0, 1], [0, -1], [1, 0], [-1, 0]];

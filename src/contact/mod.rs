@@ -9,7 +9,9 @@
 
 mod archive;
 mod best;
+mod bound;
 mod certificate;
+mod contour;
 mod distribution;
 mod edges;
 mod forecast;
@@ -23,12 +25,17 @@ mod outcome;
 mod patches;
 mod polonsky_keer;
 mod problem;
+mod resolution;
+mod rounding;
 mod run;
 mod solver;
+mod status;
 mod step;
 mod stop;
+mod sums;
 
 use crate::chunks;
+use sums::Sums;
 
 pub use crate::error::Failure;
 pub use archive::{archive, archive_of_loads};
@@ -42,11 +49,13 @@ pub use measure::{Measures, NODE_EXCESS_PER_SWITCH_SURFACE};
 pub use multilevel::Multilevel;
 pub use observables::{OBSERVABLES, Observable, Observables, State};
 pub use observe::Each;
-pub use outcome::{Contact, Status, Work};
+pub use outcome::{Contact, Work};
 pub use patches::Patches;
 pub use polonsky_keer::PolonskyKeer;
 pub use problem::{ContactModulus, Problem};
+pub use resolution::Resolution;
 pub use run::Run;
 pub use solver::{Observer, Solver, Wish};
+pub use status::Status;
 pub use step::{Energy, Phase, Step, Values};
 pub use stop::Stop;

@@ -3,7 +3,7 @@
 //! A row of the table is all that a new one takes: results, tables of studies, the explorer and the curves of recordings show
 //! what is in it.
 
-use crate::contact::{Certificate, Contact, Load, Measures, Problem, Resolved, Step, Work};
+use crate::contact::{Certificate, Contact, Load, Measures, Patches, Problem, Resolution, Resolved, Step, Work};
 use ndarray::ArrayView1;
 use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
@@ -15,7 +15,7 @@ pub struct Observable {
     pub name: &'static str,
     /// The symbol of the field.
     pub symbol: &'static str,
-    /// The unit: `length`, `pressure`, their product, or `1` for a pure number.
+    /// The unit: `length`, `pressure`, their product `pressure length` or quotient `pressure/length`, or `1` for a pure number.
     pub unit: &'static str,
     /// Whether the number is drawn step by step: it changes while a contact is solved, and a step knows it.
     pub is_traced: bool,
@@ -33,9 +33,13 @@ pub struct State<'a> {
     work: Work,
     /// The certificate; NaN where it is not known.
     certificate: Certificate,
+    /// The contact stiffness; NaN where nobody has asked for it.
+    stiffness: f64,
     measures: Lazy<'a, Measures>,
     resolved: Lazy<'a, Resolved>,
-    patches: Lazy<'a, usize>,
+    patches: Lazy<'a, Patches>,
+    /// What the next coarser grid had, if that is known.
+    coarser: Option<&'a Resolved>,
     mean_gap: Lazy<'a, f64>,
     /// The elastic energy; NaN where it is not known.
     elastic_energy: Lazy<'a, f64>,
@@ -126,17 +130,17 @@ observables! {
         "Root-mean-square gradient of the contact less the mean excess of counting nodes at its edges.";
     rms_gradient_contact_resolved: f64, "g_r, resolved", "1", false, |it| it.resolved.rms_gradient_contact,
         "Root-mean-square gradient over the contact within edges that are resolved between the nodes.";
-    kappa: f64, "kappa", "1", true, |it| it.measures.kappa,
+    kappa: f64, "kappa", "1", false, |it| it.measures.kappa,
         "Relative contact area over reduced pressure.";
     kappa_corrected: f64, "kappa, corrected", "1", false, |it| it.measures.relative_area_corrected / it.measures.reduced_pressure,
         "Corrected relative contact area over reduced pressure.";
-    kappa_resolved: f64, "kappa, resolved", "1", false, |it| it.resolved.relative_area / it.measures.reduced_pressure,
+    kappa_resolved: f64, "kappa, resolved", "1", true, |it| it.resolved.relative_area / it.measures.reduced_pressure,
         "Resolved relative contact area over reduced pressure.";
     kappa_r: f64, "kappa_r", "1", true, |it| it.measures.kappa_r,
         "Relative contact area over the reduced pressure with the rms gradient of the nodes in contact.";
     kappa_r_corrected: f64, "kappa_r, corrected", "1", false, |it| it.measures.kappa_r_corrected,
         "Corrected relative contact area over the reduced pressure with the corrected rms gradient of the contact.";
-    kappa_r_resolved: f64, "kappa_r, resolved", "1", true, |it| it.kappa_r_resolved(),
+    kappa_r_resolved: f64, "kappa_r, resolved", "1", true, |it| it.resolved.kappa_r,
         "Resolved relative contact area over the reduced pressure with the resolved rms gradient of the contact.";
     mean_gap: f64, "<g>", "length", false, |it| *it.mean_gap,
         "Mean gap between the surfaces.";
@@ -148,18 +152,34 @@ observables! {
         "Largest pressure.";
     max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
         "Largest pressure over the contact modulus.";
-    patches: usize, "n", "1", true, |it| *it.patches,
+    patches: usize, "n", "1", true, |it| it.patches.count(),
         "Number of contact patches.";
-    nodes_per_patch: f64, "n_c / n", "1", false, |it| it.measures.contact_nodes as f64 / (*it.patches).max(1) as f64,
-        "Nodes in contact for each contact patch: below about four its pressure is that of single nodes.";
+    nodes_per_patch: f64, "n_c / n", "1", false, |it| it.resolution().nodes_per_patch,
+        "Nodes in contact for each contact patch.";
+    unresolved_share: f64, "n_c < few / n_c", "1", false, |it| it.resolution().unresolved_share,
+        "Share of the nodes in contact that are in patches too small to trust: of fewer than 4 nodes on lines, 12 on surfaces.";
+    edges_of_shape: usize, "n_e", "1", false, |it| it.resolved.edges_of_shape,
+        "Number of links between contact and gap at which the shape of the surface gives the edge, as that of a punch does.";
+    relative_area_error: f64, "|da| / a_rel", "1", false, |it| it.resolution().relative_area_error,
+        "Estimated relative error of the resolved relative contact area on this grid.";
+    kappa_r_error: f64, "|dkappa_r| / kappa_r", "1", false, |it| it.resolution().kappa_r_error,
+        "Estimated relative error of the resolved kappa_r on this grid.";
     certificate: f64, "eta", "1", true, |it| it.certificate.eta,
         "Certificate: a bound of the error in energy over load times rms height.";
     pressure_error_bound: f64, "|dp| / |p|", "1", false, |it| it.certificate.pressure_error_bound,
         "Bound of the relative error of the pressure in the energy norm.";
+    certificate_gap: f64, "eta_D", "1", false, |it| it.certificate.eta_gap,
+        "Certificate at a mean gap over what is left of the gap: the relative error of the load in order of magnitude.";
+    mean_gap_error_bound: f64, "|d<g>| / h_rms", "1", false, |it| it.certificate.mean_gap_error_bound,
+        "Bound of the error of the mean gap over the rms height.";
     penetration: f64, "-min g / h_rms", "1", false, |it| it.certificate.penetration,
         "Largest penetration over the rms height.";
     load_error: f64, "|dl| / l", "1", false, |it| it.certificate.load_error,
         "Distance from the load that is prescribed: over it, or for a mean gap over the rms height.";
+    stiffness: f64, "k", "pressure/length", false, |it| it.stiffness,
+        "Contact stiffness, by how much the mean pressure rises as the mean gap falls; known where it was asked for.";
+    mean_pressure_error: f64, "|d<p>| / <p>", "1", false, |it| it.mean_pressure_error(),
+        "Relative error of the mean pressure at a mean gap to first order, by the contact stiffness; 0 where the pressure is given.";
     iterations: usize, "iterations", "1", false, |it| it.work.iterations,
         "Relaxation steps of the solver.";
     transforms: u64, "transforms", "1", false, |it| it.work.transforms,
@@ -167,10 +187,10 @@ observables! {
 }
 
 impl State<'_> {
-    /// `kappa_r` with the resolved area and gradient, under the load of the other factors.
-    fn kappa_r_resolved(&self) -> f64 {
-        let strain = self.measures.reduced_pressure * self.measures.rms_gradient;
-        self.resolved.relative_area * self.resolved.rms_gradient_contact / strain
+    /// How well the grid resolves the contact.
+    fn resolution(&self) -> Resolution {
+        let grid = self.problem.surface().grid();
+        Resolution::of(grid, &self.measures, &self.resolved, &self.patches, self.coarser)
     }
 
     /// The reduced pressure: that which is prescribed, to the last bit, or else the one that is found.
@@ -180,6 +200,14 @@ impl State<'_> {
             Load::MeanPressure(_) | Load::MeanGap(_) => self.measures.reduced_pressure,
         }
     }
+
+    /// The stiffness times the error of the gap, over the mean pressure.
+    fn mean_pressure_error(&self) -> f64 {
+        if self.problem.mean_gap().is_none() {
+            return 0.0;
+        }
+        self.stiffness * self.certificate.eta * self.problem.rms_height() / *self.mean_pressure
+    }
 }
 
 impl<'a> From<&'a Contact> for State<'a> {
@@ -188,9 +216,11 @@ impl<'a> From<&'a Contact> for State<'a> {
             problem: &contact.problem,
             work: contact.work,
             certificate: contact.certificate,
+            stiffness: contact.known_stiffness().unwrap_or(f64::NAN),
             measures: lazy(|| contact.measures()),
             resolved: lazy(|| contact.resolved()),
-            patches: lazy(|| contact.patches().count()),
+            patches: lazy(|| contact.patches()),
+            coarser: contact.coarser.as_ref(),
             mean_gap: lazy(|| contact.mean_gap()),
             elastic_energy: lazy(|| contact.elastic_energy()),
             mean_pressure: lazy(|| contact.mean_pressure()),
@@ -202,15 +232,15 @@ impl<'a> From<&'a Contact> for State<'a> {
 impl<'a> From<&'a Step<'_>> for State<'a> {
     fn from(step: &'a Step<'_>) -> Self {
         let pressure = || ArrayView1::from(step.pressure());
-        let [pressure_error_bound, load_error, min_pressure, penetration] = [f64::NAN; 4];
-        let eta = step.certificate().unwrap_or(f64::NAN);
         Self {
             problem: step.problem(),
             work: step.work(),
-            certificate: Certificate { eta, pressure_error_bound, load_error, min_pressure, penetration },
+            stiffness: f64::NAN,
+            certificate: step.certificate().copied().unwrap_or(Certificate::UNKNOWN),
             measures: lazy(|| *step.measures()),
             resolved: lazy(|| *step.resolved()),
-            patches: lazy(|| step.patches().count()),
+            patches: lazy(|| step.patches().clone()),
+            coarser: None,
             mean_gap: lazy(|| step.mean_gap()),
             elastic_energy: lazy(|| f64::NAN),
             mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),

@@ -1,10 +1,13 @@
 //! The contact that a solver returns.
 
-use crate::contact::{Certificate, Edges, Failure, Measures, Patches, Problem, Resolved, certificate, chunks};
+use crate::contact::{
+    Certificate, Edges, Failure, Measures, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
+    multilevel,
+};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A solved (or best found) contact.
 ///
@@ -25,6 +28,8 @@ pub struct Contact {
     pub gap: Field,
     /// Error bounds of this very pressure, from a fresh transform pair.
     pub certificate: Certificate,
+    /// What the next coarser grid had of the contact, if the solver went over one.
+    pub coarser: Option<Resolved>,
     /// Work done.
     pub work: Work,
     /// How the solver stopped.
@@ -33,6 +38,7 @@ pub struct Contact {
     pub solver: String,
     /// Why an observer failed, if one did.
     pub failure: Option<Arc<Failure>>,
+    stiffness: OnceLock<f64>,
 }
 
 /// Work of a solver.
@@ -44,34 +50,6 @@ pub struct Work {
     pub transforms: u64,
     /// Seconds, without those spent in observers.
     pub seconds: f64,
-}
-
-/// How a solver stopped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Status {
-    /// The certificate met the tolerance.
-    Converged,
-    /// The iteration cap was reached.
-    IterationCap,
-    /// Nothing improved any more: the tolerance lies below what rounding, or the method, attains.
-    Stalled,
-    /// The observer wished to stop.
-    StoppedByObserver,
-    /// The observer failed.
-    ObserverFailed,
-}
-
-impl std::fmt::Display for Status {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Converged => "converged",
-            Self::IterationCap => "iteration cap reached",
-            Self::Stalled => "no further progress",
-            Self::StoppedByObserver => "stopped by the observer",
-            Self::ObserverFailed => "the observer failed",
-        })
-    }
 }
 
 impl Contact {
@@ -98,10 +76,12 @@ impl Contact {
             displacement: field(displacement),
             gap: field(gap),
             certificate,
+            coarser: None,
             work: Work { transforms: work.transforms + 2, ..work },
             status: Status::Stalled,
             solver: solver.into(),
             failure: None,
+            stiffness: OnceLock::new(),
         }
     }
 
@@ -124,8 +104,9 @@ impl Contact {
         if let Some(failure) = &self.failure {
             return Some(SolveError::Observer(failure.clone()));
         }
-        let (iterations, reason, certificate) = (self.work.iterations, self.status.to_string(), self.certificate.eta);
-        let fault = SolveError::NotConverged { solver: self.solver.clone(), iterations, reason, certificate };
+        let Certificate { eta: certificate, pressure_error_bound, .. } = self.certificate;
+        let (solver, iterations, reason) = (self.solver.clone(), self.work.iterations, self.status.to_string());
+        let fault = SolveError::NotConverged { solver, iterations, reason, certificate, pressure_error_bound };
         (!self.is_converged()).then_some(fault)
     }
 
@@ -150,10 +131,43 @@ impl Contact {
         self.edges().resolved()
     }
 
+    /// How well the grid resolves the contact.
+    pub fn resolution(&self) -> Resolution {
+        let grid = self.problem.surface().grid();
+        Resolution::of(grid, &self.measures(), &self.resolved(), &self.patches(), self.coarser.as_ref())
+    }
+
     /// Contact patches.
     pub fn patches(&self) -> Patches {
         let [ny, nx] = self.pressure.dim().into();
         Patches::of(self.pressures(), [ny, nx])
+    }
+
+    /// Contact stiffness `k = -d<p>/d<g>`, a pressure per length: by how much the mean pressure rises as the mean gap falls. It is
+    /// infinite where all nodes touch.
+    ///
+    /// It is computed when it is first asked for, by about a tenth of the work of a solve, and from then on one of the
+    /// [`crate::contact::Observables`] of this contact.
+    ///
+    /// ```
+    /// use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
+    /// use asperity::{Grid, Indenter, Problem, Stop};
+    /// use std::f64::consts::PI;
+    /// // a sine that touches on half of its length (Westergaard): k = pi E* / (L ln 2)
+    /// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(1024, 1.0)?)?;
+    /// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.005 * PI))?;
+    /// let contact = Multilevel.solve(&problem, &Stop::default(), &mut ())?.converged()?;
+    /// assert!((contact.stiffness() / (PI / 2f64.ln()) - 1.0).abs() < 0.01);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn stiffness(&self) -> f64 {
+        let displacement = || self.displacement.as_slice().expect("results are made in standard layout");
+        *self.stiffness.get_or_init(|| multilevel::stiffness(&self.problem, self.pressures(), displacement()))
+    }
+
+    /// The stiffness, if it has been asked for.
+    pub(super) fn known_stiffness(&self) -> Option<f64> {
+        self.stiffness.get().copied()
     }
 
     /// The pressures, row by row.

@@ -4,6 +4,7 @@
 //! the displacement under `t`, `tau` the step length. The datum `d` is the mean gap if that is given, or else minus the mean of
 //! `v` over the contact, so that `g` has none.
 
+use crate::contact::bound::{is_uniform, to_bound};
 use crate::contact::{Certificate, Contact, Observer, Problem, Run, Solver, Step, Stop, certificate, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
@@ -75,9 +76,10 @@ impl Solver for PolonskyKeer {
         let mut run = Run::begin(self, problem, stop, observer);
         let mut state = Iterate::new(start, problem);
         let status = loop {
-            let eta = state.certify(&mut run);
+            let certificate = state.certify(&mut run);
             let work = run.work(state.half_space.transforms());
-            if let Some(status) = run.show(&Step::new(problem, work, &state.p, &state.u).with_certificate(eta)) {
+            if let Some(status) = run.show(&Step::new(problem, work, &state.p, &state.u).with_certificate(certificate))
+            {
                 break status;
             }
             let datum = state.datum();
@@ -122,14 +124,14 @@ impl<'a> Iterate<'a> {
     }
 
     /// The certificate of this iterate; one that would end the run is taken from a fresh displacement.
-    fn certify(&mut self, run: &mut Run<'_>) -> f64 {
-        let mut eta = Certificate::of_displaced(self.problem, &self.p, &self.u).eta;
-        if run.is_converged(eta) && !self.fresh {
+    fn certify(&mut self, run: &mut Run<'_>) -> Certificate {
+        let mut certificate = Certificate::of_displaced(self.problem, &self.p, &self.u);
+        if run.is_converged(&certificate) && !self.fresh {
             self.restart();
-            eta = Certificate::of_displaced(self.problem, &self.p, &self.u).eta;
+            certificate = Certificate::of_displaced(self.problem, &self.p, &self.u);
         }
-        run.offer(eta, &self.p);
-        eta
+        run.offer(&certificate, &self.p);
+        certificate
     }
 
     /// Takes the displacement from a transform of the pressure.
@@ -172,24 +174,29 @@ impl<'a> Iterate<'a> {
     }
 
     /// The exact minimiser along `t`, `<g t> / <r t>` over the contact, where under a mean pressure `r` is taken less its mean
-    /// over the contact. Where there is none (a single node in contact has no gradient), the step that is safe for every mode:
-    /// the smallest stiffness.
+    /// over the contact. Where `t` is uniform and all nodes touch, at a mean gap, the step at which the first node leaves. Where
+    /// there is no minimiser (a single node in contact has no gradient), the step that is safe for every mode: the smallest
+    /// stiffness.
     fn step_length(&self, datum: f64) -> f64 {
         let (p, u, h, t, r) = (&self.p, &self.u, self.problem.height(), &self.t, &self.r);
         let parts = chunks::visit(p.len(), |range| {
-            let mut sums = [0.0; 5];
+            let mut sums = [0.0; 6];
             for i in range.filter(|&i| p[i] > 0.0) {
-                let terms = [1.0, t[i], r[i], r[i] * t[i], (u[i] - h[i] + datum) * t[i]];
+                let terms = [1.0, t[i], r[i], r[i] * t[i], (u[i] - h[i] + datum) * t[i], t[i] * t[i]];
                 sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
             }
             sums
         });
-        let [n, sum_t, sum_r, sum_rt, slope] = parts.into_iter().fold([0.0; 5], |mut a, b| {
+        let [n, sum_t, sum_r, sum_rt, slope, square] = parts.into_iter().fold([0.0; 6], |mut a, b| {
             a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
             a
         });
+        let (softest, is_full) = (self.half_space.softest_stiffness(), n == p.len() as f64);
+        if self.problem.mean_gap().is_some() && is_full && is_uniform(square, sum_rt, softest) {
+            return to_bound(p.iter().copied().zip(t.iter().copied())).unwrap_or(softest);
+        }
         let curvature = if self.problem.mean_pressure().is_some() { sum_rt - sum_r * sum_t / n } else { sum_rt };
-        if slope > 0.0 && curvature > 0.0 { slope / curvature } else { self.half_space.softest_stiffness() }
+        if slope > 0.0 && curvature > 0.0 { slope / curvature } else { softest }
     }
 
     /// `p <- max(p - tau t, 0)` on the contact, `-tau g` on nodes without pressure that penetrate; then the load, then `u`. If the

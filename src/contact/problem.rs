@@ -8,6 +8,9 @@ use std::sync::{Arc, OnceLock};
 /// Per reduced pressure, the mean gap of rough surfaces near full contact falls by this power of e: 5 to 6, as measured.
 const GAP_DECAY: f64 = 5.5;
 
+/// A pressure to start from at a mean gap is so many times the expected one at the most.
+const FARTHEST: f64 = 1e6;
+
 /// A rigid surface pressed on an elastic half-space, frictionless and without adhesion, under a given mean pressure or at a
 /// given mean gap.
 ///
@@ -48,6 +51,7 @@ pub struct Problem {
     mean_pressure: Option<f64>,
     expected_mean_pressure: f64,
     rms_height: f64,
+    highest: f64,
     rms_gradient: OnceLock<f64>,
 }
 
@@ -78,9 +82,19 @@ impl Problem {
         let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
         check_magnitude("rms height", rms_height)?;
         check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
+        let highest = height.iter().fold(0.0, |highest: f64, &h| highest.max(h));
         let (mean_pressure, expected_mean_pressure, rms_gradient) = (None, f64::NAN, OnceLock::new());
-        Self { surface, contact_modulus, load, mean_pressure, expected_mean_pressure, rms_height, rms_gradient }
-            .with_load(load)
+        Self {
+            surface,
+            contact_modulus,
+            load,
+            mean_pressure,
+            expected_mean_pressure,
+            rms_height,
+            highest,
+            rms_gradient,
+        }
+        .with_load(load)
     }
 
     /// The problem of the same surface and solid under another load.
@@ -108,7 +122,7 @@ impl Problem {
     }
 
     fn check_mean_gap(&self, mean_gap: f64) -> Result<(), ProblemError> {
-        let highest = self.height().iter().fold(0.0, |highest: f64, &h| highest.max(h));
+        let highest = self.highest;
         if mean_gap.is_finite() && mean_gap <= 0.0 {
             return Err(ProblemError::EverythingTouches { mean_gap, highest });
         }
@@ -159,8 +173,9 @@ impl Problem {
         self.mean_pressure.unwrap_or_else(|| chunks::sum(pressure.len(), |i| pressure[i]) / pressure.len() as f64)
     }
 
-    /// The pressure that a run starts from: what `start` holds of one, scaled to the mean pressure if that is given, or the
-    /// uniform pressure. Values that are no pressures (negative, not finite) count as none.
+    /// The pressure that a run starts from: what `start` holds of one, or the uniform pressure. It is scaled to the mean pressure if
+    /// that is given, and to the expected one if it is so much higher that rounding would hide what it displaces. Values that are no
+    /// pressures (negative, not finite) count as none.
     ///
     /// # Panics
     /// If the shape of `start` is not that of the grid.
@@ -174,10 +189,10 @@ impl Problem {
         if highest <= 0.0 {
             return vec![load; pressure.len()];
         }
-        if self.mean_pressure.is_none() {
+        let mean = chunks::sum(pressure.len(), |i| pressure[i] / highest) / pressure.len() as f64;
+        if self.mean_pressure.is_none() && highest * mean <= FARTHEST * load {
             return pressure;
         }
-        let mean = chunks::sum(pressure.len(), |i| pressure[i] / highest) / pressure.len() as f64;
         pressure.into_iter().map(|p| p / highest * (load / mean)).collect()
     }
 
@@ -195,6 +210,11 @@ impl Problem {
     /// Root mean square of the heights about their mean.
     pub fn rms_height(&self) -> f64 {
         self.rms_height
+    }
+
+    /// The highest peak above the mean height, above which no mean gap lets the surfaces touch.
+    pub fn highest(&self) -> f64 {
+        self.highest
     }
 
     /// Root-mean-square gradient `gbar` of the whole surface; computed when first asked for.

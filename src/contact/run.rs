@@ -1,7 +1,9 @@
 //! The bookkeeping of a run.
 
 use crate::contact::best::Best;
-use crate::contact::{Contact, Failure, Observer, Problem, Solver, Status, Step, Stop, Wish, Work};
+use crate::contact::{
+    Certificate, Contact, Failure, Observer, Problem, Resolved, Solver, Status, Step, Stop, Wish, Work,
+};
 use crate::elastic::HalfSpace;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -19,9 +21,9 @@ const PATIENCE: usize = 2000;
 /// ```text
 /// let mut run = Run::begin(self, problem, stop, observer);
 /// let status = loop {
-///     let eta = Certificate::of_displaced(problem, &p, &u).eta;
-///     run.offer(eta, &p);
-///     let step = Step::new(problem, run.work(half_space.transforms()), &p, &u).with_certificate(eta);
+///     let certificate = Certificate::of_displaced(problem, &p, &u);
+///     run.offer(&certificate, &p);
+///     let step = Step::new(problem, run.work(half_space.transforms()), &p, &u).with_certificate(certificate);
 ///     if let Some(status) = run.show(&step) {
 ///         break status;
 ///     }
@@ -40,6 +42,8 @@ pub struct Run<'a, P = Vec<f64>> {
     iterations: usize,
     patience: usize,
     failure: Option<Failure>,
+    /// What the next coarser grid had of the contact, if the solver went over one.
+    pub(super) coarser: Option<Resolved>,
     /// The best state found.
     pub(super) best: Best<P>,
 }
@@ -58,6 +62,7 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
             iterations: 0,
             patience: PATIENCE,
             failure,
+            coarser: None,
             best: Best::none(0),
         }
     }
@@ -78,21 +83,28 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         Work { iterations: self.iterations, transforms, seconds }
     }
 
-    /// Whether a certificate meets the tolerance.
-    pub fn is_converged(&self, eta: f64) -> bool {
-        eta <= self.stop.tolerance()
+    /// Whether a certificate meets all goals.
+    pub fn is_converged(&self, certificate: &Certificate) -> bool {
+        self.stop.is_met(certificate)
     }
 
-    /// Keeps `pressure` if its certificate is the least so far.
-    pub fn offer(&mut self, eta: f64, pressure: &P) {
-        self.best.offer(eta, pressure, self.iterations);
+    /// How far a certificate is from the goals, see [`Stop::distance`].
+    pub fn distance(&self, certificate: &Certificate) -> f64 {
+        self.stop.distance(certificate)
+    }
+
+    /// Keeps `pressure` if its certificate is the nearest to the goals so far.
+    pub fn offer(&mut self, certificate: &Certificate, pressure: &P) {
+        self.best.offer(self.stop.distance(certificate), pressure, self.iterations);
     }
 
     /// Shows a step to the observer and says why to stop, if so.
     pub fn show(&mut self, step: &Step<'_>) -> Option<Status> {
         let ended = self.pass(step);
         match step.certificate() {
-            Some(eta) if self.is_converged(eta) && ended != Some(Status::ObserverFailed) => Some(Status::Converged),
+            Some(certificate) if self.is_converged(certificate) && ended != Some(Status::ObserverFailed) => {
+                Some(Status::Converged)
+            }
             _ if ended.is_some() => ended,
             _ if self.best.is_stale(self.iterations, self.patience) => Some(Status::Stalled),
             _ => None,
@@ -136,13 +148,15 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         self.finish_after(status, transforms, half_space)
     }
 
-    /// Ends the run like [`Run::finish`], after more transforms than those of one half-space.
+    /// Ends the run like [`Run::finish`], after more transforms than those of one half-space. What the solver calls converged is
+    /// judged again by the certificate of the contact, for all goals.
     pub fn finish_after(mut self, status: Status, transforms: u64, half_space: HalfSpace) -> Contact {
         let work = self.work(transforms);
         let uniform = || vec![self.problem.expected_mean_pressure(); self.problem.nodes()];
         let pressure = self.best.pressure.take().map_or_else(uniform, P::into);
         let mut contact = Contact::new(self.problem, pressure, half_space, work, self.solver.name());
-        let is_missed = status == Status::Converged && !self.is_converged(contact.certificate.eta);
+        contact.coarser = self.coarser;
+        let is_missed = status == Status::Converged && !self.is_converged(&contact.certificate);
         contact.status = if is_missed { Status::Stalled } else { status };
         let ended = self.observer.end(&contact);
         contact.failure = self.failure.or(ended.err()).map(Into::into);

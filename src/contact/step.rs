@@ -1,6 +1,6 @@
 //! The state of a solver at one relaxation step.
 
-use crate::contact::{Edges, Measures, Patches, Problem, Resolved, Work, certificate, chunks};
+use crate::contact::{Certificate, Edges, Measures, Patches, Problem, Resolved, Work, certificate, chunks};
 use std::cell::{LazyCell, OnceCell};
 use std::ops::Deref;
 
@@ -19,7 +19,7 @@ pub struct Step<'a> {
     pressure: Values<'a>,
     displacement: Values<'a>,
     datum: Option<f64>,
-    certificate: Option<f64>,
+    certificate: Option<Certificate>,
     phase: Phase,
     /// The net force, of methods that move the surface.
     force: Option<&'a [f64]>,
@@ -127,9 +127,9 @@ impl<'a> Step<'a> {
         Self { datum: Some(datum), ..self }
     }
 
-    /// The step with the certificate `eta` of its pressure, where it is known.
-    pub fn with_certificate(self, eta: impl Into<Option<f64>>) -> Self {
-        Self { certificate: eta.into(), ..self }
+    /// The step with the certificate of its pressure, where it is known.
+    pub fn with_certificate(self, certificate: impl Into<Option<Certificate>>) -> Self {
+        Self { certificate: certificate.into(), ..self }
     }
 
     /// The step in a phase of the solver's scheme.
@@ -200,9 +200,9 @@ impl<'a> Step<'a> {
         self.datum.unwrap_or_else(|| certificate::datum(self.problem, &self.pressure, &self.displacement))
     }
 
-    /// The certificate `eta` of this state, where the solver knows it without further work.
-    pub fn certificate(&self) -> Option<f64> {
-        self.certificate
+    /// The certificate of this state, where the solver knows it without further work.
+    pub fn certificate(&self) -> Option<&Certificate> {
+        self.certificate.as_ref()
     }
 
     /// The energy that the method lowers. [`Problem::expected_mean_pressure`] stands in for a load that is not prescribed.
@@ -222,12 +222,15 @@ impl<'a> Step<'a> {
         self.measures.get_or_init(|| Measures::of(self.problem, &self.pressure))
     }
 
-    /// Area and gradient with the edges resolved between the nodes.
+    /// The edges of the contact, between the nodes.
+    pub fn edges(&self) -> Edges<'_, impl Fn(usize) -> f64 + Sync> {
+        let (u, h, datum): (&[f64], _, _) = (&self.displacement, self.problem.height(), self.datum());
+        Edges::of(self.problem, &self.pressure, move |node| u[node] - h[node] + datum)
+    }
+
+    /// Area, gradient and `kappa_r` with the edges resolved between the nodes.
     pub fn resolved(&self) -> &Resolved {
-        self.resolved.get_or_init(|| {
-            let (u, h, datum): (&[f64], _, _) = (&self.displacement, self.problem.height(), self.datum());
-            Edges::of(self.problem, &self.pressure, |node| u[node] - h[node] + datum).resolved()
-        })
+        self.resolved.get_or_init(|| self.edges().resolved())
     }
 
     /// Contact patches.
@@ -256,9 +259,9 @@ mod tests {
                 vec![1.0; 8]
             })
         };
-        let step = Step::new(&problem, Work::default(), values(0), values(1)).with_datum(0.0).with_certificate(1.0);
+        let step = Step::new(&problem, Work::default(), values(0), values(1)).with_datum(0.0);
         let made = || [made[0].get(), made[1].get()];
-        assert_eq!((step.index(), step.transforms(), step.certificate(), step.phase().level), (0, 0, Some(1.0), 0));
+        assert_eq!((step.index(), step.transforms(), step.certificate(), step.phase().level), (0, 0, None, 0));
         assert_eq!(made(), [0, 0]);
         assert_eq!((step.measures().contact_nodes, step.patches().count()), (8, 1));
         assert_eq!(made(), [1, 0]);

@@ -1,24 +1,63 @@
 //! When a solver stops.
 
+use crate::contact::Certificate;
 use crate::error::SettingError;
 use serde::{Deserialize, Serialize};
 
-/// When a solver stops, besides at the wish of its observer.
+/// The least tolerance of the pressure, whose square has a place among doubles.
+const LEAST_PRESSURE_TOLERANCE: f64 = 1e-100;
+
+/// When a solver stops, besides at the wish of its observer: the goals that its [`Certificate`] must meet, all of them, and the
+/// iterations that it gets.
+///
+/// | goal                                          | where                                    |
+/// |-----------------------------------------------|------------------------------------------|
+/// | `eta <= tolerance`                            | always                                   |
+/// | `eta_gap <= sqrt(tolerance)`                  | at a given mean gap                      |
+/// | `pressure_error_bound <= pressure_tolerance`  | where a pressure tolerance is given      |
+///
+/// `eta` is an error in energy, of second order in that of the pressure; the relative error of a load, which `eta_gap` stands for,
+/// is of first order, so it gets the root of the tolerance. The rms height, over which `eta` is taken, says little about an
+/// indenter that is narrow in its cell, or about very light contacts: there a pressure tolerance says what is meant.
+///
+/// ```
+/// use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
+/// use asperity::{Grid, Indenter, Problem, Stop};
+/// // a cylinder that touches on a thousandth of its cell
+/// let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(1 << 16, 4.0)?)?;
+/// let problem = Problem::new(cylinder, ContactModulus(1.0), Load::MeanPressure(8e-7))?;
+/// let [loose, tight] = [Stop::default(), Stop::default().with_pressure_tolerance(1e-4)?]
+///     .map(|stop| Multilevel.solve(&problem, &stop, &mut ()).and_then(asperity::Contact::converged));
+/// assert!(loose?.certificate.pressure_error_bound > 1e-3 && tight?.certificate.pressure_error_bound <= 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Stop {
     tolerance: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pressure_tolerance: Option<f64>,
     max_iterations: usize,
 }
 
 impl Stop {
-    /// Stops at a certificate `eta <= tolerance` (dimensionless, see [`crate::contact::Certificate`]), or unconverged after
-    /// `max_iterations`.
+    /// Stops at a certificate `eta <= tolerance` (dimensionless, see [`Certificate`]), or unconverged after `max_iterations`.
     ///
     /// # Errors
     /// [`SettingError::Range`] for a tolerance that is not positive and finite or for no iterations.
     pub fn new(tolerance: f64, max_iterations: usize) -> Result<Self, SettingError> {
-        let stop = Self { tolerance, max_iterations };
+        let stop = Self { tolerance, pressure_tolerance: None, max_iterations };
+        stop.check()?;
+        Ok(stop)
+    }
+
+    /// The stop that asks for a bound of the relative error of the pressure as well, see
+    /// [`Certificate::pressure_error_bound`].
+    ///
+    /// # Errors
+    /// [`SettingError::Range`] for a tolerance that is not finite, or below 1e-100.
+    pub fn with_pressure_tolerance(self, pressure_tolerance: f64) -> Result<Self, SettingError> {
+        let stop = Self { pressure_tolerance: Some(pressure_tolerance), ..self };
         stop.check()?;
         Ok(stop)
     }
@@ -26,11 +65,16 @@ impl Stop {
     /// Checks what was read from elsewhere.
     ///
     /// # Errors
-    /// The errors of [`Stop::new`].
+    /// The errors of [`Stop::new`] and [`Stop::with_pressure_tolerance`].
     pub fn check(&self) -> Result<(), SettingError> {
-        let Self { tolerance, max_iterations } = *self;
+        let Self { tolerance, pressure_tolerance, max_iterations } = *self;
         if !(tolerance.is_finite() && tolerance > 0.0) {
             return Err(SettingError::Range { name: "the tolerance", value: tolerance, range: "(0, infinity)" });
+        }
+        if let Some(value) = pressure_tolerance
+            && !(value.is_finite() && value >= LEAST_PRESSURE_TOLERANCE)
+        {
+            return Err(SettingError::Range { name: "the pressure tolerance", value, range: "[1e-100, infinity)" });
         }
         if max_iterations == 0 {
             return Err(SettingError::Range { name: "the iteration cap", value: 0.0, range: "[1, infinity)" });
@@ -38,20 +82,45 @@ impl Stop {
         Ok(())
     }
 
-    /// The certificate to reach.
+    /// The certificate `eta` to reach.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
+    }
+
+    /// The certificate `eta_gap` to reach at a given mean gap.
+    pub fn gap_tolerance(&self) -> f64 {
+        self.tolerance.sqrt()
+    }
+
+    /// The bound of the relative error of the pressure to reach, if there is one.
+    pub fn pressure_tolerance(&self) -> Option<f64> {
+        self.pressure_tolerance
     }
 
     /// Iterations at the most.
     pub fn max_iterations(&self) -> usize {
         self.max_iterations
     }
+
+    /// Whether a certificate meets all goals.
+    pub fn is_met(&self, certificate: &Certificate) -> bool {
+        certificate.eta <= self.tolerance
+            && certificate.eta_gap <= self.gap_tolerance()
+            && self.pressure_tolerance.is_none_or(|tolerance| certificate.pressure_error_bound <= tolerance)
+    }
+
+    /// How far a certificate is from the goals: `eta`, or the `eta` that would be as far from its tolerance as another error is from
+    /// its own, if that is larger. All fall alike, the bound of the pressure by its square.
+    pub fn distance(&self, certificate: &Certificate) -> f64 {
+        let gap = certificate.eta_gap / self.gap_tolerance() * self.tolerance;
+        let pressure = self.pressure_tolerance.map_or(0.0, |it| (certificate.pressure_error_bound / it).powi(2));
+        certificate.eta.max(gap).max(pressure * self.tolerance)
+    }
 }
 
 impl Default for Stop {
     /// `eta <= 1e-8` within 100 000 iterations.
     fn default() -> Self {
-        Self { tolerance: 1e-8, max_iterations: 100_000 }
+        Self { tolerance: 1e-8, pressure_tolerance: None, max_iterations: 100_000 }
     }
 }

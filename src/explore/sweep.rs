@@ -30,10 +30,10 @@ const GREY: Colour = Colour([0x80; 3]);
 
 /// Curves of every sweep, and behind them those of an exact solution.
 const CURVES: [PointCurve; 5] = [
-    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.relative_area_corrected),
+    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.relative_area_resolved),
     (AREA, "Persson", CurveKind::Theory, GREY, |point| point.persson),
-    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| point.observables.kappa_r_corrected),
-    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.kappa_corrected),
+    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| point.observables.kappa_r_resolved),
+    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.kappa_resolved),
     (KAPPA, "Persson", CurveKind::Theory, GREY, |point| point.persson / point.observables.reduced_pressure),
 ];
 const EXACT: [PointCurve; 2] = [
@@ -149,7 +149,7 @@ impl Press<'_> {
                 break;
             }
             self.show(number, load, &contact)?;
-            if self.report.points.last().is_some_and(|point| point.observables.relative_area_corrected >= FULL) {
+            if self.report.points.last().is_some_and(|point| point.observables.relative_area_resolved >= FULL) {
                 break;
             }
             start = Some(contact.pressure);

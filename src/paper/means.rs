@@ -258,15 +258,15 @@ impl Mean {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::Status;
+    use crate::contact::{Observables, Status};
 
     /// `kappa_r` is 1.7, more by 0.02 at the higher exponent, scatters from seed to seed in both alike, and is off by the square of
     /// the spacing.
     fn points() -> Points {
         let mut all = Vec::new();
         for nx in [64, 128, 256] {
-            for (hurst, seed, load) in (0..18).map(|i| ([0.2, 0.8][i % 2], i as u64 / 2 % 3, [0.01, 0.03, 0.1][i / 6]))
-            {
+            for i in 0..18 {
+                let (hurst, seed, load) = ([0.2, 0.8][i % 2], i as u64 / 2 % 3, [0.01, 0.03, 0.1_f64][i / 6]);
                 let (high, scatter) = (if hurst > 0.5 { 0.02 } else { 0.0 }, 0.05 * seed as f64 / load.sqrt());
                 let own = if seed == 1 && hurst > 0.5 { 0.001 / load } else { 0.0 };
                 let kappa_r_resolved = 1.7 + high + scatter + own + 50.0 / (nx * nx) as f64;

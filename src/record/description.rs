@@ -64,9 +64,10 @@ pub fn of_scene(scene: &Scene<'_>, unit: &str) -> String {
 
 /// The solver of a run and when it stops.
 pub fn of_run(solver: &dyn Solver, stop: &Stop) -> String {
+    let pressure = stop.pressure_tolerance().map_or(String::new(), |it| format!(", pressure within {it:e}"));
     table(&[
         ("solver", format!("{}: {}", solver.name(), solver.settings())),
-        ("tolerance", format!("certificate {:e}, at most {} steps", stop.tolerance(), stop.max_iterations())),
+        ("tolerance", format!("certificate {:e}{pressure}, at most {} steps", stop.tolerance(), stop.max_iterations())),
     ])
 }
 

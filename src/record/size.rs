@@ -1,6 +1,6 @@
 //! The size of a recording.
 
-use super::draw::{Columns, pixels, vertices};
+use super::draw::{Columns, has_contour, pixels, vertices};
 use super::file::Schedule;
 use super::parts::Parts;
 use crate::grid::Grid;
@@ -46,6 +46,8 @@ fn bytes(part: Part, grid: &Grid) -> f64 {
         (Part::Fields, true) => 16.0 * points + 40.0 * Columns::new(grid.len()).count() as f64,
         (Part::Fields, false) => 8.0 * pixels,
         (Part::Mask, true) => points,
+        // the classes, packed, and some lines of the contour where there is one
+        (Part::Mask, false) if has_contour(grid) => 1.3 * pixels,
         (Part::Mask, false) => 0.1 * pixels,
         (Part::Mesh, _) => 28.0 * vertices,
         (Part::Spectrum, _) => 2e3,

@@ -15,17 +15,29 @@ pub struct Cell {
     /// Lengths along the axes; one serves all of them.
     #[serde(serialize_with = "one_or_more::serialize", deserialize_with = "one_or_more::lengths")]
     pub size: Vec<f64>,
+    /// Points for each of those above, or of a height file, along each axis; 1 if it is left out. Heights of a file are
+    /// interpolated, all else is made on the finer grid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub refine: Option<usize>,
 }
 
 impl Cell {
+    /// Points along an axis that are to be found.
+    pub(super) const ANY: i64 = Grid::MIN_POINTS as i64;
+
     /// The cell of a line.
     pub fn line(points: usize, length: f64) -> Self {
-        Self { points: vec![points], size: vec![length] }
+        Self { points: vec![points], size: vec![length], refine: None }
     }
 
     /// The cell of a surface, points and lengths along y and x.
     pub fn surface(points: [usize; 2], size: [f64; 2]) -> Self {
-        Self { points: points.into(), size: size.into() }
+        Self { points: points.into(), size: size.into(), refine: None }
+    }
+
+    /// Points for each that is given along an axis.
+    pub fn refine(&self) -> usize {
+        self.refine.unwrap_or(1)
     }
 
     /// The grid.
@@ -39,8 +51,16 @@ impl Cell {
         self.grid_of(&self.points)
     }
 
-    /// The grid of an array of some shape; an array of one row is a line.
+    /// The grid of an array of some shape, refined; an array of one row is a line.
     pub(super) fn grid_of(&self, shape: &[usize]) -> Result<Grid, SetupError> {
+        match self.refine() {
+            0 => Err(SetupError::Refine),
+            factor => Ok(self.unrefined(shape)?.refined(factor)?),
+        }
+    }
+
+    /// The grid of an array of some shape.
+    pub(super) fn unrefined(&self, shape: &[usize]) -> Result<Grid, SetupError> {
         let axes = shape.len();
         let along = |i: usize| -> Result<f64, SetupError> {
             match *self.size {

@@ -30,6 +30,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod auto;
 mod cell;
 mod command;
 mod cost;
@@ -44,6 +45,7 @@ mod text;
 mod theme;
 mod words;
 
+pub use auto::Auto;
 pub use cell::Cell;
 pub use command::{command, lay};
 pub use cost::{Cost, available_bytes};

@@ -102,11 +102,14 @@ impl Recipe {
             let height = read_heights(path)?;
             let height = if height.ndim() == 1 { height.insert_axis(Axis(0)) } else { height };
             let height: Field = height.into_dimensionality().map_err(|_| SetupError::Axes { axes: 0 })?;
-            let height = Surface::new(grid, height)?;
-            Ok(match self.detrend {
-                Some(detrend) => Surface::new(grid, detrend.of(height.heights_as_given()))?,
+            let given = grid.with_shape(height.dim().into())?;
+            let height = Surface::new(given, height)?;
+            let height = match self.detrend {
+                Some(detrend) => Surface::new(given, detrend.of(height.heights_as_given()))?,
                 None => height,
-            })
+            };
+            let refined = height.refined((grid.shape()[1] / given.shape()[1]).max(1))?;
+            if *refined.grid() == grid { Ok(refined) } else { Ok(Surface::new(grid, refined.heights_as_given())?) }
         };
         let measured = self.height.as_ref().map(read).transpose()?;
         let smooth = self.indenter.map(|indenter| indenter.surface(grid)).transpose()?;

@@ -73,6 +73,7 @@ impl Table {
     fn with_heights_of(mut self, result: &Path) -> Self {
         if self.find("surface.height").is_some() {
             self.remove("surface");
+            self.remove("grid.refine");
             self.lay("surface.height", result.to_string_lossy().into_owned().into());
         }
         self
@@ -243,10 +244,14 @@ fn explained(message: &str, keys: &str) -> String {
     }
 }
 
-/// The known name that is nearest to an unknown one, first of all one that it is a part of.
+/// The known name that is nearest to an unknown one, first of all one that begins with it, then one that it is a part of.
 #[cfg(feature = "units")]
 fn nearest<'a>(unknown: &str, known: &[&'a str]) -> Option<&'a str> {
-    let nearness = |name: &str| if name.contains(unknown) { 1.0 } else { strsim::jaro_winkler(unknown, name) };
+    let nearness = |name: &str| match name.find(unknown) {
+        Some(0) => 2.0,
+        Some(_) => 1.0,
+        None => strsim::jaro_winkler(unknown, name),
+    };
     known.iter().copied().max_by(|a, b| nearness(a).total_cmp(&nearness(b)))
 }
 

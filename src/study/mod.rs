@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! LoadCurve { setup, loads } --> Contacts
+//! Refinement { setup, tolerance } --> Settled { setup, contact }
 //! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Estimate, Limit
 //! ```
 
@@ -11,6 +12,7 @@ mod limit;
 mod load_curve;
 mod point;
 mod realisation;
+mod refinement;
 mod spread;
 mod sweep;
 mod table;
@@ -20,6 +22,7 @@ pub use limit::{GridValues, Limit};
 pub use load_curve::LoadCurve;
 pub use point::Point;
 pub use realisation::Realisation;
+pub use refinement::{Refinement, Settled};
 pub use spread::Spread;
 pub use sweep::Sweep;
 pub use table::Table;

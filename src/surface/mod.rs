@@ -3,6 +3,7 @@
 mod detrend;
 mod formats;
 mod indenter;
+mod refine;
 mod roughness;
 mod seam;
 mod spectrum;

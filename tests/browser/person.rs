@@ -116,7 +116,7 @@ fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
     page.click("sweep");
     page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
     let points = explorer.state()["sweep"]["points"].as_array().unwrap().clone();
-    assert!(points.last().unwrap()["relative_area_corrected"].as_f64().unwrap() > 0.9999);
+    assert!(points.last().unwrap()["relative_area_resolved"].as_f64().unwrap() > 0.9999);
     for curve in ["chart-area polyline.computed", "chart-kappa polyline.second"] {
         let drawn = page.value(&format!("document.querySelector('#{curve}').points.numberOfItems"));
         assert_eq!(drawn, points.len(), "{curve}");
@@ -170,9 +170,9 @@ fn all_buttons_save_the_run_that_is_shown(explorer: &Explorer, page: &mut Page) 
 
 fn tables_and_charts_are_saved(points: &[Value], page: &mut Page) {
     let mut table = csv::Reader::from_path(save(page, "save-curve", "rough-line_sweep_multilevel.csv")).unwrap();
-    let place = table.headers().unwrap().iter().position(|name| name == "kappa_r_corrected").unwrap();
+    let place = table.headers().unwrap().iter().position(|name| name == "kappa_r_resolved").unwrap();
     let rows: Vec<f64> = table.records().map(|row| row.unwrap()[place].parse().unwrap()).collect();
-    let told: Vec<f64> = points.iter().map(|point| point["kappa_r_corrected"].as_f64().unwrap()).collect();
+    let told: Vec<f64> = points.iter().map(|point| point["kappa_r_resolved"].as_f64().unwrap()).collect();
     assert_eq!(rows, told);
     let charts = std::fs::read_to_string(save(page, "save-charts", "rough-line_sweep_multilevel.svg")).unwrap();
     let tree = usvg::Tree::from_str(&charts, &usvg::Options::default()).unwrap();

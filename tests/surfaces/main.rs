@@ -2,6 +2,7 @@
 
 mod heights;
 mod indenter;
+mod refine;
 mod rough;
 mod roughness;
 mod seam;

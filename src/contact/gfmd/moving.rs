@@ -2,7 +2,7 @@
 
 use super::Masses;
 use super::pace::Pace;
-use crate::contact::{Problem, Step, Work, chunks};
+use crate::contact::{Certificate, Problem, Step, Work, chunks};
 use crate::elastic::HalfSpace;
 use crate::surface::Field;
 
@@ -51,7 +51,7 @@ impl<'a> Moving<'a> {
     }
 
     /// The state as it is shown to observers. Held nodes lie on the wall, so that `<p g> = 0` in the frame of the indenter.
-    pub fn step(&self, work: Work, certificate: Option<f64>) -> Step<'_> {
+    pub fn step(&self, work: Work, certificate: Option<Certificate>) -> Step<'_> {
         let step = Step::new(self.problem, work, &self.p, &self.w).with_datum(0.0).with_force(&self.f);
         step.with_certificate(certificate)
     }

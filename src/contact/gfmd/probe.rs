@@ -27,7 +27,7 @@ impl Probe {
     }
 
     /// The certificate, if a check is due and anything is in contact.
-    pub fn certify(&mut self, problem: &Problem, forces: &[f64], run: &mut Run<'_>) -> Option<f64> {
+    pub fn certify(&mut self, problem: &Problem, forces: &[f64], run: &mut Run<'_>) -> Option<Certificate> {
         let iteration = run.iterations();
         let load = if iteration < self.next { 0.0 } else { chunks::sum(forces.len(), |i| forces[i]) };
         if load <= 0.0 {
@@ -37,8 +37,8 @@ impl Probe {
         let scale = problem.expected_mean_pressure() * forces.len() as f64 / load;
         chunks::update(&mut self.pressure, |range, p| range.zip(p).for_each(|(i, p)| *p = scale * forces[i]));
         self.half_space.displacement(&self.pressure, &mut self.displacement);
-        let eta = Certificate::of_displaced(problem, &self.pressure, &self.displacement).eta;
-        run.offer(eta, &self.pressure);
-        Some(eta)
+        let certificate = Certificate::of_displaced(problem, &self.pressure, &self.displacement);
+        run.offer(&certificate, &self.pressure);
+        Some(certificate)
     }
 }

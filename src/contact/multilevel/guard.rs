@@ -5,6 +5,7 @@ use super::level::{Level, Watch};
 use super::support::Pressure;
 use crate::chunks;
 use crate::contact::Status;
+use crate::contact::bound::{is_uniform, to_bound};
 
 impl Level<'_> {
     /// A guarded step: towards the pressure of a whole-set update if that is wished for and `f` falls on that way, else towards
@@ -45,11 +46,10 @@ impl Level<'_> {
         true
     }
 
-    /// The projection onto `p >= 0`, with the mean pressure if that is given, of a step against the gradient, as long as
-    /// the curvature of `f` along the gradient on the set suggests.
+    /// The projection onto `p >= 0`, with the mean pressure if that is given, of a step against the gradient.
     fn gradient_step(&mut self) -> Vec<f64> {
         let lambda = self.lambda();
-        let length = self.cauchy_length();
+        let length = self.gradient_length();
         let (mut p, u, h) = (self.pressure.spread(), &self.u, self.problem.height());
         chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p -= length * (u[i] - h[i] - lambda)));
         match self.problem.mean_pressure() {
@@ -58,8 +58,10 @@ impl Level<'_> {
         }
     }
 
-    /// Length of the step against the gradient on the set that minimises `f`, or 0 where there is no gradient.
-    fn cauchy_length(&mut self) -> f64 {
+    /// Length of the step against the gradient on the set that minimises `f`. Where the gradient displaces nothing, since it is
+    /// uniform and all nodes touch, `f` falls evenly, and the step goes on to the bound, where the first node leaves. It is 0
+    /// where there is no gradient.
+    fn gradient_length(&mut self) -> f64 {
         let lambda = self.lambda();
         let mut gradient = self.on_set(|v| v - lambda);
         if self.problem.mean_pressure().is_some() {
@@ -68,8 +70,11 @@ impl Level<'_> {
         let field = self.pressure.support.spread(&gradient);
         let mut response = vec![0.0; field.len()];
         self.half_space.displacement(&field, &mut response);
-        let curvature = dot(&field, &response);
-        if curvature > 0.0 { dot(&gradient, &gradient) / curvature } else { 0.0 }
+        let (square, curvature) = (dot(&gradient, &gradient), dot(&field, &response));
+        if is_uniform(square, curvature, self.half_space.softest_stiffness()) {
+            return to_bound(self.pressure.values.iter().copied().zip(gradient)).unwrap_or(0.0);
+        }
+        square / curvature
     }
 }
 
@@ -140,7 +145,7 @@ mod tests {
             level.mode = Mode::Guarded { release: 0.0, steps: 0 };
             let best = Best::none(0);
             let mut before = f64::INFINITY;
-            let mut eta = level.certify();
+            let mut eta = level.certify().eta;
             for _ in 0..2000 {
                 let now = energy(&level);
                 assert!(now <= before + 1e-12 * before.abs(), "{before} to {now}");
@@ -150,7 +155,7 @@ mod tests {
                 before = now;
                 level.choose_mode(eta, &best);
                 level.advance(&mut |_, _, _| None);
-                eta = level.certify();
+                eta = level.certify().eta;
             }
             assert!(eta <= 1e-9, "{eta} with {} nodes in contact", level.pressure.values.len());
         }
@@ -172,18 +177,36 @@ mod tests {
         }
     }
 
+    /// Pressed further than to full contact at a mean gap, all nodes have the same gradient, which displaces nothing.
+    #[test]
+    fn a_uniform_gradient_leads_to_the_bound() {
+        for points in [255, 256] {
+            let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(points, 1.0).unwrap()).unwrap();
+            let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanGap(1e-3)).unwrap();
+            let full: Vec<f64> = problem.height().iter().map(|h| PI * (h + 0.03)).collect();
+            let mut level = Level::new(&problem, |rows| Pressure::of(&full, rows));
+            level.certify();
+            let mean = |level: &Level<'_>| level.pressure.values.iter().sum::<f64>() / points as f64;
+            let [before, least] = [mean(&level), full.iter().copied().fold(f64::INFINITY, f64::min)];
+            assert_eq!(level.pressure.values.len(), points);
+            level.descend(false, &mut |_, _, _| None);
+            assert!((mean(&level) - (before - least)).abs() < 1e-12, "{} after {before}", mean(&level));
+            assert!(level.pressure.values.len() < points);
+        }
+    }
+
     #[test]
     fn a_state_that_gets_no_better_is_given_up_for_the_best_one() {
         let problem = &hard()[0];
         let mut level = uniform(problem);
         let mut best = Best::none(0);
-        let eta = level.certify();
+        let eta = level.certify().eta;
         best.offer(eta, &level.pressure, 0);
         for _ in 0..=STALE + 1 {
             level.choose_mode(eta, &best);
         }
-        assert!(matches!(level.mode, Mode::Guarded { release, .. } if release == RELEASE * best.eta));
-        level.choose_mode(0.4 * best.eta, &best);
+        assert!(matches!(level.mode, Mode::Guarded { release, .. } if release == RELEASE * best.distance));
+        level.choose_mode(0.4 * best.distance, &best);
         assert!(matches!(level.mode, Mode::Free { .. }));
     }
 

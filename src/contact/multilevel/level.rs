@@ -5,15 +5,15 @@ use super::extension::Extension;
 use super::support::{Pressure, RowOfNodes, Support};
 use crate::chunks;
 use crate::contact::best::Best;
-use crate::contact::{Problem, Status, certificate};
+use crate::contact::{Certificate, Edges, Problem, Resolved, Status, Sums};
 use crate::elastic::HalfSpace;
 use std::ops::Range;
 
-/// A state is better when its certificate is this part of that of the last better one.
+/// A state is better when its distance from the goals is this part of that of the last better one.
 const BETTER: f64 = 0.9;
 /// Free updates without a better state after which the guard takes over.
 pub(super) const STALE: usize = 5;
-/// The part to which guarded steps bring the best certificate before updates are free again.
+/// The part to which guarded steps bring the least distance before updates are free again.
 pub(super) const RELEASE: f64 = 0.5;
 
 /// Reduction of the residual in a whole-set update, its part after an update that was no better, and the least. Loose
@@ -34,20 +34,12 @@ pub(super) struct Level<'a> {
     pub mode: Mode,
 }
 
-/// Free updates, of which the last `stale` were no better than `mark`; or guarded steps, `steps` so far, until the certificate is
-/// `release`.
+/// Free updates, of which the last `stale` were no better than `mark`; or guarded steps, `steps` so far, until the distance from
+/// the goals is `release`.
 #[derive(Clone, Copy)]
 pub(super) enum Mode {
     Free { mark: f64, stale: usize },
     Guarded { release: f64, steps: usize },
-}
-
-/// The mean of `v` weighted by the pressure, and its lowest value, both relative to `v` at the first node of the set, so that
-/// their difference near the solution keeps its digits.
-struct Extremes {
-    reference: f64,
-    mean: f64,
-    lowest: f64,
 }
 
 /// The watch of the inner steps of a correction: the set, the signed pressure on it, and the half-space. It may end the run.
@@ -71,21 +63,22 @@ impl<'a> Level<'a> {
     }
 
     /// Sees to it that the displacement is that of the pressure, and returns the certificate of both.
-    pub fn certify(&mut self) -> f64 {
+    pub fn certify(&mut self) -> Certificate {
         self.refresh();
-        if self.pressure.values.is_empty() {
-            return f64::INFINITY;
-        }
-        let v = self.extremes_of_v();
-        let above_gap = self.problem.mean_gap().map_or(0.0, |gap| v.mean + (v.reference + gap));
-        certificate::excess(v.mean - v.lowest, above_gap) / self.problem.rms_height()
+        Certificate::of_sums(self.problem, &self.sums())
+    }
+
+    /// Area and gradient of this state with its edges resolved.
+    pub fn resolved(&self) -> Resolved {
+        let (u, h, lambda) = (&self.u, self.problem.height(), self.lambda());
+        Edges::of(self.problem, &self.pressure.spread(), |node| u[node] - h[node] - lambda).resolved()
     }
 
     /// `lambda` of this state: the mean of `v` weighted by the pressure or, at a given mean gap, minus that.
     pub fn lambda(&self) -> f64 {
         let of_pressure = || {
-            let v = self.extremes_of_v();
-            v.reference + v.mean
+            let sums = self.sums();
+            sums.reference_v + sums.pressure_v / sums.pressure
         };
         self.problem.mean_gap().map_or_else(of_pressure, |gap| -gap)
     }
@@ -98,21 +91,21 @@ impl<'a> Level<'a> {
         }
     }
 
-    /// Decides how to go on from a state with the certificate `eta`.
-    pub fn choose_mode(&mut self, eta: f64, best: &Best<Pressure>) {
+    /// Decides how to go on from a state that is this far from the goals.
+    pub fn choose_mode(&mut self, distance: f64, best: &Best<Pressure>) {
         self.mode = match self.mode {
-            Mode::Free { mark, .. } if eta <= BETTER * mark => Mode::Free { mark: eta, stale: 0 },
+            Mode::Free { mark, .. } if distance <= BETTER * mark => Mode::Free { mark: distance, stale: 0 },
             Mode::Free { mark, stale } if stale < STALE => {
                 self.reduction = (TIGHTENING * self.reduction).max(TIGHTEST);
                 Mode::Free { mark, stale: stale + 1 }
             }
             Mode::Free { .. } => {
                 self.return_to(best);
-                Mode::Guarded { release: RELEASE * best.eta, steps: 0 }
+                Mode::Guarded { release: RELEASE * best.distance, steps: 0 }
             }
-            Mode::Guarded { release, .. } if eta <= release => {
+            Mode::Guarded { release, .. } if distance <= release => {
                 self.admit();
-                Mode::Free { mark: eta, stale: 0 }
+                Mode::Free { mark: distance, stale: 0 }
             }
             Mode::Guarded { release, steps } => Mode::Guarded { release, steps: steps + 1 },
         };
@@ -134,27 +127,22 @@ impl<'a> Level<'a> {
         }
     }
 
-    fn extremes_of_v(&self) -> Extremes {
+    /// The sums of this state, with the first node of the set as the reference.
+    fn sums(&self) -> Sums {
         let (u, h, Pressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
         let [count, width] = support.shape();
-        let reference = support.first().map_or(0.0, |node| u[node] - h[node]);
+        let none = Sums::none(support.first().map_or(0.0, |node| u[node] - h[node]));
         let parts = chunks::rows(count, width, |row| {
             let at = row * width;
             let (u, h) = (&u[at..at + width], &h[at..at + width]);
-            let v = |x: usize| u[x] - h[x] - reference;
-            let (mut load, mut weighted) = (0.0, 0.0);
+            let mut sums = none;
             for (run, nodes) in support.runs(row) {
-                for (x, node) in run.zip(nodes) {
-                    load += values[node];
-                    weighted += values[node] * v(x);
-                }
+                run.zip(nodes).for_each(|(x, node)| sums.add_pressure(values[node], u[x], h[x]));
             }
-            (load, weighted, (0..width).fold(f64::INFINITY, |lowest, x| lowest.min(v(x))))
+            (0..width).for_each(|x| sums.add_displacement(u[x], h[x]));
+            sums
         });
-        let none = (0.0, 0.0, f64::INFINITY);
-        let (load, weighted, lowest) =
-            parts.into_iter().fold(none, |sum, part| (sum.0 + part.0, sum.1 + part.1, sum.2.min(part.2)));
-        Extremes { reference, mean: weighted / load, lowest }
+        parts.into_iter().fold(none, Sums::plus)
     }
 
     /// Makes the set that of the pressure, and of the nodes where `v < lambda`.

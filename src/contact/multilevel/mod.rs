@@ -13,9 +13,9 @@
 //! of conjugate gradients then reduce the residual fiftyfold, on any number of nodes.
 //!
 //! # Why it ends
-//! Call a state *better* when its certificate is at most nine tenths of that of the last better one. Free updates (see
-//! [`Multilevel`]) go on as long as one of every few is better. If none is, the best state is taken up again and *guarded
-//! steps* follow until the certificate has halved:
+//! Call a state *better* when its distance from the goals of the run, which is proportional to the certificate, is at most nine
+//! tenths of that of the last better one. Free updates (see [`Multilevel`]) go on as long as one of every few is better. If none
+//! is, the best state is taken up again and *guarded steps* follow until the distance has halved:
 //!
 //! - **What falls.** A guarded step moves along `d = q - p` for a feasible `q`, so that every point of the way is feasible, to the
 //!   exact minimum of the convex `f` on that way; it is taken only if `<d (v - lambda)> < 0`, so `f` falls strictly. The change
@@ -35,16 +35,19 @@ mod extension;
 mod guard;
 mod hierarchy;
 mod level;
+mod stiffness;
 mod support;
 
 use crate::contact::best::Best;
-use crate::contact::{Contact, Observer, Phase, Problem, Run, Solver, Status, Step, Stop, Values};
+use crate::contact::{Certificate, Contact, Observer, Phase, Problem, Run, Solver, Status, Step, Stop, Values};
 use crate::error::SolveError;
 use crate::grid::Grid;
 use crate::surface::Field;
 use hierarchy::{coarser, halved, prolong};
 use level::{Level, displace};
 use support::{Pressure, Support};
+
+pub(super) use stiffness::stiffness;
 
 /// A given start with a worse certificate is not worth more than what coarse grids find.
 const GOOD_START: f64 = 0.1;
@@ -156,7 +159,7 @@ impl Cascade<'_> {
     /// The finest grid with the pressure `start`, unless coarser grids promise a better one.
     fn level_from<'p>(&mut self, start: &Field, problem: &'p Problem) -> (Level<'p>, Option<Status>) {
         let mut level = Level::new(problem, |rows| Pressure::of(&problem.first_pressure(Some(start)), rows));
-        if level.certify() <= GOOD_START || halved(problem.surface().grid()).is_none() {
+        if level.certify().eta <= GOOD_START || halved(problem.surface().grid()).is_none() {
             return (level, None);
         }
         self.spent = level.half_space.transforms() as f64;
@@ -172,6 +175,7 @@ impl Cascade<'_> {
         };
         let (mut level, ended) = self.level_on(&coarse, depth + 1);
         let ended = self.relax(&mut level, depth + 1, ended);
+        self.run.coarser = (depth == 0).then(|| level.resolved());
         self.spent += self.share(&level) * level.half_space.transforms() as f64;
         let pressure = self.run.best.pressure.take().unwrap_or(level.pressure).spread();
         drop(level.half_space);
@@ -185,28 +189,29 @@ impl Cascade<'_> {
     fn relax(&mut self, level: &mut Level<'_>, depth: usize, mut ended: Option<Status>) -> Option<Status> {
         let mut tolerance = COARSE_TOLERANCE;
         for outer in 0.. {
-            let eta = level.certify();
-            self.run.offer(eta, &level.pressure);
+            let certificate = level.certify();
+            let eta = certificate.eta;
+            self.run.offer(&certificate, &level.pressure);
             if ended.is_some() {
                 break;
             }
             let phase = Phase { level: depth, outer, inner: 0 };
-            ended = self.show(level, phase, eta);
+            ended = self.show(level, phase, certificate);
             if depth > 0 {
                 tolerance = if outer == 0 { tolerance.min(COARSE_REDUCTION * eta) } else { tolerance };
             }
             if ended.is_some() || depth > 0 && (eta <= tolerance || outer == COARSE_UPDATES) {
                 break;
             }
-            level.choose_mode(eta, &self.run.best);
+            level.choose_mode(self.run.distance(&certificate), &self.run.best);
             ended = self.advance(level, phase);
         }
         ended
     }
 
-    fn show(&mut self, level: &Level<'_>, phase: Phase, eta: f64) -> Option<Status> {
+    fn show(&mut self, level: &Level<'_>, phase: Phase, certificate: Certificate) -> Option<Status> {
         let (work, pressure) = (self.run.work(self.transforms(level)), Values::lazy(|| level.pressure.spread()));
-        let step = Step::new(level.problem, work, pressure, &level.u).with_certificate(eta).with_phase(phase);
+        let step = Step::new(level.problem, work, pressure, &level.u).with_certificate(certificate).with_phase(phase);
         let ended = if phase.level == 0 { self.run.show(&step) } else { self.run.pass(&step) };
         if ended.is_none() {
             self.run.advance();

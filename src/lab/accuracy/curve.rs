@@ -79,7 +79,8 @@ fn sampler(reference: &Contact, tolerance: f64, points: &mut Vec<Point>) -> impl
     Each(move |step: &Step<'_>| {
         let last = points.last().map_or(f64::INFINITY, |point| point.eta);
         let is_wanted = |eta: f64| eta.is_finite() && (eta <= 0.5 * last || (eta <= tolerance && eta < last));
-        if let Some(eta) = step.certificate().filter(|&eta| step.phase().level == 0 && is_wanted(eta)) {
+        if let Some(eta) = step.certificate().map(|it| it.eta).filter(|&eta| step.phase().level == 0 && is_wanted(eta))
+        {
             points.push(Point {
                 step: step.index(),
                 eta,

@@ -3,6 +3,7 @@
 use super::curve::Curve;
 use super::ladder::{Ladder, REFINEMENT};
 use super::model::{Model, models};
+use super::realised::Realised;
 use super::scene::Scene;
 use crate::contact::{Multilevel, Solver, Stop};
 use crate::error::{SettingError, SetupError};
@@ -46,17 +47,24 @@ impl Experiment {
     /// The errors of [`Experiment::check`].
     pub fn run(&self, watch: Watch) -> Result<Findings, SetupError> {
         self.check()?;
-        let ladder = Ladder::of(self.scene, &self.sides, self.seed, &self.stop, watch)?;
-        let rms_gradient = self.scene.setup(self.finest(), self.seed).problem()?.rms_gradient();
+        let realised = self.realised()?;
+        let ladder = Ladder::of(&realised, &self.sides, &self.stop, watch)?;
+        let rms_gradient = realised.problem(self.finest())?.rms_gradient();
         let models = models(self.scene, &ladder.truth, self.scene.mean_pressure() / rms_gradient);
-        let curves = self.sides.iter().map(|&side| self.curves(side, watch)).collect::<Result<Vec<_>, _>>()?;
+        let curves =
+            self.sides.iter().map(|&side| self.curves(&realised, side, watch)).collect::<Result<Vec<_>, _>>()?;
         Ok(Findings { scene: self.scene, ladder, models, curves: curves.into_iter().flatten().collect() })
     }
 
+    /// The scene, scaled on the finest grid that is solved on.
+    pub(super) fn realised(&self) -> Result<Realised, SetupError> {
+        Realised::new(self.scene, self.seed, self.finest().saturating_mul(REFINEMENT))
+    }
+
     /// The curves of all solvers on one grid.
-    fn curves(&self, side: usize, watch: Watch) -> Result<Vec<Curve>, SetupError> {
+    fn curves(&self, realised: &Realised, side: usize, watch: Watch) -> Result<Vec<Curve>, SetupError> {
         let title = format!("{} {side},", self.scene.name());
-        let problem = self.scene.setup(side, self.seed).problem()?;
+        let problem = realised.problem(side)?;
         let observer = &mut watch(&format!("{title} multilevel"));
         let reference = Multilevel.solve(&problem, &self.reference, observer)?;
         let curve = |rival| Ok(Curve::of(rival, &reference, &self.stop, self.repeats, &title, watch)?);

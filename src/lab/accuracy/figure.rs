@@ -2,7 +2,7 @@
 
 use super::curve::{Curve, Point};
 use super::experiment::Findings;
-use super::quantity::KAPPA_R;
+use super::quantity::{KAPPA_R, KAPPA_R_COUNTED};
 use crate::lab::Rival;
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 
@@ -18,24 +18,29 @@ pub fn figure(findings: &Findings) -> Figure {
     let mut transforms = panel(findings, "Fourier transforms", |point| point.transforms as f64, |_| "");
     transforms.add("pressure, relative L2", Colour::GREY, Mark::Line, []);
     transforms.add("certificate η", Colour::GREY, Mark::Dotted, []);
-    transforms.add("κ_r, error of a grid", Colour::GREY, Mark::Dashed, []);
+    transforms.add("κ_r of a grid, resolved", Colour::GREY, Mark::Dashed, []);
+    transforms.add("κ_r of a grid, counted", Colour::ORANGE, Mark::Dashed, []);
     Figure { title, panels: vec![seconds, transforms] }
 }
 
 /// Errors of grids, then of each solver the certificate and the error, against what `work` counts.
 fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64, legend: fn(&Rival) -> &'static str) -> Panel {
-    let rungs = findings.ladder.rungs.iter();
-    let mut grids: Vec<_> = rungs.filter_map(|rung| Some((rung.shape[1], rung.errors[KAPPA_R]?))).collect();
+    let rungs = || findings.ladder.rungs.iter();
+    let mut grids: Vec<_> = rungs().filter_map(|rung| Some((rung.shape[1], rung.errors[KAPPA_R]?))).collect();
     grids.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    let counted: Vec<f64> = rungs().filter_map(|rung| rung.errors[KAPPA_R_COUNTED]).collect();
     let points = || findings.finest().flat_map(|curve| &curve.points);
     let [least, most] = extent(points().map(work));
     let ends = [0.2 * least, 1.3 * most]; // with room for the legends
     let of_grids = grids.iter().map(|&(_, error)| error);
-    let [least, most] = extent(points().flat_map(|point| [point.eta, point.pressure_error]).chain(of_grids.clone()));
+    let [least, most] = extent(
+        points().flat_map(|point| [point.eta, point.pressure_error]).chain(of_grids.clone()).chain(counted.clone()),
+    );
     let decades = [10f64.powf(least.log10().floor()), 10f64.powf(most.min(TOP).log10().ceil())];
     let sides: Vec<String> = grids.iter().map(|(side, _)| side.to_string()).collect();
-    let title = format!("dashed, downwards: corrected κ_r on n = {} points", sides.join(", "));
+    let title = format!("dashed, downwards: κ_r on n = {} points", sides.join(", "));
     let mut panel = Panel::new(title, Axis::log(name, ends), Axis::log("relative error", decades));
+    counted.into_iter().for_each(|error| panel.add("", Colour::ORANGE, Mark::Dashed, ends.map(|x| Dot::at(x, error))));
     of_grids.for_each(|error| panel.add("", Colour::GREY, Mark::Dashed, ends.map(|x| Dot::at(x, error))));
     findings.finest().for_each(|curve| add_curve(&mut panel, curve, work, legend(&curve.rival)));
     panel

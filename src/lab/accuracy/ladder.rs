@@ -1,6 +1,7 @@
 //! The error of the grid.
 
-use super::quantity::{QUANTITIES, Values, errors, exact, found, root_mean_square};
+use super::quantity::{self, QUANTITIES, Values, errors, exact, found, root_mean_square};
+use super::realised::Realised;
 use super::scene::Scene;
 use crate::contact::{Load, Multilevel, Solver, Stop, Work};
 use crate::error::SetupError;
@@ -32,20 +33,24 @@ pub struct Ladder {
 }
 
 impl Ladder {
-    /// Solves `scene` on all grids under all loads.
-    pub fn of(scene: Scene, sides: &[usize], seed: u64, stop: &Stop, watch: Watch) -> Result<Self, SetupError> {
+    /// Solves a scene on all grids under all loads.
+    pub fn of(realised: &Realised, sides: &[usize], stop: &Stop, watch: Watch) -> Result<Self, SetupError> {
+        let scene = realised.scene;
         let finest = sides.iter().copied().max().unwrap_or_default();
         let all = loads(scene).map(|load| scene.exact(finest, load).transpose());
         let (against, truth): (_, Vec<Values>) = match all.collect::<Option<Result<Vec<_>, _>>>().transpose()? {
             Some(all) => (format!("the exact solution ({})", all[0].name), all.iter().map(exact).collect()),
             None => {
-                let finer = solved(scene, REFINEMENT * finest, seed, stop, watch)?;
+                let finer = solved(realised, REFINEMENT * finest, stop, watch)?;
                 let name = points(scene.shape(REFINEMENT * finest));
-                (format!("{name} points"), finer.into_iter().map(|(values, _)| values).collect())
+                (
+                    format!("{name} points"),
+                    finer.into_iter().map(|([best @ .., _, _], _)| quantity::truth(best)).collect(),
+                )
             }
         };
         let rung = |&side: &usize| -> Result<Rung, SetupError> {
-            let solved = solved(scene, side, seed, stop, watch)?;
+            let solved = solved(realised, side, stop, watch)?;
             let all: Vec<Values> = solved.iter().zip(&truth).map(|((found, _), truth)| errors(found, truth)).collect();
             Ok(Rung { shape: scene.shape(side), errors: root_mean_square(&all), work: solved[0].1 })
         };
@@ -71,8 +76,8 @@ impl Ladder {
 }
 
 /// The values found on one grid under each load, and the work of the solver.
-fn solved(scene: Scene, side: usize, seed: u64, stop: &Stop, watch: Watch) -> Result<Vec<(Values, Work)>, SetupError> {
-    let problem = scene.setup(side, seed).problem()?;
+fn solved(realised: &Realised, side: usize, stop: &Stop, watch: Watch) -> Result<Vec<(Values, Work)>, SetupError> {
+    let (scene, problem) = (realised.scene, realised.problem(side)?);
     let solve_under = |(i, load): (usize, f64)| {
         let problem = problem.clone().with_load(Load::MeanPressure(load))?;
         let title = format!("{} {side}, load {} of {LOADS}, multilevel", scene.name(), i + 1);

@@ -15,6 +15,7 @@ mod figure;
 mod ladder;
 mod model;
 mod quantity;
+mod realised;
 #[cfg(feature = "record")]
 mod recording;
 mod row;

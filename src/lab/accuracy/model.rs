@@ -1,6 +1,6 @@
 //! The error of theories that stand in for the solution.
 
-use super::quantity::{Values, errors};
+use super::quantity::{self, Values, errors};
 use super::scene::{AMPLITUDE, RADIUS, Scene};
 use crate::theory::{PowerLaw, SummitHeights, hertz, persson};
 use std::f64::consts::{PI, TAU};
@@ -20,12 +20,15 @@ pub fn models(scene: Scene, truth: &Values, reduced_pressure: f64) -> Vec<Model>
         Scene::Cylinder => vec![of("Hertz, isolated", isolated(&hertz::cylinder(RADIUS, 1.0), scene))],
         Scene::Sphere => vec![of("Hertz, isolated", isolated(&hertz::sphere(RADIUS, 1.0), scene))],
         Scene::RoughLine | Scene::RoughSurface => {
-            let area = |area| [Some(area), None, None, None];
+            let area = |area| quantity::truth([Some(area), None, None, None]);
             vec![
                 of("Persson", area(persson::relative_area(reduced_pressure))),
                 of("Bush-Gibson-Thomas", area(persson::KAPPA_BGT * reduced_pressure)),
                 // exponential heights: no parameter of the model enters
-                of("Greenwood-Williamson", [None, Some(SummitHeights::Exponential.kappa_r(0.0)), None, None]),
+                of(
+                    "Greenwood-Williamson",
+                    quantity::truth([None, Some(SummitHeights::Exponential.kappa_r(0.0)), None, None]),
+                ),
             ]
         }
     }
@@ -35,7 +38,7 @@ pub fn models(scene: Scene, truth: &Values, reduced_pressure: f64) -> Vec<Model>
 fn isolated(contact: &PowerLaw, scene: Scene) -> Values {
     let a = contact.half_width(scene.mean_pressure());
     let area = if scene.is_line() { 2.0 * a } else { PI * a * a };
-    [Some(area), Some(contact.kappa_r()), None, Some(contact.pressure(a, 0.0))]
+    quantity::truth([Some(area), Some(contact.kappa_r()), None, Some(contact.pressure(a, 0.0))])
 }
 
 /// Radius of curvature of the sine at its crest.

@@ -3,10 +3,14 @@
 use crate::contact::{Observables, State};
 use crate::theory::Exact;
 
-/// The names of the quantities: area and `kappa_r` are corrected for counting nodes.
-pub const QUANTITIES: [&str; 4] = ["area", "kappa_r", "mean gap", "peak pressure"];
+/// The names of the quantities: area and `kappa_r` have resolved edges, unless nodes are counted.
+pub const QUANTITIES: [&str; 6] = ["area", "kappa_r", "mean gap", "peak pressure", "area counted", "kappa_r counted"];
+/// Those among them, the first ones, that people should read off a contact.
+pub const BEST: usize = 4;
 /// The place of `kappa_r` among them.
 pub const KAPPA_R: usize = 1;
+/// The place of `kappa_r` of counted nodes.
+pub const KAPPA_R_COUNTED: usize = 5;
 
 /// One value of each quantity, where there is one; or one relative error of each.
 pub type Values = [Option<f64>; QUANTITIES.len()];
@@ -14,12 +18,19 @@ pub type Values = [Option<f64>; QUANTITIES.len()];
 /// The values of a contact, or of a step on the finest grid.
 pub fn found<'a>(state: impl Into<State<'a>>) -> Values {
     let it = Observables::of(state);
-    [it.relative_area_corrected, it.kappa_r_corrected, it.mean_gap, it.max_pressure].map(Some)
+    let best = [it.relative_area_resolved, it.kappa_r_resolved, it.mean_gap, it.max_pressure];
+    let [area, kappa_r, gap, peak] = best.map(Some);
+    [area, kappa_r, gap, peak, Some(it.relative_area), Some(it.kappa_r)]
 }
 
 /// The values of an exact solution.
 pub fn exact(exact: &Exact) -> Values {
-    [Some(exact.relative_area), exact.kappa_r, exact.mean_gap, exact.max_pressure]
+    truth([Some(exact.relative_area), exact.kappa_r, exact.mean_gap, exact.max_pressure])
+}
+
+/// The values that all quantities should have: counted nodes those of resolved edges.
+pub fn truth([area, kappa_r, gap, peak]: [Option<f64>; BEST]) -> Values {
+    [area, kappa_r, gap, peak, area, kappa_r]
 }
 
 /// Relative errors, with their signs.

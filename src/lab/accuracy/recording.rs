@@ -16,7 +16,7 @@ pub fn record(path: &Path, experiment: &Experiment, watch: Watch) -> Result<(), 
     let stop = experiment.stop;
     let record = Record { length_unit: "L".into(), ..Record::default() };
     let options = Options::from(&record);
-    let setup = Setup { stop, record, ..experiment.scene.setup(experiment.finest(), experiment.seed) };
+    let setup = Setup { stop, record, ..experiment.realised()?.setup(experiment.finest())? };
     let problem = setup.problem()?;
     let setups = Rival::ALL.map(|rival| Setup { solver: rival.method, ..setup.clone() });
     let scene = |(rival, setup): (&Rival, _)| {

@@ -29,11 +29,24 @@ struct Row {
     kappa_r_error: Option<f64>,
     mean_gap_error: Option<f64>,
     peak_pressure_error: Option<f64>,
+    area_counted_error: Option<f64>,
+    kappa_r_counted_error: Option<f64>,
 }
 
 impl Row {
-    fn new(kind: &'static str, [area_error, kappa_r_error, mean_gap_error, peak_pressure_error]: Values) -> Self {
-        Self { kind, area_error, kappa_r_error, mean_gap_error, peak_pressure_error, ..Self::default() }
+    fn new(kind: &'static str, errors: Values) -> Self {
+        let [area_error, kappa_r_error, mean_gap_error, peak_pressure_error, ..] = errors;
+        let [.., area_counted_error, kappa_r_counted_error] = errors;
+        Self {
+            kind,
+            area_error,
+            kappa_r_error,
+            mean_gap_error,
+            peak_pressure_error,
+            area_counted_error,
+            kappa_r_counted_error,
+            ..Self::default()
+        }
     }
 
     /// The row of a solver on a grid.

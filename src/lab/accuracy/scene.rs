@@ -52,6 +52,11 @@ impl Scene {
         matches!(self, Self::Sine | Self::Cylinder | Self::RoughLine)
     }
 
+    /// Whether the scene is rough.
+    pub fn is_rough(self) -> bool {
+        matches!(self, Self::RoughLine | Self::RoughSurface)
+    }
+
     /// Points along each side of the grids if none are named.
     pub fn sides(self, is_quick: bool) -> &'static [usize] {
         match (self, is_quick) {
@@ -84,7 +89,7 @@ impl Scene {
         if self.is_line() { Cell::line(points, CELL) } else { Cell::surface([points; 2], [CELL; 2]) }
     }
 
-    /// The setup under the load of the curves.
+    /// The setup under the load of the curves, with roughness that is scaled on this grid.
     pub fn setup(self, points: usize, seed: u64) -> Setup {
         let load = Load::MeanPressure(self.mean_pressure());
         Setup::new(self.recipe(seed), self.cell(points), load).on(Solid::ContactModulus(1.0))

@@ -3,7 +3,7 @@
 use super::curve::{Curve, Point};
 use super::experiment::Findings;
 use super::ladder::{LOADS, Ladder};
-use super::quantity::QUANTITIES;
+use super::quantity::{BEST, QUANTITIES};
 use crate::lab::table::{or_dash, points};
 use std::fmt::{self, Formatter};
 
@@ -26,17 +26,17 @@ impl fmt::Display for Findings {
 
 fn write_ladder(ladder: &Ladder, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  discretisation: errors against {}, rms over {LOADS} loads", ladder.against)?;
-    write_row("points", 13, QUANTITIES, f)?;
+    write_row("points", 14, QUANTITIES, f)?;
     let entry = |error| or_dash(error, percent);
-    ladder.rungs.iter().try_for_each(|rung| write_row(&points(rung.shape), 13, rung.errors.map(entry), f))?;
-    write_row("order", 13, ladder.orders().map(|order| or_dash(order, |order| format!("{order:.1}"))), f)
+    ladder.rungs.iter().try_for_each(|rung| write_row(&points(rung.shape), 14, rung.errors.map(entry), f))?;
+    write_row("order", 14, ladder.orders().map(|order| or_dash(order, |order| format!("{order:.1}"))), f)
 }
 
 fn write_models(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  model: predictions over the truth, less one")?;
-    write_row("theory", 13, QUANTITIES, f)?;
+    write_row("theory", 14, &QUANTITIES[..BEST], f)?;
     let entry = |error| or_dash(error, |error| format!("{:+.2} %", 100.0 * error));
-    findings.models.iter().try_for_each(|model| write_row(model.theory, 13, model.errors.map(entry), f))
+    findings.models.iter().try_for_each(|model| write_row(model.theory, 14, &model.errors.map(entry)[..BEST], f))
 }
 
 /// Writes a line of a table: a name, and entries that fill so many columns each.
@@ -89,11 +89,11 @@ fn write_settled(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
         f,
         "  when may I stop: the largest eta seen from which on a quantity stays within 1 % / 0.1 % of its final value"
     )?;
-    write_row("solver", 19, QUANTITIES, f)?;
+    write_row("solver", 19, &QUANTITIES[..BEST], f)?;
     findings.finest().try_for_each(|curve| {
         let settled = |quantity, accuracy| or_dash(settled(curve, quantity, accuracy), certificate);
         let entry = |quantity| ACCURACIES.map(|accuracy| settled(quantity, accuracy)).join(" / ");
-        write_row(curve.rival.title, 19, (0..QUANTITIES.len()).map(entry), f)
+        write_row(curve.rival.title, 19, (0..BEST).map(entry), f)
     })
 }
 
@@ -105,7 +105,7 @@ fn settled(curve: &Curve, quantity: usize, accuracy: f64) -> Option<f64> {
 
 fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  recommended: the fastest that was measured, total error = discretisation + algebraic")?;
-    for (quantity, name) in QUANTITIES.iter().enumerate() {
+    for (quantity, name) in QUANTITIES.iter().take(BEST).enumerate() {
         for accuracy in ACCURACIES {
             write!(f, "{INDENT}for {name} to {} % ", 100.0 * accuracy)?;
             let all = || choices(findings, quantity);

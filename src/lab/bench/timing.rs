@@ -32,8 +32,8 @@ pub struct Timing {
     solve_seconds: f64,
     make_seconds: f64,
     certificate: f64,
-    relative_area: f64,
-    kappa_r_corrected: f64,
+    relative_area_resolved: f64,
+    kappa_r_resolved: f64,
     /// Peak of resident memory while the surface was made and solved, where the system tells.
     peak_mib: Option<f64>,
     /// Seconds in the solver over those of the first method, if there are several.
@@ -78,7 +78,7 @@ impl Timing {
             }
         };
         seconds.sort_by(f64::total_cmp);
-        let measures = contact.measures();
+        let resolved = contact.resolved();
         let [ny, nx] = problem.surface().grid().shape();
         Ok(Self {
             group: contest.group,
@@ -90,8 +90,8 @@ impl Timing {
             solve_seconds: median(&seconds),
             make_seconds,
             certificate: contact.certificate.eta,
-            relative_area: measures.relative_area,
-            kappa_r_corrected: measures.kappa_r_corrected,
+            relative_area_resolved: resolved.relative_area,
+            kappa_r_resolved: resolved.kappa_r,
             peak_mib: None,
             ratio: None,
             status: contact.status,
@@ -113,8 +113,8 @@ impl fmt::Display for Timing {
             self.solve_seconds,
             self.make_seconds,
             self.certificate,
-            self.relative_area,
-            self.kappa_r_corrected,
+            self.relative_area_resolved,
+            self.kappa_r_resolved,
             or_dash(self.peak_mib, |mib| format!("{mib:.0}")),
             or_dash(self.ratio, |ratio| format!("{ratio:.2}")),
             self.status

@@ -2,7 +2,7 @@
 
 use super::check::Check;
 use super::report::Report;
-use super::trial::Trial;
+use super::trial::{Trial, Twin};
 use super::verdict::{Demand, Verdict};
 use crate::contact::Contact;
 use crate::error::{SetupError, SolveError};
@@ -22,13 +22,16 @@ pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: Watch) -> Re
     match catch_unwind(AssertUnwindSafe(|| trial.solve(rival, budget, watch))) {
         Ok(Ok((contact, twin))) => {
             let check = Check::of(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
-            let mismatch = || twin.and_then(|twin| mismatch(&contact, &twin));
-            let fault = fault(&contact, &check, trial.tolerance).or_else(mismatch);
-            let (verdict, note) = match fault {
+            let mismatch = || twin.as_ref().and_then(|twin| mismatch(trial, &contact, twin));
+            let unsolved_twin = twin.as_ref().filter(|twin| !twin.is_converged());
+            let (verdict, note) = match fault(trial, &contact, &check).or_else(mismatch) {
                 Some(fault) => (Verdict::Wrong, fault),
                 None if trial.demand_of(rival) == Demand::Refusal => (Verdict::Wrong, "this cannot be solved".into()),
-                None if contact.is_converged() => (Verdict::Converged, String::new()),
-                None => (Verdict::NotConverged, contact.status.to_string()),
+                None if !contact.is_converged() => (Verdict::NotConverged, contact.status.to_string()),
+                None => match unsolved_twin {
+                    Some(twin) => (Verdict::NotConverged, format!("its twin: {}", twin.status)),
+                    None => (Verdict::Converged, String::new()),
+                },
             };
             report(Some((&contact, &check)), verdict, note)
         }
@@ -41,8 +44,8 @@ pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: Watch) -> Re
 }
 
 /// The fault of a returned contact, if it has one.
-fn fault(contact: &Contact, check: &Check, tolerance: f64) -> Option<String> {
-    let doubt = || check.doubt(tolerance).filter(|_| contact.is_converged());
+fn fault(trial: &Trial, contact: &Contact, check: &Check) -> Option<String> {
+    let doubt = || check.doubt(trial.tolerance, trial.pressure_tolerance).filter(|_| contact.is_converged());
     check.fault().or_else(|| disagreement(contact, check)).or_else(doubt)
 }
 
@@ -56,11 +59,29 @@ fn disagreement(contact: &Contact, check: &Check) -> Option<String> {
     (said.is_nan() || differs).then(|| format!("the certificate is said to be {said:.1e}, but is {:.1e}", check.eta))
 }
 
-/// How dimensionless results differ, if they do and both have converged.
-fn mismatch(contact: &Contact, twin: &Contact) -> Option<String> {
+/// How a contact differs from its twin, if both have converged and it does by more than their tolerances let it.
+fn mismatch(trial: &Trial, contact: &Contact, twin: &Contact) -> Option<String> {
     if !(contact.is_converged() && twin.is_converged()) {
         return None;
     }
+    match trial.twin.as_ref()? {
+        Twin::InOtherUnits(_) => unlike_in_other_units(contact, twin),
+        Twin::UnderItsLoad => unlike_under_its_load(contact, twin, trial.tolerance),
+    }
+}
+
+/// How the mean gap of the contact under the load that was found differs from the one at which it was found.
+fn unlike_under_its_load(contact: &Contact, twin: &Contact, tolerance: f64) -> Option<String> {
+    let gap = contact.problem.mean_gap()?;
+    let left = gap.min(contact.problem.highest() - gap);
+    let difference = (twin.mean_gap() - gap).abs() / left;
+    let is_like = difference <= 2.0 * tolerance.sqrt();
+    (!is_like)
+        .then(|| format!("under the load that was found the gap differs by {difference:.1e} of what is left of it"))
+}
+
+/// How dimensionless results differ.
+fn unlike_in_other_units(contact: &Contact, twin: &Contact) -> Option<String> {
     let [a, b] = [contact, twin].map(|contact| {
         let measures = contact.measures();
         let mean = contact.problem.mean_pressure_of(contact.pressure.as_slice().unwrap_or_default());
@@ -77,4 +98,53 @@ fn mismatch(contact: &Contact, twin: &Contact) -> Option<String> {
 fn message(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("without a message")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{ContactModulus, Load, Multilevel, Problem, Solver, Stop};
+    use crate::grid::Grid;
+    use crate::surface::Indenter;
+
+    fn sine(load: Load) -> Result<Problem, SetupError> {
+        let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
+        Ok(Problem::new(sine, ContactModulus(1.0), load)?)
+    }
+
+    fn solved(load: Load) -> Contact {
+        Multilevel.solve(&sine(load).unwrap(), &Stop::default(), &mut ()).unwrap()
+    }
+
+    fn with_twin(load: Load, twin: Twin) -> Trial {
+        Trial { twin: Some(twin), ..Trial::new("sine", move || sine(load)) }
+    }
+
+    fn judged(trial: &Trial) -> Report {
+        judge(trial, &Rival::MULTILEVEL, Duration::MAX, |_| Box::new(()))
+    }
+
+    #[test]
+    fn a_load_that_is_not_that_of_the_gap_is_wrong() {
+        // from all but touching to all but closed
+        for gap in [0.01 * (1.0 - 1e-6), 0.005, 1e-9] {
+            let trial = with_twin(Load::MeanGap(gap), Twin::UnderItsLoad);
+            assert_eq!(judged(&trial).verdict, Verdict::Converged, "{gap}");
+            let contact = solved(Load::MeanGap(gap));
+            for factor in [0.9, 1.1, 100.0] {
+                let twin = solved(Load::MeanPressure(factor * contact.mean_pressure()));
+                let fault = mismatch(&trial, &contact, &twin);
+                assert!(fault.is_some_and(|fault| fault.contains("the gap differs")), "{factor} at {gap}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_contact_is_not_solved_until_its_twin_is() {
+        // a gap of which rounding leaves nothing
+        let pose = || sine(Load::MeanGap(1e-15));
+        let report = judged(&with_twin(Load::MeanPressure(0.01), Twin::InOtherUnits(Box::new(pose))));
+        assert_eq!(report.verdict, Verdict::NotConverged);
+        assert!(!report.as_demanded && report.to_string().contains("its twin: no further progress"), "{report}");
+    }
 }

@@ -33,6 +33,8 @@ pub struct Report {
     certificate: Option<f64>,
     /// Certificate, as checked, like all that follows.
     pub eta: Option<f64>,
+    eta_gap: Option<f64>,
+    pressure_error: Option<f64>,
     penetration: Option<f64>,
     min_pressure: Option<f64>,
     load_error: Option<f64>,
@@ -50,24 +52,26 @@ impl Report {
         note: String,
     ) -> Self {
         let (contact, check) = found.unzip();
-        let is_stalled = contact.is_some_and(|contact| contact.status == Status::Stalled);
+        let status = contact.map(|contact| contact.status);
         let shape = contact.map(|contact| contact.problem.surface().grid().shape());
         let work = contact.map(|contact| contact.work);
         Self {
             case: trial.name.clone(),
             solver: rival.name,
             verdict,
-            as_demanded: trial.demand_of(rival).is_met(verdict, check.map(|check| check.eta), is_stalled),
+            as_demanded: trial.demand_of(rival).is_met(verdict, check.map(|check| check.eta), status),
             note,
             ny: shape.map(|[ny, _]| ny),
             nx: shape.map(|[_, nx]| nx),
-            status: contact.map(|contact| contact.status),
+            status,
             iterations: work.map(|work| work.iterations),
             transforms: work.map(|work| work.transforms),
             seconds: work.map(|work| work.seconds),
             relative_area: contact.map(|contact| contact.measures().relative_area),
             certificate: contact.map(|contact| contact.certificate.eta),
             eta: check.map(|check| check.eta),
+            eta_gap: check.map(|check| check.eta_gap),
+            pressure_error: check.map(|check| check.pressure_error),
             penetration: check.map(|check| check.penetration),
             min_pressure: check.map(|check| check.min_pressure),
             load_error: check.map(|check| check.load_error),

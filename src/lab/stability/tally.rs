@@ -1,9 +1,9 @@
 //! How all trials went.
 
+use super::kernel::Kernel;
 use super::report::Report;
 use super::time_step::TimeSteps;
 use super::verdict::Verdict;
-use crate::lab::Rival;
 use std::fmt;
 
 /// How many trials ended in which way; displays as a sentence, and a second one if not all is well.
@@ -12,36 +12,39 @@ pub struct Tally {
     refused: usize,
     not_converged: usize,
     wrong: usize,
-    /// Trials in which the multilevel solver missed the end that they demand.
+    /// Runs that missed the end that their trial demands, of whichever solver.
     missed: usize,
+    /// Whether the displacement of the check is a sum over images, as far as it was measured.
+    has_kernel: bool,
     /// Whether the time steps are those of theory, as far as they were measured.
     agrees: bool,
 }
 
 impl Tally {
-    /// The tally of some reports, and of the time steps if they were measured.
-    pub fn of(reports: &[Report], time_steps: Option<&TimeSteps>) -> Self {
+    /// The tally of some reports, and of the kernel and the time steps if they were measured.
+    pub fn of(reports: &[Report], kernel: Option<&Kernel>, time_steps: Option<&TimeSteps>) -> Self {
         let count = |verdict| reports.iter().filter(|report| report.verdict == verdict).count();
-        let is_missed = |report: &&Report| report.solver == Rival::MULTILEVEL.name && !report.as_demanded;
         Self {
             converged: count(Verdict::Converged),
             refused: count(Verdict::Refused),
             not_converged: count(Verdict::NotConverged),
             wrong: count(Verdict::Wrong),
-            missed: reports.iter().filter(is_missed).count(),
+            missed: reports.iter().filter(|report| !report.as_demanded).count(),
+            has_kernel: kernel.is_none_or(Kernel::agrees),
             agrees: time_steps.is_none_or(TimeSteps::agrees),
         }
     }
 
-    /// Whether nothing is wrong, the multilevel solver did all that was demanded, and the time steps are those of theory.
+    /// Whether nothing is wrong, every solver did all that was demanded of it, the displacement of the check is a sum over images, and
+    /// the time steps are those of theory.
     pub fn is_stable(&self) -> bool {
-        self.wrong == 0 && self.missed == 0 && self.agrees
+        self.wrong == 0 && self.missed == 0 && self.has_kernel && self.agrees
     }
 }
 
 impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { converged, refused, not_converged, wrong, missed, agrees } = self;
+        let Self { converged, refused, not_converged, wrong, missed, has_kernel, agrees } = self;
         let runs = converged + refused + not_converged + wrong;
         write!(
             f,
@@ -51,6 +54,7 @@ impl fmt::Display for Tally {
             return Ok(());
         }
         let steps = if *agrees { "" } else { ", and a time step is not what theory says" };
-        write!(f, "\nnot stable: {wrong} runs are wrong, the multilevel solver misses the end of {missed} cases{steps}")
+        let kernel = if *has_kernel { "" } else { ", and the displacement of the check is no sum over images" };
+        write!(f, "\nnot stable: {wrong} runs are wrong, {missed} miss the end that their case demands{kernel}{steps}")
     }
 }

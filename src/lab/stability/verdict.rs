@@ -1,5 +1,6 @@
 //! How a trial ended, and how it should.
 
+use crate::contact::Status;
 use serde::Serialize;
 use std::fmt;
 
@@ -40,6 +41,8 @@ pub enum Demand {
     Refusal,
     /// The contact must be solved or refused.
     Either,
+    /// The contact must be solved, or the budget run out on the way: of a solver that takes too many steps on a fine grid.
+    Budget,
     /// The solver must come to [`ATTAINABLE`] and say that it comes no further.
     Limit,
 }
@@ -50,21 +53,24 @@ impl fmt::Display for Demand {
             Self::Solution => "solution",
             Self::Refusal => "refusal",
             Self::Either => "either",
+            Self::Budget => "solution or budget",
             Self::Limit => "limit",
         })
     }
 }
 
 impl Demand {
-    /// Whether a trial is as demanded that ended in `verdict` with the certificate `eta`, if any, after which there was no
-    /// further progress (`stalled`) or not.
-    pub fn is_met(self, verdict: Verdict, eta: Option<f64>, stalled: bool) -> bool {
+    /// Whether a trial is as demanded that ended in `verdict` with the certificate `eta` and the `status` of the solver, if it
+    /// returned anything.
+    pub fn is_met(self, verdict: Verdict, eta: Option<f64>, status: Option<Status>) -> bool {
+        let ended_by = |reason| verdict == Verdict::NotConverged && status == Some(reason);
         match self {
             Self::Solution => verdict == Verdict::Converged,
             Self::Refusal => verdict == Verdict::Refused,
             Self::Either => matches!(verdict, Verdict::Converged | Verdict::Refused),
+            Self::Budget => verdict == Verdict::Converged || ended_by(Status::StoppedByObserver),
             Self::Limit => {
-                let ended = verdict == Verdict::Converged || verdict == Verdict::NotConverged && stalled;
+                let ended = verdict == Verdict::Converged || ended_by(Status::Stalled);
                 ended && eta.is_some_and(|eta| eta < ATTAINABLE)
             }
         }

@@ -1,7 +1,10 @@
 //! The fields of a frame, and how far they reach.
 
-use crate::contact::{Contact, Step};
+use super::surface::has_contour;
+use crate::contact::{Contact, Edge, Edges, Step};
+use crate::grid::Grid;
 use crate::record::parts::Parts;
+use crate::setup::Part;
 use std::borrow::Cow;
 
 /// The fields of a frame, row by row.
@@ -11,24 +14,56 @@ pub struct Fields<'a> {
     pub pressure: Cow<'a, [f64]>,
     /// Gap; empty if nothing shows it.
     pub gap: Cow<'a, [f64]>,
+    /// The outline of the contact; empty if nothing shows it.
+    pub outline: Outline,
+}
+
+/// The outline of a contact.
+#[derive(Default)]
+pub struct Outline {
+    /// The edges of a line, by their nodes.
+    pub edges: Vec<Edge>,
+    /// The lines of the contour of a surface, in nodes along y and x.
+    pub contour: Vec<[[f64; 2]; 2]>,
+}
+
+impl Outline {
+    /// The outline of a contact on `grid`; of a surface only where each node has a pixel.
+    fn of<G: Fn(usize) -> f64 + Sync>(grid: &Grid, edges: &Edges<'_, G>) -> Self {
+        if grid.is_line() {
+            return Self { edges: (0..grid.len()).flat_map(|node| edges.around(node)).collect(), contour: Vec::new() };
+        }
+        let contour = if has_contour(grid) { edges.contour() } else { Vec::new() };
+        Self { edges: Vec::new(), contour }
+    }
+
+    /// The distance of the edge from a node in contact of a line, in spacings to the left or right; half of one where none is known.
+    pub fn place(&self, node: usize, is_right: bool) -> f64 {
+        let first = self.edges.partition_point(|edge| edge.node < node);
+        let mut edges = self.edges[first..].iter().take_while(|edge| edge.node == node);
+        edges.find(|edge| (edge.towards[1] > 0) == is_right).map_or(0.5, |edge| edge.place)
+    }
 }
 
 impl<'a> Fields<'a> {
     /// The fields of `step` that `parts` show.
     pub fn of(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
         let gap = if parts.has_gap() { step.gap() } else { &[] };
-        Self { stride, pressure: step.pressure().into(), gap: gap.into() }
+        let outline = || Outline::of(step.problem().surface().grid(), &step.edges());
+        let outline = if parts.has(Part::Mask) { outline() } else { Outline::default() };
+        Self { stride, pressure: step.pressure().into(), gap: gap.into(), outline }
     }
 
     pub fn of_contact(contact: &'a Contact) -> Self {
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
-        Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into() }
+        let outline = Outline::of(contact.problem.surface().grid(), &contact.edges());
+        Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into(), outline }
     }
 
     /// A copy that outlives its step.
     pub fn into_owned(self) -> Fields<'static> {
         let [pressure, gap] = [self.pressure, self.gap].map(|values| values.into_owned().into());
-        Fields { stride: self.stride, pressure, gap }
+        Fields { stride: self.stride, pressure, gap, outline: self.outline }
     }
 }
 

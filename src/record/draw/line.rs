@@ -201,12 +201,16 @@ impl Picture for LinePicture {
         self.log_scaled(to, [self.pressure.fitted(extent.pressure), self.gap.fitted(extent.gap)])
     }
 
-    /// Runs of nodes in contact; a node in contact is half a spacing long to either side.
+    /// Runs of nodes in contact with their edges; of columns of several nodes, half a spacing beyond the outer ones.
     fn segments(&self, fields: &Fields<'_>) -> Vec<[f32; 2]> {
         let nodes = self.window.every(fields.stride[1]);
         let runs = Columns::new(nodes.count()).runs(|i| fields.pressure[nodes.node(i)] > 0.0);
-        let end = |i: usize| ((nodes.place(i) - 0.5 * nodes.spacing()) * WIDTH).clamp(0.0, WIDTH);
-        runs.into_iter().map(|run| [end(run.start), end(run.end)]).collect()
+        let end = |i: usize, is_right: bool| {
+            let beyond = fields.outline.place(nodes.node(i), is_right) as f32 * nodes.spacing();
+            let place = nodes.place(i) + if is_right { beyond } else { -beyond };
+            (place * WIDTH).clamp(0.0, WIDTH)
+        };
+        runs.into_iter().map(|run| [end(run.start, false), end(run.end - 1, true)]).collect()
     }
 }
 

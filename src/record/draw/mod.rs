@@ -32,5 +32,5 @@ pub use palette::{Palette, colour};
 pub use reduce::Columns;
 pub use relief::vertices;
 pub use stage::{Stage, level, stride};
-pub use surface::pixels;
+pub use surface::{has_contour, pixels};
 pub use traces::{COMPARED, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced};

@@ -28,6 +28,9 @@ pub const SERIES: [Colour; 6] = [
 pub const GAP_CLASS: u16 = 0;
 pub const CONTACT_CLASS: u16 = 1;
 
+/// The contour of a contact, over the dark ends of the scales of pressure and gap that meet there.
+pub const CONTOUR: Colour = Colour::WHITE;
+
 /// Steps from a colour to that of words.
 const SHADES: u16 = 20;
 

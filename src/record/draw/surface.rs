@@ -2,7 +2,7 @@
 
 use super::canvas;
 use super::fields::{Extent, Fields, range};
-use super::palette::{CONTACT_CLASS, GAP_CLASS, Map, Palette};
+use super::palette::{CONTACT_CLASS, CONTOUR, GAP_CLASS, Map, Palette};
 use super::picture::Picture;
 use super::reduce::Blocks;
 use super::relief::Relief;
@@ -74,6 +74,8 @@ impl SurfacePicture {
             let classes = self.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
             let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
             to.log(format!("{}/contact", self.root), &mask)?;
+            let contour = LineStrips2D::update_fields().with_strips(self.contour(fields));
+            to.log(format!("{}/contact/contour", self.root), &contour)?;
         }
         if self.what.has(Part::Fields) {
             self.pressure.log(to, self.rows_down(&pressure))?;
@@ -81,6 +83,17 @@ impl SurfacePicture {
             self.gap.log(to, self.rows_down(&gap))?;
         }
         Ok(())
+    }
+
+    /// The lines of the contour in pixels.
+    fn contour<'a>(&'a self, fields: &'a Fields<'_>) -> impl Iterator<Item = [[f32; 2]; 2]> + use<'a> {
+        let [per_y, per_x] = [0, 1].map(|axis| self.blocks.cells[axis] as f64 / self.blocks.shape[axis] as f64);
+        let [stride_y, stride_x] = fields.stride.map(|stride| stride as f64);
+        let height = self.blocks.cells[0] as f64;
+        let pixel = move |[y, x]: [f64; 2]| {
+            [((x * stride_x + 0.5) * per_x) as f32, (height - (y * stride_y + 0.5) * per_y) as f32]
+        };
+        fields.outline.contour.iter().map(move |line| line.map(pixel))
     }
 
     /// Pixels row by row from the upper edge, where y is largest.
@@ -104,6 +117,8 @@ impl Picture for SurfacePicture {
             let style = SegmentationImage::update_fields().with_opacity(0.9).with_draw_order(10.0);
             let format = format(&self.pressure.frame, ChannelDatatype::U8);
             to.log_static(contact.as_str(), &style.with_format(format))?;
+            let line = canvas::style(CONTOUR, Radius::new_ui_points(0.6), 15.0);
+            to.log_static(format!("{contact}/contour"), &line)?;
         }
         if self.what.has_mask_alone() {
             canvas::log_axes(to, self.pressure.palette, &format!("{contact}/axes"), &self.pressure.frame)?;
@@ -196,6 +211,11 @@ impl Image {
 
 fn format(frame: &Frame, datatype: ChannelDatatype) -> ImageFormat {
     ImageFormat::depth(frame.size.map(|n| n as u32), datatype)
+}
+
+/// Whether the contour of a contact on `grid` is drawn: where each node has a pixel of its own.
+pub fn has_contour(grid: &Grid) -> bool {
+    pixels(grid) >= grid.len()
 }
 
 /// Pixels of an image of a surface on `grid`.

@@ -14,16 +14,19 @@ pub const SECONDS: &str = "seconds";
 pub const TRANSFORMS: &str = "transforms";
 
 /// Observables that are compared between scenes and with an earlier solve.
-pub const COMPARED: [&str; 3] = ["kappa_r", "relative_area", "certificate"];
+pub const COMPARED: [&str; 3] = ["kappa_r_resolved", "relative_area_resolved", "certificate"];
 
-/// Observables that are recorded for programs, in their own units, and not drawn.
-const NOT_DRAWN: [&str; 1] = ["mean_gap"];
+/// Observables that count nodes, drawn faintly beside those whose edges are resolved.
+const COUNTED: [&str; 2] = ["kappa_r", "relative_area"];
+
+/// Observables that are recorded for programs, and not drawn.
+const NOT_DRAWN: [&str; 2] = ["mean_gap", "kappa"];
 
 /// Entities under `trace` besides those of the observables, and the names of their curves. Those of exact values come after the
 /// computed ones in the alphabet, as the viewer draws in its order.
 const BESIDES: [(&str, &str); 7] = [
-    ("kappa_r_exact", "exact kappa_r"),
-    ("relative_area_exact", "exact relative area"),
+    ("kappa_r_theory", "exact kappa_r"),
+    ("relative_area_theory", "exact relative area"),
     ("complementary_energy", "complementary energy / (p_mean h_rms)"),
     ("potential_energy", "potential energy / (p_mean h_rms)"),
     ("level", "grid level"),
@@ -43,6 +46,7 @@ fn recorded() -> impl Iterator<Item = &'static Observable> {
 
 pub fn title(observable: &Observable) -> String {
     let name = observable.name.replace('_', " ").replace("kappa r", "kappa_r");
+    let name = if COUNTED.contains(&observable.name) { format!("{name}, nodes counted") } else { name };
     if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
 }
 
@@ -173,14 +177,14 @@ pub fn log_styles(
     scene: Option<(usize, &str)>,
 ) -> RecordingStreamResult<()> {
     let is_drawn = |entity: &str| match entity {
-        "kappa_r_exact" => kappa_r.is_some(),
-        "relative_area_exact" => area.is_some(),
+        "kappa_r_theory" => kappa_r.is_some(),
+        "relative_area_theory" => area.is_some(),
         _ => true,
     };
     let observables = traced().map(|observable| (observable.name, drawn(observable), title(observable)));
     let besides = BESIDES.iter().map(|&(entity, name)| (entity, entity.to_owned(), name.to_owned()));
     for (i, (of, entity, name)) in observables.chain(besides).enumerate().filter(|(_, (of, ..))| is_drawn(of)) {
-        let exact = of.ends_with("_exact");
+        let exact = of.ends_with("_theory");
         let rgb = if exact { palette::EXACT } else { series_colour(of, i, scene) };
         let name = scene.map_or_else(|| name.clone(), |(_, title)| format!("{name}, {title}"));
         let style = SeriesLines::new().with_names([name]).with_colors([palette::colour(rgb)]);
@@ -193,7 +197,7 @@ pub fn log_styles(
 /// Says in the legend that the curve of `kappa` ends above its axis.
 pub fn log_off_scale(to: &RecordingStream, root: &str, kappa: f64) -> RecordingStreamResult<()> {
     let name = format!("kappa: {kappa:.1}, off the scale");
-    to.log_static(format!("{root}/trace/kappa"), &SeriesLines::update_fields().with_names([name]))
+    to.log_static(format!("{root}/trace/kappa_resolved"), &SeriesLines::update_fields().with_names([name]))
 }
 
 /// Records name and colour of the curve of a run among others, or of exact values if it has no number.
@@ -213,9 +217,10 @@ fn series_colour(entity: &str, i: usize, scene: Option<(usize, &str)>) -> Colour
     let [first, second, rest @ ..] = SERIES;
     match (entity, scene) {
         (_, Some((scene, _))) if COMPARED.contains(&entity) => SERIES[scene % SERIES.len()],
-        ("kappa", Some(_)) => palette::FAINT,
-        ("kappa_r", None) => first,
-        ("kappa", None) => second,
+        ("kappa_resolved", Some(_)) => palette::FAINT,
+        _ if COUNTED.contains(&entity) => palette::FAINT,
+        ("kappa_r_resolved", None) => first,
+        ("kappa_resolved", None) => second,
         _ => rest[i % rest.len()],
     }
 }

@@ -55,7 +55,7 @@ impl Recorder<'_> {
         let fields = &Fields::of_contact(contact);
         if let Some(traces) = &mut self.traces {
             traces.observables.add_certificate(contact);
-            let kappa = contact.measures().kappa;
+            let kappa = contact.resolved().relative_area / contact.measures().reduced_pressure;
             if kappa > self.stage.most_kappa {
                 log_off_scale(&self.recording.stream, &self.stage.root, kappa)?;
             }

@@ -25,7 +25,8 @@ fn overview(stages: &[Stage]) -> Pane {
     if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
         let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
         let most = stages.iter().map(|stage| stage.most_kappa).fold(0.0, f64::max);
-        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most], Corner::RightBottom);
+        let kappa_r =
+            View::settling("kappa_r of all scenes", all("kappa_r_resolved"), [0.0, most], Corner::RightBottom);
         let certificate = View::falling("log10 certificate of all scenes", all("certificate_log10"));
         panes.push((Pane::even(Kind::Vertical, "curves", vec![kappa_r, certificate]), 1.0));
     }
@@ -90,7 +91,10 @@ fn relief(stage: &Stage) -> Pane {
 fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> Pane {
     let root = &stage.root;
     let mut contents = vec![format!("{root}/{picture}/**"), stage.caption_entity()];
-    contents.extend((contact && stage.what.has(Part::Mask)).then(|| format!("{root}/contact")));
+    if stage.what.has(Part::Mask) {
+        contents.extend(contact.then(|| format!("{root}/contact")));
+        contents.extend((!stage.grid.is_line()).then(|| format!("{root}/contact/contour")));
+    }
     View::plane(title, root, contents, stage.picture.bounds(), stage.palette)
 }
 
@@ -103,14 +107,17 @@ fn curves(stage: &Stage) -> Pane {
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
     let earlier = |name: &str| stage.has_ghost.then(|| entity_under(&stage.root, name));
     let beside = |names: &[&str]| traces(names).into_iter().chain(earlier(names[0])).collect::<Vec<_>>();
-    let kappa = beside(&["kappa_r", "kappa", "kappa_r_exact"]);
-    let area = beside(&["relative_area", "relative_area_exact"]);
+    let kappa = beside(&["kappa_r_resolved", "kappa_resolved", "kappa_r", "kappa_r_theory"]);
+    let area = beside(&["relative_area_resolved", "relative_area", "relative_area_theory"]);
     let free = |title: &str, names: &[&str]| View::falling(title, traces(names));
     let levels = vec![
         free("Grid level (0: finest)", &["level"]),
         free("Outer and inner steps on the level", &["outer", "inner"]),
     ];
-    let is_elsewhere = |name| ["kappa_r", "kappa", "relative_area", "certificate"].contains(&name);
+    let is_elsewhere = |name: &str| {
+        ["kappa_r", "kappa_resolved", "kappa_r_resolved", "relative_area", "relative_area_resolved", "certificate"]
+            .contains(&name)
+    };
     let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[&drawn(it)]));
     let area = View::settling("Relative contact area", area, [0.0, stage.most_area], Corner::RightTop);
     let mut more: Vec<Pane> = [text, area].into_iter().chain(others).collect();

@@ -1,0 +1,77 @@
+//! The outline of a contact: segments of a line, the contour of a surface.
+
+use crate::contact::{Edge, Edges};
+
+impl<G: Fn(usize) -> f64 + Sync> Edges<'_, G> {
+    /// The segments of contact along a line (of a surface, along its first row), from left to right, as their first and last
+    /// position, lengths; one across the period ends beyond it. A line all of which touches is one segment; a segment that
+    /// is shorter than nothing by the law of its edges is left out.
+    pub fn segments(&self) -> Vec<[f64; 2]> {
+        let nx = self.grid.shape()[1];
+        let spacing = self.grid.spacing()[1];
+        let Some(first_gap) = (0..nx).find(|&node| !self.touches(node)) else {
+            return vec![[0.0, nx as f64 * spacing]];
+        };
+        let mut segments = Vec::new();
+        let mut start = f64::NAN;
+        for step in 1..=nx {
+            let (node, position) = ((first_gap + step) % nx, (first_gap + step) as f64);
+            for edge in self.around(node).filter(|edge| edge.towards[0] == 0) {
+                if edge.towards[1] < 0 {
+                    start = position - edge.place;
+                }
+            }
+            for edge in self.around(node).filter(|edge| edge.towards[1] > 0) {
+                segments.push([start, position + edge.place].map(|position| position * spacing));
+            }
+        }
+        segments.retain(|[start, end]| end > start);
+        segments.iter_mut().filter(|[start, _]| *start >= nx as f64 * spacing).for_each(|ends| {
+            ends.iter_mut().for_each(|position| *position -= nx as f64 * spacing);
+        });
+        segments.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        segments
+    }
+
+    /// The contour of the contact of a surface, as lines within cells of four nodes: positions along y and x of both ends of each, in
+    /// nodes from the first one on. Cells across the period are left out.
+    pub fn contour(&self) -> Vec<[[f64; 2]; 2]> {
+        let [ny, nx] = self.grid.shape();
+        let mut lines = Vec::new();
+        for y in 0..ny.saturating_sub(1) {
+            for x in 0..nx - 1 {
+                let corners = CORNERS.map(|[dy, dx]| (y + dy) * nx + x + dx);
+                let touching = corners.iter().filter(|&&node| self.touches(node)).count();
+                if (1..4).contains(&touching) {
+                    self.cut(corners, &mut lines);
+                }
+            }
+        }
+        lines
+    }
+
+    /// Adds the lines of a cell, the corners of which are given around it. Where two opposite corners touch, each of them is a
+    /// contact of its own, as in [`crate::contact::Patches`].
+    fn cut(&self, corners: [usize; 4], lines: &mut Vec<[[f64; 2]; 2]>) {
+        let touches = corners.map(|node| self.touches(node));
+        // contact begins at the corner after a gap, and the line runs from there to where it ends
+        for from in (0..4).filter(|&i| touches[i] && !touches[(i + 3) % 4]) {
+            let Some(to) = (from..from + 4).find(|&i| !touches[(i + 1) % 4]) else { continue };
+            let [begin, end] =
+                [[from, (from + 3) % 4], [to % 4, (to + 1) % 4]].map(|link| self.crossing(link.map(|i| corners[i])));
+            lines.extend(begin.zip(end).map(|(begin, end)| [begin, end]));
+        }
+    }
+
+    /// The place of the edge on the link from a node in contact to a neighbour that is not, kept on the link.
+    fn crossing(&self, [node, next]: [usize; 2]) -> Option<[f64; 2]> {
+        let nx = self.grid.shape()[1];
+        let is_there = |edge: &Edge| self.grid.neighbour(node, edge.towards) == next;
+        let edge = self.around(node).find(is_there)?;
+        let [dy, dx] = edge.towards.map(|step| step as f64 * edge.place.clamp(0.0, 1.0));
+        Some([(node / nx) as f64 + dy, (node % nx) as f64 + dx])
+    }
+}
+
+/// The corners of a cell, around it.
+const CORNERS: [[usize; 2]; 4] = [[0, 0], [0, 1], [1, 1], [1, 0]];

@@ -1,0 +1,40 @@
+//! The stiffness of a contact.
+
+use super::correction::{Correction, dot};
+use super::extension::Extension;
+use super::support::Pressure;
+use crate::contact::Problem;
+use crate::elastic::HalfSpace;
+
+/// Reduction of the residual. The stiffness errs by the square of it.
+const REDUCTION: f64 = 1e-2;
+
+/// The contact stiffness `k = -d<p>/dD` of a pressure whose displacement is at hand, both row by row: a pressure per length.
+///
+/// As the gap closes by `dD`, the nodes of the contact set `S` move down alike, `A_SS dp = dD`, and those at its edge, where
+/// pressure and gap are zero, enter or leave at second order only. So `k = 1' A_SS^-1 1 / n`. It is found from
+///
+/// ```text
+/// <p>^2 / k = min <x A x>    over x on S with <x> = <p>
+/// ```
+///
+/// which starts from the pressure itself. Conjugate gradients approach the minimum from above, and `k` from below, with the square
+/// of the error of `x`. Where all nodes touch, a uniform pressure displaces nothing, and the stiffness is infinite.
+pub(in crate::contact) fn stiffness(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
+    let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+    let Pressure { support, values } = Pressure::of(pressure, half_space.rows());
+    if values.len() == problem.nodes() {
+        return f64::INFINITY;
+    }
+    let mut u = vec![0.0; values.len()];
+    let width = support.shape()[1];
+    let rows = displacement.chunks_exact(width).zip(support.pieces(&mut u)).enumerate();
+    rows.for_each(|(row, (from, piece))| support.gather(row, from, piece));
+    let mut extension = Extension::new(&support, problem.surface().grid().shape());
+    let mut correction = Correction::new(&support, u.iter().map(|u| -u).collect(), true, &mut half_space);
+    let mut field = vec![0.0; problem.nodes()];
+    correction.solve(REDUCTION, &mut extension, &mut half_space, &mut field, &mut |_, _| None);
+    let load: f64 = values.iter().sum();
+    // the residual is orthogonal to the correction
+    load * load / (dot(&values, &u) + dot(&correction.delta, &u)) / problem.nodes() as f64
+}

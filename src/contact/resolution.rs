@@ -1,0 +1,69 @@
+//! How well a grid resolves a contact.
+
+use crate::contact::{Measures, Patches, Resolved};
+use crate::grid::Grid;
+
+/// Nodes of the patches that are too small to trust, fewer than these: lines, surfaces.
+const FEWEST_NODES: [usize; 2] = [4, 12];
+
+/// Share of the differences between measures, and between grids, in the error of the resolved values. Calibrated on rough lines and
+/// surfaces of H = 0.2 to 0.8 at reduced pressures of 0.001 to 0.5, from 2 to 256 points per shortest wave: of 235 contacts, one
+/// was told an error of the area below a third of the true one, none an error of `kappa_r` below the true one, and half were told
+/// up to three times the error of the area and seven times that of `kappa_r`.
+const SHARE: f64 = 0.5;
+
+/// How well a grid resolves a contact: how small its patches are, and how far its area and `kappa_r` may be from those of a grid
+/// of infinitely many points of the same surface. Dimensionless all.
+///
+/// The errors are estimates, no bounds. Where the solver has been on the next coarser grid, they are half of the difference between
+/// the resolved values of the two grids, which for errors of second order is three times the error, and half of that between
+/// resolved and corrected values; else they are all of the latter. The error of `kappa_r` is the sum of those of area and
+/// gradient, which may cancel in it. They say nothing of waves that the grid cannot carry.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resolution {
+    /// Nodes in contact for each patch; 0 without contact.
+    pub nodes_per_patch: f64,
+    /// Share of the nodes in contact that are in patches of fewer than 4 nodes on lines, 12 on surfaces, whose pressure is that
+    /// of single nodes; 0 without contact.
+    pub unresolved_share: f64,
+    /// Estimated relative error of the resolved area.
+    pub relative_area_error: f64,
+    /// Estimated relative error of the resolved `kappa_r`.
+    pub kappa_r_error: f64,
+}
+
+impl Resolution {
+    /// The resolution of a contact on `grid`, with what the next coarser grid had of it, if that is known.
+    pub fn of(
+        grid: &Grid,
+        measures: &Measures,
+        resolved: &Resolved,
+        patches: &Patches,
+        coarser: Option<&Resolved>,
+    ) -> Self {
+        let fewest = FEWEST_NODES[usize::from(!grid.is_line())];
+        let small: usize = patches.sizes().iter().filter(|nodes| **nodes < fewest).sum();
+        let nodes = measures.contact_nodes as f64;
+        let error = |value: f64, corrected: f64, coarser: Option<f64>| {
+            let of_measures = (value - corrected).abs();
+            let error = coarser.map_or(of_measures, |coarser| SHARE * (of_measures + (value - coarser).abs()));
+            error / value
+        };
+        let relative_area_error = error(
+            resolved.relative_area,
+            measures.relative_area_corrected,
+            coarser.map(|coarser| coarser.relative_area),
+        );
+        let rms_gradient_error = error(
+            resolved.rms_gradient_contact,
+            measures.rms_gradient_contact_corrected,
+            coarser.map(|coarser| coarser.rms_gradient_contact),
+        );
+        Self {
+            nodes_per_patch: nodes / patches.count().max(1) as f64,
+            unresolved_share: small as f64 / nodes.max(1.0),
+            relative_area_error,
+            kappa_r_error: relative_area_error + rms_gradient_error,
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! How a solver stopped.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// How a solver stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Status {
+    /// The certificate met all goals of the stop.
+    Converged,
+    /// The iteration cap was reached.
+    IterationCap,
+    /// Nothing improved any more: the tolerance lies below what rounding, or the method, attains.
+    Stalled,
+    /// The observer wished to stop.
+    StoppedByObserver,
+    /// The observer failed.
+    ObserverFailed,
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Converged => "converged",
+            Self::IterationCap => "iteration cap reached",
+            Self::Stalled => "no further progress",
+            Self::StoppedByObserver => "stopped by the observer",
+            Self::ObserverFailed => "the observer failed",
+        })
+    }
+}

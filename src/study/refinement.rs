@@ -1,0 +1,102 @@
+//! A contact on ever finer grids.
+
+use crate::contact::{Contact, Resolution};
+use crate::error::SetupError;
+use crate::setup::{Auto, Setup};
+
+/// The finest grid has this many times as many points along a side as the first one.
+const MOST: usize = 64;
+/// Points per shortest wave of the roughness on the first grid, where points are not given.
+const PER_WAVE: f64 = 4.0;
+/// The fewest points along a side of such a grid.
+const FEWEST: usize = 64;
+
+/// A contact on ever finer grids, each of twice as many points along a side, until area and `kappa_r` have settled: until the
+/// errors that [`Resolution`] estimates are within a tolerance.
+///
+/// Heights of a file are interpolated, all else is made on the finer grid.
+///
+/// ```
+/// use asperity::contact::Load;
+/// use asperity::setup::{Auto, Cell, Recipe, Setup};
+/// use asperity::{Indenter, error::SetupError, study::Refinement};
+/// let cylinder = Recipe::indenter(Indenter::Cylinder { radius: 1.0 });
+/// let setup = Setup::new(cylinder, Cell::line(64, 4.0), Load::ReducedPressure(0.1));
+/// let auto = Auto { tolerance: 1e-3, axes: None };
+/// let settled = Refinement::new(setup, auto).settle(|setup| {
+///     Ok::<_, SetupError>(setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?)
+/// })?;
+/// assert!(settled.is_within && settled.setup.grid.refine() > 1);
+/// assert!((settled.contact.resolved().kappa_r / 1.464 - 1.0).abs() < 3e-3);
+/// # Ok::<(), SetupError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Refinement {
+    setup: Setup,
+    tolerance: f64,
+}
+
+/// The contact on the grid on which it has settled, or on the finest one that there is memory for.
+pub struct Settled {
+    /// The setup on that grid.
+    pub setup: Setup,
+    /// The contact.
+    pub contact: Contact,
+    /// Whether the estimated errors are within the tolerance.
+    pub is_within: bool,
+}
+
+impl Refinement {
+    /// The refinement of a setup, from its own grid on or, for points that are to be found, from 4 points per shortest wave of its
+    /// roughness.
+    pub fn new(mut setup: Setup, auto: Auto) -> Self {
+        if let (Some(axes), Some(spectrum)) = (auto.axes, setup.surface.spectrum) {
+            let along =
+                |size: f64| ((PER_WAVE * size / spectrum.short_cutoff).ceil() as usize).next_power_of_two().max(FEWEST);
+            let sizes = setup.grid.size.iter().copied().cycle().take(axes);
+            setup.grid.points = sizes.map(along).collect();
+        }
+        Self { setup, tolerance: auto.tolerance }
+    }
+
+    /// The setups on all grids, coarsest first.
+    pub fn setups(&self) -> impl Iterator<Item = Setup> {
+        let first = self.setup.grid.refine();
+        let factors = std::iter::successors(Some(1), |factor| Some(2 * factor)).take_while(|factor| *factor <= MOST);
+        factors.map(move |factor| {
+            let mut setup = self.setup.clone();
+            setup.grid.refine = (first * factor > 1).then_some(first * factor);
+            setup
+        })
+    }
+
+    /// Solves on ever finer grids by `solve`, which is not called for one that there is no memory for.
+    ///
+    /// # Errors
+    /// Those of `solve`, and of the first grid.
+    pub fn settle<E: From<SetupError>>(
+        &self,
+        mut solve: impl FnMut(&Setup) -> Result<Contact, E>,
+    ) -> Result<Settled, E> {
+        let mut last = None;
+        for setup in self.setups() {
+            let fits = setup.cost(false, 0).and_then(|cost| cost.check(setup.solver.name()));
+            if let (Err(_), Some(settled)) = (&fits, last.take()) {
+                return Ok(settled);
+            }
+            fits?;
+            let contact = solve(&setup)?;
+            let is_within = self.is_within(&contact.resolution());
+            let settled = Settled { setup, contact, is_within };
+            if is_within || !settled.contact.is_converged() {
+                return Ok(settled);
+            }
+            last = Some(settled);
+        }
+        Ok(last.expect("there is a first grid"))
+    }
+
+    fn is_within(&self, resolution: &Resolution) -> bool {
+        resolution.relative_area_error <= self.tolerance && resolution.kappa_r_error <= self.tolerance
+    }
+}

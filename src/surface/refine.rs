@@ -1,0 +1,57 @@
+//! Heights on a finer grid.
+
+use super::{Field, Surface};
+use crate::error::SurfaceError;
+use crate::fourier::{Complex, Fourier};
+use crate::grid::Grid;
+
+impl Surface {
+    /// The surface on a grid of `factor` times as many points along each side: the heights are interpolated by their Fourier
+    /// series, so that those of the nodes that were there stay. Jumps, across the period as well, ring.
+    ///
+    /// # Errors
+    /// The errors of [`Grid::line`] for more points than a grid can have.
+    ///
+    /// ```
+    /// use asperity::{Grid, Indenter};
+    /// let wave = |points| Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(points, 1.0).unwrap()).unwrap();
+    /// let difference = wave(10).refined(3)?.heights_as_given() - wave(30).heights_as_given();
+    /// assert!(difference.iter().all(|difference| difference.abs() < 1e-14));
+    /// # Ok::<(), asperity::error::SurfaceError>(())
+    /// ```
+    pub fn refined(&self, factor: usize) -> Result<Self, SurfaceError> {
+        let grid = self.grid.refined(factor)?;
+        if factor == 1 {
+            return Ok(self.clone());
+        }
+        let mut modes = vec![Complex::default(); self.grid.modes()];
+        Fourier::new(&self.grid).forward(self.heights(), &mut modes);
+        let mut modes = padded(&self.grid, &grid, &modes);
+        let mut height = Field::zeros(grid.shape());
+        Fourier::new(&grid).inverse(&mut modes, height.as_slice_mut().expect("standard layout by construction"));
+        Ok(Self { seed: self.seed, ..Self::new(grid, height + self.mean_height)? })
+    }
+}
+
+/// The Fourier coefficients of `from` in the order of `to`; those of the shortest waves of an even number of points stand for two
+/// waves of opposite direction each.
+fn padded(from: &Grid, to: &Grid, modes: &[Complex]) -> Vec<Complex> {
+    let ([ny, nx], [fine_ny, _]) = (from.shape(), to.shape());
+    let mut padded = vec![Complex::default(); to.modes()];
+    for kx in 0..=nx / 2 {
+        let of_x = if 2 * kx == nx { 0.5 } else { 1.0 };
+        for ky in 0..ny {
+            let mode = modes[kx * ny + ky] * of_x;
+            let mut add = |ky: usize, share: f64| padded[kx * fine_ny + ky] += mode * share;
+            if ny == 1 || 2 * ky < ny {
+                add(ky, 1.0);
+            } else if 2 * ky == ny {
+                add(ky, 0.5);
+                add(fine_ny - ky, 0.5);
+            } else {
+                add(fine_ny - (ny - ky), 1.0);
+            }
+        }
+    }
+    padded
+}
