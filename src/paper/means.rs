@@ -303,7 +303,7 @@ mod tests {
         assert!((apart.mean - 0.02 - 0.01 / 3.0).abs() < 1e-12 && apart.mean > 5.0 * apart.uncertainty(), "{apart:?}");
         // the heaviest load is known best, and weighs most
         let all = points.mean_contrast([0.2, 0.8], measure, kappa_r);
-        assert!(all.error < 1.2 * apart.error && (all.mean - apart.mean).abs() < 0.01, "{all:?}");
+        assert!(all.error < 1.5 * apart.error && (all.mean - apart.mean).abs() < 0.01, "{all:?}");
     }
 
     #[test]
