@@ -57,7 +57,8 @@ fn contacts_are_seen_in_order_whoever_solves_them() {
     let seen = sweep(3).map(&|point, contact| (point.observables, contact.pressure.sum())).unwrap();
     assert_eq!(seen.iter().map(Vec::len).collect::<Vec<_>>(), [4; 6]);
     for (point, (observables, load)) in points.iter().zip(seen.into_iter().flatten()) {
-        assert_eq!(point.observables, observables);
+        // as texts, since numbers that are not known are no numbers
+        assert_eq!(format!("{:?}", point.observables), format!("{observables:?}"));
         assert!((load / 2048.0 / point.observables.mean_pressure - 1.0).abs() < 1e-12);
     }
 }
