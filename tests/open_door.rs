@@ -285,7 +285,7 @@ impl Solver for Boaster {
     ) -> Result<Contact, SolveError> {
         let mut run = Run::begin(self, problem, stop, observer);
         let p = problem.first_pressure(start);
-        let boast = Certificate { eta: 0.0, ..Certificate::of(problem, &p) };
+        let boast = Certificate { eta: 0.0, eta_gap: 0.0, pressure_error_bound: 0.0, ..Certificate::of(problem, &p) };
         run.offer(&boast, &p);
         let status = run.show(&Step::new(problem, run.work(0), &p, &vec![0.0; p.len()]).with_certificate(boast));
         let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
@@ -299,4 +299,20 @@ fn what_a_solver_says_of_its_convergence_is_checked() {
     assert!(contact.certificate.eta > 0.1, "{}", contact.certificate.eta);
     assert_eq!(contact.status, Status::Stalled);
     assert!(contact.converged().is_err());
+}
+
+/// The bound of the pressure as much as `eta`.
+#[test]
+fn what_a_solver_says_of_any_goal_is_checked() {
+    let [coarse, fine] = [1e-6, 1e-12].map(|tolerance| {
+        let stop = Stop::new(tolerance, 100_000).unwrap();
+        Multilevel.solve(&sine(), &stop, &mut ()).unwrap().converged().unwrap()
+    });
+    let stop = Stop::new(1e-6, 10).unwrap().with_pressure_tolerance(1e-5).unwrap();
+    let boasted = |start| Boaster.solve_from(Some(start), &sine(), &stop, &mut ()).unwrap();
+    let missed = boasted(&coarse.pressure);
+    assert!(missed.certificate.eta <= 1e-6 && missed.certificate.pressure_error_bound > 1e-5);
+    assert_eq!(missed.status, Status::Stalled);
+    assert!(missed.converged().unwrap_err().to_string().contains("with the pressure within"));
+    assert_eq!(boasted(&fine.pressure).status, Status::Converged);
 }

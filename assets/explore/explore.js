@@ -72,7 +72,7 @@ async function begin() {
   if (isView) { byId("title").textContent = "a recording, from this machine"; return; }
   const ask = async (path) => (await fetch(path)).json();
   const before = await ask("/api/state");
-  observables = [...await ask("/api/observables"), SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
+  observables = [...await ask("/api/observables"), SECONDS].filter((row) => (row.is_traced && !LEFT_OUT.includes(row.name)) || SHOWN.includes(row.name));
   knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("/api/start");
   const isPainted = knobs.theme === document.documentElement.dataset.theme;
   takeTheme();

@@ -209,12 +209,14 @@ function figure(value, digits = 5) {
 /** The observables that the server knows: those that change step by step are shown, and these. */
 let observables = [];
 const SHOWN = ["kappa_r_error", "iterations", "transforms", "seconds"];
+/** Those that would only crowd the table: counted nodes beside resolved edges. */
+const LEFT_OUT = ["relative_area"];
 /** The exact values that stand beside resolved observables. */
 const EXACT = { relative_area_resolved: "relative_area", kappa_r_resolved: "kappa_r" };
 const SECONDS = { name: "seconds", sentence: "Seconds of the solver alone, recording left out." };
 
 /** The name of an observable for people. */
-const label = (name) => name.replace("kappa_r", "κ_r").replace("kappa", "κ").replaceAll(/(?<!κ)_/g, " ");
+const label = (name) => name.replace("kappa", "κ").replaceAll(/_(?!r(?![a-z]))/g, " ");
 
 function numbers() {
   const shown = runOf(shownRun);

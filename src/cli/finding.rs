@@ -6,7 +6,7 @@ use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const TOLD: [&str; 29] = [
+const TOLD: [&str; 33] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
@@ -33,7 +33,11 @@ const TOLD: [&str; 29] = [
     "unresolved_share",
     "edges_of_shape",
     "certificate",
+    "certificate_gap",
     "pressure_error_bound",
+    "mean_gap_error_bound",
+    "stiffness",
+    "mean_pressure_error",
     "iterations",
     "transforms",
 ];
@@ -62,50 +66,65 @@ impl Finding {
 
     /// Names and values for reading.
     pub fn rows(&self) -> Vec<(String, String)> {
+        let rows = self.contact().into_iter().chain(self.solution());
+        let stiffness = Some(&self.observables).filter(|it| !it.stiffness.is_nan()).map(|it| {
+            let load = within(", mean pressure within", it.mean_pressure_error);
+            ("contact stiffness", format!("{:.6e}{load}", it.stiffness))
+        });
+        let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
+        let rows = rows.chain(stiffness).chain(exact).map(|(name, value)| (name.to_owned(), value));
+        rows.chain(self.others()).collect()
+    }
+
+    /// Area, gradient and what follows from them, with resolved edges first, and how good the grid is for them.
+    fn contact(&self) -> [(&'static str, String); 7] {
         let it = &self.observables;
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {v:.6}"));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
-        let counted = |resolved: f64, counted: f64, corrected: f64| match resolved.is_nan() {
-            true => format!("not resolved (counted {counted:.6})"),
-            false => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
-        };
-        let percent =
-            |share: f64| if share.is_nan() { "unknown".to_owned() } else { format!("{:.2} %", 100.0 * share) };
         let of_shape = match it.edges_of_shape {
             0 => String::new(),
             edges => format!(", {edges} edges given by the shape"),
         };
-        let rows = [
+        [
             (
                 "reduced pressure p*",
                 format!("{:.6e} (contact {:.6e})", it.reduced_pressure, it.reduced_pressure_contact),
             ),
-            ("relative area", counted(it.relative_area_resolved, it.relative_area, it.relative_area_corrected) + &area),
+            (
+                "relative area",
+                resolved(it.relative_area_resolved, it.relative_area, it.relative_area_corrected) + &area,
+            ),
             ("rms gradient", format!("{:.6e} (contact {:.6e})", it.rms_gradient, it.rms_gradient_contact_resolved)),
-            ("kappa", counted(it.kappa_resolved, it.kappa, it.kappa_corrected)),
-            ("kappa_r", counted(it.kappa_r_resolved, it.kappa_r, it.kappa_r_corrected) + &kappa_r),
+            ("kappa", resolved(it.kappa_resolved, it.kappa, it.kappa_corrected)),
+            ("kappa_r", resolved(it.kappa_r_resolved, it.kappa_r, it.kappa_r_corrected) + &kappa_r),
             (
                 "grid error, estimated",
                 format!("area {}, kappa_r {}", percent(it.relative_area_error), percent(it.kappa_r_error)),
             ),
-            ("mean gap", format!("{:.6e} ({:.4} rms heights)", it.mean_gap, it.mean_gap_over_rms_height)),
-            ("pressure, mean and max", format!("{:.6e} {:.6e}", it.mean_pressure, it.max_pressure)),
             (
                 "contact patches",
                 format!(
-                    "{} ({:.2} nodes each, {:.1} % of the contact in those too small to trust){of_shape}",
+                    "{} ({:.2} nodes each, {} of the contact in those too small to trust){of_shape}",
                     it.patches,
                     it.nodes_per_patch,
-                    100.0 * it.unresolved_share
+                    percent(it.unresolved_share)
                 ),
             ),
-            ("certificate", format!("{:.2e} (pressure within {:.1e})", it.certificate, it.pressure_error_bound)),
+        ]
+    }
+
+    /// Gap and pressure with their bounds, and the work.
+    fn solution(&self) -> [(&'static str, String); 4] {
+        let it = &self.observables;
+        let gap = within(", within", it.mean_gap_error_bound);
+        let left = within(", of what is left of the gap", it.certificate_gap);
+        [
+            ("mean gap", format!("{:.6e} ({:.4} rms heights{gap})", it.mean_gap, it.mean_gap_over_rms_height)),
+            ("pressure, mean and max", format!("{:.6e} {:.6e}", it.mean_pressure, it.max_pressure)),
+            ("certificate", format!("{:.2e} (pressure within {:.1e}{left})", it.certificate, it.pressure_error_bound)),
             ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
-        ];
-        let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
-        let rows = rows.into_iter().chain(exact).map(|(name, value)| (name.to_owned(), value));
-        rows.chain(self.others()).collect()
+        ]
     }
 
     /// The observables that no other row holds.
@@ -116,4 +135,21 @@ impl Finding {
             Some((observable.name.replace('_', " "), format!("{:.6e}", values[observable.name].as_f64()?)))
         })
     }
+}
+
+/// A quantity with resolved edges, and beside it that of counted nodes.
+fn resolved(resolved: f64, counted: f64, corrected: f64) -> String {
+    match resolved.is_nan() {
+        true => format!("not resolved (counted {counted:.6})"),
+        false => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
+    }
+}
+
+/// Words and an error; none of what is prescribed.
+fn within(words: &str, error: f64) -> String {
+    if error > 0.0 { format!("{words} {error:.1e}") } else { String::new() }
+}
+
+fn percent(share: f64) -> String {
+    if share.is_nan() { "unknown".into() } else { format!("{:.2} %", 100.0 * share) }
 }

@@ -26,7 +26,7 @@ fn agrees(explorer: &Explorer, page: &mut Page) -> Value {
     rested(page);
     let run = run(explorer);
     assert_eq!(page.text("document.body.dataset.status"), run["numbers"]["status"].as_str().unwrap());
-    for name in ["kappa", "kappa_r", "relative_area", "certificate"] {
+    for name in ["kappa_resolved", "kappa_r_resolved", "relative_area_resolved", "certificate"] {
         let (shown, told) = (number(page, name), run["numbers"][name].as_f64().unwrap());
         assert!((shown / told - 1.0).abs() < 6e-3, "{name} is shown as {shown} and is {told}");
     }

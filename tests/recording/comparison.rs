@@ -42,9 +42,9 @@ fn traces_lie_over_each_other_under_names_that_tell_the_runs_apart() {
             assert!(own.len() > 1 && trace(&both, curve, "transforms") == own, "{name}");
         }
     }
-    assert_eq!(names(&both, &["/compare/kappa_r/exact_01"]), ["exact"]);
+    assert_eq!(names(&both, &["/compare/kappa_r_resolved/exact_01"]), ["exact"]);
     let entities: BTreeSet<String> = super::entities(&both);
-    assert!(!entities.contains("/compare/kappa_r/exact_02"), "it is the same for both");
+    assert!(!entities.contains("/compare/kappa_r_resolved/exact_02"), "it is the same for both");
     let shown = shown_paths(&both);
     for entity in ["/compare/kappa_r/02", "/recording_2/contact/profile/**", "/recording_1/contact/trace/kappa_r"] {
         assert!(shown.contains(entity), "{entity} is not among {shown:?}");

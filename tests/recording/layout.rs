@@ -74,7 +74,7 @@ fn exact_values_are_green_and_drawn_last_and_a_kappa_beyond_its_axis_is_told() {
     assert!(kappa > 10.0);
     assert_eq!(style(&path, "/it/trace/kappa_resolved").0, format!("kappa: {kappa:.1}, off the scale"));
     record(&path, &rough_line(), &PolonskyKeer, None, None);
-    assert_eq!(style(&path, "/it/trace/kappa_resolved").0, "kappa");
+    assert_eq!(style(&path, "/it/trace/kappa_resolved").0, "kappa resolved");
 }
 
 /// Application and name of the recording of a setup.

@@ -3,8 +3,8 @@
 use crate::contact::{Observables, State};
 use crate::theory::Exact;
 
-/// The names of the quantities: area and `kappa_r` have resolved edges, unless nodes are counted.
-pub const QUANTITIES: [&str; 6] = ["area", "kappa_r", "mean gap", "peak pressure", "area counted", "kappa_r counted"];
+/// The names of the quantities: area and `kappa_r` have resolved edges, unless their nodes are counted.
+pub const QUANTITIES: [&str; 6] = ["area", "kappa_r", "mean gap", "peak pressure", "area nodes", "kappa_r nodes"];
 /// Those among them, the first ones, that people should read off a contact.
 pub const BEST: usize = 4;
 /// The place of `kappa_r` among them.

@@ -26,17 +26,17 @@ impl fmt::Display for Findings {
 
 fn write_ladder(ladder: &Ladder, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  discretisation: errors against {}, rms over {LOADS} loads", ladder.against)?;
-    write_row("points", 14, QUANTITIES, f)?;
+    write_row("points", 13, QUANTITIES, f)?;
     let entry = |error| or_dash(error, percent);
-    ladder.rungs.iter().try_for_each(|rung| write_row(&points(rung.shape), 14, rung.errors.map(entry), f))?;
-    write_row("order", 14, ladder.orders().map(|order| or_dash(order, |order| format!("{order:.1}"))), f)
+    ladder.rungs.iter().try_for_each(|rung| write_row(&points(rung.shape), 13, rung.errors.map(entry), f))?;
+    write_row("order", 13, ladder.orders().map(|order| or_dash(order, |order| format!("{order:.1}"))), f)
 }
 
 fn write_models(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  model: predictions over the truth, less one")?;
-    write_row("theory", 14, &QUANTITIES[..BEST], f)?;
+    write_row("theory", 13, &QUANTITIES[..BEST], f)?;
     let entry = |error| or_dash(error, |error| format!("{:+.2} %", 100.0 * error));
-    findings.models.iter().try_for_each(|model| write_row(model.theory, 14, &model.errors.map(entry)[..BEST], f))
+    findings.models.iter().try_for_each(|model| write_row(model.theory, 13, &model.errors.map(entry)[..BEST], f))
 }
 
 /// Writes a line of a table: a name, and entries that fill so many columns each.

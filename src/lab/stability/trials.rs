@@ -20,6 +20,9 @@ const AMPLITUDE: f64 = 0.01;
 /// The line and the surface of most trials, of length 1, with their names.
 type Grids = [(&'static str, Grid); 2];
 
+/// A function that makes a surface on a grid.
+type Make = fn(Grid) -> Shape;
+
 /// All trials, small ones if `is_quick`.
 ///
 /// # Errors
@@ -104,7 +107,7 @@ fn shapes_apart(kind: &'static str, grid: Grid) -> impl Iterator<Item = Trial> {
         };
         Ok(wave.surface(grid)?)
     };
-    let shapes: [(&str, fn(Grid) -> Shape); 5] = [
+    let shapes: [(&str, Make); 5] = [
         ("wave", wave),
         ("white-noise", noise),
         ("plateaus", plateaus),
@@ -118,7 +121,7 @@ fn shapes_apart(kind: &'static str, grid: Grid) -> impl Iterator<Item = Trial> {
 }
 
 /// A surface at a mean gap that is so many times its highest peak, or its rms height.
-fn apart(name: String, grid: Grid, [of_peak, of_rms]: [f64; 2], surface: fn(Grid) -> Shape) -> Trial {
+fn apart(name: String, grid: Grid, [of_peak, of_rms]: [f64; 2], surface: Make) -> Trial {
     let pose = move || {
         let problem = pressed(surface(grid)?, Load::ReducedPressure(0.1))?;
         let mean_gap = of_peak * problem.highest() + of_rms * problem.rms_height();

@@ -1,6 +1,6 @@
 //! The fields of a frame, and how far they reach.
 
-use super::surface::has_contour;
+use super::reduce::has_contour;
 use crate::contact::{Contact, Edge, Edges, Step};
 use crate::grid::Grid;
 use crate::record::parts::Parts;

@@ -1,6 +1,10 @@
 //! Reductions: fewer values than nodes without losing an extreme, so that drawings never skip a node.
 
+use crate::grid::Grid;
 use std::ops::Range;
+
+/// Pixels along the longer side of an image.
+const PIXELS: usize = 512;
 
 /// Nodes of cell `cell` when `nodes` are shared out over `cells`, on a grid with every `stride`-th of them and by their
 /// numbers there: the ones inside, or the nearest.
@@ -114,6 +118,11 @@ pub struct Blocks {
 }
 
 impl Blocks {
+    /// The blocks of the pixels of an image of a surface on `grid`.
+    pub fn image(grid: &Grid) -> Self {
+        Self::square(grid.shape(), grid.size(), PIXELS)
+    }
+
     /// Blocks over a field of `shape` whose sides measure `size`: at most `most` along the longer side, square in space.
     pub fn square(shape: [usize; 2], size: [f64; 2], most: usize) -> Self {
         let longest = size[0].max(size[1]);
@@ -137,6 +146,16 @@ impl Blocks {
         }
         blocks
     }
+}
+
+/// Whether the contour of a contact on `grid` is drawn: where each node has a pixel of its own.
+pub fn has_contour(grid: &Grid) -> bool {
+    pixels(grid) >= grid.len()
+}
+
+/// Pixels of an image of a surface on `grid`.
+pub fn pixels(grid: &Grid) -> usize {
+    Blocks::image(grid).cells.iter().product()
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use super::picture::Picture;
 use super::spectrum::SpectrumPicture;
 use super::surface::SurfacePicture;
 use super::traces::{self, ExactValues};
-use crate::contact::{Contact, Phase};
+use crate::contact::{Contact, Observables, Phase};
 use crate::grid::Grid;
 use crate::record::description;
 use crate::record::options::Options;
@@ -116,12 +116,17 @@ impl Stage {
         pressure.map_or(Ok(()), |pressure| self.picture.log_ghost(to, pressure))
     }
 
-    /// The end of a run, in words.
+    /// The end of a run and how good its grid is, in words.
     pub fn result(contact: &Contact) -> String {
         let Contact { status, certificate, work, .. } = contact;
         let how = if contact.is_converged() { status.to_string() } else { format!("not converged ({status})") };
+        let Observables { kappa_r_resolved: kappa_r, kappa_r_error: error, .. } = Observables::of(contact);
+        let grid = match error.is_nan() {
+            true => String::new(),
+            false => format!(". kappa_r is {kappa_r:.4}, within about {:.1} % on this grid", 100.0 * error),
+        };
         format!(
-            "{how} at a certificate of {:.2e}, after {} steps, {} transforms and {:.3} s",
+            "{how} at a certificate of {:.2e}, after {} steps, {} transforms and {:.3} s{grid}",
             certificate.eta, work.iterations, work.transforms, work.seconds
         )
     }

@@ -8,7 +8,6 @@ use super::reduce::Blocks;
 use super::relief::Relief;
 use super::ruler::Ruler;
 use crate::contact::Forecast;
-use crate::grid::Grid;
 use crate::plot::{Align, Axis, Frame, Sheet};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
@@ -18,8 +17,6 @@ use rerun::components::{MagnificationFilter, ValueRange};
 use rerun::datatypes::{ChannelDatatype, ImageFormat};
 use rerun::{DepthImage, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, SegmentationImage};
 
-/// Pixels along the longer side of an image.
-const PIXELS: usize = 512;
 /// Size of words, in lengths of the longer side.
 const TEXT: f64 = 0.0435;
 /// Bars of a colour scale.
@@ -50,7 +47,7 @@ impl SurfacePicture {
         let palette = Palette::of(*theme);
         let problem = scene.problem;
         let grid = problem.surface().grid();
-        let blocks = Blocks::square(grid.shape(), grid.size(), PIXELS);
+        let blocks = Blocks::image(grid);
         let [height, width] = blocks.cells.map(|n| n as f64);
         let [y, x] = [0, 1].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
         let frame = Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) };
@@ -211,14 +208,4 @@ impl Image {
 
 fn format(frame: &Frame, datatype: ChannelDatatype) -> ImageFormat {
     ImageFormat::depth(frame.size.map(|n| n as u32), datatype)
-}
-
-/// Whether the contour of a contact on `grid` is drawn: where each node has a pixel of its own.
-pub fn has_contour(grid: &Grid) -> bool {
-    pixels(grid) >= grid.len()
-}
-
-/// Pixels of an image of a surface on `grid`.
-pub fn pixels(grid: &Grid) -> usize {
-    Blocks::square(grid.shape(), grid.size(), PIXELS).cells.iter().product()
 }

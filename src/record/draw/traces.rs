@@ -45,7 +45,8 @@ fn recorded() -> impl Iterator<Item = &'static Observable> {
 }
 
 pub fn title(observable: &Observable) -> String {
-    let name = observable.name.replace('_', " ").replace("kappa r", "kappa_r");
+    let words = observable.name.replace('_', " ") + " ";
+    let name = words.replace("kappa r ", "kappa_r ").trim_end().to_owned();
     let name = if COUNTED.contains(&observable.name) { format!("{name}, nodes counted") } else { name };
     if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
 }
