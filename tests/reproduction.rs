@@ -3,7 +3,7 @@
 mod command;
 mod rows;
 
-use asperity::paper::{Effort, Fit, Item, Paper};
+use asperity::paper::{Effort, Evidence, Fit, Item, Paper, Verdict, Weights};
 use asperity::theory::persson::CorrectedArea;
 use command::{Folder, text};
 use rows::{Row, assert_refused, rows};
@@ -45,12 +45,12 @@ fn every_number_of_the_paper_is_compared() {
     }
     let stdout = text(&output.stdout);
     assert!(compared.iter().all(|row| stdout.contains(&row["quantity"])), "{stdout}");
-    for part in ["fig1", "fig2", "fig3", "fig4", "fig5", "gw", "beyond"] {
+    for part in ["fig1", "fig2", "fig3", "fig4", "fig5", "gw", "beyond", "hurst", "persson"] {
         for ending in ["csv", "svg", "png"] {
             assert!(fs::metadata(folder.join(&format!("p/{part}.{ending}"))).unwrap().len() > 500, "{part}.{ending}");
         }
     }
-    for part in ["table1", "fig1", "fig2", "fig4", "beyond"] {
+    for part in ["table1", "fig1", "fig2", "fig4", "beyond", "hurst"] {
         let points = rows(&folder, &format!("p/{part}.csv"));
         assert!(points.iter().all(|row| row["status"] == "converged" && number(row, "certificate") <= 1e-8), "{part}");
     }
@@ -64,7 +64,8 @@ fn smooth_indenters_give_the_printed_numbers() {
     let comparison = Paper::new(folder.join("p"), Effort::Quick).run(&items, &|_| ()).unwrap();
     for named in ["cylinder", "sphere", "heights", "|x|^n", "sine"] {
         let mut verdicts = comparison.verdicts.iter().filter(|verdict| verdict.quantity.contains(named)).peekable();
-        assert!(verdicts.peek().is_some() && verdicts.all(|verdict| verdict.is_good()), "{named}: {comparison:?}");
+        let is_close = |verdict: &Verdict| verdict.is_good() || verdict.sigma.is_some_and(|sigma| sigma.abs() < 1.0);
+        assert!(verdicts.peek().is_some() && verdicts.all(is_close), "{named}: {comparison:?}");
     }
 }
 
@@ -87,6 +88,50 @@ fn a_run_of_some_parts_keeps_the_verdicts_on_the_others() {
 }
 
 #[test]
+fn like_is_held_against_like_and_what_follows_is_not_counted() {
+    let folder = Folder::new();
+    let comparison = Paper::new(folder.join("p"), Effort::Quick).run(&[Item::Fig2, Item::Fig5], &|_| ()).unwrap();
+    for verdict in &comparison.verdicts {
+        let is_other = verdict.quantity.ends_with("resolved");
+        assert_eq!(is_other, verdict.evidence == Evidence::Beside, "{verdict:?}");
+        assert_eq!(verdict.item == Item::Fig5 && !is_other, verdict.evidence == Evidence::Follows, "{verdict:?}");
+    }
+    // ten profiles of the paper scatter, too: its error is more than that of a rounded digit
+    let of_lines = comparison.verdicts.iter().find(|verdict| verdict.quantity == "rough lines: κ_r, counted").unwrap();
+    assert!(of_lines.paper_error.unwrap() > 1.2 * 0.005 / 3f64.sqrt(), "{of_lines:?}");
+    let mut text = Vec::new();
+    comparison.write_text(&mut text).unwrap();
+    let text = String::from_utf8(text).unwrap();
+    let own = comparison.verdicts.iter().filter(|verdict| verdict.evidence == Evidence::Own).count();
+    assert!(text.contains(&format!("of {own} agree or hold")), "{text}");
+}
+
+#[test]
+fn three_grids_foretell_the_next_finer_one() {
+    let folder = Folder::new();
+    let paper = |points: &[usize], folder: &str| {
+        let mut paper = Paper::new(folder, Effort::Quick);
+        paper.surfaces.points = points.to_vec();
+        paper.surfaces.seeds = vec![vec![1, 2, 3, 4]];
+        paper.surfaces.hurst = vec![0.8];
+        paper.surfaces.loads = vec![0.1];
+        // the grid that the paper's points per wave belong to, of a spectrum so short that it can be solved on
+        paper.surfaces.cutoff = 0.25;
+        paper.run(&[Item::Fig4], &|_| ()).unwrap();
+    };
+    let found = |name: &str, of: &dyn Fn(&Row) -> bool| {
+        rows(&folder, name).iter().find(|row| of(row)).map(|row| number(row, "kappa_r")).unwrap()
+    };
+    let [coarse, fine] = ["coarse", "fine"].map(|name| folder.join(name));
+    paper(&[64, 128, 256], coarse.to_str().unwrap());
+    paper(&[1024], fine.to_str().unwrap());
+    let foretold = found("coarse/fig4.limits.csv", &|row| row["nx"] == "1024" && row["measure"] == "counted");
+    let direct = found("fine/fig4.means.csv", &|row| row["nx"] == "1024");
+    let finest = found("coarse/fig4.means.csv", &|row| row["nx"] == "256");
+    assert!((foretold - direct).abs() < 0.2 * (finest - direct).abs(), "{foretold} {direct} {finest}");
+}
+
+#[test]
 fn kappa_of_lines_falls_with_load_and_hurst_exponent_and_kappa_r_hardly_moves() {
     let folder = Folder::new();
     let output = folder.run(&bare(&format!("{LINES} --out p")));
@@ -101,7 +146,7 @@ fn kappa_of_lines_falls_with_load_and_hurst_exponent_and_kappa_r_hardly_moves() 
     }
     for mean in &means {
         assert_eq!(mean["realisations"], "24");
-        assert!((number(mean, "kappa_r_corrected") / 1.73 - 1.0).abs() < 0.03, "{mean:?}");
+        assert!((number(mean, "kappa_r_resolved") / 1.71 - 1.0).abs() < 0.03, "{mean:?}");
     }
 }
 
@@ -156,6 +201,10 @@ fn what_cannot_be_is_refused_before_anything_is_solved() {
     }
     assert_refused(&folder.run("paper fig4 --quick --surface-points 512,256"), &["[512, 256]", "ascending"]);
     assert_refused(&folder.run("paper fig4 --surface-points 4194304"), &["4194304 x 4194304 points", "memory"]);
+    let mut no_seeds = Paper::new(folder.join("paper"), Effort::Quick);
+    no_seeds.lines.seeds = Vec::new();
+    let refused = no_seeds.run(&[Item::Fig2], &|_| ()).unwrap_err().to_string();
+    assert!(refused.contains("seeds"), "{refused}");
     assert!(!folder.join("paper").exists());
     fs::create_dir(folder.join("other")).unwrap();
     fs::write(folder.join("other/comparison.csv"), "a,b\n1,2\n").unwrap();
@@ -183,15 +232,28 @@ fn a_scattered_curve_is_fitted_within_its_scatter() {
     let loads = (0..40).map(|i| 10f64.powf(-2.5 + 0.05 * f64::from(i)));
     let scatter = |i: usize| if i.is_multiple_of(2) { 1.01 } else { 0.99 };
     let points: Vec<_> = loads.enumerate().map(|(i, p)| (p, lines.relative_area(p) * scatter(i))).collect();
-    let fit = Fit::of(&points).unwrap();
-    assert!((fit.area.b1 - 0.55).abs() < 0.01 && (fit.area.b2 - 2.3).abs() < 0.3, "{fit:?}");
-    assert!((fit.residual - 0.01).abs() < 2e-3, "{fit:?}");
+    for weights in Weights::ALL {
+        let fit = Fit::of(&points, weights).unwrap();
+        assert!((fit.area.b1 - 0.55).abs() < 0.01 && (fit.area.b2 - 2.3).abs() < 0.3, "{fit:?}");
+        assert!((fit.residual - 0.01).abs() < 2e-3, "{fit:?}");
+    }
+}
+
+#[test]
+fn relative_weights_follow_light_loads_and_equal_ones_heavy_loads() {
+    // kappa falls by half, which no fit of the form follows all the way
+    let points: Vec<_> =
+        (0..13).map(|i| 10f64.powf(-3.0 + f64::from(i) / 6.0)).map(|p| (p, p * 3.5 * p.powf(-0.1))).collect();
+    let [equal, relative] = Weights::ALL.map(|weights| Fit::of(&points, weights).unwrap());
+    let off = |fit: &Fit, (p, a): (f64, f64)| (fit.area.relative_area(p) / a - 1.0).abs();
+    assert!(off(&relative, points[0]) < off(&equal, points[0]) && off(&equal, points[12]) < off(&relative, points[12]));
+    assert!(relative.residual < equal.residual);
 }
 
 #[test]
 fn one_load_does_not_tell_two_numbers() {
-    assert_eq!(Fit::of(&[(0.1, 0.2), (0.1, 0.21)]), None);
-    assert_eq!(Fit::of(&[]), None);
+    assert_eq!(Fit::of(&[(0.1, 0.2), (0.1, 0.21)], Weights::Equal), None);
+    assert_eq!(Fit::of(&[], Weights::Equal), None);
     assert!((Fit::proportional(&[(1e-6, 2.2e-6)]).unwrap().area.kappa(0.0) - 2.2).abs() < 1e-6);
 }
 

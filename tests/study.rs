@@ -51,6 +51,19 @@ fn a_table_is_the_same_to_the_last_bit_for_any_number_of_workers() {
 }
 
 #[test]
+fn contacts_are_seen_in_order_whoever_solves_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let points = sweep(1).run(&Table::new(folder.path().join("x.csv")), &|_| ()).unwrap();
+    let seen = sweep(3).map(&|point, contact| (point.observables, contact.pressure.sum())).unwrap();
+    assert_eq!(seen.iter().map(Vec::len).collect::<Vec<_>>(), [4; 6]);
+    for (point, (observables, load)) in points.iter().zip(seen.into_iter().flatten()) {
+        // as texts, since numbers that are not known are no numbers
+        assert_eq!(format!("{:?}", point.observables), format!("{observables:?}"));
+        assert!((load / 2048.0 / point.observables.mean_pressure - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
 fn what_a_killed_run_left_is_kept_and_the_rest_added() {
     let folder = tempfile::tempdir().unwrap();
     let [whole, _] = paths(folder.path(), "whole");

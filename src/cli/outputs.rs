@@ -23,7 +23,7 @@ pub struct Outputs {
     #[cfg(feature = "record")]
     #[arg(long)]
     pub live: bool,
-    /// Write the fields, the numbers and the setup (.npz), or a table (.csv): of the nodes of a line, or of several loads
+    /// Write the fields, distributions, spectra, numbers and setup (.npz), or a table (.csv): of the nodes of a line, or of several loads
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Write what was solved as a scene, all numbers to the last bit

@@ -34,20 +34,21 @@ pub struct Paper {
     /// Hurst exponents [default: 0.2,0.5,0.8]
     #[arg(long, value_name = "H,H,...", value_delimiter = ',', allow_negative_numbers = true)]
     hurst: Vec<f64>,
-    /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1; with --full 1e-3, 1e-2, 1e-1]
+    /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1, every third one of surfaces; 8 from 1e-4 to
+    /// 0.32 of hurst; with --full 1e-3, 1e-2, 1e-1]
     #[arg(long, value_name = "P,P,...", value_delimiter = ',', allow_negative_numbers = true)]
     loads: Vec<f64>,
     /// Seeds of rough lines, such as 1-10 or 3,5,8 [default: 1-10]
     #[arg(long, value_name = "SEEDS", value_delimiter = ',', value_parser = seeds)]
     line_seeds: Vec<RangeInclusive<u64>>,
-    /// Seeds of rough surfaces [default: 1-2; with --full 1]
+    /// Seeds of rough surfaces on all grids [default: 1-6 on 2048, 1-4 on 4096, 1-2 on 8192; with --full 1]
     #[arg(long, value_name = "SEEDS", value_delimiter = ',', value_parser = seeds)]
     surface_seeds: Vec<RangeInclusive<u64>>,
     /// Points of a rough line [default: 262144]
     #[arg(long, value_name = "N")]
     line_points: Option<usize>,
     /// Points along a side of rough surfaces, coarsest first; from two on, values are extrapolated in the spacing
-    /// [default: 2048,4096, that is 8 and 16 per shortest wavelength; with --full the paper's 16384, that is 64]
+    /// [default: 2048,4096,8192, that is 8 to 32 per shortest wavelength; with --full the 64 of the paper's eps_c, 16384]
     #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
     surface_points: Vec<usize>,
     /// Shortest wavelength of rough lines, as a share of the roll-off [default: 1/512]
@@ -65,7 +66,7 @@ pub struct Paper {
     /// Small grids, short spectra and few loads, to see that it works
     #[arg(long, conflicts_with = "full")]
     quick: bool,
-    /// Rough surfaces at the paper's own size, 16384 points a side, one for each Hurst exponent
+    /// Rough surfaces of 16384 points a side, the paper's size as we read its eps_c, one for each Hurst exponent
     #[arg(long)]
     full: bool,
     /// Solve all points again, and replace those that are there
@@ -108,16 +109,20 @@ impl Paper {
             _ => Effort::Usual,
         };
         let mut paper = paper::Paper::new(&self.out, effort);
-        let paper::Paper { lines, surfaces, .. } = &mut paper;
-        for rough in [&mut *lines, &mut *surfaces] {
+        let paper::Paper { lines, surfaces, fine_lines, .. } = &mut paper;
+        for rough in [&mut *lines, &mut *surfaces, &mut *fine_lines] {
             replace(&mut rough.hurst, sorted(&self.hurst));
             replace(&mut rough.loads, sorted(&self.loads));
         }
         replace(&mut lines.points, self.line_points.into_iter().collect());
         replace(&mut surfaces.points, self.surface_points.clone());
-        replace(&mut lines.seeds, each_once(&self.line_seeds));
-        replace(&mut surfaces.seeds, each_once(&self.surface_seeds));
+        let (of_lines, of_surfaces) = (&self.line_seeds, &self.surface_seeds);
+        for (rough, given) in [(&mut *lines, of_lines), (&mut *fine_lines, of_lines), (&mut *surfaces, of_surfaces)] {
+            let seeds = each_once(given);
+            replace(&mut rough.seeds, if seeds.is_empty() { Vec::new() } else { vec![seeds] });
+        }
         lines.cutoff = self.line_cutoff.unwrap_or(lines.cutoff);
+        fine_lines.cutoff = lines.cutoff;
         surfaces.cutoff = self.surface_cutoff.unwrap_or(surfaces.cutoff);
         paper::Paper {
             tolerance: self.tolerance,

@@ -1,6 +1,7 @@
 //! The fields of contacts in one file.
 
 use crate::contact::{Contact, OBSERVABLES, State};
+use crate::surface::PowerSpectrum;
 use ndarray::{Array0, Array1, Array2, ArrayView, ArrayView1, ArrayView2, Axis, Dimension, arr0, arr2, arr3, stack};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
@@ -11,6 +12,10 @@ use std::io::Cursor;
 /// |------------------------------------------------------|----------------------|---------------------------------------------|
 /// | `height`, `pressure`, `gap`, `displacement`          | `(ny, nx)` or `(nx)` | the fields, in the units of the problem     |
 /// | `contact`                                            | `(ny, nx)` or `(nx)` | whether the nodes touch                     |
+/// | `pressure_edges`, `pressure_density`                 | `(65)`, `(64)`       | the [`Distribution`](crate::contact::Distribution) of the pressure in contact |
+/// | `gap_edges`, `gap_density`                           | `(65)`, `(64)`       | and that of the gap beside it               |
+/// | `wavenumber`                                         | `(waves)`            | `q = 2 pi / wavelength`, ascending          |
+/// | `height_spectrum`, `pressure_spectrum`               | `(waves)`            | the [`PowerSpectrum`] of each               |
 /// | `segments`, of rank 1                                | `(n, 2)`             | first and last position of each segment of contact |
 /// | `contour`, of rank 2                                 | `(n, 2, 2)`          | lines of the contour, the `x` and `y` of both ends |
 /// | `x`, and `y` of rank 2                               | `(nx)`, `(ny)`       | positions of columns and rows, from 0       |
@@ -22,12 +27,16 @@ use std::io::Cursor;
 ///
 /// The text is `bytes(npz["setup"]).decode()` in Python.
 ///
-/// The archive is made in memory: a `ZipWriter` that meets a full disk complains on standard error by itself.
+/// The archive is made in memory, spectra first, while there is room for their transforms: a `ZipWriter` that meets a full disk
+/// complains on standard error by itself.
 ///
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet.
 pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
     let mut archive = Archive::of(contact, rank, setup)?;
+    for (name, of) in CURVES {
+        archive.npz.add_array(name, &ArrayView1::from(&of(contact)))?;
+    }
     for (name, of) in FIELDS {
         archive.add_field(name, &of(contact))?;
     }
@@ -42,7 +51,7 @@ pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Ve
 }
 
 /// The contacts of one surface under several loads as `.npz`: as [`archive`], with the loads along a further first axis of all but
-/// `height`, positions, size and modulus.
+/// `height` and its spectrum, wavenumbers, positions, size and modulus.
 ///
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet, unless there are no contacts.
@@ -51,6 +60,11 @@ pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Resul
         return Ok(NpzWriter::new(Cursor::new(Vec::new())).finish()?.into_inner());
     };
     let mut archive = Archive::of(first, rank, Some(setup))?;
+    for (name, of) in CURVES {
+        let curves: Vec<Array1<f64>> = contacts.iter().map(|contact| of(contact).into()).collect();
+        let curves: Vec<ArrayView1<f64>> = curves.iter().map(|curve| curve.view()).collect();
+        archive.npz.add_array(name, &stack(Axis(0), &curves).expect("one surface has one set of waves"))?;
+    }
     for (name, of) in FIELDS {
         let fields: Vec<ArrayView2<f64>> = contacts.iter().map(of).collect();
         archive.add_field(name, &stack(Axis(0), &fields).expect("one surface has one shape").view())?;
@@ -76,6 +90,21 @@ const FIELDS: [(&str, FieldOf); 3] = [
     ("displacement", |contact| contact.displacement.view()),
 ];
 
+/// Bins of the distributions.
+const BINS: usize = 64;
+
+/// A curve over the bins or waves of a contact.
+type CurveOf = fn(&Contact) -> Vec<f64>;
+
+/// The curves that are found: distributions, and the spectrum of the pressure.
+const CURVES: [(&str, CurveOf); 5] = [
+    ("pressure_edges", |contact| contact.pressure_distribution(BINS, contact.max_pressure()).edges),
+    ("pressure_density", |contact| contact.pressure_distribution(BINS, contact.max_pressure()).density),
+    ("gap_edges", |contact| contact.gap_distribution(BINS, contact.max_gap()).edges),
+    ("gap_density", |contact| contact.gap_distribution(BINS, contact.max_gap()).density),
+    ("pressure_spectrum", |contact| contact.pressure_spectrum().density),
+];
+
 /// An archive on its way.
 struct Archive {
     npz: NpzWriter<Cursor<Vec<u8>>>,
@@ -97,6 +126,9 @@ impl Archive {
         }
         npz.add_array("size", &ArrayView1::from(&grid.size()[2 - rank.min(2)..]))?;
         npz.add_array("contact_modulus", &Array0::from_elem((), modulus))?;
+        let heights = PowerSpectrum::of(surface);
+        npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
+        npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
         let mut archive = Self { npz, rank };
         archive.add_field("height", &surface.heights_as_given().view())?;
         Ok(archive)

@@ -15,7 +15,7 @@ pub struct Observable {
     pub name: &'static str,
     /// The symbol of the field.
     pub symbol: &'static str,
-    /// The unit: `length`, `pressure`, `pressure/length`, or `1` for a pure number.
+    /// The unit: `length`, `pressure`, their product `pressure length` or quotient `pressure/length`, or `1` for a pure number.
     pub unit: &'static str,
     /// Whether the number is drawn step by step: it changes while a contact is solved, and a step knows it.
     pub is_traced: bool,
@@ -41,6 +41,8 @@ pub struct State<'a> {
     /// What the next coarser grid had, if that is known.
     coarser: Option<&'a Resolved>,
     mean_gap: Lazy<'a, f64>,
+    /// The elastic energy; NaN where it is not known.
+    elastic_energy: Lazy<'a, f64>,
     mean_pressure: Lazy<'a, f64>,
     max_pressure: Lazy<'a, f64>,
 }
@@ -144,6 +146,8 @@ observables! {
         "Mean gap between the surfaces.";
     mean_gap_over_rms_height: f64, "<g> / h_rms", "1", true, |it| *it.mean_gap / it.problem.rms_height(),
         "Mean gap over the rms height.";
+    elastic_energy: f64, "U", "pressure length", false, |it| *it.elastic_energy,
+        "Elastic energy per area, half the mean of pressure times displacement.";
     max_pressure: f64, "p_max", "pressure", false, |it| *it.max_pressure,
         "Largest pressure.";
     max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
@@ -218,6 +222,7 @@ impl<'a> From<&'a Contact> for State<'a> {
             patches: lazy(|| contact.patches()),
             coarser: contact.coarser.as_ref(),
             mean_gap: lazy(|| contact.mean_gap()),
+            elastic_energy: lazy(|| contact.elastic_energy()),
             mean_pressure: lazy(|| contact.mean_pressure()),
             max_pressure: lazy(|| contact.max_pressure()),
         }
@@ -237,6 +242,7 @@ impl<'a> From<&'a Step<'_>> for State<'a> {
             patches: lazy(|| step.patches().clone()),
             coarser: None,
             mean_gap: lazy(|| step.mean_gap()),
+            elastic_energy: lazy(|| f64::NAN),
             mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),
             max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),
         }

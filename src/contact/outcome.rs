@@ -1,7 +1,8 @@
 //! The contact that a solver returns.
 
 use crate::contact::{
-    Certificate, Edges, Failure, Measures, Patches, Problem, Resolution, Resolved, Status, certificate, multilevel,
+    Certificate, Edges, Failure, Measures, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
+    multilevel,
 };
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
@@ -184,9 +185,22 @@ impl Contact {
         self.gap.mean().unwrap_or(0.0)
     }
 
+    /// Elastic energy `<p u>/2` per area of the cell, pressure times length. Under one load after the other it falls with the
+    /// mean gap as `<p> = -dU/d<g>`.
+    pub fn elastic_energy(&self) -> f64 {
+        let displacement = self.displacement.as_slice().expect("results are made in standard layout");
+        let pressure = self.pressures();
+        0.5 * chunks::sum(pressure.len(), |i| pressure[i] * displacement[i]) / pressure.len() as f64
+    }
+
     /// Largest pressure.
     pub fn max_pressure(&self) -> f64 {
         self.pressure.fold(0.0, |max: f64, &p| max.max(p))
+    }
+
+    /// Largest gap.
+    pub fn max_gap(&self) -> f64 {
+        self.gap.fold(0.0, |max: f64, &gap| max.max(gap))
     }
 
     /// The active set: nodes with `p > 0`.

@@ -1,6 +1,7 @@
 //! Beyond the paper: `kappa_r` is not the same for all indenters, nor up to full contact.
 
-use super::means::{Points, Quantity};
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::smooth::{LINE, PERIOD, loads, narrow, realisation, widths};
 use super::verdict::Verdict;
@@ -47,25 +48,20 @@ fn sine() -> Realisation {
 
 /// The figure, and theory beside what is measured.
 pub fn reproduce(points: &Points) -> Reproduction {
-    let corrected: Quantity = |it| it.kappa_r_corrected;
+    let [area, kappa_r] = [Measure::Resolved.area(), Measure::Resolved.kappa_r()];
     let power = |(_, name, _, _, key): (_, _, _, _, &'static str)| {
-        Verdict::number(key, "corrected", narrow(points, name, 0.03, corrected))
+        Verdict::number(key, "resolved", narrow(points, name, 0.03, kappa_r))
     };
     let mut verdicts: Vec<Verdict> = POWERS.map(power).into();
     let half = points.named("sine").find(|row| row.observables.reduced_pressure == 0.5 / SQRT_2);
-    verdicts.extend(half.map(|row| Verdict::exact("beyond.sine", "corrected", row.observables.kappa_r_corrected)));
+    verdicts.extend(half.map(|row| Verdict::exact("beyond.sine", "resolved", kappa_r(&row.observables))));
     let ramp = Ramp {
         captions: SINE.map(|share| format!("p/p_full = {share}")).to_vec(),
         quantity: ("p/p_full", Scale::Linear),
         cursor: SINE.to_vec(),
         curves: vec![
-            RampCurve::new(
-                "a_rel and κ_r",
-                "a_rel corrected",
-                Colour::VERMILION,
-                points.values("sine", |it| it.relative_area_corrected),
-            ),
-            RampCurve::new("a_rel and κ_r", "κ_r corrected", Colour::BLUE, points.values("sine", corrected)),
+            RampCurve::new("a_rel and κ_r", "a_rel resolved", Colour::VERMILION, points.values("sine", area)),
+            RampCurve::new("a_rel and κ_r", "κ_r resolved", Colour::BLUE, points.values("sine", kappa_r)),
         ],
         contacts: vec![sine()],
         length_unit: "L/4",
@@ -80,7 +76,7 @@ fn power_panel(points: &Points) -> Panel {
     for (exponent, name, colour, symbol, _) in POWERS {
         let exact = power_law(exponent).kappa_r();
         panel.add_curve(format!("n = {exponent}, exact {exact:.4}"), colour, Mark::Line, |_| exact);
-        let measured = points.dots(name, |it| it.reduced_pressure_contact, |it| it.kappa_r_corrected);
+        let measured = points.dots(name, |it| it.reduced_pressure_contact, Measure::Resolved.kappa_r());
         panel.add("", colour, Mark::Symbol { symbol, filled: false }, measured);
     }
     panel
@@ -91,13 +87,13 @@ fn sine_panel(points: &Points) -> Panel {
     let mut panel = Panel::new("single sine to full contact", x, y);
     type Kind = (&'static str, Colour, Symbol, fn(f64) -> f64, Quantity);
     let kinds: [Kind; 2] = [
-        ("a_rel", Colour::VERMILION, Symbol::Circle, |p| WAVE.relative_area(p), |it| it.relative_area_corrected),
-        ("κ_r", Colour::BLUE, Symbol::Square, |p| WAVE.kappa_r(p), |it| it.kappa_r_corrected),
+        ("a_rel", Colour::VERMILION, Symbol::Circle, |p| WAVE.relative_area(p), Measure::Resolved.area()),
+        ("κ_r", Colour::BLUE, Symbol::Square, |p| WAVE.kappa_r(p), Measure::Resolved.kappa_r()),
     ];
     for (name, colour, symbol, exact, quantity) in kinds {
         panel.add_curve(format!("{name}, exact"), colour, Mark::Line, |share| exact(share * WAVE.full_pressure()));
         let measured = points.dots("sine", |it| it.reduced_pressure * SQRT_2, quantity);
-        panel.add(format!("{name}, corrected"), colour, Mark::Symbol { symbol, filled: false }, measured);
+        panel.add(format!("{name}, resolved"), colour, Mark::Symbol { symbol, filled: false }, measured);
     }
     panel
 }

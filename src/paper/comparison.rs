@@ -1,7 +1,7 @@
 //! The table of all verdicts, kept from run to run.
 
 use super::item::Item;
-use super::verdict::Verdict;
+use super::verdict::{Evidence, Verdict};
 use crate::error::FileError;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
@@ -38,23 +38,33 @@ impl Comparison {
     /// # Errors
     /// The errors of `out`.
     pub fn write_text(&self, out: &mut dyn Write) -> io::Result<()> {
-        let width = |title: &str, of: fn(&Verdict) -> &str| {
-            self.verdicts.iter().map(|row| of(row).chars().count()).fold(title.len(), usize::max)
+        let rows: Vec<[String; 5]> = self.verdicts.iter().map(cells).collect();
+        let titles = ["quantity", "paper", "here", "deviation", "verdict"].map(String::from);
+        let width = |i: usize| rows.iter().chain([&titles]).map(|row| row[i].chars().count()).max().unwrap_or(0);
+        let [a, b, c, d] = [0, 1, 2, 3].map(width);
+        let mut line = |item: &str, [quantity, paper, here, off, verdict]: &[String; 5]| {
+            writeln!(out, "{item:7} {quantity:a$}  {paper:b$}  {here:c$}  {off:d$}  {verdict}")
         };
-        let quantity = width("quantity", |row| &row.quantity);
-        let [paper, here] = [width("paper", |row| &row.paper), width("here", |row| &row.here)];
-        let mut line = |cells: [&str; 6]| {
-            let [item, a, b, c, scatter, verdict] = cells;
-            writeln!(out, "{item:7} {a:quantity$}  {b:paper$}  {c:here$}  {scatter:7}  {verdict}")
-        };
-        line(["", "quantity", "paper", "here", "scatter", "verdict"])?;
+        line("", &titles)?;
         let mut last = None;
-        for row in &self.verdicts {
-            let item = if last == Some(row.item) { String::new() } else { row.item.name() };
-            last = Some(row.item);
-            line([&item, &row.quantity, &row.paper, &row.here, &row.scatter, &row.verdict])?;
+        for (row, Verdict { item, .. }) in rows.iter().zip(&self.verdicts) {
+            line(&if last == Some(*item) { String::new() } else { item.name() }, row)?;
+            last = Some(*item);
         }
+        self.write_sum(out)?;
         self.write_reasons(out)
+    }
+
+    /// Writes how many numbers and statements agree, those not counted that are no evidence of their own.
+    fn write_sum(&self, out: &mut dyn Write) -> io::Result<()> {
+        let own = || self.verdicts.iter().filter(|verdict| verdict.evidence == Evidence::Own);
+        let good = own().filter(|verdict| verdict.is_good()).count();
+        let rest = self.verdicts.len() - own().count();
+        writeln!(
+            out,
+            "\n{good} of {} agree or hold; {rest} are not counted: they follow from others, or are measured otherwise",
+            own().count()
+        )
     }
 
     /// Writes why numbers differ, each reason once.
@@ -62,11 +72,16 @@ impl Comparison {
         let mut told: Vec<&str> = vec![""];
         for Verdict { item, why, .. } in &self.verdicts {
             if !told.contains(&why.as_str()) {
-                let lead = if told.len() == 1 { "\nWhere it differs\n" } else { "" };
+                let lead = if told.len() == 1 { "\nNotes\n" } else { "" };
                 writeln!(out, "{lead}{:7} {why}", item.name())?;
                 told.push(why);
             }
         }
         Ok(())
     }
+}
+
+/// The words of a row.
+fn cells(row: &Verdict) -> [String; 5] {
+    [row.quantity.clone(), row.paper.clone(), row.found(), row.deviation(), row.verdict.clone()]
 }

@@ -1,6 +1,7 @@
 //! Fig. 1: `kappa_r` of cylinder and sphere against `p_r*`.
 
-use super::means::{Points, Quantity};
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::smooth::{LINE, cylinder, narrow, periodic_cylinder, sphere, widths};
 use super::verdict::Verdict;
@@ -25,12 +26,12 @@ pub fn realisations(side: usize) -> Vec<Realisation> {
 /// The figure and how far it is from the analytical lines.
 pub fn reproduce(points: &Points) -> Reproduction {
     // the exact periodic kappa_r of contacts up to this width is within 0.4 % of the isolated one
-    let mean = |name, quantity| narrow(points, name, 0.05, quantity);
+    let mean = |name, measure: Measure| narrow(points, name, 0.05, measure.kappa_r());
     let verdicts = vec![
-        Verdict::number("fig1.line", "nodes counted", mean("cylinder", |it| it.kappa_r)),
-        Verdict::number("fig1.line", "corrected", mean("cylinder", |it| it.kappa_r_corrected)),
-        Verdict::number("fig1.point", "nodes counted", mean("sphere", |it| it.kappa_r)),
-        Verdict::number("fig1.point", "corrected", mean("sphere", |it| it.kappa_r_corrected)),
+        Verdict::number("fig1.line", "counted", mean("cylinder", Measure::Counted)),
+        Verdict::number("fig1.line", "resolved", mean("cylinder", Measure::Resolved)).beside(),
+        Verdict::number("fig1.point", "counted", mean("sphere", Measure::Counted)),
+        Verdict::number("fig1.point", "resolved", mean("sphere", Measure::Resolved)).beside(),
     ];
     Reproduction::of("Fig. 1: κ_r of smooth indenters, L/R = 4", vec![panel(points)], ramp(points), verdicts)
 }
@@ -44,12 +45,11 @@ fn panel(points: &Points) -> Panel {
     ];
     for (name, colour, symbol, exact) in cases {
         panel.add_curve(format!("{name}, analytical: {exact:.4}"), colour, Mark::Line, |_| exact);
-        let mut add = |kind: &str, filled, quantity: Quantity| {
-            let measured = points.dots(name, |it| it.reduced_pressure_contact, quantity);
-            panel.add(format!("{name}, {kind}"), colour, Mark::Symbol { symbol, filled }, measured);
-        };
-        add("nodes counted", true, |it| it.kappa_r);
-        add("corrected", false, |it| it.kappa_r_corrected);
+        for measure in Measure::ALL {
+            let mark = Mark::Symbol { symbol, filled: measure == Measure::Counted };
+            let measured = points.dots(name, |it| it.reduced_pressure_contact, measure.kappa_r());
+            panel.add(format!("{name}, {}", measure.name()), colour, mark, measured);
+        }
     }
     panel.add("cylinders side by side, exact", Colour::VERMILION, Mark::Dashed, periodic_cylinder(0.2));
     panel
@@ -62,8 +62,9 @@ fn ramp(points: &Points) -> Ramp {
         let every = points.named(name).count().saturating_sub(1) / (widths.len() - 1);
         points.values(name, quantity).step_by(every.max(1)).collect::<Vec<_>>()
     };
-    let curve =
-        |name, colour| RampCurve::new("κ_r corrected", name, colour, each(name, |it| it.kappa_r_corrected).into_iter());
+    let curve = |name, colour| {
+        RampCurve::new("κ_r resolved", name, colour, each(name, Measure::Resolved.kappa_r()).into_iter())
+    };
     Ramp {
         captions: captions("a/L", &widths),
         quantity: ("p_r*", Scale::Log),

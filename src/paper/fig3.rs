@@ -1,7 +1,8 @@
 //! Fig. 3: fits of Eq. 11 to the rough lines, for each Hurst exponent and for all.
 
-use super::fit::Fit;
-use super::means::{Points, Quantity};
+use super::fit::{Fit, Weights};
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough, WARM};
 use super::verdict::Verdict;
@@ -16,15 +17,14 @@ const LEVEL: f64 = 1e-1;
 const VIEW: &str = "κ and κ_r";
 
 /// Why the fits are not level.
-const BENT: &str =
-    "Eq. 11 bends where its points do: kappa itself falls from p* = 0.01 to 0.1, where the squares weigh most.";
+const BENT: &str = "Eq. 11 bends where its points do: kappa itself falls from p* = 0.01 to 0.1, whatever the weights.";
 
 /// A fit to the points of one Hurst exponent, or of all.
 #[derive(Serialize)]
 pub struct FitRow {
     hurst: Option<f64>,
-    /// Counted or corrected.
-    area: &'static str,
+    area: Measure,
+    weights: Weights,
     b1: f64,
     b2: f64,
     /// `kappa_fit` at small loads.
@@ -35,13 +35,13 @@ pub struct FitRow {
 }
 
 impl FitRow {
-    fn of(points: &Points, hurst: Option<f64>, area: &'static str, quantity: Quantity) -> Option<Self> {
+    fn of(points: &Points, hurst: Option<f64>, area: Measure, weights: Weights) -> Option<Self> {
         let rows = points.on(points.finest()).filter(|row| hurst.is_none() || row.hurst == hurst);
         let pairs: Vec<(f64, f64)> =
-            rows.map(|row| (row.observables.reduced_pressure, quantity(&row.observables))).collect();
-        let Fit { area: form, residual } = Fit::of(&pairs)?;
+            rows.map(|row| (row.observables.reduced_pressure, area.area()(&row.observables))).collect();
+        let Fit { area: form, residual } = Fit::of(&pairs, weights)?;
         let CorrectedArea { b1, b2 } = form;
-        Some(Self { hurst, area, b1, b2, kappa: form.kappa(0.0), residual, points: pairs.len() })
+        Some(Self { hurst, area, weights, b1, b2, kappa: form.kappa(0.0), residual, points: pairs.len() })
     }
 
     /// `kappa_fit` at a load.
@@ -56,21 +56,20 @@ impl FitRow {
     }
 }
 
-/// The fits to the counted and the corrected area, each for every Hurst exponent and in the end for all.
-pub fn fits(lines: &Rough, points: &Points) -> [Vec<FitRow>; 2] {
-    let areas: [(&'static str, Quantity); 2] =
-        [("counted", |it| it.relative_area), ("corrected", |it| it.relative_area_corrected)];
-    areas.map(|(area, quantity)| {
-        let exponents = lines.hurst.iter().copied().map(Some).chain([None]);
-        exponents.filter_map(|hurst| FitRow::of(points, hurst, area, quantity)).collect()
-    })
+/// All fits, each to every Hurst exponent and in the end to all: first those to the counted area with equal weights.
+pub fn fits(lines: &Rough, points: &Points) -> Vec<Vec<FitRow>> {
+    let exponents = || lines.hurst.iter().copied().map(Some).chain([None]);
+    let kinds = Measure::ALL.into_iter().flat_map(|area| Weights::ALL.map(|weights| (area, weights)));
+    let fits = |(area, weights)| exponents().filter_map(|hurst| FitRow::of(points, hurst, area, weights)).collect();
+    kinds.map(fits).collect()
 }
 
-/// The figure, and what the paper says of it, of the fits to the counted area.
-pub fn reproduce(lines: &Rough, points: &Points, fits: &[FitRow]) -> Reproduction {
-    let mut verdicts = Vec::new();
+/// The figure of the fits to the counted area with equal weights, and what the paper says of it.
+pub fn reproduce(lines: &Rough, points: &Points, all: &[Vec<FitRow>]) -> Reproduction {
+    let (fits, mut verdicts) = (all[0].as_slice(), Vec::new());
     if !fits.is_empty() {
         verdicts.push(is_level(fits));
+        verdicts.push(is_level(&all[1]).beside());
         verdicts.extend((lines.hurst.len() > 1).then(|| strongly_depends(fits)));
     }
     let (title, panel) = ("Fig. 3: κ_fit of rough lines by Eq. 11", panel(lines, points, fits));
@@ -116,6 +115,10 @@ fn strongly_depends(fits: &[FitRow]) -> Verdict {
 /// Whether each fit is level to 5 % up to `p* = 0.1`.
 fn is_level(fits: &[FitRow]) -> Verdict {
     let change = |p: f64| fits.iter().map(|fit| 100.0 * (fit.kappa_at(p) / fit.kappa - 1.0).abs()).fold(0.0, f64::max);
-    let words = format!("to {:.0} %; to {:.0} % at 0.01", change(LEVEL), change(0.1 * LEVEL));
+    let weights = match fits.first().map(|fit| fit.weights) {
+        Some(Weights::Relative) => "relative",
+        _ => "equal",
+    };
+    let words = format!("to {:.0} %; to {:.0} % at 0.01; {weights} weights", change(LEVEL), change(0.1 * LEVEL));
     Verdict::statement("fig3.level", words, change(LEVEL) < 5.0).because(BENT)
 }

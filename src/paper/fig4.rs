@@ -1,14 +1,16 @@
 //! Fig. 4: rough surfaces.
 
 use super::fit::Fit;
-use super::means::{Points, Quantity};
+use super::means::Points;
+use super::measure::Measure;
 use super::reproduction::Reproduction;
 use super::rough::Rough;
 use super::verdict::Verdict;
 use crate::plot::{Colour, Mark};
+use crate::study::Estimate;
 
-/// Why values move from grid to grid.
-const FINER: &str = "Counted nodes exceed the area, the more so the coarser the grid; with the paper's spectrum the paper's values come out on about 4096^2 points.";
+/// Why values differ.
+const COARSER: &str = "Counted nodes exceed the area, the more so the coarser the grid. Readings that fit: a coarser effective resolution, another criterion of contact, or another average than ours.";
 /// Why the fit lies below the points.
 const HEAVY: &str = "The squares of the fit weigh most at the heaviest loads, where kappa is smallest.";
 
@@ -26,30 +28,39 @@ pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
     }
     let waves = surfaces.points_per_wave(finest);
     let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points, {waves} per shortest wavelength");
-    let (panels, ramp) = (vec![surfaces.area_panel(points), panel], surfaces.ramp_of(points, surfaces.surfaces()));
+    let panels = vec![surfaces.area_panel(points), panel];
+    let ramp = surfaces.ramp_of(points, surfaces.surfaces());
     Reproduction::of(title, panels, ramp, verdicts(surfaces, points, fit))
 }
 
-/// On each grid, from two on extrapolated to the paper's, and of the fit.
+/// Of the paper's grid, as its `eps_c` is read, extrapolated if it is not among the grids; and beside it of all grids, of the
+/// continuum, and of the fit.
 fn verdicts(surfaces: &Rough, points: &Points, fit: Option<Fit>) -> Vec<Verdict> {
-    let mut verdicts = Vec::new();
-    let (grids, finest) = (points.grids(), points.finest());
-    let mut add = |points: &Points, nx: usize, place: String| {
-        let number = |key, how: &str, quantity: Quantity| {
-            Verdict::number(key, &format!("{how}, {place}"), points.overall(nx, quantity)).because(FINER)
+    let (grids, side, counted) = (points.grids(), surfaces.paper_side(), Measure::Counted);
+    let kinds = [("fig4.kappa", counted.kappa()), ("fig4.kappa_r", counted.kappa_r())];
+    let at = |(key, quantity)| {
+        let (how, here) = match grids.contains(&side) {
+            true => (format!("counted, {side}^2"), points.average(None, side, quantity)),
+            false => {
+                (format!("counted, extrapolated to {side}^2"), points.limit(None, None, Some(side), counted, quantity))
+            }
         };
-        verdicts.push(number("fig4.kappa", "counted", |it| it.kappa));
-        verdicts.push(number("fig4.kappa_r", "counted", |it| it.kappa_r));
-        verdicts.push(number("fig4.kappa_r", "corrected", |it| it.kappa_r_corrected));
+        Verdict::number(key, &how, here).because(COARSER)
     };
-    grids.iter().for_each(|&nx| add(points, nx, format!("{nx}^2")));
-    if grids.len() > 1 {
-        let side = surfaces.paper_side();
-        add(&points.extrapolated(Some(side)), finest, format!("extrapolated to {side}^2"));
+    let mut verdicts: Vec<Verdict> = kinds.into_iter().map(at).collect();
+    let mut beside = |key, how: String, here: Estimate| verdicts.push(Verdict::number(key, &how, here).beside());
+    for &nx in grids.iter().filter(|nx| **nx != side) {
+        kinds
+            .iter()
+            .for_each(|&(key, quantity)| beside(key, format!("counted, {nx}^2"), points.average(None, nx, quantity)));
+    }
+    let resolved = Measure::Resolved;
+    for (key, quantity) in [("fig4.kappa", resolved.kappa()), ("fig4.kappa_r", resolved.kappa_r())] {
+        beside(key, "resolved, continuum".into(), points.limit(None, None, None, resolved, quantity));
     }
     verdicts.extend(fit.map(|fit| {
-        let how = format!("of the empirical fit on {finest}^2");
-        Verdict::exact("fig4.kappa", &how, fit.area.kappa(0.0)).because(HEAVY)
+        let how = format!("of the empirical fit on {}^2", points.finest());
+        Verdict::exact("fig4.kappa", &how, fit.area.kappa(0.0)).because(HEAVY).beside()
     }));
     verdicts
 }

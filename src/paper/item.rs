@@ -23,12 +23,26 @@ pub enum Item {
     Gw,
     /// Indenters that the paper leaves out: power laws, and a sine to full contact.
     Beyond,
+    /// Rough lines on three grids: kappa_r in the continuum depends on the Hurst exponent.
+    Hurst,
+    /// Pressures of lines and surfaces beside Persson's theory: distributions, spectra, and the contact stiffness.
+    Persson,
 }
 
 impl Item {
     /// All items, in the order of the paper.
-    pub const ALL: [Self; 8] =
-        [Self::Table1, Self::Fig1, Self::Fig2, Self::Fig3, Self::Fig4, Self::Fig5, Self::Gw, Self::Beyond];
+    pub const ALL: [Self; 10] = [
+        Self::Table1,
+        Self::Fig1,
+        Self::Fig2,
+        Self::Fig3,
+        Self::Fig4,
+        Self::Fig5,
+        Self::Gw,
+        Self::Beyond,
+        Self::Hurst,
+        Self::Persson,
+    ];
 
     /// The name, as on the command line and in file names.
     pub fn name(self) -> String {
@@ -43,8 +57,9 @@ impl Item {
             Self::Fig2 | Self::Fig3 => &[Self::Fig2],
             Self::Fig4 => &[Self::Fig4],
             Self::Fig5 => &[Self::Fig2, Self::Fig4],
-            Self::Gw => &[],
+            Self::Gw | Self::Persson => &[],
             Self::Beyond => &[Self::Beyond],
+            Self::Hurst => &[Self::Hurst],
         }
     }
 }

@@ -1,11 +1,9 @@
 //! Means of solved points over realisations.
 
-use crate::contact::Observables;
+use super::measure::{Measure, Quantity};
 use crate::plot::Dot;
-use crate::study::{Line, Point, Spread};
-
-/// A quantity of a point.
-pub type Quantity = fn(&Observables) -> f64;
+use crate::study::{Estimate, GridValues, Limit, Point, Spread};
+use std::collections::BTreeMap;
 
 /// Solved points, all converged.
 pub struct Points(pub Vec<Point>);
@@ -50,10 +48,118 @@ impl Points {
         Spread::of(self.on(nx).filter(is_it).map(|row| quantity(&row.observables)))
     }
 
-    /// `quantity` averaged over the loads of each realisation, over all realisations.
-    pub fn overall(&self, nx: usize, quantity: Quantity) -> Spread {
-        let mean = |rows: Vec<&Point>| Spread::of(rows.iter().map(|row| quantity(&row.observables))).mean;
-        Spread::of(self.realisations(nx).into_iter().map(mean))
+    /// The loads, lightest first.
+    pub fn loads(&self) -> Vec<f64> {
+        let mut loads: Vec<f64> = self.0.iter().map(|row| row.observables.reduced_pressure).collect();
+        loads.sort_unstable_by(f64::total_cmp);
+        loads.dedup();
+        loads
+    }
+
+    /// The points under some loads.
+    pub fn under(mut self, loads: &[f64]) -> Self {
+        self.0.retain(|row| loads.contains(&row.observables.reduced_pressure));
+        self
+    }
+
+    /// The Hurst exponents, in their order.
+    pub fn exponents(&self) -> Vec<f64> {
+        let mut exponents: Vec<f64> = self.0.iter().filter_map(|row| row.hurst).collect();
+        exponents.sort_unstable_by(f64::total_cmp);
+        exponents.dedup();
+        exponents
+    }
+
+    /// `quantity` on a grid, over the realisations: of one Hurst exponent, or averaged over all; averaged over the loads.
+    pub fn average(&self, hurst: Option<f64>, nx: usize, quantity: Quantity) -> Estimate {
+        Estimate::of(self.averages(hurst, None, nx, quantity).into_values())
+    }
+
+    /// How much larger `quantity` is at the second of two Hurst exponents than at the first, by pairs of the same seed, which
+    /// share their random waves; averaged over the loads.
+    pub fn contrast(&self, pair: [f64; 2], nx: usize, quantity: Quantity) -> Estimate {
+        Estimate::of(self.contrasts(pair, None, nx, quantity).into_values())
+    }
+
+    /// A quantity of a measure as [`Points::average`] and under one load or averaged over all, extrapolated from the grids that
+    /// there are to one of `nx` points along x, or to the continuum.
+    pub fn limit(
+        &self,
+        hurst: Option<f64>,
+        load: Option<f64>,
+        nx: Option<usize>,
+        measure: Measure,
+        quantity: Quantity,
+    ) -> Estimate {
+        self.extrapolated(nx, measure, |nx| self.averages(hurst, load, nx, quantity))
+    }
+
+    /// The contrast of two Hurst exponents in the continuum, under one load or averaged over all.
+    pub fn limit_of_contrast(
+        &self,
+        pair: [f64; 2],
+        load: Option<f64>,
+        measure: Measure,
+        quantity: Quantity,
+    ) -> Estimate {
+        self.extrapolated(None, measure, |nx| self.contrasts(pair, load, nx, quantity))
+    }
+
+    /// The contrast of two Hurst exponents in the continuum, averaged over the loads by the inverse squares of their errors. The
+    /// error is that of these averages, seed by seed: loads of one profile are not independent.
+    pub fn mean_contrast(&self, pair: [f64; 2], measure: Measure, quantity: Quantity) -> Estimate {
+        let weight = |load: &f64| {
+            let weight = self.limit_of_contrast(pair, Some(*load), measure, quantity).uncertainty().powi(-2);
+            (*load, if weight.is_finite() { weight } else { 0.0 })
+        };
+        let weights: Vec<(f64, f64)> = self.loads().iter().map(weight).collect();
+        let sum: f64 = weights.iter().map(|(_, weight)| weight).sum();
+        self.extrapolated(None, measure, |nx| {
+            let mut means = BTreeMap::new();
+            for (load, weight) in &weights {
+                for (seed, value) in self.contrasts(pair, Some(*load), nx, quantity) {
+                    *means.entry(seed).or_insert(0.0) += weight / sum * value;
+                }
+            }
+            means
+        })
+    }
+
+    /// Values of a measure on each grid, by their seeds, extrapolated.
+    fn extrapolated(
+        &self,
+        nx: Option<usize>,
+        measure: Measure,
+        values: impl Fn(usize) -> BTreeMap<u64, f64>,
+    ) -> Estimate {
+        let spacing = |nx: usize| 1.0 / nx as f64;
+        let grid = |nx| GridValues { spacing: spacing(nx), values: values(nx) };
+        let grids: Vec<GridValues> = self.grids().into_iter().map(grid).collect();
+        Limit { order: measure.order(), spacing: nx.map_or(0.0, spacing) }.of(&grids)
+    }
+
+    /// `quantity` under one load or averaged over all, at one Hurst exponent or averaged over all, by the seeds.
+    ///
+    /// The surfaces of one seed share their random waves, so that those of several Hurst exponents are not independent: only the
+    /// averages over them, seed by seed, are.
+    fn averages(&self, hurst: Option<f64>, load: Option<f64>, nx: usize, quantity: Quantity) -> BTreeMap<u64, f64> {
+        let is_asked = |row: &&Point| {
+            hurst.is_none_or(|hurst| row.hurst == Some(hurst))
+                && load.is_none_or(|load| row.observables.reduced_pressure == load)
+        };
+        let mut values: BTreeMap<u64, Vec<f64>> = BTreeMap::new();
+        for row in self.on(nx).filter(is_asked) {
+            values.entry(row.seed.unwrap_or_default()).or_default().push(quantity(&row.observables));
+        }
+        // a seed some of whose points did not converge would be an average over others
+        let whole = values.values().map(Vec::len).max().unwrap_or(0);
+        let values = values.into_iter().filter(|(_, values)| values.len() == whole);
+        values.map(|(seed, values)| (seed, Spread::of(values).mean)).collect()
+    }
+
+    fn contrasts(&self, pair: [f64; 2], load: Option<f64>, nx: usize, quantity: Quantity) -> BTreeMap<u64, f64> {
+        let [first, second] = pair.map(|hurst| self.averages(Some(hurst), load, nx, quantity));
+        second.into_iter().filter_map(|(seed, value)| Some((seed, value - first.get(&seed)?))).collect()
     }
 
     /// The points of each realisation on a grid.
@@ -83,35 +189,6 @@ impl Points {
         loads.iter().map(|&load| self.at(hurst, load, self.finest(), quantity).mean).collect()
     }
 
-    /// The points as on a grid of `nx` points along x: quantity by quantity on the line in the grid spacing through the grids
-    /// that there are. Without `nx`, of infinitely many points.
-    ///
-    /// Cost and certificate of a point are those of the finest grid.
-    pub fn extrapolated(&self, nx: Option<usize>) -> Self {
-        let spacing = nx.map_or(0.0, |nx| 1.0 / nx as f64);
-        let row = |row: &Point| {
-            let others: Vec<&Point> = self.0.iter().filter(|other| is_same_point(row, other)).collect();
-            let value = |quantity: Quantity| {
-                let points: Vec<_> =
-                    others.iter().map(|row| (1.0 / row.nx as f64, quantity(&row.observables))).collect();
-                Line::through(&points).at(spacing)
-            };
-            let observables = Observables {
-                reduced_pressure_contact: value(|it| it.reduced_pressure_contact),
-                relative_area: value(|it| it.relative_area),
-                relative_area_corrected: value(|it| it.relative_area_corrected),
-                rms_gradient_contact: value(|it| it.rms_gradient_contact),
-                kappa: value(|it| it.kappa),
-                kappa_corrected: value(|it| it.kappa_corrected),
-                kappa_r: value(|it| it.kappa_r),
-                kappa_r_corrected: value(|it| it.kappa_r_corrected),
-                ..row.observables
-            };
-            Point { observables, ..row.clone() }
-        };
-        Self(self.on(self.finest()).map(row).collect())
-    }
-
     /// Means over the realisations of each grid, Hurst exponent and load.
     pub fn means(&self) -> Vec<Mean> {
         let mut means: Vec<Mean> = Vec::new();
@@ -125,11 +202,6 @@ impl Points {
     }
 }
 
-/// Whether two points differ in their grid alone.
-fn is_same_point(a: &Point, b: &Point) -> bool {
-    (a.hurst, a.seed, a.observables.reduced_pressure) == (b.hurst, b.seed, b.observables.reduced_pressure)
-}
-
 /// Means over realisations with their standard deviations.
 #[derive(serde::Serialize)]
 pub struct Mean {
@@ -141,22 +213,24 @@ pub struct Mean {
     relative_area: f64,
     relative_area_deviation: f64,
     relative_area_corrected: f64,
+    relative_area_resolved: f64,
     kappa: f64,
     kappa_deviation: f64,
     kappa_corrected: f64,
-    kappa_corrected_deviation: f64,
+    kappa_resolved: f64,
+    kappa_resolved_deviation: f64,
     kappa_r: f64,
     kappa_r_deviation: f64,
     kappa_r_corrected: f64,
-    kappa_r_corrected_deviation: f64,
+    kappa_r_resolved: f64,
+    kappa_r_resolved_deviation: f64,
 }
 
 impl Mean {
     fn of(points: &Points, (nx, hurst, reduced_pressure): (usize, f64, f64)) -> Self {
         let of = |quantity| points.at(hurst, reduced_pressure, nx, quantity);
-        let [area, kappa, kappa_corrected] =
-            [of(|it| it.relative_area), of(|it| it.kappa), of(|it| it.kappa_corrected)];
-        let [kappa_r, kappa_r_corrected] = [of(|it| it.kappa_r), of(|it| it.kappa_r_corrected)];
+        let [area, kappa, kappa_r] = [of(|it| it.relative_area), of(|it| it.kappa), of(|it| it.kappa_r)];
+        let [kappa_resolved, kappa_r_resolved] = [of(|it| it.kappa_resolved), of(|it| it.kappa_r_resolved)];
         Self {
             nx,
             hurst,
@@ -166,14 +240,78 @@ impl Mean {
             relative_area: area.mean,
             relative_area_deviation: area.deviation,
             relative_area_corrected: of(|it| it.relative_area_corrected).mean,
+            relative_area_resolved: of(|it| it.relative_area_resolved).mean,
             kappa: kappa.mean,
             kappa_deviation: kappa.deviation,
-            kappa_corrected: kappa_corrected.mean,
-            kappa_corrected_deviation: kappa_corrected.deviation,
+            kappa_corrected: of(|it| it.kappa_corrected).mean,
+            kappa_resolved: kappa_resolved.mean,
+            kappa_resolved_deviation: kappa_resolved.deviation,
             kappa_r: kappa_r.mean,
             kappa_r_deviation: kappa_r.deviation,
-            kappa_r_corrected: kappa_r_corrected.mean,
-            kappa_r_corrected_deviation: kappa_r_corrected.deviation,
+            kappa_r_corrected: of(|it| it.kappa_r_corrected).mean,
+            kappa_r_resolved: kappa_r_resolved.mean,
+            kappa_r_resolved_deviation: kappa_r_resolved.deviation,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Observables, Status};
+
+    /// `kappa_r` is 1.7, more by 0.02 at the higher exponent, scatters from seed to seed in both alike, and is off by the square of
+    /// the spacing.
+    fn points() -> Points {
+        let mut all = Vec::new();
+        for nx in [64, 128, 256] {
+            for i in 0..18 {
+                let (hurst, seed, load) = ([0.2, 0.8][i % 2], i as u64 / 2 % 3, [0.01, 0.03, 0.1_f64][i / 6]);
+                let (high, scatter) = (if hurst > 0.5 { 0.02 } else { 0.0 }, 0.05 * seed as f64 / load.sqrt());
+                let own = if seed == 1 && hurst > 0.5 { 0.001 / load } else { 0.0 };
+                let kappa_r_resolved = 1.7 + high + scatter + own + 50.0 / (nx * nx) as f64;
+                let observables = Observables { reduced_pressure: load, kappa_r_resolved, ..Observables::default() };
+                all.push(Point {
+                    name: "rough line".into(),
+                    ny: 1,
+                    nx,
+                    length: 1.0,
+                    hurst: Some(hurst),
+                    rolloff_wavelength: None,
+                    short_cutoff: None,
+                    seed: Some(seed),
+                    load: 1,
+                    tolerance: 1e-8,
+                    status: Status::Converged,
+                    setup: String::new(),
+                    version: String::new(),
+                    observables,
+                    seconds: 0.0,
+                });
+            }
+        }
+        Points(all)
+    }
+
+    #[test]
+    fn pairs_of_the_same_seed_tell_what_their_scatter_hides() {
+        let (points, measure) = (points(), Measure::Resolved);
+        let kappa_r = measure.kappa_r();
+        let [low, high] = [0.2, 0.8].map(|hurst| points.limit(Some(hurst), Some(0.1), None, measure, kappa_r));
+        assert!(high.mean - low.mean < 2.0 * high.error, "{low:?} {high:?}");
+        let apart = points.limit_of_contrast([0.2, 0.8], Some(0.1), measure, kappa_r);
+        assert!((apart.mean - 0.02 - 0.01 / 3.0).abs() < 1e-12 && apart.mean > 5.0 * apart.uncertainty(), "{apart:?}");
+        // the heaviest load is known best, and weighs most
+        let all = points.mean_contrast([0.2, 0.8], measure, kappa_r);
+        assert!(all.error < 1.5 * apart.error && (all.mean - apart.mean).abs() < 0.01, "{all:?}");
+    }
+
+    #[test]
+    fn exponents_are_averaged_seed_by_seed() {
+        let (points, kappa_r) = (points(), Measure::Resolved.kappa_r());
+        let one = points.average(Some(0.2), 256, kappa_r);
+        let all = points.average(None, 256, kappa_r);
+        // as they share their scatter, a second exponent does not make the error smaller by the square root of two
+        assert!(all.error > 0.95 * one.error, "{one:?} {all:?}");
     }
 }

@@ -26,8 +26,12 @@ mod fig4;
 mod fig5;
 mod fit;
 mod gw;
+mod hurst;
 mod item;
+mod limits;
 mod means;
+mod measure;
+mod persson;
 mod plan;
 #[cfg(feature = "record")]
 mod recording;
@@ -40,9 +44,9 @@ mod table1;
 mod verdict;
 
 pub use comparison::Comparison;
-pub use fit::Fit;
+pub use fit::{Fit, Weights};
 pub use item::Item;
 pub use plan::{Effort, Paper};
 pub use rough::Rough;
 pub use run::{Event, Watch};
-pub use verdict::Verdict;
+pub use verdict::{Evidence, Verdict};

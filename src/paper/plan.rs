@@ -3,7 +3,7 @@
 use super::comparison::Comparison;
 use super::item::Item;
 use super::rough::Rough;
-use super::{beyond, fig1, table1};
+use super::{beyond, fig1, persson, table1};
 use crate::contact::Stop;
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::check_target;
@@ -13,6 +13,8 @@ use std::path::PathBuf;
 
 /// Least and largest reduced pressure, as in the paper.
 const LOADS: [f64; 2] = [1e-3, 1e-1];
+/// Least and largest reduced pressure at which the continuum of lines is told.
+const WIDE_LOADS: [f64; 2] = [1e-4, 0.316_227_766_016_837_94];
 /// Iterations at the most; a point takes some tens.
 const MAX_ITERATIONS: usize = 2000;
 /// Certificate of smooth indenters. Their contacts may be so narrow that the rms height, which the certificate is over, is no
@@ -32,6 +34,8 @@ pub struct Paper {
     pub lines: Rough,
     /// Rough surfaces.
     pub surfaces: Rough,
+    /// Rough lines on several grids and under a wider range of loads, to tell the continuum.
+    pub fine_lines: Rough,
     /// Points along a side of spheres: of Fig. 1, and of Table 1.
     pub sphere_sides: [usize; 2],
     /// Certificate `eta` of each point; smooth indenters have one of `1e-12` at the most.
@@ -50,9 +54,9 @@ pub struct Paper {
 pub enum Effort {
     /// Small grids, short spectra and few loads, to see that it works.
     Quick,
-    /// Rough surfaces of up to 4096 points a side, 16 per shortest wavelength.
+    /// Rough surfaces of up to 8192 points a side, 32 per shortest wavelength, on three grids to extrapolate from.
     Usual,
-    /// Rough surfaces at the paper's own size, 16384 points a side, one for each Hurst exponent.
+    /// Rough surfaces of 16384 points a side, the size of the paper as its `eps_c` is read, one for each Hurst exponent.
     Full,
 }
 
@@ -60,25 +64,32 @@ impl Paper {
     /// The paper's own Hurst exponents, with as many points, seeds and loads as an effort allows.
     pub fn new(folder: impl Into<PathBuf>, effort: Effort) -> Self {
         let hurst = vec![0.2, 0.5, 0.8];
-        let loads = loads(effort.of([4, 13, 3]));
+        let loads = between(LOADS, effort.of([4, 13, 3]));
         let lines = Rough {
             points: vec![effort.of([1 << 13, 1 << 18, 1 << 18])],
             hurst: hurst.clone(),
-            seeds: (1..=effort.of([3, 10, 10])).collect(),
+            seeds: vec![seeds(effort.of([3, 10, 10]))],
             cutoff: 1.0 / effort.of([64.0, 512.0, 512.0]),
             loads: loads.clone(),
         };
+        let fine_lines = Rough {
+            points: effort.of([[12, 13, 14], [16, 18, 20], [16, 18, 20]]).map(|power| 1 << power).into(),
+            loads: between(WIDE_LOADS, effort.of([3, 8, 8])),
+            ..lines.clone()
+        };
         let surfaces = Rough {
-            points: effort.of([vec![256, 512], vec![2048, 4096], vec![16384]]),
+            points: effort.of([vec![128, 256, 512], vec![2048, 4096, 8192], vec![16384]]),
             hurst,
-            seeds: (1..=effort.of([1, 2, 1])).collect(),
+            seeds: effort.of([&[3, 2, 2][..], &[6, 4, 2], &[1]]).iter().map(|&count| seeds(count)).collect(),
             cutoff: 1.0 / effort.of([16.0, 64.0, 64.0]),
-            loads,
+            // every third load of lines, or every one of few
+            loads: loads.into_iter().step_by(effort.of([1, 3, 1])).collect(),
         };
         Self {
             folder: folder.into(),
             lines,
             surfaces,
+            fine_lines,
             sphere_sides: effort.of([[1 << 10, 1 << 10], [1 << 13, 1 << 11], [1 << 13, 1 << 11]]),
             tolerance: 1e-8,
             workers: None,
@@ -100,10 +111,13 @@ impl Paper {
         Comparison::read(&comparison)?;
         self.lines.check()?;
         self.surfaces.check()?;
+        self.fine_lines.check()?;
+        for &item in items {
+            self.sweep(item)?.check_cost()?;
+        }
         for &source in items.iter().flat_map(|item| item.sources()) {
             let sweep = self.sweep(source)?;
-            sweep.check()?;
-            sweep.realisations.iter().try_for_each(|it| it.setup.cost(false, 0)?.check("a sweep"))?;
+            sweep.check_cost()?;
             if !self.is_fresh {
                 sweep.check_table(&self.table(source))?;
             }
@@ -129,6 +143,8 @@ impl Paper {
             Item::Fig2 => self.lines.lines(),
             Item::Fig4 => self.surfaces.surfaces(),
             Item::Beyond => beyond::realisations(),
+            Item::Hurst => self.fine_lines.lines(),
+            Item::Persson => persson::realisations([&self.lines, &self.surfaces]),
             Item::Fig3 | Item::Fig5 | Item::Gw => Vec::new(),
         };
         let realisations = self.stopping(item, realisations)?;
@@ -166,9 +182,14 @@ impl Paper {
     }
 }
 
+/// Seeds from 1.
+fn seeds(count: u64) -> Vec<u64> {
+    (1..=count).collect()
+}
+
 /// Reduced pressures equally far apart in their logarithm.
-fn loads(count: usize) -> Vec<f64> {
-    let [low, high] = LOADS.map(f64::log10);
+fn between(ends: [f64; 2], count: usize) -> Vec<f64> {
+    let [low, high] = ends.map(f64::log10);
     (0..count).map(|i| 10f64.powf(low + (high - low) * i as f64 / (count - 1) as f64)).collect()
 }
 

@@ -1,6 +1,7 @@
 //! Self-affine lines and surfaces, the panels of their figures, and their curves over the loads.
 
-use super::means::{Points, Quantity};
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use super::reproduction::{Ramp, RampCurve, captions};
 use crate::contact::Load;
 use crate::error::StudyError;
@@ -25,6 +26,12 @@ pub const WARM: [Colour; 4] = [Colour::VERMILION, Colour::ORANGE, Colour::PURPLE
 /// Colours beside [`WARM`].
 pub const COLD: [Colour; 4] = [Colour::BLUE, Colour::SKY, Colour::GREEN, Colour::GREY];
 
+/// The colour of the Hurst exponent of a number, where colours tell them apart.
+pub fn shade(number: usize) -> Colour {
+    const SHADES: [Colour; 4] = [Colour::VERMILION, Colour::GREEN, Colour::BLUE, Colour::PURPLE];
+    SHADES[number % SHADES.len()]
+}
+
 /// Rough lines or surfaces of several Hurst exponents and seeds on one or more grids. All lists ascend.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rough {
@@ -32,8 +39,9 @@ pub struct Rough {
     pub points: Vec<usize>,
     /// Hurst exponents.
     pub hurst: Vec<f64>,
-    /// Seeds.
-    pub seeds: Vec<u64>,
+    /// Seeds on each grid; those of a finer one are among those of the coarser. With fewer lists than grids the first is that of
+    /// all coarsest ones, with more the last is that of the finest.
+    pub seeds: Vec<Vec<u64>>,
     /// Shortest wavelength over the roll-off, `eps_f`.
     pub cutoff: f64,
     /// Reduced pressures, lightest first.
@@ -54,11 +62,11 @@ impl Rough {
     fn realisations(&self, name: &str, cell: impl Fn(usize) -> Cell) -> Vec<Realisation> {
         let (short_cutoff, [_, heaviest]) = (self.cutoff * ROLLOFF, self.ends());
         let mut all = Vec::new();
-        for &points in &self.points {
+        for (grid, &points) in self.points.iter().enumerate() {
             for &hurst in &self.hurst {
                 let spectrum =
                     Spectrum { hurst, rolloff_wavelength: ROLLOFF, short_cutoff, rms_gradient: RMS_GRADIENT };
-                all.extend(self.seeds.iter().map(|&seed| Realisation {
+                all.extend(self.seeds_on(grid).iter().map(|&seed| Realisation {
                     name: name.into(),
                     setup: Setup::new(Recipe::rough(spectrum, seed), cell(points), Load::ReducedPressure(heaviest)),
                     loads: self.loads.clone(),
@@ -68,17 +76,36 @@ impl Rough {
         all
     }
 
+    /// The seeds on a grid, by its number from the coarsest.
+    pub(super) fn seeds_on(&self, grid: usize) -> &[u64] {
+        let finer = self.points.len() - 1 - grid;
+        self.seeds.get((self.seeds.len() - 1).saturating_sub(finer)).map_or(&[], Vec::as_slice)
+    }
+
     /// Checks that there is something to solve, in the right order.
     pub(super) fn check(&self) -> Result<(), StudyError> {
         check_ascending("points along a side", &self.points)?;
         check_ascending("Hurst exponents", &self.hurst)?;
-        check_ascending("seeds", &self.seeds)?;
+        if self.seeds.is_empty() {
+            return Err(StudyError::List { what: "seeds", values: "[]".into() });
+        }
+        self.seeds.iter().try_for_each(|seeds| check_ascending("seeds", seeds))?;
         check_ascending("reduced pressures", &self.loads)
     }
 
     /// Points along a side with which a surface has the paper's 64 points per shortest wavelength.
     pub(super) fn paper_side(&self) -> usize {
         (POINTS_PER_WAVE * SIDE / self.cutoff).round() as usize
+    }
+
+    /// Points with which a line has the paper's 64 points per shortest wavelength.
+    pub(super) fn paper_line(&self) -> usize {
+        (POINTS_PER_WAVE * LINE / self.cutoff).round() as usize
+    }
+
+    /// Points per shortest wavelength of a line of so many points.
+    pub(super) fn points_per_wave_of_line(&self, points: usize) -> f64 {
+        points as f64 * self.cutoff / LINE
     }
 
     /// Points per shortest wavelength of a surface with `side` points along a side.
@@ -115,13 +142,13 @@ impl Rough {
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
     }
 
-    /// `kappa` against `p*` and `kappa_r` against `p_r*`, raw and corrected.
+    /// `kappa` against `p*` and `kappa_r` against `p_r*`, counted and resolved.
     pub(super) fn kappa_panel(&self, points: &Points, range: [f64; 2]) -> Panel {
         let x = Axis::log("p* (red), p_r* (blue)", self.range());
         let curves: [(&str, Colour, bool, [Quantity; 2]); 3] = [
-            ("κ", Colour::VERMILION, true, [|it| it.reduced_pressure, |it| it.kappa]),
-            ("κ_r", Colour::BLUE, true, [|it| it.reduced_pressure_contact, |it| it.kappa_r]),
-            ("κ_r corrected", Colour::SKY, false, [|it| it.reduced_pressure_contact, |it| it.kappa_r_corrected]),
+            ("κ counted", Colour::VERMILION, true, [|it| it.reduced_pressure, Measure::Counted.kappa()]),
+            ("κ_r counted", Colour::BLUE, true, [|it| it.reduced_pressure_contact, Measure::Counted.kappa_r()]),
+            ("κ_r resolved", Colour::SKY, false, [|it| it.reduced_pressure_contact, Measure::Resolved.kappa_r()]),
         ];
         let panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range));
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
@@ -155,12 +182,13 @@ impl Rough {
     /// grid.
     pub(super) fn ramp_of(&self, points: &Points, realisations: Vec<Realisation>) -> Ramp {
         let curves: [(&str, &str, &[Colour], Quantity); 4] = [
-            ("κ and κ_r", "κ", &WARM, |it| it.kappa),
-            ("κ and κ_r", "κ_r", &COLD, |it| it.kappa_r),
-            ("κ_r corrected", "κ_r corrected", &COLD, |it| it.kappa_r_corrected),
+            ("κ and κ_r", "κ", &WARM, Measure::Counted.kappa()),
+            ("κ and κ_r", "κ_r", &COLD, Measure::Counted.kappa_r()),
+            ("κ_r resolved", "κ_r resolved", &COLD, Measure::Resolved.kappa_r()),
             ("relative contact area", "log10 a_rel", &WARM, |it| it.relative_area.log10()),
         ];
-        let (seeds, coarsest) = (self.seeds.len(), self.hurst.len() * self.seeds.len());
+        let seeds = self.seeds_on(0).len();
+        let coarsest = self.hurst.len() * seeds;
         let contacts = realisations.into_iter().take(coarsest).step_by(seeds.max(1)).collect();
         Ramp { contacts, ..self.ramp(&curves, |hurst, of| points.along(hurst, &self.loads, of)) }
     }

@@ -1,13 +1,16 @@
 //! A run: points solved, figures drawn, numbers compared.
 
 use super::comparison::Comparison;
+use super::fig5::Both;
 use super::item::Item;
+use super::limits::limits;
 use super::means::Points;
+use super::persson::{self, Seen};
 use super::plan::Paper;
 #[cfg(feature = "record")]
 use super::recording;
 use super::reproduction::Reproduction;
-use super::{beyond, fig1, fig2, fig3, fig4, fig5, gw, table1};
+use super::{beyond, fig1, fig2, fig3, fig4, gw, hurst, table1};
 use crate::error::StudyError;
 use crate::files::write_csv;
 use crate::plot::{write_png, write_svg};
@@ -81,18 +84,19 @@ impl Paper {
                 let points = points(Item::Fig2)?;
                 let fits = fig3::fits(lines, &points);
                 write_csv(&file("fig3"), fits.iter().flatten())?;
-                fig3::reproduce(lines, &points, &fits[0])
+                fig3::reproduce(lines, &points, &fits)
             }
             Item::Fig4 => {
                 let points = points(item)?;
                 write_csv(&file("fig4.means"), points.means())?;
+                write_csv(&file("fig4.limits"), limits(&points, surfaces.paper_side()))?;
                 fig4::reproduce(surfaces, &points)
             }
             Item::Fig5 => {
-                let [of_lines, of_surfaces] = [points(Item::Fig2)?, points(Item::Fig4)?];
-                let ratios = fig5::ratios([lines, surfaces], [&of_lines, &of_surfaces]);
+                let both = Both::of(surfaces, [points(Item::Fig2)?, points(Item::Fig4)?]);
+                let ratios = both.ratios();
                 write_csv(&file("fig5"), &ratios)?;
-                fig5::reproduce(lines, of_surfaces.finest(), &ratios)
+                both.reproduce(&ratios)
             }
             Item::Gw => {
                 let separations = gw::separations();
@@ -100,7 +104,32 @@ impl Paper {
                 gw::reproduce()
             }
             Item::Beyond => beyond::reproduce(&points(item)?),
+            Item::Hurst => {
+                let points = points(item)?;
+                write_csv(&file("hurst.means"), points.means())?;
+                write_csv(&file("hurst.limits"), limits(&points, self.fine_lines.paper_line()))?;
+                hurst::reproduce(&self.fine_lines, &points)
+            }
+            Item::Persson => {
+                let seen = self.contacts(item, watch)?;
+                write_csv(&file("persson"), persson::rows(&seen))?;
+                write_csv(&file("persson.curves"), persson::curves(&seen))?;
+                persson::reproduce(&seen)
+            }
         })
+    }
+
+    /// The contacts of an item that keeps no points, solved now, as far as they are compared.
+    fn contacts(&self, item: Item, watch: Watch<'_>) -> Result<Vec<Vec<Seen>>, StudyError> {
+        let (sweep, clock) = (self.sweep(item)?, Instant::now());
+        watch(Event::Begin { item, nodes: sweep.nodes()? });
+        let seen = sweep.map(&|point, contact| {
+            watch(Event::Solved(point));
+            Seen::of(point, contact)
+        })?;
+        let points = sweep.points();
+        watch(Event::End { item, new: points, points, seconds: clock.elapsed().as_secs_f64() });
+        Ok(seen)
     }
 
     /// The points of some items that did not reach their certificate, and are left out of all averages.

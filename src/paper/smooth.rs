@@ -1,10 +1,11 @@
 //! Cylinder and sphere of Section 2.
 
-use super::means::{Points, Quantity};
+use super::means::Points;
+use super::measure::{Measure, Quantity};
 use crate::contact::Load;
 use crate::plot::Dot;
 use crate::setup::{Cell, Recipe, Setup};
-use crate::study::{Point, Realisation, Spread};
+use crate::study::{Estimate, Point, Realisation};
 use crate::surface::Indenter;
 use crate::theory::{Geometry, Periodic, PowerLaw, hertz};
 
@@ -49,18 +50,18 @@ pub fn loads(indenter: &PowerLaw, widths: &[f64]) -> Vec<f64> {
     widths.iter().map(|width| indenter.load(width * PERIOD) / (area * directions.sqrt() * slope)).collect()
 }
 
-/// Half-width or radius of the contact of a row, from the corrected area.
+/// Half-width or radius of the contact of a row, from the resolved area.
 pub fn half_width(row: &Point) -> f64 {
     match row.ny {
-        1 => 0.5 * row.observables.relative_area_corrected * PERIOD,
-        _ => (row.observables.relative_area_corrected / std::f64::consts::PI).sqrt() * PERIOD,
+        1 => 0.5 * Measure::Resolved.area()(&row.observables) * PERIOD,
+        _ => (Measure::Resolved.area()(&row.observables) / std::f64::consts::PI).sqrt() * PERIOD,
     }
 }
 
 /// A quantity of the contacts of a name up to some `widest` half-width over the period.
-pub fn narrow(points: &Points, name: &str, widest: f64, quantity: Quantity) -> Spread {
+pub fn narrow(points: &Points, name: &str, widest: f64, quantity: Quantity) -> Estimate {
     let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * widest * PERIOD);
-    Spread::of(narrow.map(|row| quantity(&row.observables)))
+    Estimate::of(narrow.map(|row| quantity(&row.observables)))
 }
 
 /// Mean pressure of a row over the contact modulus.

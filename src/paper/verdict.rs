@@ -1,11 +1,14 @@
 //! A number or statement of the paper beside what is found here.
 
 use super::item::Item;
-use crate::study::Spread;
+use crate::study::Estimate;
 use serde::{Deserialize, Serialize};
 
 /// The numbers and statements of the paper, one by one.
 const PRINTED: &str = include_str!("../../assets/paper.csv");
+
+/// Standard errors within which two numbers agree.
+const CLOSE: f64 = 2.0;
 
 /// A number or a statement of the paper.
 #[derive(Deserialize)]
@@ -20,7 +23,23 @@ struct Printed {
     reading: Option<f64>,
     /// The statement, or the number as it is printed.
     printed: String,
+    /// Realisations of each Hurst exponent that the number is a mean over.
+    realisations: Option<f64>,
+    /// What the number or statement follows from, if it is none of its own.
+    follows: String,
     place: String,
+}
+
+/// The weight of a verdict as evidence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Evidence {
+    /// A number or statement of its own, like held against like.
+    Own,
+    /// One that follows from others of the table.
+    Follows,
+    /// One that is measured in another way than the paper's, and stands beside it to be seen.
+    Beside,
 }
 
 /// A number or statement of the paper, what is found here, and whether both agree.
@@ -29,46 +48,86 @@ pub struct Verdict {
     /// The table or figure.
     #[serde(rename = "part")]
     pub item: Item,
-    /// The quantity, and what kind of number is found: raw, corrected, another size.
+    /// The quantity, and what kind of number is found: counted, corrected, resolved, another size.
     pub quantity: String,
     /// The number or statement as it is printed.
     pub paper: String,
     /// The number or statement that is found.
     pub here: String,
-    /// Standard deviation of the number over realisations.
-    pub scatter: String,
-    /// `agrees`, `differs by ...`, `holds` or `does not hold`.
+    /// Standard error of the number that is found, over realisations.
+    pub error: Option<f64>,
+    /// Error of its grid: of an extrapolation in the spacing.
+    pub grid_error: Option<f64>,
+    /// Standard error of the paper's number: of its realisations, with the scatter found here, and of its last digit.
+    pub paper_error: Option<f64>,
+    /// Deviation from the paper, in per cent.
+    pub off_percent: Option<f64>,
+    /// Deviation from the paper, in standard errors of both together.
+    pub sigma: Option<f64>,
+    /// `agrees`, `differs`, `holds`, `does not hold`, `beside`, or `no error` for a single realisation.
     pub verdict: String,
-    /// Why it differs.
+    /// Its weight.
+    pub evidence: Evidence,
+    /// Why it differs, or what it follows from.
     pub why: String,
     /// Where it stands in the paper.
     pub place: String,
 }
 
 impl Verdict {
-    /// A number with its scatter; `how` says what kind it is.
-    pub(super) fn number(key: &str, how: &str, here: Spread) -> Self {
+    /// A number with its errors; `how` says what kind it is.
+    pub(super) fn number(key: &str, how: &str, here: Estimate) -> Self {
         let printed = Printed::of(key);
-        let verdict = printed.verdict(here);
-        let scatter = if here.count > 1 { format!("{:.3}", here.deviation) } else { String::new() };
-        Self { scatter, verdict, ..Self::on(printed, how, format!("{:.3}", here.mean)) }
+        let (value, own) = (printed.value.unwrap_or(f64::NAN), printed.error(here.scatter));
+        let (off, error) = (here.mean - value, here.uncertainty().hypot(own));
+        let verdict = match off.abs() <= CLOSE * error {
+            _ if error.is_nan() => "no error",
+            true => "agrees",
+            false => "differs",
+        };
+        let known = |number: f64| number.is_finite().then_some(number);
+        Self {
+            error: known(here.error),
+            grid_error: known(here.grid),
+            paper_error: known(own),
+            off_percent: known(100.0 * off / value),
+            sigma: known(off / error),
+            ..Self::on(printed, how, format!("{:.3}", here.mean), verdict)
+        }
     }
 
-    /// A number without scatter.
+    /// A number without errors of its own.
     pub(super) fn exact(key: &str, how: &str, here: f64) -> Self {
-        Self::number(key, how, Spread { mean: here, deviation: 0.0, count: 1 })
+        Self::number(key, how, Estimate::exact(here))
     }
 
     /// A statement: what is found instead of it, and whether it holds.
     pub(super) fn statement(key: &str, here: String, holds: bool) -> Self {
-        let verdict = if holds { "holds" } else { "does not hold" }.into();
-        Self { verdict, ..Self::on(Printed::of(key), "", here) }
+        Self::on(Printed::of(key), "", here, if holds { "holds" } else { "does not hold" })
     }
 
-    fn on(Printed { item, quantity, printed, place, .. }: Printed, how: &str, here: String) -> Self {
+    fn on(printed: Printed, how: &str, here: String, verdict: &str) -> Self {
+        let Printed { item, quantity, printed: paper, follows, place, .. } = printed;
+        let evidence = if follows.is_empty() { Evidence::Own } else { Evidence::Follows };
+        let why = if follows.is_empty() { String::new() } else { format!("It follows from {follows}.") };
         let quantity = if how.is_empty() { quantity } else { format!("{quantity}, {how}") };
-        let [scatter, verdict, why] = [const { String::new() }; 3];
-        Self { item, quantity, paper: printed, here, scatter, verdict, why, place }
+        let [error, grid_error, paper_error, off_percent, sigma] = [None; 5];
+        let verdict = verdict.into();
+        Self {
+            item,
+            quantity,
+            paper,
+            here,
+            error,
+            grid_error,
+            paper_error,
+            off_percent,
+            sigma,
+            verdict,
+            evidence,
+            why,
+            place,
+        }
     }
 
     /// The verdict with the reason why it differs from the paper, if it does.
@@ -76,9 +135,27 @@ impl Verdict {
         if self.is_good() { self } else { Self { why: why.into(), ..self } }
     }
 
+    /// The number beside the paper's, which is measured otherwise: neither agrees with it nor differs.
+    pub(super) fn beside(self) -> Self {
+        Self { verdict: "beside".into(), evidence: Evidence::Beside, why: String::new(), ..self }
+    }
+
     /// Whether the number agrees, or the statement holds.
     pub fn is_good(&self) -> bool {
         ["agrees", "holds"].contains(&self.verdict.as_str())
+    }
+
+    /// The number that is found, with its error.
+    pub(super) fn found(&self) -> String {
+        let error = self.error.unwrap_or(0.0).hypot(self.grid_error.unwrap_or(0.0));
+        if error > 0.0 { format!("{} ± {error:.3}", self.here) } else { self.here.clone() }
+    }
+
+    /// The deviation from the paper, in per cent and in standard errors.
+    pub(super) fn deviation(&self) -> String {
+        let percent = self.off_percent.map(|off| format!("{off:+.1} %"));
+        let sigma = self.sigma.map(|sigma| format!("{sigma:+.1} σ"));
+        percent.into_iter().chain(sigma).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -89,12 +166,11 @@ impl Printed {
         rows.find(|row| row.key == key).unwrap_or_else(|| panic!("assets/paper.csv holds no {key}"))
     }
 
-    /// Whether a number agrees with the paper's: within its last digit and two standard errors of the mean.
-    fn verdict(&self, here: Spread) -> String {
-        let Some(value) = self.value else { return String::new() };
-        let off = here.mean - value;
-        let is_close = off.abs() <= self.reading.unwrap_or(0.0) + 2.0 * here.error();
-        if is_close { "agrees".into() } else { format!("differs by {:+.1} %", 100.0 * off / value) }
+    /// Standard error of the number: of a digit that is rounded anywhere within its reading, and of a mean over realisations
+    /// that scatter as those found here.
+    fn error(&self, scatter: f64) -> f64 {
+        let sample = self.realisations.map_or(0.0, |count| scatter / count.sqrt());
+        sample.hypot(self.reading.unwrap_or(0.0) / 3f64.sqrt())
     }
 }
 
@@ -102,16 +178,42 @@ impl Printed {
 mod tests {
     use super::*;
 
+    fn verdict(key: &str, mean: f64, [error, grid, scatter]: [f64; 3]) -> Verdict {
+        Verdict::number(key, "", Estimate { mean, error, grid, scatter }).because("of this")
+    }
+
     #[test]
-    fn verdicts_allow_for_the_printed_digits_and_the_error_of_the_mean() {
-        let verdict = |mean, deviation| {
-            let here = Spread { mean, deviation, count: 16 };
-            let Verdict { verdict, why, .. } = Verdict::number("fig2.kappa_r", "", here).because("of this");
+    fn verdicts_weigh_the_errors_of_both_sides() {
+        let words = |mean, errors| {
+            let Verdict { verdict, why, .. } = verdict("fig2.kappa_r", mean, errors);
             [verdict, why]
         };
-        assert_eq!(verdict(1.7549, 0.0), ["agrees", ""]);
-        assert_eq!(verdict(1.76, 0.0), ["differs by +0.6 %", "of this"]);
-        assert_eq!(verdict(1.76, 0.02), ["agrees", ""]);
-        assert_eq!(verdict(1.70, 0.02), ["differs by -2.9 %", "of this"]);
+        assert_eq!(words(1.7549, [0.0; 3]), ["agrees", ""]);
+        assert_eq!(words(1.76, [0.0; 3]), ["differs", "of this"]);
+        // an error of ours, of the grid, and of the ten realisations of the paper
+        assert_eq!(words(1.76, [0.005, 0.0, 0.0]), ["agrees", ""]);
+        assert_eq!(words(1.76, [0.0, 0.005, 0.0]), ["agrees", ""]);
+        assert_eq!(words(1.76, [0.0, 0.0, 0.02]), ["agrees", ""]);
+        assert_eq!(words(1.70, [0.005, 0.005, 0.02]), ["differs", "of this"]);
+        assert_eq!(words(1.75, [f64::NAN, 0.0, 0.0]), ["no error", "of this"]);
+        // a number that is no mean over realisations gains nothing from their scatter
+        assert_eq!(verdict("fig1.line", 1.4802, [0.0, 0.0, 0.1]).verdict, "differs");
+    }
+
+    #[test]
+    fn deviations_are_told_in_per_cent_and_in_standard_errors() {
+        let off = verdict("fig2.kappa_r", 1.785, [0.004, 0.002, 0.01]);
+        assert_eq!(off.found(), "1.785 ± 0.004");
+        let error = 0.004f64.hypot(0.002).hypot(0.01 / 10f64.sqrt()).hypot(0.005 / 3f64.sqrt());
+        assert_eq!(off.deviation(), format!("+2.0 %, +{:.1} σ", 0.035 / error));
+    }
+
+    #[test]
+    fn what_follows_from_others_or_stands_beside_is_no_evidence_of_its_own() {
+        let of = |key| verdict(key, 1.0, [0.1, 0.0, 0.0]);
+        assert_eq!(of("fig4.kappa_r").evidence, Evidence::Own);
+        assert_eq!((of("fig5.kappa_r").evidence, of("table1.ratio").evidence), (Evidence::Follows, Evidence::Follows));
+        let beside = of("fig4.kappa_r").beside();
+        assert_eq!((beside.evidence, beside.verdict.as_str(), beside.is_good()), (Evidence::Beside, "beside", false));
     }
 }

@@ -41,19 +41,17 @@ impl<'a> Identity<'a> {
         points.windows(loads.len().max(1)).find(is_it).map(<[Point]>::to_vec)
     }
 
-    /// Solves the points of the realisation; `watch` sees each.
+    /// Solves the realisation, and shows each point with its contact.
     ///
     /// # Errors
     /// The errors of [`Realisation::press`].
-    pub fn solve(&self, watch: &(dyn Fn(&Point) + Sync)) -> Result<Vec<Point>, StudyError> {
-        let mut points = Vec::new();
+    pub fn press(&self, mut each: impl FnMut(Point, &Contact)) -> Result<(), StudyError> {
+        let mut load = 0;
         self.realisation.press(|contact| {
-            let point = self.point(points.len() + 1, contact);
-            watch(&point);
-            points.push(point);
+            load += 1;
+            each(self.point(load, contact), contact);
             Ok::<(), StudyError>(())
-        })?;
-        Ok(points)
+        })
     }
 
     /// The point of a contact under the load of number `load`, from 1.

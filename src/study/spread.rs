@@ -1,4 +1,4 @@
-//! Averages with their scatter, and straight lines through points.
+//! Averages with their scatter.
 
 /// Mean of some values and how they scatter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,40 +28,8 @@ impl Spread {
         Self { mean, deviation, count }
     }
 
-    /// Standard error of the mean.
+    /// Standard error of the mean; NaN for a single value, whose error is not known.
     pub fn error(&self) -> f64 {
-        self.deviation / (self.count.max(1) as f64).sqrt()
-    }
-}
-
-/// A straight line by least squares, such as a quantity against the grid spacing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
-    /// Value at 0.
-    pub intercept: f64,
-    /// Slope.
-    pub slope: f64,
-}
-
-impl Line {
-    /// The line through points `(x, y)`, level through the mean of points that share one `x`.
-    ///
-    /// ```
-    /// use asperity::study::Line;
-    /// let line = Line::through(&[(1.0, 3.0), (2.0, 5.0), (3.0, 7.0)]);
-    /// assert_eq!((line.intercept, line.at(10.0)), (1.0, 21.0));
-    /// ```
-    pub fn through(points: &[(f64, f64)]) -> Self {
-        let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / points.len() as f64;
-        let (x, y) = (mean(|point| point.0), mean(|point| point.1));
-        let sum = |of: &dyn Fn(f64, f64) -> f64| points.iter().map(|point| of(point.0 - x, point.1 - y)).sum::<f64>();
-        let variance = sum(&|x, _| x * x);
-        let slope = if variance > 0.0 { sum(&|x, y| x * y) / variance } else { 0.0 };
-        Self { intercept: y - slope * x, slope }
-    }
-
-    /// The line at `x`.
-    pub fn at(&self, x: f64) -> f64 {
-        self.intercept + self.slope * x
+        if self.count > 1 { self.deviation / (self.count as f64).sqrt() } else { f64::NAN }
     }
 }

@@ -4,7 +4,9 @@ use super::identity::Identity;
 use super::point::Point;
 use super::realisation::Realisation;
 use super::table::Table;
+use crate::contact::Contact;
 use crate::error::StudyError;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -64,6 +66,15 @@ impl Sweep {
         self.realisations.iter().try_for_each(|realisation| Ok(realisation.check().map(drop)?))
     }
 
+    /// Refuses surfaces and loads that cannot be, or do not fit in memory.
+    ///
+    /// # Errors
+    /// The errors of [`Realisation::check`] and [`crate::setup::Cost::check`].
+    pub fn check_cost(&self) -> Result<(), StudyError> {
+        self.check()?;
+        Ok(self.realisations.iter().try_for_each(|it| it.setup.cost(false, 0)?.check("a sweep"))?)
+    }
+
     /// Refuses a table that would be lost.
     ///
     /// # Errors
@@ -110,7 +121,21 @@ impl Sweep {
         self.realisations.iter().map(nodes).sum()
     }
 
-    /// Solves the realisations that are not known, `workers` at a time, first come first served.
+    /// Solves all realisations, keeps no table, and returns what `see` makes of each contact, realisation by realisation.
+    ///
+    /// # Errors
+    /// For surfaces and loads that cannot be.
+    pub fn map<T: Send>(&self, see: &(dyn Fn(&Point, &Contact) -> T + Sync)) -> Result<Vec<Vec<T>>, StudyError> {
+        self.check()?;
+        let identities = self.identities()?;
+        self.in_parallel(|i| {
+            let mut seen = Vec::new();
+            identities[i].press(|point, contact| seen.push(see(&point, contact)))?;
+            Ok(seen)
+        })
+    }
+
+    /// Solves the realisations that are not known, and adds them to the table.
     fn solve(
         &self,
         identities: &[Identity<'_>],
@@ -118,19 +143,35 @@ impl Sweep {
         table: &Table,
         watch: &(dyn Fn(&Point) + Sync),
     ) -> Result<Vec<Vec<Point>>, StudyError> {
+        let appended = Mutex::new(());
+        self.in_parallel(|i| {
+            if let Some(points) = &known[i] {
+                return Ok(points.clone());
+            }
+            let mut points = Vec::new();
+            identities[i].press(|point, _| {
+                watch(&point);
+                points.push(point);
+            })?;
+            let _one_at_a_time = appended.lock().unwrap_or_else(PoisonError::into_inner);
+            table.append(&points)?;
+            Ok(points)
+        })
+    }
+
+    /// Does a task for each realisation, by its number, `workers` at a time, first come first served; the results are in order.
+    /// After a failure none is begun.
+    fn in_parallel<T: Send>(&self, task: impl Fn(usize) -> Result<T, StudyError> + Sync) -> Result<Vec<T>, StudyError> {
         let (next, failed) = (AtomicUsize::new(0), AtomicBool::new(false));
-        let done = Mutex::new(known.clone());
+        let done: Mutex<BTreeMap<usize, T>> = Mutex::default();
         let work = || -> Result<(), StudyError> {
             while !failed.load(Ordering::Relaxed) {
                 let i = next.fetch_add(1, Ordering::Relaxed);
-                let Some(identity) = identities.get(i) else { break };
-                if known[i].is_some() {
-                    continue;
+                if i >= self.realisations.len() {
+                    break;
                 }
-                let points = identity.solve(watch)?;
-                let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
-                table.append(&points)?;
-                done[i] = Some(points);
+                let result = task(i)?;
+                done.lock().unwrap_or_else(PoisonError::into_inner).insert(i, result);
             }
             Ok(())
         };
@@ -141,7 +182,6 @@ impl Sweep {
                 .into_iter()
                 .try_for_each(|worker| worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
         })?;
-        let done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
-        Ok(done.into_iter().flatten().collect())
+        Ok(done.into_inner().unwrap_or_else(PoisonError::into_inner).into_values().collect())
     }
 }

@@ -3,6 +3,7 @@
 use super::Surface;
 use crate::chunks;
 use crate::fourier::{Complex, Fourier};
+use crate::grid::Grid;
 use std::f64::consts::TAU;
 
 /// Statistics of the heights of a surface.
@@ -78,7 +79,7 @@ fn rms_curvature(surface: &Surface) -> f64 {
     mean(h.len(), |node| curvature(node).powi(2)).sqrt()
 }
 
-/// The power spectral density of a surface, averaged over directions.
+/// The power spectral density of a field, such as the heights of a surface, averaged over directions.
 ///
 /// Both signs of `q` (and all directions) are counted, with `h_q` as in [`crate::fourier`]:
 ///
@@ -89,22 +90,53 @@ fn rms_curvature(surface: &Surface) -> f64 {
 ///
 /// A line has one value per wave. A surface has one per ring `|q| = (i +- 1/2) dq` that holds waves, `dq = 2 pi` over
 /// the shortest period: the averages over its waves of `C` and of `|q|`.
+///
+/// ```
+/// use asperity::Grid;
+/// use asperity::surface::{Indenter, PowerSpectrum, Roughness};
+/// let surface = Indenter::Sine { amplitude: 2.0 }.surface(Grid::line(64, 1.0)?)?;
+/// let spectrum = PowerSpectrum::of(&surface);
+/// // the mean square of the heights, and that of their gradient
+/// let square = spectrum.integral(|_, density| density);
+/// assert!((square / Roughness::of(&surface).rms_height.powi(2) - 1.0).abs() < 1e-12);
+/// let gradient = spectrum.integral(|q, density| q * q * density);
+/// assert!((gradient / (std::f64::consts::TAU.powi(2) * square) - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PowerSpectrum {
     /// `q = 2 pi / wavelength`, ascending, without `q = 0`; 1/length.
     pub wavenumber: Vec<f64>,
-    /// `C(q)`; length^3 for lines, length^4 for surfaces.
+    /// `C(q)`; of heights length^3 for lines, length^4 for surfaces.
     pub density: Vec<f64>,
+    /// Measure of the waves that each value stands for in the integrals above, all signs and directions counted: 1/length
+    /// for lines, 1/length^2 for surfaces.
+    pub measure: Vec<f64>,
 }
 
 impl PowerSpectrum {
-    /// The spectrum of `surface`.
+    /// The spectrum of the heights of `surface`.
     pub fn of(surface: &Surface) -> Self {
-        let rings = rings(surface);
+        Self::of_field(surface.grid(), surface.heights())
+    }
+
+    /// The spectrum of a field, row by row.
+    ///
+    /// # Panics
+    /// If the length of `field` does not fit the grid.
+    pub fn of_field(grid: &Grid, field: &[f64]) -> Self {
+        let (rings, cell) = (rings(grid, field), cell(grid));
         Self {
             wavenumber: rings.iter().map(|ring| ring.wavenumber / ring.waves).collect(),
-            density: rings.iter().map(|ring| ring.density / ring.waves).collect(),
+            density: rings.iter().map(|ring| cell * ring.square / ring.waves).collect(),
+            measure: rings.iter().map(|ring| ring.waves / cell).collect(),
         }
+    }
+
+    /// The integral of `of(q, C(q))` over all wave vectors but that of the mean.
+    pub fn integral(&self, of: impl Fn(f64, f64) -> f64) -> f64 {
+        let waves = self.wavenumber.iter().zip(&self.density).zip(&self.measure);
+        waves.map(|((&q, &density), measure)| of(q, density) * measure).sum()
     }
 }
 
@@ -113,15 +145,21 @@ impl PowerSpectrum {
 struct Ring {
     waves: f64,
     wavenumber: f64,
-    density: f64,
+    /// The mean square of the field in these waves.
+    square: f64,
 }
 
-fn rings(surface: &Surface) -> Vec<Ring> {
-    let grid = surface.grid();
+/// Waves per measure of wave vectors: `L/2 pi` for lines, `Lx Ly/4 pi^2` for surfaces.
+fn cell(grid: &Grid) -> f64 {
+    let [ly, lx] = grid.size();
+    if grid.is_line() { lx / TAU } else { lx / TAU * (ly / TAU) }
+}
+
+fn rings(grid: &Grid, field: &[f64]) -> Vec<Ring> {
     let mut spectrum = vec![Complex::default(); grid.modes()];
-    Fourier::new(grid).forward(surface.heights(), &mut spectrum);
-    let ([ly, lx], is_line) = (grid.size(), grid.is_line());
-    let (step, cell) = if is_line { (TAU / lx, lx / TAU) } else { (TAU / lx.min(ly), lx / TAU * (ly / TAU)) };
+    Fourier::new(grid).forward(field, &mut spectrum);
+    let [ly, lx] = grid.size();
+    let step = TAU / if grid.is_line() { lx } else { lx.min(ly) };
     let mut rings = Vec::new();
     let waves = grid.wavenumbers().zip(grid.multiplicities()).zip(&spectrum).skip(1);
     for ((q, multiplicity), coefficient) in waves {
@@ -132,7 +170,7 @@ fn rings(surface: &Surface) -> Vec<Ring> {
         let ring = &mut rings[ring];
         ring.waves += multiplicity;
         ring.wavenumber += multiplicity * q;
-        ring.density += multiplicity * cell * coefficient.norm_sqr();
+        ring.square += multiplicity * coefficient.norm_sqr();
     }
     rings.retain(|ring| ring.waves > 0.0);
     rings
@@ -141,7 +179,6 @@ fn rings(surface: &Surface) -> Vec<Ring> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::Grid;
     use crate::surface::Field;
 
     #[test]
@@ -153,11 +190,10 @@ mod tests {
             Grid::surface([9, 7], [2.0, 1.0]),
         ];
         for grid in grids.map(Result::unwrap) {
-            let ([_, nx], [ly, lx]) = (grid.shape(), grid.size());
+            let [_, nx] = grid.shape();
             let noise = |(i, j): (usize, usize)| 5.0 + (((i * nx + j) as f64).powi(2) * 0.7).sin();
             let surface = Surface::new(grid, Field::from_shape_fn(grid.shape(), noise)).unwrap();
-            let cell = if grid.is_line() { lx / TAU } else { lx * ly / (TAU * TAU) };
-            let sum: f64 = rings(&surface).iter().map(|ring| ring.density / cell).sum();
+            let sum = PowerSpectrum::of(&surface).integral(|_, density| density);
             let square = Roughness::of(&surface).rms_height.powi(2);
             assert!((sum / square - 1.0).abs() < 1e-12, "{:?}: {sum} against {square}", grid.shape());
         }

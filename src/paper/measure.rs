@@ -1,0 +1,61 @@
+//! The ways to measure the area of a contact and the gradient in it.
+
+use crate::contact::Observables;
+
+/// A quantity of a point.
+pub type Quantity = fn(&Observables) -> f64;
+
+/// A way to measure the area of a contact and the gradient in it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Measure {
+    /// By the nodes in contact, as the paper does.
+    Counted,
+    /// By the edges between the nodes.
+    Resolved,
+}
+
+impl Measure {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Counted, Self::Resolved];
+
+    /// The name in tables and figures.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Counted => "counted",
+            Self::Resolved => "resolved",
+        }
+    }
+
+    /// The relative area.
+    pub const fn area(self) -> Quantity {
+        match self {
+            Self::Counted => |it| it.relative_area,
+            Self::Resolved => |it| it.relative_area_resolved,
+        }
+    }
+
+    /// `kappa`.
+    pub const fn kappa(self) -> Quantity {
+        match self {
+            Self::Counted => |it| it.kappa,
+            Self::Resolved => |it| it.kappa_resolved,
+        }
+    }
+
+    /// `kappa_r`.
+    pub const fn kappa_r(self) -> Quantity {
+        match self {
+            Self::Counted => |it| it.kappa_r,
+            Self::Resolved => |it| it.kappa_r_resolved,
+        }
+    }
+
+    /// The power of the grid spacing with which its error vanishes.
+    pub fn order(self) -> i32 {
+        match self {
+            Self::Counted => 1,
+            Self::Resolved => 2,
+        }
+    }
+}
