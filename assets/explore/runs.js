@@ -215,8 +215,9 @@ const LEFT_OUT = ["relative_area"];
 const EXACT = { relative_area_resolved: "relative_area", kappa_r_resolved: "kappa_r" };
 const SECONDS = { name: "seconds", sentence: "Seconds of the solver alone, recording left out." };
 
-/** The name of an observable for people. */
-const label = (name) => name.replace("kappa", "κ").replaceAll(/_(?!r(?![a-z]))/g, " ");
+/** The name of an observable for people: resolved edges are what it means if nothing else is said. */
+const label = (name) => (name === "kappa_r" ? "kappa_r_counted" : name.replace(/_resolved$/, ""))
+  .replace("kappa", "κ").replaceAll(/_(?!r(?![a-z]))/g, " ");
 
 function numbers() {
   const shown = runOf(shownRun);
