@@ -4,14 +4,13 @@
 //! Problem --> Solver::solve --(Step)--> Observer
 //!                  |
 //!                  v
-//!               Contact { pressure, displacement, gap, Certificate, Work, Status } --> Measures, Patches
+//!               Contact { pressure, displacement, gap, Certificate, Work, Status } --> Measures, Edges, Patches
 //! ```
 
 mod archive;
 mod best;
 mod bound;
 mod certificate;
-mod contour;
 mod distribution;
 mod edges;
 mod forecast;

@@ -4,8 +4,12 @@
 //! `s` distance of the edge from the last node in spacings along the link of the two, `k` cosine of the angle between that
 //! link and the normal of the edge, `c` the excess of counting.
 
+mod contour;
+mod normal;
+
 use crate::contact::{Problem, chunks};
 use crate::grid::Grid;
+use normal::{Normal, Side};
 use std::f64::consts::{E, PI};
 
 /// Excess `c` of counted nodes over the true contact of a line, per switch between contact and gap, in nodes: exactly
@@ -49,7 +53,7 @@ const MOST_OF_SHAPE: f64 = 0.5;
 /// This crate's own; [`crate::theory::counting_excess`] has the excess at any angle.
 pub struct Edges<'a, G> {
     problem: &'a Problem,
-    pub(super) grid: &'a Grid,
+    grid: &'a Grid,
     pressure: &'a [f64],
     gap: G,
 }
@@ -146,7 +150,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         if self.touches(next) {
             return None;
         }
-        let link = [node, next].map(|node| self.state(node, towards));
+        let link = [node, next].map(|node| self.side(node, towards));
         let Normal { cosine, weight } = self.normal([node, next], link, towards);
         let is_of_shape = self.rises(node, towards);
         let (p, g) = (link[0].pressure * cosine, link[1].gap);
@@ -154,40 +158,23 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         Some(Edge { node, towards, place: if place.is_finite() { place } else { 0.5 }, weight, is_of_shape })
     }
 
-    /// The normal of the edge against the link, found in a few rounds, since distances take the cosine.
-    fn normal(&self, nodes: [usize; 2], link: [State; 2], [dy, dx]: [isize; 2]) -> Normal {
+    /// The normal of the edge against the link.
+    fn normal(&self, nodes: [usize; 2], link: [Side; 2], [dy, dx]: [isize; 2]) -> Normal {
         if self.grid.is_line() {
-            return Normal { cosine: 1.0, weight: 1.0 };
+            return Normal::ALONG;
         }
         let aside = nodes.map(|node| [[dx, dy], [-dx, -dy]].map(|step| self.grid.neighbour(node, step)));
-        let aside = aside.map(|both| both.map(|node| self.state(node, [dy, dx])));
+        let aside = aside.map(|both| both.map(|node| self.side(node, [dy, dx])));
         let spacing = self.grid.spacing();
-        let ratio = along(spacing, [dy, dx]) / along(spacing, [dx, dy]);
-        let round = |Normal { cosine, .. }, _| {
-            let strength = link[0].pressure * cosine + link[1].gap;
-            let distance = |state: State| state.distance(cosine, strength);
-            let here = link.map(distance);
-            let steps = [0, 1].map(|i| aside[i].map(distance).map(|there| (there - here[i]) * ratio));
-            let along = (here[0] - here[1]).powi(2);
-            let mean = 0.25 * (steps[0][0] - steps[0][1] + steps[1][0] - steps[1][1]);
-            let across = 0.25 * steps.iter().flatten().map(|step| step.powi(2)).sum::<f64>();
-            let next = (along / (along + mean * mean)).sqrt();
-            Normal { cosine: cosine.powf(DAMPING) * next.powf(1.0 - DAMPING), weight: along / (along + across) }
-        };
-        let Normal { cosine, weight } = (0..ROUNDS).fold(Normal { cosine: FIRST_COSINE, weight: 0.5 }, round);
-        if cosine.is_finite() && weight.is_finite() {
-            Normal { cosine, weight }
-        } else {
-            Normal { cosine: 1.0, weight: 0.5 }
-        }
+        Normal::of(link, aside, along(spacing, [dy, dx]) / along(spacing, [dx, dy]))
     }
 
     /// What a node knows of an edge across a link.
-    fn state(&self, node: usize, towards: [isize; 2]) -> State {
+    fn side(&self, node: usize, towards: [isize; 2]) -> Side {
         let per_modulus = along(self.grid.spacing(), towards) / self.problem.contact_modulus();
         let touches = self.touches(node);
         let gap = if touches { 0.0 } else { GAP_WEIGHT * (self.gap)(node).max(0.0) };
-        State { touches, pressure: self.pressure[node] * per_modulus, gap }
+        Side { touches, pressure: self.pressure[node] * per_modulus, gap }
     }
 
     /// Whether the pressure rises towards the edge over three nodes, as that of a punch does.
@@ -197,57 +184,10 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         p >= before && before >= first && first > 0.0
     }
 
-    pub(super) fn touches(&self, node: usize) -> bool {
+    fn touches(&self, node: usize) -> bool {
         self.pressure[node] > 0.0
     }
 }
-
-/// The normal of an edge against a link.
-struct Normal {
-    /// `k`.
-    cosine: f64,
-    /// Share of the link in the contour: as `k^2`, but for differences to either side that do not cancel at the tip of a contact.
-    weight: f64,
-}
-
-/// What a node knows of an edge.
-#[derive(Clone, Copy)]
-struct State {
-    touches: bool,
-    /// `p l / E*`, a length.
-    pressure: f64,
-    /// `(pi / 2e) g`, a length; 0 in contact.
-    gap: f64,
-}
-
-impl State {
-    /// The distance from an edge of the strength `a`, in spacings along the normal, into the contact: `P / a - c` of the last node
-    /// and `-c - (pi / 2e) G / a` of the next one, exactly; linear up to the second one on either side, as it is there, and farther
-    /// as in the continuum.
-    fn distance(self, cosine: f64, strength: f64) -> f64 {
-        let c = NODE_EXCESS_PER_SWITCH_LINE;
-        let (p, g) = (self.pressure * cosine / strength, self.gap / strength);
-        match self.touches {
-            true if p <= 1.0 => p - c,
-            true if p <= SECOND_PRESSURE => 1.0 - c + (p - 1.0) / (SECOND_PRESSURE - 1.0),
-            true => PI * PI / (4.0 * E) * p * p,
-            false if g <= 1.0 => -c - g,
-            false if g <= SECOND_GAP => -c - 1.0 - (g - 1.0) / (SECOND_GAP - 1.0),
-            false => -(0.75 * E.sqrt() * g).powi(2).cbrt(),
-        }
-    }
-}
-
-/// Pressure and weighted gap of the second node on either side of an edge, in those of the first one, where that is as far from the
-/// edge as a first node can be: from the coefficients of the factors.
-const SECOND_PRESSURE: f64 = 1.410_510_1;
-const SECOND_GAP: f64 = 2.589_489_9;
-
-/// Rounds in which the cosine is found, where they begin, and how much of the cosine before each of them keeps: rounds alternate
-/// about the solution.
-const ROUNDS: usize = 4;
-const FIRST_COSINE: f64 = 0.85;
-const DAMPING: f64 = 0.4;
 
 /// The value along the axis of a step.
 fn along([of_y, of_x]: [f64; 2], [dy, _]: [isize; 2]) -> f64 {
