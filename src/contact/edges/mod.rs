@@ -5,19 +5,14 @@
 //! link and the normal of the edge, `c` the excess of counting.
 
 mod contour;
+mod law;
 mod normal;
 
 use crate::contact::{Problem, chunks};
 use crate::grid::Grid;
-use normal::{Normal, Side};
-use std::f64::consts::{E, PI};
-
-/// Excess `c` of counted nodes over the true contact of a line, per switch between contact and gap, in nodes: exactly
-/// `1/4 + sum_{m >= 1} (1/2 - Si(m pi)/pi)`, the mean over all places of the edge between two nodes, see [`Edges`].
-pub const NODE_EXCESS_PER_SWITCH_LINE: f64 = 0.190_009_5;
-
-/// Weight of the gap against the pressure in the law of the edge: half of the square of the factor of the symbol at 0.
-const GAP_WEIGHT: f64 = PI / (2.0 * E);
+pub use law::NODE_EXCESS_PER_SWITCH_LINE;
+use law::{GAP_WEIGHT, Side};
+use normal::Normal;
 
 /// Share of the edges of a contact above which those that its shape gives leave the gradient over it without a meaning.
 const MOST_OF_SHAPE: f64 = 0.5;

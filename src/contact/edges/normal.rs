@@ -1,46 +1,12 @@
 //! The normal of an edge, from the nodes around a link.
 
-use super::NODE_EXCESS_PER_SWITCH_LINE;
-use std::f64::consts::{E, PI};
-
-/// Pressure and weighted gap of the second node on either side of an edge, in those of the first one, where that is as far from the
-/// edge as a first node can be: from the coefficients of the factors.
-const SECOND_PRESSURE: f64 = 1.410_510_1;
-const SECOND_GAP: f64 = 2.589_489_9;
+use super::law::Side;
 
 /// Rounds in which the cosine is found, where they begin, and how much of the cosine before each of them keeps: rounds alternate
 /// about the solution.
 const ROUNDS: usize = 4;
 const FIRST_COSINE: f64 = 0.85;
 const DAMPING: f64 = 0.4;
-
-/// What a node on one side of an edge knows of it.
-#[derive(Clone, Copy)]
-pub(super) struct Side {
-    pub touches: bool,
-    /// `p l / E*`, a length.
-    pub pressure: f64,
-    /// `(pi / 2e) g`, a length; 0 in contact.
-    pub gap: f64,
-}
-
-impl Side {
-    /// The distance from an edge of the strength `a` into the contact, in spacings of the link projected on the normal:
-    /// `P k / a - c` of the last node and `-c - (pi / 2e) G / a` of the next one, exactly; linear up to the second one on either
-    /// side, as it is there, and farther as in the continuum.
-    fn distance(self, cosine: f64, strength: f64) -> f64 {
-        let c = NODE_EXCESS_PER_SWITCH_LINE;
-        let (p, g) = (self.pressure * cosine / strength, self.gap / strength);
-        match self.touches {
-            true if p <= 1.0 => p - c,
-            true if p <= SECOND_PRESSURE => 1.0 - c + (p - 1.0) / (SECOND_PRESSURE - 1.0),
-            true => PI * PI / (4.0 * E) * p * p,
-            false if g <= 1.0 => -c - g,
-            false if g <= SECOND_GAP => -c - 1.0 - (g - 1.0) / (SECOND_GAP - 1.0),
-            false => -(0.75 * E.sqrt() * g).powi(2).cbrt(),
-        }
-    }
-}
 
 /// The normal of an edge against a link.
 #[derive(Clone, Copy)]

@@ -1,0 +1,43 @@
+//! The law of a straight edge: what the nodes on either side tell of its place.
+
+use std::f64::consts::{E, PI};
+
+/// Excess `c` of counted nodes over the true contact of a line, per switch between contact and gap, in nodes: exactly
+/// `1/4 + sum_{m >= 1} (1/2 - Si(m pi)/pi)`, the mean over all places of the edge between two nodes, see [`super::Edges`].
+pub const NODE_EXCESS_PER_SWITCH_LINE: f64 = 0.190_009_5;
+
+/// Weight of the gap against the pressure in the law of the edge: half of the square of the factor of the symbol at 0.
+pub const GAP_WEIGHT: f64 = PI / (2.0 * E);
+
+/// Pressure and weighted gap of the second node on either side of an edge, in those of the first one, where that is as far from the
+/// edge as a first node can be: from the coefficients of the factors.
+const SECOND_PRESSURE: f64 = 1.410_510_1;
+const SECOND_GAP: f64 = 2.589_489_9;
+
+/// What a node on one side of an edge knows of it.
+#[derive(Clone, Copy)]
+pub struct Side {
+    pub touches: bool,
+    /// `p l / E*`, a length.
+    pub pressure: f64,
+    /// `(pi / 2e) g`, a length; 0 in contact.
+    pub gap: f64,
+}
+
+impl Side {
+    /// The distance from an edge of the strength `a` into the contact, in spacings of the link projected on the normal:
+    /// `P k / a - c` of the last node and `-c - (pi / 2e) G / a` of the next one, exactly; linear up to the second one on either
+    /// side, as it is there, and farther as in the continuum.
+    pub fn distance(self, cosine: f64, strength: f64) -> f64 {
+        let c = NODE_EXCESS_PER_SWITCH_LINE;
+        let (p, g) = (self.pressure * cosine / strength, self.gap / strength);
+        match self.touches {
+            true if p <= 1.0 => p - c,
+            true if p <= SECOND_PRESSURE => 1.0 - c + (p - 1.0) / (SECOND_PRESSURE - 1.0),
+            true => PI * PI / (4.0 * E) * p * p,
+            false if g <= 1.0 => -c - g,
+            false if g <= SECOND_GAP => -c - 1.0 - (g - 1.0) / (SECOND_GAP - 1.0),
+            false => -(0.75 * E.sqrt() * g).powi(2).cbrt(),
+        }
+    }
+}
