@@ -117,6 +117,19 @@ impl Grid {
         wrapped(node / nx, dy, ny) * nx + wrapped(node % nx, dx, nx)
     }
 
+    /// The nearest neighbours of a node, one step on and back along x and then along y; of a line the first two differ from it.
+    /// Periodic.
+    pub(crate) fn neighbours(&self, node: usize) -> [usize; 4] {
+        let ([ny, nx], x) = (self.shape, node % self.shape[1]);
+        let last_row = (ny - 1) * nx;
+        [
+            if x + 1 < nx { node + 1 } else { node - x },
+            if x > 0 { node - 1 } else { node + nx - 1 },
+            if node < last_row { node + nx } else { node - last_row },
+            if node >= nx { node - nx } else { node + last_row },
+        ]
+    }
+
     /// Positions `x` of the columns, from 0.
     pub fn x(&self) -> impl ExactSizeIterator<Item = f64> + use<> {
         let dx = self.spacing()[1];

@@ -1,6 +1,5 @@
 //! Measures of a contact, as the paper defines them.
 
-use crate::contact::edges::STEPS;
 use crate::contact::{NODE_EXCESS_PER_SWITCH_LINE, Problem, chunks};
 use crate::surface::Surface;
 
@@ -95,12 +94,12 @@ struct Sums {
 impl Sums {
     fn of(pressure: &[f64], surface: &Surface) -> Self {
         let (grid, square_gradient) = (surface.grid(), surface.square_gradient());
-        let steps: &[[isize; 2]] = if grid.is_line() { &STEPS[..2] } else { &STEPS };
         let parts = chunks::visit(pressure.len(), |range| {
             let mut sums = Self::default();
             for node in range.filter(|&node| pressure[node] > 0.0) {
                 let square = square_gradient(node);
-                let ends = steps.iter().filter(|step| pressure[grid.neighbour(node, **step)] <= 0.0).count();
+                // of a line, the neighbours along y are the node itself
+                let ends = grid.neighbours(node).into_iter().filter(|&next| pressure[next] <= 0.0).count();
                 sums.nodes += 1;
                 sums.squares += square;
                 sums.switches += ends;

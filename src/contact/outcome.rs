@@ -177,12 +177,12 @@ impl Contact {
 
     /// Mean pressure.
     pub fn mean_pressure(&self) -> f64 {
-        self.pressure.mean().unwrap_or(0.0)
+        mean(self.pressures())
     }
 
     /// Mean gap.
     pub fn mean_gap(&self) -> f64 {
-        self.gap.mean().unwrap_or(0.0)
+        mean(self.gap.as_slice().expect("results are made in standard layout"))
     }
 
     /// Elastic energy `<p u>/2` per area of the cell, pressure times length. Under one load after the other it falls with the
@@ -195,7 +195,9 @@ impl Contact {
 
     /// Largest pressure.
     pub fn max_pressure(&self) -> f64 {
-        self.pressure.fold(0.0, |max: f64, &p| max.max(p))
+        let pressure = self.pressures();
+        let largest = |range: std::ops::Range<usize>| range.fold(0.0, |most: f64, i| most.max(pressure[i]));
+        chunks::visit(pressure.len(), largest).into_iter().fold(0.0, f64::max)
     }
 
     /// Largest gap.
@@ -207,4 +209,8 @@ impl Contact {
     pub fn mask(&self) -> ndarray::Array2<bool> {
         self.pressure.mapv(|p| p > 0.0)
     }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    chunks::sum(values.len(), |i| values[i]) / values.len() as f64
 }

@@ -1,5 +1,6 @@
 //! Contact patches: connected sets of nodes in contact.
 
+use crate::chunks;
 use std::ops::Range;
 
 /// The contact patches of a pressure field: sets of nodes with `p > 0` that touch along rows or columns, across the period.
@@ -14,7 +15,7 @@ impl Patches {
     /// Runs of contact along rows are joined with those they overlap in the next row, so the cost beyond one pass is that
     /// of the runs.
     pub fn of(pressure: &[f64], [ny, nx]: [usize; 2]) -> Self {
-        let rows: Vec<Vec<Range<usize>>> = pressure.chunks_exact(nx).map(runs).collect();
+        let rows: Vec<Vec<Range<usize>>> = chunks::rows(ny, nx, |y| runs(&pressure[y * nx..][..nx]));
         let count_before = |count: &mut usize, row: &Vec<Range<usize>>| {
             *count += row.len();
             Some(*count - row.len())

@@ -97,9 +97,10 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
 
     /// The edges around a node, none if it is not in contact.
     pub fn around(&self, node: usize) -> impl Iterator<Item = Edge> {
-        let steps: &[[isize; 2]] = if self.grid.is_line() { &STEPS[..2] } else { &STEPS };
-        let is_in = self.touches(node);
-        steps.iter().filter(move |_| is_in).filter_map(move |&towards| self.edge(node, towards))
+        let links = self.grid.neighbours(node).into_iter().zip(STEPS);
+        // of a line, the neighbours along y are the node itself
+        let ends = links.filter(move |&(next, _)| self.touches(node) && !self.touches(next));
+        ends.map(move |(next, towards)| self.edge([node, next], towards))
     }
 
     /// Area and gradient.
@@ -139,18 +140,14 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         if sums.area > 0.0 { sums } else { Sums { area: 0.0, squares: 0.0, ..sums } }
     }
 
-    /// The edge on the link from a node in contact, if it is one.
-    fn edge(&self, node: usize, towards: [isize; 2]) -> Option<Edge> {
-        let next = self.grid.neighbour(node, towards);
-        if self.touches(next) {
-            return None;
-        }
+    /// The edge on the link from a node in contact to one that is not.
+    fn edge(&self, [node, next]: [usize; 2], towards: [isize; 2]) -> Edge {
         let link = [node, next].map(|node| self.side(node, towards));
         let Normal { cosine, weight } = self.normal([node, next], link, towards);
         let is_of_shape = self.rises(node, towards);
         let (p, g) = (link[0].pressure * cosine, link[1].gap);
         let place = if is_of_shape { 0.5 } else { p / (p + g) - NODE_EXCESS_PER_SWITCH_LINE };
-        Some(Edge { node, towards, place: if place.is_finite() { place } else { 0.5 }, weight, is_of_shape })
+        Edge { node, towards, place: if place.is_finite() { place } else { 0.5 }, weight, is_of_shape }
     }
 
     /// The normal of the edge against the link.
@@ -189,8 +186,8 @@ fn along([of_y, of_x]: [f64; 2], [dy, _]: [isize; 2]) -> f64 {
     if dy != 0 { of_y } else { of_x }
 }
 
-/// Steps from a node to its neighbours; those of a line come first.
-pub(super) const STEPS: [[isize; 2]; 4] = [[0, 1], [0, -1], [1, 0], [-1, 0]];
+/// Steps from a node to its neighbours, in the order of [`Grid::neighbours`].
+const STEPS: [[isize; 2]; 4] = [[0, 1], [0, -1], [1, 0], [-1, 0]];
 
 /// Sums over nodes in contact.
 #[derive(Default)]

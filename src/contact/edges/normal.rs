@@ -2,11 +2,10 @@
 
 use super::law::Side;
 
-/// Rounds in which the cosine is found, where they begin, and how much of the cosine before each of them keeps: rounds alternate
-/// about the solution.
+/// Rounds in which the cosine is found, where they begin, and how much of it each keeps: rounds alternate about the solution.
 const ROUNDS: usize = 4;
 const FIRST_COSINE: f64 = 0.85;
-const DAMPING: f64 = 0.4;
+const KEPT: f64 = 0.4;
 
 /// The normal of an edge against a link.
 #[derive(Clone, Copy)]
@@ -43,6 +42,6 @@ impl Normal {
         let slope = 0.25 * (a - b + c - d);
         let across = 0.25 * (a * a + b * b + c * c + d * d);
         let cosine = (along / (along + slope * slope)).sqrt();
-        Self { cosine: self.cosine.powf(DAMPING) * cosine.powf(1.0 - DAMPING), weight: along / (along + across) }
+        Self { cosine: KEPT * self.cosine + (1.0 - KEPT) * cosine, weight: along / (along + across) }
     }
 }
