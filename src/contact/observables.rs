@@ -38,7 +38,7 @@ pub struct State<'a> {
     measures: Lazy<'a, Measures>,
     resolved: Lazy<'a, Resolved>,
     patches: Lazy<'a, Patches>,
-    /// What the next coarser grid had, if that is known.
+    /// Area and gradient of the contact on the next coarser grid, if they are known.
     coarser: Option<&'a Resolved>,
     mean_gap: Lazy<'a, f64>,
     /// The elastic energy; NaN where it is not known.

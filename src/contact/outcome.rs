@@ -28,7 +28,7 @@ pub struct Contact {
     pub gap: Field,
     /// Error bounds of this very pressure, from a fresh transform pair.
     pub certificate: Certificate,
-    /// What the next coarser grid had of the contact, if the solver went over one.
+    /// Area and gradient of the contact on the next coarser grid, if the solver went over one.
     pub coarser: Option<Resolved>,
     /// Work done.
     pub work: Work,

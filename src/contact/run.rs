@@ -42,7 +42,7 @@ pub struct Run<'a, P = Vec<f64>> {
     iterations: usize,
     patience: usize,
     failure: Option<Failure>,
-    /// What the next coarser grid had of the contact, if the solver went over one.
+    /// Area and gradient of the contact on the next coarser grid, if the solver went over one.
     pub(super) coarser: Option<Resolved>,
     /// The best state found.
     pub(super) best: Best<P>,

@@ -14,7 +14,7 @@ pub const GAP_WEIGHT: f64 = PI / (2.0 * E);
 const SECOND_PRESSURE: f64 = 1.410_510_1;
 const SECOND_GAP: f64 = 2.589_489_9;
 
-/// What a node on one side of an edge knows of it.
+/// Pressure and gap of a node on one side of an edge, as lengths in the law of the edge.
 #[derive(Clone, Copy)]
 pub struct Side {
     pub touches: bool,

@@ -80,7 +80,7 @@ pub struct Resolved {
     pub kappa_r: f64,
     /// Links between contact and gap.
     pub edges: usize,
-    /// Those at which the shape of the surface gives the edge.
+    /// Links between contact and gap at which the shape of the surface gives the edge, as that of a punch does.
     pub edges_of_shape: usize,
 }
 
@@ -125,7 +125,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         }
     }
 
-    /// What a node in contact adds: its cell, less or more what lies between that and the edges.
+    /// The area and the square gradients of a node in contact: those of its cell, cut off or extended at its edges.
     fn share(&self, node: usize, square_slope: &impl Fn(usize) -> f64) -> Sums {
         let square = square_slope(node);
         let mut sums = Sums { area: 1.0, squares: square, ..Sums::default() };
@@ -161,7 +161,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         Normal::of(link, aside, along(spacing, [dy, dx]) / along(spacing, [dx, dy]))
     }
 
-    /// What a node knows of an edge across a link.
+    /// Pressure and gap of a node as lengths in the law of an edge across a link.
     fn side(&self, node: usize, towards: [isize; 2]) -> Side {
         let per_modulus = along(self.grid.spacing(), towards) / self.problem.contact_modulus();
         let touches = self.touches(node);
