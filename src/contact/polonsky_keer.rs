@@ -5,7 +5,7 @@
 //! `v` over the contact, so that `g` has none.
 
 use crate::contact::bound::{is_uniform, to_bound};
-use crate::contact::{Certificate, Contact, Observer, Problem, Run, Solver, Step, Stop, certificate, chunks};
+use crate::contact::{Certificate, Contact, Decision, Observer, Problem, Run, Solver, Step, Stop, certificate, chunks};
 use crate::elastic::HalfSpace;
 use crate::error::SolveError;
 use crate::surface::Field;
@@ -75,18 +75,19 @@ impl Solver for PolonskyKeer {
     ) -> Result<Contact, SolveError> {
         let mut run = Run::begin(self, problem, stop, observer);
         let mut state = Iterate::new(start, problem);
+        let mut decision = Decision::Start;
         let status = loop {
             let certificate = state.certify(&mut run);
             let work = run.work(state.half_space.transforms());
-            if let Some(status) = run.show(&Step::new(problem, work, &state.p, &state.u).with_certificate(certificate))
-            {
+            let step = Step::new(problem, work, &state.p, &state.u).with_certificate(certificate);
+            if let Some(status) = run.show(&step.with_decision(decision)) {
                 break status;
             }
             let datum = state.datum();
-            state.conjugate(datum);
+            let share = state.conjugate(datum);
             state.half_space.displacement(&state.t, &mut state.r);
             let tau = state.step_length(datum);
-            state.update(datum, tau);
+            decision = state.update(datum, tau, share);
             run.advance();
         };
         Ok(run.finish(status, state.into_half_space()))
@@ -160,8 +161,8 @@ impl<'a> Iterate<'a> {
         -sum / n as f64
     }
 
-    /// `t <- g + (|g|^2 / |g_previous|^2) t` on the contact, zero elsewhere.
-    fn conjugate(&mut self, datum: f64) {
+    /// `t <- g + beta t` on the contact with the share `beta = |g|^2 / |g_previous|^2` that is returned, zero elsewhere.
+    fn conjugate(&mut self, datum: f64) -> f64 {
         let (p, u, h) = (&self.p, &self.u, self.problem.height());
         let square = chunks::sum(p.len(), |i| if p[i] > 0.0 { (u[i] - h[i] + datum).powi(2) } else { 0.0 });
         let beta = self.previous_square.map_or(0.0, |previous| square / previous);
@@ -171,6 +172,7 @@ impl<'a> Iterate<'a> {
                 *t = if p[i] > 0.0 { u[i] - h[i] + datum + beta * *t } else { 0.0 };
             }
         });
+        beta
     }
 
     /// The exact minimiser along `t`, `<g t> / <r t>` over the contact, where under a mean pressure `r` is taken less its mean
@@ -200,12 +202,13 @@ impl<'a> Iterate<'a> {
     }
 
     /// `p <- max(p - tau t, 0)` on the contact, `-tau g` on nodes without pressure that penetrate; then the load, then `u`. If the
-    /// energy rises by that, a gradient step instead.
-    fn update(&mut self, datum: f64, tau: f64) {
+    /// energy rises by that, a gradient step instead. Returns what it came to.
+    fn update(&mut self, datum: f64, tau: f64, share: f64) -> Decision {
         let change = self.step(datum, tau);
         let scale = self.carry(change.load);
         if !change.left && !change.entered {
-            return self.follow(scale, tau);
+            self.follow(scale, tau);
+            return Decision::Conjugate { length: tau, share };
         }
         let rises = self.arrive(datum).rise() > 0.0;
         if rises {
@@ -214,6 +217,7 @@ impl<'a> Iterate<'a> {
         if change.entered || rises {
             self.previous_square = None;
         }
+        if rises { Decision::Descend } else { Decision::Exchange }
     }
 
     /// The step of the pressure before it carries the load.

@@ -1,6 +1,6 @@
 //! The interface of all solvers, and of all that watch one: its beginning, every step, and its end.
 
-use crate::contact::{Contact, Problem, Step, Stop};
+use crate::contact::{Contact, Problem, Relaxation, Step, Stop};
 use crate::error::{Failure, SolveError};
 use crate::surface::Field;
 use std::ops::ControlFlow;
@@ -12,6 +12,11 @@ pub trait Solver {
 
     /// Settings of the solver, in words.
     fn settings(&self) -> String;
+
+    /// How fast free waves relax in theory, of solvers that have one rate for all steps.
+    fn relaxation(&self, _problem: &Problem) -> Option<Relaxation> {
+        None
+    }
 
     /// Solves `problem` from the flat start, until `stop`, showing every step to `observer`. The contact comes back whether
     /// the run converged or not: its status says so, and [`Contact::converged`] makes an error of one that did not.

@@ -1,6 +1,6 @@
 //! The state of a solver at one relaxation step.
 
-use crate::contact::{Certificate, Edges, Measures, Patches, Problem, Resolved, Work, certificate, chunks};
+use crate::contact::{Certificate, Decision, Edges, Measures, Patches, Problem, Resolved, Work, certificate, chunks};
 use std::cell::{LazyCell, OnceCell};
 use std::ops::Deref;
 
@@ -12,6 +12,7 @@ use std::ops::Deref;
 /// | datum          | [`Step::with_datum`]         | the one where `<p g> = 0`, or the mean gap if it is prescribed |
 /// | certificate    | [`Step::with_certificate`]   | unknown                                                  |
 /// | phase          | [`Step::with_phase`]         | the finest grid, every step an outer one                 |
+/// | decision       | [`Step::with_decision`]      | unknown                                                  |
 /// | energy         | [`Step::with_force`]         | that of methods that move the pressure                   |
 pub struct Step<'a> {
     problem: &'a Problem,
@@ -21,6 +22,7 @@ pub struct Step<'a> {
     datum: Option<f64>,
     certificate: Option<Certificate>,
     phase: Phase,
+    decision: Option<Decision>,
     /// The net force, of methods that move the surface.
     force: Option<&'a [f64]>,
     gap: OnceCell<Vec<f64>>,
@@ -114,6 +116,7 @@ impl<'a> Step<'a> {
             datum: None,
             certificate: None,
             phase: Phase { level: 0, outer: work.iterations, inner: 0 },
+            decision: None,
             force: None,
             gap: OnceCell::new(),
             measures: OnceCell::new(),
@@ -137,6 +140,11 @@ impl<'a> Step<'a> {
         Self { phase, ..self }
     }
 
+    /// The step with what the solver decided on its way to it.
+    pub fn with_decision(self, decision: impl Into<Option<Decision>>) -> Self {
+        Self { decision: decision.into(), ..self }
+    }
+
     /// The step of a method that moves the surface `w`, the displacement, under the net force `f`: then
     /// `k w = p - f - <p>` with the stiffness `k`, and the energy is the potential one.
     pub fn with_force(self, force: &'a [f64]) -> Self {
@@ -156,6 +164,11 @@ impl<'a> Step<'a> {
     /// Grid level, outer and inner step.
     pub fn phase(&self) -> Phase {
         self.phase
+    }
+
+    /// What the solver decided on its way to this step, where it tells.
+    pub fn decision(&self) -> Option<Decision> {
+        self.decision
     }
 
     /// Work of the solver so far; observers are not counted.

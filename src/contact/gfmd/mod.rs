@@ -7,6 +7,7 @@
 mod moving;
 mod pace;
 mod probe;
+mod relaxation;
 mod settings;
 
 use crate::contact::{Contact, Observer, Problem, Run, Solver, Stop};
@@ -16,6 +17,7 @@ use moving::Moving;
 use pace::Pace;
 use probe::Probe;
 
+pub use relaxation::Relaxation;
 pub use settings::{Dynamics, Gfmd, Masses};
 
 impl Solver for Gfmd {
@@ -33,6 +35,10 @@ impl Solver for Gfmd {
             Dynamics::Fire => "FIRE".into(),
         };
         format!("{masses}, {dynamics}, time step {} of the stability limit", self.time_step)
+    }
+
+    fn relaxation(&self, problem: &Problem) -> Option<Relaxation> {
+        Relaxation::of(self, problem)
     }
 
     fn solve_from(
@@ -53,7 +59,7 @@ impl Solver for Gfmd {
             surface.pull();
             let certificate = probe.certify(problem, &surface.p, &mut run);
             let work = run.work(surface.half_space.transforms() + probe.half_space.transforms());
-            if let Some(status) = run.show(&surface.step(work, certificate)) {
+            if let Some(status) = run.show(&surface.step(work, certificate).with_decision(pace.decision())) {
                 break status;
             }
             surface.advance(&mut pace);

@@ -1,7 +1,7 @@
 //! The pace of the motion: time step and damping.
 
 use super::{Dynamics, Gfmd, Masses};
-use crate::contact::chunks;
+use crate::contact::{Decision, chunks};
 
 /// Constants of FIRE (Bitzek et al. 2006): steps of falling energy before the time step grows, its growth and its
 /// cut, and the share of the velocity that turns towards the force, with its decay.
@@ -18,8 +18,9 @@ const SLACK: f64 = 16.0;
 /// Chooses each step's share of old velocity and new force.
 pub(super) struct Pace {
     /// `dt^2 / m` at the largest stable time step allowed.
-    step: f64,
+    pub step: f64,
     kind: Kind,
+    decision: Decision,
 }
 
 enum Kind {
@@ -47,7 +48,20 @@ impl Pace {
             Dynamics::Damped => Kind::Damped { friction: settings.damping * slowest.sqrt() },
             Dynamics::Fire => Kind::Fire { dt: 1.0, turn: TURN, falling: 0 },
         };
-        Self { step, kind }
+        Self { step, kind, decision: Decision::Start }
+    }
+
+    /// The friction, if it stays.
+    pub fn friction(&self) -> Option<f64> {
+        match self.kind {
+            Kind::Damped { friction } => Some(friction),
+            Kind::Fire { .. } => None,
+        }
+    }
+
+    /// What the last push was.
+    pub fn decision(&self) -> Decision {
+        self.decision
     }
 
     /// The shares `keep` and `add` of the next advance `keep * dw + add * a`, after an advance `dw`, under the net force `f` and
@@ -57,6 +71,7 @@ impl Pace {
         match &mut self.kind {
             // the friction acts on the mean of the advances before and after, which leaves the stability limit where it is
             Kind::Damped { friction } => {
+                self.decision = Decision::Damped;
                 let share = 1.0 / (1.0 + *friction);
                 [share * (1.0 - *friction), share * step]
             }
@@ -64,6 +79,7 @@ impl Pace {
                 let power = chunks::sum(f.len(), |i| f[i] * dw[i]);
                 let before = *dt;
                 if power < 0.0 {
+                    self.decision = Decision::Halt;
                     (*dt, *turn, *falling) = (*dt * CUT, TURN, 0);
                     return [0.0, step * dt.powi(2)];
                 }
@@ -75,6 +91,7 @@ impl Pace {
                 let speed = chunks::sum(dw.len(), |i| dw[i].powi(2)).sqrt();
                 let pull = chunks::sum(a.len(), |i| a[i].powi(2)).sqrt();
                 let turned = if pull > 0.0 { share * speed / pull } else { 0.0 };
+                self.decision = if *dt > before { Decision::Accelerate } else { Decision::Coast };
                 let stretch = *dt / before;
                 [stretch * (1.0 - share), stretch * turned + step * dt.powi(2)]
             }

@@ -3,7 +3,7 @@
 use super::extension::Extension;
 use super::support::Support;
 use crate::chunks;
-use crate::contact::Status;
+use crate::contact::{Decision, Status};
 use crate::elastic::HalfSpace;
 
 /// Conjugate gradient steps at the most.
@@ -21,6 +21,8 @@ pub(super) struct Correction<'a> {
     pub delta: Vec<f64>,
     residual: Vec<f64>,
     direction: Vec<f64>,
+    /// The last step.
+    pub last: Decision,
     /// `1 / a`, where `lambda` is given and the load is free.
     uniform_stiffness: Option<f64>,
 }
@@ -30,7 +32,8 @@ impl<'a> Correction<'a> {
     pub fn new(support: &'a Support, residual: Vec<f64>, keeps_load: bool, half_space: &mut HalfSpace) -> Self {
         let zeros = || vec![0.0; residual.len()];
         let (delta, direction) = (zeros(), zeros());
-        let mut correction = Self { support, delta, direction, residual, uniform_stiffness: None };
+        let mut correction =
+            Self { support, delta, direction, residual, last: Decision::Start, uniform_stiffness: None };
         if !keeps_load {
             let ones = vec![1.0; correction.residual.len()];
             let compliance = dot(&ones, &correction.comply(&ones, half_space)) / ones.len() as f64;
@@ -65,6 +68,7 @@ impl<'a> Correction<'a> {
                 return None;
             }
             self.step(square / curvature, &q);
+            self.last = Decision::Conjugate { length: square / curvature, share: beta };
             if let Some(status) = watch(self, half_space) {
                 return Some(status);
             }

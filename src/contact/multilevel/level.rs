@@ -5,7 +5,7 @@ use super::extension::Extension;
 use super::support::{Pressure, RowOfNodes, Support};
 use crate::chunks;
 use crate::contact::best::Best;
-use crate::contact::{Certificate, Edges, Problem, Resolved, Status, Sums};
+use crate::contact::{Certificate, Decision, Edges, Problem, Resolved, Status, Sums};
 use crate::elastic::HalfSpace;
 use std::ops::Range;
 
@@ -42,8 +42,9 @@ pub(super) enum Mode {
     Guarded { release: f64, steps: usize },
 }
 
-/// The watch of the inner steps of a correction: the set, the signed pressure on it, and the half-space. It may end the run.
-pub(super) type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, &mut HalfSpace) -> Option<Status> + 'w;
+/// The watch of the inner steps of a correction: the set, the signed pressure on it, the step, and the half-space. It may end the
+/// run.
+pub(super) type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, &mut HalfSpace) -> Option<Status> + 'w;
 
 impl<'a> Level<'a> {
     /// Starts from a pressure, or from the uniform one, made for the rows of the half-space.
@@ -88,6 +89,15 @@ impl<'a> Level<'a> {
         match self.mode {
             Mode::Free { .. } => self.update(watch),
             Mode::Guarded { steps, .. } => self.descend(steps.is_multiple_of(2), watch),
+        }
+    }
+
+    /// The decision behind this state, `outer` steps after the start of the grid.
+    pub fn decision(&self, outer: usize) -> Decision {
+        match self.mode {
+            _ if outer == 0 => Decision::Start,
+            Mode::Free { .. } => Decision::WholeSet,
+            Mode::Guarded { .. } => Decision::Guarded,
         }
     }
 
@@ -188,7 +198,7 @@ impl<'a> Level<'a> {
         let mut correction = Correction::new(support, residual, gap.is_none(), half_space);
         let status = correction.solve(self.reduction, &mut extension, half_space, u, &mut |correction, half_space| {
             let signed = || values.iter().zip(&correction.delta).map(|(p, delta)| p + delta).collect();
-            watch(support, &signed, half_space)
+            watch(support, &signed, correction.last, half_space)
         });
         let delta = correction.delta;
         chunks::update(values, |range, p| p.iter_mut().zip(&delta[range]).for_each(|(p, delta)| *p += delta));

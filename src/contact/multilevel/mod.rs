@@ -212,6 +212,7 @@ impl Cascade<'_> {
     fn show(&mut self, level: &Level<'_>, phase: Phase, certificate: Certificate) -> Option<Status> {
         let (work, pressure) = (self.run.work(self.transforms(level)), Values::lazy(|| level.pressure.spread()));
         let step = Step::new(level.problem, work, pressure, &level.u).with_certificate(certificate).with_phase(phase);
+        let step = step.with_decision(level.decision(phase.outer));
         let ended = if phase.level == 0 { self.run.show(&step) } else { self.run.pass(&step) };
         if ended.is_none() {
             self.run.advance();
@@ -223,7 +224,7 @@ impl Cascade<'_> {
     fn advance(&mut self, level: &mut Level<'_>, mut phase: Phase) -> Option<Status> {
         let (spent, share, problem) = (self.spent, self.share(level), level.problem);
         let run = &mut self.run;
-        level.advance(&mut |support, signed, half_space| {
+        level.advance(&mut |support, signed, decision, half_space| {
             phase.inner += 1;
             let transforms = (spent + share * half_space.transforms() as f64).ceil() as u64;
             let feasible = || feasible(support, signed(), problem);
@@ -234,6 +235,7 @@ impl Cascade<'_> {
             };
             let pressure = Values::lazy(|| feasible().spread());
             let step = Step::new(problem, run.work(transforms), pressure, Values::lazy(displaced)).with_phase(phase);
+            let step = step.with_decision(decision);
             let ended = run.pass(&step);
             drop(step);
             if ended.is_none() {
