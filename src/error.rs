@@ -216,6 +216,12 @@ pub enum SetupError {
     /// A part of a recording that the grid does not have.
     #[error("the recording asks for the {part}, which a {of} does not have: leave it out")]
     NoSuchPart { part: &'static str, of: &'static str },
+    /// A row or a column that a surface does not have.
+    #[error(
+        "the raster is to run along row {row} and column {column} of {} x {} nodes: give a row and a column of a surface, from 0 on",
+        shape[0], shape[1]
+    )]
+    NoSuchNode { row: usize, column: usize, shape: [usize; 2] },
     /// Every 0th step was to be recorded.
     #[error("every 0th step is to be recorded: give a positive number of steps")]
     EveryNone,

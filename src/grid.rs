@@ -71,6 +71,15 @@ impl Grid {
         self.with_shape([if self.is_line() { 1 } else { ny }, nx])
     }
 
+    /// Distance of the nodes of `coarse` along y and x in nodes of this grid, if it is this grid or a coarser version of it by powers
+    /// of two.
+    pub fn stride(&self, coarse: &Self) -> Option<[usize; 2]> {
+        let stride = [0, 1].map(|axis| self.shape[axis] / coarse.shape[axis]);
+        let fits =
+            |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse.shape[axis] == self.shape[axis];
+        (coarse.size == self.size && fits(0) && fits(1)).then_some(stride)
+    }
+
     /// The grid of another shape over the same cell.
     ///
     /// # Errors

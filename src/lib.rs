@@ -60,6 +60,7 @@
 //! | 2     | [`elastic`]  | the half-space: compliance and stiffness                                          |           |
 //! | 2     | [`theory`]   | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson       |           |
 //! | 3     | [`contact`]  | the problem, its certificate, solvers, observers, measures and patches            |           |
+//! | 4     | [`diagnosis`] | what held a run up: nodes that flip, errors by wavelength, Ritz values, in words |           |
 //! | 4     | [`setup`]    | the one description of a contact to solve, and what it costs                      | (`units`) |
 //! | 5     | [`study`]    | load curves, and sweeps over surfaces and loads in tables that a killed run resumes |         |
 //! | 5     | `plot`       | figures as data, written as SVG and PNG                                           | `figures` |
@@ -91,6 +92,7 @@
 
 mod chunks;
 pub mod contact;
+pub mod diagnosis;
 pub mod elastic;
 pub mod error;
 #[cfg(feature = "explore")]

@@ -1,5 +1,7 @@
 //! `asperity accuracy`: error against run time.
 
+#[cfg(feature = "record")]
+use super::choice::choice;
 use super::choice::count;
 use super::outcome::{Outcome, usage};
 use super::progress::bar;
@@ -10,6 +12,8 @@ use asperity::error::FileError;
 use asperity::files::check_target;
 use asperity::lab::accuracy::{Experiment, Findings, Scene, figure, write_rows};
 use asperity::plot::{write_png, write_svg};
+#[cfg(feature = "record")]
+use asperity::setup::Part;
 use clap::Args;
 use std::io::{Write, stdout};
 use std::num::NonZeroUsize;
@@ -61,6 +65,10 @@ pub struct Accuracy {
     #[cfg(feature = "record")]
     #[arg(long, requires = "out")]
     record: bool,
+    /// Parts to record, as of `solve`
+    #[cfg(feature = "record")]
+    #[arg(long, value_name = "PART[,PART]", value_delimiter = ',', requires = "record", value_parser = choice(Part::PARTS, Part::named))]
+    record_what: Vec<Part>,
 }
 
 impl Accuracy {
@@ -86,7 +94,7 @@ impl Accuracy {
                 #[cfg(feature = "record")]
                 if self.record {
                     let path = folder.join(format!("{}.rrd", experiment.scene.name()));
-                    asperity::lab::accuracy::record(&path, experiment, bar)?;
+                    asperity::lab::accuracy::record(&path, experiment, &self.record_what, bar)?;
                 }
             }
         }

@@ -3,6 +3,7 @@
 use super::finding::Finding;
 use super::subject::Subject;
 use anyhow::Result;
+use asperity::diagnosis::Findings;
 use asperity::setup::Setup;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -14,6 +15,9 @@ pub struct Summary {
     pub subject: Subject,
     #[serde(flatten)]
     pub finding: Finding,
+    /// What held the solve up, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diagnosis: Option<Findings>,
     pub warnings: Vec<String>,
     pub setup: Setup,
 }
@@ -22,7 +26,8 @@ impl Summary {
     /// Writes the summary for reading.
     pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.subject.line(), self.finding.status)?;
-        write_rows(self.subject.rows().into_iter().chain(self.finding.rows()), out)
+        write_rows(self.subject.rows().into_iter().chain(self.finding.rows()), out)?;
+        self.diagnosis.as_ref().map_or(Ok(()), |diagnosis| write!(out, "\nWhat held it up:\n{diagnosis}"))
     }
 }
 

@@ -13,7 +13,8 @@ use super::progress::Progress;
 use super::subject::Subject;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Problem, archive};
+use asperity::contact::{Contact, Observer, Problem, archive};
+use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::files::write_beside;
 #[cfg(feature = "record")]
 use asperity::record;
@@ -21,6 +22,7 @@ use asperity::setup::{Auto, Setup};
 use asperity::study::{LoadCurve, Refinement, Settled};
 use clap::Args;
 use std::io::{self, Write, stdout};
+use std::sync::Arc;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -38,6 +40,9 @@ pub struct Solve {
     unload: bool,
     #[command(flatten)]
     outputs: Outputs,
+    /// Solve twice, and say what held the solve up the second time: slow wavelengths, nodes that flip, plateaus
+    #[arg(long)]
+    diagnose: bool,
     /// Say what the solve would take in memory, transforms and recording, and do none of it
     #[arg(long, conflicts_with = "json")]
     dry_run: bool,
@@ -83,9 +88,9 @@ impl Solve {
         match refinement {
             Some(refinement) => self.settle(&refinement),
             None => {
-                let contact = self.watch(setup, &setup.problem()?)?;
+                let (contact, diagnosis) = self.watch(setup, &setup.problem()?)?;
                 outputs.complete(&contact);
-                self.write(setup, &contact, false)?;
+                self.write(setup, &contact, diagnosis, false)?;
                 settle(&contact)
             }
         }
@@ -97,16 +102,17 @@ impl Solve {
             let solver = setup.solver.solver();
             Ok(solver.solve(&setup.problem()?, &setup.stop, &mut Progress::new(solver.name()))?)
         })?;
-        if self.outputs.recording().is_some() {
-            contact = self.watch(&setup, &contact.problem.clone())?;
+        let mut diagnosis = None;
+        if self.diagnose || self.outputs.recording().is_some() {
+            (contact, diagnosis) = self.watch(&setup, &contact.problem.clone())?;
         }
         self.outputs.complete(&contact);
-        self.write(&setup, &contact, !is_within)?;
+        self.write(&setup, &contact, diagnosis, !is_within)?;
         settle(&contact)
     }
 
     /// Writes and prints what came out, on a grid that is not fine enough if it is `unsettled`.
-    fn write(&self, setup: &Setup, contact: &Contact, unsettled: bool) -> Result<()> {
+    fn write(&self, setup: &Setup, contact: &Contact, diagnosis: Option<Findings>, unsettled: bool) -> Result<()> {
         let (outputs, full) = (&self.outputs, setup.clone().with_full_path());
         let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
         if let Some(path) = outputs.archive() {
@@ -122,7 +128,7 @@ impl Solve {
         let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
         warnings.extend(caution::of_contacts(&[&finding.observables]));
         warnings.extend(unsettled.then(caution::unsettled));
-        let summary = Summary { subject, finding, warnings, setup: full };
+        let summary = Summary { subject, finding, diagnosis, warnings, setup: full };
         if outputs.json {
             write_json(&summary, &mut stdout())?
         } else {
@@ -133,13 +139,30 @@ impl Solve {
         Ok(())
     }
 
-    /// Solves, and shows the steps to whom it concerns.
-    fn watch(&self, setup: &Setup, problem: &Problem) -> Result<Contact> {
+    /// Solves, and shows the steps to whom it concerns. What is held against the final state needs a solve before.
+    fn watch(&self, setup: &Setup, problem: &Problem) -> Result<(Contact, Option<Findings>)> {
         let solver = setup.solver.solver();
-        let mut progress = Progress::new(solver.name());
+        let is_passed_twice = self.diagnose || self.outputs.has_waterfall(&setup.record);
+        let before =
+            || solver.solve(problem, &setup.stop, &mut Progress::new(&format!("{}, for its end", solver.name())));
+        let end = if is_passed_twice { Some(Arc::new(Reference::of(&before()?))) } else { None };
+        let mut diagnosis = self.diagnose.then(|| Diagnosis::new(problem, end.clone()));
+        let contact = self.record(setup, problem, end, &mut (&mut diagnosis, Progress::new(solver.name())))?;
+        Ok((contact, diagnosis.map(|diagnosis| diagnosis.findings())))
+    }
+
+    /// Solves, and records the steps if that is wished for.
+    fn record(
+        &self,
+        setup: &Setup,
+        problem: &Problem,
+        end: Option<Arc<Reference>>,
+        watch: &mut dyn Observer,
+    ) -> Result<Contact> {
+        let solver = setup.solver.solver();
         #[cfg(feature = "record")]
         if self.outputs.record.is_some() || self.outputs.live {
-            let scenes = [record::Scene::of(setup, problem)];
+            let scenes = [record::Scene { reference: end, ..record::Scene::of(setup, problem) }];
             let options = record::Options::from(&setup.record);
             let path = self.outputs.record.as_deref();
             let recording = match path {
@@ -147,13 +170,14 @@ impl Solve {
                 _ => record::Recording::shown(path, &scenes, options)?,
             };
             let mut recorder = recording.recorder(0);
-            let mut contact = solver.solve(problem, &setup.stop, &mut (&mut recorder, &mut progress))?;
+            let mut contact = solver.solve(problem, &setup.stop, &mut (&mut recorder, watch))?;
             drop(recorder);
             if let Err(failure) = recording.finish() {
                 contact.fail(failure);
             }
             return Ok(contact);
         }
-        Ok(solver.solve(problem, &setup.stop, &mut progress)?)
+        drop(end);
+        Ok(solver.solve(problem, &setup.stop, watch)?)
     }
 }

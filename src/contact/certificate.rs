@@ -86,6 +86,8 @@ pub struct Certificate {
     /// the deepest node lies `a` below zero, so this **is** `eta`, but for rounding. At a mean gap the datum is `D`, and it is
     /// `eta` at the most.
     pub penetration: f64,
+    /// What rounding of the displacement can add to `eta` at the most, about: no solver gets a certificate below a small part of it.
+    pub rounding: f64,
 }
 
 impl Certificate {
@@ -98,6 +100,7 @@ impl Certificate {
         load_error: f64::INFINITY,
         min_pressure: 0.0,
         penetration: f64::INFINITY,
+        rounding: f64::INFINITY,
     };
 
     /// The certificate of a state that nobody has certified.
@@ -109,6 +112,7 @@ impl Certificate {
         load_error: f64::NAN,
         min_pressure: f64::NAN,
         penetration: f64::NAN,
+        rounding: f64::NAN,
     };
 
     /// The certificate of `pressure`, row by row: by one transform pair of its own.
@@ -155,6 +159,7 @@ impl Certificate {
             load_error,
             min_pressure,
             penetration: (bounds.depth - bounds.above_gap).max(0.0) / rms_height,
+            rounding: (bounds.rounding.mean + bounds.rounding.depth) / rms_height,
         }
     }
 }

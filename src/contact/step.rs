@@ -151,6 +151,11 @@ impl<'a> Step<'a> {
         Self { force: Some(force), ..self }
     }
 
+    /// Whether the method moves the surface: then the displacement is its own, and not that under the pressure.
+    pub fn moves_surface(&self) -> bool {
+        self.force.is_some()
+    }
+
     /// The problem being solved; on a coarse level that of its grid, with as many nodes as there are values of each field.
     pub fn problem(&self) -> &'a Problem {
         self.problem

@@ -15,6 +15,8 @@ pub struct Options {
     pub every: Option<usize>,
     /// Unit of the lengths of the problems, for the axes. Metres (`m`) are shown as mm, µm or nm.
     pub length_unit: String,
+    /// Row and column of a surface along which the raster runs; those of its highest peak if none are given.
+    pub raster_at: Option<[usize; 2]>,
     /// Ground of the pictures, and with it all their colours.
     pub theme: Theme,
     /// Curves of an earlier solve, drawn beside those of each scene.
@@ -22,15 +24,29 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Every part but the spectrum, the automatic schedule, lengths in metres, a dark ground, no earlier solve.
+    /// The usual parts, the automatic schedule, lengths in metres, a dark ground, no earlier solve.
     fn default() -> Self {
-        Self { what: Parts::USUAL, every: None, length_unit: "m".into(), theme: Theme::Dark, ghost: None }
+        Self {
+            what: Parts::USUAL,
+            every: None,
+            length_unit: "m".into(),
+            raster_at: None,
+            theme: Theme::Dark,
+            ghost: None,
+        }
     }
 }
 
 impl From<&Record> for Options {
-    fn from(Record { what, every, length_unit, theme }: &Record) -> Self {
+    fn from(Record { what, every, length_unit, raster_at, theme }: &Record) -> Self {
         let what = if what.is_empty() { Parts::USUAL } else { what.iter().copied().collect() };
-        Self { what, every: *every, length_unit: length_unit.clone(), theme: *theme, ghost: None }
+        Self {
+            what,
+            every: *every,
+            length_unit: length_unit.clone(),
+            raster_at: *raster_at,
+            theme: *theme,
+            ghost: None,
+        }
     }
 }

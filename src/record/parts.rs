@@ -5,18 +5,21 @@ use crate::setup::Part;
 
 /// A set of parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Parts(u8);
+pub struct Parts(u16);
 
 impl Parts {
-    /// Every part but the spectrum, which takes a transform for each frame.
-    pub const USUAL: Self = Self(!(1 << Part::Spectrum as u8));
+    /// Every part but those that take work of their own: the spectrum and the instruments.
+    pub const USUAL: Self = Self((1 << Part::Spectrum as u16) - 1);
     /// The parts that are drawn from the fields of a step.
-    pub(super) const PICTURES: Self = Self(!(1 << Part::Traces as u8));
+    pub(super) const PICTURES: Self = Self((1 << Part::Raster as u16) - (1 << Part::Traces as u16) - 1);
+
+    /// The parts that show every step of a run at once.
+    const INSTRUMENTS: [Part; 5] = [Part::Raster, Part::Waterfall, Part::Energy, Part::Decisions, Part::Ritz];
 
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
         let own = if grid.is_line() { Part::Profile } else { Part::Mesh };
-        [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect()
+        Self::INSTRUMENTS.into_iter().chain([Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum]).collect()
     }
 
     /// The parts in both sets.
@@ -49,6 +52,11 @@ impl Parts {
         self.has(Part::Mask) && !self.has_any([Part::Profile, Part::Fields])
     }
 
+    /// Whether an instrument is in the set.
+    pub fn has_instruments(self) -> bool {
+        self.has_any(Self::INSTRUMENTS)
+    }
+
     /// Whether anything drawn from the fields of a step is in the set.
     pub(super) fn has_pictures(self) -> bool {
         self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum])
@@ -57,6 +65,6 @@ impl Parts {
 
 impl FromIterator<Part> for Parts {
     fn from_iter<I: IntoIterator<Item = Part>>(parts: I) -> Self {
-        Self(parts.into_iter().fold(0, |bits, part| bits | 1 << part as u8))
+        Self(parts.into_iter().fold(0, |bits, part| bits | 1 << part as u16))
     }
 }

@@ -1,8 +1,10 @@
 //! Scenes: the problems of a recording.
 
 use crate::contact::{Forecast, Problem};
+use crate::diagnosis::Reference;
 use crate::setup::Setup;
 use crate::theory::Exact;
+use std::sync::Arc;
 
 /// One contact problem of a recording.
 #[derive(Clone)]
@@ -18,12 +20,14 @@ pub struct Scene<'a> {
     /// The exact solution, where there is one; its pressure is drawn beside the computed one. A line is then shown around
     /// its contact only.
     pub exact: Option<Exact>,
+    /// The state that errors by wavelength are held against, such as the end of the same run made before; without it there are none.
+    pub reference: Option<Arc<Reference>>,
 }
 
 impl<'a> Scene<'a> {
     /// The scene of a problem that no setup describes.
     pub fn new(name: &str, problem: &'a Problem) -> Self {
-        Self { name: name.into(), title: name.into(), problem, setup: None, exact: None }
+        Self { name: name.into(), title: name.into(), problem, setup: None, exact: None, reference: None }
     }
 
     /// The scene `contact` of the problem of a setup.

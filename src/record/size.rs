@@ -24,9 +24,13 @@ impl Size {
         let parts = parts.and(Parts::on(grid));
         let bytes = |part: Part| if parts.has(part) { bytes(part, grid) } else { 0.0 };
         Self {
-            still: 150e3,
+            still: 150e3
+                + [Part::Raster, Part::Waterfall, Part::Energy]
+                    .map(|part| if parts.has(part) { still(part, grid) } else { 0.0 })
+                    .iter()
+                    .sum::<f64>(),
             frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum].map(bytes).iter().sum(),
-            step: if parts.has(Part::Traces) { 200.0 } else { 0.0 },
+            step: if parts.has(Part::Traces) { 200.0 } else { 0.0 } + if parts.has_instruments() { 60.0 } else { 0.0 },
             schedule: Schedule::on(grid),
         }
     }
@@ -34,6 +38,18 @@ impl Size {
     /// Frames of the automatic schedule at the most, of so many steps on the finest grid above `coarser` ones.
     pub fn frames(&self, steps: usize, coarser: usize) -> usize {
         self.schedule.most_frames(steps, coarser)
+    }
+}
+
+/// Bytes of the images of a whole run, which are written anew whenever it has become twice as long.
+fn still(part: Part, grid: &Grid) -> f64 {
+    let rows = 2.0 * (grid.len() as f64).log2();
+    match (part, grid.is_line()) {
+        (Part::Raster, true) => 100e3,
+        (Part::Raster, false) => 200e3 + 4.0 * pixels(grid) as f64,
+        (Part::Waterfall, _) => 2.0 * 6e3 * rows,
+        (Part::Energy, _) => 6e3 * rows,
+        _ => 0.0,
     }
 }
 
@@ -51,6 +67,6 @@ fn bytes(part: Part, grid: &Grid) -> f64 {
         (Part::Mask, false) => 0.1 * pixels,
         (Part::Mesh, _) => 28.0 * vertices,
         (Part::Spectrum, _) => 2e3,
-        (Part::Traces, _) => 0.0,
+        (Part::Traces | Part::Raster | Part::Waterfall | Part::Energy | Part::Decisions | Part::Ritz, _) => 0.0,
     }
 }

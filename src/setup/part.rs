@@ -21,17 +21,58 @@ pub enum Part {
     Mesh,
     /// Power spectra of displacement and heights.
     Spectrum,
+    /// The contact step by step against the place: how long each node has been as it is.
+    Raster,
+    /// The error of pressure and displacement step by step against the wavelength, held against the final state: a second pass.
+    Waterfall,
+    /// The elastic energy step by step against the wavelength.
+    Energy,
+    /// What the solver decided: grid level, kind of step, nodes in and out, the end.
+    Decisions,
+    /// Extreme Ritz values of conjugate gradients.
+    Ritz,
 }
 
 impl Part {
+    /// All parts, in the order of their names.
+    const ALL: [Self; 11] = [
+        Self::Traces,
+        Self::Profile,
+        Self::Fields,
+        Self::Mask,
+        Self::Mesh,
+        Self::Spectrum,
+        Self::Raster,
+        Self::Waterfall,
+        Self::Energy,
+        Self::Decisions,
+        Self::Ritz,
+    ];
+
+    /// The part of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::PARTS.iter().zip(Self::ALL).find(|((other, _), _)| *other == name).map(|(_, part)| part)
+    }
+
     /// The parts by their names in scenes, in a few words.
-    pub const PARTS: [(&str, &str); 6] = [
+    pub const PARTS: [(&str, &str); 11] = [
         ("traces", "Numbers of every step"),
         ("profile", "Indenter and solid of a line"),
         ("fields", "Pressure and gap: curves of a line, images of a surface"),
         ("mask", "Contact: segments of a line, an image of a surface"),
         ("mesh", "Relief of a surface"),
-        ("spectrum", "Power spectra of displacement and heights; only if asked for"),
+        ("spectrum", "Power spectra of displacement and heights; only if asked for, as all below"),
+        (
+            "raster",
+            "Contact by step and place: how long each node has been as it is; of a surface along a row and a column",
+        ),
+        (
+            "waterfall",
+            "Error by step and wavelength against the final state, which is solved for first: the work twice",
+        ),
+        ("energy", "Elastic energy by step and wavelength"),
+        ("decisions", "Grid level, kind of step, nodes in and out, and the end, as lanes"),
+        ("ritz", "Extreme Ritz values of conjugate gradients: the condition number that they saw"),
     ];
 }
 
@@ -47,6 +88,9 @@ pub struct Record {
     pub every: Option<usize>,
     /// Unit of lengths in the recording; metres are shown as mm, um or nm.
     pub length_unit: String,
+    /// Row and column of a surface along which the raster runs, from 0 on, instead of those of its highest peak.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub raster_at: Option<[usize; 2]>,
     /// Ground of the pictures.
     #[serde(skip_serializing_if = "Theme::is_dark")]
     pub theme: Theme,
@@ -55,7 +99,7 @@ pub struct Record {
 impl Default for Record {
     /// All usual parts, all early steps and then ever fewer, lengths in metres, on a dark ground.
     fn default() -> Self {
-        Self { what: Vec::new(), every: None, length_unit: "m".into(), theme: Theme::Dark }
+        Self { what: Vec::new(), every: None, length_unit: "m".into(), raster_at: None, theme: Theme::Dark }
     }
 }
 
@@ -63,10 +107,16 @@ impl Record {
     /// Checks that a scene on `grid` can be recorded so.
     ///
     /// # Errors
-    /// For a mesh of a line, a profile of a surface, and every 0th step.
+    /// For a mesh of a line, a profile of a surface, a raster along rows that are not there, and every 0th step.
     pub fn check(&self, grid: &Grid) -> Result<(), SetupError> {
         if self.every == Some(0) {
             return Err(SetupError::EveryNone);
+        }
+        if let Some([row, column]) = self.raster_at {
+            let shape = grid.shape();
+            if grid.is_line() || row >= shape[0] || column >= shape[1] {
+                return Err(SetupError::NoSuchNode { row, column, shape });
+            }
         }
         let (missing, name, of) =
             if grid.is_line() { (Part::Mesh, "mesh", "line") } else { (Part::Profile, "profile", "surface") };

@@ -24,3 +24,14 @@ fn bad_grids_are_refused() {
     assert!(Grid::line(Grid::MAX_POINTS + 1, 1.0).is_err());
     assert!(Grid::surface([1 << 17, 1 << 17], [1.0, 1.0]).is_ok());
 }
+
+#[test]
+fn coarser_versions_of_a_grid_are_told_from_others() {
+    let surface = |shape, size| Grid::surface(shape, size).unwrap();
+    let fine = surface([48, 64], [1.0, 2.0]);
+    let coarser = [([48, 64], [1, 1]), ([12, 16], [4, 4]), ([48, 8], [1, 8])].map(|(shape, it)| (shape, Some(it)));
+    for (shape, expected) in coarser.into_iter().chain([([16, 64], None), ([96, 64], None)]) {
+        assert_eq!(fine.stride(&surface(shape, [1.0, 2.0])), expected, "{shape:?}");
+        assert_eq!(fine.stride(&surface(shape, [1.0, 1.0])), None);
+    }
+}

@@ -42,6 +42,11 @@ impl Relaxation {
         -shrinkage(self.step * self.softness(stiffness), self.friction).log10()
     }
 
+    /// Digits that the longest wave loses in a step.
+    pub fn slowest_decades_per_step(&self) -> f64 {
+        self.decades_per_step(self.ends[0])
+    }
+
     /// Digits that the longest wave would lose if the friction were critical for it: the most that any friction achieves.
     pub fn best_decades_per_step(&self) -> f64 {
         let step = self.step * self.softness(self.ends[0]);

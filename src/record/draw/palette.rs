@@ -115,7 +115,7 @@ pub fn colour(Colour([r, g, b]): Colour) -> Color {
 }
 
 /// The colour at `share` of the way between two others.
-fn mixed(Colour(from): Colour, Colour(to): Colour, share: f64) -> Colour {
+pub fn mixed(Colour(from): Colour, Colour(to): Colour, share: f64) -> Colour {
     Colour([0, 1, 2].map(|i| (f64::from(from[i]) + share * (f64::from(to[i]) - f64::from(from[i]))).round() as u8))
 }
 

@@ -3,6 +3,7 @@
 use super::canvas;
 use super::fields::Fields;
 use super::ghost::Ghost;
+use super::instruments::Instruments;
 use super::line::LinePicture;
 use super::load_axis::LoadAxis;
 use super::palette::Palette;
@@ -40,6 +41,8 @@ pub struct Stage {
     /// Upper end of the axis of the relative area.
     pub most_area: f64,
     pub picture: Box<dyn Picture>,
+    /// Pictures of the whole run, if they are asked for.
+    pub instruments: Option<Instruments>,
     /// The power spectra, if they are asked for.
     pub spectrum: Option<SpectrumPicture>,
     /// The map of contact patches over loads, once there are loads.
@@ -54,6 +57,11 @@ impl Stage {
         let exact = scene.exact.as_ref();
         let kappa_r = exact.and_then(|exact| exact.kappa_r);
         let palette = Palette::of(options.theme);
+        let picture: Box<dyn Picture> = if grid.is_line() {
+            Box::new(LinePicture::new(scene, forecast, &root, &options))
+        } else {
+            Box::new(SurfacePicture::new(scene, forecast, &root, &options))
+        };
         Self {
             title: scene.title.clone(),
             palette,
@@ -64,11 +72,8 @@ impl Stage {
             has_ghost: options.ghost.is_some(),
             most_kappa: kappa_r.map_or(4.0, |kappa_r| 1.6 * kappa_r),
             most_area: (2.5 * forecast.relative_area).min(1.05),
-            picture: if grid.is_line() {
-                Box::new(LinePicture::new(scene, forecast, &root, &options))
-            } else {
-                Box::new(SurfacePicture::new(scene, forecast, &root, &options))
-            },
+            instruments: Instruments::new(scene, &root, &options, &picture.frame()),
+            picture,
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, palette, &root)),
             patches: None,
             root,
@@ -97,6 +102,9 @@ impl Stage {
         }
         if self.what.has(Part::Traces) {
             traces::log_styles(to, root, self.exact, place.map(|place| (place, title.as_str())))?;
+        }
+        if let Some(instruments) = &self.instruments {
+            instruments.log_static(to)?;
         }
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_static(to)?;
@@ -167,14 +175,6 @@ impl Stage {
     }
 }
 
-/// Distance of the nodes of `coarse` along y and x in nodes of `fine`, if it is that grid or a coarser version of it.
-pub fn stride(fine: &Grid, coarse: &Grid) -> Option<[usize; 2]> {
-    let stride = [0, 1].map(|axis| fine.shape()[axis] / coarse.shape()[axis]);
-    let fits =
-        |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse.shape()[axis] == fine.shape()[axis];
-    (coarse.size() == fine.size() && fits(0) && fits(1)).then_some(stride)
-}
-
 /// The level of a grid with every `stride`-th node.
 pub fn level(stride: [usize; 2]) -> usize {
     stride[0].max(stride[1]).ilog2() as usize
@@ -185,14 +185,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn coarser_versions_of_the_grid_are_told_from_others() {
-        let surface = |shape, size| Grid::surface(shape, size).unwrap();
-        let fine = surface([48, 64], [1.0, 2.0]);
-        let coarser = [([48, 64], [1, 1]), ([12, 16], [4, 4]), ([48, 8], [1, 8])].map(|(shape, it)| (shape, Some(it)));
-        for (shape, expected) in coarser.into_iter().chain([([16, 64], None), ([96, 64], None)]) {
-            assert_eq!(stride(&fine, &surface(shape, [1.0, 2.0])), expected, "{shape:?}");
-            assert_eq!(stride(&fine, &surface(shape, [1.0, 1.0])), None);
-        }
+    fn levels_are_told_by_the_coarser_side() {
         assert_eq!([[1, 1], [4, 4], [1, 8]].map(level), [0, 2, 3]);
     }
 }

@@ -7,8 +7,9 @@ use super::picture::Picture;
 use super::reduce::Blocks;
 use super::relief::Relief;
 use super::ruler::Ruler;
+use super::scale::ColourScale;
 use crate::contact::Forecast;
-use crate::plot::{Align, Axis, Frame, Sheet};
+use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
@@ -19,8 +20,6 @@ use rerun::{DepthImage, LineStrips2D, Radius, RecordingStream, RecordingStreamRe
 
 /// Size of words, in lengths of the longer side.
 const TEXT: f64 = 0.0435;
-/// Bars of a colour scale.
-const SHADES: usize = 64;
 
 /// Pictures of a surface; the flat ones lie at the same place of the canvas.
 pub struct SurfacePicture {
@@ -36,9 +35,8 @@ pub struct SurfacePicture {
 struct Image {
     root: String,
     frame: Frame,
-    palette: &'static Palette,
+    colours: ColourScale,
     scale: Ruler,
-    map: Map,
 }
 
 impl SurfacePicture {
@@ -51,8 +49,11 @@ impl SurfacePicture {
         let [height, width] = blocks.cells.map(|n| n as f64);
         let [y, x] = [0, 1].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
         let frame = Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) };
-        let image =
-            |name, scale, map| Image { root: format!("{root}/{name}"), frame: frame.clone(), palette, scale, map };
+        let image = |name, scale, map| {
+            let root = format!("{root}/{name}");
+            let colours = ColourScale { root: format!("{root}/scale"), palette, map };
+            Image { root, frame: frame.clone(), colours, scale }
+        };
         let [low, high] = range(problem.height().iter().copied());
         let pressure = Ruler::pressure(forecast.max_pressure, problem.contact_modulus());
         Self {
@@ -118,7 +119,7 @@ impl Picture for SurfacePicture {
             to.log_static(format!("{contact}/contour"), &line)?;
         }
         if self.what.has_mask_alone() {
-            canvas::log_axes(to, self.pressure.palette, &format!("{contact}/axes"), &self.pressure.frame)?;
+            canvas::log_axes(to, self.pressure.colours.palette, &format!("{contact}/axes"), &self.pressure.frame)?;
         }
         self.relief.as_ref().map_or(Ok(()), |relief| relief.log_static(to))
     }
@@ -152,11 +153,11 @@ impl Image {
     }
 
     fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
+        canvas::log_axes(to, self.colours.palette, &format!("{}/axes", self.root), &self.frame)?;
         let style = DepthImage::update_fields()
             .with_format(format(&self.frame, ChannelDatatype::F32))
             .with_meter(1.0)
-            .with_colormap(self.map.viewer)
+            .with_colormap(self.colours.map.viewer)
             .with_magnification_filter(MagnificationFilter::Nearest)
             .with_draw_order(0.0);
         to.log_static(self.pixels(), &style)?;
@@ -173,36 +174,7 @@ impl Image {
         let range = ValueRange::from(scale.range.map(|number| number * self.scale.unit));
         let range = DepthImage::update_fields().with_depth_range(range);
         to.log_static(self.pixels(), &range)?;
-        to.log_static(format!("{}/scale/colours", self.root), &self.colour_bar())?;
-        canvas::log_sheet(
-            to,
-            self.palette,
-            &format!("{}/scale", self.root),
-            &self.scale_words(scale),
-            canvas::head(&self.frame),
-        )
-    }
-
-    /// Shades one above the other, each overlapped by the next.
-    fn colour_bar(&self) -> LineStrips2D {
-        let Frame { size, text, .. } = &self.frame;
-        let (x, height, text) = ((size[0] + 1.5 * text) as f32, size[1] as f32, *text as f32);
-        let y = |shade: usize| (1.0 - shade as f32 / SHADES as f32) * height;
-        let bars = (0..SHADES).map(|shade| [[x, y(shade)], [x, y((shade + 2).min(SHADES))]]);
-        let colours = (0..SHADES).map(|shade| self.map.at((shade as f64 + 0.5) / SHADES as f64));
-        LineStrips2D::new(bars).with_colors(colours).with_radii([Radius::new_scene_units(0.4 * text)])
-    }
-
-    /// Numbers beside the colour bar, and their name above it.
-    fn scale_words(&self, scale: &Axis) -> Sheet {
-        let Frame { size: [width, height], text, .. } = self.frame;
-        let mut sheet = Sheet::default();
-        for (value, label) in scale.ticks() {
-            let at = [width + 2.3 * text, (1.0 - scale.place(value)) * height];
-            sheet.words(&label, at, text, Align::Left);
-        }
-        sheet.words(&scale.name, [width + 1.5 * text, canvas::head(&self.frame) + 0.72 * text], text, Align::Middle);
-        sheet
+        self.colours.log(to, &self.frame, scale)
     }
 }
 

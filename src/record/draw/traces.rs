@@ -109,14 +109,18 @@ impl Trace {
         if self.0.is_empty() {
             return Ok(());
         }
-        let work = || self.0.iter().map(|(work, _)| work);
-        let times = [
-            TimeColumn::new_sequence(STEP, work().map(|work| work.iterations as i64)),
-            TimeColumn::new_duration_secs(SECONDS, work().map(|work| work.seconds)),
-            TimeColumn::new_sequence(TRANSFORMS, work().map(|work| work.transforms as i64)),
-        ];
+        let times = times(self.0.iter().map(|(work, _)| work));
         to.send_columns(entity, times, Scalars::new(self.0.iter().map(|(_, value)| *value)).columns_of_unit_batches()?)
     }
+}
+
+/// The times of steps, each with the work up to it.
+pub fn times<'a>(work: impl Iterator<Item = &'a Work> + Clone) -> [TimeColumn; 3] {
+    [
+        TimeColumn::new_sequence(STEP, work.clone().map(|work| work.iterations as i64)),
+        TimeColumn::new_duration_secs(SECONDS, work.clone().map(|work| work.seconds)),
+        TimeColumn::new_sequence(TRANSFORMS, work.map(|work| work.transforms as i64)),
+    ]
 }
 
 /// The curves of one scene, collected until they are flushed.

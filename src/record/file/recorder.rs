@@ -4,7 +4,9 @@ use super::recording::{Recording, UNFINISHED};
 use super::schedule::{Schedule, Thinning};
 use crate::contact::{Contact, Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish, Work};
 use crate::record::description;
-use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, log_off_scale, stride};
+use crate::record::draw::{
+    Fields, Instruments, Readings, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, log_off_scale,
+};
 use crate::setup::Part;
 use rerun::RecordingStreamResult;
 use std::ops::ControlFlow;
@@ -19,6 +21,7 @@ pub struct Recorder<'r> {
     stage: &'r Stage,
     thinning: Thinning,
     traces: Option<Traces>,
+    readings: Option<Readings>,
     phase: Phase,
     /// Whether the solver was seen on a coarse grid or at an inner step; only of such solvers phases are recorded.
     has_phases: bool,
@@ -41,6 +44,7 @@ impl Recording {
             stage,
             thinning: Thinning::new(self.options.every, Schedule::on(&stage.grid)),
             traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.exact)),
+            readings: stage.instruments.as_ref().map(Instruments::readings),
             phase: Phase { level: 0, outer: 0, inner: 0 },
             has_phases: false,
             undrawn: None,
@@ -62,16 +66,29 @@ impl Recorder<'_> {
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
         self.stage.picture.settle(&self.recording.stream, self.stage.picture.extent(fields))?;
-        self.log_description(&Stage::result(contact))?;
+        let result = Stage::result(contact) + &self.end_readings(contact)?;
+        self.log_description(&result)?;
         self.flush_traces()
     }
 
+    /// Ends the instruments, and returns what they found in words.
+    fn end_readings(&mut self, contact: &Contact) -> RecordingStreamResult<String> {
+        let (Some(readings), Some(instruments)) = (&mut self.readings, &self.stage.instruments) else {
+            return Ok(String::new());
+        };
+        let found = readings.end(&self.recording.stream, instruments, contact)?;
+        Ok(format!("\n\n**What held it up**: {}", found.trim_end().replace('\n', "\n\n")))
+    }
+
     fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {
-        let stride = stride(&self.stage.grid, step.problem().surface().grid());
+        let stride = self.stage.grid.stride(step.problem().surface().grid());
         self.phase = Phase { level: stride.map_or(step.phase().level, level), ..step.phase() };
         self.has_phases |= self.phase.level > 0 || self.phase.inner > 0;
         if let Some(traces) = &mut self.traces {
             traces.add(step, self.has_phases.then_some(self.phase));
+        }
+        if let (Some(readings), Some(instruments)) = (&mut self.readings, &self.stage.instruments) {
+            readings.add(&self.recording.stream, instruments, step)?;
         }
         if let Some(stride) = stride.filter(|_| self.stage.what.has_pictures()) {
             self.draw(step, stride)?;
@@ -101,7 +118,11 @@ impl Recorder<'_> {
     }
 
     fn flush_traces(&mut self) -> RecordingStreamResult<()> {
-        self.traces.as_mut().map_or(Ok(()), |traces| traces.flush(&self.recording.stream))
+        let stream = &self.recording.stream;
+        if let (Some(readings), Some(instruments)) = (&mut self.readings, &self.stage.instruments) {
+            readings.flush(stream, instruments)?;
+        }
+        self.traces.as_mut().map_or(Ok(()), |traces| traces.flush(stream))
     }
 
     fn log_frame(&self, work: Work, phase: Phase, fields: &Fields<'_>) -> RecordingStreamResult<()> {
@@ -117,7 +138,10 @@ impl Recorder<'_> {
 }
 
 impl Observer for Recorder<'_> {
-    fn begin(&mut self, solver: &dyn Solver, _: &Problem, stop: &Stop) -> Result<(), Failure> {
+    fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) -> Result<(), Failure> {
+        if let Some(readings) = &mut self.readings {
+            readings.begin(solver, problem, stop)?;
+        }
         self.run = description::of_run(solver, stop);
         Ok(self.recording.log(|_| self.log_description(UNFINISHED))?)
     }

@@ -99,6 +99,11 @@ impl View {
             .with("TimeAxis", time.with_view_range(datatypes::TimeRange::EVERYTHING))
     }
 
+    /// Lanes of states over all times.
+    pub fn lanes(title: &str, origin: &str) -> Pane {
+        Pane::View(Self::new("StateTimeline", title, origin, vec![format!("{origin}/**")]))
+    }
+
     pub fn text(title: &str, entity: String) -> Pane {
         Pane::View(Self::new("TextDocument", title, &entity.clone(), vec![entity]))
     }

@@ -1,7 +1,7 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
 use super::blueprint::{Corner, Kind, Pane, View, send};
-use crate::record::draw::{STEP, Stage, drawn, entity_under, title, traced};
+use crate::record::draw::{Instruments, STEP, Stage, StepImage, drawn, entity_under, title, traced};
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
@@ -35,7 +35,7 @@ fn overview(stages: &[Stage]) -> Pane {
 
 /// Pictures on the left, curves and text on the right.
 fn scene(stage: &Stage) -> Pane {
-    let pictures = stage.what.has_pictures().then(|| (pictures(stage), 1.9));
+    let pictures = (stage.what.has_pictures() || stage.instruments.is_some()).then(|| (pictures(stage), 1.9));
     Pane::container(Kind::Horizontal, &stage.title, pictures.into_iter().chain([(curves(stage), 1.0)]).collect())
 }
 
@@ -52,7 +52,8 @@ pub fn pictures(stage: &Stage) -> Pane {
         );
     }
     let rows = rows.into_iter().filter(|row| !row.is_empty());
-    let rows = rows.map(|row| (Pane::even(beside, "pictures", row), 1.0)).collect();
+    let rows = rows.map(|row| (Pane::even(beside, "pictures", row), 1.0));
+    let rows = rows.chain(stage.instruments.iter().flat_map(instruments)).collect();
     Pane::container(Kind::Vertical, &stage.title, rows)
 }
 
@@ -80,6 +81,29 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
         rows.push(vec![plane(stage, "contact", &format!("{title}: contact"), false)]);
     }
     rows
+}
+
+/// The pictures of the whole run: images beside each other, lanes below them.
+fn instruments(instruments: &Instruments) -> Vec<(Pane, f32)> {
+    let image = |title: &str, image: &StepImage| {
+        let contents = vec![format!("{}/**", image.root), instruments.cursor()];
+        View::plane(title, "/", contents, image.bounds(), image.palette)
+    };
+    let mut rasters: Vec<Pane> =
+        instruments.rasters.iter().map(|(title, raster)| image(title, &raster.image)).collect();
+    if let Some(map) = &instruments.flips {
+        let contents = vec![format!("{}/**", map.root)];
+        rasters.push(View::plane("How often nodes entered or left", &map.root, contents, map.bounds(), map.palette));
+    }
+    let waterfalls = instruments.waterfalls.iter().map(|(title, waterfall)| image(title, &waterfall.image)).collect();
+    let groups: Vec<Pane> = [("Contact by step", rasters), ("Waterfalls", waterfalls)]
+        .into_iter()
+        .filter(|(_, panes)| !panes.is_empty())
+        .map(|(title, panes)| Pane::even(Kind::Tabs, title, panes))
+        .collect();
+    let images = (!groups.is_empty()).then(|| (Pane::even(Kind::Horizontal, "instruments", groups), 1.0));
+    let lanes = instruments.lanes.as_ref().map(|lanes| (View::lanes("What the solver decided", &lanes.root), 0.7));
+    images.into_iter().chain(lanes).collect()
 }
 
 fn relief(stage: &Stage) -> Pane {
@@ -123,6 +147,8 @@ fn curves(stage: &Stage) -> Pane {
     let mut more: Vec<Pane> = [text, area].into_iter().chain(others).collect();
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(Pane::even(Kind::Vertical, "Levels", levels));
+    let ritz = stage.instruments.as_ref().and_then(Instruments::ritz);
+    more.extend(ritz.map(|entity| View::falling("Ritz values of conjugate gradients", vec![entity])));
     let kappa = View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa], Corner::RightBottom);
     let certificate = View::falling("Certificate: log10 of the error bound eta", beside(&["certificate_log10"]));
     Pane::even(Kind::Vertical, "curves", vec![kappa, certificate, Pane::even(Kind::Tabs, "more", more)])

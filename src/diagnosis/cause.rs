@@ -1,0 +1,165 @@
+//! What held a run up, in words.
+
+use super::curve::Plateau;
+use super::returns::Cycle;
+use serde::Serialize;
+use std::fmt;
+
+/// What held a run up, with the numbers that say so. Displays as a sentence or two, with what would help.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "cause", rename_all = "snake_case", rename_all_fields = "snake_case")]
+pub enum Cause {
+    /// The tolerance lies below what rounding lets a certificate reach.
+    Rounding {
+        /// The tolerance.
+        tolerance: f64,
+        /// The best certificate.
+        eta: f64,
+        /// What rounding of the displacement can add to a certificate at the most.
+        rounding: f64,
+        /// The step since which nothing became better.
+        from: usize,
+    },
+    /// The contact set comes back again and again.
+    Cycle {
+        /// Changes of the set until it is the same again.
+        period: usize,
+        /// How often the cycle was gone through.
+        rounds: usize,
+        /// The step at which it began.
+        from: usize,
+        /// Nodes that entered or left in every round.
+        nodes: usize,
+    },
+    /// A friction far from the one that is best for the longest wave.
+    Damping {
+        /// The friction over the critical one of the longest wave.
+        damping: f64,
+        /// Digits that the longest wave loses in a step, in theory.
+        rate: f64,
+        /// The most digits that it could lose.
+        best: f64,
+    },
+    /// One mass for waves of very different stiffness.
+    Masses {
+        /// Stiffness over mass of the shortest wave, over that of the longest.
+        condition: f64,
+        /// Digits that the longest wave loses in a step at the best friction, in theory.
+        best: f64,
+    },
+    /// Waves that lagged behind the others.
+    SlowBand {
+        /// Their longest and shortest wavelength.
+        wavelengths: [f64; 2],
+        /// Share of the steps in which they had the largest part of the energy of the error.
+        share: f64,
+        /// Digits that their error lost in a step, in the later half of the run.
+        rate: f64,
+        /// Digits that a free wave of theirs loses in a step, where theory says.
+        theory: Option<f64>,
+    },
+    /// An operator that conjugate gradients are slow on.
+    Condition {
+        /// Grid level.
+        level: usize,
+        /// The largest ratio of Ritz values, a lower bound of the condition number.
+        condition: f64,
+    },
+    /// Nodes that could not decide.
+    Flips {
+        /// Nodes that entered or left more often than `times`.
+        nodes: usize,
+        /// The number of times.
+        times: u32,
+        /// The node that did so most often, its position along y and x, and how often.
+        position: [f64; 2],
+        /// How often that node did.
+        most: u32,
+    },
+    /// The certificate stood still.
+    Plateau {
+        /// First and last step.
+        steps: [usize; 2],
+        /// The best certificate in it.
+        eta: f64,
+        /// What ended it, in words.
+        end: &'static str,
+    },
+}
+
+impl Cause {
+    pub(super) fn of_cycle(Cycle { period, rounds, from }: Cycle, nodes: usize) -> Self {
+        Self::Cycle { period, rounds, from, nodes }
+    }
+
+    pub(super) fn of_plateau(plateau: Plateau) -> Self {
+        let end = match plateau.next {
+            None => "the end of the run",
+            Some(next) if next.has_changed => "a change of the contact set",
+            Some(next) => next.decision.map_or("a step like the others", |decision| match decision.name() {
+                "conjugate" => "a step of conjugate gradients on the same set",
+                "descend" => "a gradient step",
+                "guarded" => "a guarded step",
+                "whole-set" => "an update of the whole set",
+                "halt" => "a halt of FIRE",
+                _ => "a step like the others",
+            }),
+        };
+        Self::Plateau { steps: plateau.steps, eta: plateau.eta, end }
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Rounding { tolerance, eta, rounding, from } => write!(
+                f,
+                "The tolerance {tolerance:.1e} lies below rounding: nothing became better after step {from}, at a certificate of {eta:.1e}, \
+                 of which rounding of the displacement can make {rounding:.1e}. Ask for a larger tolerance."
+            ),
+            Self::Cycle { period, rounds, from, nodes } => write!(
+                f,
+                "The contact set goes in circles: from step {from} on it came back {rounds} times after every {period} changes, in which \
+                 {nodes} nodes enter and leave. Solve more tightly on each set, or accept only changes that lower the energy."
+            ),
+            Self::Damping { damping, rate, best } => write!(
+                f,
+                "The damping is ill chosen: it is {damping:.2} times the critical one of the longest wave, which {} and loses {rate:.1e} \
+                 digits a step, in theory. With the damping 1 it loses {best:.1e}.",
+                if damping > 1.0 { "creeps" } else { "swings" }
+            ),
+            Self::Masses { condition, best } => write!(
+                f,
+                "Uniform masses: the time step must suit the shortest wave, which is {condition:.0} times stiffer than the longest, so that \
+                 no damping takes more than {best:.1e} digits a step off that. Take masses proportional to stiffness, FIRE, or another \
+                 solver."
+            ),
+            Self::SlowBand { wavelengths: [long, short], share, rate, theory } => {
+                write!(
+                    f,
+                    "Waves from {short:.3e} to {long:.3e} long were the slowest: the largest error was theirs for {:.0} % of the steps, and they \
+                     lost {rate:.1e} digits a step",
+                    100.0 * share
+                )?;
+                theory.map_or(Ok(()), |theory| write!(f, " (a free wave, in theory: {theory:.1e})"))?;
+                f.write_str(".")
+            }
+            Self::Condition { level, condition } => write!(
+                f,
+                "Conjugate gradients saw a condition number of at least {condition:.1e} on grid level {level}: some {:.0} steps for each digit \
+                 of the certificate.",
+                condition.sqrt() * std::f64::consts::LN_10 / 4.0
+            ),
+            Self::Flips { nodes, times, position: [y, x], most } => {
+                let place = if y > 0.0 { format!("y = {y:.4e}, x = {x:.4e}") } else { format!("x = {x:.4e}") };
+                write!(
+                    f,
+                    "{nodes} nodes entered or left the contact more than {times} times each, the one at {place} {most} times."
+                )
+            }
+            Self::Plateau { steps: [from, to], eta, end } => {
+                write!(f, "The certificate stood at {eta:.1e} from step {from} to step {to}, until {end}.")
+            }
+        }
+    }
+}

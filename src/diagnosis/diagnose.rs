@@ -1,0 +1,275 @@
+//! The observer that finds out what held a run up.
+
+use super::cause::Cause;
+use super::contact_history::{Change, ContactHistory};
+use super::curve::{Point, plateau};
+use super::returns::Returns;
+use super::ritz::Ritz;
+use super::spectrogram::{Reference, Row, Spectrogram};
+use crate::contact::{Certificate, Contact, Failure, Observer, Problem, Relaxation, Solver, Status, Step, Stop, Wish};
+use crate::grid::Grid;
+use serde::Serialize;
+use std::fmt;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+/// Relative distance from their final values within which area and `kappa_r` stand.
+const STANDS: f64 = 0.01;
+/// A node flips often that did so more often than this.
+const OFTEN: u32 = 8;
+/// Rounds of a cycle that are worth telling.
+const ROUNDS: usize = 3;
+/// A damping so many times too strong or too weak is ill chosen.
+const ILL: f64 = 3.0;
+/// A condition that is worth telling, of masses and of conjugate gradients.
+const ILL_CONDITIONED: f64 = 50.0;
+/// Share of the steps for which a band must be the slowest to be told.
+const LAGS: f64 = 0.2;
+
+/// Watches a run, and says what held it up and since when its results stood.
+///
+/// Of each step it takes one pass over the pressure, area and `kappa_r`, and with a [`Reference`] a transform of the early steps and
+/// of ever fewer later ones. Runs are repeatable to the last bit, so the reference is best the final state of the same run made before.
+pub struct Diagnosis {
+    contact: ContactHistory,
+    spectrogram: Spectrogram,
+    has_reference: bool,
+    has_energies: bool,
+    ritz: Ritz,
+    /// The Ritz values of the last step.
+    values: Option<[f64; 2]>,
+    /// The largest condition number seen on each level.
+    conditions: Vec<f64>,
+    points: Vec<Point>,
+    change: Change,
+    has_changed: bool,
+    returns: Returns,
+    /// Step, area and `kappa_r` on the finest grid.
+    results: Vec<(usize, [f64; 2])>,
+    relaxation: Option<Relaxation>,
+    stop: Stop,
+    ended: Option<(Status, Certificate, usize)>,
+}
+
+/// Since which step area and `kappa_r` have stood within one per cent of their final values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Standing {
+    /// Step of the relative area.
+    pub relative_area: usize,
+    /// Step of `kappa_r`.
+    pub kappa_r: usize,
+    /// Steps of the run.
+    pub steps: usize,
+}
+
+/// What was found out about a run. Displays in words, a line each.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Findings {
+    /// What held it up, the main cause first.
+    pub causes: Vec<Cause>,
+    /// Since when its results stood.
+    pub standing: Option<Standing>,
+}
+
+impl Diagnosis {
+    /// A diagnosis of a run that is yet to be made on a problem; errors by wavelength need the state that they are held against.
+    pub fn new(problem: &Problem, reference: Option<Arc<Reference>>) -> Self {
+        Self::on(problem.surface().grid(), problem.contact_modulus(), reference)
+    }
+
+    /// The diagnosis of a run on a grid with a contact modulus.
+    pub fn on(grid: &Grid, contact_modulus: f64, reference: Option<Arc<Reference>>) -> Self {
+        Self {
+            contact: ContactHistory::new(grid),
+            has_reference: reference.is_some(),
+            has_energies: false,
+            spectrogram: Spectrogram::new(grid, contact_modulus, reference),
+            ritz: Ritz::default(),
+            values: None,
+            conditions: Vec::new(),
+            points: Vec::new(),
+            change: Change::default(),
+            has_changed: false,
+            returns: Returns::default(),
+            results: Vec::new(),
+            relaxation: None,
+            stop: Stop::default(),
+            ended: None,
+        }
+    }
+
+    /// The diagnosis that takes the spectra of the steps though there is no reference.
+    pub fn with_energies(self) -> Self {
+        Self { has_energies: true, ..self }
+    }
+
+    /// The contact so far.
+    pub fn contact(&self) -> &ContactHistory {
+        &self.contact
+    }
+
+    /// Nodes that entered and left by the last step.
+    pub fn change(&self) -> Change {
+        self.change
+    }
+
+    /// The extreme Ritz values of the conjugate gradients that the last step belongs to.
+    pub fn ritz(&self) -> Option<[f64; 2]> {
+        self.values
+    }
+
+    /// Errors and energies by wavelength so far.
+    pub fn spectrogram(&self) -> &Spectrogram {
+        &self.spectrogram
+    }
+
+    /// What was found out about a run that has ended.
+    pub fn findings(&self) -> Findings {
+        Findings { causes: self.causes(), standing: self.standing() }
+    }
+
+    /// What held the run up, the main cause first; nothing if all went well, or as long as the run has not ended.
+    pub fn causes(&self) -> Vec<Cause> {
+        let Some((status, certificate, _)) = self.ended else { return Vec::new() };
+        let main = [self.rounding(status, &certificate), self.cycle(status), self.damping(), self.masses()];
+        let rest = [self.slow_band(), self.condition(), self.flips(), plateau(&self.points).map(Cause::of_plateau)];
+        main.into_iter().chain(rest).flatten().collect()
+    }
+
+    /// Since when the results stood, of a run that has ended.
+    pub fn standing(&self) -> Option<Standing> {
+        let (_, _, steps) = self.ended?;
+        let since = |which: usize| {
+            let end = self.results.last()?.1[which];
+            let stands = |values: &[f64; 2]| (values[which] - end).abs() <= STANDS * end.abs();
+            let moving = self.results.iter().rposition(|(_, values)| !stands(values));
+            self.results.get(moving.map_or(0, |last| last + 1)).map(|(step, _)| *step)
+        };
+        Some(Standing { relative_area: since(0)?, kappa_r: since(1)?, steps })
+    }
+
+    fn rounding(&self, status: Status, certificate: &Certificate) -> Option<Cause> {
+        let is_missed = status != Status::Converged && certificate.eta > self.stop.tolerance();
+        let from = self.points.iter().filter(|point| point.level == 0).min_by(|a, b| a.eta.total_cmp(&b.eta))?.step;
+        (is_missed && certificate.eta <= certificate.rounding).then_some(Cause::Rounding {
+            tolerance: self.stop.tolerance(),
+            eta: certificate.eta,
+            rounding: certificate.rounding,
+            from,
+        })
+    }
+
+    fn cycle(&self, status: Status) -> Option<Cause> {
+        let cycle = self.returns.cycle().filter(|cycle| cycle.rounds >= ROUNDS && status != Status::Converged)?;
+        let times = (cycle.rounds * cycle.period / 2).min(cycle.rounds) as u32;
+        let nodes = self.contact.flips().iter().filter(|&&flips| flips >= times).count();
+        Some(Cause::of_cycle(cycle, nodes))
+    }
+
+    fn damping(&self) -> Option<Cause> {
+        let relaxation = self.relaxation?;
+        let (damping, best) = (relaxation.damping(), relaxation.best_decades_per_step());
+        let is_ill = damping > ILL || damping < 1.0 / ILL;
+        is_ill.then(|| Cause::Damping { damping, rate: relaxation.slowest_decades_per_step(), best })
+    }
+
+    fn masses(&self) -> Option<Cause> {
+        let (condition, best) = self.relaxation.map(|it| (it.condition(), it.best_decades_per_step()))?;
+        (condition > ILL_CONDITIONED).then_some(Cause::Masses { condition, best })
+    }
+
+    /// The band that had the largest error for most steps, if that was for long.
+    fn slow_band(&self) -> Option<Cause> {
+        let rows: Vec<&Row> = self.spectrogram.history().columns().iter().filter(|row| row.level == 0).collect();
+        if !self.has_reference || rows.len() < 2 {
+            return None;
+        }
+        let bands = self.spectrogram.bands();
+        let mut steps = vec![0usize; bands.count()];
+        let worst = |row: &Row| {
+            (0..row.error_energy.len()).max_by(|&a, &b| row.error_energy[a].total_cmp(&row.error_energy[b]))
+        };
+        rows.iter().filter_map(|row| worst(row)).for_each(|band| steps[band] += 1);
+        let band = (0..steps.len()).max_by_key(|&band| steps[band])?;
+        let share = steps[band] as f64 / rows.len() as f64;
+        let theory = self.relaxation.map(|it| it.decades_per_step(self.spectrogram.stiffness(band)));
+        let rate = rate(&rows, band)?;
+        let cause = Cause::SlowBand { wavelengths: bands.wavelengths(band), share, rate, theory };
+        (share >= LAGS).then_some(cause)
+    }
+
+    fn condition(&self) -> Option<Cause> {
+        let worst = self.conditions.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        worst
+            .filter(|(_, condition)| *condition > ILL_CONDITIONED)
+            .map(|(level, condition)| Cause::Condition { level, condition })
+    }
+
+    fn flips(&self) -> Option<Cause> {
+        let flips = self.contact.flips();
+        let nodes = flips.iter().filter(|&&flips| flips > OFTEN).count();
+        let (node, &most) = flips.iter().enumerate().max_by_key(|(node, flips)| (**flips, usize::MAX - node))?;
+        (nodes > 0).then(|| Cause::Flips { nodes, times: OFTEN, position: self.contact.position(node), most })
+    }
+}
+
+/// Digits that the error of a band lost in a step, in the later half of the run before the last tenth, in which the reference itself
+/// is no better.
+fn rate(rows: &[&Row], band: usize) -> Option<f64> {
+    let (from, to) = (rows[rows.len() / 2], rows[rows.len() * 9 / 10]);
+    let fall = 0.5 * (from.error_energy.get(band)? / to.error_energy.get(band)?).log10();
+    (to.step > from.step && fall.is_finite()).then(|| fall / (to.step - from.step) as f64)
+}
+
+impl Observer for Diagnosis {
+    fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) -> Result<(), Failure> {
+        self.relaxation = solver.relaxation(problem);
+        self.stop = *stop;
+        Ok(())
+    }
+
+    fn step(&mut self, step: &Step<'_>) -> Wish {
+        let phase = step.phase();
+        self.change = self.contact.add(step);
+        self.has_changed |= self.change.entered + self.change.left > 0;
+        self.values = self.ritz.add(step.decision());
+        if let Some([low, high]) = self.values {
+            self.conditions.resize(self.conditions.len().max(phase.level + 1), 0.0);
+            self.conditions[phase.level] = self.conditions[phase.level].max(high / low);
+        }
+        if let Some(certificate) = step.certificate() {
+            let (step, level, eta, decision) = (step.index(), phase.level, certificate.eta, step.decision());
+            self.points.push(Point { step, level, eta, decision, has_changed: self.has_changed });
+            self.has_changed = false;
+        }
+        if phase.level == 0 && phase.inner == 0 {
+            self.returns.add(step.index(), step.pressure());
+            let resolved = step.resolved();
+            self.results.push((step.index(), [resolved.relative_area, resolved.kappa_r]));
+        }
+        if self.has_reference || self.has_energies {
+            self.spectrogram.add(step);
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
+        self.ended = Some((contact.status, contact.certificate, contact.work.iterations));
+        Ok(())
+    }
+}
+
+impl fmt::Display for Findings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { causes, standing } = self;
+        if causes.is_empty() {
+            writeln!(f, "Nothing held it up.")?;
+        }
+        causes.iter().try_for_each(|cause| writeln!(f, "{cause}"))?;
+        let Some(Standing { relative_area, kappa_r, steps }) = standing else { return Ok(()) };
+        writeln!(
+            f,
+            "Area and kappa_r have stood within 1 % of their final values since steps {relative_area} and {kappa_r} of {steps}."
+        )
+    }
+}

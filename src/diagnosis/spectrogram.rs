@@ -1,0 +1,270 @@
+//! The error of every step by wavelength, against a state that is known.
+
+use super::bands::Bands;
+use super::history::History;
+use crate::contact::{Contact, Step};
+use crate::fourier::{Complex, Fourier};
+use crate::grid::Grid;
+use std::sync::Arc;
+
+/// Rows that are kept of a run.
+const MOST: usize = 1024;
+
+/// The state that errors are held against, in Fourier space.
+#[derive(Debug)]
+pub struct Reference {
+    grid: Grid,
+    pressure: Vec<Complex>,
+    displacement: Vec<Complex>,
+}
+
+impl Reference {
+    /// The final state of a run, or any other.
+    pub fn of(contact: &Contact) -> Self {
+        let grid = *contact.problem.surface().grid();
+        let mut fourier = Fourier::new(&grid);
+        let [pressure, displacement] = [&contact.pressure, &contact.displacement].map(|field| {
+            let mut spectrum = vec![Complex::default(); grid.modes()];
+            fourier.forward(&field.iter().copied().collect::<Vec<_>>(), &mut spectrum);
+            spectrum
+        });
+        Self { grid, pressure, displacement }
+    }
+}
+
+/// The spectra of the steps of a run, band by band, of all early steps and then of every second, fourth and so on.
+///
+/// Coefficients of coarser grids are held against those of the reference at the same wave vectors; waves that a grid does not
+/// carry have all of their error. Each row takes one transform, and two of methods that move the surface.
+pub struct Spectrogram {
+    bands: Bands,
+    grid: Grid,
+    contact_modulus: f64,
+    reference: Option<Arc<Reference>>,
+    lens: Option<Lens>,
+    history: History<Row>,
+}
+
+/// The spectra of a step, by bands; errors are missing without a reference.
+#[derive(Debug, Clone, Default)]
+pub struct Row {
+    /// Number of the step.
+    pub step: usize,
+    /// Grid level.
+    pub level: usize,
+    /// Error of the pressure over the pressure of the reference in the same band.
+    pub pressure: Vec<f64>,
+    /// Error of the displacement over that of the reference in the same band.
+    pub displacement: Vec<f64>,
+    /// Energy of the error, the square of its energy norm, over the elastic energy of the reference.
+    pub error_energy: Vec<f64>,
+    /// Elastic energy per area.
+    pub energy: Vec<f64>,
+}
+
+/// What belongs to a grid: the transform and the places of its modes among those of the finest grid.
+struct Lens {
+    grid: Grid,
+    fourier: Fourier,
+    places: Vec<Option<usize>>,
+    /// Whether each mode of the finest grid is missing on this one; empty on the finest.
+    missing: Vec<bool>,
+}
+
+impl Spectrogram {
+    /// No steps yet, of a problem on `grid` with a contact modulus.
+    pub fn new(grid: &Grid, contact_modulus: f64, reference: Option<Arc<Reference>>) -> Self {
+        let reference = reference.filter(|reference| reference.grid == *grid);
+        let history = History::new(MOST, |_, _| ());
+        Self { bands: Bands::of(grid), grid: *grid, contact_modulus, reference, lens: None, history }
+    }
+
+    /// The bands.
+    pub fn bands(&self) -> &Bands {
+        &self.bands
+    }
+
+    /// Stiffness `E* q / 2` of the waves in the middle of a band.
+    pub fn stiffness(&self, band: usize) -> f64 {
+        0.5 * self.contact_modulus * self.bands.wavenumber(band)
+    }
+
+    /// The rows so far.
+    pub fn history(&self) -> &History<Row> {
+        &self.history
+    }
+
+    /// Adds a step; steps on a grid that is no coarser version of the finest one are left out.
+    pub fn add(&mut self, step: &Step<'_>) {
+        let grid = *step.problem().surface().grid();
+        if !self.history.begins() {
+            return self.history.pass();
+        }
+        if self.lens.as_ref().is_none_or(|lens| lens.grid != grid) {
+            self.lens = Lens::new(&self.grid, &grid);
+        }
+        if let Some(row) = self.row(step) {
+            self.history.add(row);
+        }
+    }
+
+    fn row(&mut self, step: &Step<'_>) -> Option<Row> {
+        let lens = self.lens.as_mut()?;
+        let pressure = lens.transform(step.pressure());
+        let displacement = step.moves_surface().then(|| lens.transform(step.displacement()));
+        let (lens, count) = (&*lens, self.bands.count());
+        let row = Row { step: step.index(), level: step.phase().level, ..Row::default() };
+        let stiffness = self.grid.wavenumbers().map(|q| 0.5 * self.contact_modulus * q).collect::<Vec<_>>();
+        let surface = |mode: usize, place: usize| match &displacement {
+            Some(displacement) => displacement[mode],
+            None => pressure[mode] / stiffness[place],
+        };
+        let weights: Vec<f64> = self.grid.multiplicities().collect();
+        let mut energy = vec![0.0; count];
+        let mut errors = [(); 5].map(|()| vec![0.0; count]);
+        for (mode, place) in lens.places.iter().enumerate() {
+            let Some((place, band)) = place.and_then(|place| Some((place, usize::from(self.bands.modes()[place]?))))
+            else {
+                continue;
+            };
+            let (weight, u) = (weights[place], surface(mode, place));
+            energy[band] += 0.5 * weight * stiffness[place] * u.norm_sqr();
+            if let Some(reference) = &self.reference {
+                let [p_end, u_end] = [reference.pressure[place], reference.displacement[place]];
+                let [dp, du] = [(pressure[mode] - p_end).norm_sqr(), (u - u_end).norm_sqr()];
+                let terms = [dp, p_end.norm_sqr(), du, u_end.norm_sqr(), stiffness[place] * du];
+                errors.iter_mut().zip(terms).for_each(|(sum, term)| sum[band] += weight * term);
+            }
+        }
+        let Some(reference) = &self.reference else { return Some(Row { energy, ..row }) };
+        for place in lens.missing.iter().enumerate().filter_map(|(place, missing)| missing.then_some(place)) {
+            let Some(band) = self.bands.modes()[place].map(usize::from) else { continue };
+            let [dp, du] = [reference.pressure[place], reference.displacement[place]].map(|it| it.norm_sqr());
+            let terms = [dp, dp, du, du, stiffness[place] * du];
+            errors.iter_mut().zip(terms).for_each(|(sum, term)| sum[band] += weights[place] * term);
+        }
+        let total: f64 =
+            (0..stiffness.len()).map(|i| weights[i] * stiffness[i] * reference.displacement[i].norm_sqr()).sum();
+        let [dp, p, du, u, error] = errors;
+        let relative =
+            |error: &[f64], of: &[f64]| error.iter().zip(of).map(|(error, of)| (error / of).sqrt()).collect();
+        let error_energy = error.iter().map(|error| error / total).collect();
+        Some(Row { pressure: relative(&dp, &p), displacement: relative(&du, &u), error_energy, energy, ..row })
+    }
+}
+
+impl Lens {
+    /// The view of the modes of `fine` on `grid`, if it is a coarser version of it.
+    fn new(fine: &Grid, grid: &Grid) -> Option<Self> {
+        let is_finest = fine.stride(grid)? == [1, 1];
+        let ([ny, nx], [rows, _]) = (grid.shape(), fine.shape());
+        let place = |kx: usize, ky: usize| {
+            let is_edge = |k: usize, n: usize| n > 1 && 2 * k == n;
+            if is_finest {
+                return Some(kx * ny + ky);
+            }
+            let is_lost = is_edge(kx, nx) || is_edge(ky, ny);
+            (!is_lost).then(|| kx * rows + if 2 * ky < ny { ky } else { ky + rows - ny })
+        };
+        let places: Vec<Option<usize>> = (0..=nx / 2).flat_map(|kx| (0..ny).map(move |ky| place(kx, ky))).collect();
+        let mut missing = vec![!is_finest; if is_finest { 0 } else { fine.modes() }];
+        if !is_finest {
+            places.iter().flatten().for_each(|&place| missing[place] = false);
+        }
+        Some(Self { grid: *grid, fourier: Fourier::new(grid), places, missing })
+    }
+
+    fn transform(&mut self, field: &[f64]) -> Vec<Complex> {
+        let mut spectrum = vec![Complex::default(); self.grid.modes()];
+        self.fourier.forward(field, &mut spectrum);
+        spectrum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{ContactModulus, Load, Multilevel, Problem, Solver, Stop, Work};
+    use crate::{Indenter, Surface};
+    use std::f64::consts::TAU;
+
+    fn cosine(problem: &Problem, wave: f64, amplitude: f64) -> Vec<f64> {
+        let grid = problem.surface().grid();
+        let [ly, lx] = grid.size();
+        grid.y()
+            .flat_map(|y| grid.x().map(move |x| (y, x)))
+            .map(|(y, x)| amplitude * (TAU * wave * (x / lx + if ly == 1.0 { 0.0 } else { y / ly })).cos())
+            .collect()
+    }
+
+    /// An error of one wave is seen in its band alone, with its size, on the grid itself and through coarser ones.
+    #[test]
+    fn an_error_of_one_wave_lies_in_its_band() {
+        let surface: Surface = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0).unwrap()).unwrap();
+        let problem = Problem::new(surface, ContactModulus(2.0), Load::ReducedPressure(0.05)).unwrap();
+        let end = Multilevel.solve(&problem, &Stop::default(), &mut ()).unwrap();
+        let grid = *problem.surface().grid();
+        let mut spectrogram = Spectrogram::new(&grid, 2.0, Some(Arc::new(Reference::of(&end))));
+        let wrong = cosine(&problem, 6.0, 1e-3);
+        let p: Vec<f64> = end.pressure.iter().zip(&wrong).map(|(p, w)| p + w).collect();
+        let u: Vec<f64> = end.displacement.iter().zip(&wrong).map(|(u, w)| u + w / (TAU * 6.0)).collect();
+        spectrogram.add(&Step::new(&problem, Work::default(), &p, &u));
+        let row = &spectrogram.history().columns()[0];
+        let bands = spectrogram.bands();
+        let worst = (0..bands.count()).max_by(|&a, &b| row.error_energy[a].total_cmp(&row.error_energy[b])).unwrap();
+        let [long, short] = bands.wavelengths(worst);
+        assert!(short < 1.0 / 6.0 && 1.0 / 6.0 <= long, "{worst}");
+        assert!((0..bands.count()).all(|band| (row.pressure[band] > 1e-6) == (band == worst)), "{:?}", row.pressure);
+        // energy of a wave of pressure: <w u> = 1e-6 / 2 / (6 TAU), over <p u>
+        let elastic: f64 = end.pressure.iter().zip(&end.displacement).map(|(p, u)| p * u).sum::<f64>() / 256.0;
+        let expected = 0.5e-6 / (TAU * 6.0) / elastic;
+        assert!((row.error_energy[worst] / expected - 1.0).abs() < 1e-9);
+    }
+
+    /// Energies of all bands add up to `<p u> / 2`, on lines and surfaces of odd and even points.
+    #[test]
+    fn bands_share_the_elastic_energy() {
+        for grid in [Grid::line(255, 2.0), Grid::surface([12, 16], [1.0, 3.0]), Grid::surface([15, 8], [2.0, 1.0])] {
+            let grid = grid.unwrap();
+            let surface = if grid.is_line() {
+                Indenter::Sine { amplitude: 0.01 }
+            } else {
+                Indenter::CrossedSine { amplitude: 0.01 }
+            };
+            let problem =
+                Problem::new(surface.surface(grid).unwrap(), ContactModulus(2.0), Load::ReducedPressure(0.1)).unwrap();
+            let end = Multilevel.solve(&problem, &Stop::default(), &mut ()).unwrap();
+            let mut spectrogram = Spectrogram::new(&grid, 2.0, None);
+            let [p, u] = [&end.pressure, &end.displacement].map(|field| field.iter().copied().collect::<Vec<_>>());
+            spectrogram.add(&Step::new(&problem, Work::default(), &p, &u));
+            let found: f64 = spectrogram.history().columns()[0].energy.iter().sum();
+            let expected = 0.5 * p.iter().zip(&u).map(|(p, u)| p * u).sum::<f64>() / p.len() as f64;
+            assert!((found / expected - 1.0).abs() < 1e-12, "{found} for {expected}");
+        }
+    }
+
+    /// On a coarser grid the waves that it carries are held against the same waves, and the others have all of their error.
+    #[test]
+    fn coarser_grids_miss_short_waves_only() {
+        let problem = |points| {
+            let surface = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(points, 1.0).unwrap()).unwrap();
+            Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(0.5)).unwrap()
+        };
+        let [fine, coarse] = [problem(256), problem(64)];
+        let end = Multilevel.solve(&fine, &Stop::default(), &mut ()).unwrap();
+        let mut spectrogram = Spectrogram::new(fine.surface().grid(), 1.0, Some(Arc::new(Reference::of(&end))));
+        let [p, u] =
+            [&end.pressure, &end.displacement].map(|field| field.iter().step_by(4).copied().collect::<Vec<_>>());
+        spectrogram.add(&Step::new(&coarse, Work::default(), &p, &u));
+        let row = &spectrogram.history().columns()[0];
+        let bands = spectrogram.bands();
+        for band in 0..bands.count() {
+            let [long, short] = bands.wavelengths(band);
+            if short > 1.0 / 8.0 {
+                assert!(row.pressure[band] < 0.02, "{long}: {}", row.pressure[band]);
+            } else if long < 1.0 / 32.0 {
+                assert!((row.pressure[band] - 1.0).abs() < 1e-9, "{long}: {}", row.pressure[band]);
+            }
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Pictures of a whole run, step by step.
+
+use super::flip_map::FlipMap;
+use super::lanes::{Lanes, States};
+use super::palette::Palette;
+use super::raster::{Raster, RasterRows};
+use super::reduce::Blocks;
+use super::ritz::RitzCurves;
+use super::ruler::Ruler;
+use super::step_image::Cursor;
+use super::waterfall::Waterfall;
+use crate::contact::{Contact, Failure, Observer, Problem, Solver, Step, Stop};
+use crate::diagnosis::{Bands, Diagnosis, Reference};
+use crate::grid::Grid;
+use crate::plot::{Axis, Frame};
+use crate::record::options::Options;
+use crate::record::parts::Parts;
+use crate::record::scene::Scene;
+use crate::setup::Part;
+use rerun::{RecordingStream, RecordingStreamResult};
+use std::sync::Arc;
+
+/// Images are recorded anew whenever so many times as many steps have come.
+const GROWTH: usize = 2;
+/// Steps after which they are recorded first.
+const FIRST: usize = 16;
+
+/// The pictures of a run of one scene; none are there that are not asked for.
+pub struct Instruments {
+    root: String,
+    palette: &'static Palette,
+    what: Parts,
+    grid: Grid,
+    contact_modulus: f64,
+    reference: Option<Arc<Reference>>,
+    /// The raster of a line, or those along a row and a column of a surface, with their titles.
+    pub rasters: Vec<(String, Raster)>,
+    pub flips: Option<FlipMap>,
+    /// Waterfalls with their titles.
+    pub waterfalls: Vec<(&'static str, Waterfall)>,
+    pub lanes: Option<Lanes>,
+}
+
+impl Instruments {
+    /// The instruments that `options` ask for, beside pictures of a surface in a frame.
+    pub fn new(scene: &Scene<'_>, root: &str, options: &Options, frame: &Frame) -> Option<Self> {
+        let Options { what, theme, .. } = options;
+        if !what.has_instruments() {
+            return None;
+        }
+        let (problem, palette) = (scene.problem, Palette::of(*theme));
+        let grid = *problem.surface().grid();
+        let is_mapped = what.has(Part::Raster) && !grid.is_line();
+        let map = || FlipMap::new(format!("{root}/flips"), palette, frame.clone(), Blocks::image(&grid));
+        Some(Self {
+            rasters: if what.has(Part::Raster) { rasters(problem, root, options) } else { Vec::new() },
+            flips: is_mapped.then(map),
+            waterfalls: waterfalls(scene, root, options),
+            lanes: what.has(Part::Decisions).then(|| Lanes { root: format!("{root}/decisions") }),
+            reference: scene.reference.clone().filter(|_| what.has(Part::Waterfall)),
+            contact_modulus: problem.contact_modulus(),
+            root: root.into(),
+            what: *what,
+            palette,
+            grid,
+        })
+    }
+
+    /// The entity of the line at the current step.
+    pub fn cursor(&self) -> String {
+        format!("{}/cursor", self.root)
+    }
+
+    /// The entity of the curves of Ritz values, if they are recorded.
+    pub fn ritz(&self) -> Option<String> {
+        self.what.has(Part::Ritz).then(|| format!("{}/ritz", self.root))
+    }
+
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        self.rasters.iter().try_for_each(|(_, raster)| raster.log_static(to))?;
+        self.lanes.as_ref().map_or(Ok(()), |lanes| lanes.log_static(to, self.palette))?;
+        self.ritz().map_or(Ok(()), |entity| RitzCurves::new(entity).log_static(to))?;
+        Cursor::new(&self.cursor()).log_static(to, self.palette)
+    }
+
+    /// What a run of the scene collects for them.
+    pub fn readings(&self) -> Readings {
+        let diagnosis = Diagnosis::on(&self.grid, self.contact_modulus, self.reference.clone());
+        Readings {
+            diagnosis: if self.what.has(Part::Energy) { diagnosis.with_energies() } else { diagnosis },
+            rasters: self.rasters.iter().map(|(_, raster)| raster.rows()).collect(),
+            states: States::default(),
+            ritz: self.ritz().map(RitzCurves::new),
+            cursor: Cursor::new(&self.cursor()),
+            steps: 0,
+            shown: FIRST,
+        }
+    }
+}
+
+/// What a run has shown so far.
+pub struct Readings {
+    diagnosis: Diagnosis,
+    rasters: Vec<RasterRows>,
+    states: States,
+    ritz: Option<RitzCurves>,
+    cursor: Cursor,
+    steps: usize,
+    /// Steps at which images are recorded next.
+    shown: usize,
+}
+
+impl Readings {
+    /// Adds a step.
+    pub fn add(
+        &mut self,
+        to: &RecordingStream,
+        instruments: &Instruments,
+        step: &Step<'_>,
+    ) -> RecordingStreamResult<()> {
+        self.diagnosis.step(step).ok(); // it neither fails nor ends a run
+        let contact = self.diagnosis.contact();
+        instruments.rasters.iter().zip(&mut self.rasters).for_each(|((_, raster), rows)| raster.add(contact, rows));
+        self.states.add(step, self.diagnosis.change());
+        if let (Some(curves), Some(values)) = (&mut self.ritz, self.diagnosis.ritz()) {
+            curves.add(step.work(), values);
+        }
+        self.cursor.add(step.work());
+        self.steps += 1;
+        if self.steps < self.shown {
+            return Ok(());
+        }
+        self.shown *= GROWTH;
+        self.show(to, instruments)
+    }
+
+    /// Begins with what the solver says of itself.
+    pub fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) -> Result<(), Failure> {
+        self.diagnosis.begin(solver, problem, stop)
+    }
+
+    /// Records the images of the steps so far.
+    fn show(&mut self, to: &RecordingStream, instruments: &Instruments) -> RecordingStreamResult<()> {
+        let mut steps = None;
+        for ((_, raster), rows) in instruments.rasters.iter().zip(&self.rasters) {
+            steps = Some(raster.log(to, rows)?);
+        }
+        let history = self.diagnosis.spectrogram().history();
+        for (_, waterfall) in &instruments.waterfalls {
+            steps = waterfall.log(to, history)?.or(steps);
+        }
+        if let Some(map) = &instruments.flips {
+            map.log(to, self.diagnosis.contact().flips())?;
+        }
+        steps.map_or(Ok(()), |steps| self.cursor.stretch(to, steps))
+    }
+
+    /// Sends lanes and curves so far.
+    pub fn flush(&mut self, to: &RecordingStream, instruments: &Instruments) -> RecordingStreamResult<()> {
+        if !instruments.rasters.is_empty() || !instruments.waterfalls.is_empty() {
+            self.cursor.flush(to)?;
+        }
+        if let Some(lanes) = &instruments.lanes {
+            lanes.flush(to, &mut self.states)?;
+        }
+        self.ritz.as_mut().map_or(Ok(()), |curves| curves.flush(to))
+    }
+
+    /// Ends with the contact that came out, and returns what held the run up, in words.
+    pub fn end(
+        &mut self,
+        to: &RecordingStream,
+        instruments: &Instruments,
+        contact: &Contact,
+    ) -> RecordingStreamResult<String> {
+        self.diagnosis.end(contact).ok(); // it does not fail
+        self.states.end(contact);
+        self.show(to, instruments)?;
+        self.flush(to, instruments)?;
+        Ok(self.diagnosis.findings().to_string())
+    }
+}
+
+/// The raster of a line, or those along a row and a column.
+fn rasters(problem: &Problem, root: &str, options: &Options) -> Vec<(String, Raster)> {
+    let (grid, palette) = (problem.surface().grid(), Palette::of(options.theme));
+    let [ny, nx] = grid.shape();
+    let axis = |i: usize| Ruler::new(["y", "x"][i], &options.length_unit, [0.0, grid.size()[i]]).axis;
+    if grid.is_line() {
+        let raster = Raster::new(format!("{root}/raster"), palette, axis(1), (0..nx).collect());
+        return vec![("Contact by step (yellow: entered, blue: left)".into(), raster)];
+    }
+    let height = problem.height();
+    let highest = (0..height.len()).fold(0, |best, node| if height[node] > height[best] { node } else { best });
+    let [row, column] = options.raster_at.unwrap_or([highest / nx, highest % nx]);
+    let along = |name: &str, at: usize, axis: Axis, nodes: Vec<usize>| {
+        let raster = Raster::new(format!("{root}/raster_{name}"), palette, axis, nodes);
+        (format!("Contact by step along {name} {at} (yellow: entered, blue: left)"), raster)
+    };
+    vec![
+        along("row", row, axis(1), (0..nx).map(|x| row * nx + x).collect()),
+        along("column", column, axis(0), (0..ny).map(|y| y * nx + column).collect()),
+    ]
+}
+
+/// The waterfalls of errors, if there is a state to hold them against, and of energies.
+fn waterfalls(scene: &Scene<'_>, root: &str, options: &Options) -> Vec<(&'static str, Waterfall)> {
+    let (problem, palette) = (scene.problem, Palette::of(options.theme));
+    let bands = Bands::of(problem.surface().grid());
+    let longest = problem.surface().grid().longest_wavelength();
+    let shortest = longest * 0.5f64.powf(0.5 * bands.half_octaves().len() as f64);
+    let unit = Ruler::new("wavelength", &options.length_unit, [0.0, longest]);
+    let axis = || Axis::log(unit.axis.name.as_str(), [shortest, longest].map(|length| length / unit.unit));
+    let energy = problem.expected_mean_pressure() * problem.rms_height();
+    let mut waterfalls = Vec::new();
+    if options.what.has(Part::Waterfall) && scene.reference.is_some() {
+        let new = |name: &str, of| {
+            Waterfall::new(format!("{root}/error_{name}"), palette, ("log10 error", 1.0), &bands, axis(), of)
+        };
+        waterfalls.push(("Error of the pressure by wavelength", new("pressure", |row| &row.pressure)));
+        waterfalls.push(("Error of the displacement by wavelength", new("displacement", |row| &row.displacement)));
+    }
+    if options.what.has(Part::Energy) {
+        let name = ("log10 energy / (p_mean h_rms)", energy);
+        let energy = Waterfall::new(format!("{root}/energy"), palette, name, &bands, axis(), |row| &row.energy);
+        waterfalls.push(("Elastic energy by wavelength", energy));
+    }
+    waterfalls
+}
