@@ -12,7 +12,8 @@ pub struct ContactHistory {
     grid: Grid,
     /// Whether nodes touch; empty before the first step.
     touches: Vec<bool>,
-    since: Vec<u32>,
+    /// Number of the step since which each node is as it is; none of those that never changed.
+    since: Vec<Option<u32>>,
     flips: Vec<u32>,
     now: u32,
     /// Nodes of the last grid.
@@ -31,7 +32,7 @@ pub struct Change {
 impl ContactHistory {
     /// No steps yet, on a grid.
     pub fn new(grid: &Grid) -> Self {
-        let (since, flips) = (vec![0; grid.len()], vec![0; grid.len()]);
+        let (since, flips) = (vec![None; grid.len()], vec![0; grid.len()]);
         Self { grid: *grid, touches: Vec::new(), since, flips, now: 0, nodes: 0 }
     }
 
@@ -61,7 +62,7 @@ impl ContactHistory {
             }
         }
         if is_new {
-            self.since.fill(self.now);
+            self.since.fill(None);
         }
         change
     }
@@ -77,7 +78,7 @@ impl ContactHistory {
             for node in first..first + along_x {
                 if self.touches[node] != touches {
                     self.touches[node] = touches;
-                    self.since[node] = self.now;
+                    self.since[node] = Some(self.now);
                     self.flips[node] += u32::from(counts);
                 }
             }
@@ -94,9 +95,9 @@ impl ContactHistory {
         self.touches.get(node).copied().unwrap_or(false)
     }
 
-    /// Steps for which a node has been as it is.
-    pub fn age(&self, node: usize) -> u32 {
-        self.now - self.since[node]
+    /// Steps for which a node has been as it is, if it ever changed.
+    pub fn age(&self, node: usize) -> Option<u32> {
+        self.since[node].map(|since| self.now - since)
     }
 
     /// How often each node entered or left the contact on one grid.

@@ -1,7 +1,7 @@
 //! Pictures of a whole run, step by step.
 
 use super::flip_map::FlipMap;
-use super::lanes::{Lanes, States};
+use super::lanes::{LaneRows, Lanes};
 use super::palette::Palette;
 use super::raster::{Raster, RasterRows};
 use super::reduce::Blocks;
@@ -56,7 +56,7 @@ impl Instruments {
             rasters: if what.has(Part::Raster) { rasters(problem, root, options) } else { Vec::new() },
             flips: is_mapped.then(map),
             waterfalls: waterfalls(scene, root, options),
-            lanes: what.has(Part::Decisions).then(|| Lanes { root: format!("{root}/decisions") }),
+            lanes: what.has(Part::Decisions).then(|| Lanes::new(root, palette)),
             reference: scene.reference.clone().filter(|_| what.has(Part::Waterfall)),
             contact_modulus: problem.contact_modulus(),
             root: root.into(),
@@ -76,9 +76,14 @@ impl Instruments {
         self.what.has(Part::Ritz).then(|| format!("{}/ritz", self.root))
     }
 
+    /// Whether there is any image whose columns are steps.
+    fn has_images(&self) -> bool {
+        !self.rasters.is_empty() || !self.waterfalls.is_empty() || self.lanes.is_some()
+    }
+
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         self.rasters.iter().try_for_each(|(_, raster)| raster.log_static(to))?;
-        self.lanes.as_ref().map_or(Ok(()), |lanes| lanes.log_static(to, self.palette))?;
+        self.lanes.as_ref().map_or(Ok(()), |lanes| lanes.log_static(to))?;
         self.ritz().map_or(Ok(()), |entity| RitzCurves::new(entity).log_static(to))?;
         Cursor::new(&self.cursor()).log_static(to, self.palette)
     }
@@ -89,7 +94,7 @@ impl Instruments {
         Readings {
             diagnosis: if self.what.has(Part::Energy) { diagnosis.with_energies() } else { diagnosis },
             rasters: self.rasters.iter().map(|(_, raster)| raster.rows()).collect(),
-            states: States::default(),
+            lanes: self.lanes.as_ref().map(Lanes::rows),
             ritz: self.ritz().map(RitzCurves::new),
             cursor: Cursor::new(&self.cursor()),
             steps: 0,
@@ -102,7 +107,7 @@ impl Instruments {
 pub struct Readings {
     diagnosis: Diagnosis,
     rasters: Vec<RasterRows>,
-    states: States,
+    lanes: Option<LaneRows>,
     ritz: Option<RitzCurves>,
     cursor: Cursor,
     steps: usize,
@@ -111,17 +116,20 @@ pub struct Readings {
 }
 
 impl Readings {
-    /// Adds a step.
+    /// Adds a step on a grid level.
     pub fn add(
         &mut self,
         to: &RecordingStream,
         instruments: &Instruments,
         step: &Step<'_>,
+        level: usize,
     ) -> RecordingStreamResult<()> {
         self.diagnosis.step(step).ok(); // it neither fails nor ends a run
         let contact = self.diagnosis.contact();
         instruments.rasters.iter().zip(&mut self.rasters).for_each(|((_, raster), rows)| raster.add(contact, rows));
-        self.states.add(step, self.diagnosis.change());
+        if let Some(lanes) = &mut self.lanes {
+            lanes.add(step, level, self.diagnosis.change());
+        }
         if let (Some(curves), Some(values)) = (&mut self.ritz, self.diagnosis.ritz()) {
             curves.add(step.work(), values);
         }
@@ -145,6 +153,9 @@ impl Readings {
         for ((_, raster), rows) in instruments.rasters.iter().zip(&self.rasters) {
             steps = Some(raster.log(to, rows)?);
         }
+        if let (Some(lanes), Some(rows)) = (&instruments.lanes, &self.lanes) {
+            steps = Some(lanes.log(to, rows)?);
+        }
         let history = self.diagnosis.spectrogram().history();
         for (_, waterfall) in &instruments.waterfalls {
             steps = waterfall.log(to, history)?.or(steps);
@@ -157,11 +168,11 @@ impl Readings {
 
     /// Sends lanes and curves so far.
     pub fn flush(&mut self, to: &RecordingStream, instruments: &Instruments) -> RecordingStreamResult<()> {
-        if !instruments.rasters.is_empty() || !instruments.waterfalls.is_empty() {
+        if instruments.has_images() {
             self.cursor.flush(to)?;
         }
-        if let Some(lanes) = &instruments.lanes {
-            lanes.flush(to, &mut self.states)?;
+        if let (Some(lanes), Some(rows)) = (&instruments.lanes, &mut self.lanes) {
+            lanes.flush(to, rows)?;
         }
         self.ritz.as_mut().map_or(Ok(()), |curves| curves.flush(to))
     }
@@ -174,7 +185,9 @@ impl Readings {
         contact: &Contact,
     ) -> RecordingStreamResult<String> {
         self.diagnosis.end(contact).ok(); // it does not fail
-        self.states.end(contact);
+        if let Some(lanes) = &mut self.lanes {
+            lanes.end(contact);
+        }
         self.show(to, instruments)?;
         self.flush(to, instruments)?;
         Ok(self.diagnosis.findings().to_string())

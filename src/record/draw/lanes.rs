@@ -1,76 +1,169 @@
-//! What a solver decided, as lanes of states over the steps.
+//! What a solver decided, as lanes over the steps.
 
-use super::palette::{Palette, SERIES, colour};
+use super::canvas::{self, BOX};
+use super::palette::{FAINT, Palette, SERIES, colour, mixed};
+use super::raster::COLUMNS;
+use super::step_image::{StepImage, Steps};
 use super::traces::times;
 use crate::contact::{Contact, Decision, Step, Work};
-use crate::diagnosis::Change;
-use crate::plot::Colour;
+use crate::diagnosis::{Change, History};
+use crate::plot::{Colour, Frame};
 use rerun::archetypes::{StateChange, StateConfiguration};
-use rerun::{RecordingStream, RecordingStreamResult};
+use rerun::datatypes::{ChannelDatatype, ImageFormat};
+use rerun::{
+    AnnotationContext, AnnotationInfo, Points2D, Radius, RecordingStream, RecordingStreamResult, Rgba32,
+    SegmentationImage,
+};
 
 /// Names of the lanes, from above.
-const LANES: [&str; 4] = ["1_grid", "2_step", "3_contact", "4_end"];
+const LANES: [&str; 3] = ["grid level", "step", "contact set"];
+/// Entities of the same lanes as states, and of the end.
+const STATES: [&str; 4] = ["1_grid", "2_step", "3_contact", "4_end"];
 /// Nodes that enter and leave.
 const CHANGES: [&str; 4] = ["same", "in", "out", "in and out"];
+/// Levels that have a class of their own.
+const LEVELS: u8 = 16;
+/// First classes of the lanes.
+const FIRST: [u8; 3] = [1, 1 + LEVELS, 1 + LEVELS + Decision::NAMES.len() as u8];
+/// Width of a letter of the legend, over the size of words.
+const LETTER: f64 = 0.62;
 
-/// Lanes of the grid, the kind of step, the nodes that entered or left, and the end, under a root.
+/// Lanes of the grid, the kind of step, and the nodes that entered or left: as an image beside the others, and as states for the
+/// viewer's own lanes, on which one can point at what lasted how long.
 pub struct Lanes {
     pub root: String,
+    pub image: StepImage,
 }
 
-/// The states of the lanes, collected until they are flushed.
-#[derive(Default)]
-pub struct States {
-    last: [String; LANES.len()],
-    changes: [Vec<(Work, String)>; LANES.len()],
+/// What the lanes show, of every step.
+pub struct LaneRows {
+    /// Classes of the lanes; none where nothing is known.
+    classes: History<[u8; LANES.len()]>,
+    contact: u8,
+    last: [String; STATES.len()],
+    changes: [Vec<(Work, String)>; STATES.len()],
 }
 
 impl Lanes {
-    /// Records the names and colours of the states.
-    pub fn log_static(&self, to: &RecordingStream, palette: &Palette) -> RecordingStreamResult<()> {
-        let kinds =
-            Decision::NAMES.iter().enumerate().map(|(i, (name, label))| (*name, *label, SERIES[i % SERIES.len()]));
-        self.log_states(to, LANES[1], kinds)?;
-        let quiet = super::palette::FAINT;
-        let colours = [quiet, palette.contact, SERIES[1], SERIES[0]];
-        self.log_states(to, LANES[2], CHANGES.into_iter().zip(colours).map(|(name, colour)| (name, name, colour)))
+    pub fn new(root: &str, palette: &'static Palette) -> Self {
+        Self { root: format!("{root}/decisions"), image: StepImage::new(format!("{root}/lanes"), palette, None) }
     }
 
-    fn log_states<'a>(
-        &self,
-        to: &RecordingStream,
-        lane: &str,
-        states: impl Iterator<Item = (&'a str, &'a str, Colour)> + Clone,
-    ) -> RecordingStreamResult<()> {
-        let configuration = StateConfiguration::new()
-            .with_values(states.clone().map(|(name, ..)| name))
-            .with_labels(states.clone().map(|(_, label, _)| label))
-            .with_colors(states.map(|(.., rgb)| colour(rgb)));
-        to.log_static(format!("{}/{lane}", self.root), &configuration)
+    /// All classes with their lane, name and colour.
+    fn classes(&self) -> impl Iterator<Item = (u8, usize, String, Colour)> {
+        let palette = self.image.palette;
+        let share = |level: u8| f64::from(level) / f64::from(LEVELS - 1);
+        let levels = (0..LEVELS)
+            .map(move |level| (FIRST[0] + level, 0, format!("{level}"), mixed(SERIES[1], FAINT, share(level).sqrt())));
+        let kinds = Decision::NAMES.iter().zip(0..).map(|((_, name), kind)| {
+            (FIRST[1] + kind, 1, (*name).to_owned(), SERIES[usize::from(kind) % SERIES.len()])
+        });
+        let colours = [FAINT, palette.contact, SERIES[1], SERIES[0]];
+        let changes = CHANGES
+            .iter()
+            .zip(0..)
+            .map(move |(name, kind)| (FIRST[2] + kind, 2, (*name).to_owned(), colours[usize::from(kind)]));
+        levels.chain(kinds).chain(changes)
     }
 
-    /// Sends what changed so far.
-    pub fn flush(&self, to: &RecordingStream, states: &mut States) -> RecordingStreamResult<()> {
-        for (lane, changes) in LANES.iter().zip(&mut states.changes).filter(|(_, changes)| !changes.is_empty()) {
+    /// Records the names and colours of classes and states.
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        let class = |(id, lane, name, rgb): (u8, usize, String, Colour)| AnnotationInfo {
+            id: u16::from(id),
+            label: Some(format!("{}: {name}", LANES[lane]).into()),
+            color: Some(colour(rgb).0),
+        };
+        let clear = AnnotationInfo { id: 0, label: None, color: Some(Rgba32::from_unmultiplied_rgba(0, 0, 0, 0)) };
+        let classes = self.classes().map(class).chain([clear]);
+        to.log_static(self.image.root.as_str(), &AnnotationContext::new(classes))?;
+        for (lane, state) in STATES.iter().enumerate().take(LANES.len()).skip(1) {
+            let classes: Vec<_> = self.classes().filter(|(_, of, ..)| *of == lane).collect();
+            let names = classes
+                .iter()
+                .enumerate()
+                .map(|(i, (_, _, name, _))| if lane == 1 { Decision::NAMES[i].0 } else { name });
+            let configuration = StateConfiguration::new()
+                .with_values(names)
+                .with_labels(classes.iter().map(|(_, _, name, _)| name.as_str()))
+                .with_colors(classes.iter().map(|(.., rgb)| colour(*rgb)));
+            to.log_static(format!("{}/{state}", self.root), &configuration)?;
+        }
+        Ok(())
+    }
+
+    pub fn rows(&self) -> LaneRows {
+        let classes = History::new(COLUMNS, |first: &mut [u8; LANES.len()], next: [u8; LANES.len()]| {
+            // the rarer kinds of steps come later in their list; nodes that enter and nodes that leave add up
+            first[1] = first[1].max(next[1]);
+            first[2] = FIRST[2] + ((first[2].max(FIRST[2]) - FIRST[2]) | (next[2].max(FIRST[2]) - FIRST[2]));
+        });
+        LaneRows { classes, contact: 0, last: Default::default(), changes: Default::default() }
+    }
+
+    /// Records the image of the steps so far with its legend, and returns which they are.
+    pub fn log(&self, to: &RecordingStream, rows: &LaneRows) -> RecordingStreamResult<Steps> {
+        let columns = rows.classes.columns();
+        let steps = Steps { columns: columns.len(), per_column: rows.classes.per_column() };
+        // each lane has a free row below it, for its legend
+        let lane = |row: usize| columns.iter().map(move |column| if row % 2 == 0 { column[row / 2] } else { 0 });
+        let height = 2 * LANES.len();
+        let bytes: Vec<u8> = (0..height).flat_map(lane).collect();
+        let format = ImageFormat::depth([steps.columns as u32, height as u32], ChannelDatatype::U8);
+        let image = SegmentationImage::update_fields().with_buffer(bytes).with_format(format).with_opacity(1.0);
+        self.image.log(to, &image, height, steps)?;
+        to.log_static(format!("{}/legend", self.image.root), &self.legend(columns, &self.image.frame(steps)))?;
+        Ok(steps)
+    }
+
+    /// The names of the lanes, and of the classes that were met, in their colours.
+    fn legend(&self, columns: &[[u8; LANES.len()]], frame: &Frame) -> Points2D {
+        let pitch = BOX[1] / LANES.len() as f64;
+        let mut words = Vec::new();
+        let mut ends = LANES.map(|name| LETTER * frame.text * (name.len() + 3) as f64);
+        for (lane, name) in LANES.iter().enumerate() {
+            words.push(([0.5 * ends[lane], (lane as f64 + 0.55) * pitch], format!("{name}:"), self.image.palette.ink));
+        }
+        let is_met = |id: u8, lane: usize| columns.iter().any(|column| column[lane] == id);
+        for (_, lane, name, rgb) in self.classes().filter(|(id, lane, ..)| is_met(*id, *lane)) {
+            let width = LETTER * frame.text * (name.len() + 3) as f64;
+            words.push(([ends[lane] + 0.5 * width, (lane as f64 + 0.55) * pitch], name, rgb));
+            ends[lane] += width;
+        }
+        let places = words.iter().map(|([x, y], ..)| [*x as f32, *y as f32]);
+        canvas::labels(self.image.palette, Vec::new())
+            .with_positions(places)
+            .with_labels(words.iter().map(|(_, word, _)| word.as_str()))
+            .with_colors(words.iter().map(|(.., rgb)| colour(*rgb)))
+            .with_radii([Radius::new_ui_points(0.0)])
+    }
+
+    /// Sends the states that changed so far.
+    pub fn flush(&self, to: &RecordingStream, rows: &mut LaneRows) -> RecordingStreamResult<()> {
+        for (state, changes) in STATES.iter().zip(&mut rows.changes).filter(|(_, changes)| !changes.is_empty()) {
             let (work, names): (Vec<Work>, Vec<String>) = changes.drain(..).unzip();
             let states = StateChange::update_fields().with_state(names).columns_of_unit_batches()?;
-            to.send_columns(format!("{}/{lane}", self.root), times(work.iter()), states)?;
+            to.send_columns(format!("{}/{state}", self.root), times(work.iter()), states)?;
         }
         Ok(())
     }
 }
 
-impl States {
-    /// Adds a step on a grid of some points.
-    pub fn add(&mut self, step: &Step<'_>, change: Change) {
+impl LaneRows {
+    /// Adds a step.
+    pub fn add(&mut self, step: &Step<'_>, level: usize, change: Change) {
         let [ny, nx] = step.problem().surface().grid().shape();
         let grid = if ny == 1 { nx.to_string() } else { format!("{ny} x {nx}") };
+        let kind = step.decision().map(Decision::name);
         self.enter(0, step.work(), &grid);
-        self.enter(1, step.work(), step.decision().map_or("", Decision::name));
+        self.enter(1, step.work(), kind.unwrap_or_default());
         if step.phase().inner == 0 {
-            let kind = usize::from(change.entered > 0) + 2 * usize::from(change.left > 0);
-            self.enter(2, step.work(), CHANGES[kind]);
+            let bits = u8::from(change.entered > 0) + 2 * u8::from(change.left > 0);
+            self.contact = FIRST[2] + bits;
+            self.enter(2, step.work(), CHANGES[usize::from(bits)]);
         }
+        let kind = kind.and_then(|kind| Decision::NAMES.iter().position(|(name, _)| *name == kind));
+        let kind = kind.map_or(0, |kind| FIRST[1] + kind as u8);
+        self.classes.add([FIRST[0] + (level as u8).min(LEVELS - 1), kind, self.contact]);
     }
 
     /// Adds the end of the run.

@@ -31,7 +31,7 @@ pub struct RasterRows(History<Vec<u8>>);
 
 impl Raster {
     pub fn new(root: String, palette: &'static Palette, position: Axis, nodes: Vec<usize>) -> Self {
-        Self { image: StepImage::new(root, palette, position), nodes }
+        Self { image: StepImage::new(root, palette, Some(position)), nodes }
     }
 
     /// Records the names and colours of the classes.
@@ -68,7 +68,8 @@ impl Raster {
     fn classes(&self, contact: &ContactHistory) -> Vec<u8> {
         let height = self.height();
         let class = |&node: &usize| {
-            let age = contact.age(node).saturating_add(1).ilog2().min(u32::from(AGES) - 1) as u8;
+            let oldest = u32::from(AGES) - 1;
+            let age = contact.age(node).map_or(oldest, |age| (age + 1).ilog2().min(oldest)) as u8;
             age + if contact.touches(node) { IN } else { OUT }
         };
         let row = |row: usize| {
@@ -107,7 +108,7 @@ fn fresher(a: u8, b: u8) -> u8 {
 fn steps_of(age: u8) -> String {
     match age {
         0 => "1 step".into(),
-        _ if age + 1 == AGES => format!("{} steps or more", 1u32 << age),
+        _ if age + 1 == AGES => format!("{} steps or more, or always", 1u32 << age),
         _ => format!("{} to {} steps", 1u32 << age, (2u32 << age) - 1),
     }
 }
@@ -119,6 +120,6 @@ mod tests {
     #[test]
     fn nodes_that_just_changed_stand_out_among_others() {
         assert_eq!((fresher(IN + 3, OUT + 1), fresher(OUT, IN + 7), fresher(OUT + 2, IN + 2)), (OUT + 1, OUT, IN + 2));
-        assert_eq!([0, 1, 7].map(steps_of), ["1 step", "2 to 3 steps", "128 steps or more"]);
+        assert_eq!([0, 1, 7].map(steps_of), ["1 step", "2 to 3 steps", "128 steps or more, or always"]);
     }
 }

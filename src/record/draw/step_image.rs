@@ -11,7 +11,8 @@ use rerun::{AsComponents, Boxes2D, Radius, RecordingStream, RecordingStreamResul
 pub struct StepImage {
     pub root: String,
     pub palette: &'static Palette,
-    y: Axis,
+    /// The axis upwards, if there is one.
+    y: Option<Axis>,
 }
 
 /// The steps that an image shows.
@@ -30,13 +31,14 @@ impl Steps {
 }
 
 impl StepImage {
-    pub fn new(root: String, palette: &'static Palette, y: Axis) -> Self {
+    pub fn new(root: String, palette: &'static Palette, y: Option<Axis>) -> Self {
         Self { root, palette, y }
     }
 
     pub fn frame(&self, steps: Steps) -> Frame {
         let x = Axis::linear("step", [0.0, steps.count()]);
-        Frame { x, y: self.y.clone(), corner: [0.0, 0.0], size: BOX, text: TEXT }
+        let y = self.y.clone().unwrap_or_else(|| Axis::linear("", [0.0, 1.0]));
+        Frame { x, y, corner: [0.0, 0.0], size: BOX, text: TEXT }
     }
 
     /// The part of the canvas that image, axes and scale take.
@@ -52,7 +54,8 @@ impl StepImage {
         rows: usize,
         steps: Steps,
     ) -> RecordingStreamResult<()> {
-        canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame(steps))?;
+        let log_axes = if self.y.is_some() { canvas::log_axes } else { canvas::log_floor };
+        log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame(steps))?;
         let scale = [BOX[0] / steps.columns as f64, BOX[1] / rows as f64].map(|scale| scale as f32);
         let stretched = Transform3D::from_scale([scale[0], scale[1], 1.0]);
         to.log_static(format!("{}/image", self.root), &[&stretched as &dyn AsComponents, image])

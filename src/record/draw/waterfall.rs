@@ -34,7 +34,7 @@ impl Waterfall {
         of: fn(&Row) -> &[f64],
     ) -> Self {
         Self {
-            image: StepImage::new(root, palette, wavelength),
+            image: StepImage::new(root, palette, Some(wavelength)),
             name: name.into(),
             rows: bands.half_octaves(),
             of,

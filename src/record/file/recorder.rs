@@ -88,7 +88,7 @@ impl Recorder<'_> {
             traces.add(step, self.has_phases.then_some(self.phase));
         }
         if let (Some(readings), Some(instruments)) = (&mut self.readings, &self.stage.instruments) {
-            readings.add(&self.recording.stream, instruments, step)?;
+            readings.add(&self.recording.stream, instruments, step, self.phase.level)?;
         }
         if let Some(stride) = stride.filter(|_| self.stage.what.has_pictures()) {
             self.draw(step, stride)?;

@@ -53,7 +53,7 @@ pub fn pictures(stage: &Stage) -> Pane {
     }
     let rows = rows.into_iter().filter(|row| !row.is_empty());
     let rows = rows.map(|row| (Pane::even(beside, "pictures", row), 1.0));
-    let rows = rows.chain(stage.instruments.iter().flat_map(instruments)).collect();
+    let rows = rows.chain(stage.instruments.as_ref().and_then(instruments)).collect();
     Pane::container(Kind::Vertical, &stage.title, rows)
 }
 
@@ -83,8 +83,8 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
     rows
 }
 
-/// The pictures of the whole run: images beside each other, lanes below them.
-fn instruments(instruments: &Instruments) -> Vec<(Pane, f32)> {
+/// The pictures of the whole run: the contact above the lanes, and the waterfalls beside them.
+fn instruments(instruments: &Instruments) -> Option<(Pane, f32)> {
     let image = |title: &str, image: &StepImage| {
         let contents = vec![format!("{}/**", image.root), instruments.cursor()];
         View::plane(title, "/", contents, image.bounds(), image.palette)
@@ -95,15 +95,21 @@ fn instruments(instruments: &Instruments) -> Vec<(Pane, f32)> {
         let contents = vec![format!("{}/**", map.root)];
         rasters.push(View::plane("How often nodes entered or left", &map.root, contents, map.bounds(), map.palette));
     }
-    let waterfalls = instruments.waterfalls.iter().map(|(title, waterfall)| image(title, &waterfall.image)).collect();
-    let groups: Vec<Pane> = [("Contact by step", rasters), ("Waterfalls", waterfalls)]
+    let waterfalls: Vec<Pane> =
+        instruments.waterfalls.iter().map(|(title, waterfall)| image(title, &waterfall.image)).collect();
+    let lanes = instruments.lanes.as_ref().map(|lanes| {
+        let states = View::lanes("As states", &lanes.root);
+        Pane::even(Kind::Tabs, "decisions", vec![image("What the solver decided", &lanes.image), states])
+    });
+    let tabs = |panes: Vec<Pane>| (!panes.is_empty()).then(|| Pane::even(Kind::Tabs, "by step", panes));
+    let columns: Vec<Pane> = [[tabs(rasters), lanes], [tabs(waterfalls), None]]
         .into_iter()
-        .filter(|(_, panes)| !panes.is_empty())
-        .map(|(title, panes)| Pane::even(Kind::Tabs, title, panes))
+        .map(|column| column.into_iter().flatten().collect::<Vec<_>>())
+        .filter(|column| !column.is_empty())
+        .map(|column| Pane::even(Kind::Vertical, "by step", column))
         .collect();
-    let images = (!groups.is_empty()).then(|| (Pane::even(Kind::Horizontal, "instruments", groups), 1.0));
-    let lanes = instruments.lanes.as_ref().map(|lanes| (View::lanes("What the solver decided", &lanes.root), 0.7));
-    images.into_iter().chain(lanes).collect()
+    let height = if instruments.lanes.is_some() && !instruments.rasters.is_empty() { 1.8 } else { 1.0 };
+    (!columns.is_empty()).then(|| (Pane::even(Kind::Horizontal, "instruments", columns), height))
 }
 
 fn relief(stage: &Stage) -> Pane {
