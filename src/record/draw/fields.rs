@@ -28,10 +28,11 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// The outline of a contact on `grid`; of a surface only where each node has a pixel.
-    fn of<G: Fn(usize) -> f64 + Sync>(grid: &Grid, edges: &Edges<'_, G>) -> Self {
+    /// The outline of the contact of a `pressure` on `grid`; of a surface only where each node has a pixel.
+    fn of<G: Fn(usize) -> f64 + Sync>(grid: &Grid, pressure: &[f64], edges: &Edges<'_, G>) -> Self {
         if grid.is_line() {
-            return Self { edges: (0..grid.len()).flat_map(|node| edges.around(node)).collect(), contour: Vec::new() };
+            let touching = (0..grid.len()).filter(|&node| pressure[node] > 0.0);
+            return Self { edges: touching.flat_map(|node| edges.around(node)).collect(), contour: Vec::new() };
         }
         let contour = if has_contour(grid) { edges.contour() } else { Vec::new() };
         Self { edges: Vec::new(), contour }
@@ -49,14 +50,14 @@ impl<'a> Fields<'a> {
     /// The fields of `step` that `parts` show.
     pub fn of(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
         let gap = if parts.has_gap() { step.gap() } else { &[] };
-        let outline = || Outline::of(step.problem().surface().grid(), &step.edges());
+        let outline = || Outline::of(step.problem().surface().grid(), step.pressure(), &step.edges());
         let outline = if parts.has(Part::Mask) { outline() } else { Outline::default() };
         Self { stride, pressure: step.pressure().into(), gap: gap.into(), outline }
     }
 
     pub fn of_contact(contact: &'a Contact) -> Self {
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
-        let outline = Outline::of(contact.problem.surface().grid(), &contact.edges());
+        let outline = Outline::of(contact.problem.surface().grid(), pressure, &contact.edges());
         Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into(), outline }
     }
 

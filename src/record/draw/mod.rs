@@ -18,6 +18,7 @@ mod relief;
 mod ruler;
 mod spectrum;
 mod stage;
+mod strips;
 mod surface;
 mod traces;
 mod window;

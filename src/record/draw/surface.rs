@@ -104,7 +104,7 @@ impl Picture for SurfacePicture {
         self.pressure.frame.clone()
     }
 
-    fn log_static(&self, to: &RecordingStream, _: &Scene<'_>) -> RecordingStreamResult<()> {
+    fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         if self.what.has(Part::Fields) {
             self.pressure.log_static(to)?;
             self.gap.log_static(to)?;

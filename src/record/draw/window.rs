@@ -20,6 +20,8 @@ pub struct Samples {
     window: Window,
     stride: usize,
     first: usize,
+    /// Nodes of the period.
+    period: usize,
 }
 
 impl Window {
@@ -41,7 +43,7 @@ impl Window {
 
     /// The nodes of the grid with every `stride`-th node.
     pub fn every(self, stride: usize) -> Samples {
-        Samples { window: self, stride, first: self.start.div_ceil(stride) }
+        Samples { window: self, stride, first: self.start.div_ceil(stride), period: self.nodes / stride }
     }
 }
 
@@ -52,7 +54,8 @@ impl Samples {
 
     /// The node of its grid behind sample `i`.
     pub fn node(&self, i: usize) -> usize {
-        (self.first + i) % (self.window.nodes / self.stride)
+        let node = self.first + i;
+        if node < self.period { node } else { node - self.period }
     }
 
     /// Nodes of the finest grid from the start of the window to sample `i`.
