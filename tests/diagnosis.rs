@@ -4,7 +4,7 @@ use asperity::contact::{
     Certificate, Contact, ContactModulus, Dynamics, Each, Gfmd, Load, Masses, Multilevel, Observer, PolonskyKeer, Run,
     Solver, Status, Step,
 };
-use asperity::diagnosis::{Cause, Diagnosis, Reference, Ritz};
+use asperity::diagnosis::{Cause, Diagnosis, Findings, Reference, Ritz};
 use asperity::elastic::HalfSpace;
 use asperity::error::SolveError;
 use asperity::surface::{Field, Spectrum};
@@ -19,12 +19,12 @@ fn rough_line(points: usize) -> Problem {
 }
 
 /// The diagnosis of a run that knows its end, and the contact.
-fn diagnosed(solver: &dyn Solver, problem: &Problem, stop: &Stop) -> (Diagnosis, Contact) {
+fn diagnosed(solver: &dyn Solver, problem: &Problem, stop: &Stop) -> (Findings, Contact) {
     let end = solver.solve(problem, stop, &mut ()).unwrap();
     let mut diagnosis = Diagnosis::new(problem, Some(Arc::new(Reference::of(&end))));
     let contact = solver.solve(problem, stop, &mut diagnosis).unwrap();
     assert_eq!(contact.pressure, end.pressure, "the second pass is not the first");
-    (diagnosis, contact)
+    (diagnosis.findings(), contact)
 }
 
 #[test]
@@ -32,13 +32,13 @@ fn uniform_masses_are_named_with_the_longest_waves() {
     let problem = rough_line(2048);
     let (diagnosis, contact) = diagnosed(&Gfmd::default(), &problem, &Stop::default());
     assert!(contact.is_converged());
-    let causes = diagnosis.causes();
+    let causes = &diagnosis.causes;
     let Cause::Masses { condition, .. } = causes[0] else { panic!("{diagnosis}") };
     assert!((condition / 1024.0 - 1.0).abs() < 1e-9, "{condition}");
     let other = Gfmd { masses: Masses::Stiffness, dynamics: Dynamics::Fire, ..Gfmd::default() };
     let (diagnosis, fast) = diagnosed(&other, &problem, &Stop::default());
     assert!(fast.work.iterations < contact.work.iterations / 2);
-    assert!(!diagnosis.causes().iter().any(|cause| matches!(cause, Cause::Masses { .. } | Cause::Damping { .. })));
+    assert!(!diagnosis.causes.iter().any(|cause| matches!(cause, Cause::Masses { .. } | Cause::Damping { .. })));
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn a_damping_far_from_critical_is_named_and_the_rate_is_that_of_theory() {
         let stop = Stop::new(1e-6, 100_000).unwrap();
         let (diagnosis, contact) = diagnosed(&Gfmd { damping: factor, ..Gfmd::default() }, &problem, &stop);
         assert!(contact.work.iterations > usual);
-        let causes = diagnosis.causes();
+        let causes = &diagnosis.causes;
         let Cause::Damping { damping, rate, best } = causes[0] else { panic!("{factor}: {diagnosis}") };
         assert!((damping / factor - 1.0).abs() < 0.02 && rate < best / 5.0, "{diagnosis}");
         if factor < 1.0 {
@@ -114,7 +114,7 @@ fn a_set_that_goes_in_circles_is_named() {
     let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.01)).unwrap();
     let (diagnosis, contact) = diagnosed(&TooLong, &problem, &Stop::new(1e-8, 500).unwrap());
     assert_ne!(contact.status, Status::Converged);
-    let Cause::Cycle { period, rounds, nodes, .. } = diagnosis.causes()[0] else { panic!("{diagnosis}") };
+    let Cause::Cycle { period, rounds, nodes, .. } = diagnosis.causes[0] else { panic!("{diagnosis}") };
     assert!(period == 2 && rounds > 100 && nodes > 0, "{diagnosis}");
 }
 
@@ -125,7 +125,7 @@ fn a_tolerance_below_rounding_is_named_for_each_solver() {
     for solver in [&Multilevel as &dyn Solver, &PolonskyKeer] {
         let (diagnosis, contact) = diagnosed(solver, &problem, &stop);
         assert!(!contact.is_converged(), "{}", solver.name());
-        let causes = diagnosis.causes();
+        let causes = &diagnosis.causes;
         let Cause::Rounding { eta, rounding, .. } = causes[0] else { panic!("{}: {diagnosis}", solver.name()) };
         assert!(eta <= rounding && rounding < 1e-10, "{eta} {rounding}");
     }
@@ -136,8 +136,8 @@ fn a_run_without_trouble_is_not_blamed() {
     let (diagnosis, contact) = diagnosed(&Multilevel, &rough_line(4096), &Stop::default());
     assert!(contact.is_converged());
     let is_blame = |cause: &Cause| !matches!(cause, Cause::SlowBand { .. });
-    assert!(!diagnosis.causes().iter().any(is_blame), "{diagnosis}");
-    let standing = diagnosis.standing().unwrap();
+    assert!(!diagnosis.causes.iter().any(is_blame), "{diagnosis}");
+    let standing = diagnosis.standing.unwrap();
     assert!(standing.kappa_r <= standing.steps && standing.relative_area <= standing.steps);
 }
 

@@ -21,6 +21,8 @@ use std::time::{Duration, Instant};
 mod comparison;
 #[path = "recording/ghost.rs"]
 mod ghost;
+#[path = "recording/instruments.rs"]
+mod instruments;
 #[path = "recording/layout.rs"]
 mod layout;
 #[path = "recording/loads.rs"]
@@ -256,7 +258,7 @@ fn roots_are_safe_and_differ() {
 }
 
 /// The entities of a part, as far down as their first name below the scene.
-fn names(part: Part) -> &'static [&'static str] {
+fn names(part: Part, is_line: bool) -> &'static [&'static str] {
     match part {
         Part::Traces => &["trace"],
         Part::Profile => &["profile"],
@@ -264,6 +266,13 @@ fn names(part: Part) -> &'static [&'static str] {
         Part::Mask => &["contact"],
         Part::Mesh => &["relief"],
         Part::Spectrum => &["spectrum"],
+        Part::Raster if is_line => &["raster", "cursor"],
+        Part::Raster => &["raster_row", "raster_column", "flips", "cursor"],
+        // without a state to hold errors against there are none
+        Part::Waterfall => &[],
+        Part::Energy => &["energy", "cursor"],
+        Part::Decisions => &["decisions", "lanes", "cursor"],
+        Part::Ritz => &["ritz"],
     }
 }
 
@@ -295,7 +304,7 @@ fn below(entity: &str) -> String {
 fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.rrd");
-    let all = [Part::Traces, Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum];
+    let all = Part::PARTS.map(|(name, _)| Part::named(name).unwrap());
     for problem in [rough_line(), rough_surface()] {
         let can_show = Parts::on(problem.surface().grid());
         for part in all.into_iter().filter(|&part| can_show.has(part)) {
@@ -303,8 +312,11 @@ fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
             record_with(&path, &problem, &Multilevel, None, Options { what, ..Options::default() });
             let recorded = entities(&path).into_iter().filter(|entity| entity.starts_with("/it/"));
             let recorded: BTreeSet<String> = recorded.map(|entity| below(&entity)).collect();
-            let expected = names(part).iter().map(|name| name.to_string()).chain(["description".into()]);
-            let captioned = !matches!(part, Part::Traces | Part::Mesh | Part::Spectrum);
+            let expected = names(part, problem.surface().grid().is_line())
+                .iter()
+                .map(|name| name.to_string())
+                .chain(["description".into()]);
+            let captioned = matches!(part, Part::Profile | Part::Fields | Part::Mask);
             let expected: BTreeSet<String> = expected.chain(captioned.then(|| "caption".into())).collect();
             assert_eq!(recorded, expected, "{part:?}");
             assert_eq!(shown(&path), expected, "{part:?}");

@@ -41,6 +41,7 @@ fn setups() -> Vec<Setup> {
             what: vec![Part::Traces, Part::Mesh],
             every: Some(3),
             length_unit: "um".into(),
+            raster_at: Some([2, 35]),
             theme: Theme::Light,
         },
         ..Setup::new(crossed, Cell::surface([24, 36], [1.0, 1.0 / 0.7]), Load::MeanPressure(1e8 / 3.0))

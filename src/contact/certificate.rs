@@ -238,5 +238,6 @@ pub(super) fn datum(problem: &Problem, pressure: &[f64], displacement: &[f64]) -
     }
     let height = problem.height();
     let load = chunks::sum(pressure.len(), |i| pressure[i]);
-    -chunks::sum(pressure.len(), |i| pressure[i] / load * (displacement[i] - height[i]))
+    let share = |i: usize| if pressure[i] == 0.0 { 0.0 } else { pressure[i] / load * (displacement[i] - height[i]) };
+    if load == 0.0 { f64::NAN } else { -chunks::sum(pressure.len(), share) }
 }

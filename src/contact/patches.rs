@@ -1,6 +1,7 @@
 //! Contact patches: connected sets of nodes in contact.
 
 use crate::chunks;
+use crate::contact::Problem;
 use std::ops::Range;
 
 /// The contact patches of a pressure field: sets of nodes with `p > 0` that touch along rows or columns, across the period.
@@ -11,36 +12,9 @@ pub struct Patches {
 
 impl Patches {
     /// Finds the patches of `pressure` (row by row) on a grid of `[ny, nx]` nodes.
-    ///
-    /// Runs of contact along rows are joined with those they overlap in the next row, so the cost beyond one pass is that
-    /// of the runs.
-    pub fn of(pressure: &[f64], [ny, nx]: [usize; 2]) -> Self {
-        let rows: Vec<Vec<Range<usize>>> = chunks::rows(ny, nx, |y| runs(&pressure[y * nx..][..nx]));
-        let count_before = |count: &mut usize, row: &Vec<Range<usize>>| {
-            *count += row.len();
-            Some(*count - row.len())
-        };
-        let first: Vec<usize> = rows.iter().scan(0, count_before).collect();
-        let mut forest = Forest::new(rows.iter().map(Vec::len).sum());
-        for (row, &at) in rows.iter().zip(&first) {
-            if let [head, .., tail] = row.as_slice()
-                && head.start == 0
-                && tail.end == nx
-            {
-                forest.join(at, at + row.len() - 1);
-            }
-        }
-        for y in 0..if ny > 1 { ny } else { 0 } {
-            let next = (y + 1) % ny;
-            for (a, b) in overlaps(&rows[y], &rows[next]) {
-                forest.join(first[y] + a, first[next] + b);
-            }
-        }
-        let mut sizes = vec![0; forest.parent.len()];
-        for (run, nodes) in rows.iter().flatten().map(Range::len).enumerate() {
-            sizes[forest.root(run)] += nodes;
-        }
-        sizes.retain(|&nodes| nodes > 0);
+    pub fn of(pressure: &[f64], shape: [usize; 2]) -> Self {
+        let mut sizes: Vec<usize> =
+            members(pressure, shape).iter().map(|runs| runs.iter().map(Range::len).sum()).collect();
         sizes.sort_unstable_by(|a, b| b.cmp(a));
         Self { sizes }
     }
@@ -53,6 +27,78 @@ impl Patches {
     /// Nodes of each patch, largest first.
     pub fn sizes(&self) -> &[usize] {
         &self.sizes
+    }
+}
+
+/// The nodes of each patch as runs along rows, by their numbers on the grid.
+///
+/// Runs of contact along rows are joined with those they overlap in the next row, so the cost beyond one pass is that of the runs.
+fn members(pressure: &[f64], [ny, nx]: [usize; 2]) -> Vec<Vec<Range<usize>>> {
+    let rows: Vec<Vec<Range<usize>>> = chunks::rows(ny, nx, |y| runs(&pressure[y * nx..][..nx]));
+    let count_before = |count: &mut usize, row: &Vec<Range<usize>>| {
+        *count += row.len();
+        Some(*count - row.len())
+    };
+    let first: Vec<usize> = rows.iter().scan(0, count_before).collect();
+    let mut forest = Forest::new(rows.iter().map(Vec::len).sum());
+    for (row, &at) in rows.iter().zip(&first) {
+        if let [head, .., tail] = row.as_slice()
+            && head.start == 0
+            && tail.end == nx
+        {
+            forest.join(at, at + row.len() - 1);
+        }
+    }
+    for y in 0..if ny > 1 { ny } else { 0 } {
+        let next = (y + 1) % ny;
+        for (a, b) in overlaps(&rows[y], &rows[next]) {
+            forest.join(first[y] + a, first[next] + b);
+        }
+    }
+    let mut patches = vec![Vec::new(); forest.parent.len()];
+    let runs = rows
+        .into_iter()
+        .enumerate()
+        .flat_map(|(y, row)| row.into_iter().map(move |run| y * nx + run.start..y * nx + run.end));
+    runs.enumerate().for_each(|(run, nodes)| patches[forest.root(run)].push(nodes));
+    patches.retain(|runs| !runs.is_empty());
+    patches
+}
+
+/// One contact patch, measured by its own nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Patch {
+    /// Nodes in contact.
+    pub nodes: usize,
+    /// The node of the largest pressure.
+    pub peak: usize,
+    /// Area, or length of a line, of its nodes.
+    pub area: f64,
+    /// Force, or force per length of a line.
+    pub load: f64,
+    /// `kappa_r = gbar_r E* area / load` with the gradient of its own nodes.
+    pub kappa_r: f64,
+}
+
+impl Patch {
+    /// The patches of nodes with `pressure > 0` (row by row), the largest first.
+    pub fn all(problem: &Problem, pressure: &[f64]) -> Vec<Self> {
+        let (surface, grid) = (problem.surface(), problem.surface().grid());
+        let [dy, dx] = grid.spacing();
+        let cell = if grid.is_line() { dx } else { dy * dx };
+        let square_gradient = surface.square_gradient();
+        let measure = |runs: Vec<Range<usize>>| {
+            let nodes = || runs.iter().cloned().flatten();
+            let count = nodes().count();
+            let load = cell * nodes().map(|node| pressure[node]).sum::<f64>();
+            let gradient = (nodes().map(&square_gradient).sum::<f64>() / count as f64).sqrt();
+            let area = cell * count as f64;
+            let peak = nodes().max_by(|&a, &b| pressure[a].total_cmp(&pressure[b])).unwrap_or_default();
+            Self { nodes: count, peak, area, load, kappa_r: gradient * problem.contact_modulus() * area / load }
+        };
+        let mut patches: Vec<Self> = members(pressure, grid.shape()).into_iter().map(measure).collect();
+        patches.sort_by_key(|patch| std::cmp::Reverse(patch.nodes));
+        patches
     }
 }
 

@@ -25,6 +25,8 @@ pub struct Step<'a> {
     decision: Option<Decision>,
     /// The net force, of methods that move the surface.
     force: Option<&'a [f64]>,
+    /// The datum, where it was not given, once it was asked for.
+    found_datum: OnceCell<f64>,
     gap: OnceCell<Vec<f64>>,
     measures: OnceCell<Measures>,
     resolved: OnceCell<Resolved>,
@@ -118,6 +120,7 @@ impl<'a> Step<'a> {
             phase: Phase { level: 0, outer: work.iterations, inner: 0 },
             decision: None,
             force: None,
+            found_datum: OnceCell::new(),
             gap: OnceCell::new(),
             measures: OnceCell::new(),
             resolved: OnceCell::new(),
@@ -215,7 +218,18 @@ impl<'a> Step<'a> {
     }
 
     fn datum(&self) -> f64 {
-        self.datum.unwrap_or_else(|| certificate::datum(self.problem, &self.pressure, &self.displacement))
+        let find = || certificate::datum(self.problem, &self.pressure, &self.displacement);
+        self.datum.unwrap_or_else(|| *self.found_datum.get_or_init(find))
+    }
+
+    /// The datum, if it was given.
+    pub(super) fn given_datum(&self) -> Option<f64> {
+        self.datum
+    }
+
+    /// The net force, of methods that move the surface.
+    pub(super) fn force(&self) -> Option<&'a [f64]> {
+        self.force
     }
 
     /// The certificate of this state, where the solver knows it without further work.

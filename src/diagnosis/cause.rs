@@ -131,7 +131,7 @@ impl fmt::Display for Cause {
             Self::Masses { condition, best } => write!(
                 f,
                 "Uniform masses: the time step must suit the shortest wave, which is {condition:.0} times stiffer than the longest, so that \
-                 no damping takes more than {best:.1e} digits a step off that. Take masses proportional to stiffness, FIRE, or another \
+                 the error loses {best:.1e} digits a step at the best damping. Take masses proportional to stiffness, FIRE, or another \
                  solver."
             ),
             Self::SlowBand { wavelengths: [long, short], share, rate, theory } => {

@@ -2,13 +2,15 @@
 
 use super::{chunks, cylinder, record, rough, rough_line, rough_surface, rows, stores, trace};
 use asperity::contact::{ContactModulus, Gfmd, Load, Multilevel, PolonskyKeer, Solver};
+use asperity::diagnosis::Reference;
 use asperity::record::{Options, Recording, Scene};
-use asperity::setup::{Cell, Recipe, Setup, Solid};
+use asperity::setup::{Cell, Part, Recipe, Setup, Solid};
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter, Problem, Stop};
 use rerun::StoreKind;
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::Arc;
 
 const DOCUMENTATION: &str = include_str!("../../assets/doc/record.md");
 
@@ -56,7 +58,11 @@ fn the_documented_table_and_recordings_agree() {
         let setup = Setup::new(Recipe::indenter(indenter), cell, load).on(Solid::ContactModulus(1.0));
         let problem = setup.problem().unwrap();
         for solver in [&Multilevel as &dyn Solver, &Gfmd::default()] {
-            let recording = Recording::create(&path, &[Scene::of(&setup, &problem)], Options::default()).unwrap();
+            let end = solver.solve(&problem, &Stop::default(), &mut ()).unwrap();
+            let scene = Scene { reference: Some(Arc::new(Reference::of(&end))), ..Scene::of(&setup, &problem) };
+            let what = Part::PARTS.iter().filter(|(name, _)| *name != "spectrum");
+            let what = what.map(|(name, _)| Part::named(name).unwrap()).collect();
+            let recording = Recording::create(&path, &[scene], Options { what, ..Options::default() }).unwrap();
             solver.solve(&problem, &Stop::default(), &mut recording.recorder(0)).unwrap();
             recording.finish().unwrap();
             found.extend(recorded(&path).into_iter().filter(is_number));

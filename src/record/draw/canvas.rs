@@ -19,6 +19,8 @@ const DASHES: [f64; 2] = [14.0, 9.0];
 const HEAD: f64 = 2.5;
 /// From the middle of words up to their position, over their size: the viewer hangs words below their positions.
 const RISE: f64 = 0.72;
+/// Draw order of points that one points at, above the lines of a contact.
+pub const POINTS: f32 = 36.0;
 /// Distance of the lines that fill a shape.
 const PITCH: f32 = 1.0;
 

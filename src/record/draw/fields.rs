@@ -1,11 +1,15 @@
 //! The fields of a frame, and how far they reach.
 
 use super::reduce::has_contour;
-use crate::contact::{Contact, Edge, Edges, Step};
+use crate::contact::{Contact, Edge, Edges, Patch, Problem, Step};
+use crate::diagnosis::ContactHistory;
 use crate::grid::Grid;
 use crate::record::parts::Parts;
 use crate::setup::Part;
 use std::borrow::Cow;
+
+/// Patches that can be pointed at, at the most.
+const MOST_PATCHES: usize = 256;
 
 /// The fields of a frame, row by row.
 pub struct Fields<'a> {
@@ -16,6 +20,16 @@ pub struct Fields<'a> {
     pub gap: Cow<'a, [f64]>,
     /// The outline of the contact; empty if nothing shows it.
     pub outline: Outline,
+    /// The largest contact patches; none if nothing shows them.
+    pub patches: Vec<PatchReading>,
+}
+
+/// A contact patch at a step, and its past as far as it is known.
+#[derive(Debug, Clone, Copy)]
+pub struct PatchReading {
+    pub patch: Patch,
+    /// Steps for which the node of its largest pressure has been in contact, if that is less than all.
+    pub age: Option<u32>,
 }
 
 /// The outline of a contact.
@@ -28,10 +42,11 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// The outline of a contact on `grid`; of a surface only where each node has a pixel.
-    fn of<G: Fn(usize) -> f64 + Sync>(grid: &Grid, edges: &Edges<'_, G>) -> Self {
+    /// The outline of the contact of a `pressure` on `grid`; of a surface only where each node has a pixel.
+    fn of<G: Fn(usize) -> f64 + Sync>(grid: &Grid, pressure: &[f64], edges: &Edges<'_, G>) -> Self {
         if grid.is_line() {
-            return Self { edges: (0..grid.len()).flat_map(|node| edges.around(node)).collect(), contour: Vec::new() };
+            let touching = (0..grid.len()).filter(|&node| pressure[node] > 0.0);
+            return Self { edges: touching.flat_map(|node| edges.around(node)).collect(), contour: Vec::new() };
         }
         let contour = if has_contour(grid) { edges.contour() } else { Vec::new() };
         Self { edges: Vec::new(), contour }
@@ -49,22 +64,40 @@ impl<'a> Fields<'a> {
     /// The fields of `step` that `parts` show.
     pub fn of(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
         let gap = if parts.has_gap() { step.gap() } else { &[] };
-        let outline = || Outline::of(step.problem().surface().grid(), &step.edges());
+        let outline = || Outline::of(step.problem().surface().grid(), step.pressure(), &step.edges());
         let outline = if parts.has(Part::Mask) { outline() } else { Outline::default() };
-        Self { stride, pressure: step.pressure().into(), gap: gap.into(), outline }
+        let patches = if parts.has(Part::Mask) { largest(step.problem(), step.pressure()) } else { Vec::new() };
+        Self { stride, pressure: step.pressure().into(), gap: gap.into(), outline, patches }
+    }
+
+    /// The fields with the past of their patches.
+    pub fn with_past(mut self, contact: &ContactHistory) -> Self {
+        let [nx, width] = [contact.grid().shape()[1] / self.stride[1], contact.grid().shape()[1]];
+        let node = |coarse: usize| coarse / nx * self.stride[0] * width + coarse % nx * self.stride[1];
+        self.patches.iter_mut().for_each(|it| it.age = contact.age(node(it.patch.peak)));
+        self
     }
 
     pub fn of_contact(contact: &'a Contact) -> Self {
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
-        let outline = Outline::of(contact.problem.surface().grid(), &contact.edges());
-        Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into(), outline }
+        let outline = Outline::of(contact.problem.surface().grid(), pressure, &contact.edges());
+        let patches = largest(&contact.problem, pressure);
+        Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into(), outline, patches }
     }
 
     /// A copy that outlives its step.
     pub fn into_owned(self) -> Fields<'static> {
         let [pressure, gap] = [self.pressure, self.gap].map(|values| values.into_owned().into());
-        Fields { stride: self.stride, pressure, gap, outline: self.outline }
+        Fields { stride: self.stride, pressure, gap, outline: self.outline, patches: self.patches }
     }
+}
+
+fn largest(problem: &Problem, pressure: &[f64]) -> Vec<PatchReading> {
+    Patch::all(problem, pressure)
+        .into_iter()
+        .take(MOST_PATCHES)
+        .map(|patch| PatchReading { patch, age: None })
+        .collect()
 }
 
 /// The reach of the fields of some states: the largest pressure, the largest gap.

@@ -9,8 +9,8 @@ use super::ritz::RitzCurves;
 use super::ruler::Ruler;
 use super::step_image::Cursor;
 use super::waterfall::Waterfall;
-use crate::contact::{Contact, Failure, Observer, Problem, Solver, Step, Stop};
-use crate::diagnosis::{Bands, Diagnosis, Reference};
+use crate::contact::{Contact, Observer, Problem, Solver, Step, Stop};
+use crate::diagnosis::{Bands, ContactHistory, Diagnosis, Reference};
 use crate::grid::Grid;
 use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
@@ -85,7 +85,7 @@ impl Instruments {
         self.rasters.iter().try_for_each(|(_, raster)| raster.log_static(to))?;
         self.lanes.as_ref().map_or(Ok(()), |lanes| lanes.log_static(to))?;
         self.ritz().map_or(Ok(()), |entity| RitzCurves::new(entity).log_static(to))?;
-        Cursor::new(&self.cursor()).log_static(to, self.palette)
+        if self.has_images() { Cursor::new(&self.cursor()).log_static(to, self.palette) } else { Ok(()) }
     }
 
     /// What a run of the scene collects for them.
@@ -143,8 +143,13 @@ impl Readings {
     }
 
     /// Begins with what the solver says of itself.
-    pub fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) -> Result<(), Failure> {
-        self.diagnosis.begin(solver, problem, stop)
+    pub fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) {
+        self.diagnosis.begin(solver, problem, stop).ok(); // it does not fail
+    }
+
+    /// The contact so far.
+    pub fn contact(&self) -> &ContactHistory {
+        self.diagnosis.contact()
     }
 
     /// Records the images of the steps so far.

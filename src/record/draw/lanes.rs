@@ -25,8 +25,8 @@ const CHANGES: [&str; 4] = ["same", "in", "out", "in and out"];
 const LEVELS: u8 = 16;
 /// First classes of the lanes.
 const FIRST: [u8; 3] = [1, 1 + LEVELS, 1 + LEVELS + Decision::NAMES.len() as u8];
-/// Width of a letter of the legend, over the size of words.
-const LETTER: f64 = 0.62;
+/// Room of a letter of the legend, over the size of words: enough for the viewer's in a narrow pane.
+const LETTER: f64 = 1.0;
 
 /// Lanes of the grid, the kind of step, and the nodes that entered or left: as an image beside the others, and as states for the
 /// viewer's own lanes, on which one can point at what lasted how long.
@@ -55,7 +55,7 @@ impl Lanes {
         let share = |level: u8| f64::from(level) / f64::from(LEVELS - 1);
         let levels = (0..LEVELS)
             .map(move |level| (FIRST[0] + level, 0, format!("{level}"), mixed(SERIES[1], FAINT, share(level).sqrt())));
-        let kinds = Decision::NAMES.iter().zip(0..).map(|((_, name), kind)| {
+        let kinds = Decision::NAMES.iter().zip(0..).map(|((name, _), kind)| {
             (FIRST[1] + kind, 1, (*name).to_owned(), SERIES[usize::from(kind) % SERIES.len()])
         });
         let colours = [FAINT, palette.contact, SERIES[1], SERIES[0]];
@@ -84,7 +84,12 @@ impl Lanes {
                 .map(|(i, (_, _, name, _))| if lane == 1 { Decision::NAMES[i].0 } else { name });
             let configuration = StateConfiguration::new()
                 .with_values(names)
-                .with_labels(classes.iter().map(|(_, _, name, _)| name.as_str()))
+                .with_labels(
+                    classes
+                        .iter()
+                        .enumerate()
+                        .map(|(i, (_, _, name, _))| if lane == 1 { Decision::NAMES[i].1 } else { name }),
+                )
                 .with_colors(classes.iter().map(|(.., rgb)| colour(*rgb)));
             to.log_static(format!("{}/{state}", self.root), &configuration)?;
         }

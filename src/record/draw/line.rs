@@ -4,9 +4,11 @@ use super::canvas::{self, BOX, TEXT, strip, style};
 use super::fields::{Extent, Fields, range};
 use super::fill;
 use super::palette::{self, CONTACT_CLASS, Palette};
+use super::patch_points;
 use super::picture::Picture;
 use super::reduce::Columns;
 use super::ruler::Ruler;
+use super::strips::strips_of;
 use super::window::{Samples, Window};
 use crate::contact::Forecast;
 use crate::plot::{Axis, Frame};
@@ -14,6 +16,7 @@ use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
 use crate::setup::Part;
+use crate::theory::Exact;
 use rerun::datatypes::Float32;
 use rerun::{AnyValues, AsComponents, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
@@ -36,6 +39,8 @@ pub struct LinePicture {
     profile: Ruler,
     pressure: Ruler,
     gap: Ruler,
+    /// The exact pressure, where there is one.
+    exact: Option<Vec<f64>>,
 }
 
 impl LinePicture {
@@ -60,6 +65,7 @@ impl LinePicture {
             profile,
             pressure: Ruler::pressure(forecast.max_pressure, problem.contact_modulus()),
             gap: Ruler::gap(high - low, problem.rms_height()),
+            exact: scene.exact.as_ref().map(finite_pressure),
         }
     }
 
@@ -81,13 +87,12 @@ impl LinePicture {
         to.log_static(format!("{root}/indenter"), &line.with_strips([curve]))
     }
 
-    fn log_fields(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()> {
+    fn log_fields(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let [pressure, gap] = ["pressure", "gap"].map(|name| format!("{}/{name}/curves", self.root));
         to.log_static(format!("{pressure}/pressure"), &style(self.palette.pressure, Radius::new_ui_points(1.4), 32.0))?;
         to.log_static(format!("{gap}/gap"), &style(self.palette.gap, Radius::new_ui_points(1.0), 32.0))?;
-        if let Some(exact) = &scene.exact {
-            let values = exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect::<Vec<_>>();
-            let curve = rising(&self.window.every(1), &values, &self.pressure);
+        if let Some(exact) = &self.exact {
+            let curve = rising(&self.window.every(1), exact, &self.pressure);
             let curve: Vec<[f64; 2]> = curve.into_iter().map(|point| point.map(f64::from)).collect();
             let line = style(self.palette.exact, Radius::new_ui_points(1.0), 38.0);
             to.log_static(format!("{pressure}/exact"), &line.with_strips(canvas::dashed(&curve)))?;
@@ -114,12 +119,11 @@ impl LinePicture {
         name: &'static str,
         nodes: &Samples,
         (field, ruler): (&[f64], &Ruler),
-        pick: fn(f64, f64) -> f64,
+        pick: impl Fn(f64, f64) -> f64,
     ) -> RecordingStreamResult<()> {
         let columns = Columns::new(nodes.count());
-        let pieces = columns.pieces(|i| height(field[nodes.node(i)], ruler)).into_iter();
-        let strips =
-            pieces.map(|piece| piece.into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect::<Vec<_>>());
+        let (curve, pieces) = columns.pieces(|i| height(field[nodes.node(i)], ruler));
+        let curve: Vec<[f32; 2]> = curve.into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect();
         let [start, end] = self.ends;
         let position = |sample: f64| f64::from(nodes.place(0)) + sample * f64::from(nodes.spacing());
         let values = columns.fold(|i| field[nodes.node(i)], pick);
@@ -128,7 +132,7 @@ impl LinePicture {
         let values = AnyValues::default()
             .with_component_override::<Float32>("x", "length", x)
             .with_component_override::<Float32>(name, name, values);
-        let strips = LineStrips2D::update_fields().with_strips(strips);
+        let strips = strips_of(&curve, pieces.into_iter());
         to.log(format!("{}/{name}/curves/{name}", self.root), &[&strips as &dyn AsComponents, &values])
     }
 
@@ -144,14 +148,15 @@ impl Picture for LinePicture {
         self.frame_with(&self.profile.axis)
     }
 
-    fn log_static(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()> {
+    fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         if self.what.has(Part::Profile) {
             self.log_profile(to)?;
         }
         if self.what.has(Part::Fields) {
-            self.log_fields(to, scene)?;
+            self.log_fields(to)?;
         }
         if self.what.has(Part::Mask) {
+            patch_points::log_style(to, &format!("{}/contact/patches", self.root), self.palette.contact)?;
             let contact = style(self.palette.contact, Radius::new_ui_points(2.5), 34.0);
             let contact = contact.with_class_ids([CONTACT_CLASS]).with_show_labels(false);
             to.log_static(format!("{}/contact", self.root), &contact)?;
@@ -176,6 +181,8 @@ impl Picture for LinePicture {
         if self.what.has(Part::Mask) {
             let segments = self.segments(fields).into_iter().map(|ends| ends.map(|x| [x, HEIGHT]));
             to.log(format!("{root}/contact"), &LineStrips2D::update_fields().with_strips(segments))?;
+            let place = |node| Some([nodes.place(nodes.sample(node)?) * WIDTH, HEIGHT]);
+            patch_points::log(to, &format!("{root}/contact/patches"), &fields.patches, place)?;
         }
         Ok(())
     }
@@ -212,6 +219,11 @@ impl Picture for LinePicture {
         };
         runs.into_iter().map(|run| [end(run.start, false), end(run.end - 1, true)]).collect()
     }
+}
+
+/// The exact pressure, 0 where it is infinite.
+fn finite_pressure(exact: &Exact) -> Vec<f64> {
+    exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect()
 }
 
 /// Values upwards from the lower edge of the box.

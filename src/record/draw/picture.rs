@@ -3,7 +3,6 @@
 use super::canvas;
 use super::fields::{Extent, Fields};
 use crate::plot::Frame;
-use crate::record::scene::Scene;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// The pictures of the fields of a scene: those of a line or those of a surface.
@@ -17,7 +16,7 @@ pub trait Picture: Send + Sync {
     }
 
     /// Records axes, styles and everything else that stays.
-    fn log_static(&self, to: &RecordingStream, scene: &Scene<'_>) -> RecordingStreamResult<()>;
+    fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()>;
 
     /// Records a state at the current time.
     fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()>;

@@ -47,24 +47,32 @@ impl Columns {
         points
     }
 
-    /// The same curve in pieces, one for each column, which reach to the next one; the last one begins in the one before.
-    pub fn pieces(self, value: impl Fn(usize) -> f32) -> Vec<Vec<(usize, f32)>> {
-        let mut pieces: Vec<Vec<_>> = self.ranges().map(|range| ends(range, &value).collect()).collect();
-        for i in 1..pieces.len() {
-            let next = pieces[i][0];
-            pieces[i - 1].push(next);
+    /// The same points, and where among them the pieces of the columns lie, which reach to the next one; the last one begins in
+    /// the one before.
+    pub fn pieces(self, value: impl Fn(usize) -> f32) -> (Vec<(usize, f32)>, Vec<Range<usize>>) {
+        let mut points = Vec::with_capacity(2 * self.count);
+        let mut starts = Vec::with_capacity(self.count);
+        for range in self.ranges() {
+            starts.push(points.len());
+            points.extend(ends(range, &value));
         }
-        if let [.., before, last] = pieces.as_mut_slice() {
-            last.insert(0, before[before.len() - 2]);
-        }
-        pieces
+        let piece = |i: usize| match starts.get(i + 1) {
+            Some(next) => starts[i]..next + 1,
+            None => starts[i].saturating_sub(1)..points.len(),
+        };
+        let pieces = (0..starts.len()).map(piece).collect();
+        (points, pieces)
     }
 
     /// The middle of each column, as a point with a fraction, and the value of the point in it that `pick` prefers to the others.
-    pub fn fold(self, value: impl Fn(usize) -> f64, pick: fn(f64, f64) -> f64) -> impl Iterator<Item = (f64, f64)> {
+    pub fn fold(
+        self,
+        value: impl Fn(usize) -> f64,
+        pick: impl Fn(f64, f64) -> f64,
+    ) -> impl Iterator<Item = (f64, f64)> {
         self.ranges().filter_map(move |column| {
             let middle = 0.5 * (column.start + column.end - 1) as f64;
-            Some((middle, column.map(&value).reduce(pick)?))
+            Some((middle, column.map(&value).reduce(&pick)?))
         })
     }
 
@@ -185,12 +193,11 @@ mod tests {
     fn pieces_join_to_the_curve_and_values_stand_for_their_nodes() {
         for points in [2, 20, 100_000] {
             let (columns, value) = (Columns::new(points), |i: usize| (i * 7919 % 1013) as f32);
-            let pieces = columns.pieces(value);
+            let (curve, pieces) = columns.pieces(value);
             assert!(pieces.len() == columns.count() && pieces.iter().all(|piece| piece.len() > 1));
-            let mut joined: Vec<_> = pieces.into_iter().flatten().collect();
-            joined.sort_by_key(|(i, _)| *i);
-            joined.dedup();
-            assert_eq!(joined, columns.extremes(value));
+            assert_eq!(curve, columns.extremes(value));
+            assert_eq!([pieces[0].start, pieces.last().unwrap().end], [0, curve.len()]);
+            assert!(pieces.windows(2).all(|pair| pair[1].start < pair[0].end));
             let folded: Vec<_> = columns.fold(|i| f64::from(value(i)), f64::max).collect();
             assert_eq!(folded.len(), columns.count());
             let most = (0..points).map(value).fold(0.0, f32::max);

@@ -30,6 +30,8 @@ pub struct Stage {
     pub palette: &'static Palette,
     /// Rows of the table of parameters.
     description: String,
+    /// The setup that repeats it, if there is one, as TOML.
+    setup: Option<String>,
     pub grid: Grid,
     /// Parts that are recorded.
     pub what: Parts,
@@ -66,6 +68,7 @@ impl Stage {
             title: scene.title.clone(),
             palette,
             description: description::of_scene(scene, &options.length_unit),
+            setup: scene.setup.as_ref().map(|setup| setup.clone().with_full_path().to_toml()),
             what: options.what,
             grid,
             exact: [kappa_r, exact.map(|exact| exact.relative_area)],
@@ -87,15 +90,10 @@ impl Stage {
     }
 
     /// Records everything that stays; `place` is that of the scene among several.
-    pub fn log_static(
-        &self,
-        to: &RecordingStream,
-        scene: &Scene<'_>,
-        place: Option<usize>,
-    ) -> RecordingStreamResult<()> {
+    pub fn log_static(&self, to: &RecordingStream, place: Option<usize>) -> RecordingStreamResult<()> {
         let Self { root, title, .. } = self;
-        if let Some(setup) = &scene.setup {
-            to.log_static(format!("{root}/{SETUP}"), &TextDocument::new(setup.clone().with_full_path().to_toml()))?;
+        if let Some(setup) = &self.setup {
+            to.log_static(format!("{root}/{SETUP}"), &TextDocument::new(setup.as_str()))?;
         }
         if self.what.has(Part::Mask) {
             to.log_static(root.as_str(), &self.palette.classes())?;
@@ -112,7 +110,7 @@ impl Stage {
         if let Some(patches) = &self.patches {
             patches.log_static(to)?;
         }
-        self.picture.log_static(to, scene)
+        self.picture.log_static(to)
     }
 
     /// Records an earlier solve, as far as this one shows the same.

@@ -3,6 +3,7 @@
 use super::canvas;
 use super::fields::{Extent, Fields, range};
 use super::palette::{CONTACT_CLASS, CONTOUR, GAP_CLASS, Map, Palette};
+use super::patch_points;
 use super::picture::Picture;
 use super::reduce::Blocks;
 use super::relief::Relief;
@@ -74,6 +75,9 @@ impl SurfacePicture {
             to.log(format!("{}/contact", self.root), &mask)?;
             let contour = LineStrips2D::update_fields().with_strips(self.contour(fields));
             to.log(format!("{}/contact/contour", self.root), &contour)?;
+            let nx = self.blocks.shape[1] / fields.stride[1];
+            let place = |node: usize| Some(self.pixel([node / nx, node % nx].map(|n| n as f64), fields.stride));
+            patch_points::log(to, &format!("{}/contact/patches", self.root), &fields.patches, place)?;
         }
         if self.what.has(Part::Fields) {
             self.pressure.log(to, self.rows_down(&pressure))?;
@@ -85,13 +89,14 @@ impl SurfacePicture {
 
     /// The lines of the contour in pixels.
     fn contour<'a>(&'a self, fields: &'a Fields<'_>) -> impl Iterator<Item = [[f32; 2]; 2]> + use<'a> {
+        fields.outline.contour.iter().map(move |line| line.map(|place| self.pixel(place, fields.stride)))
+    }
+
+    /// The pixel at a place in nodes of the grid with every `stride`-th node.
+    fn pixel(&self, [y, x]: [f64; 2], [stride_y, stride_x]: [usize; 2]) -> [f32; 2] {
         let [per_y, per_x] = [0, 1].map(|axis| self.blocks.cells[axis] as f64 / self.blocks.shape[axis] as f64);
-        let [stride_y, stride_x] = fields.stride.map(|stride| stride as f64);
         let height = self.blocks.cells[0] as f64;
-        let pixel = move |[y, x]: [f64; 2]| {
-            [((x * stride_x + 0.5) * per_x) as f32, (height - (y * stride_y + 0.5) * per_y) as f32]
-        };
-        fields.outline.contour.iter().map(move |line| line.map(pixel))
+        [((x * stride_x as f64 + 0.5) * per_x) as f32, (height - (y * stride_y as f64 + 0.5) * per_y) as f32]
     }
 
     /// Pixels row by row from the upper edge, where y is largest.
@@ -105,7 +110,7 @@ impl Picture for SurfacePicture {
         self.pressure.frame.clone()
     }
 
-    fn log_static(&self, to: &RecordingStream, _: &Scene<'_>) -> RecordingStreamResult<()> {
+    fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         if self.what.has(Part::Fields) {
             self.pressure.log_static(to)?;
             self.gap.log_static(to)?;
@@ -115,6 +120,7 @@ impl Picture for SurfacePicture {
             let style = SegmentationImage::update_fields().with_opacity(0.9).with_draw_order(10.0);
             let format = format(&self.pressure.frame, ChannelDatatype::U8);
             to.log_static(contact.as_str(), &style.with_format(format))?;
+            patch_points::log_style(to, &format!("{contact}/patches"), CONTOUR)?;
             let line = canvas::style(CONTOUR, Radius::new_ui_points(0.6), 15.0);
             to.log_static(format!("{contact}/contour"), &line)?;
         }

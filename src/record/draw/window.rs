@@ -20,6 +20,8 @@ pub struct Samples {
     window: Window,
     stride: usize,
     first: usize,
+    /// Nodes of the period.
+    period: usize,
 }
 
 impl Window {
@@ -41,7 +43,7 @@ impl Window {
 
     /// The nodes of the grid with every `stride`-th node.
     pub fn every(self, stride: usize) -> Samples {
-        Samples { window: self, stride, first: self.start.div_ceil(stride) }
+        Samples { window: self, stride, first: self.start.div_ceil(stride), period: self.nodes / stride }
     }
 }
 
@@ -52,7 +54,15 @@ impl Samples {
 
     /// The node of its grid behind sample `i`.
     pub fn node(&self, i: usize) -> usize {
-        (self.first + i) % (self.window.nodes / self.stride)
+        let node = self.first + i;
+        if node < self.period { node } else { node - self.period }
+    }
+
+    /// The sample at a node of its grid, if it lies in the window.
+    pub fn sample(&self, node: usize) -> Option<usize> {
+        let period = self.window.nodes / self.stride;
+        let sample = (node + period - self.first % period) % period;
+        (sample < self.count()).then_some(sample)
     }
 
     /// Nodes of the finest grid from the start of the window to sample `i`.
@@ -94,5 +104,12 @@ mod tests {
         assert_eq!(nodes(across, 2), [(14, 1), (0, 3), (2, 5), (4, 7)]);
         assert_eq!(nodes(across, 4), [(0, 3), (4, 7)]);
         assert!(nodes(Window { start: 9, shown: 4, nodes: 16 }, 8).is_empty());
+        for (window, stride) in [(whole, 1), (whole, 2), (across, 1), (across, 2), (across, 4)] {
+            let samples = window.every(stride);
+            for i in 0..samples.count() {
+                let at = samples.sample(samples.node(i)).unwrap();
+                assert_eq!(samples.node(at), samples.node(i), "{stride}");
+            }
+        }
     }
 }

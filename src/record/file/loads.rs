@@ -103,7 +103,7 @@ impl LoadRecording {
             curves: Curves(curves),
             figure: loads.figure.map(|figure| FigurePicture::new(figure, loads.axis.values.clone(), palette)),
         };
-        recording.recording.write(|stream| recording.log_static(stream, loads.scenes))?;
+        recording.recording.write(|stream| recording.log_static(stream))?;
         Ok(recording)
     }
 
@@ -172,7 +172,7 @@ impl LoadRecording {
         charts.iter_mut().try_for_each(|chart| chart.settle(stream))
     }
 
-    fn log_static(&self, stream: &RecordingStream, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
+    fn log_static(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
         let Self { recording, figure, curves, .. } = self;
         let charts = &self.progress().charts;
         send_loads(&recording.stages, figure.as_ref(), charts, curves, stream)?;
@@ -182,8 +182,7 @@ impl LoadRecording {
         if let Some(figure) = figure {
             figure.log_static(stream)?;
         }
-        let mut stages = recording.stages.iter().zip(scenes);
-        stages.try_for_each(|(stage, scene)| stage.log_static(stream, scene, None))
+        recording.stages.iter().try_for_each(|stage| stage.log_static(stream, None))
     }
 
     /// Sets the time to a load; at its first use caption and cursor are recorded.

@@ -6,6 +6,9 @@ mod output;
 mod recorder;
 mod recording;
 mod schedule;
+mod scribe;
+mod task;
+mod worker;
 
 pub use comparison::compare;
 pub use loads::{LoadRecording, Loads};

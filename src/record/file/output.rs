@@ -9,7 +9,7 @@ use rerun::sink::{GrpcSink, LogSink, SinkFlushError};
 use std::fs::File;
 use std::io::{self, Read, Seek};
 use std::path::Path;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
 /// Time by which a viewer that does not answer may hold up the end of a recording.
@@ -24,6 +24,8 @@ const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
 #[derive(Clone)]
 pub struct Output {
     path: Arc<Path>,
+    /// The first failure, apart from the rest so that nobody waits for a message on its way into the file.
+    failure: Arc<OnceLock<io::Error>>,
     state: Arc<Mutex<State>>,
 }
 
@@ -34,7 +36,6 @@ struct State {
     /// Bytes of whole messages in the file.
     written: u64,
     is_finished: bool,
-    failure: Option<io::Error>,
     /// A viewer that gets each message as well.
     viewer: Option<GrpcSink>,
 }
@@ -65,17 +66,17 @@ impl Output {
             let (version, mut end) = (rerun::build_info().version, file.try_clone()?);
             let encoder = Encoder::new_eager(version, EncodingOptions::PROTOBUF_COMPRESSED, file).map_err(io_error)?;
             let written = end.stream_position()?;
-            Ok(State { encoder, file: end, written, is_finished: false, failure: None, viewer })
+            Ok(State { encoder, file: end, written, is_finished: false, viewer })
         };
         let error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
         let state = file.and_then(begin).map_err(error)?;
-        Ok(Self { path: path.into(), state: Arc::new(Mutex::new(state)) })
+        Ok(Self { path: path.into(), failure: Arc::default(), state: Arc::new(Mutex::new(state)) })
     }
 
     /// Bytes that can be read so far and end with a whole message; none once nothing more will be written.
     pub fn written(&self) -> Option<u64> {
         let state = self.state();
-        (!state.is_finished && state.failure.is_none()).then_some(state.written)
+        (!state.is_finished && self.failure.get().is_none()).then_some(state.written)
     }
 
     /// At most `most` bytes from the byte `from` on; fewer only at the end of the file.
@@ -93,9 +94,13 @@ impl Output {
 
     /// The first failure so far.
     pub(super) fn check(&self) -> Result<(), FileError> {
-        let failure = &self.state().failure;
         let copy = |failure: &io::Error| self.error(io::Error::new(failure.kind(), failure.to_string()));
-        failure.as_ref().map(copy).map_or(Ok(()), Err)
+        self.failure.get().map(copy).map_or(Ok(()), Err)
+    }
+
+    /// Notes a failure, after which no more is written.
+    pub(super) fn fail(&self, failure: io::Error) {
+        self.failure.set(failure).ok(); // the first one counts
     }
 
     /// Ends the file with its index.
@@ -123,10 +128,10 @@ impl Output {
 impl LogSink for Output {
     fn send(&self, message: LogMsg) {
         let mut state = self.state();
-        if state.failure.is_none() {
+        if self.failure.get().is_none() {
             match state.encoder.append(&message) {
                 Ok(bytes) => state.written += bytes,
-                Err(failure) => state.failure = Some(io_error(failure)),
+                Err(failure) => self.fail(io_error(failure)),
             }
         }
         if let Some(viewer) = &state.viewer {

@@ -1,9 +1,11 @@
 //! Recordings over the steps of solvers.
 
 use super::output::Output;
+use super::scribe::{Scribe, UNFINISHED};
+use super::task::Task;
 use crate::error::FileError;
 use crate::record::description;
-use crate::record::draw::Stage;
+use crate::record::draw::{Ghost, Stage};
 use crate::record::layout;
 use crate::record::options::Options;
 use crate::record::scene::Scene;
@@ -11,23 +13,24 @@ use rerun::external::re_log_types::ApplicationId;
 use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 use std::io;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Duration;
-
-/// The result of a run until there is one.
-pub(super) const UNFINISHED: &str = "still running, or ended by force";
 
 /// A recording on its way into a file, which can be opened at any moment.
 pub struct Recording {
     pub(super) stream: RecordingStream,
     output: Output,
-    pub(super) stages: Vec<Stage>,
+    pub(super) stages: Arc<[Stage]>,
     pub(super) options: Options,
     /// The last part of a run that is lost if it is killed.
-    pub(super) flush_interval: Duration,
+    flush_interval: Duration,
+    /// The layout and all that does not change, on their way.
+    statics: Option<Task>,
 }
 
 impl Recording {
-    /// Opens the file, and writes into it the layout of `scenes` and all that does not change from step to step.
+    /// Opens the file, and begins to write into it the layout of `scenes` and all that does not change from step to step, while
+    /// the caller goes on.
     ///
     /// # Errors
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
@@ -57,15 +60,25 @@ impl Recording {
     fn begin(output: Output, id: Option<&str>, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         let name = Name::of(description::name(scenes), scenes, id);
         let recording = Self::open(output, &name, stages(scenes, "", &options), options)?;
-        recording.write(|stream| recording.log_static(stream, scenes))?;
-        Ok(recording)
+        recording.write(|stream| {
+            let mut stages = recording.stages.iter();
+            stages.try_for_each(|stage| stream.log_static(stage.description(), &stage.described(UNFINISHED, "")))
+        })?;
+        let (stream, output, stages) = (recording.stream.clone(), recording.output.clone(), recording.stages.clone());
+        let ghost = recording.options.ghost.clone();
+        let write = move || {
+            if let Err(failure) = log_static(&stream, &stages, ghost.as_deref()) {
+                output.fail(io::Error::other(failure));
+            }
+        };
+        Ok(Self { statics: Some(Task::start(write)), ..recording })
     }
 
     /// Begins a recording with no more than its name. One that has an identity comes soon after it is made.
     pub(super) fn open(output: Output, name: &Name, stages: Vec<Stage>, options: Options) -> Result<Self, FileError> {
         let stream = stream(output.clone(), name).map_err(|failure| output.error(io::Error::other(failure)))?;
         let flush_interval = Duration::from_millis(if name.id.is_some() { 40 } else { 200 });
-        Ok(Self { stream, output, stages, options, flush_interval })
+        Ok(Self { stream, output, stages: stages.into(), options, flush_interval, statics: None })
     }
 
     /// Writes what is left, and the index of the file.
@@ -73,21 +86,9 @@ impl Recording {
     /// # Errors
     /// [`FileError::Write`] if that fails.
     pub fn finish(self) -> Result<(), FileError> {
+        self.wait_for_statics();
         self.flush()?;
         self.output.finish()
-    }
-
-    fn log_static(&self, stream: &RecordingStream, scenes: &[Scene<'_>]) -> RecordingStreamResult<()> {
-        layout::send_steps(&self.stages, stream)?;
-        let several = scenes.len() > 1;
-        for (i, (stage, scene)) in self.stages.iter().zip(scenes).enumerate() {
-            stream.log_static(stage.description(), &stage.described(UNFINISHED, ""))?;
-            stage.log_static(stream, scene, several.then_some(i))?;
-            if let Some(ghost) = &self.options.ghost {
-                stage.log_ghost(stream, ghost)?;
-            }
-        }
-        Ok(())
     }
 
     /// Records by `log`.
@@ -104,17 +105,40 @@ impl Recording {
         self.flush()
     }
 
-    /// Has everything so far written soon, and reports an earlier failure to write.
-    pub(super) fn flush_soon(&self) -> Result<(), FileError> {
-        self.stream.flush_async().ok(); // a failure shows at the next flush
+    /// What writes the solve of scene number `scene`.
+    pub(super) fn scribe(&self, scene: usize) -> Scribe {
+        let target = (self.stream.clone(), self.output.clone());
+        Scribe::new(target, (Arc::clone(&self.stages), scene), self.options.every, self.flush_interval)
+    }
+
+    /// Waits until the layout and all that does not change are written.
+    pub(super) fn wait_for_statics(&self) {
+        self.statics.iter().for_each(Task::wait);
+    }
+
+    /// Reports an earlier failure to write.
+    pub(super) fn check(&self) -> Result<(), FileError> {
         self.output.check()
     }
 
-    fn flush(&self) -> Result<(), FileError> {
+    /// Writes everything so far to the last byte.
+    pub(super) fn flush(&self) -> Result<(), FileError> {
         let flushed = self.stream.flush_blocking();
         self.output.check()?;
         flushed.map_err(|failure| self.output.error(io::Error::other(failure)))
     }
+}
+
+/// Writes the layout, and all that does not change from step to step.
+fn log_static(stream: &RecordingStream, stages: &[Stage], ghost: Option<&Ghost>) -> RecordingStreamResult<()> {
+    layout::send_steps(stages, stream)?;
+    for (i, stage) in stages.iter().enumerate() {
+        stage.log_static(stream, (stages.len() > 1).then_some(i))?;
+        if let Some(ghost) = ghost {
+            stage.log_ghost(stream, ghost)?;
+        }
+    }
+    Ok(())
 }
 
 /// What a recording is called.

@@ -123,6 +123,7 @@ fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> Pane {
     let mut contents = vec![format!("{root}/{picture}/**"), stage.caption_entity()];
     if stage.what.has(Part::Mask) {
         contents.extend(contact.then(|| format!("{root}/contact")));
+        contents.extend(contact.then(|| format!("{root}/contact/patches")));
         contents.extend((!stage.grid.is_line()).then(|| format!("{root}/contact/contour")));
     }
     View::plane(title, root, contents, stage.picture.bounds(), stage.palette)

@@ -1,0 +1,215 @@
+//! What is written of a solve, step by step.
+
+use super::output::Output;
+use super::schedule::{Schedule, Thinning};
+use crate::contact::{Contact, Phase, Problem, Solver, Step, Stop, Work};
+use crate::record::description;
+use crate::record::draw::{
+    Fields, Instruments, Readings, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, log_off_scale,
+};
+use crate::setup::Part;
+use rerun::{RecordingStream, RecordingStreamResult};
+use std::io;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// The result of a run until there is one.
+pub const UNFINISHED: &str = "still running, or ended by force";
+
+/// Writes the solve of one scene, as far as the options ask for it: numbers at every step, fields at those that they pick and
+/// at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are written.
+///
+/// A failure is kept by the output, after which no more is written.
+pub struct Scribe {
+    stream: RecordingStream,
+    output: Output,
+    stages: Arc<[Stage]>,
+    /// The number of the scene.
+    scene: usize,
+    thinning: Thinning,
+    traces: Option<Traces>,
+    readings: Option<Readings>,
+    phase: Phase,
+    /// Whether the solver was seen on a coarse grid or at an inner step; only of such solvers phases are written.
+    has_phases: bool,
+    /// The latest state of a coarse grid, as long as it is not drawn.
+    undrawn: Option<(Work, Phase, Fields<'static>)>,
+    flush_interval: Duration,
+    flushed: Instant,
+    /// Rows on the run in the table of parameters.
+    run: String,
+}
+
+impl Scribe {
+    /// Writes into `stream` and its `output` what comes of scene number `scene` of `stages`: fields of each n-th step if
+    /// `every` is given. The last `flush_interval` of a run is lost if it is killed.
+    pub fn new(
+        (stream, output): (RecordingStream, Output),
+        (stages, scene): (Arc<[Stage]>, usize),
+        every: Option<usize>,
+        flush_interval: Duration,
+    ) -> Self {
+        let stage = &stages[scene];
+        Self {
+            thinning: Thinning::new(every, Schedule::on(&stage.grid)),
+            traces: stage.what.has(Part::Traces).then(|| Traces::new(&stage.root, stage.exact)),
+            readings: stage.instruments.as_ref().map(Instruments::readings),
+            phase: Phase { level: 0, outer: 0, inner: 0 },
+            has_phases: false,
+            undrawn: None,
+            flush_interval,
+            flushed: Instant::now(),
+            run: String::new(),
+            stream,
+            output,
+            stages,
+            scene,
+        }
+    }
+
+    /// Writes who solves.
+    pub fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) {
+        self.run = description::of_run(solver, stop);
+        if let Some(readings) = &mut self.readings {
+            readings.begin(solver, problem, stop);
+        }
+        self.attempt(|scribe| scribe.log_description(UNFINISHED));
+    }
+
+    /// Writes a step, and has it in the file soon.
+    pub fn step(&mut self, step: &Step<'_>) {
+        self.attempt(|scribe| scribe.record(step));
+        if self.flushed.elapsed() >= self.flush_interval {
+            self.flushed = Instant::now();
+            self.flush_traces();
+            self.stream.flush_async().ok(); // a failure shows at the next flush
+        }
+    }
+
+    /// Writes the returned state as the last frame and how the run ended, and fits the axes to it. A contact on another grid than
+    /// the scene's, of a solver inside the solver, is left out.
+    pub fn end(&mut self, contact: &Contact) {
+        if contact.problem.surface().grid() == &self.stage().grid {
+            self.attempt(|scribe| scribe.log_last(contact));
+        }
+    }
+
+    /// Sends the numbers that wait.
+    pub fn flush_traces(&mut self) {
+        self.attempt(|scribe| {
+            let Self { traces, readings, stream, stages, scene, .. } = scribe;
+            if let (Some(readings), Some(instruments)) = (readings, &stages[*scene].instruments) {
+                readings.flush(stream, instruments)?;
+            }
+            traces.as_mut().map_or(Ok(()), |traces| traces.flush(stream))
+        });
+    }
+
+    /// Whether it writes something of every step, not only of those that it draws.
+    pub fn sees_every_step(&self) -> bool {
+        self.traces.is_some() || self.readings.is_some()
+    }
+
+    /// Nodes of the finest grid.
+    pub fn nodes(&self) -> usize {
+        self.stage().grid.len()
+    }
+
+    /// Writes by `log`, unless there was a failure before.
+    fn attempt(&mut self, log: impl FnOnce(&mut Self) -> RecordingStreamResult<()>) {
+        if self.output.check().is_ok()
+            && let Err(failure) = log(self)
+        {
+            self.output.fail(io::Error::other(failure));
+        }
+    }
+
+    fn stage(&self) -> &Stage {
+        &self.stages[self.scene]
+    }
+
+    fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
+        let fields = &Fields::of_contact(contact);
+        if let Some(traces) = &mut self.traces {
+            traces.observables.add_certificate(contact);
+            let kappa = contact.resolved().relative_area / contact.measures().reduced_pressure;
+            let stage = &self.stages[self.scene];
+            if kappa > stage.most_kappa {
+                log_off_scale(&self.stream, &stage.root, kappa)?;
+            }
+        }
+        self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
+        self.stage().picture.settle(&self.stream, self.stage().picture.extent(fields))?;
+        let result = Stage::result(contact) + &self.end_readings(contact)?;
+        self.log_description(&result)?;
+        self.traces.as_mut().map_or(Ok(()), |traces| traces.flush(&self.stream))
+    }
+
+    /// Ends the instruments, and returns what they found in words.
+    fn end_readings(&mut self, contact: &Contact) -> RecordingStreamResult<String> {
+        let Self { readings, stream, stages, scene, .. } = self;
+        let (Some(readings), Some(instruments)) = (readings, &stages[*scene].instruments) else {
+            return Ok(String::new());
+        };
+        let found = readings.end(stream, instruments, contact)?;
+        Ok(format!("\n\n**What held it up**: {}", found.trim_end().replace('\n', "\n\n")))
+    }
+
+    fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {
+        let stride = self.stage().grid.stride(step.problem().surface().grid());
+        self.phase = Phase { level: stride.map_or(step.phase().level, level), ..step.phase() };
+        self.has_phases |= self.phase.level > 0 || self.phase.inner > 0;
+        if let Some(traces) = &mut self.traces {
+            traces.add(step, self.has_phases.then_some(self.phase));
+        }
+        if let (Some(readings), Some(instruments)) = (&mut self.readings, &self.stages[self.scene].instruments) {
+            readings.add(&self.stream, instruments, step, self.phase.level)?;
+        }
+        if let Some(stride) = stride.filter(|_| self.stage().what.has_pictures()) {
+            self.draw(step, stride)?;
+        }
+        Ok(())
+    }
+
+    /// Draws a step if it is its turn, and before the first one of a level the last one of the level before.
+    fn draw(&mut self, step: &Step<'_>, stride: [usize; 2]) -> RecordingStreamResult<()> {
+        if self.thinning.is_new(self.phase.level)
+            && let Some((work, phase, fields)) = self.undrawn.take()
+        {
+            self.log_frame(work, phase, &fields)?;
+        }
+        if self.thinning.picks(step.index(), self.phase.level) {
+            self.undrawn = None;
+            self.log_frame(step.work(), self.phase, &self.fields(step, stride))?;
+        } else if self.phase.level > 0 && self.phase.inner == 0 {
+            let fields = self.fields(step, stride).into_owned();
+            self.undrawn = Some((step.work(), self.phase, fields));
+        }
+        Ok(())
+    }
+
+    /// The fields of a step, with the past of its patches if that is watched.
+    fn fields<'a>(&self, step: &'a Step<'_>, stride: [usize; 2]) -> Fields<'a> {
+        let fields = Fields::of(step, stride, self.stage().what);
+        match &self.readings {
+            Some(readings) => fields.with_past(readings.contact()),
+            None => fields,
+        }
+    }
+
+    fn log_description(&self, result: &str) -> RecordingStreamResult<()> {
+        let stage = self.stage();
+        self.stream.log_static(stage.description(), &stage.described(result, &self.run))
+    }
+
+    fn log_frame(&self, work: Work, phase: Phase, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        let (stream, stage) = (&self.stream, self.stage());
+        stream.set_time_sequence(STEP, work.iterations as i64);
+        stream.set_duration_secs(SECONDS, work.seconds);
+        stream.set_time_sequence(TRANSFORMS, work.transforms as i64);
+        if self.has_phases && stage.what.has_planes() {
+            stage.log_caption(stream, stage.caption(phase, fields.stride))?;
+        }
+        stage.log_frame(stream, fields)
+    }
+}
