@@ -20,6 +20,7 @@ const LAYERS: &[(&str, u8)] = &[
     ("surface", 2),
     ("theory", 2),
     ("contact", 3),
+    ("foreign", 4),
     ("setup", 4),
     ("plot", 5),
     ("study", 5),
