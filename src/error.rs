@@ -97,6 +97,25 @@ pub enum ProblemError {
     OutOfRange { name: &'static str, value: f64 },
 }
 
+/// A result of another code that cannot be judged.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ClaimError {
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    /// The field does not have the shape of the heights.
+    #[error(
+        "the {quantity} of shape {found:?} does not fit heights of {} x {} points: {}", expected[0], expected[1],
+        if *is_transposed { "it is transposed, give its transpose" } else { "give one value for each height" }
+    )]
+    Shape { quantity: &'static str, found: Vec<usize>, expected: [usize; 2], is_transposed: bool },
+    /// A value of the field is NaN or infinite.
+    #[error("the {quantity} at row {}, column {} is {value:?}: all values must be finite", index[0], index[1])]
+    NonFinite { quantity: &'static str, index: [usize; 2], value: f64 },
+    /// A displacement, whose mean is free, without a load.
+    #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
+    NoLoad,
+}
+
 /// A setting of a solver or of its stop that cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SettingError {
@@ -264,8 +283,8 @@ pub enum FileError {
     #[error("cannot read {}: {source}", path.display())]
     Read { path: PathBuf, source: std::io::Error },
     /// The file is not what it should be.
-    #[error("{} is not a usable height file: {reason}", path.display())]
-    Format { path: PathBuf, reason: String },
+    #[error("{} is not a usable {what} file: {reason}", path.display())]
+    Format { path: PathBuf, what: &'static str, reason: String },
     /// The file is no recording, or one in which there is nothing to compare.
     #[error("{} cannot be compared: {reason}", path.display())]
     Incomparable { path: PathBuf, reason: String },

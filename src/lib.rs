@@ -61,6 +61,7 @@
 //! | 2     | [`theory`]   | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson       |           |
 //! | 3     | [`contact`]  | the problem, its certificate, solvers, observers, measures and patches            |           |
 //! | 4     | [`diagnosis`] | what held a run up: nodes that flip, errors by wavelength, Ritz values, in words |           |
+//! | 4     | [`foreign`]  | results and iterations of other codes: certified, mistakes recognised, replayed   |           |
 //! | 4     | [`setup`]    | the one description of a contact to solve, and what it costs                      | (`units`) |
 //! | 5     | [`study`]    | load curves, and sweeps over surfaces and loads in tables that a killed run resumes |         |
 //! | 5     | `plot`       | figures as data, written as SVG and PNG                                           | `figures` |
@@ -98,6 +99,7 @@ pub mod error;
 #[cfg(feature = "explore")]
 pub mod explore;
 pub mod files;
+pub mod foreign;
 pub mod fourier;
 pub mod grid;
 #[cfg(feature = "figures")]

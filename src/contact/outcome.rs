@@ -110,7 +110,7 @@ impl Contact {
         (!self.is_converged()).then_some(fault)
     }
 
-    /// Notes that something that watched the run failed after it.
+    /// Notes that something that fed or watched the run failed.
     pub fn fail(&mut self, failure: impl Into<Failure>) {
         self.failure.get_or_insert_with(|| Arc::new(failure.into()));
     }

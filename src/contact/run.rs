@@ -39,6 +39,8 @@ pub struct Run<'a, P = Vec<f64>> {
     stop: Stop,
     clock: Instant,
     observed_secs: f64,
+    /// Seconds of the work, where it was done elsewhere.
+    given_secs: Option<f64>,
     iterations: usize,
     patience: usize,
     failure: Option<Failure>,
@@ -59,6 +61,7 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
             stop: *stop,
             clock: Instant::now(),
             observed_secs: 0.0,
+            given_secs: None,
             iterations: 0,
             patience: PATIENCE,
             failure,
@@ -72,6 +75,11 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         Self { patience, ..self }
     }
 
+    /// The problem that is solved.
+    pub fn problem(&self) -> &'a Problem {
+        self.problem
+    }
+
     /// Iterations so far.
     pub fn iterations(&self) -> usize {
         self.iterations
@@ -79,8 +87,13 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
 
     /// Work so far, with the transforms that the solver has counted.
     pub fn work(&self, transforms: u64) -> Work {
-        let seconds = self.clock.elapsed().as_secs_f64() - self.observed_secs;
+        let seconds = self.given_secs.unwrap_or_else(|| self.clock.elapsed().as_secs_f64() - self.observed_secs);
         Work { iterations: self.iterations, transforms, seconds }
+    }
+
+    /// Counts `seconds` as those of the work so far, which was done elsewhere, in the place of those of the clock.
+    pub fn set_seconds(&mut self, seconds: f64) {
+        self.given_secs = Some(seconds);
     }
 
     /// Whether a certificate meets all goals.

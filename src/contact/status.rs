@@ -13,6 +13,8 @@ pub enum Status {
     IterationCap,
     /// Nothing improved any more: the tolerance lies below what rounding, or the method, attains.
     Stalled,
+    /// The steps of another code came to their end.
+    Ended,
     /// The observer wished to stop.
     StoppedByObserver,
     /// The observer failed.
@@ -25,6 +27,7 @@ impl fmt::Display for Status {
             Self::Converged => "converged",
             Self::IterationCap => "iteration cap reached",
             Self::Stalled => "no further progress",
+            Self::Ended => "no more steps",
             Self::StoppedByObserver => "stopped by the observer",
             Self::ObserverFailed => "the observer failed",
         })

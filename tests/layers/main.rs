@@ -21,6 +21,7 @@ const LAYERS: &[(&str, u8)] = &[
     ("theory", 2),
     ("contact", 3),
     ("diagnosis", 4),
+    ("foreign", 4),
     ("setup", 4),
     ("plot", 5),
     ("study", 5),

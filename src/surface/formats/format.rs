@@ -1,17 +1,26 @@
-//! The interface of formats of height files.
+//! The interface of formats of files of heights and other fields.
 
 use ndarray::ArrayD;
 use std::fs::File;
 use std::io;
+use std::ops::RangeInclusive;
 
-/// A format of height files. Errors of the kind [`io::ErrorKind::InvalidData`] say what is wrong with a file.
+/// The array that is wanted of a file.
+pub struct Wanted {
+    /// What it holds, and its name in an archive.
+    pub name: &'static str,
+    /// The ranks that it may have.
+    pub ranks: RangeInclusive<usize>,
+}
+
+/// A format of files of arrays. Errors of the kind [`io::ErrorKind::InvalidData`] say what is wrong with a file.
 pub struct Format {
     /// Whether a file is of this format.
     pub is_it: fn(&mut File) -> bool,
-    /// The shape of the heights, without reading them where a header tells.
-    pub shape: fn(&mut File) -> io::Result<Vec<usize>>,
-    /// The heights.
-    pub read: fn(&mut File) -> io::Result<ArrayD<f64>>,
+    /// The shape of the array, without reading it where a header tells.
+    pub shape: fn(&mut File, &Wanted) -> io::Result<Vec<usize>>,
+    /// The array.
+    pub read: fn(&mut File, &Wanted) -> io::Result<ArrayD<f64>>,
 }
 
 /// An error that says what is wrong with a file.

@@ -1,4 +1,4 @@
-//! Files of heights, told apart by their content.
+//! Files of heights and other fields, told apart by their content.
 
 mod format;
 mod npy;
@@ -8,7 +8,7 @@ mod text;
 
 use crate::error::FileError;
 use crate::files::write_beside;
-use format::{Format, malformed};
+use format::{Format, Wanted, malformed};
 use ndarray::{ArrayD, ArrayViewD};
 use ndarray_npy::{WriteNpyError, WriteNpyExt};
 use std::fs::File;
@@ -17,6 +17,9 @@ use std::path::Path;
 
 /// All formats; the last one takes every file, and says why it cannot be read.
 const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
+
+/// Heights of a line or a surface.
+const HEIGHTS: Wanted = Wanted { name: "height", ranks: 1..=2 };
 
 /// Reads heights from a NumPy `.npy` file of integers, singles or doubles, of rank 1 (a line) or 2 (rows of a surface), in C or
 /// Fortran order and either byte order; from the array `height` of an `.npz` archive, such as a result; or from a text of
@@ -27,7 +30,35 @@ const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 /// [`FileError::Read`] for a file that is missing or unreadable; [`FileError::Format`] with the reason for one that is
 /// no such file, is truncated, or holds another type or rank.
 pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
-    with_file(path.as_ref(), |file, format| (format.read)(file).and_then(profile::heights))
+    read_field(path, HEIGHTS.name)
+}
+
+/// Reads a field such as `pressure` like [`read_heights`], from the array of that name of an archive.
+///
+/// # Errors
+/// The errors of [`read_heights`].
+pub fn read_field(path: impl AsRef<Path>, name: &'static str) -> Result<ArrayD<f64>, FileError> {
+    let wanted = Wanted { name, ..HEIGHTS };
+    with_file(path.as_ref(), &wanted, |file, format| (format.read)(file, &wanted).and_then(profile::heights))
+}
+
+/// Reads an array of rank 3 at the most, from the array `name` of an archive: fields of one step, or of several along a first axis.
+///
+/// # Errors
+/// The errors of [`read_heights`].
+pub fn read_fields(path: impl AsRef<Path>, name: &'static str) -> Result<ArrayD<f64>, FileError> {
+    let wanted = Wanted { name, ranks: 0..=3 };
+    with_file(path.as_ref(), &wanted, |file, format| (format.read)(file, &wanted))
+}
+
+/// Whether a file is an archive with the array `name`.
+///
+/// # Errors
+/// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] for an archive that is cut short.
+pub fn has_field(path: impl AsRef<Path>, name: &'static str) -> Result<bool, FileError> {
+    let wanted = Wanted { name, ranks: 0..=3 };
+    let is_there = |file: &mut File| Ok(npz::is_archive(file) && npz::find_member(file, name)?.is_some());
+    with_file(path.as_ref(), &wanted, |file, _| is_there(file))
 }
 
 /// The shape of the heights in a file, as its header says if it has one.
@@ -35,7 +66,7 @@ pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
 /// # Errors
 /// The errors of [`read_heights`].
 pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
-    with_file(path.as_ref(), |file, format| (format.shape)(file).map(profile::shape))
+    with_file(path.as_ref(), &HEIGHTS, |file, format| (format.shape)(file, &HEIGHTS).map(profile::shape))
 }
 
 /// Reads the period of the positions beside the heights in a file, their number times their spacing, in whatever unit; none from a
@@ -44,7 +75,7 @@ pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
 /// # Errors
 /// The errors of [`read_heights`].
 pub fn read_period(path: impl AsRef<Path>) -> Result<Option<f64>, FileError> {
-    with_file(path.as_ref(), |file, format| Ok(profile::period(&(format.read)(file)?)))
+    with_file(path.as_ref(), &HEIGHTS, |file, format| Ok(profile::period(&(format.read)(file, &HEIGHTS)?)))
 }
 
 /// Reads the text that an archive carries as an array of bytes; none from any other file.
@@ -54,26 +85,33 @@ pub fn read_period(path: impl AsRef<Path>) -> Result<Option<f64>, FileError> {
 pub fn read_text(path: impl AsRef<Path>, name: &str) -> Result<Option<String>, FileError> {
     let path = path.as_ref();
     let mut file = File::open(path).map_err(|source| FileError::Read { path: path.into(), source })?;
-    npz::is_archive(&mut file).then(|| npz::text(&mut file, name)).transpose().map_err(|error| explained(path, error))
+    npz::is_archive(&mut file)
+        .then(|| npz::text(&mut file, name))
+        .transpose()
+        .map_err(|error| explained(path, HEIGHTS.name, error))
 }
 
-/// Reads a file by its format.
-fn with_file<T>(path: &Path, read: impl FnOnce(&mut File, &Format) -> io::Result<T>) -> Result<T, FileError> {
+/// Reads what is wanted of a file by its format.
+fn with_file<T>(
+    path: &Path,
+    wanted: &Wanted,
+    read: impl FnOnce(&mut File, &Format) -> io::Result<T>,
+) -> Result<T, FileError> {
     let opened = std::fs::metadata(path).and_then(|metadata| match metadata.is_file() {
         true => File::open(path),
-        false => Err(malformed("it is a directory or a device, give a file of heights")),
+        false => Err(malformed("it is a directory or a device, give a file")),
     });
     opened
         .and_then(|mut file| {
             let format = FORMATS.iter().find(|format| (format.is_it)(&mut file));
             read(&mut file, format.unwrap_or(&npy::FORMAT))
         })
-        .map_err(|error| explained(path, error))
+        .map_err(|error| explained(path, wanted.name, error))
 }
 
-fn explained(path: &Path, error: io::Error) -> FileError {
+fn explained(path: &Path, what: &'static str, error: io::Error) -> FileError {
     match error.kind() {
-        io::ErrorKind::InvalidData => FileError::Format { path: path.into(), reason: error.to_string() },
+        io::ErrorKind::InvalidData => FileError::Format { path: path.into(), what, reason: error.to_string() },
         _ => FileError::Read { path: path.into(), source: error },
     }
 }

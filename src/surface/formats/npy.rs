@@ -1,6 +1,6 @@
 //! NumPy's `.npy`.
 
-use super::format::{Format, malformed};
+use super::format::{Format, Wanted, malformed};
 use ndarray::ArrayD;
 use ndarray_npy::npy::header::Header;
 use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement};
@@ -14,37 +14,37 @@ const HEADER_BYTES: u64 = 4096;
 /// An array that fills the file.
 pub(super) const FORMAT: Format = Format {
     is_it: |_| true,
-    shape: |file| whole(file).and_then(|place| shape(file, place)),
-    read: |file| whole(file).and_then(|place| read(file, place)),
+    shape: |file, wanted| whole(file).and_then(|place| shape(file, place, wanted)),
+    read: |file, wanted| whole(file).and_then(|place| read(file, place, wanted)),
 };
 
 fn whole(file: &File) -> io::Result<Range<u64>> {
     Ok(0..file.metadata()?.len())
 }
 
-/// The shape of the heights at a place in a file.
-pub(super) fn shape(file: &mut File, place: Range<u64>) -> io::Result<Vec<usize>> {
-    Ok(layout(file, place)?.0)
+/// The shape of the array at a place in a file.
+pub(super) fn shape(file: &mut File, place: Range<u64>, wanted: &Wanted) -> io::Result<Vec<usize>> {
+    Ok(layout(file, place, wanted)?.0)
 }
 
-/// The heights at a place in a file.
-pub(super) fn read(file: &mut File, place: Range<u64>) -> io::Result<ArrayD<f64>> {
-    let (_, kind) = layout(file, place.clone())?;
+/// The array at a place in a file.
+pub(super) fn read(file: &mut File, place: Range<u64>, wanted: &Wanted) -> io::Result<ArrayD<f64>> {
+    let (_, kind) = layout(file, place.clone(), wanted)?;
     file.seek(SeekFrom::Start(place.start))?;
     let bytes = BufReader::new(file.take(place.end - place.start));
-    let heights = match kind {
+    let array = match kind {
         Kind::F8 => ArrayD::<f64>::read_npy(bytes),
         Kind::F4 => widened::<f32>(bytes),
         Kind::I1 => widened::<i8>(bytes),
         Kind::I2 => widened::<i16>(bytes),
         Kind::I4 => widened::<i32>(bytes),
-        Kind::I8 => ArrayD::<i64>::read_npy(bytes).map(|heights| heights.mapv(|h| h as f64)),
+        Kind::I8 => ArrayD::<i64>::read_npy(bytes).map(|array| array.mapv(|value| value as f64)),
         Kind::U1 => widened::<u8>(bytes),
         Kind::U2 => widened::<u16>(bytes),
         Kind::U4 => widened::<u32>(bytes),
-        Kind::U8 => ArrayD::<u64>::read_npy(bytes).map(|heights| heights.mapv(|h| h as f64)),
+        Kind::U8 => ArrayD::<u64>::read_npy(bytes).map(|array| array.mapv(|value| value as f64)),
     };
-    heights.map_err(|error| match error {
+    array.map_err(|error| match error {
         ReadNpyError::Io(source) => source,
         other => malformed(other.to_string()),
     })
@@ -88,16 +88,20 @@ impl Kind {
     }
 }
 
-/// The shape of heights and their type: type, rank and length are checked before anything of the claimed size is allocated.
-fn layout(file: &mut File, place: Range<u64>) -> io::Result<(Vec<usize>, Kind)> {
+/// The shape of an array and its type: type, rank and length are checked before anything of the claimed size is allocated.
+fn layout(file: &mut File, place: Range<u64>, wanted: &Wanted) -> io::Result<(Vec<usize>, Kind)> {
     let (header, start) = header(file, &place)?;
     let name = header.type_descriptor.to_string();
     let Some((kind, size)) = Kind::named(name.trim_matches(['\'', '"', '<', '>', '=', '|'])) else {
         return Err(malformed(format!("it holds values of type {name}, save integers, float32 or float64")));
     };
     let rank = header.shape.len();
-    if !(1..=2).contains(&rank) {
-        return Err(malformed(format!("its array has rank {rank}, save rank 1 (a line) or 2 (a surface)")));
+    if !wanted.ranks.contains(&rank) {
+        let ranks = match wanted.ranks.end() {
+            2 => "rank 1 (a line) or 2 (a surface)",
+            _ => "rank 1 or 2 (one step), or one more (several)",
+        };
+        return Err(malformed(format!("its array has rank {rank}, save {ranks}")));
     }
     let data = place.end - start;
     let expected = header.shape.iter().try_fold(size, |product: u64, &n| product.checked_mul(n as u64));

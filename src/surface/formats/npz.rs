@@ -6,15 +6,12 @@ use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 
-/// The array `height` of an archive, such as a result.
+/// An array of an archive, such as a result.
 pub(super) const FORMAT: Format = Format {
     is_it: is_archive,
-    shape: |file| find_member(file, HEIGHT).and_then(|place| npy::shape(file, place)),
-    read: |file| find_member(file, HEIGHT).and_then(|place| npy::read(file, place)),
+    shape: |file, wanted| member(file, wanted.name).and_then(|place| npy::shape(file, place, wanted)),
+    read: |file, wanted| member(file, wanted.name).and_then(|place| npy::read(file, place, wanted)),
 };
-
-/// The array of an archive that holds the heights.
-const HEIGHT: &str = "height";
 
 /// The start of an archive and of each of its members.
 const MARK: [u8; 4] = *b"PK\x03\x04";
@@ -29,7 +26,7 @@ pub(super) fn is_archive(file: &mut File) -> bool {
 
 /// The text that an archive carries as an array of bytes.
 pub(super) fn text(file: &mut File, name: &str) -> io::Result<String> {
-    let place = find_member(file, name)?;
+    let place = member(file, name)?;
     let (_, start) = npy::header(file, &place)?;
     let mut text = String::new();
     file.seek(SeekFrom::Start(start))?;
@@ -37,20 +34,27 @@ pub(super) fn text(file: &mut File, name: &str) -> io::Result<String> {
     Ok(text)
 }
 
-/// The bytes of a member within an archive. Nothing of a claimed size is allocated.
+/// The bytes of a member within an archive.
 ///
 /// # Errors
-/// The reason, where there is no such member, or it is compressed, or the archive is cut short.
-fn find_member(file: &mut File, name: &str) -> io::Result<Range<u64>> {
-    let missing = || malformed(format!("it is an archive without the array `{name}`"));
+/// The reason, where there is no such member, and those of [`find_member`].
+fn member(file: &mut File, name: &str) -> io::Result<Range<u64>> {
+    find_member(file, name)?.ok_or_else(|| malformed(format!("it is an archive without the array `{name}`")))
+}
+
+/// The bytes of a member within an archive, if it has one of that name. Nothing of a claimed size is allocated.
+///
+/// # Errors
+/// The reason, where the member is compressed, or the archive is cut short.
+pub(super) fn find_member(file: &mut File, name: &str) -> io::Result<Option<Range<u64>>> {
     let cut_short = |error: io::Error| malformed(format!("it is a broken archive ({error})"));
     let bytes = file.metadata()?.len();
     let mut at = 0;
     loop {
         let mut head = [0; HEAD];
-        file.seek(SeekFrom::Start(at)).and_then(|_| file.read_exact(&mut head)).map_err(|_| missing())?;
-        if head[..MARK.len()] != MARK {
-            return Err(missing());
+        let is_read = file.seek(SeekFrom::Start(at)).and_then(|_| file.read_exact(&mut head)).is_ok();
+        if !is_read || head[..MARK.len()] != MARK {
+            return Ok(None);
         }
         let mut found = vec![0; number(&head[26..28]) as usize];
         let mut extra = vec![0; number(&head[28..30]) as usize];
@@ -66,7 +70,11 @@ fn find_member(file: &mut File, name: &str) -> io::Result<Range<u64>> {
         at = end.filter(|_| is_plain).ok_or_else(cut)?;
         if found.strip_suffix(b".npy") == Some(name.as_bytes()) {
             let is_stored = number(&head[8..10]) == 0;
-            return if is_stored { Ok(start..at) } else { Err(malformed("it is compressed: save it by numpy.savez")) };
+            return if is_stored {
+                Ok(Some(start..at))
+            } else {
+                Err(malformed("it is compressed: save it by numpy.savez"))
+            };
         }
     }
 }

@@ -1,13 +1,14 @@
 //! Plain text: a number a line, a matrix, or positions and heights.
 
-use super::format::{Format, malformed};
+use super::format::{Format, Wanted, malformed};
 use ndarray::{Array2, ArrayD};
 use std::fs::File;
 use std::io::{self, Read, Seek};
 
 /// Numbers in rows, told apart by white space, semicolons or commas. Lines before the first number, empty ones and those that
 /// begin with `#` or `%` are passed over.
-pub(super) const FORMAT: Format = Format { is_it: is_text, shape: |file| Ok(read(file)?.shape().to_vec()), read };
+pub(super) const FORMAT: Format =
+    Format { is_it: is_text, shape: |file, wanted| Ok(read(file, wanted)?.shape().to_vec()), read };
 
 /// Bytes from the start of a file that tell text from anything else.
 const START: u64 = 4096;
@@ -27,7 +28,7 @@ fn is_control(byte: &u8) -> bool {
 }
 
 /// The numbers: of one column or row a line, else a matrix, row by row.
-fn read(file: &mut File) -> io::Result<ArrayD<f64>> {
+fn read(file: &mut File, _: &Wanted) -> io::Result<ArrayD<f64>> {
     let mut bytes = Vec::new();
     file.rewind()?;
     file.read_to_end(&mut bytes)?;

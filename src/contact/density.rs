@@ -1,0 +1,16 @@
+//! Where the error of a pressure sits.
+
+use crate::contact::chunks;
+
+/// The density `p (v - min v)` of the error in energy, row by row: its mean is the gap `G` of the [`crate::contact::Certificate`].
+/// Nodes add to it that are pressed and lie above the deepest one. `v = u - h` may have any datum, so a gap will do.
+///
+/// ```
+/// use asperity::contact::error_density;
+/// assert_eq!(error_density(&[0.0, 2.0, 3.0], &[5.0, 0.5, -0.5]), [0.0, 2.0, 0.0]);
+/// ```
+pub fn error_density(pressure: &[f64], gap: &[f64]) -> Vec<f64> {
+    let lowest = chunks::visit(gap.len(), |range| range.fold(f64::INFINITY, |low, i| gap[i].min(low)));
+    let lowest = lowest.into_iter().fold(f64::INFINITY, f64::min);
+    pressure.iter().zip(gap).map(|(p, g)| p * (g - lowest)).collect()
+}

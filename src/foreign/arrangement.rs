@@ -1,0 +1,104 @@
+//! Other orders in which the nodes of a field may have been written.
+
+use crate::grid::Grid;
+
+/// Another order of the nodes of a field.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Arrangement {
+    /// Rows for columns.
+    Transposed,
+    /// From end to end along y or x, or along both.
+    Backwards([bool; 2]),
+    /// Moved by half of the points along y or x, or along both, as by `numpy.fft.fftshift`.
+    Shifted([bool; 2]),
+}
+
+impl Arrangement {
+    const ALL: [Self; 7] = [
+        Self::Transposed,
+        Self::Backwards([false, true]),
+        Self::Backwards([true, false]),
+        Self::Backwards([true, true]),
+        Self::Shifted([false, true]),
+        Self::Shifted([true, false]),
+        Self::Shifted([true, true]),
+    ];
+
+    /// The orders that differ from the given one on a grid.
+    pub fn on(grid: &Grid) -> impl Iterator<Item = Self> + use<> {
+        let (is_line, [ny, nx]) = (grid.is_line(), grid.shape());
+        Self::ALL.into_iter().filter(move |arrangement| match arrangement {
+            Self::Transposed => ny == nx,
+            Self::Backwards([of_y, _]) | Self::Shifted([of_y, _]) => !(is_line && *of_y),
+        })
+    }
+
+    /// The field in this order.
+    pub fn of(self, values: &[f64], grid: &Grid) -> Vec<f64> {
+        let [ny, nx] = grid.shape();
+        let moved = |is_moved: bool, i: usize, n: usize| if is_moved { (i + n - n / 2) % n } else { i };
+        let turned = |is_turned: bool, i: usize, n: usize| if is_turned { n - 1 - i } else { i };
+        let source = |y: usize, x: usize| match self {
+            Self::Transposed => [x, y],
+            Self::Backwards([of_y, of_x]) => [turned(of_y, y, ny), turned(of_x, x, nx)],
+            Self::Shifted([of_y, of_x]) => [moved(of_y, y, ny), moved(of_x, x, nx)],
+        };
+        let value = |node: usize| {
+            let [y, x] = source(node / nx, node % nx);
+            values[y * nx + x]
+        };
+        (0..values.len()).map(value).collect()
+    }
+
+    /// How the field stands to the heights, in words.
+    pub fn words(self) -> String {
+        match self {
+            Self::Transposed => "are transposed".into(),
+            Self::Backwards(axes) => format!("run backwards along {}", along(axes)),
+            Self::Shifted(axes) => format!("are shifted by half the cell along {}", along(axes)),
+        }
+    }
+
+    /// The expression in Python that puts the field `name` right.
+    pub fn remedy(self, name: &str, grid: &Grid) -> String {
+        let (is_line, numpy) = (grid.is_line(), "numpy.fft.fftshift");
+        match self {
+            Self::Transposed => format!("{name}.T"),
+            Self::Backwards(_) if is_line => format!("{name}[::-1]"),
+            Self::Shifted(_) if is_line => format!("{numpy}({name})"),
+            Self::Backwards([true, true]) => format!("{name}[::-1, ::-1]"),
+            Self::Backwards([of_y, _]) => format!("{name}[{}]", if of_y { "::-1" } else { ":, ::-1" }),
+            Self::Shifted([true, true]) => format!("{numpy}({name})"),
+            Self::Shifted([of_y, _]) => format!("{numpy}({name}, axes={})", usize::from(!of_y)),
+        }
+    }
+}
+
+fn along(axes: [bool; 2]) -> &'static str {
+    match axes {
+        [true, true] => "y and x",
+        [true, false] => "y",
+        _ => "x",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_order_puts_right_what_it_describes() {
+        let grid = Grid::surface([4, 5], [1.0, 1.0]).unwrap();
+        let values: Vec<f64> = (0..20).map(f64::from).collect();
+        let first = |arrangement: Arrangement| arrangement.of(&values, &grid)[0];
+        assert_eq!(first(Arrangement::Backwards([false, true])), 4.0);
+        assert_eq!(first(Arrangement::Backwards([true, true])), 19.0);
+        // as numpy.fft.fftshift: the first value goes to the middle
+        assert_eq!(Arrangement::Shifted([true, true]).of(&values, &grid)[2 * 5 + 2], 0.0);
+        let square = Grid::surface([4, 4], [1.0, 1.0]).unwrap();
+        assert_eq!(Arrangement::Transposed.of(&values[..16], &square)[1], 4.0);
+        assert_eq!(Arrangement::on(&square).count(), 7);
+        assert_eq!(Arrangement::on(&grid).count(), 6);
+        assert_eq!(Arrangement::on(&Grid::line(8, 1.0).unwrap()).count(), 2);
+    }
+}

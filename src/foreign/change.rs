@@ -1,0 +1,124 @@
+//! What may have gone wrong with a result on its way, and the claim without it.
+
+use super::arrangement::Arrangement;
+use super::claim::{Claim, State};
+use super::quantity::Quantity;
+use crate::grid::Grid;
+use crate::surface::Surface;
+
+/// A kind of everyday error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The nodes stand in another order.
+    Arrangement(Arrangement),
+    /// A gap was taken for a displacement, or the reverse.
+    Quantity,
+    /// The field has the other sign.
+    Sign,
+    /// The peaks point the other way.
+    Heights,
+    /// The modulus, or the size or unit that goes with it, is off by a factor.
+    Modulus,
+    /// The pressures are off by a factor.
+    Scale,
+}
+
+/// An error of some kind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Change {
+    pub kind: Kind,
+    /// What the pressures, or 1 over the modulus, must be multiplied with; 1 for other kinds.
+    pub factor: f64,
+}
+
+/// The least factor that is an error, over 1, and not for lack of convergence.
+const LEAST_FACTOR: f64 = 0.03;
+
+impl Kind {
+    /// All kinds that there can be on a grid, in the order in which one can follow another.
+    pub fn all(grid: &Grid) -> Vec<Self> {
+        let others = [Self::Quantity, Self::Sign, Self::Heights, Self::Modulus, Self::Scale];
+        Arrangement::on(grid).map(Self::Arrangement).chain(others).collect()
+    }
+
+    /// Whether an error of this kind may come with one of the other kind, which stands further on in the order.
+    pub fn goes_with(self, other: Self) -> bool {
+        let rank = |kind: Self| match kind {
+            Self::Arrangement(_) => 0,
+            Self::Quantity => 1,
+            Self::Sign => 2,
+            Self::Heights => 3,
+            Self::Modulus | Self::Scale => 4,
+        };
+        rank(self) < rank(other)
+    }
+
+    /// The claim without an error of this kind; none where it makes no difference.
+    pub fn undone(self, claim: &Claim) -> Option<(Claim, Change)> {
+        let mut better = claim.clone();
+        let mut factor = 1.0;
+        match self {
+            Self::Arrangement(arrangement) => better.values = arrangement.of(&claim.values, claim.surface.grid()),
+            Self::Quantity => better.quantity = other_length(claim)?,
+            Self::Sign => better.values.iter_mut().for_each(|value| *value = -*value),
+            Self::Heights => better.surface = upside_down(&claim.surface)?.into(),
+            Self::Modulus => {
+                factor = fitted(claim)?;
+                better.contact_modulus /= factor;
+            }
+            Self::Scale => {
+                factor = fitted(claim).filter(|_| claim.quantity == Quantity::Pressure)?;
+                better.values.iter_mut().for_each(|value| *value *= factor);
+            }
+        }
+        Some((better, Change { kind: self, factor }))
+    }
+}
+
+/// The displacement or gap that the gap or displacement may be.
+fn other_length(claim: &Claim) -> Option<Quantity> {
+    match claim.quantity {
+        Quantity::Gap if claim.load.is_some() => Some(Quantity::Displacement),
+        Quantity::Displacement => Some(Quantity::Gap),
+        _ => None,
+    }
+}
+
+fn upside_down(surface: &Surface) -> Option<Surface> {
+    Surface::new(*surface.grid(), -surface.heights_as_given()).ok()
+}
+
+/// The factor by which the displacements that the pressures make must be multiplied to fit, if it differs from 1.
+fn fitted(claim: &Claim) -> Option<f64> {
+    let state = claim.state().ok()?;
+    let factor = match claim.quantity {
+        Quantity::Pressure => level(&state),
+        Quantity::Gap | Quantity::Displacement => workless(&state)?,
+    };
+    let is_error = factor.is_finite() && factor > 0.0 && (factor - 1.0).abs() > LEAST_FACTOR;
+    is_error.then_some(factor)
+}
+
+/// The factor `c` with which `c u - h` is as level as can be where there is pressure: that of least squares, weighted by the
+/// pressure.
+fn level(State { problem, pressure, displacement }: &State) -> f64 {
+    let height = problem.height();
+    let weight = |i: usize| pressure[i].max(0.0);
+    let mean = |of: &dyn Fn(usize) -> f64| {
+        let nodes = 0..pressure.len();
+        nodes.clone().map(|i| weight(i) * of(i)).sum::<f64>() / nodes.map(weight).sum::<f64>()
+    };
+    let (mean_u, mean_h) = (mean(&|i| displacement[i]), mean(&|i| height[i]));
+    mean(&|i| (displacement[i] - mean_u) * (height[i] - mean_h)) / mean(&|i| (displacement[i] - mean_u).powi(2))
+}
+
+/// The factor `c` with which the pressure `K u / c + <p>` of a surface in place does no work on its gap; none where no mean pressure
+/// is prescribed.
+fn workless(State { problem, pressure, displacement }: &State) -> Option<f64> {
+    let mean = problem.mean_pressure()?;
+    let apart: Vec<f64> = displacement.iter().zip(problem.height()).map(|(u, h)| u - h).collect();
+    let lowest = apart.iter().copied().fold(f64::INFINITY, f64::min);
+    let work: f64 = apart.iter().zip(pressure).map(|(v, p)| (v - lowest) * p).sum();
+    let gap: f64 = apart.iter().map(|v| v - lowest).sum();
+    Some(1.0 - work / (mean * gap))
+}

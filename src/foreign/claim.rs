@@ -1,0 +1,108 @@
+//! Results of other codes.
+
+use super::quantity::Quantity;
+use crate::contact::{Certificate, ContactModulus, Load, Problem};
+use crate::elastic::HalfSpace;
+use crate::error::{ClaimError, ProblemError};
+use crate::surface::{Field, Surface};
+use std::sync::Arc;
+
+/// A field that is said to solve the contact of a surface on a solid.
+///
+/// The load may be left out: it is then that of the field itself, the mean of a pressure, or that of a gap.
+#[derive(Debug, Clone)]
+pub struct Claim {
+    pub(super) surface: Arc<Surface>,
+    pub(super) contact_modulus: f64,
+    /// The load that is prescribed.
+    pub(super) load: Option<Load>,
+    pub(super) quantity: Quantity,
+    /// The field, row by row.
+    pub(super) values: Vec<f64>,
+}
+
+impl Claim {
+    /// The claim that `values` of a quantity solve the contact of `surface` on a solid under a load.
+    ///
+    /// # Errors
+    /// [`ClaimError`] for a field that does not fit the surface or is not finite, and for a displacement without a load.
+    pub fn new(
+        surface: impl Into<Arc<Surface>>,
+        ContactModulus(contact_modulus): ContactModulus,
+        load: Option<Load>,
+        quantity: Quantity,
+        values: &Field,
+    ) -> Result<Self, ClaimError> {
+        let surface = surface.into();
+        let expected = surface.grid().shape();
+        check(quantity, values, expected)?;
+        if load.is_none() && quantity == Quantity::Displacement {
+            return Err(ClaimError::NoLoad);
+        }
+        let values = values.iter().copied().collect();
+        Ok(Self { surface, contact_modulus, load, quantity, values })
+    }
+
+    /// The quantity that is claimed.
+    pub fn quantity(&self) -> Quantity {
+        self.quantity
+    }
+
+    /// The field, row by row.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The problem that it is said to solve.
+    ///
+    /// # Errors
+    /// The errors of [`Problem::new`], such as for a load of the field that presses nothing.
+    pub fn problem(&self) -> Result<Problem, ProblemError> {
+        let mean = self.values.iter().sum::<f64>() / self.values.len() as f64;
+        let own = match self.quantity {
+            Quantity::Pressure => Load::MeanPressure(mean.abs()),
+            Quantity::Gap | Quantity::Displacement => Load::MeanGap(mean),
+        };
+        Problem::new(self.surface.clone(), ContactModulus(self.contact_modulus), self.load.unwrap_or(own))
+    }
+
+    /// The state that it makes of its problem.
+    ///
+    /// # Errors
+    /// The errors of [`Claim::problem`].
+    pub(super) fn state(&self) -> Result<State, ProblemError> {
+        let problem = self.problem()?;
+        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let pressure = self.quantity.pressure(&problem, &self.values, &mut half_space);
+        let mut displacement = vec![0.0; pressure.len()];
+        half_space.displacement(&pressure, &mut displacement);
+        Ok(State { problem, pressure, displacement })
+    }
+}
+
+/// Refuses a field that does not fit a grid or is not finite.
+pub(super) fn check(quantity: Quantity, values: &Field, expected: [usize; 2]) -> Result<(), ClaimError> {
+    let (quantity, found) = (quantity.name(), values.shape());
+    if found != expected {
+        let is_transposed = found == [expected[1], expected[0]];
+        return Err(ClaimError::Shape { quantity, found: found.to_vec(), expected, is_transposed });
+    }
+    match values.indexed_iter().find(|(_, value)| !value.is_finite()) {
+        Some(((row, column), &value)) => Err(ClaimError::NonFinite { quantity, index: [row, column], value }),
+        None => Ok(()),
+    }
+}
+
+/// A pressure, feasible or not, and the displacement that it makes.
+pub(super) struct State {
+    pub problem: Problem,
+    pub pressure: Vec<f64>,
+    pub displacement: Vec<f64>,
+}
+
+impl State {
+    /// The certificate of the pressure as it is.
+    pub fn certificate(&self) -> Certificate {
+        Certificate::of_displaced(&self.problem, &self.pressure, &self.displacement)
+    }
+}

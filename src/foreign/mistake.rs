@@ -1,0 +1,154 @@
+//! Everyday errors, recognised from the numbers.
+
+use super::change::{Change, Kind};
+use super::claim::Claim;
+use super::factor::Factor;
+use super::fault::Fault;
+use super::quantity::Quantity;
+use serde::Serialize;
+
+/// The largest fault of a claim that counts as a solution.
+const SOUND: f64 = 0.01;
+/// By how many times an error must make the fault larger to be recognised, and by how many times it may be behind the one that does
+/// most.
+const FAR: f64 = 10.0;
+/// Fewer nodes under load fit a surface by themselves, if only it is turned or stretched.
+const FEWEST: f64 = 12.0;
+
+/// An everyday error that explains why a claim fails: without it the claim holds, or comes close to that.
+///
+/// # How it is recognised
+/// Each error is undone in turn, and the claim is certified again, by a transform pair or two. What counts is its fault, of first
+/// order in the error of the pressure: the largest of the bound of its relative error in the energy norm, the share of tension, and
+/// the relative error of the load. An error is recognised where the fault falls tenfold, and to 0.01 at the most, with a load that is
+/// spread over a dozen nodes. Errors are tried alone first, and in pairs if none explains it alone. Those that explain it equally
+/// well, as flipped heights and a shift by half the cell of a sine do, are all told.
+///
+/// A result that is just not converged does not fit anything else either, so nothing is found. A factor is the one with which the
+/// surface is level under the pressure, by least squares, or with which pressure and gap do no work; factors within 3 % of 1 are
+/// left to lack of convergence.
+///
+/// | error             | what is undone                                             |
+/// |-------------------|------------------------------------------------------------|
+/// | `heights`         | peaks that point away from the solid                       |
+/// | `sign`            | tension positive, displacement out of the solid, or a negative gap |
+/// | `quantity`        | a gap for a displacement, or the reverse                   |
+/// | `pressure-factor` | forces per node or per width, units                        |
+/// | `modulus`         | 2, `1 - nu^2`, units; a cell of another size looks the same |
+/// | `arrangement`     | transposed, backwards, or shifted by half the cell         |
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Mistake {
+    /// Short names of the errors: one, or two that come together.
+    pub errors: Vec<&'static str>,
+    /// What is wrong and how to mend it.
+    pub sentence: String,
+    /// The certificate `eta` without the errors.
+    pub certificate: f64,
+    /// The bound of the relative error of the pressure without the errors.
+    pub pressure_error_bound: f64,
+}
+
+/// A claim without some errors.
+struct Trial {
+    changes: Vec<Change>,
+    fault: Fault,
+}
+
+impl Claim {
+    /// The everyday errors that explain why the claim fails, each a sentence with what to do; none where it holds, or fails for
+    /// another reason. Poisson's ratios of the solid, where they are known, tell some of the factors.
+    pub fn mistakes(&self, poisson: &[f64]) -> Vec<Mistake> {
+        let given = Fault::of(self).map_or(f64::INFINITY, |fault| fault.size);
+        let explains = |trial: &Trial| trial.fault.size <= SOUND.min(given / FAR) && trial.fault.nodes >= FEWEST;
+        let kinds = Kind::all(self.surface.grid());
+        let alone: Vec<Trial> = kinds.iter().filter_map(|kind| Trial::of(self, &[*kind])).filter(explains).collect();
+        let after = |first: Kind| kinds.iter().filter(move |second| first.goes_with(**second));
+        let pairs = || kinds.iter().flat_map(|first| after(*first).map(|second| [*first, *second]));
+        let trials = match alone.is_empty() {
+            true => pairs().filter_map(|pair| Trial::of(self, &pair)).filter(explains).collect(),
+            false => alone,
+        };
+        self.told(trials, poisson)
+    }
+
+    /// The best of some trials, in words. Of factors that have a known cause only these are told.
+    fn told(&self, trials: Vec<Trial>, poisson: &[f64]) -> Vec<Mistake> {
+        let best = trials.iter().map(|trial| trial.fault.size).fold(f64::INFINITY, f64::min);
+        let factor = |trial: &Trial| trial.changes.iter().find_map(|change| self.factor(change, poisson));
+        let is_known = trials.iter().filter_map(factor).any(|factor| factor.is_known());
+        let is_told = |trial: &&Trial| {
+            trial.fault.size <= FAR * best && factor(trial).is_none_or(|factor| factor.is_known() || !is_known)
+        };
+        trials.iter().filter(is_told).map(|trial| self.mistake(trial, poisson)).collect()
+    }
+
+    /// The factor of an error that has one.
+    fn factor(&self, Change { kind, factor }: &Change, poisson: &[f64]) -> Option<Factor> {
+        match kind {
+            Kind::Modulus => Some(Factor::of_modulus(*factor, poisson)),
+            Kind::Scale => Some(Factor::of_pressure(*factor, self.surface.grid())),
+            _ => None,
+        }
+    }
+
+    fn mistake(&self, trial: &Trial, poisson: &[f64]) -> Mistake {
+        let sentences: Vec<String> = trial.changes.iter().map(|change| self.sentence(change, poisson)).collect();
+        let certificate = trial.fault.certificate;
+        Mistake {
+            errors: trial.changes.iter().map(|change| self.error(change.kind)).collect(),
+            sentence: format!("{}; then the certificate is {:.1e}", sentences.join("; and "), certificate.eta),
+            certificate: certificate.eta,
+            pressure_error_bound: certificate.pressure_error_bound,
+        }
+    }
+
+    /// A short name.
+    fn error(&self, kind: Kind) -> &'static str {
+        match kind {
+            Kind::Arrangement(_) => "arrangement",
+            Kind::Quantity => "quantity",
+            Kind::Sign => "sign",
+            Kind::Heights => "heights",
+            Kind::Modulus => "modulus",
+            Kind::Scale => "pressure-factor",
+        }
+    }
+
+    /// What is wrong, and what to do.
+    fn sentence(&self, change: &Change, poisson: &[f64]) -> String {
+        let name = self.quantity.name();
+        if let Some(factor) = self.factor(change, poisson) {
+            return factor.sentence();
+        }
+        match change.kind {
+            Kind::Arrangement(order) => {
+                let remedy = order.remedy(name, self.surface.grid());
+                format!("the {name}s {} against the heights: give {remedy}", order.words())
+            }
+            Kind::Quantity if self.quantity == Quantity::Gap => {
+                "the field is no gap but the displacement: give it by --displacement".into()
+            }
+            Kind::Quantity => "the field is no displacement but the gap: give it by --gap".into(),
+            Kind::Heights => "the heights point away from the solid: give -height, with peaks positive".into(),
+            _ => match self.quantity {
+                Quantity::Pressure => "the pressures are negative in compression: give -pressure".into(),
+                Quantity::Gap => "the gaps are negative where the surfaces are apart: give -gap".into(),
+                Quantity::Displacement => "the displacements point out of the solid: give -displacement".into(),
+            },
+        }
+    }
+}
+
+impl Trial {
+    /// The claim without errors of some kinds, if they make a difference.
+    fn of(claim: &Claim, kinds: &[Kind]) -> Option<Self> {
+        let mut trial = (claim.clone(), Vec::new());
+        for kind in kinds {
+            let (claim, change) = kind.undone(&trial.0)?;
+            trial.0 = claim;
+            trial.1.push(change);
+        }
+        let (claim, changes) = trial;
+        Some(Self { changes, fault: Fault::of(&claim)? })
+    }
+}

@@ -1,0 +1,46 @@
+//! Results and iterations of other codes: certified, recognised where they went wrong on their way, and replayed for observers.
+//!
+//! ```text
+//! field + surface, solid, load --> Claim --> mistakes: everyday errors, recognised from the numbers
+//!                                    |
+//!                                    v
+//! fields, one a step ---------> Replay, a Solver --> Contact --> Assessment: what is wrong with it, and where
+//! ```
+//!
+//! A result may be a pressure, a gap or a displacement, see [`Quantity`].
+//!
+//! ```
+//! use asperity::contact::{ContactModulus, Load};
+//! use asperity::foreign::{Claim, Quantity};
+//! use asperity::theory::Exact;
+//! use asperity::{Grid, Indenter};
+//!
+//! let (sine, grid) = (Indenter::Sine { amplitude: 0.01 }, Grid::line(1024, 1.0)?);
+//! let (surface, exact) = (sine.surface(grid)?, Exact::of(&sine, &grid, 1.0, 0.01).expect("a sine has an exact solution"));
+//! // somebody's pressures, written as forces of the nodes
+//! let forces = exact.pressure * grid.spacing()[1];
+//! let claim = Claim::new(surface, ContactModulus(1.0), Some(Load::MeanPressure(0.01)), Quantity::Pressure, &forces)?;
+//! let mistakes = claim.mistakes(&[]);
+//! assert!(mistakes[0].sentence.starts_with("the pressures are forces per width"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod arrangement;
+mod assessment;
+mod change;
+mod claim;
+mod distance;
+mod factor;
+mod fault;
+mod mistake;
+mod quantity;
+mod replay;
+mod tension;
+
+pub use assessment::{Assessment, Disagreement, Spot};
+pub use claim::Claim;
+pub use distance::{Distance, Distances};
+pub use mistake::Mistake;
+pub use quantity::Quantity;
+pub use replay::{Frame, Replay};
+pub use tension::Tension;

@@ -1,0 +1,98 @@
+//! The quantity in which another code gives its result.
+
+use crate::contact::Problem;
+use crate::elastic::HalfSpace;
+use serde::Serialize;
+use std::fmt;
+
+/// A field that another code gives as its result.
+///
+/// | quantity       | unit     | convention                                                        |
+/// |----------------|----------|-------------------------------------------------------------------|
+/// | `Pressure`     | pressure | positive in compression                                           |
+/// | `Gap`          | length   | between the surfaces, positive where they are apart               |
+/// | `Displacement` | length   | of the solid's surface, positive into the solid; its mean is free |
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Quantity {
+    /// The pressure `p`.
+    Pressure,
+    /// The gap `g`.
+    Gap,
+    /// The displacement `u`.
+    Displacement,
+}
+
+impl Quantity {
+    /// The quantities by their names in archives and on the command line, in a few words.
+    pub const QUANTITIES: [(&str, &str); 3] = [
+        ("pressure", "Pressure, positive in compression"),
+        ("gap", "Gap between the surfaces, positive where they are apart"),
+        ("displacement", "Displacement of the solid's surface, positive into the solid; its mean is free"),
+    ];
+
+    /// The quantity of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Pressure, Self::Gap, Self::Displacement].into_iter().find(|quantity| quantity.name() == name)
+    }
+
+    /// Its name in archives and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Pressure => Self::QUANTITIES[0].0,
+            Self::Gap => Self::QUANTITIES[1].0,
+            Self::Displacement => Self::QUANTITIES[2].0,
+        }
+    }
+
+    /// The pressure that `values` of this quantity, row by row, stand for: values of a pressure as they are, and else the pressure that makes the
+    /// displacement.
+    ///
+    /// A gap `g = u - h + d` tells the displacement but for its mean, and the stiffness `K` makes of it `K u`, the pressure less its
+    /// mean. The mean is the one that is prescribed or, at a given mean gap, the one that leaves no work: `<p g> = 0`. Rounding
+    /// of `u` is rough, and comes out of `K` much enlarged; its size shows in the largest tension, so where the surfaces are apart
+    /// a pressure up to twice as large counts as none.
+    ///
+    /// # Panics
+    /// If the length of `values` does not fit the grid.
+    pub fn pressure(self, problem: &Problem, values: &[f64], half_space: &mut HalfSpace) -> Vec<f64> {
+        let gap = match self {
+            Self::Pressure => return values.to_vec(),
+            Self::Gap => values.to_vec(),
+            Self::Displacement => gap_of(problem, values),
+        };
+        let displacement: Vec<f64> = gap.iter().zip(problem.height()).map(|(g, h)| g + h).collect();
+        let mut pressure = vec![0.0; gap.len()];
+        half_space.pressure(&displacement, &mut pressure);
+        let mean = problem.mean_pressure().unwrap_or_else(|| -mean_weighted(&pressure, &gap));
+        pressure.iter_mut().for_each(|p| *p += mean);
+        let noise = 2.0 * pressure.iter().fold(0.0, |most: f64, p| most.max(-p));
+        for (p, g) in pressure.iter_mut().zip(&gap) {
+            if *g > 0.0 && *p <= noise {
+                *p = p.min(0.0);
+            }
+        }
+        pressure
+    }
+}
+
+/// The gap of a displacement: at the mean gap that is prescribed, or else touching at its lowest node.
+fn gap_of(problem: &Problem, displacement: &[f64]) -> Vec<f64> {
+    let apart: Vec<f64> = displacement.iter().zip(problem.height()).map(|(u, h)| u - h).collect();
+    let datum = match problem.mean_gap() {
+        Some(mean_gap) => mean_gap - apart.iter().sum::<f64>() / apart.len() as f64,
+        None => -apart.iter().copied().fold(f64::INFINITY, f64::min),
+    };
+    apart.into_iter().map(|v| v + datum).collect()
+}
+
+/// The mean of `values` weighted by `weights`.
+fn mean_weighted(values: &[f64], weights: &[f64]) -> f64 {
+    values.iter().zip(weights).map(|(value, weight)| value * weight).sum::<f64>() / weights.iter().sum::<f64>()
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}

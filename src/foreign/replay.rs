@@ -1,0 +1,135 @@
+//! Iterations of other codes, replayed.
+
+use super::fault::feasible;
+use super::quantity::Quantity;
+use super::tension::Tension;
+use crate::contact::{Certificate, Contact, Observer, Problem, Run, Solver, Status, Step, Stop};
+use crate::elastic::HalfSpace;
+use crate::error::{Failure, SolveError};
+use crate::surface::Field;
+use std::cell::RefCell;
+
+/// A step of another code.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// The field, row by row.
+    pub values: Vec<f64>,
+    /// Seconds from the start, if they are known.
+    pub seconds: Option<f64>,
+}
+
+/// The steps of another code in the place of a solver: they are certified and shown like those of any other, to the last one, whether it holds or not.
+///
+/// The pressure of a step is clipped and scaled to the load where it is not feasible. The contact that comes back is that of the
+/// last step, and is converged if that meets the goals. Work is that of the other code: steps, and seconds where they are known, or else
+/// none. Frames that cannot be had end the run with the failure that they give.
+///
+/// ```
+/// use asperity::contact::{ContactModulus, Each, Load, Solver};
+/// use asperity::foreign::{Frame, Quantity, Replay};
+/// use asperity::{Grid, Indenter, Problem, Stop};
+/// use std::ops::ControlFlow;
+///
+/// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
+/// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.01))?;
+/// // two steps of somebody: a uniform pressure, and one under the peak
+/// let steps = [vec![0.01; 256], problem.height().iter().map(|h| h.max(0.0)).collect()];
+/// let frames = steps.into_iter().map(|values| Ok(Frame { values, seconds: None }));
+/// let mut certificates = Vec::new();
+/// let mut watch = Each(|step: &asperity::contact::Step<'_>| {
+///     certificates.extend(step.certificate().map(|it| it.eta));
+///     ControlFlow::Continue(())
+/// });
+/// let replay = Replay::new("mine", Quantity::Pressure, frames);
+/// let contact = replay.solve(&problem, &Stop::default(), &mut watch)?;
+/// assert!(certificates[1] < certificates[0] && !contact.is_converged());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Replay<I> {
+    name: String,
+    quantity: Quantity,
+    frames: RefCell<I>,
+}
+
+impl<I: Iterator<Item = Result<Frame, Failure>>> Replay<I> {
+    /// The replay of steps of a quantity, made by a code of some name. They can be replayed once.
+    pub fn new(name: &str, quantity: Quantity, frames: I) -> Self {
+        Self { name: name.into(), quantity, frames: RefCell::new(frames) }
+    }
+
+    /// Shows a frame as a step, and says why to stop, if so.
+    fn show(&self, frame: &Frame, run: &mut Run<'_>, half_space: &mut HalfSpace) -> (State, Option<Status>) {
+        run.set_seconds(frame.seconds.unwrap_or(0.0));
+        let state = half_space.uncounted(|half_space| self.state(run.problem(), frame, half_space));
+        let work = run.work(half_space.transforms());
+        let step = Step::new(run.problem(), work, &state.pressure, &state.displacement);
+        let ended = run.pass(&step.with_certificate(state.certificate));
+        (state, ended.filter(|ended| *ended != Status::IterationCap))
+    }
+
+    /// The feasible pressure of a frame, and what follows from it.
+    fn state(&self, problem: &Problem, frame: &Frame, half_space: &mut HalfSpace) -> State {
+        let pressure = self.quantity.pressure(problem, &frame.values, half_space);
+        let pressure = feasible(problem, &pressure, &Tension::of(&pressure)).unwrap_or(pressure);
+        let mut displacement = vec![0.0; pressure.len()];
+        half_space.displacement(&pressure, &mut displacement);
+        let certificate = Certificate::of_displaced(problem, &pressure, &displacement);
+        State { pressure, displacement, certificate }
+    }
+}
+
+/// The state of a step.
+struct State {
+    pressure: Vec<f64>,
+    displacement: Vec<f64>,
+    certificate: Certificate,
+}
+
+impl<I: Iterator<Item = Result<Frame, Failure>>> Solver for Replay<I> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn settings(&self) -> String {
+        format!("{}s of another code, step by step", self.quantity)
+    }
+
+    /// Replays the steps, wherever they start.
+    fn solve_from(
+        &self,
+        _: Option<&Field>,
+        problem: &Problem,
+        stop: &Stop,
+        observer: &mut dyn Observer,
+    ) -> Result<Contact, SolveError> {
+        let mut run = Run::begin(self, problem, stop, observer);
+        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let (mut last, mut failure) = (None, None);
+        let status = loop {
+            let frame = match self.frames.borrow_mut().next() {
+                Some(Ok(frame)) => frame,
+                missing => {
+                    failure = missing.and_then(Result::err);
+                    let holds = |state: &State| run.is_converged(&state.certificate);
+                    break if last.as_ref().is_some_and(holds) { Status::Converged } else { Status::Ended };
+                }
+            };
+            if last.is_some() {
+                run.advance();
+            }
+            let (state, ended) = self.show(&frame, &mut run, &mut half_space);
+            last = Some(state);
+            if let Some(ended) = ended {
+                break ended;
+            }
+        };
+        if let Some(State { pressure, certificate, .. }) = &last {
+            run.offer(certificate, pressure);
+        }
+        let mut contact = run.finish(status, half_space);
+        if let Some(failure) = failure {
+            contact.fail(failure);
+        }
+        Ok(contact)
+    }
+}
