@@ -49,7 +49,7 @@ impl Returns {
         if period > 0 {
             self.run += 1;
             let cycle = Cycle { period, rounds: self.run / period, from: self.first };
-            if self.longest.is_none_or(|longest| longest.rounds < cycle.rounds) {
+            if cycle.rounds > self.longest.map_or(0, |longest| longest.rounds) {
                 self.longest = Some(cycle);
             }
         }

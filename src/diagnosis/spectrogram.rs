@@ -260,7 +260,8 @@ mod tests {
         let bands = spectrogram.bands();
         for band in 0..bands.count() {
             let [long, short] = bands.wavelengths(band);
-            if short > 1.0 / 8.0 {
+            // subsampling folds a little of the waves 64 - k onto the waves k
+            if short > 1.0 / 4.0 {
                 assert!(row.pressure[band] < 0.02, "{long}: {}", row.pressure[band]);
             } else if long < 1.0 / 32.0 {
                 assert!((row.pressure[band] - 1.0).abs() < 1e-9, "{long}: {}", row.pressure[band]);

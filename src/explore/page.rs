@@ -19,13 +19,14 @@ macro_rules! file {
 }
 
 /// The files of the page: path, kind and text.
-const FILES: [(&str, &str, &str); 9] = [
+const FILES: [(&str, &str, &str); 10] = [
     file!("explore.css", "text/css; charset=utf-8"),
     file!("favicon.svg", "image/svg+xml"),
     file!("charts.js", SCRIPT),
     file!("controls.js", SCRIPT),
     file!("explore.js", SCRIPT),
     file!("lessons.js", SCRIPT),
+    file!("link.js", SCRIPT),
     file!("runs.js", SCRIPT),
     file!("save.js", SCRIPT),
     file!("viewer.js", SCRIPT),
