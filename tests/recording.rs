@@ -240,7 +240,10 @@ fn lines_have_no_mesh_and_surfaces_no_profile() {
     let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
     assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
     assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
-    assert_eq!(line.and(surface), [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect());
+    assert_eq!(
+        line.and(surface),
+        [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum, Part::Error].into_iter().collect()
+    );
     assert!(line.has(Part::Spectrum) && !Parts::USUAL.and(line).has(Part::Spectrum));
 }
 
@@ -264,6 +267,7 @@ fn names(part: Part) -> &'static [&'static str] {
         Part::Mask => &["contact"],
         Part::Mesh => &["relief"],
         Part::Spectrum => &["spectrum"],
+        Part::Error => &["density"],
     }
 }
 
@@ -295,7 +299,7 @@ fn below(entity: &str) -> String {
 fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.rrd");
-    let all = [Part::Traces, Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum];
+    let all = [Part::Traces, Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum, Part::Error];
     for problem in [rough_line(), rough_surface()] {
         let can_show = Parts::on(problem.surface().grid());
         for part in all.into_iter().filter(|&part| can_show.has(part)) {
@@ -304,7 +308,7 @@ fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
             let recorded = entities(&path).into_iter().filter(|entity| entity.starts_with("/it/"));
             let recorded: BTreeSet<String> = recorded.map(|entity| below(&entity)).collect();
             let expected = names(part).iter().map(|name| name.to_string()).chain(["description".into()]);
-            let captioned = !matches!(part, Part::Traces | Part::Mesh | Part::Spectrum);
+            let captioned = !matches!(part, Part::Traces | Part::Mesh | Part::Spectrum | Part::Error);
             let expected: BTreeSet<String> = expected.chain(captioned.then(|| "caption".into())).collect();
             assert_eq!(recorded, expected, "{part:?}");
             assert_eq!(shown(&path), expected, "{part:?}");

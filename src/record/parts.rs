@@ -8,15 +8,17 @@ use crate::setup::Part;
 pub struct Parts(u8);
 
 impl Parts {
-    /// Every part but the spectrum, which takes a transform for each frame.
-    pub const USUAL: Self = Self(!(1 << Part::Spectrum as u8));
+    /// Every part but the spectrum, which takes a transform for each frame, and the density of the error.
+    pub const USUAL: Self = Self(!(1 << Part::Spectrum as u8 | 1 << Part::Error as u8));
+    /// The usual parts and the density of the error, for what other codes have found.
+    pub const OF_OTHERS: Self = Self(!(1 << Part::Spectrum as u8));
     /// The parts that are drawn from the fields of a step.
     pub(super) const PICTURES: Self = Self(!(1 << Part::Traces as u8));
 
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
         let own = if grid.is_line() { Part::Profile } else { Part::Mesh };
-        [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect()
+        [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum, Part::Error].into_iter().collect()
     }
 
     /// The parts in both sets.
@@ -41,7 +43,7 @@ impl Parts {
 
     /// Whether anything that shows the gap is in the set.
     pub(super) fn has_gap(self) -> bool {
-        self.has_any([Part::Profile, Part::Fields, Part::Mesh, Part::Spectrum])
+        self.has_any([Part::Profile, Part::Fields, Part::Mesh, Part::Spectrum, Part::Error])
     }
 
     /// Whether the contact has a picture of its own, for want of others to lie in.
@@ -51,7 +53,7 @@ impl Parts {
 
     /// Whether anything drawn from the fields of a step is in the set.
     pub(super) fn has_pictures(self) -> bool {
-        self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum])
+        self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum, Part::Error])
     }
 }
 

@@ -25,7 +25,10 @@ impl Size {
         let bytes = |part: Part| if parts.has(part) { bytes(part, grid) } else { 0.0 };
         Self {
             still: 150e3,
-            frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum].map(bytes).iter().sum(),
+            frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum, Part::Error]
+                .map(bytes)
+                .iter()
+                .sum(),
             step: if parts.has(Part::Traces) { 200.0 } else { 0.0 },
             schedule: Schedule::on(grid),
         }
@@ -51,6 +54,8 @@ fn bytes(part: Part, grid: &Grid) -> f64 {
         (Part::Mask, false) => 0.1 * pixels,
         (Part::Mesh, _) => 28.0 * vertices,
         (Part::Spectrum, _) => 2e3,
+        (Part::Error, true) => 12.0 * points,
+        (Part::Error, false) => 4.0 * pixels,
         (Part::Traces, _) => 0.0,
     }
 }

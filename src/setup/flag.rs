@@ -72,7 +72,7 @@ pub const FLAGS: &[Flag] = &[
     flag("tolerance", "stop.tolerance", Value::One, "ETA", "Certificate eta to reach: error in energy over load times rms height [default: 1e-8]"),
     flag("pressure-tolerance", "stop.pressure-tolerance", Value::One, "E", "Bound of the relative error of the pressure to reach as well, in the energy norm: for indenters that are narrow in their cell"),
     flag("max-iterations", "stop.max-iterations", Value::One, "N", "Iterations at the most [default: 100000]"),
-    flag("record-what", "record.what", Value::Choices(&Part::PARTS), "PART[,PART]", "Parts to record [default: all but the spectrum]"),
+    flag("record-what", "record.what", Value::Choices(&Part::PARTS), "PART[,PART]", "Parts to record [default: all but spectrum and error]"),
     flag("record-every", "record.every", Value::One, "N", "Record the fields of every N-th step [default: all early steps and then ever fewer]"),
     flag("length-unit", "record.length-unit", Value::One, "UNIT", "Unit of lengths in the recording; metres are shown as mm, um or nm [default: m]"),
     flag("theme", "record.theme", Value::Choice(&Theme::THEMES), "THEME", "Ground of the pictures in the recording [default: dark]"),

@@ -21,17 +21,20 @@ pub enum Part {
     Mesh,
     /// Power spectra of displacement and heights.
     Spectrum,
+    /// Where the error sits: the density of the error in energy.
+    Error,
 }
 
 impl Part {
     /// The parts by their names in scenes, in a few words.
-    pub const PARTS: [(&str, &str); 6] = [
+    pub const PARTS: [(&str, &str); 7] = [
         ("traces", "Numbers of every step"),
         ("profile", "Indenter and solid of a line"),
         ("fields", "Pressure and gap: curves of a line, images of a surface"),
         ("mask", "Contact: segments of a line, an image of a surface"),
         ("mesh", "Relief of a surface"),
         ("spectrum", "Power spectra of displacement and heights; only if asked for"),
+        ("error", "Where the error sits, the density of the error in energy: only if asked for, or of other codes"),
     ];
 }
 

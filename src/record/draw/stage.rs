@@ -1,6 +1,7 @@
 //! A scene, prepared for recording.
 
 use super::canvas;
+use super::density::DensityPicture;
 use super::fields::Fields;
 use super::ghost::Ghost;
 use super::line::LinePicture;
@@ -42,6 +43,8 @@ pub struct Stage {
     pub picture: Box<dyn Picture>,
     /// The power spectra, if they are asked for.
     pub spectrum: Option<SpectrumPicture>,
+    /// The density of the error, if it is asked for.
+    pub density: Option<DensityPicture>,
     /// The map of contact patches over loads, once there are loads.
     pub patches: Option<PatchMap>,
 }
@@ -70,6 +73,7 @@ impl Stage {
                 Box::new(SurfacePicture::new(scene, forecast, &root, &options))
             },
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, palette, &root)),
+            density: options.what.has(Part::Error).then(|| DensityPicture::new(scene, &root, &options)),
             patches: None,
             root,
         }
@@ -100,6 +104,9 @@ impl Stage {
         }
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_static(to)?;
+        }
+        if let Some(density) = &self.density {
+            density.log_static(to)?;
         }
         if let Some(patches) = &self.patches {
             patches.log_static(to)?;
@@ -144,6 +151,9 @@ impl Stage {
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_frame(to, fields)?;
+        }
+        if let Some(density) = &self.density {
+            density.log_frame(to, fields)?;
         }
         self.picture.log_frame(to, fields)
     }

@@ -8,6 +8,7 @@ use super::reduce::Blocks;
 use super::relief::Relief;
 use super::ruler::Ruler;
 use crate::contact::Forecast;
+use crate::grid::Grid;
 use crate::plot::{Align, Axis, Frame, Sheet};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
@@ -33,12 +34,19 @@ pub struct SurfacePicture {
 }
 
 /// A field in colours, its frame and its scale.
-struct Image {
-    root: String,
-    frame: Frame,
-    palette: &'static Palette,
-    scale: Ruler,
-    map: Map,
+pub struct Image {
+    pub root: String,
+    pub frame: Frame,
+    pub palette: &'static Palette,
+    pub scale: Ruler,
+    pub map: Map,
+}
+
+/// The frame of an image of a surface, a unit for each of its blocks.
+pub fn frame(grid: &Grid, blocks: &Blocks, length_unit: &str) -> Frame {
+    let [height, width] = blocks.cells.map(|n| n as f64);
+    let [y, x] = [0, 1].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
+    Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) }
 }
 
 impl SurfacePicture {
@@ -48,9 +56,7 @@ impl SurfacePicture {
         let problem = scene.problem;
         let grid = problem.surface().grid();
         let blocks = Blocks::image(grid);
-        let [height, width] = blocks.cells.map(|n| n as f64);
-        let [y, x] = [0, 1].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
-        let frame = Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) };
+        let frame = frame(grid, &blocks, length_unit);
         let image =
             |name, scale, map| Image { root: format!("{root}/{name}"), frame: frame.clone(), palette, scale, map };
         let [low, high] = range(problem.height().iter().copied());
@@ -68,16 +74,17 @@ impl SurfacePicture {
     fn log_images(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let pressure = self.blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
         if self.what.has(Part::Mask) {
-            let classes = self.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
+            let classes =
+                self.blocks.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
             let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
             to.log(format!("{}/contact", self.root), &mask)?;
             let contour = LineStrips2D::update_fields().with_strips(self.contour(fields));
             to.log(format!("{}/contact/contour", self.root), &contour)?;
         }
         if self.what.has(Part::Fields) {
-            self.pressure.log(to, self.rows_down(&pressure))?;
+            self.pressure.log(to, self.blocks.rows_down(&pressure))?;
             let gap = self.blocks.fold(&fields.gap, fields.stride, f64::INFINITY, f64::min);
-            self.gap.log(to, self.rows_down(&gap))?;
+            self.gap.log(to, self.blocks.rows_down(&gap))?;
         }
         Ok(())
     }
@@ -91,11 +98,6 @@ impl SurfacePicture {
             [((x * stride_x + 0.5) * per_x) as f32, (height - (y * stride_y + 0.5) * per_y) as f32]
         };
         fields.outline.contour.iter().map(move |line| line.map(pixel))
-    }
-
-    /// Pixels row by row from the upper edge, where y is largest.
-    fn rows_down<'a>(&self, blocks: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
-        blocks.rchunks(self.blocks.cells[1]).flatten().copied()
     }
 }
 
@@ -151,7 +153,7 @@ impl Image {
         format!("{}/image", self.root)
     }
 
-    fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
         let style = DepthImage::update_fields()
             .with_format(format(&self.frame, ChannelDatatype::F32))
@@ -163,7 +165,7 @@ impl Image {
         self.log_scale(to, &self.scale.axis)
     }
 
-    fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
+    pub fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
         let bytes: Vec<u8> = values.flat_map(|value| (value as f32).to_le_bytes()).collect();
         to.log(self.pixels(), &DepthImage::update_fields().with_buffer(bytes))
     }
