@@ -116,6 +116,25 @@ pub enum ClaimError {
     NoLoad,
 }
 
+/// Steps of another code that cannot be replayed.
+#[derive(Debug, thiserror::Error)]
+pub enum StepsError {
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A step that does not fit the heights or is not finite.
+    #[error("{}, step {step} of the file: {source}", path.display())]
+    Step { path: PathBuf, step: usize, source: ClaimError },
+    /// Not a single step.
+    #[error("no steps are found: give files of fields (.npy, .npz or text), one or several steps in each")]
+    Nothing,
+    /// Seconds that do not fit the steps.
+    #[error("there are {seconds} times for {steps} steps: give one for each step")]
+    Seconds { seconds: usize, steps: usize },
+    /// Seconds in an archive that do not fit its steps.
+    #[error("{} has {seconds} times for {steps} steps: give one for each step", path.display())]
+    SecondsOfFile { path: PathBuf, seconds: usize, steps: usize },
+}
+
 /// A setting of a solver or of its stop that cannot be.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SettingError {
@@ -311,7 +330,24 @@ impl FileError {
 impl SolveError {
     /// Whether another solver or load would do.
     pub fn is_input(&self) -> bool {
-        matches!(self, Self::NeedsPressure { .. })
+        match self {
+            Self::NeedsPressure { .. } => true,
+            Self::NotConverged { .. } => false,
+            Self::Observer(failure) => {
+                failure.downcast_ref().is_some_and(FileError::is_input)
+                    || failure.downcast_ref().is_some_and(StepsError::is_input)
+            }
+        }
+    }
+}
+
+impl StepsError {
+    /// Whether other steps would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::File(error) => error.is_input(),
+            _ => true,
+        }
     }
 }
 

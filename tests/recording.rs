@@ -242,7 +242,10 @@ fn lines_have_no_mesh_and_surfaces_no_profile() {
     let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
     assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
     assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
-    assert_eq!(line.and(surface), [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum].into_iter().collect());
+    assert_eq!(
+        line.and(surface),
+        [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum, Part::Error].into_iter().collect()
+    );
     assert!(line.has(Part::Spectrum) && !Parts::USUAL.and(line).has(Part::Spectrum));
 }
 
@@ -266,6 +269,7 @@ fn names(part: Part, is_line: bool) -> &'static [&'static str] {
         Part::Mask => &["contact"],
         Part::Mesh => &["relief"],
         Part::Spectrum => &["spectrum"],
+        Part::Error => &["density"],
         Part::Raster if is_line => &["raster", "cursor"],
         Part::Raster => &["raster_row", "raster_column", "flips", "cursor"],
         // without a state to hold errors against there are none

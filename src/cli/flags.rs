@@ -5,16 +5,79 @@ use super::outcome::usage;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, Table, Value, lay};
 use clap::{Arg, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
+use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
-/// A scene and the flags that are laid over it: those of the surface and its grid alone, or of the whole setup.
-pub struct Scene<const WHOLE: bool> {
+/// How much of a setup a command takes, and under which names.
+pub trait Extent {
+    /// The heading of the flags of the load.
+    const LOAD: &'static str;
+
+    /// Whether a flag is one of the command.
+    fn takes(flag: &Flag) -> bool;
+
+    /// The name of a flag.
+    fn name(flag: &'static Flag) -> &'static str {
+        flag.name
+    }
+
+    /// The argument for a scene.
+    fn scene() -> Arg {
+        Arg::new("scene").value_name("SCENE.toml").help("A scene; flags override what it says")
+    }
+}
+
+/// All of a setup.
+pub struct Whole;
+
+/// The surface and its grid alone.
+pub struct OfSurface;
+
+/// The problem that another code has solved, and what is asked of its result: a field of it may be called pressure.
+pub struct OfProblem;
+
+impl Extent for Whole {
+    const LOAD: &'static str = LOAD;
+
+    fn takes(flag: &Flag) -> bool {
+        flag.section() != "record" || cfg!(feature = "record")
+    }
+}
+
+impl Extent for OfSurface {
+    const LOAD: &'static str = LOAD;
+
+    fn takes(flag: &Flag) -> bool {
+        ["surface", "grid"].contains(&flag.section())
+    }
+}
+
+impl Extent for OfProblem {
+    const LOAD: &'static str = "Load (one of --mean-pressure, --reduced-pressure, --mean-gap)";
+
+    fn takes(flag: &Flag) -> bool {
+        let is_goal = ["tolerance", "pressure-tolerance"].contains(&flag.name);
+        is_goal || !["solver", "stop"].contains(&flag.section()) && Whole::takes(flag)
+    }
+
+    fn name(flag: &'static Flag) -> &'static str {
+        if flag.name == "pressure" { "mean-pressure" } else { flag.name }
+    }
+
+    fn scene() -> Arg {
+        Arg::new("scene").long("setup").value_name("SCENE.toml").help("A scene; flags override what it says")
+    }
+}
+
+/// A scene and the flags that are laid over it.
+pub struct Scene<E> {
     /// A scene, or a result that carries one.
     file: Option<PathBuf>,
     given: Vec<(&'static Flag, Vec<String>)>,
+    extent: PhantomData<E>,
 }
 
-impl<const WHOLE: bool> Scene<WHOLE> {
+impl<E: Extent> Scene<E> {
     /// The setup as it was given, its sections and keys apart.
     pub fn table(&self) -> Result<Table> {
         let mut table = self.file.as_deref().map_or_else(|| Ok(Table::default()), read)?;
@@ -22,13 +85,8 @@ impl<const WHOLE: bool> Scene<WHOLE> {
         Ok(table)
     }
 
-    /// The flags, of which those of a recording only where one can be made.
     fn flags() -> impl Iterator<Item = &'static Flag> {
-        FLAGS.iter().filter(|flag| match flag.section() {
-            "surface" | "grid" => true,
-            "record" => WHOLE && cfg!(feature = "record"),
-            _ => WHOLE,
-        })
+        FLAGS.iter().filter(|flag| E::takes(flag))
     }
 }
 
@@ -44,14 +102,14 @@ fn read(path: &Path) -> Result<Table> {
     Ok(Table::read(path)?)
 }
 
-impl<const WHOLE: bool> FromArgMatches for Scene<WHOLE> {
+impl<E: Extent> FromArgMatches for Scene<E> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let words = |flag: &'static Flag| {
-            let words = matches.get_many::<String>(flag.name)?;
+            let words = matches.get_many::<String>(E::name(flag))?;
             Some((flag, words.cloned().collect()))
         };
         let file = ["scene", "setup-of"].iter().find_map(|name| matches.get_one::<PathBuf>(name).cloned());
-        Ok(Self { file, given: Self::flags().filter_map(words).collect() })
+        Ok(Self { file, given: Self::flags().filter_map(words).collect(), extent: PhantomData })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
@@ -60,23 +118,20 @@ impl<const WHOLE: bool> FromArgMatches for Scene<WHOLE> {
     }
 }
 
-impl<const WHOLE: bool> clap::Args for Scene<WHOLE> {
+impl<E: Extent> clap::Args for Scene<E> {
     fn augment_args(command: Command) -> Command {
         let path = |arg: Arg| arg.value_parser(clap::value_parser!(PathBuf));
         let command = command
-            .arg(path(Arg::new("scene")).value_name("SCENE.toml").help("A scene; flags override what it says"))
+            .arg(path(E::scene()))
             .arg(
                 path(Arg::new("setup-of").long("setup-of"))
                     .value_name("RESULT")
                     .help("The setup that a result carries (.npz, .json or .rrd), instead of a scene")
                     .conflicts_with("scene"),
             )
-            .args(Self::flags().map(arg));
-        if WHOLE {
-            command.group(ArgGroup::new("load").args(["pressure", "reduced-pressure", "mean-gap"]))
-        } else {
-            command
-        }
+            .args(Self::flags().map(arg::<E>));
+        let loads = Self::flags().filter(|flag| flag.section() == "load").map(E::name);
+        command.group(ArgGroup::new("load").args(loads))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -88,9 +143,9 @@ impl<const WHOLE: bool> clap::Args for Scene<WHOLE> {
 pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several as 1e5,1e6 or 1e-3..1e-1:13)";
 
 /// A flag as the parser takes it.
-fn arg(flag: &'static Flag) -> Arg {
-    let arg = Arg::new(flag.name).long(flag.name).value_name(flag.placeholder).help(flag.help);
-    let arg = arg.help_heading(heading(flag)).allow_negative_numbers(true);
+fn arg<E: Extent>(flag: &'static Flag) -> Arg {
+    let arg = Arg::new(E::name(flag)).long(E::name(flag)).value_name(flag.placeholder).help(flag.help);
+    let arg = arg.help_heading(heading::<E>(flag)).allow_negative_numbers(true);
     let needs_recording = flag.section() == "record" && flag.name != "length-unit";
     let arg = if needs_recording { arg.requires("recorded") } else { arg };
     match flag.value {
@@ -101,12 +156,12 @@ fn arg(flag: &'static Flag) -> Arg {
     }
 }
 
-fn heading(flag: &Flag) -> &'static str {
+fn heading<E: Extent>(flag: &Flag) -> &'static str {
     match flag.section() {
         "surface" if flag.path.starts_with("surface.indenter.") => "Indenter",
         "surface" if !["height", "detrend"].contains(&flag.name) => "Roughness",
         "surface" | "grid" => "Surface (a height file, an indenter, roughness, or a sum of them) and its cell",
-        "load" => LOAD,
+        "load" => E::LOAD,
         "solid" => "Solid (the contact modulus, or elastic constants; a mean pressure needs it)",
         "record" => "Recording",
         _ => "Solver",

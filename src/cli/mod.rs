@@ -3,6 +3,7 @@
 mod accuracy;
 mod bench;
 mod caution;
+mod certify;
 mod choice;
 #[cfg(feature = "record")]
 mod compare;
@@ -10,8 +11,12 @@ mod compare;
 mod demo;
 #[cfg(feature = "explore")]
 mod explore;
+mod fields;
 mod finding;
 mod flags;
+mod inspect;
+mod interrupt;
+mod iteration;
 mod load_curve;
 #[cfg(feature = "record")]
 mod load_recording;
@@ -22,10 +27,13 @@ mod outputs;
 mod paper;
 mod plan;
 mod progress;
+#[cfg(feature = "record")]
+mod shown;
 mod solve;
 mod stability;
 mod subject;
 mod surface;
+mod verdict;
 #[cfg(feature = "explore")]
 mod view;
 mod wrote;
@@ -50,6 +58,12 @@ enum Command {
     Accuracy(accuracy::Accuracy),
     /// Time the solvers on chosen cases
     Bench(bench::Bench),
+    /// Certify somebody's pressure, gap or displacement
+    ///
+    /// The certificate bounds the error of the result, whatever code has made it. Where it fails, everyday mistakes are recognised
+    /// from the numbers: signs, forces for pressures, wrong moduli, transposed arrays. The result holds if the certificate is within --tolerance,
+    /// and load and tension are off by no more than its root.
+    Certify(Box<certify::Certify>),
     /// Lay the traces of several recordings over each other
     ///
     /// One recording comes out, with the curves of certificate, kappa_r, area and others of all runs, named by what tells the runs
@@ -62,6 +76,10 @@ enum Command {
     /// Turn knobs in the browser and watch the contact relax
     #[cfg(feature = "explore")]
     Explore(explore::Explore),
+    /// Record somebody's iteration, from files of its steps
+    ///
+    /// Every step is certified and recorded like those of our own solvers, and compared with the solution.
+    Inspect(Box<inspect::Inspect>),
     /// Make the tables and figures of van Dokkum et al. (2018) again
     ///
     /// The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018). Each figure comes as a CSV of every
@@ -87,12 +105,14 @@ pub fn run() -> anyhow::Result<Outcome> {
     match Cli::parse().command {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),
+        Command::Certify(certify) => certify.run(),
         #[cfg(feature = "record")]
         Command::Compare(compare) => compare.run(),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
         #[cfg(feature = "explore")]
         Command::Explore(explore) => explore.run(),
+        Command::Inspect(inspect) => inspect.run(),
         Command::Paper(paper) => paper.run(),
         Command::Solve(solve) => solve.run(),
         Command::Stability(stability) => stability.run(),

@@ -3,7 +3,8 @@
 use anyhow::Result;
 use asperity::contact::Contact;
 use asperity::error::{
-    FileError, GridError, ProblemError, SettingError, SetupError, SolidError, SolveError, StudyError, SurfaceError,
+    ClaimError, FileError, GridError, ProblemError, SettingError, SetupError, SolidError, SolveError, StepsError,
+    StudyError, SurfaceError,
 };
 use std::io::{Write, stderr};
 use std::process::ExitCode;
@@ -50,6 +51,9 @@ pub fn usage<T>(sentence: impl Into<String>) -> Result<T> {
 
 /// The flags by which a person can give what is missing, to stand behind the sentence of an error.
 pub fn remedy(error: &anyhow::Error) -> &'static str {
+    if let Some(ClaimError::NoLoad) = error.downcast_ref() {
+        return " (--mean-pressure, --reduced-pressure, --mean-gap)";
+    }
     match error.downcast_ref() {
         Some(SetupError::NoSurface) => " (--height, --indenter, --hurst)",
         Some(SetupError::NoLoad) => " (--pressure, --reduced-pressure, --mean-gap)",
@@ -67,9 +71,11 @@ pub fn exit_code(error: &anyhow::Error) -> ExitCode {
         || error.is::<ProblemError>()
         || error.is::<SettingError>()
         || error.is::<SolidError>()
+        || error.is::<ClaimError>()
         || error.downcast_ref().is_some_and(SetupError::is_input)
         || error.downcast_ref().is_some_and(SolveError::is_input)
         || error.downcast_ref().is_some_and(FileError::is_input)
+        || error.downcast_ref().is_some_and(StepsError::is_input)
         || error.downcast_ref().is_some_and(StudyError::is_input);
     ExitCode::from(if is_input { 2 } else { 1 })
 }

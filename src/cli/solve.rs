@@ -2,7 +2,7 @@
 
 use super::caution;
 use super::finding::Finding;
-use super::flags::Scene;
+use super::flags::{Scene, Whole};
 use super::load_curve;
 use super::nodes::write_nodes;
 use super::outcome::{Outcome, settle, usage};
@@ -34,7 +34,7 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub struct Solve {
     #[command(flatten)]
-    scene: Scene<true>,
+    scene: Scene<Whole>,
     /// Go back through several loads after the last one
     #[arg(long, help_heading = super::flags::LOAD)]
     unload: bool,

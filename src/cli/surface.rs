@@ -1,7 +1,7 @@
 //! `asperity surface`: makes a surface, or describes one.
 
 use super::caution;
-use super::flags::Scene;
+use super::flags::{OfSurface, Scene};
 use super::outcome::Outcome;
 use super::output::{write_json, write_rows};
 use super::subject::along_axes;
@@ -27,7 +27,7 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub struct Describe {
     #[command(flatten)]
-    scene: Scene<false>,
+    scene: Scene<OfSurface>,
     /// Write the heights
     #[arg(long, value_name = "FILE.npy", help_heading = "Output")]
     out: Option<PathBuf>,

@@ -3,6 +3,7 @@
 use crate::contact::rounding::Rounding;
 use crate::contact::{Problem, Sums, chunks};
 use crate::elastic::HalfSpace;
+use serde::Serialize;
 
 /// Rigorous bounds of the error of a feasible pressure `p >= 0` under the load that it carries: a duality gap, or Frank-Wolfe gap,
 /// and what follows from it.
@@ -63,7 +64,7 @@ use crate::elastic::HalfSpace;
 ///
 /// All fields are dimensionless. Where there is no pressure at all, and where a value is negative or not finite, nothing is
 /// bounded: the errors are infinite. At the head of the crate the pressure of somebody else is certified.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Certificate {
     /// `eta = G / (<p> h_rms)`, the error in energy against load times rms height: what [`crate::contact::Stop`] asks for. At a
     /// mean gap `eta = (a + |D - d|) / h_rms`, the same against the larger of `<p>` and `<p*>`.

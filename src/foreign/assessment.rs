@@ -8,7 +8,7 @@ use crate::error::ProblemError;
 use serde::Serialize;
 
 /// What is wrong with a claim, and where, beside the certificate of the contact that it makes.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Assessment {
     /// The certificate of its pressure as it is, under the load that it carries: infinite with any tension.
     pub given: Certificate,

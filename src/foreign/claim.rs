@@ -48,6 +48,11 @@ impl Claim {
         self.quantity
     }
 
+    /// The load that is prescribed, if one is.
+    pub fn load(&self) -> Option<Load> {
+        self.load
+    }
+
     /// The field, row by row.
     pub fn values(&self) -> &[f64] {
         &self.values

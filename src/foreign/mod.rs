@@ -4,7 +4,7 @@
 //! field + surface, solid, load --> Claim --> mistakes: everyday errors, recognised from the numbers
 //!                                    |
 //!                                    v
-//! fields, one a step ---------> Replay, a Solver --> Contact --> Assessment: what is wrong with it, and where
+//! Steps: files of fields -----> Replay, a Solver --> Contact --> Assessment: what is wrong with it, and where
 //! ```
 //!
 //! A result may be a pressure, a gap or a displacement, see [`Quantity`].
@@ -32,15 +32,20 @@ mod claim;
 mod distance;
 mod factor;
 mod fault;
+mod follow;
 mod mistake;
+mod order;
 mod quantity;
 mod replay;
+mod steps;
 mod tension;
 
 pub use assessment::{Assessment, Disagreement, Spot};
 pub use claim::Claim;
 pub use distance::{Distance, Distances};
+pub use follow::Follow;
 pub use mistake::Mistake;
 pub use quantity::Quantity;
 pub use replay::{Frame, Replay};
+pub use steps::{Steps, step_files};
 pub use tension::Tension;

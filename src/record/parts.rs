@@ -8,8 +8,10 @@ use crate::setup::Part;
 pub struct Parts(u16);
 
 impl Parts {
-    /// Every part but those that take work of their own: the spectrum and the instruments.
+    /// Every part but those that take work of their own: the spectrum, the density of the error and the instruments.
     pub const USUAL: Self = Self((1 << Part::Spectrum as u16) - 1);
+    /// The usual parts and the density of the error, for what other codes have found.
+    pub const OF_OTHERS: Self = Self(Self::USUAL.0 | 1 << Part::Error as u16);
     /// The parts that are drawn from the fields of a step.
     pub(super) const PICTURES: Self = Self((1 << Part::Raster as u16) - (1 << Part::Traces as u16) - 1);
 
@@ -19,7 +21,8 @@ impl Parts {
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
         let own = if grid.is_line() { Part::Profile } else { Part::Mesh };
-        Self::INSTRUMENTS.into_iter().chain([Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum]).collect()
+        let own = [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum, Part::Error];
+        Self::INSTRUMENTS.into_iter().chain(own).collect()
     }
 
     /// The parts in both sets.
@@ -44,7 +47,7 @@ impl Parts {
 
     /// Whether anything that shows the gap is in the set.
     pub(super) fn has_gap(self) -> bool {
-        self.has_any([Part::Profile, Part::Fields, Part::Mesh, Part::Spectrum])
+        self.has_any([Part::Profile, Part::Fields, Part::Mesh, Part::Spectrum, Part::Error])
     }
 
     /// Whether the contact has a picture of its own, for want of others to lie in.
@@ -59,7 +62,7 @@ impl Parts {
 
     /// Whether anything drawn from the fields of a step is in the set.
     pub(super) fn has_pictures(self) -> bool {
-        self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum])
+        self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum, Part::Error])
     }
 }
 

@@ -29,7 +29,10 @@ impl Size {
                     .map(|part| if parts.has(part) { still(part, grid) } else { 0.0 })
                     .iter()
                     .sum::<f64>(),
-            frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum].map(bytes).iter().sum(),
+            frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum, Part::Error]
+                .map(bytes)
+                .iter()
+                .sum(),
             step: if parts.has(Part::Traces) { 200.0 } else { 0.0 } + if parts.has_instruments() { 60.0 } else { 0.0 },
             schedule: Schedule::on(grid),
         }
@@ -67,6 +70,8 @@ fn bytes(part: Part, grid: &Grid) -> f64 {
         (Part::Mask, false) => 0.1 * pixels,
         (Part::Mesh, _) => 28.0 * vertices,
         (Part::Spectrum, _) => 2e3,
+        (Part::Error, true) => 12.0 * points,
+        (Part::Error, false) => 4.0 * pixels,
         (Part::Traces | Part::Raster | Part::Waterfall | Part::Energy | Part::Decisions | Part::Ritz, _) => 0.0,
     }
 }

@@ -21,6 +21,8 @@ pub enum Part {
     Mesh,
     /// Power spectra of displacement and heights.
     Spectrum,
+    /// Where the error sits: the density of the error in energy.
+    Error,
     /// The contact step by step against the place: how long each node has been as it is.
     Raster,
     /// The error of pressure and displacement step by step against the wavelength, held against the final state: a second pass.
@@ -35,13 +37,14 @@ pub enum Part {
 
 impl Part {
     /// All parts, in the order of their names.
-    const ALL: [Self; 11] = [
+    const ALL: [Self; 12] = [
         Self::Traces,
         Self::Profile,
         Self::Fields,
         Self::Mask,
         Self::Mesh,
         Self::Spectrum,
+        Self::Error,
         Self::Raster,
         Self::Waterfall,
         Self::Energy,
@@ -55,13 +58,14 @@ impl Part {
     }
 
     /// The parts by their names in scenes, in a few words.
-    pub const PARTS: [(&str, &str); 11] = [
+    pub const PARTS: [(&str, &str); 12] = [
         ("traces", "Numbers of every step"),
         ("profile", "Indenter and solid of a line"),
         ("fields", "Pressure and gap: curves of a line, images of a surface"),
         ("mask", "Contact: segments of a line, an image of a surface"),
         ("mesh", "Relief of a surface"),
         ("spectrum", "Power spectra of displacement and heights; only if asked for, as all below"),
+        ("error", "Where the error sits, the density of the error in energy; of other codes it is usual"),
         (
             "raster",
             "Contact by step and place: how long each node has been as it is; of a surface along a row and a column",

@@ -124,6 +124,11 @@ impl Table {
         keys.try_fold(first?, |value, key| value.get(key))
     }
 
+    /// Whether there is a load.
+    pub fn has_load(&self) -> bool {
+        self.find("load").and_then(toml::Value::as_table).is_some_and(|load| !load.is_empty())
+    }
+
     /// The setup.
     ///
     /// # Errors

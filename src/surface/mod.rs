@@ -11,7 +11,9 @@ mod synthesis;
 
 pub use detrend::Detrend;
 pub(crate) use formats::read_text;
-pub use formats::{has_field, read_field, read_fields, read_heights, read_period, read_shape, write_heights};
+pub use formats::{
+    has_field, read_field, read_fields, read_fields_shape, read_heights, read_period, read_shape, write_heights,
+};
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
 pub use roughness::{PowerSpectrum, Roughness};

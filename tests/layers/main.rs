@@ -58,7 +58,7 @@ const PLACES: &[(&str, &[&str])] = &[
     ("resvg", &["plot/"]),
     ("rustfft", &["fourier/"]),
     ("strsim", &["setup/"]),
-    ("tokio", &["explore/"]),
+    ("tokio", &["cli/interrupt.rs", "explore/"]),
     ("toml", &["setup/"]),
     ("uom", &["quantity.rs"]),
 ];

@@ -237,6 +237,6 @@ fn height(value: f64, ruler: &Ruler) -> f32 {
 }
 
 /// A curve with the height `y(i)` at sample `i`.
-fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Vec<[f32; 2]> {
+pub fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Vec<[f32; 2]> {
     Columns::new(nodes.count()).extremes(y).into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect()
 }

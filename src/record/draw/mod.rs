@@ -4,6 +4,7 @@ mod canvas;
 mod chart;
 mod contrast;
 mod curves;
+mod density;
 mod fields;
 mod figure;
 mod fill;

@@ -154,6 +154,11 @@ impl Blocks {
         }
         blocks
     }
+
+    /// Pixels row by row from the upper edge, where y is largest.
+    pub fn rows_down<'a>(&self, blocks: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
+        blocks.rchunks(self.cells[1]).flatten().copied()
+    }
 }
 
 /// Whether the contour of a contact on `grid` is drawn: where each node has a pixel of its own.

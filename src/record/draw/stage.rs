@@ -1,6 +1,7 @@
 //! A scene, prepared for recording.
 
 use super::canvas;
+use super::density::DensityPicture;
 use super::fields::Fields;
 use super::ghost::Ghost;
 use super::instruments::Instruments;
@@ -47,6 +48,8 @@ pub struct Stage {
     pub instruments: Option<Instruments>,
     /// The power spectra, if they are asked for.
     pub spectrum: Option<SpectrumPicture>,
+    /// The density of the error, if it is asked for.
+    pub density: Option<DensityPicture>,
     /// The map of contact patches over loads, once there are loads.
     pub patches: Option<PatchMap>,
 }
@@ -78,6 +81,7 @@ impl Stage {
             instruments: Instruments::new(scene, &root, &options, &picture.frame()),
             picture,
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, palette, &root)),
+            density: options.what.has(Part::Error).then(|| DensityPicture::new(scene, &root, &options)),
             patches: None,
             root,
         }
@@ -106,6 +110,9 @@ impl Stage {
         }
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_static(to)?;
+        }
+        if let Some(density) = &self.density {
+            density.log_static(to)?;
         }
         if let Some(patches) = &self.patches {
             patches.log_static(to)?;
@@ -150,6 +157,9 @@ impl Stage {
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         if let Some(spectrum) = &self.spectrum {
             spectrum.log_frame(to, fields)?;
+        }
+        if let Some(density) = &self.density {
+            density.log_frame(to, fields)?;
         }
         self.picture.log_frame(to, fields)
     }

@@ -10,6 +10,7 @@ use super::relief::Relief;
 use super::ruler::Ruler;
 use super::scale::ColourScale;
 use crate::contact::Forecast;
+use crate::grid::Grid;
 use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
@@ -33,11 +34,26 @@ pub struct SurfacePicture {
 }
 
 /// A field in colours, its frame and its scale.
-struct Image {
-    root: String,
-    frame: Frame,
-    colours: ColourScale,
-    scale: Ruler,
+pub struct Image {
+    pub root: String,
+    pub frame: Frame,
+    pub colours: ColourScale,
+    pub scale: Ruler,
+}
+
+impl Image {
+    /// The image under `root` in a frame, with its scale and its colours.
+    pub fn new(root: String, frame: &Frame, palette: &'static Palette, scale: Ruler, map: Map) -> Self {
+        let colours = ColourScale { root: format!("{root}/scale"), palette, map };
+        Self { root, frame: frame.clone(), colours, scale }
+    }
+}
+
+/// The frame of an image of a surface, a unit for each of its blocks.
+pub fn frame(grid: &Grid, blocks: &Blocks, length_unit: &str) -> Frame {
+    let [height, width] = blocks.cells.map(|n| n as f64);
+    let [y, x] = [0, 1].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
+    Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) }
 }
 
 impl SurfacePicture {
@@ -47,14 +63,8 @@ impl SurfacePicture {
         let problem = scene.problem;
         let grid = problem.surface().grid();
         let blocks = Blocks::image(grid);
-        let [height, width] = blocks.cells.map(|n| n as f64);
-        let [y, x] = [0, 1].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
-        let frame = Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) };
-        let image = |name, scale, map| {
-            let root = format!("{root}/{name}");
-            let colours = ColourScale { root: format!("{root}/scale"), palette, map };
-            Image { root, frame: frame.clone(), colours, scale }
-        };
+        let frame = frame(grid, &blocks, length_unit);
+        let image = |name, scale, map| Image::new(format!("{root}/{name}"), &frame, palette, scale, map);
         let [low, high] = range(problem.height().iter().copied());
         let pressure = Ruler::pressure(forecast.max_pressure, problem.contact_modulus());
         Self {
@@ -70,7 +80,8 @@ impl SurfacePicture {
     fn log_images(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let pressure = self.blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
         if self.what.has(Part::Mask) {
-            let classes = self.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
+            let classes =
+                self.blocks.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
             let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
             to.log(format!("{}/contact", self.root), &mask)?;
             let contour = LineStrips2D::update_fields().with_strips(self.contour(fields));
@@ -80,9 +91,9 @@ impl SurfacePicture {
             patch_points::log(to, &format!("{}/contact/patches", self.root), &fields.patches, place)?;
         }
         if self.what.has(Part::Fields) {
-            self.pressure.log(to, self.rows_down(&pressure))?;
+            self.pressure.log(to, self.blocks.rows_down(&pressure))?;
             let gap = self.blocks.fold(&fields.gap, fields.stride, f64::INFINITY, f64::min);
-            self.gap.log(to, self.rows_down(&gap))?;
+            self.gap.log(to, self.blocks.rows_down(&gap))?;
         }
         Ok(())
     }
@@ -97,11 +108,6 @@ impl SurfacePicture {
         let [per_y, per_x] = [0, 1].map(|axis| self.blocks.cells[axis] as f64 / self.blocks.shape[axis] as f64);
         let height = self.blocks.cells[0] as f64;
         [((x * stride_x as f64 + 0.5) * per_x) as f32, (height - (y * stride_y as f64 + 0.5) * per_y) as f32]
-    }
-
-    /// Pixels row by row from the upper edge, where y is largest.
-    fn rows_down<'a>(&self, blocks: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
-        blocks.rchunks(self.blocks.cells[1]).flatten().copied()
     }
 }
 
@@ -158,7 +164,7 @@ impl Image {
         format!("{}/image", self.root)
     }
 
-    fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, self.colours.palette, &format!("{}/axes", self.root), &self.frame)?;
         let style = DepthImage::update_fields()
             .with_format(format(&self.frame, ChannelDatatype::F32))
@@ -170,7 +176,7 @@ impl Image {
         self.log_scale(to, &self.scale.axis)
     }
 
-    fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
+    pub fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
         let bytes: Vec<u8> = values.flat_map(|value| (value as f32).to_le_bytes()).collect();
         to.log(self.pixels(), &DepthImage::update_fields().with_buffer(bytes))
     }

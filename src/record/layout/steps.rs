@@ -77,6 +77,16 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
         let (title, origin) = ("Power spectra (blue: displacement, grey: heights)", format!("{}/spectrum", stage.root));
         rows.push(vec![View::plane(title, &origin, vec![format!("{origin}/**")], spectrum.bounds(), stage.palette)]);
     }
+    if let Some(density) = &stage.density {
+        let contents = vec![format!("{}/**", density.root())];
+        rows.push(vec![View::plane(
+            "Where the error sits: p (v - min v)",
+            density.root(),
+            contents,
+            density.bounds(),
+            stage.palette,
+        )]);
+    }
     if what.has_mask_alone() {
         rows.push(vec![plane(stage, "contact", &format!("{title}: contact"), false)]);
     }

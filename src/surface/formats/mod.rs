@@ -51,6 +51,15 @@ pub fn read_fields(path: impl AsRef<Path>, name: &'static str) -> Result<ArrayD<
     with_file(path.as_ref(), &wanted, |file, format| (format.read)(file, &wanted))
 }
 
+/// The shape of what [`read_fields`] reads, as the header of the file says if it has one, and fits its length.
+///
+/// # Errors
+/// The errors of [`read_fields`].
+pub fn read_fields_shape(path: impl AsRef<Path>, name: &'static str) -> Result<Vec<usize>, FileError> {
+    let wanted = Wanted { name, ranks: 0..=3 };
+    with_file(path.as_ref(), &wanted, |file, format| (format.shape)(file, &wanted))
+}
+
 /// Whether a file is an archive with the array `name`.
 ///
 /// # Errors

@@ -1,0 +1,178 @@
+//! `asperity certify`: somebody's result, certified.
+
+use super::caution;
+use super::fields::{lay_load, poisson, rows};
+use super::finding::Finding;
+use super::flags::{OfProblem, Scene};
+use super::nodes::write_nodes;
+use super::outcome::{Outcome, usage};
+use super::output::write_json;
+#[cfg(feature = "record")]
+use super::shown::Shown;
+use super::verdict::Verdict;
+use super::wrote::wrote;
+use anyhow::Result;
+use asperity::contact::{Contact, ContactModulus, Problem, archive};
+use asperity::error::ProblemError;
+use asperity::files::{check_named, write_beside};
+use asperity::foreign::{Assessment, Claim, Frame, Quantity, Replay};
+use asperity::setup::{Cost, Setup};
+use asperity::surface::read_field;
+use clap::{ArgGroup, Args};
+use std::io::{self, Write, stdout};
+use std::path::{Path, PathBuf};
+
+/// Fields that a claim takes while it is assessed: its own, heights, and those of a half-space, a contact and a trial.
+const FIELDS: f64 = 12.0;
+
+const EXAMPLES: &str = "\
+Examples:
+  asperity certify --height h.npy --size 160um --modulus 1GPa --pressure p.npy --mean-pressure 1MPa
+  asperity certify --setup scene.toml --gap g.npy --json
+  asperity certify --setup-of run.npz --pressure mine.npy --record mine.rrd";
+
+/// Heading of the flags of the result.
+const RESULT: &str = "Result (one of --pressure, --gap, --displacement; .npy, .npz or text)";
+
+#[derive(Args)]
+#[command(after_help = EXAMPLES, group = ArgGroup::new("claim").args(["pressure", "gap", "displacement"]).required(true))]
+pub struct Certify {
+    /// The pressure, positive in compression; without a load it is certified under the one that it carries
+    #[arg(long, value_name = "FILE", help_heading = RESULT)]
+    pressure: Option<PathBuf>,
+    /// The gap between the surfaces; without a load it is certified at its own mean
+    #[arg(long, value_name = "FILE", help_heading = RESULT)]
+    gap: Option<PathBuf>,
+    /// The displacement of the solid's surface, positive into the solid; its mean is free, so it needs a load
+    #[arg(long, value_name = "FILE", help_heading = RESULT)]
+    displacement: Option<PathBuf>,
+    #[command(flatten)]
+    scene: Scene<OfProblem>,
+    #[cfg(feature = "record")]
+    #[command(flatten)]
+    shown: Shown,
+    /// Write the fields and numbers (.npz), or the nodes of a line (.csv)
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    out: Option<PathBuf>,
+    /// Print one JSON object instead of a summary
+    #[arg(long, help_heading = "Output")]
+    json: bool,
+}
+
+impl Certify {
+    pub fn run(&self) -> Result<Outcome> {
+        self.check()?;
+        let (quantity, path) = self.claimed();
+        let field = rows(read_field(path, quantity.name())?)?;
+        let mut table = self.scene.table()?;
+        let is_loaded = lay_load(&mut table, quantity, &field)?;
+        let setup = table.setup()?;
+        let grid = setup.check()?;
+        Cost::of_fields(&grid, FIELDS).check("a certificate")?;
+        if self.is_table() && !grid.is_line() {
+            return usage("a .csv can hold the nodes of a line only: give a .npz for a surface");
+        }
+        let (surface, modulus) = (setup.surface()?, ContactModulus(setup.contact_modulus()?));
+        let claim = Claim::new(surface, modulus, is_loaded.then_some(setup.load), quantity, &field)?;
+        let problem = claim.problem().or_else(|error| refuse(&claim, &setup, error))?;
+        let contact = self.contact(&setup, &claim, &problem, path)?;
+        if let Some(fault) = contact.fault().filter(|_| contact.failure.is_some()) {
+            return Err(fault.into());
+        }
+        let assessment = Assessment::of(&claim, &contact)?;
+        let holds = assessment.holds(&contact, &setup.stop);
+        let mut warnings = caution::of_surface(&setup.surface, problem.surface());
+        let finding = Finding::of(&setup, &contact);
+        warnings.extend(caution::of_contacts(&[&finding.observables]));
+        self.write(
+            &contact,
+            &Verdict {
+                file: path.into(),
+                quantity,
+                holds,
+                prescribed: claim.load(),
+                source: setup.surface.description(),
+                contact_modulus: problem.contact_modulus(),
+                finding,
+                assessment,
+                findings: if holds { Vec::new() } else { claim.mistakes(&poisson(&setup)) },
+                warnings,
+                setup: setup.with_full_path(),
+                grid,
+            },
+        )?;
+        Ok(if holds { Outcome::Done } else { Outcome::NotConverged })
+    }
+
+    /// Refuses places where nothing can be written, and names that promise another content.
+    fn check(&self) -> Result<()> {
+        if let Some(path) = &self.out {
+            check_named(path, &["npz", "csv"])?;
+        }
+        #[cfg(feature = "record")]
+        if let Some(path) = &self.shown.record {
+            check_named(path, &["rrd"])?;
+        }
+        Ok(())
+    }
+
+    /// The quantity that is claimed, and its file.
+    fn claimed(&self) -> (Quantity, &Path) {
+        match (&self.pressure, &self.gap, &self.displacement) {
+            (Some(path), ..) => (Quantity::Pressure, path),
+            (_, Some(path), _) => (Quantity::Gap, path),
+            (.., path) => (Quantity::Displacement, path.as_deref().unwrap_or(Path::new(""))),
+        }
+    }
+
+    /// The contact that a claim makes, recorded if that is asked for.
+    fn contact(&self, setup: &Setup, claim: &Claim, problem: &Problem, path: &Path) -> Result<Contact> {
+        let frame = Frame { values: claim.values().to_vec(), seconds: None };
+        let name = path.display().to_string();
+        let replay = Replay::new(&name, claim.quantity(), [Ok(frame)].into_iter());
+        #[cfg(feature = "record")]
+        {
+            let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), name);
+            self.shown.watch(&title, setup, problem, &replay, &mut ())
+        }
+        #[cfg(not(feature = "record"))]
+        Ok(asperity::contact::Solver::solve(&replay, problem, &setup.stop, &mut ())?)
+    }
+
+    /// Writes and prints what came out.
+    fn write(&self, contact: &Contact, verdict: &Verdict) -> Result<()> {
+        let setup = &verdict.setup;
+        match &self.out {
+            Some(path) if self.is_table() => write_nodes(path, contact)?,
+            Some(path) => {
+                let bytes = archive(contact, setup.surface.rank(&setup.grid)?, Some(&setup.to_toml()));
+                write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
+            }
+            None => {}
+        }
+        if self.json {
+            write_json(verdict, &mut stdout())?
+        } else {
+            verdict.write_text(&mut stdout())?
+        }
+        caution::tell(&verdict.warnings);
+        #[cfg(feature = "record")]
+        self.shown.record.iter().for_each(|path| wrote(path));
+        self.out.iter().for_each(|path| wrote(path));
+        Ok(())
+    }
+
+    /// Whether a table is to be written.
+    fn is_table(&self) -> bool {
+        let ending = self.out.as_deref().and_then(Path::extension);
+        ending.is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+    }
+}
+
+/// The sentence for a problem that a claim cannot pose, and for the mistake that may be behind it.
+fn refuse(claim: &Claim, setup: &Setup, error: ProblemError) -> Result<Problem> {
+    match claim.mistakes(&poisson(setup)).first() {
+        Some(mistake) => usage(format!("{error}; from the numbers, {}", mistake.sentence)),
+        None => Err(error.into()),
+    }
+}

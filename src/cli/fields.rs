@@ -1,0 +1,48 @@
+//! Fields of other codes, and what goes with them in a setup.
+
+use super::outcome::usage;
+use anyhow::Result;
+use asperity::error::ClaimError;
+use asperity::foreign::Quantity;
+use asperity::setup::{Setup, Solid, Table};
+use asperity::surface::Field;
+use ndarray::{ArrayD, Axis, Ix2};
+
+/// Rows and columns of an array; one of rank 1 is a row.
+pub fn rows(array: ArrayD<f64>) -> Result<Field> {
+    let array = if array.ndim() == 1 { array.insert_axis(Axis(0)) } else { array };
+    Ok(array.into_dimensionality::<Ix2>()?)
+}
+
+/// Whether a setup has a load. One that has none gets that of a field of some quantity.
+pub fn lay_load(table: &mut Table, quantity: Quantity, field: &Field) -> Result<bool> {
+    check_one_load(table)?;
+    if table.has_load() {
+        return Ok(true);
+    }
+    let mean = field.mean().unwrap_or(f64::NAN);
+    match quantity {
+        Quantity::Pressure => table.lay("load.mean-pressure", mean.abs().into()),
+        Quantity::Gap => table.lay("load.mean-gap", mean.into()),
+        Quantity::Displacement => return Err(ClaimError::NoLoad.into()),
+    }
+    Ok(false)
+}
+
+/// Refuses lists of loads.
+pub fn check_one_load(table: &mut Table) -> Result<()> {
+    match table.take_loads()? {
+        Some(loads) if loads.len() > 1 => usage(format!("{} loads are given for one result: give one", loads.len())),
+        _ => Ok(()),
+    }
+}
+
+/// Poisson's ratios of the bodies, where they are known.
+pub fn poisson(setup: &Setup) -> Vec<f64> {
+    match setup.solid {
+        Some(Solid::Bodies(first, second)) => {
+            [Some(first), second].into_iter().flatten().map(|it| it.poisson).collect()
+        }
+        Some(Solid::ContactModulus(_)) | None => Vec::new(),
+    }
+}

@@ -1,0 +1,192 @@
+//! `asperity inspect`: somebody's iteration, recorded.
+
+use super::choice::choice;
+use super::fields::{check_one_load, rows};
+use super::finding::Finding;
+use super::flags::{OfProblem, Scene};
+use super::interrupt::interrupted;
+use super::iteration::Iteration;
+use super::outcome::{Outcome, settle};
+use super::output::write_json;
+use super::progress::Progress;
+#[cfg(feature = "record")]
+use super::shown::Shown;
+use super::wrote::wrote;
+use anyhow::Result;
+use asperity::contact::{Contact, Multilevel, Problem, Solver, Stop};
+use asperity::error::{ClaimError, StepsError};
+use asperity::files::check_named;
+use asperity::foreign::{Claim, Distances, Follow, Frame, Quantity, Replay, Steps, step_files};
+use asperity::setup::{Cost, Setup};
+use asperity::surface::{read_field, read_fields};
+use clap::Args;
+use std::io::stdout;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+/// The certificate of the reference.
+const REFERENCE: f64 = 1e-12;
+/// Fields that are held at a time: those of a step, a half-space, a recorder and the reference.
+const FIELDS: f64 = 16.0;
+
+const EXAMPLES: &str = "\
+Examples:
+  asperity inspect --height h.npy --size 1 --modulus 1 --mean-pressure 0.01 --record run.rrd steps
+  asperity inspect --setup scene.toml --record run.rrd pressures.npz --times seconds.npy
+  asperity inspect --setup scene.toml --record run.rrd --follow steps --idle 10";
+
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Inspect {
+    /// Files with steps, or folders of them, in natural order (step2 before step10): .npy, .npz or text, one step each or
+    /// several along a first axis
+    #[arg(value_name = "STEPS", required_unless_present = "follow", conflicts_with = "follow")]
+    steps: Vec<PathBuf>,
+    /// A folder to take the steps from as they are written, until Ctrl-C
+    #[arg(long, value_name = "FOLDER", help_heading = "Steps")]
+    follow: Option<PathBuf>,
+    /// End --follow when nothing new has come for so many seconds
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, requires = "follow", help_heading = "Steps")]
+    idle: Option<Duration>,
+    /// The quantity of the steps, and the name of their array in a .npz
+    #[arg(long, value_name = "QUANTITY", default_value = "pressure", help_heading = "Steps",
+        value_parser = choice(Quantity::QUANTITIES, Quantity::named))]
+    kind: Quantity,
+    /// Seconds from the start of all steps, one for each; a .npz may have its own as `seconds` or `time`
+    #[arg(long, value_name = "FILE", conflicts_with = "follow", help_heading = "Steps")]
+    times: Option<PathBuf>,
+    /// The pressure to compare with, instead of the solution by multilevel to 1e-12
+    #[arg(long, value_name = "FILE", help_heading = "Steps")]
+    reference: Option<PathBuf>,
+    #[command(flatten)]
+    scene: Scene<OfProblem>,
+    #[cfg(feature = "record")]
+    #[command(flatten)]
+    shown: Shown,
+    /// Print one JSON object instead of a summary
+    #[arg(long, help_heading = "Output")]
+    json: bool,
+}
+
+impl Inspect {
+    pub fn run(&self) -> Result<Outcome> {
+        #[cfg(feature = "record")]
+        if let Some(path) = &self.shown.record {
+            check_named(path, &["rrd"])?;
+        }
+        let mut table = self.scene.table()?;
+        check_one_load(&mut table)?;
+        if !table.has_load() {
+            return Err(ClaimError::NoLoad.into());
+        }
+        let setup = table.setup()?;
+        Cost::of_fields(&setup.check()?, FIELDS).check("an iteration")?;
+        let problem = setup.problem()?;
+        match &self.follow {
+            Some(folder) => self.follow(folder, &setup, &problem),
+            None => self.replay(&setup, &problem),
+        }
+    }
+
+    /// Replays steps that are all there.
+    fn replay(&self, setup: &Setup, problem: &Problem) -> Result<Outcome> {
+        let files = step_files(&self.steps)?;
+        let seconds = self.times.as_ref().map(|path| read_fields(path, "seconds")).transpose()?;
+        let seconds: Option<Vec<f64>> = seconds.map(|seconds| seconds.into_iter().collect());
+        let steps = || {
+            let steps = Steps::new(self.kind, problem.surface().grid(), files.clone().into_iter());
+            match &seconds {
+                Some(seconds) => steps.with_seconds(seconds.clone()),
+                None => steps,
+            }
+        };
+        steps().check()?;
+        let name = match self.steps.as_slice() {
+            [one] => one.display().to_string(),
+            more => format!("{} files", more.len()),
+        };
+        self.inspect(&name, setup, problem, steps())
+    }
+
+    /// Replays steps as they are written into a folder.
+    fn follow(&self, folder: &Path, setup: &Setup, problem: &Problem) -> Result<Outcome> {
+        let interrupted = interrupted()?;
+        let is_over = || interrupted.load(Ordering::Relaxed);
+        let files = Follow::new(folder, self.kind.name(), self.idle, &is_over)?;
+        let steps = Steps::new(self.kind, problem.surface().grid(), files);
+        self.inspect(&folder.display().to_string(), setup, problem, steps)
+    }
+
+    /// Replays the steps of a code of some name, and tells how far they are from the reference.
+    fn inspect(
+        &self,
+        name: &str,
+        setup: &Setup,
+        problem: &Problem,
+        steps: Steps<impl Iterator<Item = PathBuf>>,
+    ) -> Result<Outcome> {
+        let reference = self.reference(problem)?;
+        let mut distances = Distances::new(&reference);
+        let replay = Replay::new(name, self.kind, steps);
+        let contact = self.watch(setup, problem, &replay, &mut distances)?;
+        if distances.steps.is_empty() && contact.failure.is_none() {
+            return Err(StepsError::Nothing.into());
+        }
+        let iteration = Iteration {
+            steps_of: name.into(),
+            quantity: self.kind,
+            steps: distances.steps,
+            reference_of: reference.solver.clone(),
+            reference_certificate: reference.certificate.eta,
+            last: Finding::of(setup, &contact),
+            setup: setup.clone().with_full_path(),
+            grid: *problem.surface().grid(),
+        };
+        if contact.failure.is_none() {
+            if self.json { write_json(&iteration, &mut stdout())? } else { iteration.write_text(&mut stdout())? }
+        }
+        #[cfg(feature = "record")]
+        self.shown.record.iter().for_each(|path| wrote(path));
+        settle(&contact)
+    }
+
+    /// The state to compare with.
+    fn reference(&self, problem: &Problem) -> Result<Contact> {
+        let stop = Stop::new(REFERENCE, Stop::default().max_iterations())?;
+        let Some(path) = &self.reference else {
+            return Ok(Multilevel.solve(problem, &stop, &mut Progress::new("the reference"))?);
+        };
+        let field = rows(read_field(path, Quantity::Pressure.name())?)?;
+        let (surface, modulus) =
+            (problem.surface().clone(), asperity::contact::ContactModulus(problem.contact_modulus()));
+        let claim = Claim::new(surface, modulus, Some(problem.load()), Quantity::Pressure, &field)?;
+        let frame = Frame { values: claim.values().to_vec(), seconds: None };
+        let replay = Replay::new(&path.display().to_string(), Quantity::Pressure, [Ok(frame)].into_iter());
+        Ok(replay.solve(problem, &stop, &mut ())?)
+    }
+
+    /// Shows the steps to the recording, if there is one, and to the distances.
+    fn watch(
+        &self,
+        setup: &Setup,
+        problem: &Problem,
+        replay: &dyn Solver,
+        distances: &mut Distances<'_>,
+    ) -> Result<Contact> {
+        let mut watching = (distances, Progress::new(replay.name()));
+        #[cfg(feature = "record")]
+        {
+            let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), replay.name());
+            self.shown.watch(&title, setup, problem, replay, &mut watching)
+        }
+        #[cfg(not(feature = "record"))]
+        Ok(replay.solve(problem, &setup.stop, &mut watching)?)
+    }
+}
+
+/// A number of seconds.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let wrong = || "give a number of seconds from 0 on".to_owned();
+    text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()).ok_or_else(wrong)
+}

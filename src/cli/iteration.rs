@@ -1,0 +1,66 @@
+//! The iteration of another code, for people and for scripts.
+
+use super::finding::Finding;
+use super::output::write_rows;
+use super::verdict::points;
+use asperity::foreign::{Distance, Quantity};
+use asperity::grid::Grid;
+use asperity::setup::Setup;
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// Rows of the table of steps between powers of ten, about.
+const PER_DECADE: f64 = 6.0;
+
+/// The steps of another code, and how far they are from the reference.
+#[derive(Serialize)]
+pub struct Iteration {
+    /// Where the steps come from.
+    pub steps_of: String,
+    pub quantity: Quantity,
+    pub steps: Vec<Distance>,
+    /// The solver or file of the reference, and its certificate.
+    pub reference_of: String,
+    pub reference_certificate: f64,
+    /// The numbers of the last step.
+    pub last: Finding,
+    pub setup: Setup,
+    #[serde(skip)]
+    pub grid: Grid,
+}
+
+impl Iteration {
+    /// Writes a table of some steps, and the numbers of the last one.
+    pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
+        let title = self.setup.surface.title(&self.grid);
+        let (count, quantity, steps_of) = (self.steps.len(), self.quantity, &self.steps_of);
+        writeln!(out, "{title}, {}: {count} steps of {quantity} from {steps_of}", points(&self.grid))?;
+        writeln!(
+            out,
+            "  distance from {} (certificate {:.1e}), relative",
+            self.reference_of, self.reference_certificate
+        )?;
+        writeln!(
+            out,
+            "  {:>8} {:>10} {:>12} {:>12} {:>14}",
+            "step", "seconds", "certificate", "pressure", "energy norm"
+        )?;
+        for it in self.told() {
+            let Distance { step, seconds, certificate, pressure_error, energy_error } = it;
+            writeln!(
+                out,
+                "  {step:>8} {seconds:>10.3} {certificate:>12.2e} {pressure_error:>12.2e} {energy_error:>14.2e}"
+            )?;
+        }
+        writeln!(out, "the last step")?;
+        write_rows(self.last.rows().into_iter().filter(|(name, _)| name != "work"), out)
+    }
+
+    /// All early steps, ever fewer later ones, and the last.
+    fn told(&self) -> impl Iterator<Item = &Distance> {
+        let place = |step: usize| (PER_DECADE * (step as f64).log10()).floor();
+        let last = self.steps.len().saturating_sub(1);
+        let is_told = move |step: usize| step < 2 || step == last || place(step) > place(step - 1);
+        self.steps.iter().enumerate().filter(move |(step, _)| is_told(*step)).map(|(_, it)| it)
+    }
+}

@@ -1,0 +1,116 @@
+//! The verdict on the result of another code, for people and for scripts.
+
+use super::finding::Finding;
+use super::output::write_rows;
+use asperity::contact::Load;
+use asperity::foreign::{Assessment, Disagreement, Mistake, Quantity, Spot};
+use asperity::grid::Grid;
+use asperity::setup::Setup;
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Rows on the contact that do not concern the result of another code, or that stand in other words.
+const LEFT_OUT: [&str; 3] = ["work", "penetration", "load error"];
+
+/// All that is known of a result.
+#[derive(Serialize)]
+pub struct Verdict {
+    pub file: PathBuf,
+    pub quantity: Quantity,
+    /// Whether it is within the tolerances.
+    pub holds: bool,
+    /// The load, if it was given and is not that of the result itself.
+    pub prescribed: Option<Load>,
+    pub source: String,
+    pub contact_modulus: f64,
+    #[serde(flatten)]
+    pub finding: Finding,
+    #[serde(flatten)]
+    pub assessment: Assessment,
+    /// Everyday mistakes that explain why it does not hold.
+    pub findings: Vec<Mistake>,
+    pub warnings: Vec<String>,
+    pub setup: Setup,
+    #[serde(skip)]
+    pub grid: Grid,
+}
+
+impl Verdict {
+    /// Writes the verdict for reading.
+    pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
+        let holds = if self.holds { "within tolerance" } else { "not within tolerance" };
+        let Self { quantity, file, setup, .. } = self;
+        let title = setup.surface.title(&self.grid);
+        writeln!(out, "{title}, {}: the {quantity} of {} is {holds}", points(&self.grid), file.display())?;
+        let mistakes = self.findings.iter().map(|mistake| ("finding", mistake.sentence.clone()));
+        let unexplained = (!self.holds && self.findings.is_empty()).then(|| {
+            ("finding", "no everyday mistake explains it: it is not converged, or solves another problem".into())
+        });
+        let own = mistakes.chain(unexplained).chain(self.own());
+        let numbers = self.finding.rows().into_iter().filter(|(name, _)| !LEFT_OUT.contains(&name.as_str()));
+        write_rows(own.map(|(name, value)| (name.to_owned(), value)).chain(numbers), out)
+    }
+
+    /// What is wrong with the result, and where.
+    fn own(&self) -> Vec<(&'static str, String)> {
+        let Assessment { given, load_error, tension, densest, deepest, pressed, closed, apart, unpressed } =
+            &self.assessment;
+        let place = |node| place(&self.grid, node);
+        let mut rows = vec![
+            ("source", self.source.clone()),
+            ("contact modulus E*", format!("{:.6e}", self.contact_modulus)),
+            (
+                "prescribed",
+                match self.prescribed {
+                    Some(load) if load_error > &0.0 => format!("{load}, missed by {load_error:.1e} of it"),
+                    Some(load) => load.to_string(),
+                    None => format!("nothing: the load is that of the {}", self.quantity),
+                },
+            ),
+        ];
+        if tension.nodes > 0 {
+            let worst = place(tension.node);
+            rows.push((
+                "tension",
+                format!(
+                    "{} nodes, {:.1e} of all pressure, down to {:.3e} at {worst}",
+                    tension.nodes, tension.share, tension.lowest
+                ),
+            ));
+            rows.push((
+                "certificate as given",
+                format!("{}: with the tension clipped and the load kept it is the one below", given.eta),
+            ));
+        }
+        rows.extend([
+            ("error in energy", format!("densest at {}, {:.2} % of it", place(densest.node), 100.0 * densest.value)),
+            ("penetration", format!("{:.1e} rms heights at {}", deepest.value, place(deepest.node))),
+            ("contact", format!("{pressed} nodes by pressure, {closed} by gap")),
+        ]);
+        let disagree = |it: &Disagreement| {
+            it.worst.map(|Spot { node, value }| {
+                format!("{} nodes, most at {}, with a gap of {value:.1e} rms heights", it.nodes, place(node))
+            })
+        };
+        rows.extend(disagree(apart).map(|words| ("pressed though apart", words)));
+        rows.extend(disagree(unpressed).map(|words| ("penetrating, unpressed", words)));
+        rows
+    }
+}
+
+/// Points along the axes, in words.
+pub fn points(grid: &Grid) -> String {
+    let [ny, nx] = grid.shape();
+    if grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx} points") }
+}
+
+/// A node in words.
+fn place(grid: &Grid, node: usize) -> String {
+    let ([dy, dx], [_, nx]) = (grid.spacing(), grid.shape());
+    let (row, column) = (node / nx, node % nx);
+    match grid.is_line() {
+        true => format!("node {column} (x = {:.4e})", column as f64 * dx),
+        false => format!("row {row}, column {column} (y = {:.4e}, x = {:.4e})", row as f64 * dy, column as f64 * dx),
+    }
+}
