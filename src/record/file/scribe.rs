@@ -5,6 +5,7 @@ use super::schedule::{Schedule, Thinning};
 use crate::contact::{Contact, Phase, Solver, Step, Stop, Work};
 use crate::record::description;
 use crate::record::draw::{Fields, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, log_off_scale, stride};
+use crate::record::properties;
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 use std::io;
@@ -66,7 +67,11 @@ impl Scribe {
     /// Writes who solves.
     pub fn begin(&mut self, solver: &dyn Solver, stop: &Stop) {
         self.run = description::of_run(solver, stop);
-        self.attempt(|scribe| scribe.log_description(UNFINISHED));
+        let properties = properties::of_run(solver, stop);
+        self.attempt(|scribe| {
+            properties::send(&scribe.stream, &scribe.stage().root, &properties)?;
+            scribe.log_description(UNFINISHED)
+        });
     }
 
     /// Writes a step, and has it in the file soon.
@@ -128,6 +133,7 @@ impl Scribe {
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
         self.stage().picture.settle(&self.stream, self.stage().picture.extent(fields))?;
         self.log_description(&Stage::result(contact))?;
+        properties::send(&self.stream, &self.stage().root, &properties::of_contact(contact))?;
         self.traces.as_mut().map_or(Ok(()), |traces| traces.flush(&self.stream))
     }
 
