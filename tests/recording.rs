@@ -29,6 +29,8 @@ mod layout;
 mod loads;
 #[path = "recording/numbers.rs"]
 mod numbers;
+#[path = "recording/properties.rs"]
+mod properties;
 #[path = "recording/theme.rs"]
 mod theme;
 
@@ -492,6 +494,66 @@ fn other_grids_and_solvers_without_levels_leave_no_trace_of_levels() {
     assert!(strips(&path, "/it/profile/solid").is_empty());
 }
 
+/// Sees a few steps of another solver and is then dropped, without an end.
+#[test]
+fn a_run_without_an_end_keeps_its_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, problem) = (folder.path().join("a.rrd"), rough_line());
+    let recording = Recording::create(&path, &[Scene::new("it", &problem)], Options::default()).unwrap();
+    let mut recorder = recording.recorder(0);
+    let mut expected = BTreeMap::new();
+    let mut forward = Each(|step: &Step<'_>| {
+        expected.insert(step.index() as i64, step.measures().kappa_r);
+        recorder.step(step).unwrap()
+    });
+    Gfmd::default().solve(&problem, &Stop::default(), &mut forward).unwrap();
+    drop(recorder);
+    recording.finish().unwrap();
+    assert!(expected.len() > 200);
+    assert_eq!(trace(&path, "kappa_r", "step"), expected);
+}
+
+#[test]
+fn curves_on_coarse_grids_are_thin_and_those_on_the_finest_one_thick() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.rrd");
+    record(&path, &rough_line(), &Multilevel, None, None);
+    let finest = trace(&path, "level", "step").into_iter().find(|(_, level)| *level == 0.0).unwrap().0;
+    let width = |entity: &str| {
+        rows::<rerun::components::StrokeWidth>(&path, entity, rerun::SeriesLines::descriptor_widths())
+            .into_iter()
+            .map(|(step, widths)| (step, widths[0].0.0))
+            .collect::<Vec<_>>()
+    };
+    let [(0, coarse), (from, fine)] = width("/it/trace/kappa_r_resolved")[..] else { panic!("two widths") };
+    assert!(from == finest && fine > 2.0 * coarse, "{coarse} and from step {from} on {fine}");
+    record(&path, &rough_line(), &PolonskyKeer, None, None);
+    assert_eq!(width("/it/trace/kappa_r_resolved"), [(0, fine)]);
+}
+
+/// A run that would take for ever, under a limit on the length of files.
+#[cfg(all(unix, feature = "cli"))]
+#[test]
+fn a_recording_that_cannot_grow_ends_the_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("short.rrd");
+    let output = Command::new("sh")
+        .args(["-c", r#"trap "" XFSZ; ulimit -f 4000; exec "$@""#, "sh", env!("CARGO_BIN_EXE_asperity")])
+        .args(ENDLESS.split(' '))
+        .arg(&path)
+        .output()
+        .unwrap();
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{complaint}");
+    assert!(complaint.contains("short.rrd"), "{complaint}");
+    assert!(trace(&path, "/contact/trace/kappa_r", "step").len() > 100);
+}
+
+/// A run that would take for ever, less the name of its recording.
+#[cfg(all(unix, feature = "cli"))]
+const ENDLESS: &str = "solve --hurst 0.8 --rolloff 0.25 --short-cutoff 0.01 --rms-gradient 0.01 --points 4096 --size 1 \
+     --reduced-pressure 0.01 --solver gfmd --tolerance 1e-30 --max-iterations 100000000 --time-step 0.01 --record";
+
 /// Starts a run that would take for ever, and kills it when the file has grown beyond its statics and first frames, which
 /// are written entity by entity.
 #[cfg(all(unix, feature = "cli"))]
@@ -500,12 +562,7 @@ fn a_killed_run_leaves_a_recording_that_opens() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("killed.rrd");
     let mut run = Command::new(env!("CARGO_BIN_EXE_asperity"))
-        .args(
-            "solve --hurst 0.8 --rolloff 0.25 --short-cutoff 0.01 --rms-gradient 0.01 --points 4096 --size 1"
-                .split(' '),
-        )
-        .args("--reduced-pressure 0.01 --solver gfmd --tolerance 1e-30 --max-iterations 100000000".split(' '))
-        .args(["--time-step", "0.01", "--record"])
+        .args(ENDLESS.split(' '))
         .arg(&path)
         .stdout(Stdio::null())
         .stderr(Stdio::null())

@@ -9,7 +9,7 @@
 //! A recording carries the setups of its scenes, from which [`setups`] takes them back. A recording over loads instead of
 //! steps is a [`LoadRecording`], whose curves stand against the quantity of its [`LoadAxis`]; [`compare`] lays the traces of
 //! several recordings over each other. `draw` holds the drawings, `layout` the places of their views in the viewer, `file` the
-//! streams into files.
+//! streams into files. What is known of a scene as a whole are properties of its recording.
 //!
 //! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pictures are drawn in
 //! coordinates of their canvas, with axes for pressures over `E*`, gaps over the rms height and lengths, each in the power of a
@@ -40,7 +40,9 @@ mod file;
 mod layout;
 mod options;
 mod parts;
+mod properties;
 mod scene;
+mod sdk;
 mod setups;
 mod size;
 mod tape;

@@ -7,7 +7,7 @@ use asperity::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options
 use asperity::setup::Theme;
 use asperity::{Problem, Stop};
 use rerun::components::Color;
-use rerun::external::re_sdk_types::blueprint::archetypes::Background;
+use rerun::external::re_sdk_types::blueprint::archetypes::{Background, PlotBackground};
 use rerun::{ComponentDescriptor, StoreKind};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -65,6 +65,8 @@ fn grounds_and_words_of_all_pictures_follow_the_theme() {
                 record(&path, &problem, theme);
                 let grounds = colours(&path, StoreKind::Blueprint, &Background::descriptor_color(), "");
                 assert_eq!(grounds, [ground].into(), "{theme:?}");
+                let curves = colours(&path, StoreKind::Blueprint, &PlotBackground::descriptor_color(), "");
+                assert_eq!(curves, [ground].into(), "{theme:?}");
                 let points = rerun::Points2D::descriptor_colors();
                 let words = colours(&path, StoreKind::Recording, &points, "/words");
                 assert_eq!(words, [ink].into(), "{theme:?}");

@@ -11,8 +11,12 @@ pub const BOX: [f64; 2] = [1000.0, 460.0];
 pub const TEXT: f64 = 18.0;
 /// Room left, right, above and below the box of a frame, over the size of its words.
 const MARGINS: [f64; 4] = [4.8, 8.2, 3.1, 3.9];
+/// Room left and right over the width of the box, if that is more: the viewer's words do not shrink with a narrow pane.
+const SIDES: [f64; 2] = [0.13, 0.26];
 /// From the lower right corner of a box to the middle of the name of its x axis, over the size of its words: beside the numbers.
 const X_NAME: [f64; 2] = [4.3, 1.2];
+/// The same to the right over the width of the box, if that is more.
+const X_NAME_ASIDE: f64 = 0.15;
 /// Length of a dash, and of what is between dashes.
 const DASHES: [f64; 2] = [14.0, 9.0];
 /// From a box up to the words above it, over their size.
@@ -30,6 +34,7 @@ type Strip = (Vec<[f32; 2]>, Color, Radius);
 pub fn bounds(frame: &Frame) -> [f64; 4] {
     let ([x, y], [width, height]) = (frame.corner, frame.size);
     let [left, right, above, below] = MARGINS.map(|margin| margin * frame.text);
+    let [left, right] = [left.max(SIDES[0] * width), right.max(SIDES[1] * width)];
     [x - left, x + width + right, y - above, y + height + below]
 }
 
@@ -65,7 +70,8 @@ fn draw_x_axis(sheet: &mut Sheet, frame: &Frame) {
     let nameless = Axis { name: String::new(), ..frame.x.clone() };
     Frame { x: nameless, ..frame.clone() }.draw_axis(sheet, Side::Below);
     let corner = frame.position([1.0, 0.0]);
-    let at = [0, 1].map(|i| corner[i] + X_NAME[i] * frame.text);
+    let aside = (X_NAME[0] * frame.text).max(X_NAME_ASIDE * frame.size[0]);
+    let at = [corner[0] + aside, corner[1] + X_NAME[1] * frame.text];
     sheet.words(&frame.x.name, at, frame.text, Align::Middle);
 }
 

@@ -15,9 +15,9 @@ use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
+use crate::record::sdk::Float32;
 use crate::setup::Part;
 use crate::theory::Exact;
-use rerun::datatypes::Float32;
 use rerun::{AnyValues, AsComponents, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
 const WIDTH: f32 = BOX[0] as f32;

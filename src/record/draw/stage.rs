@@ -18,10 +18,11 @@ use crate::grid::Grid;
 use crate::record::description;
 use crate::record::options::Options;
 use crate::record::parts::Parts;
+use crate::record::properties;
 use crate::record::scene::Scene;
 use crate::record::setups::SETUP;
 use crate::setup::Part;
-use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
+use rerun::{AnyValues, RecordingStream, RecordingStreamResult, TextDocument};
 
 /// The drawings of a scene and all else that its recorder and its layout need, without the problem itself.
 pub struct Stage {
@@ -31,6 +32,8 @@ pub struct Stage {
     pub palette: &'static Palette,
     /// Rows of the table of parameters.
     description: String,
+    /// What is known of the scene, for tables of recordings.
+    properties: AnyValues,
     /// The setup that repeats it, if there is one, as TOML.
     setup: Option<String>,
     pub grid: Grid,
@@ -71,6 +74,7 @@ impl Stage {
             title: scene.title.clone(),
             palette,
             description: description::of_scene(scene, &options.length_unit),
+            properties: properties::of_scene(scene),
             setup: scene.setup.as_ref().map(|setup| setup.clone().with_full_path().to_toml()),
             what: options.what,
             grid,
@@ -99,6 +103,7 @@ impl Stage {
         if let Some(setup) = &self.setup {
             to.log_static(format!("{root}/{SETUP}"), &TextDocument::new(setup.as_str()))?;
         }
+        properties::send(to, root, &self.properties)?;
         if self.what.has(Part::Mask) {
             to.log_static(root.as_str(), &self.palette.classes())?;
         }

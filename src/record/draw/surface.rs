@@ -15,9 +15,9 @@ use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
+use crate::record::sdk::{ChannelDatatype, ImageFormat};
 use crate::setup::Part;
 use rerun::components::{MagnificationFilter, ValueRange};
-use rerun::datatypes::{ChannelDatatype, ImageFormat};
 use rerun::{DepthImage, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, SegmentationImage};
 
 /// Size of words, in lengths of the longer side.

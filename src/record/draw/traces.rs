@@ -22,6 +22,12 @@ const COUNTED: [&str; 2] = ["kappa_r", "relative_area"];
 /// Observables that are recorded for programs, and not drawn.
 const NOT_DRAWN: [&str; 2] = ["mean_gap", "kappa"];
 
+/// Widths of curves: on coarse grids, whose values may leave the axis, and on the finest one.
+const COARSE_WIDTH: f32 = 0.7;
+const FINE_WIDTH: f32 = 1.8;
+/// The width of what stands in the background.
+const FAINT_WIDTH: f32 = 1.0;
+
 /// Entities under `trace` besides those of the observables, and the names of their curves. Those of exact values come after the
 /// computed ones in the alphabet, as the viewer draws in its order.
 const BESIDES: [(&str, &str); 7] = [
@@ -129,6 +135,10 @@ pub struct Traces {
     pub observables: ObservableTraces,
     besides: [Trace; BESIDES.len()],
     exact: ExactValues,
+    /// The width of the curves from the last change on.
+    width: f32,
+    /// Changes of the width.
+    widths: Vec<(Work, f32)>,
 }
 
 /// Exact values that stand beside computed ones: of `kappa_r` and of the relative area.
@@ -137,7 +147,14 @@ pub type ExactValues = [Option<f64>; 2];
 impl Traces {
     /// Empty curves under `root`.
     pub fn new(root: &str, exact: ExactValues) -> Self {
-        Self { root: root.into(), observables: ObservableTraces::new(recorded()), besides: Default::default(), exact }
+        Self {
+            root: root.into(),
+            observables: ObservableTraces::new(recorded()),
+            besides: Default::default(),
+            exact,
+            width: 0.0,
+            widths: Vec::new(),
+        }
     }
 
     /// Adds the numbers of a step, in a `phase` if its solver has any.
@@ -152,6 +169,11 @@ impl Traces {
             Some(Phase { level, outer, inner }) => [level, outer, inner].map(|number| Some(number as f64)),
             None => [None; 3],
         };
+        let width = if phase.is_some_and(|phase| phase.level > 0) { COARSE_WIDTH } else { FINE_WIDTH };
+        if width != self.width {
+            self.width = width;
+            self.widths.push((step.work(), width));
+        }
         let values = [kappa_r, area, complementary, potential, level, outer, inner];
         self.besides.iter_mut().zip(values).for_each(|(trace, value)| trace.add(step.work(), value));
     }
@@ -169,8 +191,24 @@ impl Traces {
             trace.log(to, format!("{root}/trace/{entity}"))?;
         }
         observables.0.iter_mut().map(|(_, trace)| trace).chain(besides).for_each(|trace| trace.0.clear());
+        self.flush_widths(to)
+    }
+
+    /// Sends the changes of the width, which tell curves on coarse grids from those on the finest one.
+    fn flush_widths(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        let widths = std::mem::take(&mut self.widths);
+        for observable in traced().filter(|observable| !widths.is_empty() && has_levels(observable)) {
+            let style = SeriesLines::update_fields().with_widths(widths.iter().map(|(_, width)| *width));
+            let entity = format!("{}/trace/{}", self.root, drawn(observable));
+            to.send_columns(entity, times(widths.iter().map(|(work, _)| work)), style.columns_of_unit_batches()?)?;
+        }
         Ok(())
     }
+}
+
+/// Whether the width of its curve tells coarse grids from the finest one.
+fn has_levels(observable: &Observable) -> bool {
+    !COUNTED.contains(&observable.name)
 }
 
 /// Records names and colours of the curves under `root`, those of exact values where there are any. Beside other scenes,
@@ -186,17 +224,27 @@ pub fn log_styles(
         "relative_area_theory" => area.is_some(),
         _ => true,
     };
-    let observables = traced().map(|observable| (observable.name, drawn(observable), title(observable)));
-    let besides = BESIDES.iter().map(|&(entity, name)| (entity, entity.to_owned(), name.to_owned()));
-    for (i, (of, entity, name)) in observables.chain(besides).enumerate().filter(|(_, (of, ..))| is_drawn(of)) {
-        let exact = of.ends_with("_theory");
-        let rgb = if exact { palette::EXACT } else { series_colour(of, i, scene) };
+    let observables = traced().map(|it| {
+        let width = if has_levels(it) { None } else { Some(FAINT_WIDTH) };
+        (it.name, drawn(it), title(it), width)
+    });
+    let besides = BESIDES.iter().map(|&(entity, name)| {
+        let width = if is_exact(entity) { FAINT_WIDTH } else { FINE_WIDTH };
+        (entity, entity.to_owned(), name.to_owned(), Some(width))
+    });
+    for (i, (of, entity, name, width)) in observables.chain(besides).enumerate().filter(|(_, (of, ..))| is_drawn(of)) {
+        let rgb = if is_exact(of) { palette::EXACT } else { series_colour(of, i, scene) };
         let name = scene.map_or_else(|| name.clone(), |(_, title)| format!("{name}, {title}"));
         let style = SeriesLines::new().with_names([name]).with_colors([palette::colour(rgb)]);
-        let width = if exact { 1.0 } else { 1.8 };
-        to.log_static(format!("{root}/trace/{entity}"), &style.with_widths([width]))?;
+        let style = if let Some(width) = width { style.with_widths([width]) } else { style };
+        to.log_static(format!("{root}/trace/{entity}"), &style)?;
     }
     Ok(())
+}
+
+/// Whether an entity beside the observables holds an exact value.
+fn is_exact(entity: &str) -> bool {
+    entity.ends_with("_theory")
 }
 
 /// Says in the legend that the curve of `kappa` ends above its axis.
@@ -212,9 +260,10 @@ pub fn log_run_style(
     name: &str,
     number: Option<usize>,
 ) -> RecordingStreamResult<()> {
-    let (rgb, width) = number.map_or((palette::EXACT, 1.0), |number| (SERIES[number % SERIES.len()], 1.8));
+    let rgb = number.map_or(palette::EXACT, |number| SERIES[number % SERIES.len()]);
     let style = SeriesLines::new().with_names([name]).with_colors([palette::colour(rgb)]);
-    to.log_static(entity, &style.with_widths([width]))
+    // the widths of runs came with their values
+    to.log_static(entity, &if number.is_some() { style } else { style.with_widths([FAINT_WIDTH]) })
 }
 
 /// Curves that are compared between scenes take the colour of their scene.

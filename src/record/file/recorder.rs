@@ -52,10 +52,9 @@ impl Observer for Recorder<'_> {
         if let Some(scribe) = self.scribe.take_if(|scribe| scribe.sees_every_step()) {
             self.worker = Some(Worker::start(scribe));
         }
-        match &self.worker {
-            Some(worker) if worker.step(step) => {}
+        if !self.worker.as_mut().is_some_and(|worker| worker.step(step)) {
             // the scribe is here, or has panicked, which goes on from here
-            _ => self.scribe().into_iter().for_each(|scribe| scribe.step(step)),
+            self.scribe().into_iter().for_each(|scribe| scribe.step(step));
         }
         Ok(ControlFlow::Continue(()))
     }

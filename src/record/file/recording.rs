@@ -9,8 +9,8 @@ use crate::record::draw::{Ghost, Stage};
 use crate::record::layout;
 use crate::record::options::Options;
 use crate::record::scene::Scene;
-use rerun::external::re_log_types::ApplicationId;
-use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
+use crate::record::sdk;
+use rerun::{RecordingStream, RecordingStreamResult};
 use std::io;
 use std::path::Path;
 use std::sync::Arc;
@@ -165,15 +165,10 @@ impl Name {
     }
 }
 
-/// A stream into `output` whose times are ours alone.
+/// A stream into `output`.
 pub(super) fn stream(output: Output, name: &Name) -> RecordingStreamResult<RecordingStream> {
-    let application = ApplicationId::new_or_unknown(name.application.as_str());
-    let builder = RecordingStreamBuilder::new(application).recording_name(name.title.as_str()).enabled(true);
-    let builder = if let Some(id) = &name.id { builder.recording_id(id.as_str()) } else { builder };
-    let stream = builder.buffered()?;
+    let stream = sdk::recording(&name.application, &name.title, name.id.as_deref())?;
     stream.set_sink(Box::new(output));
-    stream.set_log_time_enabled(false);
-    stream.set_log_tick_enabled(false);
     Ok(stream)
 }
 

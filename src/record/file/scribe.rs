@@ -7,6 +7,7 @@ use crate::record::description;
 use crate::record::draw::{
     Fields, Instruments, Readings, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, log_off_scale,
 };
+use crate::record::properties;
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 use std::io;
@@ -73,7 +74,11 @@ impl Scribe {
         if let Some(readings) = &mut self.readings {
             readings.begin(solver, problem, stop);
         }
-        self.attempt(|scribe| scribe.log_description(UNFINISHED));
+        let properties = properties::of_run(solver, stop);
+        self.attempt(|scribe| {
+            properties::send(&scribe.stream, &scribe.stage().root, &properties)?;
+            scribe.log_description(UNFINISHED)
+        });
     }
 
     /// Writes a step, and has it in the file soon.
@@ -142,6 +147,7 @@ impl Scribe {
         self.stage().picture.settle(&self.stream, self.stage().picture.extent(fields))?;
         let result = Stage::result(contact) + &self.end_readings(contact)?;
         self.log_description(&result)?;
+        properties::send(&self.stream, &self.stage().root, &properties::of_contact(contact))?;
         self.traces.as_mut().map_or(Ok(()), |traces| traces.flush(&self.stream))
     }
 

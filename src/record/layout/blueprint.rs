@@ -1,13 +1,16 @@
 //! Writes a blueprint, the viewer's description of its own panes, into a recording.
 
 use crate::record::draw::{Palette, colour};
+use crate::record::sdk::{Range2D, TimeRange, Uuid, layout};
 use rerun::external::re_log_types::BlueprintActivationCommand;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
-use rerun::external::re_sdk_types::datatypes::{self, Uuid};
-use rerun::{AsComponents, RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
+use rerun::{AsComponents, RecordingStream, RecordingStreamResult};
 
 pub use components::ContainerKind as Kind;
 pub use components::Corner2D as Corner;
+
+/// The class of views of curves.
+const CURVES: &str = "TimeSeries";
 
 /// A part of the window: a view, or panes side by side with their shares of the room.
 pub enum Pane {
@@ -62,7 +65,7 @@ impl View {
         [left, right, top, bottom]: [f64; 4],
         palette: &Palette,
     ) -> Pane {
-        let range = datatypes::Range2D { x_range: [left, right].into(), y_range: [top, bottom].into() };
+        let range = Range2D { x_range: [left, right].into(), y_range: [top, bottom].into() };
         let bounds = panes::VisualBounds2D::new(components::VisualBounds2D(range));
         let view = Self::new("2D", title, origin, contents).with("VisualBounds2D", bounds);
         Pane::View(view.with("Background", ground(palette)))
@@ -94,9 +97,9 @@ impl View {
 
     fn curves(title: &str, contents: Vec<String>, legend: Corner) -> Self {
         let time = panes::TimeAxis::new().with_link(components::LinkAxis::Independent);
-        Self::new("TimeSeries", title, "/", contents)
+        Self::new(CURVES, title, "/", contents)
             .with("PlotLegend", panes::PlotLegend::new().with_corner(legend))
-            .with("TimeAxis", time.with_view_range(datatypes::TimeRange::EVERYTHING))
+            .with("TimeAxis", time.with_view_range(TimeRange::EVERYTHING))
     }
 
     /// Lanes of states over all times.
@@ -120,13 +123,17 @@ fn ground(palette: &Palette) -> panes::Background {
 
 /// Writes the blueprint of its viewer into `recording`: `panes`, as tabs if there are several, and the
 /// timeline that is active at first with its frames per second.
-pub fn send(panes: Vec<Pane>, clock: (&'static str, f64), recording: &RecordingStream) -> RecordingStreamResult<()> {
+/// Curves lie on the ground of `palette`, or on that of the viewer.
+pub fn send(
+    panes: Vec<Pane>,
+    clock: (&'static str, f64),
+    palette: Option<&'static Palette>,
+    recording: &RecordingStream,
+) -> RecordingStreamResult<()> {
     let Some(shown) = recording.store_info() else { return Ok(()) };
-    let builder =
-        RecordingStreamBuilder::new(shown.application_id().clone()).recording_id("default_blueprint").blueprint();
-    let (store, storage) = builder.enabled(true).memory()?;
+    let (store, storage) = layout(shown.application_id())?;
     store.set_time_sequence("blueprint", 0);
-    let mut blueprint = Blueprint { store, panes: 0 };
+    let mut blueprint = Blueprint { store, palette, panes: 0 };
     blueprint.log(panes, clock)?;
     let Some(info) = blueprint.store.store_info() else { return Ok(()) };
     let command = BlueprintActivationCommand { blueprint_id: info.store_id, make_active: true, make_default: true };
@@ -137,6 +144,7 @@ pub fn send(panes: Vec<Pane>, clock: (&'static str, f64), recording: &RecordingS
 /// A blueprint in the making, whose panes are named by their paths.
 struct Blueprint {
     store: RecordingStream,
+    palette: Option<&'static Palette>,
     panes: u16,
 }
 
@@ -161,6 +169,10 @@ impl Blueprint {
         let path = format!("view/{}", self.next_id(&view.class));
         let contents = view.contents.into_iter().map(|entities| components::QueryExpression(entities.into()));
         self.store.log(format!("{path}/ViewContents"), &panes::ViewContents::new(contents))?;
+        if let Some(palette) = self.palette.filter(|_| view.class == CURVES) {
+            let ground = panes::PlotBackground::new().with_color(colour(palette.ground));
+            self.store.log(format!("{path}/PlotBackground"), &ground)?;
+        }
         let pane = panes::ViewBlueprint::new(view.class).with_display_name(view.title).with_space_origin(view.origin);
         self.store.log(path.as_str(), &pane)?;
         for (name, property) in view.properties {
@@ -222,14 +234,14 @@ mod tests {
 
     #[test]
     fn a_blueprint_arrives_and_its_store_ends_with_it() {
-        let (recording, storage) = RecordingStreamBuilder::new("test").enabled(true).memory().unwrap();
+        let (recording, storage) = layout(&"test".into()).unwrap();
         let text = View::text("text", "/text".into());
-        send(vec![text], ("step", 1.0), &recording).unwrap();
+        send(vec![text], ("step", 1.0), None, &recording).unwrap();
         assert!(!storage.take().is_empty());
         recording.disconnect();
-        let (store, storage) = RecordingStreamBuilder::new("test").blueprint().enabled(true).memory().unwrap();
+        let (store, storage) = layout(&"test".into()).unwrap();
         let weak = store.clone_weak();
-        drop((Blueprint { store, panes: 0 }, storage));
+        drop((Blueprint { store, palette: None, panes: 0 }, storage));
         assert_eq!(weak.ref_count(), 0);
     }
 }

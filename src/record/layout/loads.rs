@@ -27,7 +27,8 @@ pub fn send_loads(
     let mut rows = rows(figure, charts.iter().map(chart).collect());
     rows.push((Pane::even(Kind::Tabs, "more", texts(stages, curves)), 1.0));
     let panes = contacts.into_iter().chain([(Pane::container(Kind::Vertical, "curves", rows), 1.0)]).collect();
-    send(vec![Pane::container(Kind::Horizontal, "loads", panes)], (LOAD, LOADS_PER_SEC), stream)
+    let palette = charts.first().map(|chart| chart.palette).or(stages.first().map(|stage| stage.palette));
+    send(vec![Pane::container(Kind::Horizontal, "loads", panes)], (LOAD, LOADS_PER_SEC), palette, stream)
 }
 
 /// The panels of the figure above all charts in one row, or charts in rows of their own.

@@ -12,7 +12,7 @@ pub const FRAMES_PER_SEC: f64 = 30.0;
 pub fn send_steps(stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
     let overview = (stages.len() > 1).then(|| overview(stages));
     let tabs = overview.into_iter().chain(stages.iter().map(scene)).collect();
-    send(tabs, (STEP, FRAMES_PER_SEC), recording)
+    send(tabs, (STEP, FRAMES_PER_SEC), stages.first().map(|stage| stage.palette), recording)
 }
 
 /// A picture of each scene, and their proportionality and convergence side by side.

@@ -1,0 +1,74 @@
+//! Properties of recordings: what is known of each scene as a whole, so that a folder of recordings is a table.
+//!
+//! Each scene has a group of properties under the name of its root, and each property is written once, as readers of whole
+//! folders take any of several.
+
+use super::scene::Scene;
+use crate::contact::{Contact, Load, OBSERVABLES, Problem, Solver, State, Stop};
+use rerun::components::{Scalar, Text};
+use rerun::{AnyValues, RecordingStream, RecordingStreamResult};
+
+/// What is known of a scene before it is solved.
+pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
+    let Scene { title, problem, setup, .. } = scene;
+    let grid = problem.surface().grid();
+    let along = |values: [f64; 2]| values.into_iter().skip(usize::from(grid.is_line()));
+    let spectrum = setup.as_ref().and_then(|setup| setup.surface.spectrum);
+    let numbers = [
+        ("hurst", spectrum.map(|spectrum| spectrum.hurst)),
+        ("contact_modulus", Some(problem.contact_modulus())),
+        ("rms_height", Some(problem.rms_height())),
+        ("rms_gradient", Some(problem.rms_gradient())),
+        ("reduced_pressure", reduced_pressure(problem)),
+    ];
+    let known = with_texts([("title", title.as_str()), ("version", env!("CARGO_PKG_VERSION"))])
+        .with_component::<Scalar>("points", along(grid.shape().map(|n| n as f64)))
+        .with_component::<Scalar>("size", along(grid.size()));
+    let known = match setup {
+        Some(setup) => known.with_component::<Text>("setup", [setup.clone().with_full_path().to_toml()]),
+        None => known,
+    };
+    with_numbers(known, numbers.into_iter().filter_map(|(name, value)| Some((name, value?))))
+}
+
+/// The reduced pressure, if the load tells it.
+fn reduced_pressure(problem: &Problem) -> Option<f64> {
+    match problem.load() {
+        Load::ReducedPressure(reduced_pressure) => Some(reduced_pressure),
+        Load::MeanPressure(pressure) => Some(pressure / problem.contact_modulus() / problem.rms_gradient()),
+        Load::MeanGap(_) => None,
+    }
+}
+
+/// The solver of a run and when it stops.
+pub fn of_run(solver: &dyn Solver, stop: &Stop) -> AnyValues {
+    let texts = [("solver", solver.name()), ("settings", &solver.settings())];
+    with_numbers(with_texts(texts), [("tolerance", stop.tolerance())])
+}
+
+/// The end of a run and the observables of what came out, but for those that were known before.
+pub fn of_contact(contact: &Contact) -> AnyValues {
+    let state = State::from(contact);
+    let is_known = |name: &str| match name {
+        "rms_height" | "rms_gradient" => true,
+        "reduced_pressure" => reduced_pressure(&contact.problem).is_some(),
+        _ => false,
+    };
+    let observables = OBSERVABLES.iter().filter(|observable| !is_known(observable.name));
+    let observables = observables.map(|observable| (observable.name, (observable.value)(&state)));
+    let ended = with_texts([("status", contact.status.to_string().as_str())]);
+    with_numbers(ended, observables.chain([("seconds", contact.work.seconds)]))
+}
+
+/// Sends properties of the scene under `root`.
+pub fn send(to: &RecordingStream, root: &str, properties: &AnyValues) -> RecordingStreamResult<()> {
+    to.send_property(root.trim_start_matches('/'), properties)
+}
+
+fn with_texts<'a>(texts: impl IntoIterator<Item = (&'static str, &'a str)>) -> AnyValues {
+    texts.into_iter().fold(AnyValues::default(), |all, (name, text)| all.with_component::<Text>(name, [text]))
+}
+
+fn with_numbers(properties: AnyValues, numbers: impl IntoIterator<Item = (&'static str, f64)>) -> AnyValues {
+    numbers.into_iter().fold(properties, |all, (name, value)| all.with_component::<Scalar>(name, [value]))
+}
