@@ -133,7 +133,7 @@ impl Certify {
         #[cfg(feature = "record")]
         {
             let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), name);
-            self.shown.watch(&title, setup, problem, &replay, &mut ())
+            self.shown.watch(&title, setup, problem, (&replay, None), &mut ())
         }
         #[cfg(not(feature = "record"))]
         Ok(asperity::contact::Solver::solve(&replay, problem, &setup.stop, &mut ())?)

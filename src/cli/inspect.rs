@@ -13,7 +13,8 @@ use super::progress::Progress;
 use super::shown::Shown;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Multilevel, Problem, Solver, Stop};
+use asperity::contact::{Contact, Multilevel, Observer, Problem, Solver, Stop};
+use asperity::diagnosis::{Diagnosis, Reference};
 use asperity::error::{ClaimError, StepsError};
 use asperity::files::check_named;
 use asperity::foreign::{Claim, Distances, Follow, Frame, Quantity, Replay, Steps, step_files};
@@ -22,6 +23,7 @@ use asperity::surface::{read_field, read_fields};
 use clap::Args;
 use std::io::stdout;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
@@ -64,6 +66,9 @@ pub struct Inspect {
     #[cfg(feature = "record")]
     #[command(flatten)]
     shown: Shown,
+    /// Say what held the iteration up: slow wavelengths, nodes that flip, plateaus, contacts that come back
+    #[arg(long, help_heading = "Output")]
+    diagnose: bool,
     /// Print one JSON object instead of a summary
     #[arg(long, help_heading = "Output")]
     json: bool,
@@ -129,7 +134,9 @@ impl Inspect {
         let reference = self.reference(problem)?;
         let mut distances = Distances::new(&reference);
         let replay = Replay::new(name, self.kind, steps);
-        let contact = self.watch(setup, problem, &replay, &mut distances)?;
+        let end = Arc::new(Reference::of(&reference));
+        let mut diagnosis = self.diagnose.then(|| Diagnosis::new(problem, Some(end.clone())));
+        let contact = self.watch(setup, problem, (&replay, end), &mut (&mut distances, &mut diagnosis))?;
         if distances.steps.is_empty() && contact.failure.is_none() {
             return Err(StepsError::Nothing.into());
         }
@@ -140,6 +147,7 @@ impl Inspect {
             reference_of: reference.solver.clone(),
             reference_certificate: reference.certificate.eta,
             last: Finding::of(setup, &contact),
+            diagnosis: diagnosis.map(|diagnosis| diagnosis.findings()),
             setup: setup.clone().with_full_path(),
             grid: *problem.surface().grid(),
         };
@@ -166,20 +174,22 @@ impl Inspect {
         Ok(replay.solve(problem, &stop, &mut ())?)
     }
 
-    /// Shows the steps to the recording, if there is one, and to the distances.
+    /// Shows the steps to the recording, if there is one, and to who watches.
     fn watch(
         &self,
         setup: &Setup,
         problem: &Problem,
-        replay: &dyn Solver,
-        distances: &mut Distances<'_>,
+        (replay, end): (&dyn Solver, Arc<Reference>),
+        observer: &mut dyn Observer,
     ) -> Result<Contact> {
-        let mut watching = (distances, Progress::new(replay.name()));
+        let mut watching = (observer, Progress::new(replay.name()));
         #[cfg(feature = "record")]
         {
             let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), replay.name());
-            self.shown.watch(&title, setup, problem, replay, &mut watching)
+            self.shown.watch(&title, setup, problem, (replay, Some(end)), &mut watching)
         }
+        #[cfg(not(feature = "record"))]
+        drop(end);
         #[cfg(not(feature = "record"))]
         Ok(replay.solve(problem, &setup.stop, &mut watching)?)
     }

@@ -1,8 +1,9 @@
 //! The iteration of another code, for people and for scripts.
 
 use super::finding::Finding;
-use super::output::write_rows;
+use super::output::{write_diagnosis, write_rows};
 use super::verdict::points;
+use asperity::diagnosis::Findings;
 use asperity::foreign::{Distance, Quantity};
 use asperity::grid::Grid;
 use asperity::setup::Setup;
@@ -24,6 +25,9 @@ pub struct Iteration {
     pub reference_certificate: f64,
     /// The numbers of the last step.
     pub last: Finding,
+    /// What held it up, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diagnosis: Option<Findings>,
     pub setup: Setup,
     #[serde(skip)]
     pub grid: Grid,
@@ -53,7 +57,8 @@ impl Iteration {
             )?;
         }
         writeln!(out, "the last step")?;
-        write_rows(self.last.rows().into_iter().filter(|(name, _)| name != "work"), out)
+        write_rows(self.last.rows().into_iter().filter(|(name, _)| name != "work"), out)?;
+        write_diagnosis(self.diagnosis.as_ref(), out)
     }
 
     /// All early steps, ever fewer later ones, and the last.

@@ -4,17 +4,17 @@ use super::caution;
 use super::finding::Finding;
 #[cfg(feature = "record")]
 use super::load_recording::CurveRecording;
-use super::outcome::{Outcome, settle};
+use super::outcome::{Outcome, settle, usage};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
-use super::plan;
+use super::plan::{self, Plan};
 use super::progress::Progress;
 use super::subject::Subject;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads};
 use asperity::files::{write_beside, write_csv};
-use asperity::setup::Table;
+use asperity::setup::{Part, Table};
 use asperity::study::LoadCurve;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
@@ -49,12 +49,20 @@ struct Pressed {
 pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome> {
     #[cfg(feature = "record")]
     if outputs.live {
-        return super::outcome::usage("--live shows the steps under one load: give one, or --record FILE.rrd instead");
+        return usage("--live shows the steps under one load: give one, or --record FILE.rrd instead");
+    }
+    if let Some(part) = curve.setup.record.what.iter().find(|part| Part::OF_A_RUN.contains(part)) {
+        let part = part.name();
+        return usage(format!(
+            "the {part} shows the steps under one load, but several are given: give one, or leave it out"
+        ));
     }
     let cost = curve.cost(outputs.recording().is_some(), outputs.archive().is_some())?;
     outputs.check()?;
     if is_dry {
-        plan::write(&curve.setup, &cost, Some(curve.loads.len()), outputs.recording().is_some(), &mut stdout())?;
+        let (loads, is_recorded) = (Some(curve.loads.len()), outputs.recording().is_some());
+        let plan = Plan { setup: &curve.setup, cost: &cost, loads, is_recorded, is_passed_twice: false };
+        plan::write(&plan, &mut stdout())?;
         return Ok(Outcome::Done);
     }
     cost.check(curve.setup.solver.name())?;

@@ -27,8 +27,13 @@ impl Summary {
     pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.subject.line(), self.finding.status)?;
         write_rows(self.subject.rows().into_iter().chain(self.finding.rows()), out)?;
-        self.diagnosis.as_ref().map_or(Ok(()), |diagnosis| write!(out, "\nWhat held it up:\n{diagnosis}"))
+        write_diagnosis(self.diagnosis.as_ref(), out)
     }
+}
+
+/// Writes what held a run up, if that is known.
+pub fn write_diagnosis(diagnosis: Option<&Findings>, out: &mut impl Write) -> io::Result<()> {
+    diagnosis.map_or(Ok(()), |diagnosis| write!(out, "\nWhat held it up:\n{diagnosis}"))
 }
 
 /// Writes an object as one line of JSON.

@@ -7,15 +7,20 @@ use asperity::setup::{Cost, Setup, available_bytes};
 use asperity::study::Refinement;
 use std::io::{self, Write};
 
-/// Writes what solving `setup` would cost, under a load or under a list of so many, and how large its recording would become if one
-/// is made.
-pub fn write(
-    setup: &Setup,
-    cost: &Cost,
-    loads: Option<usize>,
-    is_recorded: bool,
-    out: &mut impl Write,
-) -> io::Result<()> {
+/// What is done with a setup.
+pub struct Plan<'a> {
+    pub setup: &'a Setup,
+    pub cost: &'a Cost,
+    /// The length of a list of loads, if there is one.
+    pub loads: Option<usize>,
+    pub is_recorded: bool,
+    /// Whether a pass before finds the final state that the steps are held against.
+    pub is_passed_twice: bool,
+}
+
+/// Writes what solving would cost, and how large its recording would become if one is made.
+pub fn write(plan: &Plan<'_>, out: &mut impl Write) -> io::Result<()> {
+    let Plan { setup, cost, loads, is_recorded, is_passed_twice } = *plan;
     let shape = cost.grid.shape();
     writeln!(out, "Nothing is solved: this is what {} would take.", setup.solver.name())?;
     writeln!(out, "  points      {}", points(shape))?;
@@ -27,6 +32,12 @@ pub fn write(
     let free = available_bytes().map_or(String::new(), |free| format!(" of {} that are free", bytes_in_words(free)));
     writeln!(out, "  memory      about {}{free}", bytes_in_words(cost.bytes))?;
     writeln!(out, "  transforms  {}", setup.solver.transforms())?;
+    if is_passed_twice {
+        writeln!(
+            out,
+            "  passes      2: the first finds the final state that the steps of the second are held against"
+        )?;
+    }
     if let Some(loads) = loads {
         writeln!(out, "  loads       {loads}, each solved from the one before")?;
     }

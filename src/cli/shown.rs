@@ -2,10 +2,12 @@
 
 use anyhow::Result;
 use asperity::contact::{Contact, Observer, Problem, Solver};
+use asperity::diagnosis::Reference;
 use asperity::record::{Options, Parts, Recording, Scene};
 use asperity::setup::Setup;
 use clap::{ArgGroup, Args};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
@@ -20,13 +22,14 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// Has `solver` go through its steps, shown to `observer` and recorded under `title` if that is asked for.
+    /// Has `solver` go through its steps, shown to `observer` and recorded under `title` if that is asked for, held against the
+    /// reference if there is one.
     pub fn watch(
         &self,
         title: &str,
         setup: &Setup,
         problem: &Problem,
-        solver: &dyn Solver,
+        (solver, reference): (&dyn Solver, Option<Arc<Reference>>),
         observer: &mut dyn Observer,
     ) -> Result<Contact> {
         let path = self.record.as_deref();
@@ -38,7 +41,7 @@ impl Shown {
             options.what = Parts::OF_OTHERS;
         }
         // no setup: it would name a solver that has not made this
-        let scenes = [Scene { title: title.into(), ..Scene::new("contact", problem) }];
+        let scenes = [Scene { title: title.into(), reference, ..Scene::new("contact", problem) }];
         let recording = match path {
             Some(path) if !self.live => Recording::create(path, &scenes, options)?,
             _ => Recording::shown(path, &scenes, options)?,

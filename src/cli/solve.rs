@@ -8,7 +8,7 @@ use super::nodes::write_nodes;
 use super::outcome::{Outcome, settle, usage};
 use super::output::{Summary, write_json};
 use super::outputs::Outputs;
-use super::plan;
+use super::plan::{self, Plan};
 use super::progress::Progress;
 use super::subject::Subject;
 use super::wrote::wrote;
@@ -57,6 +57,9 @@ impl Solve {
             Some(_) if auto.is_some() => {
                 usage("a grid is found under one load, but several are given: give one, or a number for --refine")
             }
+            Some(_) if self.diagnose => {
+                usage("--diagnose looks at the steps under one load, but several are given: give one")
+            }
             Some(loads) if self.unload => {
                 load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, self.dry_run)
             }
@@ -80,7 +83,10 @@ impl Solve {
             return usage(format!("{} can hold the nodes of a line only: give a .npz for a surface", path.display()));
         }
         if self.dry_run {
-            plan::write(setup, &cost, None, outputs.recording().is_some(), &mut stdout())?;
+            let is_recorded = outputs.recording().is_some();
+            let plan =
+                Plan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice: self.is_passed_twice(setup) };
+            plan::write(&plan, &mut stdout())?;
             refinement.iter().try_for_each(|refinement| plan::write_grids(refinement, &mut stdout()))?;
             return Ok(Outcome::Done);
         }
@@ -142,13 +148,17 @@ impl Solve {
     /// Solves, and shows the steps to whom it concerns. What is held against the final state needs a solve before.
     fn watch(&self, setup: &Setup, problem: &Problem) -> Result<(Contact, Option<Findings>)> {
         let solver = setup.solver.solver();
-        let is_passed_twice = self.diagnose || self.outputs.has_waterfall(&setup.record);
         let before =
             || solver.solve(problem, &setup.stop, &mut Progress::new(&format!("{}, for its end", solver.name())));
-        let end = if is_passed_twice { Some(Arc::new(Reference::of(&before()?))) } else { None };
+        let end = if self.is_passed_twice(setup) { Some(Arc::new(Reference::of(&before()?))) } else { None };
         let mut diagnosis = self.diagnose.then(|| Diagnosis::new(problem, end.clone()));
         let contact = self.record(setup, problem, end, &mut (&mut diagnosis, Progress::new(solver.name())))?;
         Ok((contact, diagnosis.map(|diagnosis| diagnosis.findings())))
+    }
+
+    /// Whether the final state must be known before.
+    fn is_passed_twice(&self, setup: &Setup) -> bool {
+        self.diagnose || self.outputs.has_waterfall(&setup.record)
     }
 
     /// Solves, and records the steps if that is wished for.

@@ -15,14 +15,11 @@ impl Parts {
     /// The parts that are drawn from the fields of a step.
     pub(super) const PICTURES: Self = Self((1 << Part::Raster as u16) - (1 << Part::Traces as u16) - 1);
 
-    /// The parts that show every step of a run at once.
-    const INSTRUMENTS: [Part; 5] = [Part::Raster, Part::Waterfall, Part::Energy, Part::Decisions, Part::Ritz];
-
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
         let own = if grid.is_line() { Part::Profile } else { Part::Mesh };
         let own = [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum, Part::Error];
-        Self::INSTRUMENTS.into_iter().chain(own).collect()
+        Part::OF_A_RUN.into_iter().chain(own).collect()
     }
 
     /// The parts in both sets.
@@ -57,7 +54,7 @@ impl Parts {
 
     /// Whether an instrument is in the set.
     pub fn has_instruments(self) -> bool {
-        self.has_any(Self::INSTRUMENTS)
+        self.has_any(Part::OF_A_RUN)
     }
 
     /// Whether anything drawn from the fields of a step is in the set.

@@ -52,6 +52,14 @@ impl Part {
         Self::Ritz,
     ];
 
+    /// The parts that show every step of a run at once, of a solve under one load.
+    pub const OF_A_RUN: [Self; 5] = [Self::Raster, Self::Waterfall, Self::Energy, Self::Decisions, Self::Ritz];
+
+    /// Its name in scenes.
+    pub fn name(self) -> &'static str {
+        Self::PARTS[self as usize].0
+    }
+
     /// The part of a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::PARTS.iter().zip(Self::ALL).find(|((other, _), _)| *other == name).map(|(_, part)| part)
