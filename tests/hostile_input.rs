@@ -657,3 +657,78 @@ fn a_missing_viewer_is_said() {
     assert!(text(&output.stderr).contains("pip install rerun-sdk=="), "{}", text(&output.stderr));
     assert!(output.stdout.is_empty() && !folder.join("new.rrd").exists());
 }
+
+/// A folder with a sine of eight nodes and fields for it that nobody can use.
+fn hostile_fields() -> Folder {
+    let folder = folder();
+    write_npy(folder.join("h.npy"), &Array1::from(vec![1.0, 0.7, 0.0, -0.7, -1.0, -0.7, 0.0, 0.7])).unwrap();
+    write_npy(folder.join("good.npy"), &Array1::from(vec![0.8, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])).unwrap();
+    write_npy(folder.join("short.npy"), &Array1::from(vec![1.0; 7])).unwrap();
+    write_npy(folder.join("nan.npy"), &Array1::from(vec![0.0, 0.0, f64::NAN, 0.0, 0.0, 0.0, 0.0, 0.0])).unwrap();
+    write_npy(folder.join("zero.npy"), &Array1::from(vec![0.0; 8])).unwrap();
+    write_npy(folder.join("column.npy"), &Array2::from_elem((8, 1), 1.0)).unwrap();
+    write_npy(folder.join("cube.npy"), &Array3::from_elem((2, 2, 8), 1.0)).unwrap();
+    write_npy(folder.join("scalar.npy"), &arr0(1.0)).unwrap();
+    let bytes = std::fs::read(folder.join("good.npy")).unwrap();
+    std::fs::write(folder.join("cut.npy"), &bytes[..bytes.len() - 9]).unwrap();
+    std::fs::write(folder.join("noise.npz"), b"PK\x03\x04 nothing of the kind").unwrap();
+    folder
+}
+
+const SINE: &str = "--height h.npy --size 1 --modulus 1";
+
+#[test]
+fn results_that_cannot_be_certified_are_refused() {
+    let folder = hostile_fields();
+    for (arguments, offence) in [
+        ("--pressure short.npy", "the pressure of shape [1, 7] does not fit heights of 1 x 8 points"),
+        ("--pressure column.npy", "it is transposed"),
+        ("--pressure cube.npy", "cube.npy is not a usable pressure file: its array has rank 3"),
+        ("--gap scalar.npy", "scalar.npy is not a usable gap file: its array has rank 0"),
+        ("--pressure nan.npy", "the pressure at row 0, column 2 is NaN"),
+        ("--pressure zero.npy", "the mean pressure is 0"),
+        ("--gap zero.npy", "everything touches"),
+        ("--displacement good.npy", "no load is given"),
+        ("--displacement good.npy", "--mean-pressure"),
+        ("--pressure cut.npy", "cut.npy is not a usable pressure file: it holds"),
+        ("--pressure noise.npz", "noise.npz is not a usable pressure file"),
+        ("--pressure none.npy", "cannot read none.npy"),
+        ("--pressure sub", "sub is not a usable pressure file: it is a directory"),
+        ("--pressure good.npy --mean-pressure -1", "the mean pressure is -1"),
+        ("--pressure good.npy --mean-pressure 1,2", "2 loads are given"),
+        ("--pressure good.npy --tolerance 0", "the tolerance is 0"),
+        ("--pressure good.npy --out new.png", "new.png"),
+        ("--pressure good.npy --out none/new.npz", "none"),
+    ] {
+        refuse_in_one_sentence(&folder, &format!("certify {SINE} {arguments} --json"), offence);
+    }
+    let nothing = refuse(&folder, &format!("certify {SINE} --json"));
+    assert!(nothing.contains("--pressure"), "{nothing}");
+    let no_modulus = "certify --height h.npy --size 1 --pressure good.npy";
+    refuse_in_one_sentence(&folder, no_modulus, "without a modulus");
+}
+
+#[test]
+fn iterations_that_cannot_be_inspected_are_refused() {
+    let folder = hostile_fields();
+    for (arguments, offence) in [
+        ("good.npy short.npy", "short.npy, step 0 of the file: the pressure of shape [7] does not fit"),
+        ("good.npy nan.npy", "nan.npy, step 0 of the file: the pressure at row 0, column 2 is NaN"),
+        ("cube.npy", "cube.npy, step 0 of the file: the pressure of shape [2, 2, 8] does not fit"),
+        ("sub", "no steps are found"),
+        ("none.npy", "cannot read none.npy"),
+        ("cut.npy", "cut.npy is not a usable pressure file"),
+        ("noise.npz", "noise.npz is not a usable pressure file"),
+        ("good.npy --times h.npy", "there are 8 times for 1 steps"),
+        ("good.npy --reference short.npy", "does not fit heights"),
+        ("--follow none", "cannot read none"),
+    ] {
+        let line = format!("inspect {SINE} --mean-pressure 0.1 {arguments} --json");
+        refuse_in_one_sentence(&folder, &line, offence);
+    }
+    refuse_in_one_sentence(&folder, &format!("inspect {SINE} good.npy"), "no load is given");
+    let nothing = refuse(&folder, &format!("inspect {SINE} --mean-pressure 0.1"));
+    assert!(nothing.contains("STEPS"), "{nothing}");
+    let idle = refuse(&folder, &format!("inspect {SINE} --mean-pressure 0.1 --follow sub --idle=-1"));
+    assert!(idle.contains("seconds"), "{idle}");
+}

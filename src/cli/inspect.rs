@@ -1,5 +1,6 @@
 //! `asperity inspect`: somebody's iteration, recorded.
 
+use super::caution;
 use super::choice::choice;
 use super::fields::{check_one_load, rows};
 use super::finding::Finding;
@@ -13,13 +14,13 @@ use super::progress::Progress;
 use super::shown::Shown;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Multilevel, Observer, Problem, Solver, Stop};
+use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Reference};
 use asperity::error::{ClaimError, StepsError};
 use asperity::files::check_named;
 use asperity::foreign::{Claim, Distances, Follow, Frame, Quantity, Replay, Steps, step_files};
 use asperity::setup::{Cost, Setup};
-use asperity::surface::{read_field, read_fields};
+use asperity::surface::{read_field, read_fields, read_fields_shape};
 use clap::Args;
 use std::io::stdout;
 use std::path::{Path, PathBuf};
@@ -120,7 +121,11 @@ impl Inspect {
         let is_over = || interrupted.load(Ordering::Relaxed);
         let files = Follow::new(folder, self.kind.name(), self.idle, &is_over)?;
         let steps = Steps::new(self.kind, problem.surface().grid(), files);
-        self.inspect(&folder.display().to_string(), setup, problem, steps)
+        let outcome = self.inspect(&folder.display().to_string(), setup, problem, steps)?;
+        let broken = |path: PathBuf| read_fields_shape(&path, self.kind.name()).err();
+        let left_out = step_files(&[folder.into()])?.into_iter().filter_map(broken);
+        caution::tell(&left_out.map(|error| format!("{error}, and was left out")).collect::<Vec<_>>());
+        Ok(outcome)
     }
 
     /// Replays the steps of a code of some name, and tells how far they are from the reference.
@@ -167,7 +172,7 @@ impl Inspect {
         };
         let field = rows(read_field(path, Quantity::Pressure.name())?)?;
         let (surface, modulus) =
-            (problem.surface().clone(), asperity::contact::ContactModulus(problem.contact_modulus()));
+            (problem.surface().clone(), ContactModulus(problem.contact_modulus()));
         let claim = Claim::new(surface, modulus, Some(problem.load()), Quantity::Pressure, &field)?;
         let frame = Frame { values: claim.values().to_vec(), seconds: None };
         let replay = Replay::new(&path.display().to_string(), Quantity::Pressure, [Ok(frame)].into_iter());

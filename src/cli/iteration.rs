@@ -37,6 +37,7 @@ impl Iteration {
     /// Writes a table of some steps, and the numbers of the last one.
     pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         let title = self.setup.surface.title(&self.grid);
+        let is_timed = self.steps.iter().any(|it| it.seconds > 0.0);
         let (count, quantity, steps_of) = (self.steps.len(), self.quantity, &self.steps_of);
         writeln!(out, "{title}, {}: {count} steps of {quantity} from {steps_of}", points(&self.grid))?;
         writeln!(
@@ -44,17 +45,13 @@ impl Iteration {
             "  distance from {} (certificate {:.1e}), relative",
             self.reference_of, self.reference_certificate
         )?;
-        writeln!(
-            out,
-            "  {:>8} {:>10} {:>12} {:>12} {:>14}",
-            "step", "seconds", "certificate", "pressure", "energy norm"
-        )?;
+        let seconds = |words: String| if is_timed { format!(" {words:>10}") } else { String::new() };
+        let head = ["certificate", "pressure", "energy norm"].map(|name| format!(" {name:>12}")).concat();
+        writeln!(out, "  {:>8}{}{head}", "step", seconds("seconds".into()))?;
         for it in self.told() {
-            let Distance { step, seconds, certificate, pressure_error, energy_error } = it;
-            writeln!(
-                out,
-                "  {step:>8} {seconds:>10.3} {certificate:>12.2e} {pressure_error:>12.2e} {energy_error:>14.2e}"
-            )?;
+            let numbers =
+                [it.certificate, it.pressure_error, it.energy_error].map(|it| format!(" {it:>12.2e}")).concat();
+            writeln!(out, "  {:>8}{}{numbers}", it.step, seconds(format!("{:.3}", it.seconds)))?;
         }
         writeln!(out, "the last step")?;
         write_rows(self.last.rows().into_iter().filter(|(name, _)| name != "work"), out)?;

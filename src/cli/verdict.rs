@@ -12,6 +12,8 @@ use std::path::PathBuf;
 
 /// Rows on the contact that do not concern the result of another code, or that stand in other words.
 const LEFT_OUT: [&str; 3] = ["work", "penetration", "load error"];
+/// Errors of a load that are rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// All that is known of a result.
 #[derive(Serialize)]
@@ -26,7 +28,6 @@ pub struct Verdict {
     pub contact_modulus: f64,
     #[serde(flatten)]
     pub finding: Finding,
-    #[serde(flatten)]
     pub assessment: Assessment,
     /// Everyday mistakes that explain why it does not hold.
     pub findings: Vec<Mistake>,
@@ -63,7 +64,7 @@ impl Verdict {
             (
                 "prescribed",
                 match self.prescribed {
-                    Some(load) if load_error > &0.0 => format!("{load}, missed by {load_error:.1e} of it"),
+                    Some(load) if *load_error > ROUNDING => format!("{load}, missed by {load_error:.1e} of it"),
                     Some(load) => load.to_string(),
                     None => format!("nothing: the load is that of the {}", self.quantity),
                 },
@@ -78,10 +79,11 @@ impl Verdict {
                     tension.nodes, tension.share, tension.lowest
                 ),
             ));
-            rows.push((
-                "certificate as given",
-                format!("{}: with the tension clipped and the load kept it is the one below", given.eta),
-            ));
+            let stand_in = match tension.share < 1.0 {
+                true => "the numbers below are those with the tension clipped and the load kept",
+                false => "nothing is left without the tension, and the numbers below are those of a uniform pressure",
+            };
+            rows.push(("certificate as given", format!("{}: {stand_in}", given.eta)));
         }
         rows.extend([
             ("error in energy", format!("densest at {}, {:.2} % of it", place(densest.node), 100.0 * densest.value)),

@@ -10,7 +10,21 @@ use crate::contact::chunks;
 /// assert_eq!(error_density(&[0.0, 2.0, 3.0], &[5.0, 0.5, -0.5]), [0.0, 2.0, 0.0]);
 /// ```
 pub fn error_density(pressure: &[f64], gap: &[f64]) -> Vec<f64> {
-    let lowest = chunks::visit(gap.len(), |range| range.fold(f64::INFINITY, |low, i| gap[i].min(low)));
-    let lowest = lowest.into_iter().fold(f64::INFINITY, f64::min);
+    let lowest = lowest(gap);
     pressure.iter().zip(gap).map(|(p, g)| p * (g - lowest)).collect()
+}
+
+/// The widest gap of nodes that are in contact by their gap, row by row: twice the largest penetration, as the gap of nodes that
+/// touch errs to either side.
+///
+/// ```
+/// assert_eq!(asperity::contact::contact_reach(&[0.3, -0.1, 0.05]), 0.2);
+/// ```
+pub fn contact_reach(gap: &[f64]) -> f64 {
+    2.0 * (-lowest(gap)).max(0.0)
+}
+
+fn lowest(values: &[f64]) -> f64 {
+    let lowest = chunks::visit(values.len(), |range| range.fold(f64::INFINITY, |low, i| values[i].min(low)));
+    lowest.into_iter().fold(f64::INFINITY, f64::min)
 }

@@ -43,7 +43,7 @@ pub use crate::error::Failure;
 pub use archive::{archive, archive_of_loads};
 pub use certificate::Certificate;
 pub use decision::Decision;
-pub use density::error_density;
+pub use density::{contact_reach, error_density};
 pub use distribution::Distribution;
 pub use edges::{Edge, Edges, NODE_EXCESS_PER_SWITCH_LINE, Resolved};
 pub use forecast::Forecast;

@@ -3,7 +3,7 @@
 use super::claim::Claim;
 use super::fault::load_error;
 use super::tension::Tension;
-use crate::contact::{Certificate, Contact, Stop, error_density};
+use crate::contact::{Certificate, Contact, Stop, contact_reach, error_density};
 use crate::error::ProblemError;
 use serde::Serialize;
 
@@ -22,8 +22,7 @@ pub struct Assessment {
     pub deepest: Spot,
     /// Nodes in contact by their pressure.
     pub pressed: usize,
-    /// Nodes in contact by their gap: those whose gap is at most twice the largest penetration, as that of touching nodes errs to
-    /// either side.
+    /// Nodes in contact by their gap, see [`contact_reach`].
     pub closed: usize,
     /// Nodes in contact by their pressure and not by their gap, and the one with the widest gap.
     pub apart: Disagreement,
@@ -60,7 +59,7 @@ impl Assessment {
         let over_rms = |node: usize| Spot { node, value: gap[node] / contact.problem.rms_height() };
         let nodes = || 0..gap.len();
         let deepest = nodes().min_by(|&a, &b| gap[a].total_cmp(&gap[b])).unwrap_or_default();
-        let near = 2.0 * (-gap[deepest]).max(0.0);
+        let reach = contact_reach(gap);
         let disagreement = |is_in: &dyn Fn(usize) -> bool| Disagreement {
             nodes: nodes().filter(|&node| is_in(node)).count(),
             worst: nodes()
@@ -77,8 +76,8 @@ impl Assessment {
             densest: Spot { node: densest, value: density[densest] / density.iter().sum::<f64>() },
             deepest: Spot { node: deepest, value: -over_rms(deepest).value },
             pressed: nodes().filter(|&node| pressure[node] > 0.0).count(),
-            closed: nodes().filter(|&node| gap[node] <= near).count(),
-            apart: disagreement(&|node| pressure[node] > 0.0 && gap[node] > near),
+            closed: nodes().filter(|&node| gap[node] <= reach).count(),
+            apart: disagreement(&|node| pressure[node] > 0.0 && gap[node] > reach),
             unpressed: disagreement(&|node| pressure[node] <= 0.0 && gap[node] < 0.0),
         })
     }

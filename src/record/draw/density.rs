@@ -4,22 +4,30 @@ use super::canvas::{self, BOX, TEXT, strip, style};
 use super::fields::Fields;
 use super::fill;
 use super::line::curve;
-use super::palette::{Map, Palette};
-use super::reduce::Blocks;
+use super::palette::{GAP_CLASS, Map, Palette, colour};
+use super::reduce::{Blocks, Columns};
 use super::ruler::Ruler;
-use super::surface::{Image, frame};
-use super::window::Window;
-use crate::contact::error_density;
+use super::surface::{Image, format, frame};
+use super::window::{Samples, Window};
+use crate::contact::{contact_reach, error_density};
 use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
 use crate::record::scene::Scene;
-use rerun::{Radius, RecordingStream, RecordingStreamResult};
+use rerun::datatypes::ChannelDatatype;
+use rerun::{
+    AnnotationContext, AnnotationInfo, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Rgba32,
+    SegmentationImage,
+};
 
 /// Decades of the density below its largest value that are shown.
 const DECADES: f64 = 4.0;
+/// Classes of the nodes of a surface that are in contact by their pressure and not by their gap, and the reverse.
+const APART_CLASS: u16 = 2;
+const UNPRESSED_CLASS: u16 = 3;
 
 /// The density `p (v - min v)` over its largest value at each step, in decades: its place, whatever its size, which the certificate
-/// tells.
+/// tells. With it stand the contact by the pressure and that by the gap, see [`contact_reach`]: on a line one below and the other above the
+/// curve, on a surface where they differ.
 pub struct DensityPicture {
     root: String,
     palette: &'static Palette,
@@ -63,13 +71,33 @@ impl DensityPicture {
 
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let (root, frame) = match &self.drawing {
-            Drawing::Image { image, .. } => return image.log_static(to),
+            Drawing::Image { image, .. } => {
+                image.log_static(to)?;
+                return self.log_classes(to, &image.frame);
+            }
             Drawing::Curve { frame, .. } => (&self.root, frame),
         };
         canvas::log_axes(to, self.palette, &format!("{root}/axes"), frame)?;
         let bars = Radius::new_scene_units(fill::radius(BOX[0] as f32));
         to.log_static(format!("{root}/fill"), &style(self.palette.indenter_fill, bars, 8.0))?;
-        to.log_static(format!("{root}/curve"), &style(self.palette.contact, Radius::new_ui_points(1.0), 32.0))
+        to.log_static(format!("{root}/curve"), &style(self.palette.contact, Radius::new_ui_points(1.0), 32.0))?;
+        let [pressed, closed] = [self.palette.contact, self.palette.gap];
+        to.log_static(format!("{root}/pressed"), &style(pressed, Radius::new_ui_points(2.5), 34.0))?;
+        to.log_static(format!("{root}/closed"), &style(closed, Radius::new_ui_points(2.5), 34.0))
+    }
+
+    /// Records the names and colours of the nodes of a surface in one contact alone.
+    fn log_classes(&self, to: &RecordingStream, frame: &Frame) -> RecordingStreamResult<()> {
+        let class = |id, name: &str, color| AnnotationInfo { id, label: Some(name.into()), color: Some(color) };
+        let classes = AnnotationContext::new([
+            class(GAP_CLASS, "no contact, or both", Rgba32::from_unmultiplied_rgba(0, 0, 0, 0)),
+            class(APART_CLASS, "pressed though apart", colour(self.palette.solid).0),
+            class(UNPRESSED_CLASS, "touching without pressure", colour(self.palette.exact).0),
+        ]);
+        to.log_static(self.root.as_str(), &classes)?;
+        let format = format(frame, ChannelDatatype::U8);
+        let style = SegmentationImage::update_fields().with_opacity(1.0).with_draw_order(10.0).with_format(format);
+        to.log_static(format!("{}/contacts", self.root), &style)
     }
 
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
@@ -81,11 +109,17 @@ impl DensityPicture {
                 let [width, height] = BOX.map(|length| length as f32);
                 let curve = curve(&nodes, |i| height * (1.0 - shares[nodes.node(i)] as f32));
                 to.log(format!("{root}/fill"), &strip(fill::under(&curve, width, height, f32::max)))?;
-                to.log(format!("{root}/curve"), &strip(curve))
+                to.log(format!("{root}/curve"), &strip(curve))?;
+                let reach = contact_reach(&fields.gap);
+                let pressed = segments(&nodes, height, |node| fields.pressure[node] > 0.0);
+                to.log(format!("{root}/pressed"), &pressed)?;
+                to.log(format!("{root}/closed"), &segments(&nodes, 0.0, |node| fields.gap[node] <= reach))
             }
             Drawing::Image { blocks, image } => {
                 let shares = blocks.fold(&shares, fields.stride, 0.0, f64::max);
-                image.log(to, blocks.rows_down(&shares).map(|share| DECADES * (share - 1.0)))
+                image.log(to, blocks.rows_down(&shares).map(|share| DECADES * (share - 1.0)))?;
+                let buffer: Vec<u8> = classes(blocks, fields);
+                to.log(format!("{root}/contacts"), &SegmentationImage::update_fields().with_buffer(buffer))
             }
         }
     }
@@ -96,6 +130,27 @@ fn shares(fields: &Fields<'_>) -> Vec<f64> {
     let density = error_density(&fields.pressure, &fields.gap);
     let largest = density.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     density.into_iter().map(|it| (1.0 + (it / largest).log10() / DECADES).max(0.0)).collect()
+}
+
+/// Runs of nodes of a line at a height of the canvas.
+fn segments(nodes: &Samples, y: f32, is_in: impl Fn(usize) -> bool) -> LineStrips2D {
+    let runs = Columns::new(nodes.count()).runs(|i| is_in(nodes.node(i)));
+    let end = |i: usize, beyond: f32| (nodes.place(i) + beyond * nodes.spacing()).clamp(0.0, 1.0) * BOX[0] as f32;
+    let strips = runs.into_iter().map(|run| [[end(run.start, -0.5), y], [end(run.end - 1, 0.5), y]]);
+    LineStrips2D::update_fields().with_strips(strips)
+}
+
+/// The classes of the blocks of a surface.
+fn classes(blocks: &Blocks, fields: &Fields<'_>) -> Vec<u8> {
+    let reach = contact_reach(&fields.gap);
+    let pressure = blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
+    let gap = blocks.fold(&fields.gap, fields.stride, f64::INFINITY, f64::min);
+    let class = |(p, g): (f64, f64)| match (p > 0.0, g <= reach) {
+        (true, false) => APART_CLASS,
+        (false, true) => UNPRESSED_CLASS,
+        _ => GAP_CLASS,
+    };
+    blocks.rows_down(&pressure).zip(blocks.rows_down(&gap)).map(|both| class(both) as u8).collect()
 }
 
 #[cfg(test)]

@@ -190,6 +190,6 @@ impl Image {
     }
 }
 
-fn format(frame: &Frame, datatype: ChannelDatatype) -> ImageFormat {
+pub fn format(frame: &Frame, datatype: ChannelDatatype) -> ImageFormat {
     ImageFormat::depth(frame.size.map(|n| n as u32), datatype)
 }

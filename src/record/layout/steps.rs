@@ -79,13 +79,13 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
     }
     if let Some(density) = &stage.density {
         let contents = vec![format!("{}/**", density.root())];
-        rows.push(vec![View::plane(
-            "Where the error sits: p (v - min v)",
-            density.root(),
-            contents,
-            density.bounds(),
-            stage.palette,
-        )]);
+        let title = match stage.grid.is_line() {
+            true => "Where the error sits: p (v - min v); contact by pressure (below) and by gap (above)",
+            false => {
+                "Where the error sits: p (v - min v); blue: pressed though apart, green: touching without pressure"
+            }
+        };
+        rows.push(vec![View::plane(title, density.root(), contents, density.bounds(), stage.palette)]);
     }
     if what.has_mask_alone() {
         rows.push(vec![plane(stage, "contact", &format!("{title}: contact"), false)]);
