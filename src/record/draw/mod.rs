@@ -33,4 +33,6 @@ pub use palette::{Palette, colour};
 pub use reduce::{Columns, has_contour, pixels};
 pub use relief::vertices;
 pub use stage::{Stage, level, stride};
-pub use traces::{COMPARED, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced};
+pub use traces::{
+    COMPARED, PHASE, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced,
+};
