@@ -9,6 +9,9 @@ use std::ops::Range;
 /// Values per chunk: 128 KiB, of which a few fit the second-level cache, and long against the cost of a task.
 const CHUNK: usize = 1 << 14;
 
+/// Values that are passed over together where none is positive.
+const BLOCK: usize = 16;
+
 /// Results of `visit` on each chunk of `0..len`, in order.
 pub(crate) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     if len <= CHUNK {
@@ -67,5 +70,31 @@ pub(crate) fn each<T: Send>(items: &mut [T], width: usize, visit: impl Fn(usize,
         items.iter_mut().enumerate().for_each(|(i, item)| visit(i, item));
     } else {
         items.par_iter_mut().enumerate().for_each(|(i, item)| visit(i, item));
+    }
+}
+
+/// The places of positive values within `range`, in order. Blocks without any are passed over at once.
+pub(crate) fn positive(values: &[f64], range: Range<usize>) -> impl Iterator<Item = usize> {
+    let start = range.start;
+    let blocks = values[range].chunks(BLOCK).enumerate();
+    let blocks = blocks.filter(|(_, block)| block.iter().fold(false, |any, &value| any | (value > 0.0)));
+    blocks.flat_map(move |(number, block)| {
+        let places = (start + number * BLOCK..).zip(block);
+        places.filter(|(_, value)| **value > 0.0).map(|(place, _)| place)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_positive_places_are_found_in_order() {
+        let values: Vec<f64> = (0..1000).map(|i| if i % 7 == 0 || i / 100 == 3 { 1.0 } else { -0.0 }).collect();
+        for range in [0..1000, 3..17, 250..999, 400..400] {
+            let expected: Vec<usize> = range.clone().filter(|&i| values[i] > 0.0).collect();
+            assert_eq!(positive(&values, range).collect::<Vec<_>>(), expected);
+        }
+        assert_eq!(positive(&[f64::NAN, -1.0, f64::INFINITY], 0..3).collect::<Vec<_>>(), [2]);
     }
 }

@@ -438,7 +438,7 @@ fn coarse_grids_of_a_line_are_drawn_in_place_up_to_their_last_states() {
         assert!(nearest < 0.01, "{nearest} of every {stride}");
         steps + 1
     });
-    let levels = rows::<rerun::components::Scalar>(&path, "/it/trace/level", rerun::Scalars::descriptor_scalars());
+    let levels = rows::<rerun::components::Scalar>(&path, "/it/trace/phase", rerun::Scalars::descriptor_scalars());
     let steps_of = |level: f64| levels.iter().filter(|(_, values)| values[0].0.0 == level).count();
     assert_eq!([3.0, 2.0, 1.0, 0.0].map(steps_of), steps);
 }
@@ -483,7 +483,7 @@ fn other_grids_and_solvers_without_levels_leave_no_trace_of_levels() {
     let path = folder.path().join("line.rrd");
     let problem = rough_line();
     record(&path, &problem, &PolonskyKeer, None, None);
-    assert!(trace(&path, "level", "step").is_empty() && trace(&path, "inner", "step").is_empty());
+    assert!(trace(&path, "phase", "step").is_empty());
     assert!(!entities(&path).contains("/it/caption"));
     let recording = Recording::create(&path, &[Scene::new("it", &problem)], Options::default()).unwrap();
     let mut recorder = recording.recorder(0);
@@ -518,7 +518,7 @@ fn curves_on_coarse_grids_are_thin_and_those_on_the_finest_one_thick() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.rrd");
     record(&path, &rough_line(), &Multilevel, None, None);
-    let finest = trace(&path, "level", "step").into_iter().find(|(_, level)| *level == 0.0).unwrap().0;
+    let finest = trace(&path, "phase", "step").into_iter().find(|(_, level)| *level == 0.0).unwrap().0;
     let width = |entity: &str| {
         rows::<rerun::components::StrokeWidth>(&path, entity, rerun::SeriesLines::descriptor_widths())
             .into_iter()
@@ -538,7 +538,7 @@ fn a_recording_that_cannot_grow_ends_the_run() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("short.rrd");
     let output = Command::new("sh")
-        .args(["-c", r#"trap "" XFSZ; ulimit -f 4000; exec "$@""#, "sh", env!("CARGO_BIN_EXE_asperity")])
+        .args(["-c", r#"trap "" XFSZ; ulimit -f 16000; exec "$@""#, "sh", env!("CARGO_BIN_EXE_asperity")])
         .args(ENDLESS.split(' '))
         .arg(&path)
         .output()

@@ -22,6 +22,7 @@ use asperity::setup::{Auto, Setup};
 use asperity::study::{LoadCurve, Refinement, Settled};
 use clap::Args;
 use std::io::{self, Write, stdout};
+use std::path::Path;
 use std::sync::Arc;
 
 const EXAMPLES: &str = "\
@@ -141,7 +142,8 @@ impl Solve {
             summary.write_text(&mut stdout())?
         }
         caution::tell(&summary.warnings);
-        outputs.files().for_each(wrote);
+        let is_whole = |path: &&Path| contact.failure.is_none() || Some(*path) != outputs.recording();
+        outputs.files().filter(is_whole).for_each(wrote);
         Ok(())
     }
 

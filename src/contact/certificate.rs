@@ -239,6 +239,7 @@ pub(super) fn datum(problem: &Problem, pressure: &[f64], displacement: &[f64]) -
     }
     let height = problem.height();
     let load = chunks::sum(pressure.len(), |i| pressure[i]);
-    let share = |i: usize| if pressure[i] == 0.0 { 0.0 } else { pressure[i] / load * (displacement[i] - height[i]) };
-    if load == 0.0 { f64::NAN } else { -chunks::sum(pressure.len(), share) }
+    let share = |i: usize| pressure[i] / load * (displacement[i] - height[i]);
+    let parts = chunks::visit(pressure.len(), |nodes| nodes.filter(|&i| pressure[i] != 0.0).map(share).sum::<f64>());
+    if load == 0.0 { f64::NAN } else { -parts.into_iter().sum::<f64>() }
 }

@@ -96,7 +96,7 @@ impl Sums {
         let (grid, square_gradient) = (surface.grid(), surface.square_gradient());
         let parts = chunks::visit(pressure.len(), |range| {
             let mut sums = Self::default();
-            for node in range.filter(|&node| pressure[node] > 0.0) {
+            for node in chunks::positive(pressure, range) {
                 let square = square_gradient(node);
                 // of a line, the neighbours along y are the node itself
                 let ends = grid.neighbours(node).into_iter().filter(|&next| pressure[next] <= 0.0).count();

@@ -130,13 +130,14 @@ impl Forest {
 
 /// Runs of positive values.
 fn runs(row: &[f64]) -> Vec<Range<usize>> {
-    let mut end = 0;
-    let range = |run: &[f64]| {
-        let start = end;
-        end += run.len();
-        (run[0] > 0.0).then_some(start..end)
-    };
-    row.chunk_by(|a, b| (*a > 0.0) == (*b > 0.0)).filter_map(range).collect()
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for place in chunks::positive(row, 0..row.len()) {
+        match runs.last_mut() {
+            Some(run) if run.end == place => run.end += 1,
+            _ => runs.push(place..place + 1),
+        }
+    }
+    runs
 }
 
 /// Pairs of runs that share a column, both lists being in order.

@@ -107,8 +107,8 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
     pub fn resolved(&self) -> Resolved {
         let square_slope = self.problem.surface().square_slope();
         let parts = chunks::visit(self.pressure.len(), |nodes| {
-            let touching = nodes.filter(|&node| self.touches(node));
-            touching.fold(Sums::default(), |sums, node| sums.plus(self.share(node, &square_slope)))
+            chunks::positive(self.pressure, nodes)
+                .fold(Sums::default(), |sums, node| sums.plus(self.share(node, &square_slope)))
         });
         let sums = parts.into_iter().fold(Sums::default(), Sums::plus);
         let is_smooth = sums.edges_of_shape as f64 <= MOST_OF_SHAPE * sums.edges as f64;

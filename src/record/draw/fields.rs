@@ -1,6 +1,7 @@
 //! The fields of a frame, and how far they reach.
 
 use super::reduce::has_contour;
+use crate::chunks::positive;
 use crate::contact::{Contact, Edge, Edges, Patch, Problem, Step};
 use crate::diagnosis::ContactHistory;
 use crate::grid::Grid;
@@ -45,7 +46,7 @@ impl Outline {
     /// The outline of the contact of a `pressure` on `grid`; of a surface only where each node has a pixel.
     fn of<G: Fn(usize) -> f64 + Sync>(grid: &Grid, pressure: &[f64], edges: &Edges<'_, G>) -> Self {
         if grid.is_line() {
-            let touching = (0..grid.len()).filter(|&node| pressure[node] > 0.0);
+            let touching = positive(pressure, 0..grid.len());
             return Self { edges: touching.flat_map(|node| edges.around(node)).collect(), contour: Vec::new() };
         }
         let contour = if has_contour(grid) { edges.contour() } else { Vec::new() };

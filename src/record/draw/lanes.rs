@@ -145,9 +145,10 @@ impl Lanes {
     /// Sends the states that changed so far.
     pub fn flush(&self, to: &RecordingStream, rows: &mut LaneRows) -> RecordingStreamResult<()> {
         for (state, changes) in STATES.iter().zip(&mut rows.changes).filter(|(_, changes)| !changes.is_empty()) {
-            let (work, names): (Vec<Work>, Vec<String>) = changes.drain(..).unzip();
+            let names = changes.iter().map(|(_, name)| name.as_str());
             let states = StateChange::update_fields().with_state(names).columns_of_unit_batches()?;
-            to.send_columns(format!("{}/{state}", self.root), times(work.iter()), states)?;
+            to.send_columns(format!("{}/{state}", self.root), times(changes), states)?;
+            changes.clear();
         }
         Ok(())
     }

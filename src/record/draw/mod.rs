@@ -45,4 +45,6 @@ pub use reduce::{Columns, has_contour, pixels};
 pub use relief::vertices;
 pub use stage::{Stage, level};
 pub use step_image::StepImage;
-pub use traces::{COMPARED, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced};
+pub use traces::{
+    COMPARED, PHASE, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced,
+};

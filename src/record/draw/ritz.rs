@@ -35,7 +35,7 @@ impl RitzCurves {
         }
         let values = self.values.iter().flat_map(|(_, values)| *values);
         let columns = Scalars::new(values).columns(vec![NAMES.len(); self.values.len()])?;
-        to.send_columns(self.entity.as_str(), times(self.values.iter().map(|(work, _)| work)), columns)?;
+        to.send_columns(self.entity.as_str(), times(&self.values), columns)?;
         self.values.clear();
         Ok(())
     }

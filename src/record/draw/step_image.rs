@@ -65,7 +65,7 @@ impl StepImage {
 /// A line through all images at the current step.
 pub struct Cursor {
     root: String,
-    passed: Vec<Work>,
+    passed: Vec<(Work, f32)>,
 }
 
 impl Cursor {
@@ -83,7 +83,7 @@ impl Cursor {
     }
 
     pub fn add(&mut self, work: Work) {
-        self.passed.push(work);
+        self.passed.push((work, work.iterations as f32 + 0.5));
     }
 
     /// Sends the places of the steps so far, and stretches all to the steps of the images.
@@ -91,9 +91,9 @@ impl Cursor {
         if self.passed.is_empty() {
             return Ok(());
         }
-        let centers = self.passed.iter().map(|work| [work.iterations as f32 + 0.5, 0.5 * BOX[1] as f32]);
+        let centers = self.passed.iter().map(|(_, step)| [*step, 0.5 * BOX[1] as f32]);
         let lines = Boxes2D::update_fields().with_centers(centers).columns_of_unit_batches()?;
-        to.send_columns(self.root.as_str(), times(self.passed.iter()), lines)?;
+        to.send_columns(self.root.as_str(), times(&self.passed), lines)?;
         self.passed.clear();
         Ok(())
     }

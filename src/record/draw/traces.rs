@@ -30,15 +30,16 @@ const FAINT_WIDTH: f32 = 1.0;
 
 /// Entities under `trace` besides those of the observables, and the names of their curves. Those of exact values come after the
 /// computed ones in the alphabet, as the viewer draws in its order.
-const BESIDES: [(&str, &str); 7] = [
+const BESIDES: [(&str, &str); 4] = [
     ("kappa_r_theory", "exact kappa_r"),
     ("relative_area_theory", "exact relative area"),
     ("complementary_energy", "complementary energy / (p_mean h_rms)"),
     ("potential_energy", "potential energy / (p_mean h_rms)"),
-    ("level", "grid level"),
-    ("outer", "outer step"),
-    ("inner", "inner step"),
 ];
+
+/// The entity under `trace` of the numbers of the phase, which are drawn together, and the names of their curves.
+pub const PHASE: &str = "phase";
+const OF_PHASE: [&str; 3] = ["grid level, 0 the finest", "outer step", "inner step"];
 
 /// The observables that are drawn step by step; the certificate as its logarithm.
 pub fn traced() -> impl Iterator<Item = &'static Observable> {
@@ -115,17 +116,18 @@ impl Trace {
         if self.0.is_empty() {
             return Ok(());
         }
-        let times = times(self.0.iter().map(|(work, _)| work));
+        let times = times(&self.0);
         to.send_columns(entity, times, Scalars::new(self.0.iter().map(|(_, value)| *value)).columns_of_unit_batches()?)
     }
 }
 
-/// The times of steps, each with the work up to it.
-pub fn times<'a>(work: impl Iterator<Item = &'a Work> + Clone) -> [TimeColumn; 3] {
+/// The times of values, each with the work up to it.
+pub fn times<T>(values: &[(Work, T)]) -> [TimeColumn; 3] {
+    let work = || values.iter().map(|(work, _)| work);
     [
-        TimeColumn::new_sequence(STEP, work.clone().map(|work| work.iterations as i64)),
-        TimeColumn::new_duration_secs(SECONDS, work.clone().map(|work| work.seconds)),
-        TimeColumn::new_sequence(TRANSFORMS, work.map(|work| work.transforms as i64)),
+        TimeColumn::new_sequence(STEP, work().map(|work| work.iterations as i64)),
+        TimeColumn::new_duration_secs(SECONDS, work().map(|work| work.seconds)),
+        TimeColumn::new_sequence(TRANSFORMS, work().map(|work| work.transforms as i64)),
     ]
 }
 
@@ -135,6 +137,7 @@ pub struct Traces {
     pub observables: ObservableTraces,
     besides: [Trace; BESIDES.len()],
     exact: ExactValues,
+    phases: Vec<(Work, [f64; OF_PHASE.len()])>,
     /// The width of the curves from the last change on.
     width: f32,
     /// Changes of the width.
@@ -152,6 +155,7 @@ impl Traces {
             observables: ObservableTraces::new(recorded()),
             besides: Default::default(),
             exact,
+            phases: Vec::new(),
             width: 0.0,
             widths: Vec::new(),
         }
@@ -165,16 +169,14 @@ impl Traces {
             Energy::Potential(energy) => (None, Some(energy)),
         };
         let [kappa_r, area] = self.exact;
-        let [level, outer, inner] = match phase {
-            Some(Phase { level, outer, inner }) => [level, outer, inner].map(|number| Some(number as f64)),
-            None => [None; 3],
-        };
+        let numbers = phase.map(|Phase { level, outer, inner }| [level, outer, inner].map(|number| number as f64));
+        self.phases.extend(numbers.map(|numbers| (step.work(), numbers)));
         let width = if phase.is_some_and(|phase| phase.level > 0) { COARSE_WIDTH } else { FINE_WIDTH };
         if width != self.width {
             self.width = width;
             self.widths.push((step.work(), width));
         }
-        let values = [kappa_r, area, complementary, potential, level, outer, inner];
+        let values = [kappa_r, area, complementary, potential];
         self.besides.iter_mut().zip(values).for_each(|(trace, value)| trace.add(step.work(), value));
     }
 
@@ -191,7 +193,18 @@ impl Traces {
             trace.log(to, format!("{root}/trace/{entity}"))?;
         }
         observables.0.iter_mut().map(|(_, trace)| trace).chain(besides).for_each(|trace| trace.0.clear());
+        self.flush_phases(to)?;
         self.flush_widths(to)
+    }
+
+    fn flush_phases(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        let phases = std::mem::take(&mut self.phases);
+        if phases.is_empty() {
+            return Ok(());
+        }
+        let numbers = Scalars::new(phases.iter().flat_map(|(_, numbers)| *numbers));
+        let numbers = numbers.columns(phases.iter().map(|(_, numbers)| numbers.len()))?;
+        to.send_columns(format!("{}/trace/{PHASE}", self.root), times(&phases), numbers)
     }
 
     /// Sends the changes of the width, which tell curves on coarse grids from those on the finest one.
@@ -200,7 +213,7 @@ impl Traces {
         for observable in traced().filter(|observable| !widths.is_empty() && has_levels(observable)) {
             let style = SeriesLines::update_fields().with_widths(widths.iter().map(|(_, width)| *width));
             let entity = format!("{}/trace/{}", self.root, drawn(observable));
-            to.send_columns(entity, times(widths.iter().map(|(work, _)| work)), style.columns_of_unit_batches()?)?;
+            to.send_columns(entity, times(&widths), style.columns_of_unit_batches()?)?;
         }
         Ok(())
     }
@@ -239,7 +252,9 @@ pub fn log_styles(
         let style = if let Some(width) = width { style.with_widths([width]) } else { style };
         to.log_static(format!("{root}/trace/{entity}"), &style)?;
     }
-    Ok(())
+    let style =
+        SeriesLines::new().with_names(OF_PHASE).with_colors(SERIES.map(palette::colour)[..OF_PHASE.len()].to_vec());
+    to.log_static(format!("{root}/trace/{PHASE}"), &style.with_widths([FINE_WIDTH; OF_PHASE.len()]))
 }
 
 /// Whether an entity beside the observables holds an exact value.

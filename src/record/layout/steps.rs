@@ -1,7 +1,7 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
 use super::blueprint::{Corner, Kind, Pane, View, send};
-use crate::record::draw::{Instruments, STEP, Stage, StepImage, drawn, entity_under, title, traced};
+use crate::record::draw::{Instruments, PHASE, STEP, Stage, StepImage, drawn, entity_under, title, traced};
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
@@ -151,10 +151,6 @@ fn curves(stage: &Stage) -> Pane {
     let kappa = beside(&["kappa_r_resolved", "kappa_resolved", "kappa_r", "kappa_r_theory"]);
     let area = beside(&["relative_area_resolved", "relative_area", "relative_area_theory"]);
     let free = |title: &str, names: &[&str]| View::falling(title, traces(names));
-    let levels = vec![
-        free("Grid level (0: finest)", &["level"]),
-        free("Outer and inner steps on the level", &["outer", "inner"]),
-    ];
     let is_elsewhere = |name: &str| {
         ["kappa_r", "kappa_resolved", "kappa_r_resolved", "relative_area", "relative_area_resolved", "certificate"]
             .contains(&name)
@@ -163,7 +159,7 @@ fn curves(stage: &Stage) -> Pane {
     let area = View::settling("Relative contact area", area, [0.0, stage.most_area], Corner::RightTop);
     let mut more: Vec<Pane> = [text, area].into_iter().chain(others).collect();
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
-    more.push(Pane::even(Kind::Vertical, "Levels", levels));
+    more.push(free("Grid level, outer and inner steps", &[PHASE]));
     let ritz = stage.instruments.as_ref().and_then(Instruments::ritz);
     more.extend(ritz.map(|entity| View::falling("Ritz values of conjugate gradients", vec![entity])));
     let kappa = View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa], Corner::RightBottom);
