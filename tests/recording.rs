@@ -244,10 +244,8 @@ fn lines_have_no_mesh_and_surfaces_no_profile() {
     let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
     assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
     assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
-    assert_eq!(
-        line.and(surface),
-        [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum, Part::Error].into_iter().collect()
-    );
+    let both = [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum, Part::Error].into_iter().chain(Part::OF_A_RUN);
+    assert_eq!(line.and(surface), both.collect());
     assert!(line.has(Part::Spectrum) && !Parts::USUAL.and(line).has(Part::Spectrum));
 }
 

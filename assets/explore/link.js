@@ -6,14 +6,19 @@
 const OVER_STEPS = /\/(raster(_row|_column)?|error_(pressure|displacement)|energy|lanes)\/image$/;
 const IMAGE = { width: 1000, columns: 1024 };
 
-/** Takes the viewer to the step that was picked. */
+/** Takes the viewer to the step that was picked, once it is done with telling of it: until then it takes no calls. */
 function linkStep(event) {
   const { type, recording_id: recording, items } = JSON.parse(event);
-  if (type !== "selection_change" || !viewer) return;
+  if (type !== "selection_change") return;
   const picked = items.find((item) => item.position && OVER_STEPS.test(item.entity_path ?? ""));
-  const range = picked && viewer.get_timeline_time_range(recording, "step");
+  if (picked) setTimeout(goToPlace, 0, recording, picked.position[0] / IMAGE.width);
+}
+
+/** Goes to the step at a share of the width of the images. */
+function goToPlace(recording, share) {
+  const range = viewer && viewer.get_timeline_time_range(recording, "step");
   if (!range) return;
-  const step = Math.floor(picked.position[0] / IMAGE.width * stepsShown(range.max + 1));
+  const step = Math.floor(share * stepsShown(range.max + 1));
   viewer.set_playing(recording, false);
   viewer.set_active_timeline(recording, "step");
   viewer.set_time_for_timeline(recording, "step", Math.min(step, range.max));

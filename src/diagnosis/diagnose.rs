@@ -25,6 +25,8 @@ const ILL: f64 = 3.0;
 const ILL_CONDITIONED: f64 = 50.0;
 /// Share of the steps for which a band must be the slowest to be told.
 const LAGS: f64 = 0.2;
+/// Digits a step at which no band is slow.
+const SWIFT: f64 = 0.5;
 
 /// Watches a run, and says what held it up and since when its results stood.
 ///
@@ -195,7 +197,7 @@ impl Diagnosis {
         let theory = self.relaxation.map(|it| it.decades_per_step(self.spectrogram.stiffness(band)));
         let rate = rate(&rows, band)?;
         let cause = Cause::SlowBand { wavelengths: bands.wavelengths(band), share, rate, theory };
-        (share >= LAGS).then_some(cause)
+        (share >= LAGS && rate < SWIFT).then_some(cause)
     }
 
     fn condition(&self) -> Option<Cause> {

@@ -33,11 +33,13 @@ fn image(path: &Path, entity: &str, [format, buffer]: [ComponentDescriptor; 2]) 
     let of_entity: Vec<_> = of_entity.filter(|chunk| chunk.entity_path().to_string() == entity).collect();
     let last = |component| {
         let with = of_entity.iter().filter(|chunk| chunk.components_identifiers().any(|other| other == component));
-        with.max_by_key(|chunk| chunk.id()).unwrap_or_else(|| panic!("no {component} of {entity}"))
+        with.max_by_key(|chunk| chunk.row_id_range()).unwrap_or_else(|| panic!("no {component} of {entity}"))
     };
-    let format = last(format.component).component_batch::<ImageFormat>(format.component, 0).unwrap().unwrap()[0].0;
-    let bytes =
-        last(buffer.component).component_batch::<ImageBuffer>(buffer.component, 0).unwrap().unwrap()[0].0.to_vec();
+    // a chunk of what stays holds all of its versions, the last of which counts
+    let (of_format, of_buffer) = (last(format.component), last(buffer.component));
+    let [format_row, buffer_row] = [of_format, of_buffer].map(|chunk| chunk.num_rows() - 1);
+    let format = of_format.component_batch::<ImageFormat>(format.component, format_row).unwrap().unwrap()[0].0;
+    let bytes = of_buffer.component_batch::<ImageBuffer>(buffer.component, buffer_row).unwrap().unwrap()[0].0.to_vec();
     ([format.width as usize, format.height as usize], bytes)
 }
 

@@ -13,7 +13,7 @@ use crate::contact::{contact_reach, error_density};
 use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
 use crate::record::scene::Scene;
-use rerun::datatypes::ChannelDatatype;
+use crate::record::sdk::ChannelDatatype;
 use rerun::{
     AnnotationContext, AnnotationInfo, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Rgba32,
     SegmentationImage,

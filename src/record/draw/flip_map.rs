@@ -5,8 +5,8 @@ use super::palette::{Map, Palette};
 use super::reduce::Blocks;
 use super::scale::ColourScale;
 use crate::plot::{Axis, Frame};
+use crate::record::sdk::{ChannelDatatype, ImageFormat};
 use rerun::components::{MagnificationFilter, ValueRange};
-use rerun::datatypes::{ChannelDatatype, ImageFormat};
 use rerun::{DepthImage, RecordingStream, RecordingStreamResult};
 
 /// The nodes of a surface, coloured by how often each flipped; of several in a pixel the one that did so most often.

@@ -8,11 +8,10 @@ use super::traces::times;
 use crate::contact::{Contact, Decision, Step, Work};
 use crate::diagnosis::{Change, History};
 use crate::plot::{Colour, Frame};
+use crate::record::sdk::{ChannelDatatype, ImageFormat};
 use rerun::archetypes::{StateChange, StateConfiguration};
-use rerun::datatypes::{ChannelDatatype, ImageFormat};
 use rerun::{
-    AnnotationContext, AnnotationInfo, Points2D, Radius, RecordingStream, RecordingStreamResult, Rgba32,
-    SegmentationImage,
+    AnnotationContext, AnnotationInfo, Radius, RecordingStream, RecordingStreamResult, Rgba32, SegmentationImage,
 };
 
 /// Names of the lanes, from above.
@@ -27,6 +26,8 @@ const LEVELS: u8 = 16;
 const FIRST: [u8; 3] = [1, 1 + LEVELS, 1 + LEVELS + Decision::NAMES.len() as u8];
 /// Room of a letter of the legend, over the size of words: enough for the viewer's in a narrow pane.
 const LETTER: f64 = 1.0;
+/// From the top of a word down to its middle, over the size of words.
+const RISE: f64 = 1.0;
 
 /// Lanes of the grid, the kind of step, and the nodes that entered or left: as an image beside the others, and as states for the
 /// viewer's own lanes, on which one can point at what lasted how long.
@@ -116,30 +117,37 @@ impl Lanes {
         let format = ImageFormat::depth([steps.columns as u32, height as u32], ChannelDatatype::U8);
         let image = SegmentationImage::update_fields().with_buffer(bytes).with_format(format).with_opacity(1.0);
         self.image.log(to, &image, height, steps)?;
-        to.log_static(format!("{}/legend", self.image.root), &self.legend(columns, &self.image.frame(steps)))?;
+        self.log_legend(to, columns, &self.image.frame(steps))?;
         Ok(steps)
     }
 
-    /// The names of the lanes, and of the classes that were met, in their colours.
-    fn legend(&self, columns: &[[u8; LANES.len()]], frame: &Frame) -> Points2D {
-        let pitch = BOX[1] / LANES.len() as f64;
-        let mut words = Vec::new();
-        let mut ends = LANES.map(|name| LETTER * frame.text * (name.len() + 3) as f64);
+    /// Records the names of the lanes, and of the classes that were met, each behind a swatch of its colour.
+    fn log_legend(
+        &self,
+        to: &RecordingStream,
+        columns: &[[u8; LANES.len()]],
+        frame: &Frame,
+    ) -> RecordingStreamResult<()> {
+        let (letter, pitch) = (LETTER * frame.text, BOX[1] / LANES.len() as f64);
+        let width = |word: &str| letter * word.len() as f64;
+        let height = |lane: usize| (lane as f64 + 0.55) * pitch;
+        let mut words: Vec<([f32; 2], String)> = Vec::new();
+        let mut swatches = Vec::new();
+        let mut ends = LANES.map(|name| width(name));
         for (lane, name) in LANES.iter().enumerate() {
-            words.push(([0.5 * ends[lane], (lane as f64 + 0.55) * pitch], format!("{name}:"), self.image.palette.ink));
+            words.push(([0.5 * ends[lane] as f32, height(lane) as f32], (*name).into()));
         }
         let is_met = |id: u8, lane: usize| columns.iter().any(|column| column[lane] == id);
         for (_, lane, name, rgb) in self.classes().filter(|(id, lane, ..)| is_met(*id, *lane)) {
-            let width = LETTER * frame.text * (name.len() + 3) as f64;
-            words.push(([ends[lane] + 0.5 * width, (lane as f64 + 0.55) * pitch], name, rgb));
-            ends[lane] += width;
+            let [from, to] = [2.0, 4.0].map(|letters| (ends[lane] + letters * letter) as f32);
+            let y = (height(lane) + RISE * frame.text) as f32;
+            swatches.push((vec![[from, y], [to, y]], colour(rgb), Radius::new_ui_points(3.0)));
+            let middle = f64::from(to) + 0.5 * width(&name) + 0.5 * letter;
+            ends[lane] = middle + 0.5 * width(&name);
+            words.push(([middle as f32, height(lane) as f32], name));
         }
-        let places = words.iter().map(|([x, y], ..)| [*x as f32, *y as f32]);
-        canvas::labels(self.image.palette, Vec::new())
-            .with_positions(places)
-            .with_labels(words.iter().map(|(_, word, _)| word.as_str()))
-            .with_colors(words.iter().map(|(.., rgb)| colour(*rgb)))
-            .with_radii([Radius::new_ui_points(0.0)])
+        to.log_static(format!("{}/legend/swatches", self.image.root), &canvas::strips(swatches))?;
+        to.log_static(format!("{}/legend/words", self.image.root), &canvas::labels(self.image.palette, words))
     }
 
     /// Sends the states that changed so far.

@@ -4,7 +4,7 @@ use super::canvas;
 use super::fields::PatchReading;
 use super::palette::colour;
 use crate::plot::Colour;
-use rerun::datatypes::Float32;
+use crate::record::sdk::Float32;
 use rerun::{AnyValues, AsComponents, Points2D, Radius, RecordingStream, RecordingStreamResult};
 
 /// Records how the points under `entity` look.

@@ -4,7 +4,7 @@ use super::palette::{Palette, colour, mixed};
 use super::step_image::{StepImage, Steps};
 use crate::diagnosis::{ContactHistory, History};
 use crate::plot::{Axis, Colour};
-use rerun::datatypes::{ChannelDatatype, ImageFormat};
+use crate::record::sdk::{ChannelDatatype, ImageFormat};
 use rerun::{AnnotationContext, AnnotationInfo, RecordingStream, RecordingStreamResult, Rgba32, SegmentationImage};
 
 /// Rows of the image at the most, and columns.

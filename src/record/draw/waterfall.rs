@@ -5,8 +5,8 @@ use super::scale::ColourScale;
 use super::step_image::{StepImage, Steps};
 use crate::diagnosis::{Bands, History, Row};
 use crate::plot::Axis;
+use crate::record::sdk::{ChannelDatatype, ImageFormat};
 use rerun::components::{MagnificationFilter, ValueRange};
-use rerun::datatypes::{ChannelDatatype, ImageFormat};
 use rerun::{DepthImage, RecordingStream, RecordingStreamResult};
 
 /// Decades below the largest value that the colours show.

@@ -142,8 +142,10 @@ fn plane(stage: &Stage, picture: &str, title: &str, contact: bool) -> Pane {
 /// Curves of every step and the text, or the text alone.
 fn curves(stage: &Stage) -> Pane {
     let text = View::text("Parameters", stage.description());
+    let ritz = stage.instruments.as_ref().and_then(Instruments::ritz);
+    let ritz = ritz.map(|entity| View::falling("Ritz values of conjugate gradients", vec![entity]));
     if !stage.what.has(Part::Traces) {
-        return text;
+        return Pane::even(Kind::Vertical, "curves", ritz.into_iter().chain([text]).collect());
     }
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
     let earlier = |name: &str| stage.has_ghost.then(|| entity_under(&stage.root, name));
@@ -160,8 +162,7 @@ fn curves(stage: &Stage) -> Pane {
     let mut more: Vec<Pane> = [text, area].into_iter().chain(others).collect();
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(free("Grid level, outer and inner steps", &[PHASE]));
-    let ritz = stage.instruments.as_ref().and_then(Instruments::ritz);
-    more.extend(ritz.map(|entity| View::falling("Ritz values of conjugate gradients", vec![entity])));
+    more.extend(ritz);
     let kappa = View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa], Corner::RightBottom);
     let certificate = View::falling("Certificate: log10 of the error bound eta", beside(&["certificate_log10"]));
     Pane::even(Kind::Vertical, "curves", vec![kappa, certificate, Pane::even(Kind::Tabs, "more", more)])
