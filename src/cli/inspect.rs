@@ -163,8 +163,7 @@ impl Inspect {
             return Ok(Multilevel.solve(problem, &stop, &mut Progress::new("the reference"))?);
         };
         let field = rows(read_field(path, Quantity::Pressure.name())?)?;
-        let (surface, modulus) =
-            (problem.surface().clone(), ContactModulus(problem.contact_modulus()));
+        let (surface, modulus) = (problem.surface().clone(), ContactModulus(problem.contact_modulus()));
         let claim = Claim::new(surface, modulus, Some(problem.load()), Quantity::Pressure, &field)?;
         let frame = Frame { values: claim.values().to_vec(), seconds: None };
         let replay = Replay::new(&path.display().to_string(), Quantity::Pressure, [Ok(frame)].into_iter());
