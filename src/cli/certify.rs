@@ -115,9 +115,7 @@ impl Certify {
             check_named(path, &["npz", "csv", "png", "svg"])?;
         }
         #[cfg(feature = "record")]
-        if let Some(path) = &self.shown.record {
-            check_named(path, &["rrd"])?;
-        }
+        self.shown.check()?;
         Ok(())
     }
 
@@ -165,7 +163,7 @@ impl Certify {
         }
         caution::tell(&verdict.warnings);
         #[cfg(feature = "record")]
-        self.shown.record.iter().for_each(|path| wrote(path));
+        self.shown.tell();
         self.out.iter().for_each(|path| wrote(path));
         Ok(())
     }
