@@ -135,6 +135,10 @@ fn fields_come_from_results_and_go_into_files() {
     let table = folder.run("certify --setup-of run.npz --pressure run.npz --out nodes.csv");
     assert_eq!(table.status.code(), Some(0), "{}", text(&table.stderr));
     assert!(std::fs::read_to_string(folder.join("nodes.csv")).unwrap().starts_with("x,height,pressure,gap"));
+    let picture = folder.run("certify --setup-of run.npz --pressure run.npz --out error.svg");
+    assert_eq!(picture.status.code(), Some(0), "{}", text(&picture.stderr));
+    let picture = std::fs::read_to_string(folder.join("error.svg")).unwrap();
+    assert!(picture.contains("where the error sits") && picture.matches("<polyline").count() > 20, "{picture}");
 }
 
 #[cfg(feature = "record")]

@@ -698,13 +698,17 @@ fn results_that_cannot_be_certified_are_refused() {
         ("--pressure good.npy --mean-pressure -1", "the mean pressure is -1"),
         ("--pressure good.npy --mean-pressure 1,2", "2 loads are given"),
         ("--pressure good.npy --tolerance 0", "the tolerance is 0"),
-        ("--pressure good.npy --out new.png", "new.png"),
+        ("--pressure good.npy --out new.txt", "new.txt"),
         ("--pressure good.npy --out none/new.npz", "none"),
     ] {
         refuse_in_one_sentence(&folder, &format!("certify {SINE} {arguments} --json"), offence);
     }
     let nothing = refuse(&folder, &format!("certify {SINE} --json"));
     assert!(nothing.contains("--pressure"), "{nothing}");
+    write_npy(folder.join("square.npy"), &Array2::from_elem((8, 8), 0.1)).unwrap();
+    let sphere = "certify --indenter sphere --radius 1 --points 8,8 --size 4 --modulus 1 --pressure square.npy";
+    refuse_in_one_sentence(&folder, &format!("{sphere} --out new.csv"), "a .csv is made of a line only");
+    refuse_in_one_sentence(&folder, &format!("{sphere} --out new.png"), "a .png is made of a line only");
     let no_modulus = "certify --height h.npy --size 1 --pressure good.npy";
     refuse_in_one_sentence(&folder, no_modulus, "without a modulus");
 }

@@ -1,6 +1,7 @@
 //! `asperity certify`: somebody's result, certified.
 
 use super::caution;
+use super::density;
 use super::fields::{lay_load, poisson, rows};
 use super::finding::Finding;
 use super::flags::{OfProblem, Scene};
@@ -16,6 +17,7 @@ use asperity::contact::{Contact, ContactModulus, Problem, archive};
 use asperity::error::ProblemError;
 use asperity::files::{check_named, write_beside};
 use asperity::foreign::{Assessment, Claim, Frame, Quantity, Replay};
+use asperity::plot::{write_png, write_svg};
 use asperity::setup::{Cost, Setup};
 use asperity::surface::read_field;
 use clap::{ArgGroup, Args};
@@ -51,7 +53,7 @@ pub struct Certify {
     #[cfg(feature = "record")]
     #[command(flatten)]
     shown: Shown,
-    /// Write the fields and numbers (.npz), or the nodes of a line (.csv)
+    /// Write the fields and numbers (.npz), or of a line the nodes (.csv) or a picture of where the error sits (.png, .svg)
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Print one JSON object instead of a summary
@@ -69,8 +71,11 @@ impl Certify {
         let setup = table.setup()?;
         let grid = setup.check()?;
         Cost::of_fields(&grid, FIELDS).check("a certificate")?;
-        if self.is_table() && !grid.is_line() {
-            return usage("a .csv can hold the nodes of a line only: give a .npz for a surface");
+        if !grid.is_line() && !["npz", ""].contains(&self.ending().as_str()) {
+            return usage(format!(
+                "a .{} is made of a line only: give a .npz, or --record, for a surface",
+                self.ending()
+            ));
         }
         let (surface, modulus) = (setup.surface()?, ContactModulus(setup.contact_modulus()?));
         let claim = Claim::new(surface, modulus, is_loaded.then_some(setup.load), quantity, &field)?;
@@ -107,12 +112,10 @@ impl Certify {
     /// Refuses places where nothing can be written, and names that promise another content.
     fn check(&self) -> Result<()> {
         if let Some(path) = &self.out {
-            check_named(path, &["npz", "csv"])?;
+            check_named(path, &["npz", "csv", "png", "svg"])?;
         }
         #[cfg(feature = "record")]
-        if let Some(path) = &self.shown.record {
-            check_named(path, &["rrd"])?;
-        }
+        self.shown.check()?;
         Ok(())
     }
 
@@ -142,13 +145,16 @@ impl Certify {
     /// Writes and prints what came out.
     fn write(&self, contact: &Contact, verdict: &Verdict) -> Result<()> {
         let setup = &verdict.setup;
-        match &self.out {
-            Some(path) if self.is_table() => write_nodes(path, contact)?,
-            Some(path) => {
+        let figure = || density::figure(&setup.surface.title(&verdict.grid), contact);
+        match (&self.out, self.ending().as_str()) {
+            (Some(path), "csv") => write_nodes(path, contact)?,
+            (Some(path), "png") => write_png(path, &figure())?,
+            (Some(path), "svg") => write_svg(path, &figure())?,
+            (Some(path), _) => {
                 let bytes = archive(contact, setup.surface.rank(&setup.grid)?, Some(&setup.to_toml()));
                 write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
             }
-            None => {}
+            (None, _) => {}
         }
         if self.json {
             write_json(verdict, &mut stdout())?
@@ -157,15 +163,15 @@ impl Certify {
         }
         caution::tell(&verdict.warnings);
         #[cfg(feature = "record")]
-        self.shown.record.iter().for_each(|path| wrote(path));
+        self.shown.tell();
         self.out.iter().for_each(|path| wrote(path));
         Ok(())
     }
 
-    /// Whether a table is to be written.
-    fn is_table(&self) -> bool {
-        let ending = self.out.as_deref().and_then(Path::extension);
-        ending.is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+    /// The ending of the name of the file that is written, or nothing.
+    fn ending(&self) -> String {
+        let ending = self.out.as_deref().and_then(Path::extension).unwrap_or_default();
+        ending.to_string_lossy().to_ascii_lowercase()
     }
 }
 

@@ -12,12 +12,10 @@ use super::output::write_json;
 use super::progress::Progress;
 #[cfg(feature = "record")]
 use super::shown::Shown;
-use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Reference};
 use asperity::error::{ClaimError, StepsError};
-use asperity::files::check_named;
 use asperity::foreign::{Claim, Distances, Follow, Frame, Quantity, Replay, Steps, step_files};
 use asperity::setup::{Cost, Setup};
 use asperity::surface::{read_field, read_fields, read_fields_shape};
@@ -78,9 +76,7 @@ pub struct Inspect {
 impl Inspect {
     pub fn run(&self) -> Result<Outcome> {
         #[cfg(feature = "record")]
-        if let Some(path) = &self.shown.record {
-            check_named(path, &["rrd"])?;
-        }
+        self.shown.check()?;
         let mut table = self.scene.table()?;
         check_one_load(&mut table)?;
         if !table.has_load() {
@@ -160,7 +156,7 @@ impl Inspect {
             if self.json { write_json(&iteration, &mut stdout())? } else { iteration.write_text(&mut stdout())? }
         }
         #[cfg(feature = "record")]
-        self.shown.record.iter().for_each(|path| wrote(path));
+        self.shown.tell();
         settle(&contact)
     }
 

@@ -9,6 +9,7 @@ mod choice;
 mod compare;
 #[cfg(feature = "record")]
 mod demo;
+mod density;
 #[cfg(feature = "explore")]
 mod explore;
 mod fields;

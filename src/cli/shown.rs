@@ -1,8 +1,11 @@
 //! The recording of what another code has found.
 
+use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Observer, Problem, Solver};
 use asperity::diagnosis::Reference;
+use asperity::error::FileError;
+use asperity::files::check_named;
 use asperity::record::{Options, Parts, Recording, Scene};
 use asperity::setup::Setup;
 use clap::{ArgGroup, Args};
@@ -22,6 +25,16 @@ pub struct Shown {
 }
 
 impl Shown {
+    /// Refuses a place where no recording can be written.
+    pub fn check(&self) -> Result<(), FileError> {
+        self.record.as_ref().map_or(Ok(()), |path| check_named(path, &["rrd"]))
+    }
+
+    /// Says that the recording was written, if one was.
+    pub fn tell(&self) {
+        self.record.iter().for_each(|path| wrote(path));
+    }
+
     /// Has `solver` go through its steps, shown to `observer` and recorded under `title` if that is asked for, held against the
     /// reference if there is one.
     pub fn watch(

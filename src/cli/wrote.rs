@@ -16,6 +16,7 @@ fn opened(path: &Path) -> String {
         Some("rrd") => format!("rerun {word}"),
         Some("toml") => format!("asperity solve {word}"),
         Some("npy" | "npz") => format!("numpy.load({name:?}) in Python"),
+        Some("png" | "svg") => "any viewer of pictures".into(),
         Some("csv") => format!("pandas.read_csv({name:?}) in Python, or any spreadsheet"),
         _ => "a folder of tables, figures and recordings".into(),
     }

@@ -41,6 +41,18 @@ impl Kind {
         Arrangement::on(grid).map(Self::Arrangement).chain(others).collect()
     }
 
+    /// A short name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Arrangement(_) => "arrangement",
+            Self::Quantity => "quantity",
+            Self::Sign => "sign",
+            Self::Heights => "heights",
+            Self::Modulus => "modulus",
+            Self::Scale => "pressure-factor",
+        }
+    }
+
     /// Whether an error of this kind may come with one of the other kind, which stands further on in the order.
     pub fn goes_with(self, other: Self) -> bool {
         let rank = |kind: Self| match kind {

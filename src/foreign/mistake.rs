@@ -95,22 +95,10 @@ impl Claim {
         let sentences: Vec<String> = trial.changes.iter().map(|change| self.sentence(change, poisson)).collect();
         let certificate = trial.fault.certificate;
         Mistake {
-            errors: trial.changes.iter().map(|change| self.error(change.kind)).collect(),
+            errors: trial.changes.iter().map(|change| change.kind.name()).collect(),
             sentence: format!("{}; then the certificate is {:.1e}", sentences.join("; and "), certificate.eta),
             certificate: certificate.eta,
             pressure_error_bound: certificate.pressure_error_bound,
-        }
-    }
-
-    /// A short name.
-    fn error(&self, kind: Kind) -> &'static str {
-        match kind {
-            Kind::Arrangement(_) => "arrangement",
-            Kind::Quantity => "quantity",
-            Kind::Sign => "sign",
-            Kind::Heights => "heights",
-            Kind::Modulus => "modulus",
-            Kind::Scale => "pressure-factor",
         }
     }
 
