@@ -84,11 +84,12 @@ impl Method {
         }
     }
 
-    /// Fields that a recording adds to them, as measured: one of the multilevel solver makes fields that others have at hand.
+    /// Fields that a recording adds to them, as measured: a state is copied to be written while the solver goes on, and one of the
+    /// multilevel solver has fields to be made that others have at hand.
     pub(super) fn recorded_fields(&self) -> f64 {
         match self {
-            Self::Multilevel {} => 4.0,
-            Self::PolonskyKeer {} | Self::Gfmd(_) => 2.0,
+            Self::Multilevel {} => 6.0,
+            Self::PolonskyKeer {} | Self::Gfmd(_) => 4.0,
         }
     }
 
