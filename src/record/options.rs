@@ -22,7 +22,7 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Every part but the spectrum, the automatic schedule, lengths in metres, a dark ground, no earlier solve.
+    /// Every part but the spectrum and the density of the error, the automatic schedule, lengths in metres, a dark ground, no earlier solve.
     fn default() -> Self {
         Self { what: Parts::USUAL, every: None, length_unit: "m".into(), theme: Theme::Dark, ghost: None }
     }
