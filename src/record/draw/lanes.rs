@@ -27,7 +27,7 @@ const FIRST: [u8; 3] = [1, 1 + LEVELS, 1 + LEVELS + Decision::NAMES.len() as u8]
 /// Room of a letter of the legend, over the size of words: enough for the viewer's in a narrow pane.
 const LETTER: f64 = 1.0;
 /// From the top of a word down to its middle, over the size of words.
-const RISE: f64 = 1.0;
+const RISE: f64 = 1.5;
 
 /// Lanes of the grid, the kind of step, and the nodes that entered or left: as an image beside the others, and as states for the
 /// viewer's own lanes, on which one can point at what lasted how long.
@@ -139,10 +139,10 @@ impl Lanes {
         }
         let is_met = |id: u8, lane: usize| columns.iter().any(|column| column[lane] == id);
         for (_, lane, name, rgb) in self.classes().filter(|(id, lane, ..)| is_met(*id, *lane)) {
-            let [from, to] = [2.0, 4.0].map(|letters| (ends[lane] + letters * letter) as f32);
+            let [from, to] = [1.5, 3.0].map(|letters| (ends[lane] + letters * letter) as f32);
             let y = (height(lane) + RISE * frame.text) as f32;
             swatches.push((vec![[from, y], [to, y]], colour(rgb), Radius::new_ui_points(3.0)));
-            let middle = f64::from(to) + 0.5 * width(&name) + 0.5 * letter;
+            let middle = f64::from(to) + 0.5 * width(&name) + letter;
             ends[lane] = middle + 0.5 * width(&name);
             words.push(([middle as f32, height(lane) as f32], name));
         }
