@@ -85,7 +85,7 @@ impl Worker {
 }
 
 fn write(mut scribe: Scribe, unwritten: &Receiver<Vec<Snapshot>>, free: &Sender<Snapshot>) -> Scribe {
-    for state in unwritten.into_iter().flatten() {
+    for state in unwritten.iter().flatten() {
         scribe.step(&state.step());
         free.send(state).ok(); // at the end nobody needs it
     }
