@@ -40,6 +40,7 @@ pub struct Spectrogram {
     bands: Bands,
     grid: Grid,
     contact_modulus: f64,
+    waves: Waves,
     reference: Option<Arc<Reference>>,
     lens: Option<Lens>,
     history: History<Row>,
@@ -56,7 +57,7 @@ pub struct Row {
     pub pressure: Vec<f64>,
     /// Error of the displacement over that of the reference in the same band.
     pub displacement: Vec<f64>,
-    /// Energy of the error, the square of its energy norm, over the elastic energy of the reference.
+    /// Energy of the error per area: the square of its energy norm.
     pub error_energy: Vec<f64>,
     /// Elastic energy per area.
     pub energy: Vec<f64>,
@@ -76,7 +77,8 @@ impl Spectrogram {
     pub fn new(grid: &Grid, contact_modulus: f64, reference: Option<Arc<Reference>>) -> Self {
         let reference = reference.filter(|reference| reference.grid == *grid);
         let history = History::new(MOST, |_, _| ());
-        Self { bands: Bands::of(grid), grid: *grid, contact_modulus, reference, lens: None, history }
+        let waves = Waves::new(grid, contact_modulus);
+        Self { bands: Bands::of(grid), grid: *grid, contact_modulus, waves, reference, lens: None, history }
     }
 
     /// The bands.
@@ -112,44 +114,85 @@ impl Spectrogram {
         let lens = self.lens.as_mut()?;
         let pressure = lens.transform(step.pressure());
         let displacement = step.moves_surface().then(|| lens.transform(step.displacement()));
-        let (lens, count) = (&*lens, self.bands.count());
-        let row = Row { step: step.index(), level: step.phase().level, ..Row::default() };
-        let stiffness = self.grid.wavenumbers().map(|q| 0.5 * self.contact_modulus * q).collect::<Vec<_>>();
-        let surface = |mode: usize, place: usize| match &displacement {
-            Some(displacement) => displacement[mode],
-            None => pressure[mode] / stiffness[place],
-        };
-        let weights: Vec<f64> = self.grid.multiplicities().collect();
-        let mut energy = vec![0.0; count];
-        let mut errors = [(); 5].map(|()| vec![0.0; count]);
+        let lens = &*lens;
+        let mut sums = Sums::none(self.bands.count());
         for (mode, place) in lens.places.iter().enumerate() {
-            let Some((place, band)) = place.and_then(|place| Some((place, usize::from(self.bands.modes()[place]?))))
-            else {
-                continue;
-            };
-            let (weight, u) = (weights[place], surface(mode, place));
-            energy[band] += 0.5 * weight * stiffness[place] * u.norm_sqr();
+            let Some(wave) = place.and_then(|place| self.waves.at(place, &self.bands)) else { continue };
+            let u = displacement.as_ref().map_or(pressure[mode] / wave.stiffness, |displacement| displacement[mode]);
+            sums.energy[wave.band] += 0.5 * wave.weight * wave.stiffness * u.norm_sqr();
             if let Some(reference) = &self.reference {
-                let [p_end, u_end] = [reference.pressure[place], reference.displacement[place]];
-                let [dp, du] = [(pressure[mode] - p_end).norm_sqr(), (u - u_end).norm_sqr()];
-                let terms = [dp, p_end.norm_sqr(), du, u_end.norm_sqr(), stiffness[place] * du];
-                errors.iter_mut().zip(terms).for_each(|(sum, term)| sum[band] += weight * term);
+                let [p_end, u_end] = [reference.pressure[wave.place], reference.displacement[wave.place]];
+                sums.add(wave, [pressure[mode] - p_end, u - u_end], [p_end, u_end]);
             }
         }
-        let Some(reference) = &self.reference else { return Some(Row { energy, ..row }) };
-        for place in lens.missing.iter().enumerate().filter_map(|(place, missing)| missing.then_some(place)) {
-            let Some(band) = self.bands.modes()[place].map(usize::from) else { continue };
-            let [dp, du] = [reference.pressure[place], reference.displacement[place]].map(|it| it.norm_sqr());
-            let terms = [dp, dp, du, du, stiffness[place] * du];
-            errors.iter_mut().zip(terms).for_each(|(sum, term)| sum[band] += weights[place] * term);
+        if let Some(reference) = &self.reference {
+            let missing = lens.missing.iter().enumerate().filter_map(|(place, missing)| missing.then_some(place));
+            for wave in missing.filter_map(|place| self.waves.at(place, &self.bands)) {
+                let end = [reference.pressure[wave.place], reference.displacement[wave.place]];
+                sums.add(wave, end, end);
+            }
         }
-        let total: f64 =
-            (0..stiffness.len()).map(|i| weights[i] * stiffness[i] * reference.displacement[i].norm_sqr()).sum();
-        let [dp, p, du, u, error] = errors;
+        let row = Row { step: step.index(), level: step.phase().level, ..Row::default() };
+        Some(if self.reference.is_some() { sums.relative(row) } else { Row { energy: sums.energy, ..row } })
+    }
+}
+
+/// Stiffness and weight of each mode of a field, in the order of [`Grid::wavenumbers`].
+struct Waves(Vec<[f64; 2]>);
+
+/// A mode that belongs to a band.
+#[derive(Clone, Copy)]
+struct Wave {
+    place: usize,
+    band: usize,
+    stiffness: f64,
+    weight: f64,
+}
+
+impl Waves {
+    fn new(grid: &Grid, contact_modulus: f64) -> Self {
+        let stiffness = grid.wavenumbers().map(|q| 0.5 * contact_modulus * q);
+        Self(stiffness.zip(grid.multiplicities()).map(|(stiffness, weight)| [stiffness, weight]).collect())
+    }
+
+    /// The mode at a place, unless it is the mean.
+    fn at(&self, place: usize, bands: &Bands) -> Option<Wave> {
+        let [stiffness, weight] = self.0[place];
+        Some(Wave { place, band: bands.modes()[place]?.into(), stiffness, weight })
+    }
+}
+
+/// Sums over the modes of each band.
+struct Sums {
+    energy: Vec<f64>,
+    error_energy: Vec<f64>,
+    /// Squares of the errors of pressure and displacement, and of both in the reference.
+    errors: [Vec<f64>; 2],
+    ends: [Vec<f64>; 2],
+}
+
+impl Sums {
+    fn none(bands: usize) -> Self {
+        let zeros = || vec![0.0; bands];
+        Self { energy: zeros(), error_energy: zeros(), errors: [zeros(), zeros()], ends: [zeros(), zeros()] }
+    }
+
+    /// Adds the errors of pressure and displacement of a mode, and both of the reference.
+    fn add(&mut self, wave: Wave, errors: [Complex; 2], ends: [Complex; 2]) {
+        let Wave { band, stiffness, weight, .. } = wave;
+        self.error_energy[band] += weight * stiffness * errors[1].norm_sqr();
+        for field in 0..2 {
+            self.errors[field][band] += weight * errors[field].norm_sqr();
+            self.ends[field][band] += weight * ends[field].norm_sqr();
+        }
+    }
+
+    /// The row of a step with errors over what they are errors of.
+    fn relative(self, row: Row) -> Row {
+        let Self { energy, error_energy, errors: [dp, du], ends: [p, u] } = self;
         let relative =
-            |error: &[f64], of: &[f64]| error.iter().zip(of).map(|(error, of)| (error / of).sqrt()).collect();
-        let error_energy = error.iter().map(|error| error / total).collect();
-        Some(Row { pressure: relative(&dp, &p), displacement: relative(&du, &u), error_energy, energy, ..row })
+            |error: Vec<f64>, of: Vec<f64>| error.iter().zip(of).map(|(error, of)| (error / of).sqrt()).collect();
+        Row { energy, error_energy, pressure: relative(dp, p), displacement: relative(du, u), ..row }
     }
 }
 
@@ -215,9 +258,8 @@ mod tests {
         let [long, short] = bands.wavelengths(worst);
         assert!(short < 1.0 / 6.0 && 1.0 / 6.0 <= long, "{worst}");
         assert!((0..bands.count()).all(|band| (row.pressure[band] > 1e-6) == (band == worst)), "{:?}", row.pressure);
-        // energy of a wave of pressure: <w u> = 1e-6 / 2 / (6 TAU), over <p u>
-        let elastic: f64 = end.pressure.iter().zip(&end.displacement).map(|(p, u)| p * u).sum::<f64>() / 256.0;
-        let expected = 0.5e-6 / (TAU * 6.0) / elastic;
+        // energy of a wave of pressure: <w u> = 1e-6 / 2 / (6 TAU)
+        let expected = 0.5e-6 / (TAU * 6.0);
         assert!((row.error_energy[worst] / expected - 1.0).abs() < 1e-9);
     }
 
