@@ -3,9 +3,10 @@
 use super::cause::Cause;
 use super::contact_history::{Change, ContactHistory};
 use super::curve::{Point, plateau};
+use super::rates::BandRate;
 use super::returns::Returns;
 use super::ritz::Ritz;
-use super::spectrogram::{Reference, Row, Spectrogram};
+use super::spectrogram::{Reference, Spectrogram};
 use crate::contact::{Certificate, Contact, Failure, Observer, Problem, Relaxation, Solver, Status, Step, Stop, Wish};
 use crate::grid::Grid;
 use serde::Serialize;
@@ -71,6 +72,27 @@ pub struct Findings {
     pub causes: Vec<Cause>,
     /// Since when its results stood.
     pub standing: Option<Standing>,
+    /// How fast the waves of each band came to rest, from the longest on; nothing without a reference.
+    pub rates: Vec<BandRate>,
+}
+
+impl Findings {
+    /// The rates as a table in Markdown; nothing if there are none.
+    pub fn table(&self) -> String {
+        let word = |rate: Option<f64>| rate.map_or("-".into(), |rate| format!("{rate:.1e}"));
+        let row = |it: &BandRate| {
+            let [long, short] = it.wavelengths;
+            format!(
+                "| {short:.2e} to {long:.2e} | {:.0} % | {} | {} |\n",
+                100.0 * it.share,
+                word(it.rate),
+                word(it.theory)
+            )
+        };
+        let rows: String = self.rates.iter().map(row).collect();
+        let head = "| wavelength | slowest for | digits a step | free wave, in theory |\n|---|---|---|---|\n";
+        if rows.is_empty() { rows } else { format!("{head}{rows}") }
+    }
 }
 
 impl Diagnosis {
@@ -127,7 +149,7 @@ impl Diagnosis {
 
     /// What was found out about a run that has ended.
     pub fn findings(&self) -> Findings {
-        Findings { causes: self.causes(), standing: self.standing() }
+        Findings { causes: self.causes(), standing: self.standing(), rates: self.rates() }
     }
 
     /// What held the run up, the main cause first; nothing if all went well, or as long as the run has not ended.
@@ -180,24 +202,17 @@ impl Diagnosis {
         (condition > ILL_CONDITIONED).then_some(Cause::Masses { condition, best })
     }
 
+    /// How fast the waves of each band came to rest.
+    fn rates(&self) -> Vec<BandRate> {
+        BandRate::all(&self.spectrogram, self.relaxation)
+    }
+
     /// The band that had the largest error for most steps, if that was for long.
     fn slow_band(&self) -> Option<Cause> {
-        let rows: Vec<&Row> = self.spectrogram.history().columns().iter().filter(|row| row.level == 0).collect();
-        if !self.has_reference || rows.len() < 2 {
-            return None;
-        }
-        let bands = self.spectrogram.bands();
-        let mut steps = vec![0usize; bands.count()];
-        let worst = |row: &Row| {
-            (0..row.error_energy.len()).max_by(|&a, &b| row.error_energy[a].total_cmp(&row.error_energy[b]))
-        };
-        rows.iter().filter_map(|row| worst(row)).for_each(|band| steps[band] += 1);
-        let band = (0..steps.len()).max_by_key(|&band| steps[band])?;
-        let share = steps[band] as f64 / rows.len() as f64;
-        let theory = self.relaxation.map(|it| it.decades_per_step(self.spectrogram.stiffness(band)));
-        let rate = rate(&rows, band)?;
-        let cause = Cause::SlowBand { wavelengths: bands.wavelengths(band), share, rate, theory };
-        (share >= LAGS && rate < SWIFT).then_some(cause)
+        let slowest = self.rates().into_iter().max_by(|a, b| a.share.total_cmp(&b.share))?;
+        let BandRate { wavelengths, share, rate, theory } = slowest;
+        let rate = rate?;
+        (share >= LAGS && rate < SWIFT).then_some(Cause::SlowBand { wavelengths, share, rate, theory })
     }
 
     fn condition(&self) -> Option<Cause> {
@@ -213,14 +228,6 @@ impl Diagnosis {
         let (node, &most) = flips.iter().enumerate().max_by_key(|(node, flips)| (**flips, usize::MAX - node))?;
         (nodes > 0).then(|| Cause::Flips { nodes, times: OFTEN, position: self.contact.position(node), most })
     }
-}
-
-/// Digits that the error of a band lost in a step, in the later half of the run before the last tenth, in which the reference itself
-/// is no better.
-fn rate(rows: &[&Row], band: usize) -> Option<f64> {
-    let (from, to) = (rows[rows.len() / 2], rows[rows.len() * 9 / 10]);
-    let fall = 0.5 * (from.error_energy.get(band)? / to.error_energy.get(band)?).log10();
-    (to.step > from.step && fall.is_finite()).then(|| fall / (to.step - from.step) as f64)
 }
 
 impl Observer for Diagnosis {
@@ -263,7 +270,7 @@ impl Observer for Diagnosis {
 
 impl fmt::Display for Findings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { causes, standing } = self;
+        let Self { causes, standing, .. } = self;
         if causes.is_empty() {
             writeln!(f, "Nothing held it up.")?;
         }

@@ -112,6 +112,23 @@ fn a_run_plays(page: &mut Page) {
     );
 }
 
+/// What the viewer tells of a click into an image over steps takes it to the step at that place; clicks elsewhere do not.
+fn a_picked_step_is_shown(page: &mut Page) {
+    let pick = |entity: &str| {
+        let item = format!("{{ type: 'entity', entity_path: '/rough_line/{entity}', position: [250, 9, 0] }}");
+        format!("linkStep(JSON.stringify({{ type: 'selection_change', recording_id: shownRun, items: [{item}] }}))")
+    };
+    let (step, last) =
+        ("viewer.get_time_for_timeline(shownRun, 'step')", "viewer.get_timeline_time_range(shownRun, 'step').max");
+    page.value("seek(1)");
+    page.until(&format!("{step} === {last}"), 20);
+    page.value(&pick("pressure/image"));
+    page.settled();
+    assert_eq!(page.value(&format!("{step} === {last}")), true, "a click into a field went to a step");
+    page.value(&pick("raster/image"));
+    page.until(&format!("{step} === Math.floor(({last} + 1) / 4)"), 20);
+}
+
 fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
     page.click("sweep");
     page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
@@ -279,6 +296,8 @@ fn a_person_at_the_page() {
     runs_are_compared(&explorer, &mut page);
     a_run_plays(&mut page);
     done("a run plays");
+    a_picked_step_is_shown(&mut page);
+    done("a picked step is shown");
     what_is_saved_opens(&explorer, &mut page);
     all_buttons_save_the_run_that_is_shown(&explorer, &mut page);
     done("what is saved opens");

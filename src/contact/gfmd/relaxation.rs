@@ -14,7 +14,8 @@ use crate::elastic::HalfSpace;
 /// ```
 ///
 /// with the friction `f`. Where the roots are complex the wave swings and shrinks by `sqrt(keep)`, whatever its stiffness; where they
-/// are real it creeps, the softer the slower. The contact holds waves longer than its own pattern, which then relax faster.
+/// are real it creeps, the softer the slower. The contact holds waves longer than its own pattern, which then relax faster; the mean,
+/// which nothing but the contact holds, is slower than the longest wave where the contact is small.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relaxation {
     step: f64,

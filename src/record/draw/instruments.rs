@@ -10,7 +10,7 @@ use super::ruler::Ruler;
 use super::step_image::Cursor;
 use super::waterfall::Waterfall;
 use crate::contact::{Contact, Observer, Problem, Solver, Step, Stop};
-use crate::diagnosis::{Bands, ContactHistory, Diagnosis, Reference};
+use crate::diagnosis::{Bands, ContactHistory, Diagnosis, Findings, Reference};
 use crate::grid::Grid;
 use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
@@ -182,20 +182,20 @@ impl Readings {
         self.ritz.as_mut().map_or(Ok(()), |curves| curves.flush(to))
     }
 
-    /// Ends with the contact that came out, and returns what held the run up, in words.
+    /// Ends with the contact that came out, and returns what held the run up.
     pub fn end(
         &mut self,
         to: &RecordingStream,
         instruments: &Instruments,
         contact: &Contact,
-    ) -> RecordingStreamResult<String> {
+    ) -> RecordingStreamResult<Findings> {
         self.diagnosis.end(contact).ok(); // it does not fail
         if let Some(lanes) = &mut self.lanes {
             lanes.end(contact);
         }
         self.show(to, instruments)?;
         self.flush(to, instruments)?;
-        Ok(self.diagnosis.findings().to_string())
+        Ok(self.diagnosis.findings())
     }
 }
 

@@ -158,7 +158,8 @@ impl Scribe {
             return Ok(String::new());
         };
         let found = readings.end(stream, instruments, contact)?;
-        Ok(format!("\n\n**What held it up**: {}", found.trim_end().replace('\n', "\n\n")))
+        let words = found.to_string();
+        Ok(format!("\n\n**What held it up**: {}\n\n{}", words.trim_end().replace('\n', "\n\n"), found.table()))
     }
 
     fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {
