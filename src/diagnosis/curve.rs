@@ -91,7 +91,8 @@ mod tests {
         let steady = |step: usize| 10f64.powf(-0.02 * step as f64);
         assert_eq!(plateau(&points(steady, 500)), None);
         let held = |step: usize| {
-            10f64.powf(-0.1 * (step.min(20) + step.max(60) - 60) as f64) * if step % 2 == 0 { 1.0 } else { 5.0 }
+            10f64.powf(-0.1 * (step.min(20) + step.max(60) - 60) as f64)
+                * if step.is_multiple_of(2) { 1.0 } else { 5.0 }
         };
         let found = plateau(&points(held, 100)).unwrap();
         assert_eq!(found.steps[0], 18);

@@ -193,7 +193,7 @@ impl Diagnosis {
     fn damping(&self) -> Option<Cause> {
         let relaxation = self.relaxation?;
         let (damping, best) = (relaxation.damping(), relaxation.best_decades_per_step());
-        let is_ill = damping > ILL || damping < 1.0 / ILL;
+        let is_ill = !(1.0 / ILL..=ILL).contains(&damping);
         is_ill.then(|| Cause::Damping { damping, rate: relaxation.slowest_decades_per_step(), best })
     }
 

@@ -111,7 +111,8 @@ impl Lanes {
         let columns = rows.classes.columns();
         let steps = Steps { columns: columns.len(), per_column: rows.classes.per_column() };
         // each lane has a free row below it, for its legend
-        let lane = |row: usize| columns.iter().map(move |column| if row % 2 == 0 { column[row / 2] } else { 0 });
+        let lane =
+            |row: usize| columns.iter().map(move |column| if row.is_multiple_of(2) { column[row / 2] } else { 0 });
         let height = 2 * LANES.len();
         let bytes: Vec<u8> = (0..height).flat_map(lane).collect();
         let format = ImageFormat::depth([steps.columns as u32, height as u32], ChannelDatatype::U8);
@@ -133,7 +134,7 @@ impl Lanes {
         let height = |lane: usize| (lane as f64 + 0.55) * pitch;
         let mut words: Vec<([f32; 2], String)> = Vec::new();
         let mut swatches = Vec::new();
-        let mut ends = LANES.map(|name| width(name));
+        let mut ends = LANES.map(&width);
         for (lane, name) in LANES.iter().enumerate() {
             words.push(([0.5 * ends[lane] as f32, height(lane) as f32], (*name).into()));
         }
