@@ -25,7 +25,7 @@ pub struct Iteration {
     pub reference_certificate: f64,
     /// The numbers of the last step.
     pub last: Finding,
-    /// What held it up, if that was asked for.
+    /// Findings of `--diagnose`: what held the iteration up.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diagnosis: Option<Findings>,
     pub setup: Setup,

@@ -15,7 +15,7 @@ pub struct Summary {
     pub subject: Subject,
     #[serde(flatten)]
     pub finding: Finding,
-    /// What held the solve up, if that was asked for.
+    /// Findings of `--diagnose`: what held the solve up.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diagnosis: Option<Findings>,
     pub warnings: Vec<String>,

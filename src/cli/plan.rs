@@ -7,7 +7,7 @@ use asperity::setup::{Cost, Setup, available_bytes};
 use asperity::study::Refinement;
 use std::io::{self, Write};
 
-/// What is done with a setup.
+/// A solve that is described instead of made.
 pub struct Plan<'a> {
     pub setup: &'a Setup,
     pub cost: &'a Cost,

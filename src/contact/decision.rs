@@ -1,6 +1,6 @@
-//! What a solver decided on its way to a step.
+//! Decisions of solvers on their way from step to step.
 
-/// What a solver decided on its way to a step, for those who ask why a run is as long as it is.
+/// The decision of a solver on its way to a step, for those who ask why a run is as long as it is.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Decision, Each, Load, PolonskyKeer, Solver, Step};

@@ -46,7 +46,7 @@ pub struct Spectrogram {
     history: History<Row>,
 }
 
-/// The spectra of a step, by bands; errors are missing without a reference.
+/// The spectra of a step, by bands; errors are missing without a reference, and all values on a grid of other nodes.
 #[derive(Debug, Clone, Default)]
 pub struct Row {
     /// Number of the step.
@@ -96,7 +96,7 @@ impl Spectrogram {
         &self.history
     }
 
-    /// Adds a step; steps on a grid that is no coarser version of the finest one are left out.
+    /// Adds a step; one on a grid that is no coarser version of the finest one gets a row without values.
     pub fn add(&mut self, step: &Step<'_>) {
         let grid = *step.problem().surface().grid();
         if !self.history.begins() {
@@ -105,9 +105,12 @@ impl Spectrogram {
         if self.lens.as_ref().is_none_or(|lens| lens.grid != grid) {
             self.lens = Lens::new(&self.grid, &grid);
         }
-        if let Some(row) = self.row(step) {
-            self.history.add(row);
-        }
+        let row = self.row(step);
+        self.history.add(row.unwrap_or_else(|| Row {
+            step: step.index(),
+            level: step.phase().level,
+            ..Row::default()
+        }));
     }
 
     fn row(&mut self, step: &Step<'_>) -> Option<Row> {

@@ -44,12 +44,13 @@ impl Waterfall {
 
     /// Records the image of the steps so far, and returns which they are.
     pub fn log(&self, to: &RecordingStream, history: &History<Row>) -> RecordingStreamResult<Option<Steps>> {
-        let columns: Vec<&Row> = history.columns().iter().filter(|row| !(self.of)(row).is_empty()).collect();
-        if columns.is_empty() {
+        let columns = history.columns();
+        if columns.iter().all(|row| (self.of)(row).is_empty()) {
             return Ok(None);
         }
         let steps = Steps { columns: columns.len(), per_column: history.per_column() };
-        let value = |row: &Row, band: usize| ((self.of)(row)[band] / self.unit).log10();
+        let value =
+            |row: &Row, band: usize| (self.of)(row).get(band).map_or(f64::NAN, |value| (value / self.unit).log10());
         let values: Vec<f64> =
             self.rows.iter().flat_map(|&band| columns.iter().map(move |row| value(row, band))).collect();
         let most = values.iter().copied().filter(|value| value.is_finite()).fold(f64::NEG_INFINITY, f64::max);
