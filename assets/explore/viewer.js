@@ -6,13 +6,15 @@ let viewer = null;
 /** How long the viewer draws on after a change, in milliseconds and at least in frames: its axes glide to their curves, and stop
  * when it stops. */
 const GLIDE = { time: 500, frames: 12 };
-const awake = { until: 0, frames: 0, seen: "" };
+const awake = { until: 0, frames: 0, seen: "", isDrawing: false };
+
+/** Runs that the viewer has read to the end: it reads on only while it draws. */
+const wholeRuns = new Set();
 
 /** Has the viewer draw for a while, after data, layout or size have changed. */
 function wake() {
-  const sleeps = !isAwake();
   stayAwake();
-  if (sleeps) draw();
+  if (!awake.isDrawing) draw();
 }
 
 const stayAwake = () => Object.assign(awake, { until: performance.now() + GLIDE.time, frames: GLIDE.frames });
@@ -21,12 +23,21 @@ const isAwake = () => awake.frames > 0 || performance.now() < awake.until;
 
 /** Closing a channel that never was makes the viewer draw. As long as it gets further in what it reads, it is kept awake. */
 function draw() {
+  awake.isDrawing = false;
   if (!viewer || viewer.has_panicked()) { Object.assign(awake, { until: 0, frames: 0 }); return; }
   viewer.close_channel("wake");
   awake.frames -= 1;
   const seen = read();
   if (seen !== awake.seen) { awake.seen = seen; stayAwake(); }
-  if (isAwake()) requestAnimationFrame(draw);
+  if (!isAwake() && !isReading()) return;
+  awake.isDrawing = true;
+  requestAnimationFrame(draw);
+}
+
+/** Whether the run that is shown has ended and the viewer has not read all of it. */
+function isReading() {
+  const run = runOf(shownRun);
+  return Boolean(run && run.ended && !wholeRuns.has(run.id));
 }
 
 /** How far the viewer has read what it shows, and where it stands in it. */
@@ -63,6 +74,7 @@ function noteWhole({ name }) {
   const run = runs.find((run) => address(run) === name);
   if (!run) return;
   document.body.dataset.whole = run.id;
+  wholeRuns.add(run.id);
   wake();
 }
 
