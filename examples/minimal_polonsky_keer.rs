@@ -4,7 +4,7 @@
 
 use asperity::contact::{Certificate, Contact, ContactModulus, Load, Observer, Run, Solver, Step};
 use asperity::record::{Options, Recording, Scene};
-use asperity::{Grid, Indenter, Problem, Stop, elastic::HalfSpace, error::SolveError, surface::Field};
+use asperity::{Grid, Indenter, Problem, Stop, error::SolveError, surface::Field};
 use std::path::Path;
 
 struct MinimalPolonskyKeer;
@@ -28,7 +28,7 @@ impl Solver for MinimalPolonskyKeer {
         let load = problem.mean_pressure().ok_or(SolveError::NeedsPressure { solver: self.name().into() })?;
         let (n, h) = (problem.nodes(), problem.height());
         let mut run = Run::begin(self, problem, stop, observer);
-        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let mut half_space = problem.response();
         let (mut p, mut u, mut t, mut r) = (problem.first_pressure(start), vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         let (mut old_square, mut delta) = (1.0, 0.0);
         let status = loop {

@@ -26,6 +26,11 @@ pub enum GridError {
     /// A period that is not positive and finite.
     #[error("the length along {axis} is {length:?}: give a positive, finite length")]
     Length { axis: &'static str, length: f64 },
+    /// A solid other than a half-space without images.
+    #[error(
+        "a free boundary needs a half-space below it, and this is a {solid}: leave the boundary periodic, or the layer out"
+    )]
+    FreeSolid { solid: String },
 }
 
 /// A surface that cannot be made or used.
@@ -76,6 +81,8 @@ pub enum SurfaceError {
 /// A contact problem that cannot be posed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ProblemError {
+    #[error(transparent)]
+    Grid(#[from] GridError),
     /// A quantity that must be positive and finite is not.
     #[error("the {name} is {value:?}: give a positive, finite value")]
     NotPositive { name: &'static str, value: f64 },
@@ -92,6 +99,16 @@ pub enum ProblemError {
         "at a mean gap of {mean_gap:?} everything touches, at any pressure that is high enough: give between 0 and {highest:?}, or a pressure"
     )]
     EverythingTouches { mean_gap: f64, highest: f64 },
+    /// A mean gap without a period over which it could be kept.
+    #[error(
+        "a mean gap of {mean_gap:?} is no load where the boundary is free: give a pressure, a force, or the approach"
+    )]
+    GapOfFree { mean_gap: f64 },
+    /// An approach of a solid that sinks without end.
+    #[error(
+        "an approach of {approach:?} has nothing to be measured from on a periodic half-space: give a mean gap or a pressure, a layer or a free boundary"
+    )]
+    ApproachOfHalfSpace { approach: f64 },
     /// Values so large or small that sums of their squares leave the range of doubles.
     #[error("the {name} of {value:?} is out of range: choose units in which it lies between 1e-100 and 1e100")]
     OutOfRange { name: &'static str, value: f64 },
@@ -162,6 +179,11 @@ pub enum SolveError {
         "{solver} works under a given mean pressure: give one, or choose the solver multilevel or polonsky-keer for a mean gap"
     )]
     NeedsPressure { solver: String },
+    /// A solver that moves waves was given a boundary that mixes them.
+    #[error(
+        "{solver} moves every wave on its own, which a free boundary does not let it: choose the solver multilevel or polonsky-keer"
+    )]
+    NeedsWaves { solver: String },
 }
 
 /// Elastic constants that make no solid.
@@ -213,9 +235,9 @@ pub enum SetupError {
     NoLoad,
     /// A mean pressure without the modulus that it is held against.
     #[error(
-        "the mean pressure {mean_pressure:?} is given without a modulus: give the contact modulus, or Young's modulus and Poisson's ratio of one body or of both"
+        "the {load} {value:?} is given without a modulus: give the contact modulus, or Young's modulus and Poisson's ratio of one body or of both"
     )]
-    NoModulus { mean_pressure: f64 },
+    NoModulus { load: &'static str, value: f64 },
     /// A seed without roughness.
     #[error(
         "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
@@ -331,7 +353,7 @@ impl SolveError {
     /// Whether another solver or load would do.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::NeedsPressure { .. } => true,
+            Self::NeedsPressure { .. } | Self::NeedsWaves { .. } => true,
             Self::NotConverged { .. } => false,
             Self::Observer(failure) => {
                 failure.downcast_ref().is_some_and(FileError::is_input)

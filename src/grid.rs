@@ -1,11 +1,14 @@
-//! The periodic grid that lines and surfaces share.
+//! The grid that lines and surfaces share, periodic or free along each axis.
 
 use crate::error::GridError;
 
-/// A periodic, equidistant grid of `ny` rows and `nx` columns over a cell of `ly` by `lx`.
+/// An equidistant grid of `ny` rows and `nx` columns over a cell of `ly` by `lx`, which repeats itself unless an axis is made free.
 ///
 /// A line is the grid of shape `(1, n)`: its single row has no extent, and nothing varies along it. A solver never asks
 /// which of the two it works on; only spectral exponents, statistics and pictures do.
+///
+/// Along a free axis nothing is beyond the cell: the nodes are the centres of elements that fill it, and those at the rim have no
+/// neighbours outside.
 ///
 /// ```
 /// use asperity::Grid;
@@ -18,6 +21,7 @@ use crate::error::GridError;
 pub struct Grid {
     shape: [usize; 2],
     size: [f64; 2],
+    free: [bool; 2],
 }
 
 impl Grid {
@@ -33,7 +37,7 @@ impl Grid {
     /// [`GridError`] for fewer than [`Grid::MIN_POINTS`] points, for more than [`Grid::MAX_POINTS`], or for a length that
     /// is not positive and finite.
     pub fn line(points: usize, length: f64) -> Result<Self, GridError> {
-        Self { shape: [1, points], size: [1.0, length] }.checked(&["x"])
+        Self { shape: [1, points], size: [1.0, length], free: [false; 2] }.checked(&["x"])
     }
 
     /// A surface of `[ny, nx]` points and periods `[ly, lx]`.
@@ -41,12 +45,12 @@ impl Grid {
     /// # Errors
     /// The errors of [`Grid::line`], for either axis.
     pub fn surface(shape: [usize; 2], size: [f64; 2]) -> Result<Self, GridError> {
-        Self { shape, size }.checked(&["y", "x"])
+        Self { shape, size, free: [false; 2] }.checked(&["y", "x"])
     }
 
     /// The grid, if it can be along the last `axes`.
     fn checked(self, axes: &[&'static str]) -> Result<Self, GridError> {
-        let Self { shape, size } = self;
+        let Self { shape, size, .. } = self;
         for (i, &axis) in (2 - axes.len()..).zip(axes) {
             let (points, length) = (shape[i], size[i]);
             if points < Self::MIN_POINTS {
@@ -77,7 +81,7 @@ impl Grid {
         let stride = [0, 1].map(|axis| self.shape[axis] / coarse.shape[axis]);
         let fits =
             |axis: usize| stride[axis].is_power_of_two() && stride[axis] * coarse.shape[axis] == self.shape[axis];
-        (coarse.size == self.size && fits(0) && fits(1)).then_some(stride)
+        (coarse.size == self.size && coarse.free == self.free && fits(0) && fits(1)).then_some(stride)
     }
 
     /// The grid of another shape over the same cell.
@@ -85,7 +89,35 @@ impl Grid {
     /// # Errors
     /// The errors of [`Grid::line`].
     pub fn with_shape(&self, shape: [usize; 2]) -> Result<Self, GridError> {
-        if self.is_line() { Self::line(shape[1], self.size[1]) } else { Self::surface(shape, self.size) }
+        let grid = if self.is_line() { Self::line(shape[1], self.size[1]) } else { Self::surface(shape, self.size) };
+        Ok(grid?.with_periodic(self.periodic()))
+    }
+
+    /// The same grid, periodic or free along y and x. The y of a line, along which nothing varies, stays periodic.
+    ///
+    /// ```
+    /// let patch = asperity::Grid::surface([4, 5], [1.0, 1.0])?.with_periodic([true, false]);
+    /// assert_eq!((patch.neighbour(4, [0, 1]), patch.neighbour(0, [-1, 0])), (4, 15));
+    /// # Ok::<(), asperity::error::GridError>(())
+    /// ```
+    pub fn with_periodic(&self, [y, x]: [bool; 2]) -> Self {
+        Self { free: [!y && !self.is_line(), !x], ..*self }
+    }
+
+    /// Whether the cell repeats itself along y and x.
+    pub fn periodic(&self) -> [bool; 2] {
+        self.free.map(|free| !free)
+    }
+
+    /// Whether the cell repeats itself along all axes.
+    pub fn is_periodic(&self) -> bool {
+        self.free == [false; 2]
+    }
+
+    /// Whether a node lies at the rim of a free axis.
+    pub fn is_at_rim(&self, node: usize) -> bool {
+        let place = [node / self.shape[1], node % self.shape[1]];
+        (0..2).any(|axis| self.free[axis] && (place[axis] == 0 || place[axis] + 1 == self.shape[axis]))
     }
 
     /// Points along y and x.
@@ -93,7 +125,7 @@ impl Grid {
         self.shape
     }
 
-    /// Periods along y and x; the period of a line along y is nominally 1.
+    /// Lengths of the cell along y and x, its periods where it repeats itself; that of a line along y is nominally 1.
     pub fn size(&self) -> [f64; 2] {
         self.size
     }
@@ -109,12 +141,18 @@ impl Grid {
         self.shape[0] * self.shape[1]
     }
 
+    /// Area of the cell; the length of a line.
+    pub fn area(&self) -> f64 {
+        if self.is_line() { self.size[1] } else { self.size[0] * self.size[1] }
+    }
+
     /// Distances between neighbours along y and x.
     pub fn spacing(&self) -> [f64; 2] {
         [self.size[0] / self.shape[0] as f64, self.size[1] / self.shape[1] as f64]
     }
 
-    /// The node, counted row by row, so many nodes along y and x from another; periodic.
+    /// The node, counted row by row, so many nodes along y and x from another: beyond a period on the other side of the cell, beyond a
+    /// free rim the one at the rim.
     ///
     /// ```
     /// let grid = asperity::Grid::surface([4, 5], [1.0, 1.0])?;
@@ -123,19 +161,24 @@ impl Grid {
     /// ```
     pub fn neighbour(&self, node: usize, [dy, dx]: [isize; 2]) -> usize {
         let [ny, nx] = self.shape;
-        wrapped(node / nx, dy, ny) * nx + wrapped(node % nx, dx, nx)
+        let along = |i: usize, step: isize, n: usize, free: bool| match i as isize + step {
+            to if free => to.clamp(0, n as isize - 1) as usize,
+            to => to.rem_euclid(n as isize) as usize,
+        };
+        along(node / nx, dy, ny, self.free[0]) * nx + along(node % nx, dx, nx, self.free[1])
     }
 
-    /// The nearest neighbours of a node, one step on and back along x and then along y; of a line the first two differ from it.
-    /// Periodic.
+    /// The nearest neighbours of a node, one step on and back along x and then along y; the node itself where there is none, along the y
+    /// of a line and beyond a free rim.
     pub(crate) fn neighbours(&self, node: usize) -> [usize; 4] {
         let ([ny, nx], x) = (self.shape, node % self.shape[1]);
         let last_row = (ny - 1) * nx;
+        let [over_y, over_x] = [if self.free[0] { 0 } else { last_row }, if self.free[1] { 0 } else { nx - 1 }];
         [
-            if x + 1 < nx { node + 1 } else { node - x },
-            if x > 0 { node - 1 } else { node + nx - 1 },
-            if node < last_row { node + nx } else { node - last_row },
-            if node >= nx { node - nx } else { node + last_row },
+            if x + 1 < nx { node + 1 } else { node - over_x },
+            if x > 0 { node - 1 } else { node + over_x },
+            if node < last_row { node + nx } else { node - over_y },
+            if node >= nx { node - nx } else { node + over_y },
         ]
     }
 
@@ -187,9 +230,4 @@ impl Grid {
             (0..ny).map(move |_| weight)
         })
     }
-}
-
-/// `i + step` on `0..n`, periodic.
-fn wrapped(i: usize, step: isize, n: usize) -> usize {
-    (i as isize + step).rem_euclid(n as isize) as usize
 }

@@ -1,7 +1,7 @@
 //! Quantities as people write and read them.
 //!
-//! Lengths and pressures in scenes are numbers in any consistent set of units or, with the feature `units`, texts
-//! such as `"160 um"` and `"1 GPa"`, which are turned into metres and pascals.
+//! Lengths, pressures and forces in scenes are numbers in any consistent set of units or, with the feature `units`, texts
+//! such as `"160 um"`, `"1 GPa"` and `"5 N"`, which are turned into metres, pascals and newtons.
 
 use serde::de::{self, Deserializer, Visitor};
 use std::fmt;
@@ -20,6 +20,14 @@ pub fn length<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
 /// For anything that is neither a number nor a pressure with a unit.
 pub fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(Quantity { kind: "a pressure", example: "\"1 GPa\"", parse: units::pressure })
+}
+
+/// Reads a force, or a force per length.
+///
+/// # Errors
+/// For anything that is neither a number nor a force with a unit.
+pub fn force<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    from.deserialize_any(Quantity { kind: "a force", example: "\"1 N\" or \"1 N/m\"", parse: units::force })
 }
 
 /// A number of bytes, for reading.
@@ -68,9 +76,11 @@ impl Visitor<'_> for Quantity {
 
 #[cfg(feature = "units")]
 mod units {
-    use uom::si::f64::{Length, Pressure};
+    use uom::si::f64::{Force, Length, Pressure, SurfaceTension};
+    use uom::si::force::newton;
     use uom::si::length::meter;
     use uom::si::pressure::pascal;
+    use uom::si::surface_tension::newton_per_meter;
 
     pub fn length(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<Length>().ok().map(|one| one.get::<meter>()))
@@ -78,6 +88,12 @@ mod units {
 
     pub fn pressure(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<Pressure>().ok().map(|one| one.get::<pascal>()))
+    }
+
+    pub fn force(text: &str) -> Option<f64> {
+        let per_length = |unit: &str| unit.parse::<SurfaceTension>().ok().map(|one| one.get::<newton_per_meter>());
+        let force = |unit: &str| unit.parse::<Force>().ok().map(|one| one.get::<newton>());
+        read(text, |unit| force(unit).or_else(|| per_length(unit)))
     }
 
     /// The longest number that the text begins with, in the unit that follows. What is a whole part of the SI unit divides, so
@@ -95,7 +111,7 @@ mod units {
 
 #[cfg(not(feature = "units"))]
 mod units {
-    pub use length as pressure;
+    pub use {length as force, length as pressure};
 
     pub fn length(_: &str) -> Option<f64> {
         None

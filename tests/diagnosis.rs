@@ -5,7 +5,6 @@ use asperity::contact::{
     Solver, Status, Step,
 };
 use asperity::diagnosis::{Cause, Diagnosis, Findings, Reference, Ritz};
-use asperity::elastic::HalfSpace;
 use asperity::error::SolveError;
 use asperity::surface::{Field, Spectrum};
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
@@ -84,7 +83,7 @@ impl Solver for TooLong {
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
         let mut run = Run::begin(self, problem, stop, observer);
-        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let mut half_space = problem.response();
         let mean = problem.mean_pressure().unwrap();
         let mut p = vec![mean; problem.nodes()];
         let mut u = vec![0.0; problem.nodes()];

@@ -6,7 +6,7 @@ mod common;
 mod peer;
 
 use asperity::contact::{Certificate, ContactModulus, Each, Gfmd, Load, Problem, Solver, Stop};
-use asperity::elastic::HalfSpace;
+use asperity::elastic::Response;
 use asperity::foreign::{Assessment, Claim, Frame, Mistake, Quantity, Replay};
 use asperity::surface::{Field, Spectrum};
 use asperity::{Contact, Grid, Indenter, Surface};
@@ -27,7 +27,7 @@ fn pressure_claim(peer: &Peer, values: &Field) -> Claim {
 fn lengths(peer: &Peer, pressure: &Field) -> [Field; 2] {
     let mut u = vec![0.0; pressure.len()];
     let pressure = pressure.as_slice().unwrap();
-    HalfSpace::new(peer.surface.grid(), peer.contact_modulus).displacement(pressure, &mut u);
+    Response::half_space(peer.surface.grid(), peer.contact_modulus).displacement(pressure, &mut u);
     let shape = peer.surface.grid().shape();
     let displacement = Field::from_shape_vec(shape, u).unwrap();
     let gap = &displacement - peer.surface.height() + peer.mean_gap;

@@ -17,10 +17,10 @@ const PROBLEM: &str = "--height h.npy --size 1 --modulus 1 --mean-pressure 0.01"
 
 /// Writes a sine of 64 nodes, and returns the first steps of a projected gradient on it.
 fn steps(folder: &Folder, count: usize) -> Vec<Array1<f64>> {
-    use asperity::{Grid, elastic::HalfSpace};
+    use asperity::{Grid, elastic::Response};
     let height: Vec<f64> = (0..NODES).map(|i| 0.01 * (TAU * i as f64 / NODES as f64).cos()).collect();
     write_npy(folder.join("h.npy"), &Array1::from(height.clone())).unwrap();
-    let mut half_space = HalfSpace::new(&Grid::line(NODES, 1.0).unwrap(), 1.0);
+    let mut half_space = Response::half_space(&Grid::line(NODES, 1.0).unwrap(), 1.0);
     let (mut pressure, mut displacement) = (vec![LOAD; NODES], vec![0.0; NODES]);
     let mut steps = Vec::new();
     for _ in 0..count {

@@ -7,7 +7,6 @@ use asperity::contact::{
     Certificate, Contact, ContactModulus, Each, Energy, Failure, Load, Multilevel, Observer, Run, Solver, Status, Step,
     Wish,
 };
-use asperity::elastic::HalfSpace;
 use asperity::error::SolveError;
 use asperity::surface::{Field, Spectrum};
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
@@ -36,7 +35,7 @@ impl Solver for ProjectedGradient {
         let mean_pressure =
             problem.mean_pressure().ok_or_else(|| SolveError::NeedsPressure { solver: self.name().into() })?;
         let mut run = Run::begin(self, problem, stop, observer).with_patience(200);
-        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let mut half_space = problem.response();
         let tau = half_space.softest_stiffness();
         let (mut p, mut u) = (problem.first_pressure(start), vec![0.0; problem.nodes()]);
         let status = loop {
@@ -288,7 +287,7 @@ impl Solver for Boaster {
         let boast = Certificate { eta: 0.0, eta_gap: 0.0, pressure_error_bound: 0.0, ..Certificate::of(problem, &p) };
         run.offer(&boast, &p);
         let status = run.show(&Step::new(problem, run.work(0), &p, &vec![0.0; p.len()]).with_certificate(boast));
-        let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let half_space = problem.response();
         Ok(run.finish(status.unwrap_or(Status::Converged), half_space))
     }
 }

@@ -255,7 +255,7 @@ fn without_a_solid_pressures_are_over_the_modulus() {
     let bare = |load| Setup::new(Recipe::indenter(Indenter::Cylinder { radius: 1.0 }), Cell::line(64, 4.0), load);
     assert!(matches!(
         bare(Load::MeanPressure(1e6)).problem().unwrap_err(),
-        SetupError::NoModulus { mean_pressure: 1e6 }
+        SetupError::NoModulus { load: "mean pressure", value: 1e6 }
     ));
     for load in [Load::ReducedPressure(0.01), Load::MeanGap(0.3)] {
         let (over, on) = (solve(&bare(load)), solve(&bare(load).on(Solid::ContactModulus(1.0))));

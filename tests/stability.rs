@@ -4,7 +4,7 @@ mod command;
 mod rows;
 
 use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
-use asperity::elastic::HalfSpace;
+use asperity::elastic::Response;
 use asperity::lab::stability::{Check, Kernel};
 use asperity::{Grid, Indenter, Problem, Stop};
 use command::{Folder, text};
@@ -115,7 +115,7 @@ fn a_spoiled_pressure_does_not() {
 fn a_hundredfold_load_does_not_pass_the_check_at_either_end_of_the_gap() {
     let surface = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(256, 1.0).unwrap()).unwrap();
     let mut full = vec![0.0; 256];
-    HalfSpace::new(surface.grid(), 1.0).pressure(surface.heights(), &mut full);
+    Response::half_space(surface.grid(), 1.0).pressure(surface.heights(), &mut full);
     let [closed, touching] =
         [1e-9, 1.0 - 1e-9].map(|gap| Problem::new(surface.clone(), ContactModulus(1.0), Load::MeanGap(gap)).unwrap());
     let load = 100.0 * solution(&closed).iter().sum::<f64>() / 256.0;

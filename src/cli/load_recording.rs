@@ -68,6 +68,8 @@ fn axis(loads: &[Load]) -> LoadAxis {
     match loads.first() {
         Some(Load::MeanGap(_)) => LoadAxis::linear("mean gap", values),
         Some(Load::MeanPressure(_)) => LoadAxis::log("mean pressure", values),
+        Some(Load::Force(_)) => LoadAxis::log("force", values),
+        Some(Load::Approach(_)) => LoadAxis::log("approach", values),
         Some(Load::ReducedPressure(_)) | None => LoadAxis::log("p*", values),
     }
 }

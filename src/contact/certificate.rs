@@ -2,7 +2,6 @@
 
 use crate::contact::rounding::Rounding;
 use crate::contact::{Problem, Sums, chunks};
-use crate::elastic::HalfSpace;
 use serde::Serialize;
 
 /// Rigorous bounds of the error of a feasible pressure `p >= 0` under the load that it carries: a duality gap, or Frank-Wolfe gap,
@@ -50,6 +49,9 @@ use serde::Serialize;
 /// and near closure, where the gap falls exponentially with the load, it is about `<p> / D`, each times a factor of order one. So
 /// [`Certificate::eta_gap`] is the relative error of the load in order of magnitude.
 ///
+/// **The approach** takes the place of the mean gap where a uniform pressure displaces the surface: `D` is then the highest peak less
+/// the approach, and `A` has the uniform pressure in it. Nothing else changes, as none of the above asks what `A` makes of it.
+///
 /// # Rounding
 /// The computed `v` is off by `delta`, which [`Certificate::of_displaced`] bounds by magnitudes that it meets. As
 /// `<(p - p*) v> <= G + |delta|* t` with the dual norm `|delta|*^2 = <delta A^-1 delta>`,
@@ -70,14 +72,15 @@ pub struct Certificate {
     /// mean gap `eta = (a + |D - d|) / h_rms`, the same against the larger of `<p>` and `<p*>`.
     pub eta: f64,
     /// `eta_D = (a + |D - d|) / min(D, h_max - D)`, with the highest peak `h_max` above the mean height: at a mean gap `D` the
-    /// relative error of the load in order of magnitude. Under a mean pressure 0.
+    /// relative error of the load in order of magnitude. At an approach `h_max - D`, over that alone. Under a mean pressure 0.
     pub eta_gap: f64,
     /// `sqrt(G / <p u(p)>)`: a bound of the relative error of the pressure in the norm `|x|^2 = <x u(x)>`. At low loads, where
     /// `h_rms` is a coarse yardstick, this one tells the truth. At a mean gap `G = <p> (a + |D - d|)`, which takes `<p>` for
     /// the larger of `<p>` and `<p*>`. Infinite where `<p u(p)>` is not positive: a pressure that does not deform the solid,
     /// such as a uniform one, bounds nothing.
     pub pressure_error_bound: f64,
-    /// The bound of `|D* - d| / h_rms`, the error of the mean gap that is found under a mean pressure. At a given mean gap 0.
+    /// The bound of `|D* - d| / h_rms`, the error of the datum that is found under a mean pressure: of the mean gap on a periodic grid, of
+    /// the approach on a free one. At a given mean gap or approach 0.
     pub mean_gap_error_bound: f64,
     /// How far what is prescribed is missed: `|<p> / mean_pressure - 1|`, or `|D - d| / h_rms` at a mean gap.
     pub load_error: f64,
@@ -122,7 +125,7 @@ impl Certificate {
     /// If the length of `pressure` does not fit the grid.
     pub fn of(problem: &Problem, pressure: &[f64]) -> Self {
         let mut displacement = vec![0.0; pressure.len()];
-        HalfSpace::new(problem.surface().grid(), problem.contact_modulus()).displacement(pressure, &mut displacement);
+        problem.response().displacement(pressure, &mut displacement);
         Self::of_displaced(problem, pressure, &displacement)
     }
 
@@ -148,15 +151,15 @@ impl Certificate {
             Some(prescribed) => (mean_pressure / prescribed - 1.0).abs(),
             None => bounds.above_gap.abs() / rms_height,
         };
-        let (gap, eta) = (problem.mean_gap(), bounds.excess() / rms_height);
+        let (datum, eta) = (problem.datum(), bounds.excess() / rms_height);
         if !eta.is_finite() {
             return Self { min_pressure, ..Self::NONE };
         }
         Self {
             eta,
-            eta_gap: gap.map_or(0.0, |gap| bounds.excess() / gap.min(problem.highest() - gap)),
+            eta_gap: datum.map_or(0.0, |datum| bounds.excess() / room(problem, datum)),
             pressure_error_bound: bounds.pressure_error(),
-            mean_gap_error_bound: if gap.is_some() { 0.0 } else { bounds.gap_error() / rms_height },
+            mean_gap_error_bound: if datum.is_some() { 0.0 } else { bounds.gap_error() / rms_height },
             load_error,
             min_pressure,
             penetration: (bounds.depth - bounds.above_gap).max(0.0) / rms_height,
@@ -180,7 +183,7 @@ struct Bounds {
 
 impl Bounds {
     fn of(problem: &Problem, sums: &Sums, mean_pressure: f64) -> Self {
-        let (mean_v, gap) = (sums.pressure_v / sums.pressure, problem.mean_gap());
+        let (mean_v, gap) = (sums.pressure_v / sums.pressure, problem.datum());
         Self {
             mean_pressure,
             depth: (mean_v - sums.lowest_v).max(0.0),
@@ -231,11 +234,18 @@ fn length(rounding: f64, square: f64) -> f64 {
     0.5 * rounding.sqrt() + (0.25 * rounding + square).sqrt()
 }
 
-/// The datum `d` of the gap `g = u - h + d`: the prescribed mean gap, or else minus the mean of `u - h` weighted by the
+/// What a prescribed datum leaves to err in: `min(D, h_max - D)` of a mean gap `D`, beyond which everything touches, or nothing; the
+/// approach, beyond which nothing does.
+fn room(problem: &Problem, datum: f64) -> f64 {
+    let left = problem.highest() - datum;
+    if problem.mean_gap().is_some() { datum.min(left) } else { left }
+}
+
+/// The datum `d` of the gap `g = u - h + d`: the prescribed one, or else minus the mean of `u - h` weighted by the
 /// pressure, so that `<p g> = 0`.
 pub(super) fn datum(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
-    if let Some(gap) = problem.mean_gap() {
-        return gap;
+    if let Some(datum) = problem.datum() {
+        return datum;
     }
     let height = problem.height();
     let load = chunks::sum(pressure.len(), |i| pressure[i]);

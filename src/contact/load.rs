@@ -4,7 +4,7 @@ use crate::quantity;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// The load that presses the surface on the solid: one of three numbers, of which the solution tells the others.
+/// The load that presses the surface on the solid: one of these numbers, of which the solution tells the others.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Load {
@@ -14,13 +14,22 @@ pub enum Load {
     ReducedPressure(f64),
     /// The mean gap `D`, a length: how far apart the mean planes of both surfaces are kept.
     MeanGap(#[serde(deserialize_with = "quantity::length")] f64),
+    /// The force on the cell, on a line per length across it.
+    Force(#[serde(deserialize_with = "quantity::force")] f64),
+    /// The approach, a length: how far the surface moves on from where its highest peak touches the undeformed solid, on a solid that
+    /// does not sink without end.
+    Approach(#[serde(deserialize_with = "quantity::length")] f64),
 }
 
 impl Load {
     /// The number.
     pub fn value(&self) -> f64 {
         match *self {
-            Self::MeanPressure(value) | Self::ReducedPressure(value) | Self::MeanGap(value) => value,
+            Self::MeanPressure(value)
+            | Self::ReducedPressure(value)
+            | Self::MeanGap(value)
+            | Self::Force(value)
+            | Self::Approach(value) => value,
         }
     }
 
@@ -30,6 +39,8 @@ impl Load {
             Self::MeanPressure(_) => Self::MeanPressure(value),
             Self::ReducedPressure(_) => Self::ReducedPressure(value),
             Self::MeanGap(_) => Self::MeanGap(value),
+            Self::Force(_) => Self::Force(value),
+            Self::Approach(_) => Self::Approach(value),
         }
     }
 
@@ -39,7 +50,19 @@ impl Load {
             Self::MeanPressure(_) => "mean pressure",
             Self::ReducedPressure(_) => "reduced pressure",
             Self::MeanGap(_) => "mean gap",
+            Self::Force(_) => "force",
+            Self::Approach(_) => "approach",
         }
+    }
+
+    /// Whether it is measured against what a uniform pressure displaces.
+    pub(super) fn keeps_uniform(&self) -> bool {
+        matches!(self, Self::Approach(_))
+    }
+
+    /// Whether the pressure is prescribed, and the datum of the gap found.
+    pub fn is_pressure(&self) -> bool {
+        matches!(self, Self::MeanPressure(_) | Self::ReducedPressure(_) | Self::Force(_))
     }
 }
 
@@ -57,6 +80,8 @@ impl fmt::Display for Load {
             Self::MeanPressure(_) => "p",
             Self::ReducedPressure(_) => "p*",
             Self::MeanGap(_) => "mean gap",
+            Self::Force(_) => "force",
+            Self::Approach(_) => "approach",
         };
         let rounded: f64 = format!("{:.3e}", self.value()).parse().unwrap_or(f64::NAN);
         match rounded.abs() {

@@ -197,13 +197,13 @@ impl State<'_> {
     fn reduced_pressure(&self) -> f64 {
         match self.problem.load() {
             Load::ReducedPressure(prescribed) => prescribed,
-            Load::MeanPressure(_) | Load::MeanGap(_) => self.measures.reduced_pressure,
+            _ => self.measures.reduced_pressure,
         }
     }
 
     /// The stiffness times the error of the gap, over the mean pressure.
     fn mean_pressure_error(&self) -> f64 {
-        if self.problem.mean_gap().is_none() {
+        if self.problem.datum().is_none() {
             return 0.0;
         }
         self.stiffness * self.certificate.eta * self.problem.rms_height() / *self.mean_pressure

@@ -4,7 +4,7 @@ use crate::contact::{
     Certificate, Edges, Failure, Measures, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
     multilevel,
 };
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 use crate::error::SolveError;
 use crate::surface::Field;
 use std::sync::{Arc, OnceLock};
@@ -14,7 +14,7 @@ use std::sync::{Arc, OnceLock};
 /// | field          | shape      | unit     | meaning                                        |
 /// |----------------|------------|----------|------------------------------------------------|
 /// | `pressure`     | `(ny, nx)` | pressure | `p >= 0`, `<p>` the load if that is given      |
-/// | `displacement` | `(ny, nx)` | length   | `u(p)` into the solid, zero mean               |
+/// | `displacement` | `(ny, nx)` | length   | `u(p)` into the solid, without mean if periodic |
 /// | `gap`          | `(ny, nx)` | length   | `u - h + d`, `<p g> = 0` or `d` the mean gap   |
 #[derive(Debug, Clone)]
 pub struct Contact {
@@ -55,16 +55,10 @@ pub struct Work {
 impl Contact {
     /// The contact with `pressure`, its displacement and certificate recomputed. No more than two fields are made besides it at
     /// a time, that of the half-space included.
-    pub(super) fn new(
-        problem: &Problem,
-        pressure: Vec<f64>,
-        mut half_space: HalfSpace,
-        work: Work,
-        solver: &str,
-    ) -> Self {
+    pub(super) fn new(problem: &Problem, pressure: Vec<f64>, mut response: Response, work: Work, solver: &str) -> Self {
         let mut displacement = vec![0.0; pressure.len()];
-        half_space.displacement(&pressure, &mut displacement);
-        drop(half_space);
+        response.displacement(&pressure, &mut displacement);
+        drop(response);
         let certificate = Certificate::of_displaced(problem, &pressure, &displacement);
         let datum = certificate::datum(problem, &pressure, &displacement);
         let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
@@ -139,8 +133,7 @@ impl Contact {
 
     /// Contact patches.
     pub fn patches(&self) -> Patches {
-        let [ny, nx] = self.pressure.dim().into();
-        Patches::of(self.pressures(), [ny, nx])
+        Patches::of(self.pressures(), self.problem.surface().grid())
     }
 
     /// Contact stiffness `k = -d<p>/d<g>`, a pressure per length: by how much the mean pressure rises as the mean gap falls. It is
@@ -183,6 +176,20 @@ impl Contact {
     /// Mean gap.
     pub fn mean_gap(&self) -> f64 {
         mean(self.gap.as_slice().expect("results are made in standard layout"))
+    }
+
+    /// The approach, a length: how far the surface has moved on from where its highest peak touched the undeformed solid. None on a
+    /// solid that sinks without end, a periodic half-space. Of a line on a free boundary it is taken from the datum of the solid, see
+    /// [`crate::elastic::Solid::datum`].
+    pub fn approach(&self) -> Option<f64> {
+        let (problem, compliance) = (&self.problem, self.problem.compliance());
+        let displacement = self.displacement.as_slice().expect("results are made in standard layout");
+        let datum = self.mean_gap() - mean(displacement);
+        let kept = match compliance.has_uniform() {
+            true => 0.0,
+            false => problem.solid().uniform_compliance()? * self.mean_pressure(),
+        };
+        Some(problem.highest() - datum + kept)
     }
 
     /// Elastic energy `<p u>/2` per area of the cell, pressure times length. Under one load after the other it falls with the

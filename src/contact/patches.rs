@@ -2,19 +2,20 @@
 
 use crate::chunks;
 use crate::contact::Problem;
+use crate::grid::Grid;
 use std::ops::Range;
 
-/// The contact patches of a pressure field: sets of nodes with `p > 0` that touch along rows or columns, across the period.
+/// The contact patches of a pressure field: sets of nodes with `p > 0` that touch along rows or columns, across the period where there is one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Patches {
     sizes: Vec<usize>,
 }
 
 impl Patches {
-    /// Finds the patches of `pressure` (row by row) on a grid of `[ny, nx]` nodes.
-    pub fn of(pressure: &[f64], shape: [usize; 2]) -> Self {
+    /// Finds the patches of `pressure` (row by row) on a grid.
+    pub fn of(pressure: &[f64], grid: &Grid) -> Self {
         let mut sizes: Vec<usize> =
-            members(pressure, shape).iter().map(|runs| runs.iter().map(Range::len).sum()).collect();
+            members(pressure, grid).iter().map(|runs| runs.iter().map(Range::len).sum()).collect();
         sizes.sort_unstable_by(|a, b| b.cmp(a));
         Self { sizes }
     }
@@ -33,7 +34,8 @@ impl Patches {
 /// The nodes of each patch as runs along rows, by their numbers on the grid.
 ///
 /// Runs of contact along rows are joined with those they overlap in the next row, so the cost beyond one pass is that of the runs.
-fn members(pressure: &[f64], [ny, nx]: [usize; 2]) -> Vec<Vec<Range<usize>>> {
+fn members(pressure: &[f64], grid: &Grid) -> Vec<Vec<Range<usize>>> {
+    let ([ny, nx], [round_y, round_x]) = (grid.shape(), grid.periodic());
     let rows: Vec<Vec<Range<usize>>> = chunks::rows(ny, nx, |y| runs(&pressure[y * nx..][..nx]));
     let count_before = |count: &mut usize, row: &Vec<Range<usize>>| {
         *count += row.len();
@@ -43,13 +45,20 @@ fn members(pressure: &[f64], [ny, nx]: [usize; 2]) -> Vec<Vec<Range<usize>>> {
     let mut forest = Forest::new(rows.iter().map(Vec::len).sum());
     for (row, &at) in rows.iter().zip(&first) {
         if let [head, .., tail] = row.as_slice()
+            && round_x
             && head.start == 0
             && tail.end == nx
         {
             forest.join(at, at + row.len() - 1);
         }
     }
-    for y in 0..if ny > 1 { ny } else { 0 } {
+    for y in 0..if ny == 1 {
+        0
+    } else if round_y {
+        ny
+    } else {
+        ny - 1
+    } {
         let next = (y + 1) % ny;
         for (a, b) in overlaps(&rows[y], &rows[next]) {
             forest.join(first[y] + a, first[next] + b);
@@ -96,7 +105,7 @@ impl Patch {
             let peak = nodes().max_by(|&a, &b| pressure[a].total_cmp(&pressure[b])).unwrap_or_default();
             Self { nodes: count, peak, area, load, kappa_r: gradient * problem.contact_modulus() * area / load }
         };
-        let mut patches: Vec<Self> = members(pressure, grid.shape()).into_iter().map(measure).collect();
+        let mut patches: Vec<Self> = members(pressure, grid).into_iter().map(measure).collect();
         patches.sort_by_key(|patch| std::cmp::Reverse(patch.nodes));
         patches
     }

@@ -6,7 +6,7 @@
 
 use crate::contact::bound::{is_uniform, to_bound};
 use crate::contact::{Certificate, Contact, Decision, Observer, Problem, Run, Solver, Step, Stop, certificate, chunks};
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 use crate::error::SolveError;
 use crate::surface::Field;
 
@@ -25,7 +25,7 @@ use crate::surface::Field;
 /// iteration, with a step that is safe for every mode.
 ///
 /// One transform pair per iteration while the set stays (the displacement follows the step by linearity), two otherwise.
-/// Memory: 6 fields of n doubles besides the [`HalfSpace`].
+/// Memory: 6 fields of n doubles besides the [`Response`](crate::elastic::Response).
 ///
 /// # Why it is stable
 /// On a fixed contact set the step is that of conjugate gradients for a symmetric positive semi-definite operator, and the
@@ -78,26 +78,26 @@ impl Solver for PolonskyKeer {
         let mut decision = Decision::Start;
         let status = loop {
             let certificate = state.certify(&mut run);
-            let work = run.work(state.half_space.transforms());
+            let work = run.work(state.response.transforms());
             let step = Step::new(problem, work, &state.p, &state.u).with_certificate(certificate);
             if let Some(status) = run.show(&step.with_decision(decision)) {
                 break status;
             }
             let datum = state.datum();
             let share = state.conjugate(datum);
-            state.half_space.displacement(&state.t, &mut state.r);
+            state.response.displacement(&state.t, &mut state.r);
             let tau = state.step_length(datum);
             decision = state.update(datum, tau, share);
             run.advance();
         };
-        Ok(run.finish(status, state.into_half_space()))
+        Ok(run.finish(status, state.into_response()))
     }
 }
 
 /// The vectors of the iteration.
 struct Iterate<'a> {
     problem: &'a Problem,
-    half_space: HalfSpace,
+    response: Response,
     p: Vec<f64>,
     u: Vec<f64>,
     t: Vec<f64>,
@@ -114,14 +114,14 @@ impl<'a> Iterate<'a> {
     /// Starts from the pressure `start`, or from the uniform one, under which nothing is displaced.
     fn new(start: Option<&Field>, problem: &'a Problem) -> Self {
         let n = problem.nodes();
-        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let mut response = problem.response();
         let p = problem.first_pressure(start);
         let mut u = vec![0.0; n];
         if start.is_some() {
-            half_space.displacement(&p, &mut u);
+            response.displacement(&p, &mut u);
         }
         let zeros = || vec![0.0; n];
-        Self { problem, half_space, p, u, t: zeros(), r: zeros(), before: zeros(), previous_square: None, fresh: true }
+        Self { problem, response, p, u, t: zeros(), r: zeros(), before: zeros(), previous_square: None, fresh: true }
     }
 
     /// The certificate of this iterate; one that would end the run is taken from a fresh displacement.
@@ -137,7 +137,7 @@ impl<'a> Iterate<'a> {
 
     /// Takes the displacement from a transform of the pressure.
     fn refresh(&mut self) {
-        self.half_space.displacement(&self.p, &mut self.u);
+        self.response.displacement(&self.p, &mut self.u);
         self.fresh = true;
     }
 
@@ -149,7 +149,7 @@ impl<'a> Iterate<'a> {
 
     /// The datum of this file's `g`.
     fn datum(&self) -> f64 {
-        if let Some(gap) = self.problem.mean_gap() {
+        if let Some(gap) = self.problem.datum() {
             return gap;
         }
         let (p, u, h) = (&self.p, &self.u, self.problem.height());
@@ -193,8 +193,12 @@ impl<'a> Iterate<'a> {
             a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
             a
         });
-        let (softest, is_full) = (self.half_space.softest_stiffness(), n == p.len() as f64);
-        if self.problem.mean_gap().is_some() && is_full && is_uniform(square, sum_rt, softest) {
+        let (softest, is_full) = (self.response.softest_stiffness(), n == p.len() as f64);
+        if self.problem.datum().is_some()
+            && is_full
+            && !self.problem.compliance().has_uniform()
+            && is_uniform(square, sum_rt, softest)
+        {
             return to_bound(p.iter().copied().zip(t.iter().copied())).unwrap_or(softest);
         }
         let curvature = if self.problem.mean_pressure().is_some() { sum_rt - sum_r * sum_t / n } else { sum_rt };
@@ -299,8 +303,8 @@ impl<'a> Iterate<'a> {
     }
 
     /// The half-space, for the last transforms; the rest is freed.
-    fn into_half_space(self) -> HalfSpace {
-        self.half_space
+    fn into_response(self) -> Response {
+        self.response
     }
 }
 

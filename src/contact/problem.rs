@@ -1,6 +1,7 @@
 //! The problem that all solvers solve.
 
-use crate::contact::{Load, chunks};
+use crate::contact::{Law, Load, chunks};
+use crate::elastic::{Compliance, HalfSpace, Response, Solid};
 use crate::error::ProblemError;
 use crate::surface::{Field, Surface};
 use std::sync::{Arc, OnceLock};
@@ -11,23 +12,25 @@ const GAP_DECAY: f64 = 5.5;
 /// A pressure to start from at a mean gap is so many times the expected one at the most.
 const FARTHEST: f64 = 1e6;
 
-/// A rigid surface pressed on an elastic half-space, frictionless and without adhesion, under a given mean pressure or at a
-/// given mean gap.
+/// A rigid surface pressed on an elastic solid, frictionless and without adhesion, under a given pressure or force, or at a given
+/// mean gap or approach.
 ///
 /// Find `p >= 0` and a datum `d` such that the gap `g = u(p) - h + d >= 0` and `p g = 0`, with `u(p)` from
-/// [`crate::elastic::HalfSpace`]. Heights and displacements have no mean, so the datum is the mean gap.
+/// [`crate::elastic::Response`]; a [`Law`] may bound the pressure from above as well. Heights have no mean, nor have displacements on a
+/// periodic grid, so there the datum is the mean gap.
 ///
 /// | prescribed      | minimises over `p >= 0`                        | found                                   |
 /// |-----------------|------------------------------------------------|-----------------------------------------|
 /// | `<p>`           | `f(p) = 1/2 <p, u(p)> - <p, h>`, `<p>` as given | `d`, minus the mean of `u - h` weighted by `p` |
 /// | mean gap `D`    | `f(p) + D <p>`                                 | `<p>`, with `d = D`                     |
+/// | approach        | the same, with what a uniform pressure displaces kept | `<p>`, with `d` the highest peak less it |
 ///
 /// | quantity                  | symbol  | unit     |
 /// |---------------------------|---------|----------|
 /// | heights                   | `h`     | length   |
 /// | contact modulus           | `E*`    | pressure |
 /// | mean pressure             | `<p>`   | pressure |
-/// | mean gap                  | `D`     | length   |
+/// | mean gap, approach        | `D`     | length   |
 ///
 /// Any consistent set of units will do; tolerances are dimensionless.
 ///
@@ -45,7 +48,8 @@ const FARTHEST: f64 = 1e6;
 #[derive(Debug, Clone)]
 pub struct Problem {
     surface: Arc<Surface>,
-    contact_modulus: f64,
+    compliance: Arc<Compliance>,
+    law: Law,
     load: Load,
     /// The mean pressure that is prescribed, in whatever form.
     mean_pressure: Option<f64>,
@@ -55,26 +59,33 @@ pub struct Problem {
     rms_gradient: OnceLock<f64>,
 }
 
-/// The contact modulus `E* = E / (1 - nu^2)` of an elastic half-space, a pressure.
+/// The contact modulus `E* = E / (1 - nu^2)` of an elastic half-space, a pressure: the shortest name of a solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactModulus(pub f64);
 
+impl From<ContactModulus> for Arc<dyn Solid> {
+    fn from(ContactModulus(contact_modulus): ContactModulus) -> Self {
+        HalfSpace::new(contact_modulus).into()
+    }
+}
+
 impl Problem {
-    /// Poses the problem of a surface, pressed by a load on a solid of a contact modulus. A mean gap must lie between 0 and the
-    /// highest peak above the mean height.
+    /// Poses the problem of a surface, pressed by a load on a solid: a half-space of a [`ContactModulus`], or any other [`Solid`]. A mean
+    /// gap must lie between 0 and the highest peak above the mean height.
     ///
     /// # Errors
     /// [`ProblemError::NotPositive`] for a modulus or load that is not positive and finite, [`ProblemError::Flat`] if all
-    /// heights are equal, [`ProblemError::OutOfRange`] for magnitudes whose squares leave the range of doubles, and
+    /// heights are equal, [`ProblemError::OutOfRange`] for magnitudes whose squares leave the range of doubles,
     /// [`ProblemError::NothingTouches`] or [`ProblemError::EverythingTouches`] for a mean gap at which there is nothing to
-    /// solve.
+    /// solve, [`ProblemError::GapOfFree`] or [`ProblemError::ApproachOfHalfSpace`] for a load that the boundary leaves without a
+    /// datum, and [`ProblemError::Grid`] for a solid that cannot be below this grid.
     pub fn new(
         surface: impl Into<Arc<Surface>>,
-        ContactModulus(contact_modulus): ContactModulus,
+        solid: impl Into<Arc<dyn Solid>>,
         load: Load,
     ) -> Result<Self, ProblemError> {
-        let surface = surface.into();
-        check_magnitude("contact modulus", contact_modulus)?;
+        let (surface, solid) = (surface.into(), solid.into());
+        check_magnitude("contact modulus", solid.contact_modulus())?;
         let height = surface.heights();
         if height.iter().all(|&h| h == height[0]) {
             return Err(ProblemError::Flat { height: height[0] + surface.mean_height() });
@@ -84,9 +95,11 @@ impl Problem {
         check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
         let highest = height.iter().fold(0.0, |highest: f64, &h| highest.max(h));
         let (mean_pressure, expected_mean_pressure, rms_gradient) = (None, f64::NAN, OnceLock::new());
+        let compliance = Arc::new(Compliance::new(surface.grid(), solid, load.keeps_uniform())?);
         Self {
             surface,
-            contact_modulus,
+            compliance,
+            law: Law::HardWall,
             load,
             mean_pressure,
             expected_mean_pressure,
@@ -101,28 +114,63 @@ impl Problem {
     ///
     /// # Errors
     /// The errors of [`Problem::new`] that concern the load.
-    pub fn with_load(self, load: Load) -> Result<Self, ProblemError> {
+    pub fn with_load(mut self, load: Load) -> Result<Self, ProblemError> {
+        if load.keeps_uniform() != self.load.keeps_uniform() {
+            let (grid, solid) = (self.surface.grid(), self.solid().clone());
+            self.compliance = Arc::new(Compliance::new(grid, solid, load.keeps_uniform())?);
+        }
         let mean_pressure = match load {
             Load::MeanPressure(mean_pressure) => Some(mean_pressure),
             Load::ReducedPressure(reduced_pressure) => {
                 check_magnitude("reduced pressure", reduced_pressure)?;
-                Some(reduced_pressure * self.rms_gradient() * self.contact_modulus)
+                Some(reduced_pressure * self.rms_gradient() * self.contact_modulus())
+            }
+            Load::Force(force) => {
+                check_magnitude("force", force)?;
+                Some(force / self.surface.grid().area())
             }
             Load::MeanGap(mean_gap) => {
                 self.check_mean_gap(mean_gap)?;
                 None
             }
+            Load::Approach(approach) => {
+                self.check_approach(approach)?;
+                None
+            }
         };
         mean_pressure.map_or(Ok(()), |mean_pressure| check_magnitude("mean pressure", mean_pressure))?;
-        let expected_mean_pressure = match (mean_pressure, load) {
-            (None, Load::MeanGap(mean_gap)) => self.pressure_at(mean_gap),
-            _ => mean_pressure.unwrap_or(f64::NAN),
+        let problem = Self { load, mean_pressure, ..self };
+        let expected_mean_pressure = match mean_pressure {
+            Some(mean_pressure) => mean_pressure,
+            None => problem.datum().map_or(f64::NAN, |datum| problem.pressure_at(datum)),
         };
-        Ok(Self { load, mean_pressure, expected_mean_pressure, ..self })
+        Ok(Self { expected_mean_pressure, ..problem })
+    }
+
+    /// The problem with a law of what pressures are allowed.
+    ///
+    /// # Errors
+    /// [`ProblemError::NotPositive`] for a hardness that is not positive and finite.
+    pub fn with_law(self, law: Law) -> Result<Self, ProblemError> {
+        if let Law::Hardness(hardness) = law {
+            check_magnitude("hardness", hardness)?;
+        }
+        Ok(Self { law, ..self })
+    }
+
+    fn check_approach(&self, approach: f64) -> Result<(), ProblemError> {
+        let is_half_space = self.solid().uniform_compliance().is_none();
+        if self.surface.grid().is_periodic() && is_half_space {
+            return Err(ProblemError::ApproachOfHalfSpace { approach });
+        }
+        check_magnitude("approach", approach)
     }
 
     fn check_mean_gap(&self, mean_gap: f64) -> Result<(), ProblemError> {
         let highest = self.highest;
+        if !self.surface.grid().is_periodic() {
+            return Err(ProblemError::GapOfFree { mean_gap });
+        }
         if mean_gap.is_finite() && mean_gap <= 0.0 {
             return Err(ProblemError::EverythingTouches { mean_gap, highest });
         }
@@ -130,14 +178,14 @@ impl Problem {
         if mean_gap < highest { Ok(()) } else { Err(ProblemError::NothingTouches { mean_gap, highest }) }
     }
 
-    /// A rough estimate of the mean pressure at a mean gap. Far apart, half of the nodes above it touch, and the share of the
+    /// A rough estimate of the mean pressure at a mean gap, or another datum of the gap. Far apart, half of the nodes above it touch, and the share of the
     /// area that touches is twice the reduced pressure. Close together, the gap falls exponentially with the pressure, as
     /// measured on rough lines and surfaces down to a thousandth of the rms height.
     fn pressure_at(&self, mean_gap: f64) -> f64 {
         let above = self.height().iter().filter(|&&h| h > mean_gap).count();
         let far = 0.25 * above as f64 / self.nodes() as f64;
         let close = (self.rms_height / mean_gap).ln() / GAP_DECAY;
-        far.max(close) * self.rms_gradient() * self.contact_modulus
+        far.max(close) * self.rms_gradient() * self.contact_modulus()
     }
 
     /// The rigid surface.
@@ -147,7 +195,37 @@ impl Problem {
 
     /// Contact modulus `E*`.
     pub fn contact_modulus(&self) -> f64 {
-        self.contact_modulus
+        self.solid().contact_modulus()
+    }
+
+    /// The solid.
+    pub fn solid(&self) -> &Arc<dyn Solid> {
+        self.compliance.solid()
+    }
+
+    /// What pressures are allowed.
+    pub fn law(&self) -> Law {
+        self.law
+    }
+
+    /// The response of the solid over the grid, planned anew. Displacements on a periodic grid have no mean, unless the approach is
+    /// prescribed.
+    pub fn response(&self) -> Response {
+        Response::of(self.compliance.clone())
+    }
+
+    /// The compliance of the solid over the grid.
+    pub fn compliance(&self) -> &Compliance {
+        &self.compliance
+    }
+
+    /// The datum `d` of the gap `u - h + d`, where it is prescribed: the mean gap, or the highest peak less the approach.
+    pub fn datum(&self) -> Option<f64> {
+        match self.load {
+            Load::MeanGap(mean_gap) => Some(mean_gap),
+            Load::Approach(approach) => Some(self.highest - approach),
+            Load::MeanPressure(_) | Load::ReducedPressure(_) | Load::Force(_) => None,
+        }
     }
 
     /// The load, as it was given.
@@ -155,7 +233,7 @@ impl Problem {
         self.load
     }
 
-    /// The mean pressure, where it is prescribed, as itself or as a reduced pressure.
+    /// The mean pressure, where it is prescribed, as itself, as a reduced pressure or as a force.
     pub fn mean_pressure(&self) -> Option<f64> {
         self.mean_pressure
     }
@@ -164,11 +242,11 @@ impl Problem {
     pub fn mean_gap(&self) -> Option<f64> {
         match self.load {
             Load::MeanGap(mean_gap) => Some(mean_gap),
-            Load::MeanPressure(_) | Load::ReducedPressure(_) => None,
+            _ => None,
         }
     }
 
-    /// The mean pressure that is prescribed or, at a given mean gap, that of `pressure`.
+    /// The mean pressure that is prescribed or, at a given mean gap or approach, that of `pressure`.
     pub fn mean_pressure_of(&self, pressure: &[f64]) -> f64 {
         self.mean_pressure.unwrap_or_else(|| chunks::sum(pressure.len(), |i| pressure[i]) / pressure.len() as f64)
     }

@@ -1,7 +1,6 @@
 //! What rounding can do to a certificate.
 
 use crate::contact::{Problem, Sums};
-use std::f64::consts::PI;
 
 /// Root-mean-square error of one transform, relative to the root mean square of its values, for each doubling of its length. For
 /// powers of two a bound is 3.5 epsilon (Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, theorem 24.2); other
@@ -41,15 +40,12 @@ pub(super) struct Rounding {
 impl Rounding {
     /// The bounds for the sums of a state.
     pub fn of(problem: &Problem, sums: &Sums) -> Self {
-        let grid = problem.surface().grid();
         let n = problem.nodes() as f64;
         let epsilon = TRANSFORM * n.log2();
-        let softest = PI * problem.contact_modulus() / grid.longest_wavelength();
-        let [dy, dx] = grid.spacing().map(|spacing| PI / spacing);
-        let stiffest = 0.5 * problem.contact_modulus() * if grid.is_line() { dx } else { dx.hypot(dy) };
+        let [softest, stiffest] = problem.compliance().stiffness_range();
         let [square_p, square_u] = [sums.square_pressure, sums.square_displacement].map(|sum| sum / n);
         let square_lengths = square_u + problem.rms_height().powi(2) + sums.reference_v.powi(2);
-        let datum = problem.mean_gap().unwrap_or(0.0);
+        let datum = problem.datum().unwrap_or(0.0);
         let mean_v = sums.pressure_v / sums.pressure;
         let sum = 0.5 * f64::EPSILON * n.min(IN_A_ROW); // relative error of a sum of positive terms
         Self {

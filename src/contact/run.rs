@@ -4,7 +4,7 @@ use crate::contact::best::Best;
 use crate::contact::{
     Certificate, Contact, Failure, Observer, Problem, Resolved, Solver, Status, Step, Stop, Wish, Work,
 };
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -23,14 +23,14 @@ const PATIENCE: usize = 2000;
 /// let status = loop {
 ///     let certificate = Certificate::of_displaced(problem, &p, &u);
 ///     run.offer(&certificate, &p);
-///     let step = Step::new(problem, run.work(half_space.transforms()), &p, &u).with_certificate(certificate);
+///     let step = Step::new(problem, run.work(response.transforms()), &p, &u).with_certificate(certificate);
 ///     if let Some(status) = run.show(&step) {
 ///         break status;
 ///     }
 ///     ... // the method: new p and u
 ///     run.advance();
 /// };
-/// Ok(run.finish(status, half_space))
+/// Ok(run.finish(status, response))
 /// ```
 pub struct Run<'a, P = Vec<f64>> {
     solver: &'a dyn Solver,
@@ -156,18 +156,18 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
 
     /// Ends the run: the contact with the best pressure that was offered or, without one, with the uniform pressure, which is
     /// always feasible. The half-space makes its displacement, and its transforms are those of the run.
-    pub fn finish(self, status: Status, half_space: HalfSpace) -> Contact {
-        let transforms = half_space.transforms();
-        self.finish_after(status, transforms, half_space)
+    pub fn finish(self, status: Status, response: Response) -> Contact {
+        let transforms = response.transforms();
+        self.finish_after(status, transforms, response)
     }
 
     /// Ends the run like [`Run::finish`], after more transforms than those of one half-space. What the solver calls converged is
     /// judged again by the certificate of the contact, for all goals.
-    pub fn finish_after(mut self, status: Status, transforms: u64, half_space: HalfSpace) -> Contact {
+    pub fn finish_after(mut self, status: Status, transforms: u64, response: Response) -> Contact {
         let work = self.work(transforms);
         let uniform = || vec![self.problem.expected_mean_pressure(); self.problem.nodes()];
         let pressure = self.best.pressure.take().map_or_else(uniform, P::into);
-        let mut contact = Contact::new(self.problem, pressure, half_space, work, self.solver.name());
+        let mut contact = Contact::new(self.problem, pressure, response, work, self.solver.name());
         contact.coarser = self.coarser;
         let is_missed = status == Status::Converged && !self.is_converged(&contact.certificate);
         contact.status = if is_missed { Status::Stalled } else { status };

@@ -245,7 +245,7 @@ impl<'a> Step<'a> {
         if let Some(force) = self.force {
             return Energy::Potential(chunks::sum(p.len(), |i| 0.5 * u[i] * (load + p[i] - force[i])) / unit);
         }
-        let gap = self.problem.mean_gap().unwrap_or(0.0);
+        let gap = self.problem.datum().unwrap_or(0.0);
         Energy::Complementary(chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i] + gap)) / unit)
     }
 
@@ -267,7 +267,7 @@ impl<'a> Step<'a> {
 
     /// Contact patches.
     pub fn patches(&self) -> &Patches {
-        self.patches.get_or_init(|| Patches::of(&self.pressure, self.problem.surface().grid().shape()))
+        self.patches.get_or_init(|| Patches::of(&self.pressure, self.problem.surface().grid()))
     }
 }
 

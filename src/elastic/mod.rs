@@ -1,6 +1,18 @@
-//! The elastic solid: a frictionless half-space, fast by Fourier transform and slow by direct sum.
+//! Elastic solids: what displacement a pressure makes, fast by Fourier transform and slow by direct sum.
+//!
+//! A [`Solid`] says what it makes of one wave; a [`Response`] is a solid over a grid, periodic or free along each axis.
 
+mod compliance;
 pub mod direct;
+mod element;
+mod free;
 mod half_space;
+mod layer;
+mod response;
+mod solid;
 
+pub use compliance::Compliance;
 pub use half_space::HalfSpace;
+pub use layer::{Base, Layer};
+pub use response::Response;
+pub use solid::Solid;

@@ -2,7 +2,6 @@
 
 use super::quantity::Quantity;
 use crate::contact::{Certificate, ContactModulus, Load, Problem};
-use crate::elastic::HalfSpace;
 use crate::error::{ClaimError, ProblemError};
 use crate::surface::{Field, Surface};
 use std::sync::Arc;
@@ -77,10 +76,10 @@ impl Claim {
     /// The errors of [`Claim::problem`].
     pub(super) fn state(&self) -> Result<State, ProblemError> {
         let problem = self.problem()?;
-        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
-        let pressure = self.quantity.pressure(&problem, &self.values, &mut half_space);
+        let mut response = problem.response();
+        let pressure = self.quantity.pressure(&problem, &self.values, &mut response);
         let mut displacement = vec![0.0; pressure.len()];
-        half_space.displacement(&pressure, &mut displacement);
+        response.displacement(&pressure, &mut displacement);
         Ok(State { problem, pressure, displacement })
     }
 }

@@ -1,7 +1,7 @@
 //! The quantity in which another code gives its result.
 
 use crate::contact::Problem;
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 use serde::Serialize;
 use std::fmt;
 
@@ -55,7 +55,7 @@ impl Quantity {
     ///
     /// # Panics
     /// If the length of `values` does not fit the grid.
-    pub fn pressure(self, problem: &Problem, values: &[f64], half_space: &mut HalfSpace) -> Vec<f64> {
+    pub fn pressure(self, problem: &Problem, values: &[f64], response: &mut Response) -> Vec<f64> {
         let gap = match self {
             Self::Pressure => return values.to_vec(),
             Self::Gap => values.to_vec(),
@@ -63,7 +63,7 @@ impl Quantity {
         };
         let displacement: Vec<f64> = gap.iter().zip(problem.height()).map(|(g, h)| g + h).collect();
         let mut pressure = vec![0.0; gap.len()];
-        half_space.pressure(&displacement, &mut pressure);
+        response.pressure(&displacement, &mut pressure);
         let mean = problem.mean_pressure().unwrap_or_else(|| -mean_weighted(&pressure, &gap));
         pressure.iter_mut().for_each(|p| *p += mean);
         let noise = 2.0 * pressure.iter().fold(0.0, |most: f64, p| most.max(-p));

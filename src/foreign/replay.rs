@@ -4,7 +4,7 @@ use super::fault::feasible;
 use super::quantity::Quantity;
 use super::tension::Tension;
 use crate::contact::{Certificate, Contact, Observer, Problem, Run, Solver, Status, Step, Stop};
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 use crate::error::{Failure, SolveError};
 use crate::surface::Field;
 use std::cell::RefCell;
@@ -58,21 +58,21 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Replay<I> {
     }
 
     /// Shows a frame as a step, and says why to stop, if so.
-    fn show(&self, frame: &Frame, run: &mut Run<'_>, half_space: &mut HalfSpace) -> (State, Option<Status>) {
+    fn show(&self, frame: &Frame, run: &mut Run<'_>, response: &mut Response) -> (State, Option<Status>) {
         run.set_seconds(frame.seconds.unwrap_or(0.0));
-        let state = half_space.uncounted(|half_space| self.state(run.problem(), frame, half_space));
-        let work = run.work(half_space.transforms());
+        let state = response.uncounted(|response| self.state(run.problem(), frame, response));
+        let work = run.work(response.transforms());
         let step = Step::new(run.problem(), work, &state.pressure, &state.displacement);
         let ended = run.pass(&step.with_certificate(state.certificate));
         (state, ended.filter(|ended| *ended != Status::IterationCap))
     }
 
     /// The feasible pressure of a frame, and what follows from it.
-    fn state(&self, problem: &Problem, frame: &Frame, half_space: &mut HalfSpace) -> State {
-        let pressure = self.quantity.pressure(problem, &frame.values, half_space);
+    fn state(&self, problem: &Problem, frame: &Frame, response: &mut Response) -> State {
+        let pressure = self.quantity.pressure(problem, &frame.values, response);
         let pressure = feasible(problem, &pressure, &Tension::of(&pressure)).unwrap_or(pressure);
         let mut displacement = vec![0.0; pressure.len()];
-        half_space.displacement(&pressure, &mut displacement);
+        response.displacement(&pressure, &mut displacement);
         let certificate = Certificate::of_displaced(problem, &pressure, &displacement);
         State { pressure, displacement, certificate }
     }
@@ -103,7 +103,7 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Solver for Replay<I> {
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
         let mut run = Run::begin(self, problem, stop, observer);
-        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let mut response = problem.response();
         let (mut last, mut failure) = (None, None);
         let status = loop {
             let frame = match self.frames.borrow_mut().next() {
@@ -117,7 +117,7 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Solver for Replay<I> {
             if last.is_some() {
                 run.advance();
             }
-            let (state, ended) = self.show(&frame, &mut run, &mut half_space);
+            let (state, ended) = self.show(&frame, &mut run, &mut response);
             last = Some(state);
             if let Some(ended) = ended {
                 break ended;
@@ -126,7 +126,7 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Solver for Replay<I> {
         if let Some(State { pressure, certificate, .. }) = &last {
             run.offer(certificate, pressure);
         }
-        let mut contact = run.finish(status, half_space);
+        let mut contact = run.finish(status, response);
         if let Some(failure) = failure {
             contact.fail(failure);
         }

@@ -3,10 +3,11 @@
 use super::line::LineFilter;
 use super::long_line::LongLineFilter;
 use super::surface::SurfaceFilter;
+use super::wave::Wave;
 use super::worker::enter_pool;
 use crate::grid::Grid;
 
-/// Multiplies each mode of a real field by a factor of its wavenumber, `f -> F^-1[ factor(|q|) F[f] ]`, in three passes:
+/// Multiplies each mode of a real field by a factor of its [`Wave`], `f -> F^-1[ factor F[f] ]`, in three passes:
 /// [`load`](Self::load) the field, [`scale`](Self::scale) its modes, [`store`](Self::store) the result.
 ///
 /// Fields come and go in rows, so that they need not exist as a whole: see [`rows`](Self::rows).
@@ -32,10 +33,23 @@ macro_rules! each_kind {
 impl Filter {
     /// Plans the transforms of fields on `grid`.
     pub fn new(grid: &Grid) -> Self {
+        Self::with_used_rows(grid, grid.shape()[0])
+    }
+
+    /// Plans the transforms of fields on a surface's `grid` of which only the first rows are not zero, and only those are asked for.
+    pub fn with_used_rows(grid: &Grid, used_rows: usize) -> Self {
         if !grid.is_line() {
-            return Self::Surface(SurfaceFilter::new(grid));
+            return Self::Surface(SurfaceFilter::new(grid, used_rows));
         }
         LongLineFilter::new(grid).map_or_else(|| Self::Line(LineFilter::new(grid)), Self::LongLine)
+    }
+
+    /// Wave numbers along y and x, below or at Nyquist, of each place in the tables of the filter of a grid.
+    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
+        if !grid.is_line() {
+            return SurfaceFilter::places(grid);
+        }
+        LongLineFilter::places(grid).unwrap_or_else(|| LineFilter::places(grid))
     }
 
     /// The number of rows in which fields come and go, and their length. Rows follow each other without gaps; those of a
@@ -55,8 +69,8 @@ impl Filter {
         each_kind!(self, filter => filter.load(fill))
     }
 
-    /// Multiplies the modes by `factor(|q|)`.
-    pub fn scale(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
+    /// Multiplies the modes by the factors of their waves.
+    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync + Send) {
         each_kind!(self, filter => filter.scale(factor))
     }
 
@@ -93,7 +107,7 @@ mod tests {
         let mut rows = vec![Vec::new(); count];
         filter.run(|filter| {
             filter.load(|r, row| row.copy_from_slice(&field[r * width..][..width]));
-            filter.scale(factor);
+            filter.scale(|wave| factor(wave.q));
             filter.store(&mut rows, |_, row, sink| *sink = row.to_vec());
         });
         rows.concat()

@@ -2,6 +2,7 @@
 
 use super::Complex;
 use super::plans::Plans;
+use super::wave::Wave;
 use crate::grid::Grid;
 use std::f64::consts::TAU;
 
@@ -36,9 +37,15 @@ impl LineFilter {
         self.plans.forward_row(&mut self.values, &mut self.spectrum, &mut self.scratch);
     }
 
-    pub fn scale(&mut self, factor: impl Fn(f64) -> f64) {
+    /// Wave numbers along y and x of each place.
+    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
+        (0..=grid.len() / 2).map(|k| [0, k]).collect()
+    }
+
+    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64) {
         let norm = 1.0 / self.values.len() as f64;
-        self.spectrum.iter_mut().zip(&self.q).for_each(|(mode, &q)| *mode *= norm * factor(q));
+        let waves = self.q.iter().enumerate().map(|(place, &q)| Wave { q, place });
+        self.spectrum.iter_mut().zip(waves).for_each(|(mode, wave)| *mode *= norm * factor(wave));
     }
 
     pub fn store<S>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[f64], &mut S)) {

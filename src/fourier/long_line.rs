@@ -2,6 +2,7 @@
 
 use super::Complex;
 use super::columns::{band_len, for_each_column};
+use super::wave::Wave;
 use super::worker::{Worker, share};
 use crate::grid::Grid;
 use rustfft::{Fft, FftPlanner};
@@ -37,12 +38,7 @@ pub(crate) struct LongLineFilter {
 impl LongLineFilter {
     /// Plans the transforms, if `grid` is a line that is long enough and can be cut into rows.
     pub fn new(grid: &Grid) -> Option<Self> {
-        let n = grid.len();
-        if !grid.is_line() || n < SHORTEST || n % 2 == 1 {
-            return None;
-        }
-        let n1 = (FEWEST_ROWS..=(n / 2).isqrt()).rev().find(|n1| (n / 2).is_multiple_of(*n1))?;
-        let shape = [n1, n / 2 / n1];
+        let (n, shape) = (grid.len(), Self::cut(grid)?);
         let mut planner = FftPlanner::new();
         let forward = shape.map(|n| planner.plan_fft_forward(n));
         let inverse = shape.map(|n| planner.plan_fft_inverse(n));
@@ -54,8 +50,24 @@ impl LongLineFilter {
             twiddles: Twiddles::new(shape),
             modes: Modes::new(shape, TAU / grid.size()[1]),
             z: vec![Complex::default(); n / 2],
-            workers: Worker::crew(n, n1, [2 * shape[1], band_len(n1).max(shape[1]), scratch]),
+            workers: Worker::crew(n, shape[0], [2 * shape[1], band_len(shape[0]).max(shape[1]), scratch]),
         })
+    }
+
+    /// Rows and columns of the matrix of a line that is long enough and can be cut.
+    fn cut(grid: &Grid) -> Option<[usize; 2]> {
+        let n = grid.len();
+        if !grid.is_line() || n < SHORTEST || n % 2 == 1 {
+            return None;
+        }
+        let n1 = (FEWEST_ROWS..=(n / 2).isqrt()).rev().find(|n1| (n / 2).is_multiple_of(*n1))?;
+        Some([n1, n / 2 / n1])
+    }
+
+    /// Wave numbers along y and x of each place, if the line can be cut.
+    pub fn places(grid: &Grid) -> Option<Vec<[usize; 2]>> {
+        let [n1, n2] = Self::cut(grid)?;
+        Some((0..=n1).flat_map(|k1| (0..n2).map(move |k2| [0, k1 + n1 * k2])).collect())
     }
 
     pub fn rows(&self) -> [usize; 2] {
@@ -86,7 +98,7 @@ impl LongLineFilter {
         });
     }
 
-    pub fn scale(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
+    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync + Send) {
         let n2 = self.shape[1];
         for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
             self.forward[0].process_with_scratch(column, scratch);
@@ -100,7 +112,7 @@ impl LongLineFilter {
     }
 
     /// Transforms each row `k1` and its mirror image `n1 - k1`, scales their modes, and transforms them back.
-    fn scale_rows(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
+    fn scale_rows(&mut self, factor: impl Fn(Wave) -> f64 + Sync + Send) {
         let ([n1, n2], modes) = (self.shape, &self.modes);
         let (forward, inverse) = (self.forward[1].as_ref(), self.inverse[1].as_ref());
         let (zeroth, others) = self.z.split_at_mut(n2);
@@ -183,14 +195,16 @@ impl Modes {
     ///
     /// With `E + P = Z_k`, `E - P = conj Z_(N-k)` and `v = i exp(i pi k / N)` the modes of the field are `E + conj(v) P`
     /// and, mirrored, `E - conj(v) P`. Scaled by `s + d` and `s - d` they are those of `s E + d conj(v) P` and `s P + d v E`.
-    fn scale(&self, k1: usize, row: &mut [Complex], mirror: &mut [Complex], factor: impl Fn(f64) -> f64) {
+    fn scale(&self, k1: usize, row: &mut [Complex], mirror: &mut [Complex], factor: impl Fn(Wave) -> f64) {
         let [n1, n2] = self.shape;
         let norm = 0.25 / (n1 * n2) as f64;
         let (q, mirror_q, turn) = (self.row_q[k1], self.row_q[n1 - k1], self.row_turns[k1]);
         let z = row.iter_mut().zip(mirror.iter_mut().rev());
         let q = self.column_q.iter().zip(self.column_q.iter().rev()).map(|(c, mirror_c)| (q + c, mirror_q + mirror_c));
-        for (((z, mirror), (q, mirror_q)), v) in z.zip(q).zip(&self.column_turns) {
-            let (a, b) = (norm * factor(q), norm * factor(mirror_q));
+        for (k2, (((z, mirror), (q, mirror_q)), v)) in z.zip(q).zip(&self.column_turns).enumerate() {
+            let wave = Wave { q, place: k1 * n2 + k2 };
+            let mirror_wave = Wave { q: mirror_q, place: (n1 - k1) * n2 + n2 - 1 - k2 };
+            let (a, b) = (norm * factor(wave), norm * factor(mirror_wave));
             let v = turn * v;
             let (s, d) = (a + b, a - b);
             let (e, p) = (*z + mirror.conj(), *z - mirror.conj());

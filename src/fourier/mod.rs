@@ -17,10 +17,12 @@ mod long_line;
 mod pair;
 mod plans;
 mod surface;
+mod wave;
 mod worker;
 
 pub(crate) use filter::Filter;
 pub use pair::Fourier;
+pub(crate) use wave::Wave;
 
 /// A complex Fourier coefficient.
 pub type Complex = rustfft::num_complex::Complex<f64>;

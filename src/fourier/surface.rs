@@ -3,6 +3,7 @@
 use super::Complex;
 use super::columns::{band_len, for_each_column};
 use super::plans::Plans;
+use super::wave::Wave;
 use super::worker::{Worker, share};
 use crate::grid::Grid;
 use std::f64::consts::TAU;
@@ -12,6 +13,8 @@ use std::f64::consts::TAU;
 /// Bands of columns are transformed, scaled and transformed back while they are in the cache.
 pub(crate) struct SurfaceFilter {
     shape: [usize; 2],
+    /// Rows that are not all zero, and asked for; the first ones.
+    used_rows: usize,
     plans: Plans,
     /// `q_x` of each column and `q_y^2` of each row up to Nyquist; the other rows are their mirror images.
     qx: Vec<f64>,
@@ -21,12 +24,14 @@ pub(crate) struct SurfaceFilter {
 }
 
 impl SurfaceFilter {
-    pub fn new(grid: &Grid) -> Self {
+    /// Plans the transforms of fields of which only the first `used_rows` are not zero and only those are asked for.
+    pub fn new(grid: &Grid, used_rows: usize) -> Self {
         let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
         let plans = Plans::new(grid);
         let workers = Worker::crew(grid.len(), ny, [nx.max(ny / 2 + 1), band_len(ny), plans.scratch_len()]);
         Self {
             shape: [ny, nx],
+            used_rows,
             plans,
             qx: (0..=nx / 2).map(|kx| TAU * kx as f64 / lx).collect(),
             qy_squares: (0..=ny / 2).map(|ky| (TAU * ky as f64 / ly).powi(2)).collect(),
@@ -36,7 +41,13 @@ impl SurfaceFilter {
     }
 
     pub fn rows(&self) -> [usize; 2] {
-        self.shape
+        [self.used_rows, self.shape[1]]
+    }
+
+    /// Wave numbers along y and x of each place.
+    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
+        let [ny, nx] = grid.shape();
+        (0..=nx / 2).flat_map(|kx| (0..=ny / 2).map(move |ky| [ky, kx])).collect()
     }
 
     pub fn load(&mut self, fill: impl Fn(usize, &mut [f64]) + Sync + Send) {
@@ -46,13 +57,17 @@ impl SurfaceFilter {
         let tasks = self.spectrum.chunks_mut(per_worker * half).zip(&mut self.workers).enumerate();
         share(tasks, |(task, (spectra, Worker { row, scratch, .. }))| {
             for (i, spectrum) in spectra.chunks_exact_mut(half).enumerate() {
+                if task * per_worker + i >= self.used_rows {
+                    spectrum.fill(Complex::default());
+                    continue;
+                }
                 fill(task * per_worker + i, &mut row[..nx]);
                 self.plans.forward_row(&mut row[..nx], spectrum, scratch);
             }
         });
     }
 
-    pub fn scale(&mut self, factor: impl Fn(f64) -> f64 + Sync + Send) {
+    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync + Send) {
         let [ny, nx] = self.shape;
         let half = nx / 2 + 1;
         let norm = 1.0 / (ny * nx) as f64;
@@ -60,10 +75,10 @@ impl SurfaceFilter {
         for_each_column(&mut self.spectrum, half, &mut self.workers, |kx, column, row, scratch| {
             let factors = &mut row[..qy_squares.len()];
             let square = self.qx[kx].powi(2);
-            factors
-                .iter_mut()
-                .zip(qy_squares)
-                .for_each(|(f, qy_square)| *f = norm * factor((square + qy_square).sqrt()));
+            let first = kx * qy_squares.len();
+            factors.iter_mut().zip(qy_squares).enumerate().for_each(|(ky, (f, qy_square))| {
+                *f = norm * factor(Wave { q: (square + qy_square).sqrt(), place: first + ky });
+            });
             self.plans.forward_columns.process_with_scratch(column, scratch);
             let (modes, mirrored) = column.split_at_mut(factors.len());
             modes.iter_mut().zip(&*factors).for_each(|(mode, f)| *mode *= f);
@@ -73,10 +88,10 @@ impl SurfaceFilter {
     }
 
     pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[f64], &mut S) + Sync + Send) {
-        let [ny, nx] = self.shape;
+        let nx = self.shape[1];
         let half = nx / 2 + 1;
-        let per_worker = ny.div_ceil(self.workers.len());
-        let spectra = self.spectrum.chunks_mut(per_worker * half);
+        let per_worker = self.used_rows.div_ceil(self.workers.len());
+        let spectra = self.spectrum[..self.used_rows * half].chunks_mut(per_worker * half);
         let tasks = spectra.zip(sinks.chunks_mut(per_worker)).zip(&mut self.workers).enumerate();
         share(tasks, |(task, ((spectra, sinks), Worker { row, scratch, .. }))| {
             for (i, (spectrum, sink)) in spectra.chunks_exact_mut(half).zip(sinks).enumerate() {

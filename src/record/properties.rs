@@ -35,8 +35,7 @@ pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
 fn reduced_pressure(problem: &Problem) -> Option<f64> {
     match problem.load() {
         Load::ReducedPressure(reduced_pressure) => Some(reduced_pressure),
-        Load::MeanPressure(pressure) => Some(pressure / problem.contact_modulus() / problem.rms_gradient()),
-        Load::MeanGap(_) => None,
+        _ => Some(problem.mean_pressure()? / problem.contact_modulus() / problem.rms_gradient()),
     }
 }
 

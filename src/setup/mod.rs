@@ -119,8 +119,10 @@ impl Setup {
     pub fn contact_modulus(&self) -> Result<f64, SetupError> {
         match (&self.solid, self.load) {
             (Some(solid), _) => Ok(solid.contact_modulus()?),
-            (None, Load::MeanPressure(mean_pressure)) => Err(SetupError::NoModulus { mean_pressure }),
-            (None, Load::ReducedPressure(_) | Load::MeanGap(_)) => Ok(1.0),
+            (None, Load::MeanPressure(value) | Load::Force(value)) => {
+                Err(SetupError::NoModulus { load: self.load.name(), value })
+            }
+            (None, Load::ReducedPressure(_) | Load::MeanGap(_) | Load::Approach(_)) => Ok(1.0),
         }
     }
 

@@ -120,38 +120,49 @@ impl Surface {
 
     /// Local mean-square gradient (Eq. 8) as a function of the node, counted row by row.
     ///
-    /// Per direction `g_i^2 = 1/2 [((h_i - h_{i+1})/l)^2 + ((h_i - h_{i-1})/l)^2]` with the spacing `l`, periodic; a
-    /// surface has the sum over both directions. The function panics where there is no node.
+    /// Per direction `g_i^2 = 1/2 [((h_i - h_{i+1})/l)^2 + ((h_i - h_{i-1})/l)^2]` with the spacing `l`, periodic; at a
+    /// free rim the one difference there is stands for both. A surface has the sum over both directions. The function panics where
+    /// there is no node.
     pub fn square_gradient(&self) -> impl Fn(usize) -> f64 + Sync {
         let (h, nx) = (self.heights(), self.grid.shape()[1]);
         let [per_dy, per_dx] = self.grid.spacing().map(f64::recip);
+        // from a rim to its neighbour: across the period, or back into the cell
+        let [round_y, round_x] = self.grid.periodic();
+        let [over_left, over_right] = if round_x { [nx - 1; 2] } else { [1; 2] };
+        let [over_above, over_below] = if round_y { [h.len() - nx; 2] } else { [nx; 2] };
         move |node| {
             let x = node % nx;
-            let left = if x > 0 { node - 1 } else { node + nx - 1 };
-            let right = if x + 1 < nx { node + 1 } else { node - x };
-            let above = if node >= nx { node - nx } else { node + h.len() - nx };
-            let below = if node + nx < h.len() { node + nx } else { x };
+            let left = if x > 0 { node - 1 } else { node + over_left };
+            let right = if x + 1 < nx { node + 1 } else { node - over_right };
+            let above = if node >= nx { node - nx } else { node + over_above };
+            let below = if node + nx < h.len() { node + nx } else { node - over_below };
             let square = |neighbour: usize, per_spacing: f64| ((h[node] - h[neighbour]) * per_spacing).powi(2);
             0.5 * (square(left, per_dx) + square(right, per_dx) + square(above, per_dy) + square(below, per_dy))
         }
     }
 
     /// Local square gradient `|grad h|^2` as a function of the node, counted row by row, by central differences of fourth order,
-    /// `h' = (8 (h_{i+1} - h_{i-1}) - (h_{i+2} - h_{i-2})) / (12 l)`, periodic. On smooth heights it is closer to the gradient of the
+    /// `h' = (8 (h_{i+1} - h_{i-1}) - (h_{i+2} - h_{i-2})) / (12 l)`, periodic, or with the heights reflected at the point of a free rim. On smooth heights it is closer to the gradient of the
     /// surface than Eq. 8, which is larger by a term of second order. The function panics where there is no node.
     pub fn square_slope(&self) -> impl Fn(usize) -> f64 + Sync {
         let (h, grid) = (self.heights(), self.grid);
         let [per_dy, per_dx] = grid.spacing().map(|spacing| 1.0 / (12.0 * spacing));
         let [ny, nx] = grid.shape();
-        let slope = |[far_back, back, on, far_on]: [usize; 4]| 8.0 * (h[on] - h[back]) - (h[far_on] - h[far_back]);
-        let around = |i: usize, n: usize| match i {
-            2.. if i + 2 < n => [i - 2, i - 1, i + 1, i + 2],
-            _ => [(i + n - 2) % n, (i + n - 1) % n, (i + 1) % n, (i + 2) % n],
+        let slope = |i: usize, n: usize, stride: usize, first: usize, is_periodic: bool| {
+            let inside = |i: usize| h[first + i * stride];
+            let at = |step: isize| match i as isize + step {
+                to if to >= 0 && to < n as isize => inside(to as usize),
+                to if is_periodic => inside(to.rem_euclid(n as isize) as usize),
+                to if to < 0 => 2.0 * inside(0) - inside((-to) as usize),
+                to => 2.0 * inside(n - 1) - inside(2 * (n - 1) - to as usize),
+            };
+            8.0 * (at(1) - at(-1)) - (at(2) - at(-2))
         };
+        let [round_y, round_x] = grid.periodic();
         move |node| {
             let (y, x) = (node / nx, node % nx);
-            let along_x = slope(around(x, nx).map(|x| y * nx + x)) * per_dx;
-            let along_y = if ny == 1 { 0.0 } else { slope(around(y, ny).map(|y| y * nx + x)) * per_dy };
+            let along_x = slope(x, nx, 1, y * nx, round_x) * per_dx;
+            let along_y = if ny == 1 { 0.0 } else { slope(y, ny, nx, x, round_y) * per_dy };
             along_x.powi(2) + along_y.powi(2)
         }
     }

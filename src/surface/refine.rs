@@ -4,10 +4,12 @@ use super::{Field, Surface};
 use crate::error::SurfaceError;
 use crate::fourier::{Complex, Fourier};
 use crate::grid::Grid;
+use ndarray::Slice;
 
 impl Surface {
     /// The surface on a grid of `factor` times as many points along each side: the heights are interpolated by their Fourier
-    /// series, so that those of the nodes that were there stay. Jumps, across the period as well, ring.
+    /// series, so that those of the nodes that were there stay. Jumps, across the period as well, ring; at a free rim the heights are
+    /// mirrored, so that nothing jumps there.
     ///
     /// # Errors
     /// The errors of [`Grid::line`] for more points than a grid can have.
@@ -24,12 +26,33 @@ impl Surface {
         if factor == 1 {
             return Ok(self.clone());
         }
+        if !grid.is_periodic() {
+            let fine = self.mirrored()?.refined(factor)?.heights_as_given();
+            let half = fine.slice_each_axis(|axis| Slice::from(..grid.shape()[axis.axis.index()])).to_owned();
+            return Ok(Self { seed: self.seed, ..Self::new(grid, half)? });
+        }
         let mut modes = vec![Complex::default(); self.grid.modes()];
         Fourier::new(&self.grid).forward(self.heights(), &mut modes);
         let mut modes = padded(&self.grid, &grid, &modes);
         let mut height = Field::zeros(grid.shape());
         Fourier::new(&grid).inverse(&mut modes, height.as_slice_mut().expect("standard layout by construction"));
         Ok(Self { seed: self.seed, ..Self::new(grid, height + self.mean_height)? })
+    }
+}
+
+impl Surface {
+    /// The periodic surface of which this one is a half along each free axis, mirrored at its first and last nodes.
+    fn mirrored(&self) -> Result<Self, SurfaceError> {
+        let (shape, spacing, periodic) = (self.grid.shape(), self.grid.spacing(), self.grid.periodic());
+        let points = [0, 1].map(|axis| if periodic[axis] { shape[axis] } else { 2 * shape[axis] - 2 });
+        let size = [0, 1].map(|axis| points[axis] as f64 * spacing[axis]);
+        let grid = if self.grid.is_line() { Grid::line(points[1], size[1]) } else { Grid::surface(points, size) }?;
+        let back = |i: usize, axis: usize| i.min(points[axis] - i);
+        let at = |(y, x): (usize, usize)| {
+            let [y, x] = [(y, 0), (x, 1)].map(|(i, axis)| if periodic[axis] { i } else { back(i, axis) });
+            self.height[[y, x]] + self.mean_height
+        };
+        Self::new(grid, Field::from_shape_fn(points, at))
     }
 }
 

@@ -6,7 +6,7 @@ use crate::chunks;
 impl Surface {
     /// The jumps across the period along y and x, in rms steps: the root mean square of the differences between the last nodes and
     /// the first ones, over that of the differences between neighbours inside. About 1, or less, on a periodic surface; 0 along
-    /// the y of a line, and where all neighbours inside are equal.
+    /// the y of a line and a free axis, and where all neighbours inside are equal.
     ///
     /// ```
     /// use asperity::{Grid, Surface};
@@ -23,7 +23,10 @@ impl Surface {
         let along_x = chunks::sum(h.len() - 1, |i| if (i + 1) % nx == 0 { 0.0 } else { square(i + 1, i) });
         let across_y = chunks::sum(nx, |x| square(x, last_row + x));
         let across_x = chunks::sum(ny, |y| square(y * nx, y * nx + nx - 1));
-        [jump(across_y, along_y, ny - 1), jump(across_x, along_x, nx - 1)]
+        let [round_y, round_x] = self.grid().periodic();
+        let jump =
+            |is_periodic: bool, across, inside, pairs| if is_periodic { jump(across, inside, pairs) } else { 0.0 };
+        [jump(round_y, across_y, along_y, ny - 1), jump(round_x, across_x, along_x, nx - 1)]
     }
 }
 

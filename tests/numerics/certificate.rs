@@ -1,7 +1,6 @@
 //! What a certificate bounds: held against solutions, and against states that it must tell from them.
 
 use asperity::contact::{Certificate, Contact, ContactModulus, Each, Load, Multilevel, PolonskyKeer, Solver, Step};
-use asperity::elastic::HalfSpace;
 use asperity::surface::Spectrum;
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
 use std::ops::ControlFlow;
@@ -42,7 +41,7 @@ fn states(problem: &Problem) -> Vec<(Vec<f64>, Certificate)> {
 /// `<p u(p)>`.
 fn square(problem: &Problem, pressure: &[f64]) -> f64 {
     let mut u = vec![0.0; pressure.len()];
-    HalfSpace::new(problem.surface().grid(), problem.contact_modulus()).displacement(pressure, &mut u);
+    problem.response().displacement(pressure, &mut u);
     pressure.iter().zip(u).map(|(p, u)| p * u).sum::<f64>() / pressure.len() as f64
 }
 
@@ -73,7 +72,7 @@ fn energy_pressure_and_mean_gap_are_bounded_all_the_way() {
 /// The mean gap of a pressure, at which `<p g> = 0`.
 fn mean_gap(problem: &Problem, pressure: &[f64]) -> f64 {
     let mut u = vec![0.0; pressure.len()];
-    HalfSpace::new(problem.surface().grid(), problem.contact_modulus()).displacement(pressure, &mut u);
+    problem.response().displacement(pressure, &mut u);
     let load: f64 = pressure.iter().sum();
     (0..u.len()).map(|i| pressure[i] * (problem.height()[i] - u[i])).sum::<f64>() / load
 }
@@ -129,7 +128,7 @@ fn a_hundredfold_load_is_told_from_the_solution_at_both_ends_of_the_gap() {
                 let contact = solver.solve(&apart, &tolerance, &mut ()).unwrap().converged().unwrap();
                 let heights = problem.height();
                 let mut pull = vec![0.0; heights.len()];
-                HalfSpace::new(problem.surface().grid(), 2.0).pressure(heights, &mut pull);
+                problem.response().pressure(heights, &mut pull);
                 // near closure that of full contact and a uniform pressure, near touch the solution a hundred times
                 let load = 100.0 * contact.mean_pressure();
                 let garbage: Vec<f64> = match apart.mean_gap() {

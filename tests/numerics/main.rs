@@ -6,10 +6,10 @@ mod files;
 mod forecast;
 mod fourier;
 mod grid;
-mod half_space;
 mod measures;
 mod patches;
 mod polonsky_keer;
 #[cfg(feature = "units")]
 mod quantity;
+mod response;
 mod results;

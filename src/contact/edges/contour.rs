@@ -4,8 +4,8 @@ use crate::contact::{Edge, Edges};
 
 impl<G: Fn(usize) -> f64 + Sync> Edges<'_, G> {
     /// The segments of contact along a line (of a surface, along its first row), from left to right, as their first and last
-    /// position, lengths; one across the period ends beyond it. A line all of which touches is one segment; a segment that
-    /// is shorter than nothing by the law of its edges is left out.
+    /// position, lengths; one across the period ends beyond it, and one at a free rim half a spacing beyond its node. A line all of
+    /// which touches is one segment; a segment that is shorter than nothing by the law of its edges is left out.
     pub fn segments(&self) -> Vec<[f64; 2]> {
         let nx = self.grid.shape()[1];
         let spacing = self.grid.spacing()[1];
@@ -14,6 +14,9 @@ impl<G: Fn(usize) -> f64 + Sync> Edges<'_, G> {
         };
         let mut segments = Vec::new();
         let mut start = f64::NAN;
+        if !self.grid.is_periodic() {
+            return self.free_segments();
+        }
         for step in 1..=nx {
             let (node, position) = ((first_gap + step) % nx, (first_gap + step) as f64);
             for edge in self.around(node).filter(|edge| edge.towards[0] == 0) {
@@ -30,6 +33,23 @@ impl<G: Fn(usize) -> f64 + Sync> Edges<'_, G> {
             ends.iter_mut().for_each(|position| *position -= nx as f64 * spacing);
         });
         segments.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        segments
+    }
+
+    /// The segments of a line that ends at both rims.
+    fn free_segments(&self) -> Vec<[f64; 2]> {
+        let (nx, spacing) = (self.grid.shape()[1], self.grid.spacing()[1]);
+        let mut segments = Vec::new();
+        let mut start = -0.5;
+        for node in (0..nx).filter(|&node| self.touches(node)) {
+            let edge = |step: isize| self.around(node).find(|edge| edge.towards == [0, step]);
+            if let Some(edge) = edge(-1) {
+                start = node as f64 - edge.place;
+            }
+            let end = edge(1).map(|edge| edge.place).or((node + 1 == nx).then_some(0.5));
+            segments.extend(end.map(|place| [start, node as f64 + place].map(|position| position * spacing)));
+        }
+        segments.retain(|[start, end]| end > start);
         segments
     }
 

@@ -48,25 +48,28 @@ impl Solver for Gfmd {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
-        if problem.mean_gap().is_some() {
+        if problem.datum().is_some() {
             return Err(SolveError::NeedsPressure { solver: self.name().into() });
+        }
+        if !problem.compliance().is_diagonal() {
+            return Err(SolveError::NeedsWaves { solver: self.name().into() });
         }
         let mut run = Run::begin(self, problem, stop, observer);
         let mut surface = Moving::new(start, problem, self.masses);
         let mut probe = Probe::new(problem);
-        let mut pace = Pace::new(self, &surface.half_space.stiffnesses().collect::<Vec<_>>());
+        let mut pace = Pace::new(self, &surface.response.stiffnesses().collect::<Vec<_>>());
         let status = loop {
             surface.pull();
             let certificate = probe.certify(problem, &surface.p, &mut run);
-            let work = run.work(surface.half_space.transforms() + probe.half_space.transforms());
+            let work = run.work(surface.response.transforms() + probe.response.transforms());
             if let Some(status) = run.show(&surface.step(work, certificate).with_decision(pace.decision())) {
                 break status;
             }
             surface.advance(&mut pace);
             run.advance();
         };
-        let transforms = surface.half_space.transforms() + probe.half_space.transforms();
+        let transforms = surface.response.transforms() + probe.response.transforms();
         drop(surface);
-        Ok(run.finish_after(status, transforms, probe.into_half_space()))
+        Ok(run.finish_after(status, transforms, probe.into_response()))
     }
 }

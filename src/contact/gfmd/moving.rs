@@ -3,13 +3,13 @@
 use super::Masses;
 use super::pace::Pace;
 use crate::contact::{Certificate, Problem, Step, Work, chunks};
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 use crate::surface::Field;
 
 /// Place `w`, last advance `dw`, net force `f`, advance under it `a`, and the wall's constraint forces `p`.
 pub(super) struct Moving<'a> {
     problem: &'a Problem,
-    pub half_space: HalfSpace,
+    pub response: Response,
     masses: Masses,
     softest: f64,
     w: Vec<f64>,
@@ -24,22 +24,22 @@ impl<'a> Moving<'a> {
     pub fn new(start: Option<&Field>, problem: &'a Problem, masses: Masses) -> Self {
         let n = problem.nodes();
         let h = problem.height();
-        let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
+        let mut response = problem.response();
         let mut w = vec![0.0; n];
         if start.is_some() {
-            half_space.displacement(&problem.first_pressure(start), &mut w);
+            response.displacement(&problem.first_pressure(start), &mut w);
         }
         let deepest = (0..n).fold(f64::NEG_INFINITY, |deepest, i| deepest.max(h[i] - w[i]));
         w.iter_mut().for_each(|w| *w += deepest);
-        let softest = half_space.softest_stiffness();
+        let softest = response.softest_stiffness();
         let zeros = || vec![0.0; n];
-        Self { problem, half_space, masses, softest, w, dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
+        Self { problem, response, masses, softest, w, dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
     }
 
     /// Finds the forces: elasticity and load; what the wall needs to hold the nodes that touch it and push; and what is left
     /// as net force, which is zero on those nodes.
     pub fn pull(&mut self) {
-        self.half_space.respond(&self.w, &mut self.f, |k| -k);
+        self.response.respond(&self.w, &mut self.f, |k| -k);
         let (w, h, load) = (&self.w, self.problem.height(), self.problem.expected_mean_pressure());
         chunks::update_both(&mut self.f, &mut self.p, |range, f, p| {
             for ((i, f), p) in range.zip(f).zip(p) {
@@ -89,7 +89,7 @@ impl<'a> Moving<'a> {
             return;
         }
         let floor = self.pinning_stiffness();
-        self.half_space.respond(&self.f, &mut self.a, |k| 1.0 / k.max(floor));
+        self.response.respond(&self.f, &mut self.a, |k| 1.0 / k.max(floor));
         let p = &self.p;
         chunks::update(&mut self.a, |range, a| {
             range.zip(a).for_each(|(i, a)| *a = if p[i] > 0.0 { 0.0 } else { *a });

@@ -1,14 +1,14 @@
 //! The certificate of constraint forces.
 
 use crate::contact::{Certificate, Problem, Run, chunks};
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 
 /// Checks are this many times rarer than the steps made so far: a run passes its end by at most two per cent.
 const RARITY: usize = 50;
 
 /// Scales the constraint forces to the load and certifies them as a pressure, at a thinning share of the steps.
 pub(super) struct Probe {
-    pub half_space: HalfSpace,
+    pub response: Response,
     pressure: Vec<f64>,
     displacement: Vec<f64>,
     next: usize,
@@ -17,13 +17,13 @@ pub(super) struct Probe {
 impl Probe {
     pub fn new(problem: &Problem) -> Self {
         let n = problem.nodes();
-        let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
-        Self { half_space, pressure: vec![0.0; n], displacement: vec![0.0; n], next: 0 }
+        let response = problem.response();
+        Self { response, pressure: vec![0.0; n], displacement: vec![0.0; n], next: 0 }
     }
 
     /// The half-space of the probe, when all is done.
-    pub fn into_half_space(self) -> HalfSpace {
-        self.half_space
+    pub fn into_response(self) -> Response {
+        self.response
     }
 
     /// The certificate, if a check is due and anything is in contact.
@@ -36,7 +36,7 @@ impl Probe {
         self.next = iteration + 1 + iteration / RARITY;
         let scale = problem.expected_mean_pressure() * forces.len() as f64 / load;
         chunks::update(&mut self.pressure, |range, p| range.zip(p).for_each(|(i, p)| *p = scale * forces[i]));
-        self.half_space.displacement(&self.pressure, &mut self.displacement);
+        self.response.displacement(&self.pressure, &mut self.displacement);
         let certificate = Certificate::of_displaced(problem, &self.pressure, &self.displacement);
         run.offer(&certificate, &self.pressure);
         Some(certificate)

@@ -2,7 +2,6 @@
 
 use super::{Gfmd, Masses, Pace};
 use crate::contact::Problem;
-use crate::elastic::HalfSpace;
 
 /// The relaxation of free waves under damped motion: how fast each of them forgets, in theory.
 ///
@@ -28,8 +27,8 @@ pub struct Relaxation {
 impl Relaxation {
     /// The relaxation under some settings; none under FIRE, whose friction changes.
     pub(super) fn of(settings: &Gfmd, problem: &Problem) -> Option<Self> {
-        let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
-        let stiffness: Vec<f64> = half_space.stiffnesses().collect();
+        let response = problem.response();
+        let stiffness: Vec<f64> = response.stiffnesses().collect();
         let pace = Pace::new(settings, &stiffness);
         let [softest, stiffest] = stiffness
             .iter()
@@ -101,7 +100,7 @@ mod tests {
         for damping in [0.1, 1.0, 10.0] {
             let settings = Gfmd { damping, ..Gfmd::default() };
             let relaxation = Relaxation::of(&settings, &problem).unwrap();
-            let k: Vec<f64> = HalfSpace::new(problem.surface().grid(), 1.0).stiffnesses().collect();
+            let k: Vec<f64> = problem.response().stiffnesses().collect();
             let mut pace = Pace::new(&settings, &k);
             for &k in &k[1..] {
                 let (mut w, mut dw, mut largest) = (1.0, 0.0, Vec::new());

@@ -40,7 +40,7 @@ pub enum Dynamics {
 ///
 /// A step costs one transform pair with uniform masses and two with masses proportional to stiffness; the certificate is
 /// computed at a share of the steps that falls to one in fifty, for one pair more. Memory: 8 fields of n doubles and two
-/// [`crate::elastic::HalfSpace`]s.
+/// [`crate::elastic::Response`]s.
 ///
 /// The method works under a mean pressure only: at a mean gap it returns [`crate::error::SolveError::NeedsPressure`].
 ///

@@ -4,7 +4,7 @@ use super::extension::Extension;
 use super::support::Support;
 use crate::chunks;
 use crate::contact::{Decision, Status};
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 
 /// Conjugate gradient steps at the most.
 const MOST_STEPS: usize = 100;
@@ -29,14 +29,14 @@ pub(super) struct Correction<'a> {
 
 impl<'a> Correction<'a> {
     /// A correction of nothing yet, for the `residual` `lambda - v` on `support`.
-    pub fn new(support: &'a Support, residual: Vec<f64>, keeps_load: bool, half_space: &mut HalfSpace) -> Self {
+    pub fn new(support: &'a Support, residual: Vec<f64>, keeps_load: bool, response: &mut Response) -> Self {
         let zeros = || vec![0.0; residual.len()];
         let (delta, direction) = (zeros(), zeros());
         let mut correction =
             Self { support, delta, direction, residual, last: Decision::Start, uniform_stiffness: None };
         if !keeps_load {
             let ones = vec![1.0; correction.residual.len()];
-            let compliance = dot(&ones, &correction.comply(&ones, half_space)) / ones.len() as f64;
+            let compliance = dot(&ones, &correction.comply(&ones, response)) / ones.len() as f64;
             let stiffness = if compliance > 0.0 { 1.0 / compliance } else { 0.0 };
             correction.uniform_stiffness = Some(stiffness);
         }
@@ -50,26 +50,26 @@ impl<'a> Correction<'a> {
         &mut self,
         reduction: f64,
         extension: &mut Extension,
-        half_space: &mut HalfSpace,
+        response: &mut Response,
         field: &mut [f64],
-        watch: &mut dyn FnMut(&Self, &mut HalfSpace) -> Option<Status>,
+        watch: &mut dyn FnMut(&Self, &mut Response) -> Option<Status>,
     ) -> Option<Status> {
         let goal = reduction * reduction * dot(&self.residual, &self.residual);
         let mut previous = None;
         for _ in 0..MOST_STEPS {
-            let z = self.precondition(extension, half_space, field);
+            let z = self.precondition(extension, response, field);
             let square = dot(&self.residual, &z);
             let beta = previous.map_or(0.0, |previous| square / previous);
             previous = Some(square);
             chunks::update(&mut self.direction, |range, d| range.zip(d).for_each(|(i, d)| *d = z[i] + beta * *d));
-            let q = self.comply(&self.direction, half_space);
+            let q = self.comply(&self.direction, response);
             let curvature = dot(&self.direction, &q);
             if !(square > 0.0 && curvature > 0.0) {
                 return None;
             }
             self.step(square / curvature, &q);
             self.last = Decision::Conjugate { length: square / curvature, share: beta };
-            if let Some(status) = watch(self, half_space) {
+            if let Some(status) = watch(self, response) {
                 return Some(status);
             }
             if dot(&self.residual, &self.residual) <= goal {
@@ -91,10 +91,9 @@ impl<'a> Correction<'a> {
     }
 
     /// The compliance on the set; what is uniform of the effect is for [`Correction::project_residual`] to remove.
-    fn comply(&self, values: &[f64], half_space: &mut HalfSpace) -> Vec<f64> {
+    fn comply(&self, values: &[f64], response: &mut Response) -> Vec<f64> {
         let mut effect = vec![0.0; values.len()];
-        half_space.respond_by_rows(
-            HalfSpace::compliance,
+        response.displace_by_rows(
             |row, cause| {
                 cause.fill(0.0);
                 self.support.scatter(row, values, cause);
@@ -106,14 +105,13 @@ impl<'a> Correction<'a> {
     }
 
     /// The preconditioner applied to the residual.
-    fn precondition(&self, extension: &mut Extension, half_space: &mut HalfSpace, field: &mut [f64]) -> Vec<f64> {
+    fn precondition(&self, extension: &mut Extension, response: &mut Response, field: &mut [f64]) -> Vec<f64> {
         let Self { support, residual, .. } = self;
         extension.extend(support, residual);
         let mut z = vec![0.0; residual.len()];
         let width = support.shape()[1];
         let mut sinks: Vec<_> = field.chunks_exact_mut(width).zip(support.pieces(&mut z)).collect();
-        half_space.respond_by_rows(
-            HalfSpace::stiffness,
+        response.press_by_rows(
             |row, cause| {
                 extension.fill(row, cause);
                 support.scatter(row, residual, cause);

@@ -37,11 +37,11 @@ impl Level<'_> {
             return false;
         }
         let mut response = vec![0.0; way.len()];
-        self.half_space.displacement(&way, &mut response);
+        self.response.displacement(&way, &mut response);
         let curvature = dot(&way, &response);
         let share = if curvature > 0.0 { (-slope / curvature).min(1.0) } else { 1.0 };
         chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p += share * way[i]));
-        self.pressure = Pressure::of(&p, self.half_space.rows());
+        self.pressure = Pressure::of(&p, self.response.rows());
         self.is_fresh = false;
         true
     }
@@ -69,9 +69,9 @@ impl Level<'_> {
         }
         let field = self.pressure.support.spread(&gradient);
         let mut response = vec![0.0; field.len()];
-        self.half_space.displacement(&field, &mut response);
+        self.response.displacement(&field, &mut response);
         let (square, curvature) = (dot(&gradient, &gradient), dot(&field, &response));
-        if is_uniform(square, curvature, self.half_space.softest_stiffness()) {
+        if is_uniform(square, curvature, self.response.softest_stiffness()) {
             return to_bound(self.pressure.values.iter().copied().zip(gradient)).unwrap_or(0.0);
         }
         square / curvature

@@ -6,7 +6,7 @@ use super::support::{Pressure, RowOfNodes, Support};
 use crate::chunks;
 use crate::contact::best::Best;
 use crate::contact::{Certificate, Decision, Edges, Problem, Resolved, Status, Sums};
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 use std::ops::Range;
 
 /// A state is better when its distance from the goals is this part of that of the last better one.
@@ -25,7 +25,7 @@ const TIGHTEST: f64 = 1e-3;
 /// Pressure, its displacement, and the contact set on one grid.
 pub(super) struct Level<'a> {
     pub problem: &'a Problem,
-    pub half_space: HalfSpace,
+    pub response: Response,
     pub pressure: Pressure,
     pub u: Vec<f64>,
     /// Whether `u` is the displacement of the pressure.
@@ -44,18 +44,18 @@ pub(super) enum Mode {
 
 /// The watch of the inner steps of a correction: the set, the signed pressure on it, the step, and the half-space. It may end the
 /// run.
-pub(super) type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, &mut HalfSpace) -> Option<Status> + 'w;
+pub(super) type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, &mut Response) -> Option<Status> + 'w;
 
 impl<'a> Level<'a> {
     /// Starts from a pressure, or from the uniform one, made for the rows of the half-space.
     pub fn new(problem: &'a Problem, start: impl FnOnce([usize; 2]) -> Pressure) -> Self {
-        let half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
-        let mut pressure = start(half_space.rows());
+        let response = problem.response();
+        let mut pressure = start(response.rows());
         pressure.carry(problem);
         Self {
             problem,
             pressure,
-            half_space,
+            response,
             u: vec![0.0; problem.nodes()],
             is_fresh: false,
             reduction: REDUCTION,
@@ -81,7 +81,7 @@ impl<'a> Level<'a> {
             let sums = self.sums();
             sums.reference_v + sums.pressure_v / sums.pressure
         };
-        self.problem.mean_gap().map_or_else(of_pressure, |gap| -gap)
+        self.problem.datum().map_or_else(of_pressure, |gap| -gap)
     }
 
     /// One free update or guarded step, as [`Level::choose_mode`] has it.
@@ -132,7 +132,7 @@ impl<'a> Level<'a> {
     /// Takes the displacement from a transform of the pressure.
     pub fn refresh(&mut self) {
         if !self.is_fresh {
-            displace(&self.pressure, &mut self.half_space, &mut self.u);
+            displace(&self.pressure, &mut self.response, &mut self.u);
             self.is_fresh = true;
         }
     }
@@ -192,13 +192,13 @@ impl<'a> Level<'a> {
     pub fn update(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
         self.leave_extremes();
         let mut extension = Extension::new(&self.pressure.support, self.problem.surface().grid().shape());
-        let gap = self.problem.mean_gap();
+        let gap = self.problem.datum();
         let residual = self.on_set(|v| -(v + gap.unwrap_or(0.0)));
-        let Self { half_space, u, pressure: Pressure { support, values }, .. } = self;
-        let mut correction = Correction::new(support, residual, gap.is_none(), half_space);
-        let status = correction.solve(self.reduction, &mut extension, half_space, u, &mut |correction, half_space| {
+        let Self { response, u, pressure: Pressure { support, values }, .. } = self;
+        let mut correction = Correction::new(support, residual, gap.is_none(), response);
+        let status = correction.solve(self.reduction, &mut extension, response, u, &mut |correction, response| {
             let signed = || values.iter().zip(&correction.delta).map(|(p, delta)| p + delta).collect();
-            watch(support, &signed, correction.last, half_space)
+            watch(support, &signed, correction.last, response)
         });
         let delta = correction.delta;
         chunks::update(values, |range, p| p.iter_mut().zip(&delta[range]).for_each(|(p, delta)| *p += delta));
@@ -219,7 +219,8 @@ impl<'a> Level<'a> {
         let values = &mut self.pressure.values;
         if values.is_empty() {
             self.admit();
-        } else if let Some(gap) = self.problem.mean_gap()
+        } else if let Some(gap) = self.problem.datum()
+            && !self.problem.compliance().has_uniform()
             && values.len() == self.problem.nodes()
         {
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -241,17 +242,16 @@ impl<'a> Level<'a> {
     }
 
     /// The half-space; the rest is dropped.
-    pub fn into_half_space(self) -> HalfSpace {
-        self.half_space
+    pub fn into_response(self) -> Response {
+        self.response
     }
 }
 
 /// Writes the displacement under a pressure.
-pub(super) fn displace(pressure: &Pressure, half_space: &mut HalfSpace, u: &mut [f64]) {
+pub(super) fn displace(pressure: &Pressure, response: &mut Response, u: &mut [f64]) {
     let Pressure { support, values } = pressure;
     let mut rows: Vec<_> = u.chunks_exact_mut(support.shape()[1]).collect();
-    half_space.respond_by_rows(
-        HalfSpace::compliance,
+    response.displace_by_rows(
         |row, cause| {
             cause.fill(0.0);
             support.scatter(row, values, cause);

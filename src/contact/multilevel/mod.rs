@@ -79,7 +79,7 @@ const PATIENCE: usize = 600;
 /// feasible pressure next to it, clipped and scaled, whose fields are made only if they are asked for. Transforms of coarse
 /// grids count by their share of points.
 ///
-/// Memory on the finest grid, besides the heights: 1 field of n doubles, the [`crate::elastic::HalfSpace`], two thirds of a field
+/// Memory on the finest grid, besides the heights: 1 field of n doubles, the [`crate::elastic::Response`], two thirds of a field
 /// on surfaces and two fields on lines for the extension, and 8 vectors on the contact set, with 16 bytes for each run of its
 /// nodes. Guarded steps take 3 fields more. Coarse grids are freed before the finest one is set up.
 ///
@@ -142,7 +142,7 @@ impl Solver for Multilevel {
         };
         let status = cascade.relax(&mut level, 0, ended).unwrap_or(Status::Stalled);
         let transforms = cascade.transforms(&level);
-        Ok(cascade.run.finish_after(status, transforms, level.into_half_space()))
+        Ok(cascade.run.finish_after(status, transforms, level.into_response()))
     }
 }
 
@@ -162,7 +162,7 @@ impl Cascade<'_> {
         if level.certify().eta <= GOOD_START || halved(problem.surface().grid()).is_none() {
             return (level, None);
         }
-        self.spent = level.half_space.transforms() as f64;
+        self.spent = level.response.transforms() as f64;
         drop(level);
         self.level_on(problem, 0)
     }
@@ -176,11 +176,11 @@ impl Cascade<'_> {
         let (mut level, ended) = self.level_on(&coarse, depth + 1);
         let ended = self.relax(&mut level, depth + 1, ended);
         self.run.coarser = (depth == 0).then(|| level.resolved());
-        self.spent += self.share(&level) * level.half_space.transforms() as f64;
+        self.spent += self.share(&level) * level.response.transforms() as f64;
         let pressure = self.run.best.pressure.take().unwrap_or(level.pressure).spread();
-        drop(level.half_space);
+        drop(level.response);
         self.run.best = Best::none(self.run.iterations());
-        let [from, to] = [&coarse, problem].map(|problem| problem.surface().grid().shape());
+        let [from, to] = [&coarse, problem].map(|problem| problem.surface().grid());
         (Level::new(problem, |rows| prolong(&pressure, from, to, rows)), ended)
     }
 
@@ -224,13 +224,13 @@ impl Cascade<'_> {
     fn advance(&mut self, level: &mut Level<'_>, mut phase: Phase) -> Option<Status> {
         let (spent, share, problem) = (self.spent, self.share(level), level.problem);
         let run = &mut self.run;
-        level.advance(&mut |support, signed, decision, half_space| {
+        level.advance(&mut |support, signed, decision, response| {
             phase.inner += 1;
-            let transforms = (spent + share * half_space.transforms() as f64).ceil() as u64;
+            let transforms = (spent + share * response.transforms() as f64).ceil() as u64;
             let feasible = || feasible(support, signed(), problem);
             let displaced = || {
                 let mut u = vec![0.0; problem.nodes()];
-                half_space.uncounted(|half_space| displace(&feasible(), half_space, &mut u));
+                response.uncounted(|response| displace(&feasible(), response, &mut u));
                 u
             };
             let pressure = Values::lazy(|| feasible().spread());
@@ -251,7 +251,7 @@ impl Cascade<'_> {
     }
 
     fn transforms(&self, level: &Level<'_>) -> u64 {
-        (self.spent + self.share(level) * level.half_space.transforms() as f64).ceil() as u64
+        (self.spent + self.share(level) * level.response.transforms() as f64).ceil() as u64
     }
 }
 

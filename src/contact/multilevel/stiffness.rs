@@ -4,7 +4,6 @@ use super::correction::{Correction, dot};
 use super::extension::Extension;
 use super::support::Pressure;
 use crate::contact::Problem;
-use crate::elastic::HalfSpace;
 
 /// Reduction of the residual. The stiffness errs by the square of it.
 const REDUCTION: f64 = 1e-2;
@@ -21,8 +20,8 @@ const REDUCTION: f64 = 1e-2;
 /// which starts from the pressure itself. Conjugate gradients approach the minimum from above, and `k` from below, with the square
 /// of the error of `x`. Where all nodes touch, a uniform pressure displaces nothing, and the stiffness is infinite.
 pub(in crate::contact) fn stiffness(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
-    let mut half_space = HalfSpace::new(problem.surface().grid(), problem.contact_modulus());
-    let Pressure { support, values } = Pressure::of(pressure, half_space.rows());
+    let mut response = problem.response();
+    let Pressure { support, values } = Pressure::of(pressure, response.rows());
     if values.len() == problem.nodes() {
         return f64::INFINITY;
     }
@@ -31,9 +30,9 @@ pub(in crate::contact) fn stiffness(problem: &Problem, pressure: &[f64], displac
     let rows = displacement.chunks_exact(width).zip(support.pieces(&mut u)).enumerate();
     rows.for_each(|(row, (from, piece))| support.gather(row, from, piece));
     let mut extension = Extension::new(&support, problem.surface().grid().shape());
-    let mut correction = Correction::new(&support, u.iter().map(|u| -u).collect(), true, &mut half_space);
+    let mut correction = Correction::new(&support, u.iter().map(|u| -u).collect(), true, &mut response);
     let mut field = vec![0.0; problem.nodes()];
-    correction.solve(REDUCTION, &mut extension, &mut half_space, &mut field, &mut |_, _| None);
+    correction.solve(REDUCTION, &mut extension, &mut response, &mut field, &mut |_, _| None);
     let load: f64 = values.iter().sum();
     // the residual is orthogonal to the correction
     load * load / (dot(&values, &u) + dot(&correction.delta, &u)) / problem.nodes() as f64

@@ -36,7 +36,7 @@ impl Check {
     /// Checks `pressure`, row by row.
     pub fn of(problem: &Problem, pressure: &[f64]) -> Self {
         let (h, n) = (problem.height(), pressure.len() as f64);
-        let u = displacement(problem.surface().grid(), problem.contact_modulus(), pressure);
+        let u = displacement(problem.surface().grid(), problem.solid().as_ref(), pressure);
         let v: Vec<f64> = u.iter().zip(h).map(|(u, h)| u - h).collect();
         let lowest = v.iter().copied().fold(f64::INFINITY, f64::min);
         let load: f64 = pressure.iter().sum();
@@ -46,7 +46,7 @@ impl Check {
         let swing = pressure.iter().fold(0.0, |most: f64, p| most.max((p - load / n).abs()));
         let longest = swing * problem.surface().grid().longest_wavelength() / (PI * problem.contact_modulus());
         let load_error = problem.mean_pressure().map_or(0.0, |mean| (load / n / mean - 1.0).abs());
-        let gap = problem.mean_gap();
+        let gap = problem.datum();
         let missed = gap.map_or(0.0, |gap| (gap + lowest + above).abs());
         let penetration = gap.map_or(above, |gap| -(lowest + gap));
         let highest = h.iter().copied().fold(f64::NEG_INFINITY, f64::max);

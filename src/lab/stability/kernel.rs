@@ -1,6 +1,6 @@
 //! What a pressure displaces, by code of its own, and what that is worth beside a sum over images.
 
-use crate::elastic::direct;
+use crate::elastic::{HalfSpace, Solid, direct};
 use crate::error::GridError;
 use crate::fourier::Complex;
 use crate::grid::Grid;
@@ -15,25 +15,24 @@ const IMAGES: [i32; 2] = [24, 73];
 const WIDTH: f64 = 3.0;
 
 /// The displacement under `pressure`, row by row and with zero mean: small grids by the direct sum, larger ones by a plain transform
-/// for any length. The mean pressure is taken off first: it displaces nothing, but would be rounded.
-pub fn displacement(grid: &Grid, modulus: f64, pressure: &[f64]) -> Vec<f64> {
+/// for any length. The mean pressure is taken off first: it displaces nothing, but would be rounded. Free grids are summed directly.
+pub fn displacement(grid: &Grid, solid: &dyn Solid, pressure: &[f64]) -> Vec<f64> {
+    if !grid.is_periodic() {
+        return direct::displacement(grid, solid, pressure);
+    }
     let mean = pressure.iter().sum::<f64>() / pressure.len() as f64;
     let pressure: Vec<f64> = pressure.iter().map(|p| p - mean).collect();
-    if grid.len() <= DIRECT {
-        direct::displacement(grid, modulus, &pressure)
-    } else {
-        by_modes(grid, modulus, &pressure)
-    }
+    if grid.len() <= DIRECT { direct::displacement(grid, solid, &pressure) } else { by_modes(grid, solid, &pressure) }
 }
 
-/// `u_q = 2 p_q / (E* |q|)`.
-fn by_modes(grid: &Grid, modulus: f64, pressure: &[f64]) -> Vec<f64> {
+/// `u_q = factor 2 p_q / (E* |q|)`.
+fn by_modes(grid: &Grid, solid: &dyn Solid, pressure: &[f64]) -> Vec<f64> {
     let ([ny, nx], [ly, lx], n) = (grid.shape(), grid.size(), grid.len() as f64);
     let signed = |k: usize, n: usize| k.min(n - k) as f64;
     let modes = transform(pressure.iter().map(|&p| Complex::new(p, 0.0)).collect(), [ny, nx], -1.0);
     let modes = modes.into_iter().enumerate().map(|(i, mode)| {
         let q = TAU * (signed(i / nx, ny) / ly).hypot(signed(i % nx, nx) / lx);
-        if q > 0.0 { mode * (2.0 / (modulus * q * n)) } else { Complex::default() }
+        if q > 0.0 { mode * (solid.factor(q) * 2.0 / (solid.contact_modulus() * q * n)) } else { Complex::default() }
     });
     transform(modes.collect(), [ny, nx], 1.0).into_iter().map(|u| u.re).collect()
 }
@@ -100,7 +99,7 @@ impl fmt::Display for Kernel {
 fn difference(grid: &Grid) -> f64 {
     let ([ny, nx], [dy, dx]) = (grid.shape(), grid.spacing());
     let pressure = bump(grid);
-    let (computed, sources) = (displacement(grid, 1.0, &pressure), sources(grid, &pressure));
+    let (computed, sources) = (displacement(grid, &HalfSpace::new(1.0), &pressure), sources(grid, &pressure));
     let both = |x: usize| {
         let y = ny / 2;
         [computed[y * nx + x], images(grid, &sources, [y as f64 * dy, x as f64 * dx])]
@@ -161,7 +160,10 @@ mod tests {
         let surfaces = [[12, 35], [8, 16]].map(|shape| Grid::surface(shape, [1.0, 3.0]).unwrap());
         for grid in lines.into_iter().chain(surfaces) {
             let pressure: Vec<f64> = (0..grid.len()).map(|i| ((i * i) as f64 * 0.7).sin()).collect();
-            let (plain, direct) = (by_modes(&grid, 3.0, &pressure), direct::displacement(&grid, 3.0, &pressure));
+            let (plain, direct) = (
+                by_modes(&grid, &HalfSpace::new(3.0), &pressure),
+                direct::displacement(&grid, &HalfSpace::new(3.0), &pressure),
+            );
             assert!(plain.iter().zip(&direct).all(|(a, b)| (a - b).abs() < 1e-13), "{grid:?}");
         }
     }

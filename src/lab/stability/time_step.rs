@@ -9,7 +9,7 @@ use super::report::Report;
 use super::trial::Trial;
 use super::verdict::Verdict;
 use crate::contact::{Dynamics, Gfmd, Load, Masses};
-use crate::elastic::HalfSpace;
+use crate::elastic::Response;
 use crate::error::GridError;
 use crate::grid::Grid;
 use crate::lab::Rival;
@@ -110,7 +110,7 @@ impl Motion {
         if (0..POINTS).all(self.is_free) {
             return 1.0;
         }
-        let softest = HalfSpace::new(grid, 1.0).softest_stiffness();
+        let softest = Response::half_space(grid, 1.0).softest_stiffness();
         let (mut stiffness, mut mobility) = (0.0, 0.0);
         for (q, count) in grid.wavenumbers().zip(grid.multiplicities()) {
             let k = 0.5 * q;
@@ -122,21 +122,21 @@ impl Motion {
 
     /// Whether an undamped motion grows with the time step `step`, in units of the limit of free waves.
     fn grows(&self, grid: &Grid, step: f64) -> bool {
-        let mut half_space = HalfSpace::new(grid, 1.0);
+        let mut response = Response::half_space(grid, 1.0);
         // the mean has the mass of the longest wave
-        let (softest, stiffest) = (half_space.softest_stiffness(), half_space.stiffnesses().fold(0.0, f64::max));
+        let (softest, stiffest) = (response.softest_stiffness(), response.stiffnesses().fold(0.0, f64::max));
         let (mut f, mut a) = (vec![0.0; POINTS], vec![0.0; POINTS]);
         let noise = |i: usize| if (self.is_free)(i) { ((i * i) as f64 * 0.7).sin() + 0.1 } else { 0.0 };
         let mut w: Vec<f64> = (0..POINTS).map(noise).collect();
         let mut dw = vec![0.0; POINTS];
         // in so many steps a motion grows by a factor of a million, or not at all
         for _ in 0..4000 {
-            half_space.pressure(&w, &mut f);
+            response.pressure(&w, &mut f);
             (0..POINTS).for_each(|i| f[i] = if (self.is_free)(i) { -f[i] } else { 0.0 });
             match self.masses {
                 Masses::Uniform => (0..POINTS).for_each(|i| a[i] = f[i] / stiffest),
                 Masses::Stiffness => {
-                    half_space.displacement(&f, &mut a);
+                    response.displacement(&f, &mut a);
                     let mean = f.iter().sum::<f64>() / POINTS as f64 / softest;
                     a.iter_mut().for_each(|a| *a += mean);
                 }

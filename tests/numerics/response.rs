@@ -1,7 +1,7 @@
 //! The half-space in Fourier space against the direct sum.
 
 use asperity::Grid;
-use asperity::elastic::{HalfSpace, direct::displacement};
+use asperity::elastic::{HalfSpace, Response, direct::displacement};
 use std::f64::consts::TAU;
 
 fn grids() -> [Grid; 6] {
@@ -21,7 +21,7 @@ fn direct_sum_of_one_wave_is_its_compliance() {
     let q = TAU * (2.0_f64 / 3.0).hypot(1.0);
     let wave: Vec<f64> =
         (0..grid.len()).map(|i| (TAU * (2.0 * (i % 16) as f64 / 16.0 + (i / 16) as f64 / 12.0)).cos()).collect();
-    for (u, p) in displacement(&grid, 5.0, &wave).iter().zip(&wave) {
+    for (u, p) in displacement(&grid, &HalfSpace::new(5.0), &wave).iter().zip(&wave) {
         assert!((u - 2.0 / (5.0 * q) * p).abs() < 1e-14);
     }
 }
@@ -31,8 +31,8 @@ fn fourier_is_the_direct_sum_on_awkward_grids() {
     for grid in grids() {
         let pressure: Vec<f64> = (0..grid.len()).map(|i| ((i * i) as f64 * 0.7).sin() + 0.3).collect();
         let mut fast = vec![0.0; grid.len()];
-        HalfSpace::new(&grid, 3.0).displacement(&pressure, &mut fast);
-        for (fast, slow) in fast.iter().zip(displacement(&grid, 3.0, &pressure)) {
+        Response::half_space(&grid, 3.0).displacement(&pressure, &mut fast);
+        for (fast, slow) in fast.iter().zip(displacement(&grid, &HalfSpace::new(3.0), &pressure)) {
             assert!((fast - slow).abs() < 1e-13, "{grid:?}: {fast} against {slow}");
         }
     }
@@ -44,7 +44,7 @@ fn stiffness_undoes_compliance() {
         let wanted: Vec<f64> = (0..grid.len()).map(|i| ((i * i) as f64 * 0.7).sin()).collect();
         let mean = wanted.iter().sum::<f64>() / wanted.len() as f64;
         let (mut u, mut p) = (vec![0.0; grid.len()], vec![0.0; grid.len()]);
-        let mut half_space = HalfSpace::new(&grid, 3.0);
+        let mut half_space = Response::half_space(&grid, 3.0);
         half_space.displacement(&wanted, &mut u);
         half_space.pressure(&u, &mut p);
         for (p, w) in p.iter().zip(&wanted) {
@@ -73,7 +73,7 @@ fn responses_are_the_same_on_any_number_of_threads() {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
                 let mut displacement = vec![0.0; grid.len()];
-                HalfSpace::new(&grid, 3.0).displacement(&pressure, &mut displacement);
+                Response::half_space(&grid, 3.0).displacement(&pressure, &mut displacement);
                 displacement
             })
         };
@@ -85,7 +85,7 @@ fn responses_are_the_same_on_any_number_of_threads() {
 #[test]
 fn stiffnesses_start_with_the_mean_and_are_nowhere_softer_than_the_softest() {
     for grid in shared_grids() {
-        let half_space = HalfSpace::new(&grid, 3.0);
+        let half_space = Response::half_space(&grid, 3.0);
         let stiffnesses: Vec<f64> = half_space.stiffnesses().collect();
         assert_eq!((stiffnesses.len(), stiffnesses[0]), (grid.modes(), 0.0));
         let softest = stiffnesses[1..].iter().copied().fold(f64::INFINITY, f64::min);

@@ -1,0 +1,119 @@
+//! What each wave of a grid meets.
+
+use super::free::FreeTable;
+use super::solid::stiffness;
+use super::{HalfSpace, Solid};
+use crate::error::GridError;
+use crate::fourier::Filter;
+use crate::grid::Grid;
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+/// Wavenumbers between the longest and the shortest wave at which a stiffness is looked at for its range.
+const SAMPLES: usize = 512;
+
+/// The compliance of a solid over a grid: what [`crate::elastic::Response`] multiplies waves by, shared by all that respond alike.
+///
+/// Memory: nothing for a periodic half-space, half a field on a line and a quarter on a surface for another periodic solid, and twice
+/// as much for each free axis.
+#[derive(Debug, Clone)]
+pub struct Compliance {
+    pub(super) grid: Grid,
+    pub(super) solid: Arc<dyn Solid>,
+    pub(super) kind: Kind,
+    range: [f64; 2],
+}
+
+/// How the compliance is kept.
+#[derive(Debug, Clone)]
+pub(super) enum Kind {
+    /// Stiffness `modulus q / 2`.
+    HalfSpace { modulus: f64 },
+    /// Stiffness by the places of the filter.
+    Table(Vec<f64>),
+    /// A boundary without images.
+    Free(FreeTable),
+}
+
+impl Compliance {
+    /// The compliance of a solid over a periodic or free grid. `with_uniform` keeps what a uniform pressure displaces on a periodic grid,
+    /// where the solid has it; without it displacements have no mean there.
+    ///
+    /// # Errors
+    /// [`GridError::FreeSolid`] for a solid other than a half-space on a grid that is not periodic, and [`GridError::TooManyPoints`] if
+    /// what a free boundary adds is too much.
+    pub fn new(grid: &Grid, solid: Arc<dyn Solid>, with_uniform: bool) -> Result<Self, GridError> {
+        let modulus = solid.contact_modulus();
+        let (kind, range) = if !grid.is_periodic() {
+            let table = FreeTable::new(grid, solid.as_ref())?;
+            let range = [table.softest(), periodic_range(grid, solid.as_ref())[1]];
+            (Kind::Free(table), range)
+        } else if solid.is_half_space() {
+            (Kind::HalfSpace { modulus }, periodic_range(grid, solid.as_ref()))
+        } else {
+            let uniform = solid.uniform_compliance().filter(|_| with_uniform).map_or(0.0, f64::recip);
+            let uniform = if uniform.is_finite() { uniform } else { 0.0 };
+            let mut range = periodic_range(grid, solid.as_ref());
+            if uniform > 0.0 {
+                range = [range[0].min(uniform), range[1].max(uniform)];
+            }
+            (Kind::Table(table(grid, solid.as_ref(), uniform)), range)
+        };
+        Ok(Self { grid: *grid, solid, kind, range })
+    }
+
+    /// The compliance of a periodic half-space of contact modulus `E*`.
+    ///
+    /// # Panics
+    /// If the grid is not periodic.
+    pub fn half_space(grid: &Grid, contact_modulus: f64) -> Self {
+        Self::new(grid, HalfSpace::new(contact_modulus).into(), false).expect("the grid is periodic")
+    }
+
+    /// The solid.
+    pub fn solid(&self) -> &Arc<dyn Solid> {
+        &self.solid
+    }
+
+    /// Whether a uniform pressure displaces the surface, so that the datum of displacements is not free.
+    pub fn has_uniform(&self) -> bool {
+        match &self.kind {
+            Kind::HalfSpace { .. } => false,
+            Kind::Table(stiffness) => stiffness[0] > 0.0,
+            Kind::Free(_) => true,
+        }
+    }
+
+    /// Stiffness of the softest and of the stiffest wave, a pressure per length; the uniform pressure counts where it displaces.
+    pub fn stiffness_range(&self) -> [f64; 2] {
+        self.range
+    }
+
+    /// Whether every wave responds on its own, as on periodic grids.
+    pub fn is_diagonal(&self) -> bool {
+        !matches!(self.kind, Kind::Free(_))
+    }
+}
+
+/// Stiffness of each place of the filter.
+fn table(grid: &Grid, solid: &dyn Solid, uniform: f64) -> Vec<f64> {
+    let [ly, lx] = grid.size();
+    let at = |[ky, kx]: [usize; 2]| {
+        let q = (TAU * kx as f64 / lx).hypot(TAU * ky as f64 / ly);
+        if q > 0.0 { stiffness(solid, q) } else { uniform }
+    };
+    Filter::places(grid).into_iter().map(at).collect()
+}
+
+/// Stiffness of the softest and of the stiffest wave of a periodic grid.
+fn periodic_range(grid: &Grid, solid: &dyn Solid) -> [f64; 2] {
+    let modulus = solid.contact_modulus();
+    let [dy, dx] = grid.spacing().map(|spacing| PI / spacing);
+    let [longest, shortest] = [TAU / grid.longest_wavelength(), if grid.is_line() { dx } else { dx.hypot(dy) }];
+    if solid.is_half_space() {
+        return [PI * modulus / grid.longest_wavelength(), 0.5 * modulus * shortest];
+    }
+    let step = (shortest / longest).ln() / SAMPLES as f64;
+    let sampled = (0..=SAMPLES).map(|i| stiffness(solid, longest * (step * i as f64).exp()));
+    sampled.fold([f64::INFINITY, 0.0], |[low, high], k| [low.min(k), high.max(k)])
+}

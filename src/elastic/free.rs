@@ -1,0 +1,157 @@
+//! A boundary without images: convolution padded with zeros.
+
+use super::{Solid, element};
+use crate::chunks;
+use crate::error::GridError;
+use crate::fourier::{Complex, Filter, Fourier};
+use crate::grid::Grid;
+use std::f64::consts::TAU;
+
+/// The influence of elements on each other, transformed over a grid that is padded with zeros along its free axes.
+#[derive(Debug, Clone)]
+pub(super) struct FreeTable {
+    pub modulus: f64,
+    padded: Grid,
+    /// Displacement over pressure by the places of the filter of the padded grid.
+    weights: Vec<f64>,
+}
+
+impl FreeTable {
+    /// The table of a half-space.
+    pub fn new(grid: &Grid, solid: &dyn Solid) -> Result<Self, GridError> {
+        if !solid.is_half_space() {
+            return Err(GridError::FreeSolid { solid: solid.description() });
+        }
+        let padded = padded(grid)?;
+        let modulus = solid.contact_modulus();
+        let weights = match grid.periodic() {
+            [true, false] if !grid.is_line() => banded(grid, &padded, solid, 1),
+            [false, true] => banded(grid, &padded, solid, 0),
+            _ => transformed(grid, &padded, solid),
+        };
+        Ok(Self { modulus, padded, weights })
+    }
+
+    /// Stiffness of the field that gives way most.
+    pub fn softest(&self) -> f64 {
+        self.weights.iter().fold(0.0, |most: f64, weight| most.max(weight.abs())).recip()
+    }
+}
+
+/// The distance from a line load at which the surface stands still.
+fn datum(solid: &dyn Solid, length: f64) -> f64 {
+    solid.datum().unwrap_or(length)
+}
+
+/// The grid with at least twice as many points along its free axes, at the same spacing.
+fn padded(grid: &Grid) -> Result<Grid, GridError> {
+    let (shape, spacing, periodic) = (grid.shape(), grid.spacing(), grid.periodic());
+    let points = [0, 1].map(|axis| if periodic[axis] { shape[axis] } else { smooth(2 * shape[axis]) });
+    let size = [0, 1].map(|axis| if periodic[axis] { grid.size()[axis] } else { points[axis] as f64 * spacing[axis] });
+    if grid.is_line() { Grid::line(points[1], size[1]) } else { Grid::surface(points, size) }
+}
+
+/// The least even number from `least` on with no factors but 2, 3 and 5, of which transforms are fast.
+fn smooth(least: usize) -> usize {
+    let rest = |mut n: usize| {
+        for factor in [2, 3, 5] {
+            while n.is_multiple_of(factor) {
+                n /= factor;
+            }
+        }
+        n
+    };
+    (least..).find(|&n| n.is_multiple_of(2) && rest(n) == 1).expect("a power of two follows every number")
+}
+
+/// The influence transformed along all axes: of lines, and of surfaces without images.
+fn transformed(grid: &Grid, padded: &Grid, solid: &dyn Solid) -> Vec<f64> {
+    let ([my, mx], [dy, dx], modulus) = (padded.shape(), grid.spacing(), solid.contact_modulus());
+    let distance = |i: usize, n: usize| i.min(n - i) as f64;
+    let datum = datum(solid, grid.size()[1]);
+    let mut influence = vec![0.0; my * mx];
+    chunks::rows_mut(&mut influence, mx, |y, row| {
+        let y = dy * distance(y, my);
+        row[..=mx / 2].iter_mut().enumerate().for_each(|(x, value)| {
+            let x = dx * distance(x, mx);
+            *value = if my == 1 {
+                element::strip(x, dx, datum, modulus)
+            } else {
+                element::rectangle([y, x], [dy, dx], modulus)
+            };
+        });
+        (mx / 2 + 1..mx).for_each(|x| row[x] = row[mx - x]);
+    });
+    let mut spectrum = vec![Complex::default(); padded.modes()];
+    Fourier::new(padded).forward(&influence, &mut spectrum);
+    let points = (my * mx) as f64;
+    Filter::places(padded).into_iter().map(|[ky, kx]| points * spectrum[kx * my + ky].re).collect()
+}
+
+/// The influence of waves along the periodic axis, transformed along the axis `free`.
+fn banded(grid: &Grid, padded: &Grid, solid: &dyn Solid, free: usize) -> Vec<f64> {
+    let other = 1 - free;
+    let (points, spacing, modulus) = (padded.shape()[free], grid.spacing()[free], solid.contact_modulus());
+    let line = Grid::line(points, padded.size()[free]).expect("an axis of a grid is a line");
+    let waves = padded.shape()[other] / 2 + 1;
+    let bands = chunks::rows(waves, points, |k| {
+        let q = TAU * k as f64 / grid.size()[other];
+        let at = |i: usize| {
+            let x = i.min(points - i) as f64 * spacing;
+            if k == 0 {
+                element::strip(x, spacing, datum(solid, grid.size()[free]), modulus)
+            } else {
+                element::wave(x, spacing, q, modulus)
+            }
+        };
+        let near: Vec<f64> = (0..=points / 2).map(at).collect();
+        let influence: Vec<f64> = (0..points).map(|i| near[i.min(points - i)]).collect();
+        let mut spectrum = vec![Complex::default(); line.modes()];
+        Fourier::new(&line).forward(&influence, &mut spectrum);
+        spectrum.into_iter().map(|mode| points as f64 * mode.re).collect::<Vec<_>>()
+    });
+    Filter::places(padded).into_iter().map(|k| bands[k[other]][k[free]]).collect()
+}
+
+/// The convolution with a table, and its scratch: one field, and a half spectrum of the padded grid.
+pub(super) struct Padded {
+    shape: [usize; 2],
+    filter: Filter,
+    stage: Vec<f64>,
+}
+
+impl Padded {
+    pub fn new(grid: &Grid, table: &FreeTable) -> Self {
+        let [ny, nx] = grid.shape();
+        Self { shape: [ny, nx], filter: Filter::with_used_rows(&table.padded, ny), stage: vec![0.0; ny * nx] }
+    }
+
+    /// Gives the displacement under a pressure, both in `rows` of the unpadded grid, as [`super::Response::displace_by_rows`] has them.
+    pub fn convolve<S: Send>(
+        &mut self,
+        table: &FreeTable,
+        rows: [usize; 2],
+        fill: impl Fn(usize, &mut [f64]) + Sync + Send,
+        sinks: &mut [S],
+        store: impl Fn(usize, &[f64], &mut S) + Sync + Send,
+    ) {
+        let Self { shape: [ny, nx], ref mut filter, ref mut stage } = *self;
+        let width = rows[1];
+        chunks::rows_mut(stage, width, fill);
+        let [count, padded_width] = filter.rows();
+        let is_line = ny == 1;
+        filter.run(|filter| {
+            filter.load(|r, row| {
+                let first = if is_line { nx.min(r * padded_width) } else { r * nx };
+                let values = &stage[first..if is_line { nx.min(first + padded_width) } else { first + nx }];
+                row[..values.len()].copy_from_slice(values);
+                row[values.len()..].fill(0.0);
+            });
+            filter.scale(|wave| table.weights[wave.place]);
+            let mut parts: Vec<&mut [f64]> = stage.chunks_mut(if is_line { padded_width } else { nx }).collect();
+            parts.resize_with(count, Default::default);
+            filter.store(&mut parts, |_, row, part| part.copy_from_slice(&row[..part.len()]));
+        });
+        chunks::each(sinks, width, |r, sink| store(r, &stage[r * width..][..width], sink));
+    }
+}
