@@ -164,6 +164,28 @@ pub enum SolveError {
     NeedsPressure { solver: String },
 }
 
+/// A tangential load that cannot be carried, or not be solved.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum SlipError {
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// A quantity that must be positive and finite is not.
+    #[error("the {name} is {value:?}: give a positive, finite value")]
+    NotPositive { name: &'static str, value: f64 },
+    /// A tangential load that is at the limit of friction, or above it.
+    #[error(
+        "the tangential load {tangential:?} makes all slide, for friction carries less than {limit:?}: give less, more friction or more normal load"
+    )]
+    Sliding { tangential: f64, limit: f64 },
+    /// A normal load that is not a pressure.
+    #[error(
+        "friction needs a pressure that carries it, but {load} is given: give a mean pressure or a reduced pressure"
+    )]
+    NeedsPressure { load: String },
+}
+
 /// Elastic constants that make no solid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SolidError {
@@ -337,6 +359,16 @@ impl SolveError {
                 failure.downcast_ref().is_some_and(FileError::is_input)
                     || failure.downcast_ref().is_some_and(StepsError::is_input)
             }
+        }
+    }
+}
+
+impl SlipError {
+    /// Whether another load or solver would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Solve(error) => error.is_input(),
+            _ => true,
         }
     }
 }
