@@ -220,6 +220,8 @@ pub enum SetupError {
     #[error(transparent)]
     Problem(#[from] ProblemError),
     #[error(transparent)]
+    Slip(#[from] SlipError),
+    #[error(transparent)]
     Setting(#[from] SettingError),
     #[error(transparent)]
     Solve(#[from] SolveError),
@@ -388,6 +390,7 @@ impl SetupError {
     pub fn is_input(&self) -> bool {
         match self {
             Self::File(error) => error.is_input(),
+            Self::Slip(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),
             _ => true,
         }

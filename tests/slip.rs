@@ -1,5 +1,6 @@
 //! Partial slip against Cattaneo and Mindlin.
 
+#[allow(dead_code, reason = "not every test file uses every helper")]
 mod common;
 
 use asperity::contact::{Contact, ContactModulus, Friction, Load, Multilevel, PartialSlip, Problem, Stop};

@@ -8,6 +8,7 @@
 //! ```
 
 mod archive;
+mod below;
 mod best;
 mod bound;
 mod certificate;
@@ -41,7 +42,7 @@ use crate::chunks;
 use sums::Sums;
 
 pub use crate::error::Failure;
-pub use archive::{archive, archive_of_loads};
+pub use archive::{archive, archive_of_loads, archive_of_slip, archive_of_stress};
 pub use certificate::Certificate;
 pub use decision::Decision;
 pub use density::{contact_reach, error_density};

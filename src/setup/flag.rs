@@ -64,6 +64,8 @@ pub const FLAGS: &[Flag] = &[
     flag("pressure", "load.mean-pressure", Value::List, "P[,P]", "Mean pressure, with a unit or in that of the modulus, which must be given; several are solved one after the other"),
     flag("reduced-pressure", "load.reduced-pressure", Value::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus pressures are over E*"),
     flag("mean-gap", "load.mean-gap", Value::List, "G[,G]", "Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd"),
+    flag("friction", "friction.coefficient", Value::One, "MU", "Coefficient of friction under a tangential load; with --tangential"),
+    flag("tangential", "friction.tangential", Value::One, "Q", "Tangential load along x, less than MU times the normal one and in its form: a mean traction, or over rms gradient x modulus"),
     flag("solver", "solver.method", Value::Variant(&Method::METHODS), "METHOD", "The method [default: multilevel]"),
     flag("masses", "solver.masses", Value::Choice(&MASSES), "MASSES", "GFMD: masses of the surface modes [default: uniform]"),
     flag("dynamics", "solver.dynamics", Value::Choice(&DYNAMICS), "DYNAMICS", "GFMD: damping of the motion [default: damped]"),

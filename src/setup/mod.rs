@@ -58,7 +58,7 @@ pub use text::Table;
 pub use theme::Theme;
 pub use words::{differences, in_words};
 
-use crate::contact::{ContactModulus, Load, Problem, Stop};
+use crate::contact::{ContactModulus, Friction, Load, Problem, Stop};
 use crate::error::{FileError, SetupError, SolveError};
 use crate::grid::Grid;
 use crate::surface::Surface;
@@ -73,6 +73,7 @@ use serde::{Deserialize, Serialize};
 /// | `grid`    | points and size of the cell                                  | must be there                   |
 /// | `solid`   | the contact modulus, or Young's moduli and Poisson's ratios  | pressures are over the modulus  |
 /// | `load`    | a mean pressure (of a `solid`), a reduced pressure, a mean gap | must be there                 |
+/// | `friction` | a coefficient of friction and a tangential load            | none                            |
 /// | `solver`  | the method and its settings                                  | multilevel                      |
 /// | `stop`    | certificate to reach, and iterations at the most             | 1e-8, 100 000                   |
 /// | `record`  | parts and theme of a recording                               | the usual parts, dark           |
@@ -88,6 +89,9 @@ pub struct Setup {
     pub solid: Option<Solid>,
     /// The load.
     pub load: Load,
+    /// The tangential load that follows the normal one, and the friction that carries it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<Friction>,
     /// The solver with its settings.
     #[serde(default)]
     pub solver: Method,
@@ -103,8 +107,8 @@ impl Setup {
     /// The setup of a surface on a grid under a load: pressures over the modulus, the usual solver, stop and recording. Under a
     /// mean pressure it needs a solid as well, see [`Setup::on`].
     pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
-        let (solid, solver, stop, record) = Default::default();
-        Self { surface, grid, solid, load, solver, stop, record }
+        let (solid, friction, solver, stop, record) = Default::default();
+        Self { surface, grid, solid, load, friction, solver, stop, record }
     }
 
     /// The setup on a solid.
@@ -124,11 +128,16 @@ impl Setup {
         }
     }
 
+    /// Poisson's ratio of the elastic body, of two the first one; none where only the contact modulus is known.
+    pub fn poisson(&self) -> Option<f64> {
+        self.solid.and_then(|solid| solid.poisson())
+    }
+
     /// Checks all that can be checked without making the surface, and returns the grid. Of a height file only the header is
     /// read.
     ///
     /// # Errors
-    /// For a grid, surface, solid, load, setting or recording that cannot be, and for a mean pressure without a solid.
+    /// For a grid, surface, solid, load, friction, setting or recording that cannot be, and for a mean pressure without a solid.
     pub fn check(&self) -> Result<Grid, SetupError> {
         let grid = self.surface.grid(&self.grid)?;
         self.surface.check(&grid)?;
@@ -136,6 +145,7 @@ impl Setup {
         self.stop.check()?;
         self.record.check(&grid)?;
         self.contact_modulus()?;
+        self.friction.map_or(Ok(0.0), |friction| friction.ratio(self.load))?;
         if matches!(self.load, Load::MeanGap(_)) && !self.solver.takes_mean_gap() {
             return Err(SolveError::NeedsPressure { solver: self.solver.name().into() }.into());
         }
@@ -164,12 +174,13 @@ impl Setup {
     }
 
     /// Sixteen hexadecimal digits that tell setups apart whose contacts differ under the same load: by all that is in them but
-    /// the load and the recording, and by the bytes of a height file in place of its name.
+    /// the load, the friction and the recording, and by the bytes of a height file in place of its name.
     ///
     /// # Errors
     /// For a height file that cannot be read.
     pub fn fingerprint(&self) -> Result<String, SetupError> {
-        let mut rest = Self { load: Load::ReducedPressure(1.0), record: Record::default(), ..self.clone() };
+        let (load, record) = (Load::ReducedPressure(1.0), Record::default());
+        let mut rest = Self { load, friction: None, record, ..self.clone() };
         let bytes = match rest.surface.height.take() {
             Some(path) => std::fs::read(&path).map_err(|source| FileError::Read { path, source })?,
             None => Vec::new(),

@@ -47,6 +47,14 @@ impl Solid {
         }
     }
 
+    /// Poisson's ratio of the elastic body, of two the first one; none where only the contact modulus is known.
+    pub fn poisson(&self) -> Option<f64> {
+        match self {
+            Self::ContactModulus(_) => None,
+            Self::Bodies(first, _) => Some(first.poisson),
+        }
+    }
+
     /// The solid in words.
     pub fn description(&self) -> String {
         let words = |Body { young, poisson }: Body| format!("E {young:e}, nu {poisson}");
