@@ -17,6 +17,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+#[path = "recording/below.rs"]
+mod below_surface;
 #[path = "recording/comparison.rs"]
 mod comparison;
 #[path = "recording/ghost.rs"]
