@@ -186,6 +186,28 @@ pub enum SolveError {
     NeedsWaves { solver: String },
 }
 
+/// A tangential load that cannot be carried, or not be solved.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum SlipError {
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// A quantity that must be positive and finite is not.
+    #[error("the {name} is {value:?}: give a positive, finite value")]
+    NotPositive { name: &'static str, value: f64 },
+    /// A tangential load that is at the limit of friction, or above it.
+    #[error(
+        "the tangential load {tangential:?} makes all slide, for friction carries less than {limit:?}: give less, more friction or more normal load"
+    )]
+    Sliding { tangential: f64, limit: f64 },
+    /// A normal load that is not a pressure.
+    #[error(
+        "friction needs a pressure that carries it, but {load} is given: give a mean pressure or a reduced pressure"
+    )]
+    NeedsPressure { load: String },
+}
+
 /// Elastic constants that make no solid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SolidError {
@@ -204,6 +226,19 @@ pub enum SolidError {
     Bodies { young: usize, poisson: usize },
     #[error("Young's modulus is {young:?}: give a positive, finite value")]
     Young { young: f64 },
+    #[error("the thickness of the layer is {thickness:?}: give a positive, finite length")]
+    Thickness { thickness: f64 },
+    /// A base without a layer on it.
+    #[error("a base is given without a layer on it: give the thickness of the layer, or leave the base out")]
+    BaseWithoutLayer,
+    /// A layer below an elastic body.
+    #[error(
+        "{bodies} Young's moduli are given beside a layer: give that of the layer only, what is pressed on it is rigid"
+    )]
+    BodiesOfLayer { bodies: usize },
+    /// A layer whose Poisson's ratio is not known.
+    #[error("{count} Poisson's ratios are given for a layer, whose response depends on it: give one")]
+    PoissonOfLayer { count: usize },
     #[error("Poisson's ratio is {poisson:?}: it must lie above -1 and at most at 0.5")]
     Poisson { poisson: f64 },
 }
@@ -219,6 +254,8 @@ pub enum SetupError {
     Solid(#[from] SolidError),
     #[error(transparent)]
     Problem(#[from] ProblemError),
+    #[error(transparent)]
+    Slip(#[from] SlipError),
     #[error(transparent)]
     Setting(#[from] SettingError),
     #[error(transparent)]
@@ -243,6 +280,21 @@ pub enum SetupError {
         "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
     )]
     SeedWithoutSpectrum,
+    /// A second file of heights that does not fit the first.
+    #[error(
+        "the heights in {} have the shape {found:?} and those that they are pressed on {expected:?}: give arrays of the same shape", path.display()
+    )]
+    Against { path: PathBuf, found: Vec<usize>, expected: Vec<usize> },
+    /// Boundaries that fit no axes.
+    #[error("{boundaries} boundaries are given for {axes} axes: give one for all of them, or one for each")]
+    Boundaries { boundaries: usize, axes: usize },
+    /// A datum where no boundary is free, or nearer than the cell is long.
+    #[error("the datum of {datum:?} is too near: give at least the length of the cell along a free axis, {length:?}")]
+    Datum { datum: f64, length: f64 },
+    #[error(
+        "a datum is given without a free axis that it could be for: make the boundary free along one axis, or leave the datum out"
+    )]
+    DatumOfPeriodic,
     /// A trend without measured heights.
     #[error("a trend is to be taken off without a height file: give one as well, or leave the trend out")]
     DetrendWithoutHeights,
@@ -363,6 +415,16 @@ impl SolveError {
     }
 }
 
+impl SlipError {
+    /// Whether another load or solver would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Solve(error) => error.is_input(),
+            _ => true,
+        }
+    }
+}
+
 impl StepsError {
     /// Whether other steps would do.
     pub fn is_input(&self) -> bool {
@@ -378,6 +440,7 @@ impl SetupError {
     pub fn is_input(&self) -> bool {
         match self {
             Self::File(error) => error.is_input(),
+            Self::Slip(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),
             _ => true,
         }

@@ -1,5 +1,7 @@
 //! What a user does at the command line, run for real on small contacts.
 
+#[path = "cli/below.rs"]
+mod below;
 mod command;
 #[path = "cli/load_curves.rs"]
 mod load_curves;

@@ -286,6 +286,25 @@ fn parts_that_a_scene_does_not_have_are_refused() {
 }
 
 #[test]
+fn friction_and_stress_that_cannot_be_are_refused() {
+    let folder = folder();
+    let line = format!("solve {CYLINDER} {LOAD} {OUTPUTS}");
+    refuse_in_one_sentence(&folder, &format!("{line} --friction 0.5 --tangential 0.005"), "carries less than 0.005");
+    refuse_in_one_sentence(&folder, &format!("{line} --friction 0.5"), "--tangential");
+    let apart = format!("solve {CYLINDER} --mean-gap 0.1 {OUTPUTS} --friction 0.5 --tangential 1e-3");
+    refuse_in_one_sentence(&folder, &apart, "give a mean pressure");
+    let several = line.replace("--pressure 0.01", "--pressure 0.01,0.02");
+    refuse_in_one_sentence(&folder, &format!("{several} --friction 0.5 --tangential 1e-3"), "give one");
+    refuse_in_one_sentence(&folder, &format!("{several} --stress new-stress.npz"), "give one");
+    refuse_in_one_sentence(&folder, &format!("{line} --stress new-stress.csv"), "npz");
+    refuse_in_one_sentence(&folder, &format!("{line} --stress new-stress.npz --stress-row 0"), "leave it out");
+    let surface = line.replace("cylinder", "sphere").replace("64", "8,8");
+    refuse_in_one_sentence(&folder, &format!("{surface} --stress new-stress.npz --stress-row 8"), "give 0 to 7");
+    refuse_values(&format!("{CYLINDER} {LOAD} --tangential 1e-3 --friction {{}}"), &NOT_POSITIVE);
+    refuse_values(&format!("{CYLINDER} {LOAD} --friction 0.5 --tangential {{}}"), &NOT_POSITIVE);
+}
+
+#[test]
 fn settings_out_of_range_are_refused() {
     let with = |setting: &str| format!("{CYLINDER} {LOAD} --solver gfmd {setting}");
     refuse_values(&with("--tolerance {}"), &NOT_POSITIVE);

@@ -17,6 +17,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+#[path = "recording/below.rs"]
+mod below_surface;
 #[path = "recording/comparison.rs"]
 mod comparison;
 #[path = "recording/ghost.rs"]
@@ -244,7 +246,9 @@ fn lines_have_no_mesh_and_surfaces_no_profile() {
     let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
     assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
     assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
-    let both = [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum, Part::Error].into_iter().chain(Part::OF_A_RUN);
+    let both = [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum, Part::Error, Part::Stress, Part::Fringes]
+        .into_iter()
+        .chain(Part::OF_A_RUN);
     assert_eq!(line.and(surface), both.collect());
     assert!(line.has(Part::Spectrum) && !Parts::USUAL.and(line).has(Part::Spectrum));
 }
@@ -270,6 +274,8 @@ fn names(part: Part, is_line: bool) -> &'static [&'static str] {
         Part::Mesh => &["relief"],
         Part::Spectrum => &["spectrum"],
         Part::Error => &["density"],
+        Part::Stress => &["stress"],
+        Part::Fringes => &["fringes"],
         Part::Raster if is_line => &["raster", "cursor"],
         Part::Raster => &["raster_row", "raster_column", "flips", "cursor"],
         // without a state to hold errors against there are none

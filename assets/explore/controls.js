@@ -43,8 +43,8 @@ const CONTROLS = [
   { group: "Solver", id: "tolerance", path: ["stop", "tolerance"], label: "Tolerance", kind: "range", log: true, min: -12, max: -1, step: 1,
     tip: "Certificate to reach: a proven bound of the error in energy, over load times rms height." },
   { group: "Recording", id: "record", label: "Fields", kind: "checks",
-    options: { traces: "traces", "profile mesh": "shape", fields: "fields", mask: "contact", spectrum: "spectrum" },
-    tip: "What the viewer gets of each step: curves, profile or relief, pressure and gap, contact, power spectra of each wavelength." },
+    options: { traces: "traces", "profile mesh": "shape", fields: "fields", mask: "contact", spectrum: "spectrum", stress: "stress below", fringes: "fringes" },
+    tip: "What the viewer gets of each step: curves, profile or relief, pressure and gap, contact, power spectra of each wavelength; below the surface the largest shear stress in colour, and as the fringes that a photoelastic model shows between crossed polarisers." },
 ];
 
 /** The state of the knobs, as the server takes it. */

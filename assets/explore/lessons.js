@@ -14,6 +14,11 @@ const LESSONS = {
     [{ ...ROUGH, load: 0.1 }, "Ten times the load on the rough line. The area grows almost in proportion now, because new patches join. κ still falls by a third; κ_r stays within a few per cent."],
     [{ ...ROUGH, load: 0.1, sweep: true }, "A sweep from first touch to full contact draws it all: κ falls with the load, κ_r keeps its level until most of the surface touches. The gradient that matters is the one in contact, not that of the whole surface."],
   ],
+  "Below the surface": [
+    [{ ...HERTZ, load: 0.01, record: ["traces", "profile", "fields", "mask", "stress"] }, "A smooth cylinder, and under its profile the largest shear stress in the solid. It is not largest at the surface, where the pressure acts from all sides, but at a depth of 0.78 half-widths, 0.30 of the largest pressure: there a metal yields first, unseen."],
+    [{ ...HERTZ, load: 0.01, record: ["traces", "profile", "fields", "mask", "fringes"] }, "The same as Hertz contacts are shown in teaching: a transparent model between crossed polarisers. It is dark wherever the difference of the principal stresses is a whole number of orders, so each line is a contour of the shear stress, and where lines crowd it changes fast."],
+    [{ ...ROUGH, load: 0.05, record: ["traces", "profile", "fields", "mask", "fringes"] }, "A rough line. Each patch has its own small Hertz pattern just below it. Deeper, neighbours merge into ever larger ones: at a depth of a wavelength, waves shorter than that are hardly felt (Saint-Venant)."],
+  ],
   "Why does my solver crawl": [
     [{ ...CRAWL }, "GFMD with the same mass for all waves. Long waves are thousands of times softer than short ones, so they move slowest. Press Play: the blue spectrum of the displacement settles on the right first and on the left last. Finer grids make it worse: four times the points take twice the steps."],
     [{ ...CRAWL, solver: { ...SLOW, damping: 0.1 } }, "A tenth of the friction. Less damping is not the cure: the slow waves ring, and it takes many times the steps. Look at the certificate."],

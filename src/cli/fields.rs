@@ -43,6 +43,7 @@ pub fn poisson(setup: &Setup) -> Vec<f64> {
         Some(Solid::Bodies(first, second)) => {
             [Some(first), second].into_iter().flatten().map(|it| it.poisson).collect()
         }
+        Some(Solid::Layer { poisson, .. }) => vec![poisson],
         Some(Solid::ContactModulus(_)) | None => Vec::new(),
     }
 }

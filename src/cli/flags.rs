@@ -57,7 +57,7 @@ impl Extent for OfProblem {
 
     fn takes(flag: &Flag) -> bool {
         let is_goal = ["tolerance", "pressure-tolerance"].contains(&flag.name);
-        is_goal || !["solver", "stop"].contains(&flag.section()) && Whole::takes(flag)
+        is_goal || !["friction", "solver", "stop"].contains(&flag.section()) && Whole::takes(flag)
     }
 
     fn name(flag: &'static Flag) -> &'static str {
@@ -163,6 +163,7 @@ fn heading<E: Extent>(flag: &Flag) -> &'static str {
         "surface" | "grid" => "Surface (a height file, an indenter, roughness, or a sum of them) and its cell",
         "load" => E::LOAD,
         "solid" => "Solid (the contact modulus, or elastic constants; a mean pressure needs it)",
+        "friction" => "Friction (a tangential load after the normal one)",
         "record" => "Recording",
         _ => "Solver",
     }

@@ -30,8 +30,10 @@ mod plan;
 mod progress;
 #[cfg(feature = "record")]
 mod shown;
+mod slip;
 mod solve;
 mod stability;
+mod stress;
 mod subject;
 mod surface;
 mod verdict;

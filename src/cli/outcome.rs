@@ -3,8 +3,8 @@
 use anyhow::Result;
 use asperity::contact::Contact;
 use asperity::error::{
-    ClaimError, FileError, GridError, ProblemError, SettingError, SetupError, SolidError, SolveError, StepsError,
-    StudyError, SurfaceError,
+    ClaimError, FileError, GridError, ProblemError, SettingError, SetupError, SlipError, SolidError, SolveError,
+    StepsError, StudyError, SurfaceError,
 };
 use std::io::{Write, stderr};
 use std::process::ExitCode;
@@ -73,6 +73,7 @@ pub fn exit_code(error: &anyhow::Error) -> ExitCode {
         || error.is::<SolidError>()
         || error.is::<ClaimError>()
         || error.downcast_ref().is_some_and(SetupError::is_input)
+        || error.downcast_ref().is_some_and(SlipError::is_input)
         || error.downcast_ref().is_some_and(SolveError::is_input)
         || error.downcast_ref().is_some_and(FileError::is_input)
         || error.downcast_ref().is_some_and(StepsError::is_input)

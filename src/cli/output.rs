@@ -1,6 +1,7 @@
 //! The summary of a solve, for people and for scripts.
 
 use super::finding::Finding;
+use super::slip::SlipFinding;
 use super::subject::Subject;
 use anyhow::Result;
 use asperity::diagnosis::Findings;
@@ -15,6 +16,9 @@ pub struct Summary {
     pub subject: Subject,
     #[serde(flatten)]
     pub finding: Finding,
+    /// What sticks and what slips under a tangential load.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slip: Option<SlipFinding>,
     /// Findings of `--diagnose`: what held the solve up.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diagnosis: Option<Findings>,
@@ -26,7 +30,8 @@ impl Summary {
     /// Writes the summary for reading.
     pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.subject.line(), self.finding.status)?;
-        write_rows(self.subject.rows().into_iter().chain(self.finding.rows()), out)?;
+        let slip = self.slip.iter().flat_map(SlipFinding::rows);
+        write_rows(self.subject.rows().into_iter().chain(self.finding.rows()).chain(slip), out)?;
         write_diagnosis(self.diagnosis.as_ref(), out)
     }
 }

@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 const RECORDING: &[&str] = &["rrd"];
 const RESULT: &[&str] = &["npz", "csv"];
 const SCENE: &[&str] = &["toml"];
+const STRESS: &[&str] = &["npz"];
 
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
@@ -27,6 +28,12 @@ pub struct Outputs {
     /// Write the fields, distributions, spectra, numbers and setup (.npz), or a table (.csv): of the nodes of a line, or of several loads
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Write the stress in the solid at 64 depths below the contact, of a surface in a vertical cut along x: components, tau_max, von Mises
+    #[arg(long, value_name = "FILE.npz")]
+    pub stress: Option<PathBuf>,
+    /// Row of a surface, from 0 on, below which the stress is cut [default: that of the largest pressure]
+    #[arg(long, value_name = "ROW", requires = "stress")]
+    pub stress_row: Option<usize>,
     /// Write what was solved as a scene, all numbers to the last bit
     #[arg(long, value_name = "SCENE.toml")]
     pub save_setup: Option<PathBuf>,
@@ -70,7 +77,9 @@ impl Outputs {
 
     /// The files to write, in their order.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
-        [self.recording(), self.out.as_deref(), self.save_setup.as_deref()].into_iter().flatten()
+        [self.recording(), self.out.as_deref(), self.stress.as_deref(), self.save_setup.as_deref()]
+            .into_iter()
+            .flatten()
     }
 
     /// Has computed of a contact what is told of it only if it is asked for.
@@ -82,8 +91,8 @@ impl Outputs {
 
     /// Refuses places where nothing can be written, and names that promise another content.
     pub fn check(&self) -> Result<(), FileError> {
-        let (out, setup) = (self.out.as_deref(), self.save_setup.as_deref());
-        let named = [(self.recording(), RECORDING), (out, RESULT), (setup, SCENE)];
+        let (out, stress, setup) = (self.out.as_deref(), self.stress.as_deref(), self.save_setup.as_deref());
+        let named = [(self.recording(), RECORDING), (out, RESULT), (stress, STRESS), (setup, SCENE)];
         named.into_iter().try_for_each(|(path, endings)| path.map_or(Ok(()), |path| check_named(path, endings)))
     }
 }

@@ -10,10 +10,12 @@ use super::output::{Summary, write_json};
 use super::outputs::Outputs;
 use super::plan::{self, Plan};
 use super::progress::Progress;
+use super::slip::{self, SlipFinding};
+use super::stress;
 use super::subject::Subject;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Observer, Problem, archive};
+use asperity::contact::{Contact, Observer, PartialSlip, Problem, archive, archive_of_slip};
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::files::write_beside;
 #[cfg(feature = "record")]
@@ -61,6 +63,12 @@ impl Solve {
             Some(_) if self.diagnose => {
                 usage("--diagnose looks at the steps under one load, but several are given: give one")
             }
+            Some(_) if setup.friction.is_some() => {
+                usage("a tangential load follows one normal load, but several are given: give one")
+            }
+            Some(_) if self.outputs.stress.is_some() => {
+                usage("--stress is that under one load, but several are given: give one")
+            }
             Some(loads) if self.unload => {
                 load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, self.dry_run)
             }
@@ -83,6 +91,9 @@ impl Solve {
         if let Some(path) = outputs.table().filter(|_| !cost.grid.is_line()) {
             return usage(format!("{} can hold the nodes of a line only: give a .npz for a surface", path.display()));
         }
+        if outputs.stress.is_some() {
+            stress::check(&cost.grid, outputs.stress_row)?;
+        }
         if self.dry_run {
             let is_recorded = outputs.recording().is_some();
             let plan =
@@ -97,8 +108,7 @@ impl Solve {
             None => {
                 let (contact, diagnosis) = self.watch(setup, &setup.problem()?)?;
                 outputs.complete(&contact);
-                self.write(setup, &contact, diagnosis, false)?;
-                settle(&contact)
+                self.write(setup, &contact, diagnosis, false)
             }
         }
     }
@@ -114,20 +124,27 @@ impl Solve {
             (contact, diagnosis) = self.watch(&setup, &contact.problem.clone())?;
         }
         self.outputs.complete(&contact);
-        self.write(&setup, &contact, diagnosis, !is_within)?;
-        settle(&contact)
+        self.write(&setup, &contact, diagnosis, !is_within)
     }
 
     /// Writes and prints what came out, on a grid that is not fine enough if it is `unsettled`.
-    fn write(&self, setup: &Setup, contact: &Contact, diagnosis: Option<Findings>, unsettled: bool) -> Result<()> {
+    fn write(&self, setup: &Setup, contact: &Contact, diagnosis: Option<Findings>, unsettled: bool) -> Result<Outcome> {
         let (outputs, full) = (&self.outputs, setup.clone().with_full_path());
+        let slip = slip::find(setup, contact)?;
         let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
         if let Some(path) = outputs.archive() {
-            let bytes = archive(contact, subject.rank, Some(&full.to_toml()));
+            let text = full.to_toml();
+            let bytes = match &slip {
+                Some(slip) => archive_of_slip(slip, subject.rank, Some(&text)),
+                None => archive(contact, subject.rank, Some(&text)),
+            };
             write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
         }
         if let Some(path) = outputs.table() {
             write_nodes(path, contact)?;
+        }
+        if let Some(path) = &outputs.stress {
+            stress::write(path, &full, contact, outputs.stress_row)?;
         }
         if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
@@ -135,7 +152,9 @@ impl Solve {
         let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
         warnings.extend(caution::of_contacts(&[&finding.observables]));
         warnings.extend(unsettled.then(caution::unsettled));
-        let summary = Summary { subject, finding, diagnosis, warnings, setup: full };
+        warnings.extend(outputs.stress.as_ref().and_then(|_| stress::assumed(setup)));
+        let summary =
+            Summary { subject, finding, slip: slip.as_ref().map(SlipFinding::from), diagnosis, warnings, setup: full };
         if outputs.json {
             write_json(&summary, &mut stdout())?
         } else {
@@ -144,7 +163,8 @@ impl Solve {
         caution::tell(&summary.warnings);
         let is_whole = |path: &&Path| contact.failure.is_none() || Some(*path) != outputs.recording();
         outputs.files().filter(is_whole).for_each(wrote);
-        Ok(())
+        let stuck = slip.map_or(Ok(Outcome::Done), |PartialSlip { stuck, .. }| settle(&stuck))?;
+        Ok(settle(contact)?.max(stuck))
     }
 
     /// Solves, and shows the steps to whom it concerns. What is held against the final state needs a solve before.

@@ -1,6 +1,7 @@
 //! The fields of contacts in one file.
 
-use crate::contact::{Contact, OBSERVABLES, State};
+use crate::contact::{Contact, OBSERVABLES, PartialSlip, State};
+use crate::elastic::Stress;
 use crate::surface::PowerSpectrum;
 use ndarray::{Array0, Array1, Array2, ArrayView, ArrayView1, ArrayView2, Axis, Dimension, arr0, arr2, arr3, stack};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
@@ -33,6 +34,68 @@ use std::io::Cursor;
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet.
 pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
+    of_one(contact, rank, setup)?.finish()
+}
+
+/// A contact in partial slip as `.npz`: as [`archive`] of what is pressed, with the `traction` and where it sticks (`stick`), both of
+/// the shape of the pressure, and the numbers `friction`, `tangential`, `stick_area` and `slip_area`.
+///
+/// # Errors
+/// The errors of [`archive`].
+pub fn archive_of_slip(slip: &PartialSlip, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
+    let mut archive = of_one(&slip.pressed, rank, setup)?;
+    archive.add_field("traction", &slip.traction().view())?;
+    archive.add_field("stick", &slip.sticks().view())?;
+    let areas = [("stick_area", slip.stick().relative_area), ("slip_area", slip.slip_area())];
+    let loads = [("friction", slip.friction.coefficient), ("tangential", slip.friction.tangential)];
+    for (name, value) in loads.into_iter().chain(areas) {
+        archive.npz.add_array(name, &arr0(value))?;
+    }
+    archive.finish()
+}
+
+/// The stress below row `row` of a contact as `.npz`.
+///
+/// | array                                               | shape          | what it holds                                  |
+/// |-----------------------------------------------------|----------------|------------------------------------------------|
+/// | `x`                                                 | `(nx)`         | positions of the columns, from 0               |
+/// | `depth`                                             | `(depths)`     | depths below the surface                       |
+/// | `pressure`                                          | `(nx)`         | the pressure above                             |
+/// | `sigma_xx`, `sigma_yy`, `sigma_zz`, `tau_xz`        | `(depths, nx)` | stresses, positive in tension                  |
+/// | `tau_xy`, `tau_yz`, of surfaces                     | `(depths, nx)` | the others, which are zero below lines         |
+/// | `tau_max`, `von_mises`                              | `(depths, nx)` | see [`Stress`]                                 |
+/// | `row`                                               | `()`           | the row, from 0                                |
+/// | `poisson`, `poisson_is_assumed`                     | `()`           | Poisson's ratio, and whether nobody gave it    |
+/// | `setup`                                             | bytes          | the text of the setup that repeats it          |
+///
+/// # Errors
+/// The errors of [`archive`].
+pub fn archive_of_stress(
+    (contact, row): (&Contact, usize),
+    stress: &Stress,
+    poisson_is_assumed: bool,
+    setup: &str,
+) -> Result<Vec<u8>, WriteNpzError> {
+    let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
+    npz.add_array("setup", &ArrayView1::from(setup.as_bytes()))?;
+    npz.add_array("x", &contact.problem.surface().grid().x().collect::<Array1<f64>>())?;
+    npz.add_array("depth", &ArrayView1::from(&stress.depth))?;
+    npz.add_array("pressure", &contact.pressure.row(row))?;
+    let plane = [("sigma_xx", &stress.xx), ("sigma_yy", &stress.yy), ("sigma_zz", &stress.zz), ("tau_xz", &stress.xz)];
+    let others = [("tau_xy", &stress.xy), ("tau_yz", &stress.yz)].into_iter().filter(|_| !stress.is_plane);
+    for (name, field) in plane.into_iter().chain(others) {
+        npz.add_array(name, field)?;
+    }
+    npz.add_array("tau_max", &stress.tau_max())?;
+    npz.add_array("von_mises", &stress.von_mises())?;
+    npz.add_array("row", &arr0(row as u64))?;
+    npz.add_array("poisson", &arr0(stress.poisson))?;
+    npz.add_array("poisson_is_assumed", &arr0(poisson_is_assumed))?;
+    Ok(npz.finish()?.into_inner())
+}
+
+/// The archive of one contact, to which more can be added.
+fn of_one(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Archive, WriteNpzError> {
     let mut archive = Archive::of(contact, rank, setup)?;
     for (name, of) in CURVES {
         archive.npz.add_array(name, &ArrayView1::from(&of(contact)))?;
@@ -47,7 +110,7 @@ pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Ve
     for row in OBSERVABLES {
         archive.npz.add_array(row.name, &arr0((row.value)(&state)))?;
     }
-    archive.finish()
+    Ok(archive)
 }
 
 /// The contacts of one surface under several loads as `.npz`: as [`archive`], with the loads along a further first axis of all but

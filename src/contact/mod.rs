@@ -8,6 +8,7 @@
 //! ```
 
 mod archive;
+mod below;
 mod best;
 mod bound;
 mod certificate;
@@ -30,6 +31,7 @@ mod problem;
 mod resolution;
 mod rounding;
 mod run;
+mod slip;
 mod snapshot;
 mod solver;
 mod status;
@@ -41,7 +43,7 @@ use crate::chunks;
 use sums::Sums;
 
 pub use crate::error::Failure;
-pub use archive::{archive, archive_of_loads};
+pub use archive::{archive, archive_of_loads, archive_of_slip, archive_of_stress};
 pub use certificate::Certificate;
 pub use decision::Decision;
 pub use density::{contact_reach, error_density};
@@ -61,6 +63,7 @@ pub use polonsky_keer::PolonskyKeer;
 pub use problem::{ContactModulus, Problem};
 pub use resolution::Resolution;
 pub use run::Run;
+pub use slip::{Friction, PartialSlip};
 pub use snapshot::Snapshot;
 pub use solver::{Observer, Solver, Wish};
 pub use status::Status;

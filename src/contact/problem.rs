@@ -96,6 +96,9 @@ impl Problem {
         let highest = height.iter().fold(0.0, |highest: f64, &h| highest.max(h));
         let (mean_pressure, expected_mean_pressure, rms_gradient) = (None, f64::NAN, OnceLock::new());
         let compliance = Arc::new(Compliance::new(surface.grid(), solid, load.keeps_uniform())?);
+        for stiffness in compliance.stiffness_range().into_iter().filter(|_| !compliance.solid().is_half_space()) {
+            check_magnitude("stiffness of the solid for a wave", stiffness)?;
+        }
         Self {
             surface,
             compliance,

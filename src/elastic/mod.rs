@@ -1,4 +1,4 @@
-//! Elastic solids: what displacement a pressure makes, fast by Fourier transform and slow by direct sum.
+//! Elastic solids: what displacement a pressure makes, fast by Fourier transform and slow by direct sum, and the stress inside.
 //!
 //! A [`Solid`] says what it makes of one wave; a [`Response`] is a solid over a grid, periodic or free along each axis.
 
@@ -10,9 +10,11 @@ mod half_space;
 mod layer;
 mod response;
 mod solid;
+pub mod stress;
 
 pub use compliance::Compliance;
 pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};
 pub use response::Response;
 pub use solid::Solid;
+pub use stress::Stress;

@@ -8,7 +8,7 @@ use crate::setup::Part;
 pub struct Parts(u16);
 
 impl Parts {
-    /// Every part but those that take work of their own: the spectrum, the density of the error and the instruments.
+    /// Every part but those that take work of their own: the spectrum, the density of the error, the stress and the instruments.
     pub const USUAL: Self = Self((1 << Part::Spectrum as u16) - 1);
     /// The usual parts and the density of the error, for what other codes have found.
     pub const OF_OTHERS: Self = Self(Self::USUAL.0 | 1 << Part::Error as u16);
@@ -18,7 +18,8 @@ impl Parts {
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
         let own = if grid.is_line() { Part::Profile } else { Part::Mesh };
-        let own = [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum, Part::Error];
+        let own =
+            [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum, Part::Error, Part::Stress, Part::Fringes];
         Part::OF_A_RUN.into_iter().chain(own).collect()
     }
 
@@ -59,7 +60,7 @@ impl Parts {
 
     /// Whether anything drawn from the fields of a step is in the set.
     pub(super) fn has_pictures(self) -> bool {
-        self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum, Part::Error])
+        self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum, Part::Error, Part::Stress, Part::Fringes])
     }
 }
 

@@ -1,10 +1,14 @@
 //! The size of a recording.
 
-use super::draw::{Columns, has_contour, pixels, vertices};
+use super::draw::{CUT_PIXELS, Columns, has_contour, pixels, vertices};
 use super::file::Schedule;
 use super::parts::Parts;
 use crate::grid::Grid;
 use crate::setup::Part;
+
+/// The parts that are drawn at the recorded steps.
+const FRAMED: [Part; 8] =
+    [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum, Part::Error, Part::Stress, Part::Fringes];
 
 /// Bytes of a recording, about: packing makes the pictures smaller by up to half, most at low loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,10 +33,7 @@ impl Size {
                     .map(|part| if parts.has(part) { still(part, grid) } else { 0.0 })
                     .iter()
                     .sum::<f64>(),
-            frame: [Part::Profile, Part::Fields, Part::Mask, Part::Mesh, Part::Spectrum, Part::Error]
-                .map(bytes)
-                .iter()
-                .sum(),
+            frame: FRAMED.map(bytes).iter().sum(),
             step: if parts.has(Part::Traces) { 200.0 } else { 0.0 } + if parts.has_instruments() { 60.0 } else { 0.0 },
             schedule: Schedule::on(grid),
         }
@@ -72,6 +73,7 @@ fn bytes(part: Part, grid: &Grid) -> f64 {
         (Part::Spectrum, _) => 2e3,
         (Part::Error, true) => 12.0 * points,
         (Part::Error, false) => 4.0 * pixels,
+        (Part::Stress | Part::Fringes, _) => (4 * CUT_PIXELS[0] * CUT_PIXELS[1]) as f64,
         (Part::Traces | Part::Raster | Part::Waterfall | Part::Energy | Part::Decisions | Part::Ritz, _) => 0.0,
     }
 }

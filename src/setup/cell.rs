@@ -5,6 +5,22 @@ use crate::error::{GridError, SetupError};
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
 
+/// What is beyond the cell along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Boundary {
+    /// The cell again.
+    Periodic,
+    /// Nothing: the solid goes on, and nothing presses it.
+    Free,
+}
+
+impl Boundary {
+    /// The boundaries by their names in scenes, in a few words.
+    pub const BOUNDARIES: [(&str, &str); 2] =
+        [("periodic", "The cell repeats itself"), ("free", "Nothing presses the solid beyond the cell")];
+}
+
 /// Points and lengths along the axes of the arrays, in their order: one makes a line, two make a surface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -19,6 +35,17 @@ pub struct Cell {
     /// interpolated, all else is made on the finer grid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub refine: Option<usize>,
+    /// Boundaries along the axes; one serves all of them, and none is periodic.
+    #[serde(default, skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
+    pub boundary: Vec<Boundary>,
+    /// Distance from a line load at which the surface stands still, a length, where one axis only is free, as that of a line: the length
+    /// of the cell along it if it is left out. See [`crate::elastic::Solid::datum`].
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    pub datum: Option<f64>,
+}
+
+fn some_length<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    crate::quantity::length(from).map(Some)
 }
 
 impl Cell {
@@ -27,12 +54,17 @@ impl Cell {
 
     /// The cell of a line.
     pub fn line(points: usize, length: f64) -> Self {
-        Self { points: vec![points], size: vec![length], refine: None }
+        Self { points: vec![points], size: vec![length], refine: None, boundary: Vec::new(), datum: None }
+    }
+
+    /// The cell without images, free along all axes.
+    pub fn free(self) -> Self {
+        Self { boundary: vec![Boundary::Free], ..self }
     }
 
     /// The cell of a surface, points and lengths along y and x.
     pub fn surface(points: [usize; 2], size: [f64; 2]) -> Self {
-        Self { points: points.into(), size: size.into(), refine: None }
+        Self { points: points.into(), size: size.into(), refine: None, boundary: Vec::new(), datum: None }
     }
 
     /// Points for each that is given along an axis.
@@ -75,6 +107,26 @@ impl Cell {
             [ny, nx] => Grid::surface([ny, nx], [along(0)?, along(1)?]),
             _ => return Err(SetupError::Axes { axes }),
         };
-        Ok(grid?)
+        let is_periodic = |i: usize| match *self.boundary {
+            [] => Ok(true),
+            [one] => Ok(one == Boundary::Periodic),
+            _ if self.boundary.len() == axes => Ok(self.boundary[i] == Boundary::Periodic),
+            _ => Err(SetupError::Boundaries { boundaries: self.boundary.len(), axes }),
+        };
+        let grid = grid?.with_periodic([is_periodic(0)?, is_periodic(axes - 1)?]);
+        self.check_datum(&grid)?;
+        Ok(grid)
+    }
+
+    /// Refuses a datum that no load of lines has, or that is so near that pressures beyond it would pull.
+    fn check_datum(&self, grid: &Grid) -> Result<(), SetupError> {
+        let Some(datum) = self.datum else { return Ok(()) };
+        let free = (0..2).filter(|&axis| !grid.periodic()[axis]).map(|axis| grid.size()[axis]);
+        let is_of_lines = grid.is_line() || grid.periodic() != [false; 2];
+        match free.reduce(f64::max).filter(|_| is_of_lines) {
+            None => Err(SetupError::DatumOfPeriodic),
+            Some(length) if datum.is_finite() && datum >= length => Ok(()),
+            Some(length) => Err(SetupError::Datum { datum, length }),
+        }
     }
 }

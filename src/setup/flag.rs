@@ -1,6 +1,7 @@
 //! The flags of the command line that lay values over a setup.
 
-use super::{Method, Part, Theme};
+use super::{Boundary, Method, Part, Theme};
+use crate::elastic::Base;
 use crate::surface::{Detrend, Indenter};
 
 /// A flag of the command line, and the place in a setup that its value is laid over.
@@ -40,6 +41,7 @@ const DYNAMICS: [(&str, &str); 2] = [("damped", "Constant friction"), ("fire", "
 #[rustfmt::skip]
 pub const FLAGS: &[Flag] = &[
     flag("height", "surface.height", Value::One, "FILE", "Heights of a line or a surface from a .npy, .npz or text of numbers; peaks towards the solid are positive"),
+    flag("against", "surface.against", Value::One, "FILE", "Heights of a second surface of the same shape, on which the first is pressed: peaks towards the first are positive, and they are added"),
     flag("detrend", "surface.detrend", Value::Choice(&Detrend::TRENDS), "TREND", "Trend to take off the heights of the file"),
     flag("indenter", "surface.indenter.shape", Value::Variant(&Indenter::SHAPES), "SHAPE", "A smooth indenter, centred in the cell"),
     flag("radius", "surface.indenter.radius", Value::One, "R", "Radius of the cylinder or sphere"),
@@ -58,12 +60,20 @@ pub const FLAGS: &[Flag] = &[
     flag("size", "grid.size", Value::List, "L[,L]", "Lengths of the cell along the array's axes, in their order; one value serves all axes"),
     flag("refine", "grid.refine", Value::One, "N", "Points for each point of the file (interpolated) or of --points, along each axis; auto: until area and kappa_r settle"),
     flag("area-tolerance", "grid.area-tolerance", Value::One, "ERROR", "Estimated relative error of area and kappa_r at which --refine auto or --points auto ends [default: 0.01]"),
+    flag("boundary", "grid.boundary", Value::Choices(&Boundary::BOUNDARIES), "B[,B]", "Boundary along the array's axes, in their order; one value serves all axes [default: periodic]"),
+    flag("datum", "grid.datum", Value::One, "D", "Distance from a line load at which the surface stands still, where one axis only is free [default: the length of the cell along it]"),
     flag("modulus", "solid.contact-modulus", Value::One, "E*", "Contact modulus E* = E / (1 - nu^2), a pressure: with a unit such as 1GPa, or a number in your units"),
     flag("young", "solid.young", Value::List, "E[,E]", "Young's modulus, a pressure, of the elastic body, or of both: 1/E* = sum (1 - nu^2)/E; with --poisson"),
     flag("poisson", "solid.poisson", Value::List, "NU[,NU]", "Poisson's ratio of the same"),
+    flag("layer", "solid.layer", Value::One, "T", "Thickness of an elastic layer on a rigid base, in the place of a half-space; with --poisson"),
+    flag("base", "solid.base", Value::Choice(&Base::BASES), "BASE", "How the layer lies on its base [default: bonded]"),
     flag("pressure", "load.mean-pressure", Value::List, "P[,P]", "Mean pressure, with a unit or in that of the modulus, which must be given; several are solved one after the other"),
     flag("reduced-pressure", "load.reduced-pressure", Value::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus pressures are over E*"),
     flag("mean-gap", "load.mean-gap", Value::List, "G[,G]", "Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd"),
+    flag("friction", "friction.coefficient", Value::One, "MU", "Coefficient of friction under a tangential load; with --tangential"),
+    flag("tangential", "friction.tangential", Value::One, "Q", "Tangential load along x, less than MU times the normal one and in its form: a mean traction, or over rms gradient x modulus"),
+    flag("force", "load.force", Value::List, "F[,F]", "Force on the cell, on a line per length across it, with a unit or in those of modulus and size"),
+    flag("approach", "load.approach", Value::List, "D[,D]", "Approach since the highest peak touched: of a layer or a free boundary, not with --solver gfmd"),
     flag("solver", "solver.method", Value::Variant(&Method::METHODS), "METHOD", "The method [default: multilevel]"),
     flag("masses", "solver.masses", Value::Choice(&MASSES), "MASSES", "GFMD: masses of the surface modes [default: uniform]"),
     flag("dynamics", "solver.dynamics", Value::Choice(&DYNAMICS), "DYNAMICS", "GFMD: damping of the motion [default: damped]"),

@@ -67,6 +67,11 @@ impl Method {
         !matches!(self, Self::Gfmd(_))
     }
 
+    /// Whether the solver works on a free boundary, not with images only.
+    pub fn takes_free_boundary(&self) -> bool {
+        !matches!(self, Self::Gfmd(_))
+    }
+
     /// Coarse grids that the solver goes through.
     pub fn coarse_grids(&self, grid: &Grid) -> usize {
         match self {

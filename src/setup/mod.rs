@@ -46,33 +46,37 @@ mod theme;
 mod words;
 
 pub use auto::Auto;
-pub use cell::Cell;
+pub use cell::{Boundary, Cell};
 pub use command::{command, lay};
 pub use cost::{Cost, available_bytes};
 pub use flag::{FLAGS, Flag, Value};
 pub use method::Method;
 pub use part::{Part, Record};
 pub use recipe::Recipe;
-pub use solid::{Body, Solid};
+pub use solid::{Body, LayerModulus, Solid};
 pub use text::Table;
 pub use theme::Theme;
 pub use words::{differences, in_words};
 
-use crate::contact::{ContactModulus, Load, Problem, Stop};
+use crate::contact::{Friction, Load, Problem, Stop};
+use crate::elastic;
 use crate::error::{FileError, SetupError, SolveError};
 use crate::grid::Grid;
 use crate::surface::Surface;
 use crate::theory::Exact;
 use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use std::sync::Arc;
 
 /// The description of a contact to solve.
 ///
 /// | section   | holds                                                        | where it is left out            |
 /// |-----------|--------------------------------------------------------------|---------------------------------|
 /// | `surface` | a height file, an indenter, a spectrum, or a sum of them     | must be there                   |
-/// | `grid`    | points and size of the cell                                  | must be there                   |
-/// | `solid`   | the contact modulus, or Young's moduli and Poisson's ratios  | pressures are over the modulus  |
-/// | `load`    | a mean pressure (of a `solid`), a reduced pressure, a mean gap | must be there                 |
+/// | `grid`    | points, size and boundary of the cell                        | must be there; periodic         |
+/// | `solid`   | the contact modulus, or Young's moduli and Poisson's ratios; a layer | a half-space, pressures over its modulus |
+/// | `load`    | a mean pressure or a force (of a `solid`), a reduced pressure, a mean gap, an approach | must be there |
+/// | `friction` | a coefficient of friction and a tangential load            | none                            |
 /// | `solver`  | the method and its settings                                  | multilevel                      |
 /// | `stop`    | certificate to reach, and iterations at the most             | 1e-8, 100 000                   |
 /// | `record`  | parts and theme of a recording                               | the usual parts, dark           |
@@ -83,11 +87,14 @@ pub struct Setup {
     pub surface: Recipe,
     /// Points and size.
     pub grid: Cell,
-    /// The elastic half-space; without it pressures are over its contact modulus, and a mean pressure is no load.
+    /// The elastic solid, a half-space or a layer; without it pressures are over its contact modulus, and a mean pressure is no load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solid: Option<Solid>,
     /// The load.
     pub load: Load,
+    /// The tangential load that follows the normal one, and the friction that carries it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<Friction>,
     /// The solver with its settings.
     #[serde(default)]
     pub solver: Method,
@@ -103,8 +110,8 @@ impl Setup {
     /// The setup of a surface on a grid under a load: pressures over the modulus, the usual solver, stop and recording. Under a
     /// mean pressure it needs a solid as well, see [`Setup::on`].
     pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
-        let (solid, solver, stop, record) = Default::default();
-        Self { surface, grid, solid, load, solver, stop, record }
+        let (solid, friction, solver, stop, record) = Default::default();
+        Self { surface, grid, solid, load, friction, solver, stop, record }
     }
 
     /// The setup on a solid.
@@ -118,28 +125,47 @@ impl Setup {
     /// [`SetupError::NoModulus`] for a mean pressure on no solid, [`SetupError::Solid`] for elastic constants that no body has.
     pub fn contact_modulus(&self) -> Result<f64, SetupError> {
         match (&self.solid, self.load) {
-            (Some(solid), _) => Ok(solid.contact_modulus()?),
-            (None, Load::MeanPressure(value) | Load::Force(value)) => {
+            (Some(solid), _) if solid.has_modulus() => Ok(solid.contact_modulus()?),
+            (_, Load::MeanPressure(value) | Load::Force(value)) => {
                 Err(SetupError::NoModulus { load: self.load.name(), value })
             }
+            (Some(solid), _) => Ok(solid.contact_modulus()?),
             (None, Load::ReducedPressure(_) | Load::MeanGap(_) | Load::Approach(_)) => Ok(1.0),
         }
+    }
+
+    /// The solid that responds; a half-space of the modulus 1 where none is given.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::contact_modulus`].
+    pub fn elastic(&self) -> Result<Arc<dyn elastic::Solid>, SetupError> {
+        let solid = Solid::ContactModulus(self.contact_modulus()?);
+        Ok(self.solid.unwrap_or(solid).elastic(self.grid.datum)?)
+    }
+
+    /// Poisson's ratio of the elastic body, of two the first one; none where only the contact modulus is known.
+    pub fn poisson(&self) -> Option<f64> {
+        self.solid.and_then(|solid| solid.poisson())
     }
 
     /// Checks all that can be checked without making the surface, and returns the grid. Of a height file only the header is
     /// read.
     ///
     /// # Errors
-    /// For a grid, surface, solid, load, setting or recording that cannot be, and for a mean pressure without a solid.
+    /// For a grid, surface, solid, load, friction, setting or recording that cannot be, and for a mean pressure without a solid.
     pub fn check(&self) -> Result<Grid, SetupError> {
         let grid = self.surface.grid(&self.grid)?;
         self.surface.check(&grid)?;
         self.solver.check()?;
         self.stop.check()?;
         self.record.check(&grid)?;
-        self.contact_modulus()?;
-        if matches!(self.load, Load::MeanGap(_)) && !self.solver.takes_mean_gap() {
+        self.elastic()?;
+        self.friction.map_or(Ok(0.0), |friction| friction.ratio(self.load))?;
+        if !self.load.is_pressure() && !self.solver.takes_mean_gap() {
             return Err(SolveError::NeedsPressure { solver: self.solver.name().into() }.into());
+        }
+        if !grid.is_periodic() && !self.solver.takes_free_boundary() {
+            return Err(SolveError::NeedsWaves { solver: self.solver.name().into() }.into());
         }
         Ok(grid)
     }
@@ -157,7 +183,7 @@ impl Setup {
     /// # Errors
     /// The errors of [`Setup::surface`] and of [`Problem::new`].
     pub fn problem(&self) -> Result<Problem, SetupError> {
-        Ok(Problem::new(self.surface()?, ContactModulus(self.contact_modulus()?), self.load)?)
+        Ok(Problem::new(self.surface()?, self.elastic()?, self.load)?)
     }
 
     /// The exact solution under a mean pressure, where the surface is an indenter that has one.
@@ -166,17 +192,19 @@ impl Setup {
     }
 
     /// Sixteen hexadecimal digits that tell setups apart whose contacts differ under the same load: by all that is in them but
-    /// the load and the recording, and by the bytes of a height file in place of its name.
+    /// the load, the friction and the recording, and by the bytes of a height file in place of its name.
     ///
     /// # Errors
     /// For a height file that cannot be read.
     pub fn fingerprint(&self) -> Result<String, SetupError> {
-        let mut rest = Self { load: Load::ReducedPressure(1.0), record: Record::default(), ..self.clone() };
-        let bytes = match rest.surface.height.take() {
-            Some(path) => std::fs::read(&path).map_err(|source| FileError::Read { path, source })?,
-            None => Vec::new(),
+        let (load, record) = (Load::ReducedPressure(1.0), Record::default());
+        let mut rest = Self { load, friction: None, record, ..self.clone() };
+        let read = |path: Option<PathBuf>| match path {
+            Some(path) => std::fs::read(&path).map_err(|source| FileError::Read { path, source }),
+            None => Ok(Vec::new()),
         };
-        Ok(format!("{:016x}", fnv1a([rest.to_toml().as_bytes(), &bytes])))
+        let [height, against] = [read(rest.surface.height.take())?, read(rest.surface.against.take())?];
+        Ok(format!("{:016x}", fnv1a([rest.to_toml().as_bytes(), &height, &against])))
     }
 }
 

@@ -23,6 +23,10 @@ pub enum Part {
     Spectrum,
     /// Where the error sits: the density of the error in energy.
     Error,
+    /// The largest shear stress below a line, or in a vertical cut below a surface.
+    Stress,
+    /// The same as photoelastic fringes.
+    Fringes,
     /// The contact step by step against the place: how long each node has been as it is.
     Raster,
     /// The error of pressure and displacement step by step against the wavelength, held against the final state: a second pass.
@@ -37,7 +41,7 @@ pub enum Part {
 
 impl Part {
     /// All parts, in the order of their names.
-    const ALL: [Self; 12] = [
+    const ALL: [Self; 14] = [
         Self::Traces,
         Self::Profile,
         Self::Fields,
@@ -45,6 +49,8 @@ impl Part {
         Self::Mesh,
         Self::Spectrum,
         Self::Error,
+        Self::Stress,
+        Self::Fringes,
         Self::Raster,
         Self::Waterfall,
         Self::Energy,
@@ -66,7 +72,7 @@ impl Part {
     }
 
     /// The parts by their names in scenes, in a few words.
-    pub const PARTS: [(&str, &str); 12] = [
+    pub const PARTS: [(&str, &str); 14] = [
         ("traces", "Numbers of every step"),
         ("profile", "Indenter and solid of a line"),
         ("fields", "Pressure and gap: curves of a line, images of a surface"),
@@ -74,6 +80,8 @@ impl Part {
         ("mesh", "Relief of a surface"),
         ("spectrum", "Power spectra of displacement and heights; only if asked for, as all below"),
         ("error", "Where the error sits, the density of the error in energy; of other codes it is usual"),
+        ("stress", "Largest shear stress below a line, or in a vertical cut through the highest peak of a surface"),
+        ("fringes", "The same as photoelastic fringes: dark wherever 2 tau_max is a whole number of orders"),
         (
             "raster",
             "Contact by step and place: how long each node has been as it is; of a surface along a row and a column",

@@ -15,7 +15,11 @@ pub struct Recipe {
     /// A file of heights of a line or a surface, see [`read_heights`]; peaks towards the solid are positive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height: Option<PathBuf>,
-    /// The trend to take off the heights of the file; none if it is left out.
+    /// A file of heights of a second surface of the same shape, on which the first is pressed: peaks towards the first are positive, rows
+    /// and columns lie on those of the first, and the heights are added to its.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub against: Option<PathBuf>,
+    /// The trend to take off the heights of a file; none if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub detrend: Option<Detrend>,
     /// A smooth indenter, centred in the cell.
@@ -42,12 +46,29 @@ impl Recipe {
 
     /// The indenter, where nothing else is added to it.
     pub fn smooth(&self) -> Option<Indenter> {
-        self.indenter.filter(|_| self.height.is_none() && self.spectrum.is_none())
+        self.indenter.filter(|_| !self.is_measured() && self.spectrum.is_none())
     }
 
     /// Whether the surface is random, and so all the same everywhere.
     pub fn is_random(&self) -> bool {
-        self.spectrum.is_some() && self.height.is_none() && self.indenter.is_none()
+        self.spectrum.is_some() && !self.is_measured() && self.indenter.is_none()
+    }
+
+    /// Whether heights of a file are part of it.
+    pub fn is_measured(&self) -> bool {
+        self.height.is_some() || self.against.is_some()
+    }
+
+    /// The files of heights.
+    fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        [&self.height, &self.against].into_iter().flatten()
+    }
+
+    /// Checks that both files of heights have the same shape.
+    fn check_shapes(&self) -> Result<(), SetupError> {
+        let (Some(first), Some(path)) = (&self.height, &self.against) else { return Ok(()) };
+        let [expected, found] = [read_shape(first)?, read_shape(path)?];
+        if found == expected { Ok(()) } else { Err(SetupError::Against { path: path.clone(), found, expected }) }
     }
 
     /// The grid that the recipe makes of a cell: that of the height file, if there is one.
@@ -55,7 +76,7 @@ impl Recipe {
     /// # Errors
     /// For a file that cannot be read, points beside those of a file, and as [`Cell::grid`].
     pub fn grid(&self, cell: &Cell) -> Result<Grid, SetupError> {
-        match &self.height {
+        match self.files().next() {
             Some(_) if !cell.points.is_empty() => Err(SetupError::PointsOfFile),
             Some(path) => cell.grid_of(&read_shape(path)?),
             None => cell.grid(),
@@ -67,7 +88,7 @@ impl Recipe {
     /// # Errors
     /// For a height file that cannot be read.
     pub fn rank(&self, cell: &Cell) -> Result<usize, SetupError> {
-        Ok(self.height.as_ref().map(read_shape).transpose()?.map_or(cell.points.len(), |shape| shape.len()))
+        Ok(self.files().next().map(|path| read_shape(path)).transpose()?.map_or(cell.points.len(), |shape| shape.len()))
     }
 
     /// Checks that the surface can be made on a grid. None is made.
@@ -75,10 +96,11 @@ impl Recipe {
     /// # Errors
     /// For no surface at all, a trend without a height file, and an indenter or a spectrum that cannot be on this grid.
     pub fn check(&self, grid: &Grid) -> Result<(), SetupError> {
-        if self.height.is_none() && self.indenter.is_none() && self.spectrum.is_none() {
+        if !self.is_measured() && self.indenter.is_none() && self.spectrum.is_none() {
             return Err(SetupError::NoSurface);
         }
-        if self.detrend.is_some() && self.height.is_none() {
+        self.check_shapes()?;
+        if self.detrend.is_some() && !self.is_measured() {
             return Err(SetupError::DetrendWithoutHeights);
         }
         if self.seed.is_some() && self.spectrum.is_none() {
@@ -111,10 +133,10 @@ impl Recipe {
             let refined = height.refined((grid.shape()[1] / given.shape()[1]).max(1))?;
             if *refined.grid() == grid { Ok(refined) } else { Ok(Surface::new(grid, refined.heights_as_given())?) }
         };
-        let measured = self.height.as_ref().map(read).transpose()?;
+        let measured = self.files().map(read).collect::<Result<Vec<_>, _>>()?;
         let smooth = self.indenter.map(|indenter| indenter.surface(grid)).transpose()?;
         let rough = self.spectrum.map(|spectrum| Surface::rough(grid, &spectrum, self.seed())).transpose()?;
-        let sum = [measured, smooth, rough].into_iter().flatten().reduce(|sum, part| sum.plus(&part));
+        let sum = measured.into_iter().chain(smooth).chain(rough).reduce(|sum, part| sum.plus(&part));
         sum.ok_or(SetupError::NoSurface)
     }
 
@@ -144,6 +166,7 @@ impl Recipe {
             Detrend::Plane => " less their plane",
         });
         let file = self.height.as_ref().map(|path| format!("heights from {}{trend}", path.display()));
+        let against = self.against.as_ref().map(|path| format!("pressed on those from {}{trend}", path.display()));
         let smooth = self.indenter.map(|indenter| {
             let values = indenter.parameters().into_iter().map(|(name, value)| format!(", {name} {value:?}"));
             format!("{}{}", indenter.name(), values.collect::<String>().replace('_', " "))
@@ -156,6 +179,6 @@ impl Recipe {
                  rms gradient {rms_gradient:e}, seed {seed}"
             )
         });
-        [file, smooth, rough].into_iter().flatten().collect::<Vec<_>>().join(", with ")
+        [file, against, smooth, rough].into_iter().flatten().collect::<Vec<_>>().join(", with ")
     }
 }

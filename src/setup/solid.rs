@@ -1,11 +1,13 @@
 //! The elastic solid.
 
 use super::one_or_more;
+use crate::elastic::{self, Base, HalfSpace};
 use crate::error::SolidError;
 use crate::quantity;
 use serde::{Deserialize, Deserializer, Serialize};
+use std::sync::Arc;
 
-/// The elastic solid: its contact modulus, or the elastic constants that make one.
+/// The elastic solid: a half-space by its contact modulus, or by the elastic constants that make one, or a layer on a rigid base.
 ///
 /// ```
 /// use asperity::setup::{Body, Solid};
@@ -23,6 +25,28 @@ pub enum Solid {
     ContactModulus(f64),
     /// One elastic body against a rigid one, or two elastic bodies.
     Bodies(Body, Option<Body>),
+    /// A layer on a rigid base.
+    Layer {
+        /// Its stiffness.
+        modulus: LayerModulus,
+        /// Poisson's ratio.
+        poisson: f64,
+        /// Thickness, a length.
+        thickness: f64,
+        /// How it lies on its base.
+        base: Base,
+    },
+}
+
+/// The stiffness of a layer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LayerModulus {
+    /// None: pressures are over its contact modulus.
+    Unit,
+    /// The contact modulus `E*`, a pressure.
+    Contact(f64),
+    /// Young's modulus, a pressure.
+    Young(f64),
 }
 
 /// The elastic constants of a body.
@@ -44,6 +68,44 @@ impl Solid {
             Self::ContactModulus(modulus) => Ok(modulus),
             Self::Bodies(first, None) => Ok(first.compliance()?.recip()),
             Self::Bodies(first, Some(second)) => Ok((first.compliance()? + second.compliance()?).recip()),
+            Self::Layer { modulus, poisson, .. } => {
+                let body = |young| Body { young, poisson }.compliance().map(f64::recip);
+                match modulus {
+                    LayerModulus::Unit => body(1.0).map(|_| 1.0),
+                    LayerModulus::Contact(modulus) => body(1.0).map(|_| modulus),
+                    LayerModulus::Young(young) => body(young),
+                }
+            }
+        }
+    }
+
+    /// Whether pressures have a unit: a layer without a modulus has none.
+    pub fn has_modulus(&self) -> bool {
+        !matches!(self, Self::Layer { modulus: LayerModulus::Unit, .. })
+    }
+
+    /// The solid that responds, a half-space with a datum of line loads.
+    ///
+    /// # Errors
+    /// The errors of [`Solid::contact_modulus`], and for a thickness that is not positive and finite.
+    pub fn elastic(&self, datum: Option<f64>) -> Result<Arc<dyn elastic::Solid>, SolidError> {
+        let contact_modulus = self.contact_modulus()?;
+        match *self {
+            Self::Layer { thickness, .. } if !(thickness.is_finite() && thickness > 0.0) => {
+                Err(SolidError::Thickness { thickness })
+            }
+            Self::Layer { poisson, thickness, base, .. } => {
+                Ok(elastic::Layer { contact_modulus, poisson, thickness, base }.into())
+            }
+            _ => Ok(HalfSpace { contact_modulus, datum }.into()),
+        }
+    }
+
+    /// Poisson's ratio of the elastic body, of two the first one; none where only the contact modulus is known.
+    pub fn poisson(&self) -> Option<f64> {
+        match self {
+            Self::ContactModulus(_) => None,
+            Self::Bodies(Body { poisson, .. }, _) | Self::Layer { poisson, .. } => Some(*poisson),
         }
     }
 
@@ -54,6 +116,10 @@ impl Solid {
             Self::ContactModulus(_) => "given".into(),
             Self::Bodies(one, None) => format!("of one elastic body, {}", words(one)),
             Self::Bodies(one, Some(other)) => format!("of two elastic bodies, {} and {}", words(one), words(other)),
+            Self::Layer { modulus: LayerModulus::Young(young), poisson, .. } => {
+                format!("of a layer, {}", words(Body { young, poisson }))
+            }
+            Self::Layer { poisson, .. } => format!("of a layer, nu {poisson}"),
         }
     }
 }
@@ -86,16 +152,31 @@ struct Keys {
     young: Vec<f64>,
     #[serde(skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
     poisson: Vec<f64>,
+    /// Thickness of a layer.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    layer: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    base: Option<Base>,
 }
 
 fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     quantity::pressure(from).map(Some)
 }
 
+fn some_length<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    quantity::length(from).map(Some)
+}
+
 impl TryFrom<Keys> for Solid {
     type Error = SolidError;
 
-    fn try_from(Keys { contact_modulus, young, poisson }: Keys) -> Result<Self, SolidError> {
+    fn try_from(Keys { contact_modulus, young, poisson, layer, base }: Keys) -> Result<Self, SolidError> {
+        if let Some(thickness) = layer {
+            return Self::layer(contact_modulus, &young, &poisson, thickness, base.unwrap_or_default());
+        }
+        if base.is_some() {
+            return Err(SolidError::BaseWithoutLayer);
+        }
         let body = |i: usize| Body { young: young[i], poisson: poisson[i] };
         match (contact_modulus, young.len(), poisson.len()) {
             (Some(modulus), 0, 0) => Ok(Self::ContactModulus(modulus)),
@@ -108,6 +189,29 @@ impl TryFrom<Keys> for Solid {
     }
 }
 
+impl Solid {
+    /// The layer of some keys.
+    fn layer(
+        contact_modulus: Option<f64>,
+        young: &[f64],
+        poisson: &[f64],
+        thickness: f64,
+        base: Base,
+    ) -> Result<Self, SolidError> {
+        let modulus = match (contact_modulus, young) {
+            (None, []) => LayerModulus::Unit,
+            (Some(modulus), []) => LayerModulus::Contact(modulus),
+            (None, &[young]) => LayerModulus::Young(young),
+            (Some(_), _) => return Err(SolidError::Both),
+            (None, _) => return Err(SolidError::BodiesOfLayer { bodies: young.len() }),
+        };
+        match *poisson {
+            [poisson] => Ok(Self::Layer { modulus, poisson, thickness, base }),
+            _ => Err(SolidError::PoissonOfLayer { count: poisson.len() }),
+        }
+    }
+}
+
 impl From<Solid> for Keys {
     fn from(solid: Solid) -> Self {
         match solid {
@@ -116,6 +220,14 @@ impl From<Solid> for Keys {
                 let bodies = || [Some(first), second].into_iter().flatten();
                 let [young, poisson] = [bodies().map(|it| it.young).collect(), bodies().map(|it| it.poisson).collect()];
                 Self { young, poisson, ..Self::default() }
+            }
+            Solid::Layer { modulus, poisson, thickness, base } => {
+                let (contact_modulus, young) = match modulus {
+                    LayerModulus::Unit => (None, Vec::new()),
+                    LayerModulus::Contact(modulus) => (Some(modulus), Vec::new()),
+                    LayerModulus::Young(young) => (None, vec![young]),
+                };
+                Self { contact_modulus, young, poisson: vec![poisson], layer: Some(thickness), base: Some(base) }
             }
         }
     }

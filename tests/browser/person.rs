@@ -201,7 +201,7 @@ fn tables_and_charts_are_saved(points: &[Value], page: &mut Page) {
 
 fn lessons_lead_to_their_end(page: &mut Page) {
     let mut told = HashSet::new();
-    for (letter, steps) in [("h", 5), ("w", 4)] {
+    for (letter, steps) in [("h", 5), ("b", 3), ("w", 4)] {
         page.press_at("lesson", letter);
         for at in 0..steps {
             page.until(&format!("document.body.dataset.lesson === '{at}'"), 10);

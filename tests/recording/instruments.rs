@@ -15,7 +15,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Records a run with some parts, whose end is known if `knows_end`.
-fn record(path: &Path, problem: &Problem, solver: &dyn Solver, what: &[Part], knows_end: bool) -> Contact {
+pub fn record(path: &Path, problem: &Problem, solver: &dyn Solver, what: &[Part], knows_end: bool) -> Contact {
     let end = knows_end.then(|| solver.solve(problem, &Stop::default(), &mut ()).unwrap());
     let reference = end.as_ref().map(|end| Arc::new(Reference::of(end)));
     let scene = Scene { reference, ..Scene::new("it", problem) };
@@ -47,7 +47,7 @@ fn classes(path: &Path, entity: &str) -> ([usize; 2], Vec<u8>) {
     image(path, entity, [SegmentationImage::descriptor_format(), SegmentationImage::descriptor_buffer()])
 }
 
-fn values(path: &Path, entity: &str) -> ([usize; 2], Vec<f32>) {
+pub fn values(path: &Path, entity: &str) -> ([usize; 2], Vec<f32>) {
     let (size, bytes) = image(path, entity, [DepthImage::descriptor_format(), DepthImage::descriptor_buffer()]);
     (size, bytes.chunks(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect())
 }

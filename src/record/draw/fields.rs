@@ -101,21 +101,23 @@ fn largest(problem: &Problem, pressure: &[f64]) -> Vec<PatchReading> {
         .collect()
 }
 
-/// The reach of the fields of some states: the largest pressure, the largest gap.
+/// The reach of the fields of some states: the largest pressure, the largest gap, the largest shear stress below.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
     pub pressure: f64,
     pub gap: f64,
+    pub shear: f64,
     /// The lowest and the highest place of the relief.
     pub relief: [f64; 2],
 }
 
 impl Extent {
-    pub const NONE: Self = Self { pressure: 0.0, gap: 0.0, relief: [f64::INFINITY, f64::NEG_INFINITY] };
+    pub const NONE: Self = Self { pressure: 0.0, gap: 0.0, shear: 0.0, relief: [f64::INFINITY, f64::NEG_INFINITY] };
 
     pub fn and(self, other: Self) -> Self {
         let [low, high] = [f64::min(self.relief[0], other.relief[0]), f64::max(self.relief[1], other.relief[1])];
-        Self { pressure: self.pressure.max(other.pressure), gap: self.gap.max(other.gap), relief: [low, high] }
+        let (pressure, gap) = (self.pressure.max(other.pressure), self.gap.max(other.gap));
+        Self { pressure, gap, shear: self.shear.max(other.shear), relief: [low, high] }
     }
 }
 
@@ -131,9 +133,9 @@ mod tests {
 
     #[test]
     fn extents_reach_as_far_as_all_states() {
-        let near = Extent { pressure: 1.0, gap: 5.0, relief: [0.0, 1.0] };
-        let far = Extent { pressure: 3.0, gap: 2.0, relief: [-1.0, 0.5] };
-        assert_eq!(near.and(far), Extent { pressure: 3.0, gap: 5.0, relief: [-1.0, 1.0] });
+        let near = Extent { pressure: 1.0, gap: 5.0, shear: 0.5, relief: [0.0, 1.0] };
+        let far = Extent { pressure: 3.0, gap: 2.0, shear: 0.1, relief: [-1.0, 0.5] };
+        assert_eq!(near.and(far), Extent { pressure: 3.0, gap: 5.0, shear: 0.5, relief: [-1.0, 1.0] });
         assert_eq!(Extent::NONE.and(far), far);
     }
 }

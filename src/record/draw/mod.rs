@@ -1,5 +1,6 @@
 //! The drawings of a recording: pictures, curves and captions, and the scenes that they show.
 
+mod below;
 mod canvas;
 mod chart;
 mod contrast;
@@ -9,6 +10,7 @@ mod fields;
 mod figure;
 mod fill;
 mod flip_map;
+mod fringes;
 mod ghost;
 mod instruments;
 mod lanes;
@@ -33,6 +35,7 @@ mod traces;
 mod waterfall;
 mod window;
 
+pub use below::PIXELS as CUT_PIXELS;
 pub use chart::{Chart, LOAD};
 pub use curves::{Curve, CurveKind, Curves};
 pub use fields::{Extent, Fields};
@@ -45,6 +48,7 @@ pub use reduce::{Columns, has_contour, pixels};
 pub use relief::vertices;
 pub use stage::{Stage, level};
 pub use step_image::StepImage;
+pub use surface::Image;
 pub use traces::{
     COMPARED, PHASE, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced,
 };

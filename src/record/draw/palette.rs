@@ -134,6 +134,11 @@ impl Map {
         Self::of(Colormap::Viridis, &colorgrad::preset::viridis())
     }
 
+    pub fn grey() -> Self {
+        let shade = |level: u8| colour(Colour([level; 3]));
+        Self { viewer: Colormap::Grayscale, colours: (0..=u8::MAX).map(shade).collect() }
+    }
+
     fn of(viewer: Colormap, gradient: &impl Gradient) -> Self {
         let colours = gradient.colors(256).map(|c| {
             let [r, g, b, _] = c.to_rgba8();

@@ -31,7 +31,16 @@ impl Ruler {
 
     /// An axis for pressures from 0 to `highest`, in `contact_modulus`.
     pub fn pressure(highest: f64, contact_modulus: f64) -> Self {
-        let ruler = Self::new("p / E*", "", [0.0, HEADROOM * highest / contact_modulus]);
+        Self::over_modulus("p / E*", highest, contact_modulus)
+    }
+
+    /// An axis for shear stresses from 0 to `highest`, in `contact_modulus`.
+    pub fn shear(highest: f64, contact_modulus: f64) -> Self {
+        Self::over_modulus("τ_max / E*", highest, contact_modulus)
+    }
+
+    fn over_modulus(symbol: &str, highest: f64, contact_modulus: f64) -> Self {
+        let ruler = Self::new(symbol, "", [0.0, HEADROOM * highest / contact_modulus]);
         Self { unit: ruler.unit * contact_modulus, ..ruler }
     }
 

@@ -1,8 +1,9 @@
 //! A scene, prepared for recording.
 
+use super::below::StressPicture;
 use super::canvas;
 use super::density::DensityPicture;
-use super::fields::Fields;
+use super::fields::{Extent, Fields};
 use super::ghost::Ghost;
 use super::instruments::Instruments;
 use super::line::LinePicture;
@@ -53,6 +54,8 @@ pub struct Stage {
     pub spectrum: Option<SpectrumPicture>,
     /// The density of the error, if it is asked for.
     pub density: Option<DensityPicture>,
+    /// The stress below, if it is asked for.
+    pub below: Option<StressPicture>,
     /// The map of contact patches over loads, once there are loads.
     pub patches: Option<PatchMap>,
 }
@@ -86,6 +89,7 @@ impl Stage {
             picture,
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, palette, &root)),
             density: options.what.has(Part::Error).then(|| DensityPicture::new(scene, &root, &options)),
+            below: StressPicture::new(scene, forecast, &root, &options),
             patches: None,
             root,
         }
@@ -118,6 +122,9 @@ impl Stage {
         }
         if let Some(density) = &self.density {
             density.log_static(to)?;
+        }
+        if let Some(below) = &self.below {
+            below.log_static(to)?;
         }
         if let Some(patches) = &self.patches {
             patches.log_static(to)?;
@@ -166,7 +173,24 @@ impl Stage {
         if let Some(density) = &self.density {
             density.log_frame(to, fields)?;
         }
+        if let Some(below) = &self.below {
+            below.log_frame(to, fields)?;
+        }
         self.picture.log_frame(to, fields)
+    }
+
+    /// The reach of the fields of a state.
+    pub fn extent(&self, fields: &Fields<'_>) -> Extent {
+        let shear = self.below.as_ref().map_or(0.0, |below| below.extent(fields));
+        Extent { shear, ..self.picture.extent(fields) }
+    }
+
+    /// Fits axes and scales to some states, for all times.
+    pub fn settle(&self, to: &RecordingStream, extent: Extent) -> RecordingStreamResult<()> {
+        if let Some(below) = &self.below {
+            below.settle(to, extent.shear)?;
+        }
+        self.picture.settle(to, extent)
     }
 
     /// Records words above the pictures at the current time.

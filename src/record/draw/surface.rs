@@ -146,7 +146,7 @@ impl Picture for SurfacePicture {
     fn extent(&self, fields: &Fields<'_>) -> Extent {
         let [pressure, gap] = [&fields.pressure, &fields.gap].map(|values| range(values.iter().copied())[1]);
         let relief = self.relief.as_ref().map_or(Extent::NONE.relief, |relief| relief.extent(fields));
-        Extent { pressure, gap, relief }
+        Extent { pressure, gap, relief, ..Extent::NONE }
     }
 
     fn settle(&self, to: &RecordingStream, extent: Extent) -> RecordingStreamResult<()> {
@@ -160,6 +160,11 @@ impl Picture for SurfacePicture {
 }
 
 impl Image {
+    /// The part of the canvas that it takes.
+    pub fn bounds(&self) -> [f64; 4] {
+        canvas::bounds(&self.frame)
+    }
+
     fn pixels(&self) -> String {
         format!("{}/image", self.root)
     }
@@ -182,7 +187,7 @@ impl Image {
     }
 
     /// Records the range of the colours, and beside the image the bar that explains it.
-    fn log_scale(&self, to: &RecordingStream, scale: &Axis) -> RecordingStreamResult<()> {
+    pub fn log_scale(&self, to: &RecordingStream, scale: &Axis) -> RecordingStreamResult<()> {
         let range = ValueRange::from(scale.range.map(|number| number * self.scale.unit));
         let range = DepthImage::update_fields().with_depth_range(range);
         to.log_static(self.pixels(), &range)?;

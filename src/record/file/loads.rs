@@ -143,7 +143,7 @@ impl LoadRecording {
                 stage.log_caption(stream, self.captions[load].clone())?;
             }
             let fields = Fields::of_contact(contact);
-            let extent = stage.picture.extent(&fields);
+            let extent = stage.extent(&fields);
             let extents = &mut self.progress().extents;
             extents[scene] = extents[scene].and(extent);
             stage.log_frame(stream, &fields)?;
@@ -164,7 +164,7 @@ impl LoadRecording {
     fn settle(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
         let Progress { loads, extents, charts } = &mut *self.progress();
         for (stage, extent) in self.recording.stages.iter().zip(extents).filter(|(_, it)| **it != Extent::NONE) {
-            stage.picture.settle(stream, *extent)?;
+            stage.settle(stream, *extent)?;
             if let Some(patches) = &stage.patches {
                 patches.settle(stream, loads.iter().copied())?;
             }

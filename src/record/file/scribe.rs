@@ -144,7 +144,7 @@ impl Scribe {
             }
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
-        self.stage().picture.settle(&self.stream, self.stage().picture.extent(fields))?;
+        self.stage().settle(&self.stream, self.stage().extent(fields))?;
         let result = Stage::result(contact) + &self.end_readings(contact)?;
         self.log_description(&result)?;
         properties::send(&self.stream, &self.stage().root, &properties::of_contact(contact))?;

@@ -1,7 +1,7 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
 use super::blueprint::{Corner, Kind, Pane, View, send};
-use crate::record::draw::{Instruments, PHASE, STEP, Stage, StepImage, drawn, entity_under, title, traced};
+use crate::record::draw::{Image, Instruments, PHASE, STEP, Stage, StepImage, drawn, entity_under, title, traced};
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
@@ -66,6 +66,12 @@ fn views(stage: &Stage) -> Vec<Vec<Pane>> {
     }
     if what.has(Part::Mesh) {
         rows.push(vec![relief(stage)]);
+    }
+    if let Some(below) = &stage.below {
+        let pane = |(title, image): (String, &Image)| {
+            View::plane(&title, &image.root, vec![format!("{}/**", image.root)], image.bounds(), stage.palette)
+        };
+        rows.push(below.images().map(pane).collect());
     }
     if what.has(Part::Fields) {
         let is_exact = stage.grid.is_line() && stage.exact[1].is_some();

@@ -1,0 +1,62 @@
+//! What sticks and what slips under a tangential load, for people and for scripts.
+
+use super::progress::Progress;
+use anyhow::Result;
+use asperity::contact::{Contact, PartialSlip};
+use asperity::setup::Setup;
+use serde::Serialize;
+
+/// The numbers of a contact in partial slip.
+#[derive(Serialize)]
+pub struct SlipFinding {
+    pub friction: f64,
+    /// The tangential load, in the form of the normal one.
+    pub tangential: f64,
+    /// The same over the load at which all slides.
+    pub tangential_over_sliding: f64,
+    /// The mean traction, a pressure.
+    pub mean_traction: f64,
+    pub max_traction: f64,
+    /// The area that sticks over that of the cell, its edges resolved between the nodes.
+    pub stick_area: f64,
+    pub slip_area: f64,
+    /// The certificate of the contact under the smaller load.
+    pub stick_certificate: f64,
+}
+
+/// Solves for what sticks if there is a tangential load, and the contact has been found.
+pub fn find(setup: &Setup, contact: &Contact) -> Result<Option<PartialSlip>> {
+    let Some(friction) = setup.friction.filter(|_| contact.fault().is_none()) else { return Ok(None) };
+    let mut progress = Progress::new("what sticks");
+    let solver = setup.solver.solver();
+    Ok(Some(PartialSlip::of(contact.clone(), friction, solver, &setup.stop, &mut progress)?))
+}
+
+impl From<&PartialSlip> for SlipFinding {
+    fn from(slip: &PartialSlip) -> Self {
+        let traction = slip.traction();
+        Self {
+            friction: slip.friction.coefficient,
+            tangential: slip.friction.tangential,
+            tangential_over_sliding: slip.ratio,
+            mean_traction: traction.mean().unwrap_or(f64::NAN),
+            max_traction: traction.fold(0.0, |most: f64, &tau| most.max(tau)),
+            stick_area: slip.stick().relative_area,
+            slip_area: slip.slip_area(),
+            stick_certificate: slip.stuck.certificate.eta,
+        }
+    }
+}
+
+impl SlipFinding {
+    /// Names and values for reading.
+    pub fn rows(&self) -> Vec<(String, String)> {
+        let rows = [
+            ("tangential load", format!("{:.6e} of that at which all slides", self.tangential_over_sliding)),
+            ("traction, mean and max", format!("{:.6e} {:.6e}", self.mean_traction, self.max_traction)),
+            ("stick area", format!("{:.6} (certificate {:.2e})", self.stick_area, self.stick_certificate)),
+            ("slip area", format!("{:.6}", self.slip_area)),
+        ];
+        rows.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+    }
+}

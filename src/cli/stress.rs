@@ -1,0 +1,41 @@
+//! The stress below the contact that a solve has found, in a file.
+
+use super::outcome::{Usage, usage};
+use anyhow::Result;
+use asperity::Grid;
+use asperity::contact::{Contact, archive_of_stress};
+use asperity::elastic::stress::USUAL_POISSON;
+use asperity::files::write_beside;
+use asperity::setup::{Cost, Setup};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Values that are held for each column and depth, those of the file in memory included.
+const VALUES: f64 = 16.0;
+/// Depths, as the contact chooses them.
+const DEPTHS: f64 = 64.0;
+
+/// Refuses a row that a grid does not have, and a stress that does not fit in memory.
+pub fn check(grid: &Grid, row: Option<usize>) -> Result<()> {
+    let ny = grid.shape()[0];
+    match row {
+        Some(_) if grid.is_line() => usage("--stress-row chooses a row of a surface, but this is a line: leave it out"),
+        Some(row) if row >= ny => Err(Usage(format!("--stress-row is {row}: give 0 to {}", ny - 1)).into()),
+        _ => Ok(Cost::of_fields(grid, VALUES * DEPTHS / ny as f64).check("the stress")?),
+    }
+}
+
+/// Writes the stress below a row, or below that of the largest pressure.
+pub fn write(path: &Path, setup: &Setup, contact: &Contact, row: Option<usize>) -> Result<()> {
+    let row = row.unwrap_or_else(|| contact.highest_row());
+    let stress = contact.stress(row, setup.poisson().unwrap_or(USUAL_POISSON), &contact.usual_depths())?;
+    let bytes = archive_of_stress((contact, row), &stress, setup.poisson().is_none(), &setup.to_toml());
+    Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
+}
+
+/// The warning that nobody gave Poisson's ratio.
+pub fn assumed(setup: &Setup) -> Option<String> {
+    setup.poisson().is_none().then(|| {
+        format!("the stress is that of a Poisson's ratio of {USUAL_POISSON}, which is assumed: give --young and --poisson instead of the modulus")
+    })
+}

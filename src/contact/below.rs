@@ -1,0 +1,47 @@
+//! The stress below a contact.
+
+use crate::contact::Contact;
+use crate::elastic::stress::{Stress, depths, highest_row, under_row};
+use crate::error::SolidError;
+
+/// Depths at which the stress is given, the surface among them.
+const DEPTHS: usize = 64;
+
+impl Contact {
+    /// The stress below row `row` of the contact, a line having the row 0, at some depths in a solid of Poisson's ratio `poisson`, see
+    /// [`under_row`].
+    ///
+    /// # Errors
+    /// [`SolidError::Poisson`].
+    ///
+    /// # Panics
+    /// For a row that the grid does not have.
+    ///
+    /// ```
+    /// use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
+    /// use asperity::{Grid, Indenter, Problem, Stop};
+    /// let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(4096, 4.0)?)?;
+    /// let problem = Problem::new(cylinder, ContactModulus(1.0), Load::MeanPressure(1e-4))?;
+    /// let contact = Multilevel.solve(&problem, &Stop::default(), &mut ())?.converged()?;
+    /// let stress = contact.stress(contact.highest_row(), 0.3, &contact.usual_depths())?;
+    /// let highest = stress.tau_max().iter().fold(0.0, |most: f64, &tau| most.max(tau));
+    /// assert!((highest / contact.max_pressure() - 0.30).abs() < 0.01); // Hertz
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn stress(&self, row: usize, poisson: f64, depth: &[f64]) -> Result<Stress, SolidError> {
+        let pressure = self.pressure.as_slice().expect("results are made in standard layout");
+        under_row(self.problem.surface().grid(), pressure, row, poisson, depth)
+    }
+
+    /// The row of the largest pressure.
+    pub fn highest_row(&self) -> usize {
+        let pressure = self.pressure.as_slice().expect("results are made in standard layout");
+        highest_row(self.problem.surface().grid(), pressure)
+    }
+
+    /// The surface and depths from half of the spacing to half of the cell, ever farther from each other.
+    pub fn usual_depths(&self) -> Vec<f64> {
+        let grid = self.problem.surface().grid();
+        depths(0.5 * grid.spacing()[1], 0.5 * grid.size()[1], DEPTHS)
+    }
+}

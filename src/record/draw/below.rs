@@ -1,0 +1,170 @@
+//! The stress below the surface, in a vertical cut: the largest shear stress in colour, and as photoelastic fringes.
+
+use super::canvas::{BOX, TEXT};
+use super::fields::Fields;
+use super::fringes::{light, per_order};
+use super::palette::{Map, Palette};
+use super::reduce::Blocks;
+use super::ruler::Ruler;
+use super::surface::Image;
+use super::window::Window;
+use crate::contact::Forecast;
+use crate::elastic::stress::{USUAL_POISSON, under_row};
+use crate::grid::Grid;
+use crate::plot::Frame;
+use crate::record::options::Options;
+use crate::record::scene::Scene;
+use crate::setup::Part;
+use rerun::{RecordingStream, RecordingStreamResult};
+
+/// Columns and rows of the pictures, whose pixels are square in space.
+pub const PIXELS: [usize; 2] = [256, 118];
+/// Blocks of the pressure for each column of a picture of a line, and on the whole line at the most.
+const FINER: usize = 2;
+const MOST: usize = 8192;
+/// Blocks along the longer side of a surface at the most.
+const MOST_OF_SURFACE: usize = 256;
+/// The largest shear stress below a Hertzian line over the largest pressure: what is expected.
+const HERTZ: f64 = 0.30;
+
+/// The stress below a line, or below the row of the highest peak of a surface. Each block of nodes presses with its mean: what is
+/// closer to the surface than a block is wide is smoothed.
+pub struct StressPicture {
+    grid: Grid,
+    contact_modulus: f64,
+    poisson: f64,
+    blocks: Blocks,
+    /// The row of the blocks.
+    row: usize,
+    /// First and last position.
+    ends: [f64; 2],
+    depth: Vec<f64>,
+    colours: Option<Image>,
+    fringes: Option<Image>,
+    /// The difference of the principal stresses from one fringe to the next.
+    per_order: f64,
+}
+
+impl StressPicture {
+    /// The pictures that `options` ask for, if any.
+    pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Option<Self> {
+        let has = |part: Part| options.what.has(part);
+        if !has(Part::Stress) && !has(Part::Fringes) {
+            return None;
+        }
+        let (grid, contact_modulus) = (*scene.problem.surface().grid(), scene.problem.contact_modulus());
+        let whole = [0.0, grid.size()[1]];
+        let ends = if grid.is_line() { Window::around(scene).ends(grid.spacing()[1]) } else { whole };
+        let pixel = (ends[1] - ends[0]) / PIXELS[0] as f64;
+        let (frame, palette) = (frame(ends, pixel, &options.length_unit), Palette::of(options.theme));
+        let highest = HERTZ * forecast.max_pressure;
+        let image = |name: &str, scale, map| Image::new(format!("{root}/{name}"), &frame, palette, scale, map);
+        let blocks = blocks(&grid, pixel);
+        let row = options.raster_at.map_or_else(|| highest_row(scene), |[row, _]| row);
+        Some(Self {
+            row: row * blocks.cells[0] / blocks.shape[0],
+            blocks,
+            poisson: scene.setup.as_ref().and_then(|setup| setup.poisson()).unwrap_or(USUAL_POISSON),
+            ends,
+            depth: (0..PIXELS[1]).map(|i| (i as f64 + 0.5) * pixel).collect(),
+            colours: has(Part::Stress).then(|| image("stress", Ruler::shear(highest, contact_modulus), Map::inferno())),
+            fringes: has(Part::Fringes).then(|| image("fringes", Ruler::new("light", "", [0.0, 1.0]), Map::grey())),
+            per_order: per_order(highest, contact_modulus),
+            contact_modulus,
+            grid,
+        })
+    }
+
+    /// The pictures with their titles.
+    pub fn images(&self) -> impl Iterator<Item = (String, &Image)> {
+        let cut = if self.grid.is_line() { "below the line" } else { "in a cut through the highest peak" };
+        let colours = format!("Largest shear stress τ_max {cut} (ν = {})", self.poisson);
+        let order = self.per_order / self.contact_modulus;
+        let fringes = format!("Photoelastic fringes, dark field: 2 τ_max grows by {order:.0e} E* from dark to dark");
+        [(colours, &self.colours), (fringes, &self.fringes)]
+            .into_iter()
+            .filter_map(|(title, image)| Some((title, image.as_ref()?)))
+    }
+
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        self.images().try_for_each(|(_, image)| image.log_static(to))
+    }
+
+    pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        let tau = self.tau_max(fields);
+        if let Some(image) = &self.colours {
+            image.log(to, tau.iter().copied())?;
+        }
+        let Some(image) = &self.fringes else { return Ok(()) };
+        image.log(to, light(&tau, PIXELS[0], self.per_order).into_iter())
+    }
+
+    /// The largest shear stress in the picture of a state.
+    pub fn extent(&self, fields: &Fields<'_>) -> f64 {
+        self.tau_max(fields).into_iter().fold(0.0, f64::max)
+    }
+
+    /// Fits the colours to shear stresses up to `highest`, for all times; the fringes stay.
+    pub fn settle(&self, to: &RecordingStream, highest: f64) -> RecordingStreamResult<()> {
+        self.colours.as_ref().map_or(Ok(()), |image| image.log_scale(to, &image.scale.fitted(highest)))
+    }
+
+    /// The largest shear stress in each pixel, row by row from the surface on.
+    fn tau_max(&self, fields: &Fields<'_>) -> Vec<f64> {
+        let pressure = self.mean_pressures(fields);
+        let grid = self.grid.with_shape(self.blocks.cells).expect("blocks are fewer than nodes and more than three");
+        let stress = under_row(&grid, &pressure, self.row, self.poisson, &self.depth).expect("the ratio was checked");
+        let tau = stress.tau_max();
+        let columns: Vec<(usize, usize, f64)> = (0..PIXELS[0]).map(|column| self.between(column)).collect();
+        let pixels = tau.rows().into_iter().flat_map(|row| {
+            columns.iter().map(move |&(left, right, share)| row[left] + share * (row[right] - row[left]))
+        });
+        pixels.collect()
+    }
+
+    /// The mean pressures of the blocks.
+    fn mean_pressures(&self, fields: &Fields<'_>) -> Vec<f64> {
+        let sums = self.blocks.fold(&fields.pressure, fields.stride, 0.0, |sum, p| sum + p);
+        let counts = self.blocks.fold(&fields.pressure, fields.stride, 0.0, |count, _| count + 1.0);
+        sums.into_iter().zip(counts).map(|(sum, count)| sum / count).collect()
+    }
+
+    /// The blocks to the left and to the right of the middle of a column, and how far it is from the first to the second.
+    fn between(&self, column: usize) -> (usize, usize, f64) {
+        let [start, end] = self.ends;
+        let position = start + (column as f64 + 0.5) / PIXELS[0] as f64 * (end - start);
+        let (blocks, spacing) = (self.blocks.cells[1], self.grid.spacing()[1]);
+        let per_node = blocks as f64 / self.blocks.shape[1] as f64;
+        // a node is in the middle of what it stands for
+        let place = ((position / spacing + 0.5) * per_node - 0.5).rem_euclid(blocks as f64);
+        let left = place as usize % blocks;
+        (left, (left + 1) % blocks, place.fract())
+    }
+}
+
+/// The frame of the pictures, a unit for each pixel, with the proportions of those of a line.
+fn frame(ends: [f64; 2], pixel: f64, length_unit: &str) -> Frame {
+    let size = PIXELS.map(|n| n as f64);
+    let x = Ruler::new("x", length_unit, ends).axis;
+    let y = Ruler::new("z", length_unit, [-size[1] * pixel, 0.0]).axis;
+    Frame { x, y, corner: [0.0, 0.0], size, text: TEXT / BOX[0] * size[0] }
+}
+
+/// The blocks of the pressure: somewhat finer than the pixels of a line, all that can be afforded on a surface.
+fn blocks(grid: &Grid, pixel: f64) -> Blocks {
+    let shape = grid.shape();
+    let fit = |cells: usize, nodes: usize| cells.clamp(Grid::MIN_POINTS, nodes);
+    if grid.is_line() {
+        let wanted = (grid.size()[1] / pixel * FINER as f64).ceil() as usize;
+        return Blocks { shape, cells: [1, fit(wanted.min(MOST), shape[1])] };
+    }
+    let square = Blocks::square(shape, grid.size(), MOST_OF_SURFACE);
+    Blocks { shape, cells: [0, 1].map(|axis| fit(square.cells[axis], shape[axis])) }
+}
+
+/// The row of the highest peak.
+fn highest_row(scene: &Scene<'_>) -> usize {
+    let height = scene.problem.height();
+    let highest = (0..height.len()).fold(0, |best, node| if height[node] > height[best] { node } else { best });
+    highest / scene.problem.surface().grid().shape()[1]
+}

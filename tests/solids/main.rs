@@ -1,0 +1,4 @@
+//! Solids other than the periodic half-space, against closed forms, the equations of elasticity and a peer.
+
+mod free;
+mod layer;
