@@ -2,14 +2,15 @@
 //!
 //! `cargo run --release --example stress_fringes`
 
-use asperity::contact::{Contact, Load, Solver};
+use asperity::contact::{Contact, Load, Observer};
+use asperity::error::{SolidError, SolveError};
 use asperity::record::{Options, Recording, Scene};
-use asperity::setup::{Cell, Part, Recipe, Setup, Solid};
+use asperity::setup::{Body, Cell, Part, Recipe, Setup, Solid};
 use asperity::surface::Spectrum;
 use asperity::{Indenter, Problem};
 
 /// Steel against a rigid surface: Young's modulus in pascals, Poisson's ratio.
-const STEEL: asperity::setup::Body = asperity::setup::Body { young: 210e9, poisson: 0.3 };
+const STEEL: Body = Body { young: 210e9, poisson: 0.3 };
 const CELL: f64 = 160e-6;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -36,16 +37,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-fn solve(
-    setup: &Setup,
-    problem: &Problem,
-    recorder: &mut dyn asperity::contact::Observer,
-) -> Result<Contact, asperity::error::SolveError> {
+fn solve(setup: &Setup, problem: &Problem, recorder: &mut dyn Observer) -> Result<Contact, SolveError> {
     setup.solver.solver().solve(problem, &setup.stop, recorder)?.converged()
 }
 
 /// Prints the largest shear stress at some depths.
-fn print(name: &str, contact: &Contact) -> Result<(), asperity::error::SolidError> {
+fn print(name: &str, contact: &Contact) -> Result<(), SolidError> {
     println!("{name}: largest pressure {:.0} MPa", contact.max_pressure() / 1e6);
     println!("  depth [um]  tau_max [MPa]");
     let depth = [0.1e-6, 0.5e-6, 2e-6, 5e-6, 10e-6, 20e-6, 40e-6];

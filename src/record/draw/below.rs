@@ -26,6 +26,9 @@ const MOST: usize = 8192;
 const MOST_OF_SURFACE: usize = 256;
 /// The largest shear stress below a Hertzian line over the largest pressure: what is expected.
 const HERTZ: f64 = 0.30;
+/// The share of the largest shear stress that is common below rough contacts, where the largest one stands below one asperity: fringes are
+/// so much finer there.
+const COMMON: f64 = 0.25;
 
 /// The stress below a line, or below the row of the highest peak of a surface. Each block of nodes presses with its mean: what is
 /// closer to the surface than a block is wide is smoothed.
@@ -58,6 +61,7 @@ impl StressPicture {
         let pixel = (ends[1] - ends[0]) / PIXELS[0] as f64;
         let (frame, palette) = (frame(ends, pixel, &options.length_unit), Palette::of(options.theme));
         let highest = HERTZ * forecast.max_pressure;
+        let common = if scene.exact.is_some() { highest } else { COMMON * highest };
         let image = |name: &str, scale, map| Image::new(format!("{root}/{name}"), &frame, palette, scale, map);
         let blocks = blocks(&grid, pixel);
         let row = options.raster_at.map_or_else(|| highest_row(scene), |[row, _]| row);
@@ -69,7 +73,7 @@ impl StressPicture {
             depth: (0..PIXELS[1]).map(|i| (i as f64 + 0.5) * pixel).collect(),
             colours: has(Part::Stress).then(|| image("stress", Ruler::shear(highest, contact_modulus), Map::inferno())),
             fringes: has(Part::Fringes).then(|| image("fringes", Ruler::new("light", "", [0.0, 1.0]), Map::grey())),
-            per_order: per_order(highest, contact_modulus),
+            per_order: per_order(common, contact_modulus),
             contact_modulus,
             grid,
         })
