@@ -109,6 +109,11 @@ pub enum ProblemError {
         "an approach of {approach:?} has nothing to be measured from on a periodic half-space: give a mean gap or a pressure, a layer or a free boundary"
     )]
     ApproachOfHalfSpace { approach: f64 },
+    /// A mean pressure that the softer body cannot bear, even where all of it yields.
+    #[error(
+        "a mean pressure of {mean_pressure:?} is above the hardness of {hardness:?}, the highest pressure that the body bears: give less, or a higher hardness"
+    )]
+    AboveHardness { mean_pressure: f64, hardness: f64 },
     /// Values so large or small that sums of their squares leave the range of doubles.
     #[error("the {name} of {value:?} is out of range: choose units in which it lies between 1e-100 and 1e100")]
     OutOfRange { name: &'static str, value: f64 },
@@ -184,6 +189,11 @@ pub enum SolveError {
         "{solver} moves every wave on its own, which a free boundary does not let it: choose the solver multilevel or polonsky-keer"
     )]
     NeedsWaves { solver: String },
+    /// A solver that moves the surface against a hard wall was given a hardness.
+    #[error(
+        "{solver} moves the surface against a hard wall, which does not yield: choose the solver multilevel or polonsky-keer for a hardness"
+    )]
+    NeedsHardWall { solver: String },
 }
 
 /// Elastic constants that make no solid.
@@ -353,7 +363,7 @@ impl SolveError {
     /// Whether another solver or load would do.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::NeedsPressure { .. } | Self::NeedsWaves { .. } => true,
+            Self::NeedsPressure { .. } | Self::NeedsWaves { .. } | Self::NeedsHardWall { .. } => true,
             Self::NotConverged { .. } => false,
             Self::Observer(failure) => {
                 failure.downcast_ref().is_some_and(FileError::is_input)

@@ -1,5 +1,8 @@
 //! What pressures are allowed.
 
+/// Part of a hardness by which rounding may keep a node that yields off it.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// The law of the contact: what pressures are allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Law {
@@ -18,5 +21,29 @@ impl Law {
             Self::HardWall => f64::INFINITY,
             Self::Hardness(hardness) => hardness,
         }
+    }
+
+    /// The hardness, where there is one.
+    pub fn hardness(self) -> Option<f64> {
+        match self {
+            Self::HardWall => None,
+            Self::Hardness(hardness) => Some(hardness),
+        }
+    }
+
+    /// Whether a node under this pressure yields: it lies at the hardness, but for rounding.
+    pub fn yields(self, pressure: f64) -> bool {
+        pressure >= self.ceiling() * (1.0 - ROUNDING)
+    }
+
+    /// By how much this pressure may change either way, `min(p, H_c - p)`; of a hard wall the pressure itself.
+    pub(super) fn room(self, pressure: f64) -> f64 {
+        if pressure < self.ceiling() { pressure.min(self.ceiling() - pressure) } else { 0.0 }
+    }
+
+    /// By how much this pressure is above all that is allowed, over the hardness; 0 within rounding of it.
+    pub(super) fn excess(self, pressure: f64) -> f64 {
+        let excess = pressure / self.ceiling() - 1.0;
+        if excess > ROUNDING { excess } else { 0.0 }
     }
 }

@@ -257,7 +257,8 @@ impl Cascade<'_> {
 
 /// The signed pressure on `support`, clipped and scaled to the load.
 fn feasible(support: &Support, mut values: Vec<f64>, problem: &Problem) -> Pressure {
-    values.iter_mut().for_each(|p| *p = p.max(0.0));
+    let ceiling = problem.law().ceiling();
+    values.iter_mut().for_each(|p| *p = p.max(0.0).min(ceiling));
     let mut pressure = Pressure { support: support.clone(), values };
     pressure.carry(problem);
     pressure
