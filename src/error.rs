@@ -316,6 +316,11 @@ pub enum StudyError {
     Solve(#[from] SolveError),
     #[error(transparent)]
     File(#[from] FileError),
+    /// A load that is no pressure, on a surface that has yielded.
+    #[error(
+        "the {load} is no load of a surface that has yielded under one before: give pressures, or take the hardness away"
+    )]
+    Unload { load: &'static str },
     /// A list of loads, grids or surfaces that is empty or out of order.
     #[error("the {what} are {values}: give at least one, in ascending order, each once")]
     List { what: &'static str, values: String },

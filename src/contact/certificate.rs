@@ -5,7 +5,7 @@ use crate::contact::slack::{Slack, level};
 use crate::contact::{Problem, Sums};
 use serde::Serialize;
 
-/// Rigorous bounds of the error of a feasible pressure `p >= 0` under the load that it carries: a duality gap, or Frank-Wolfe gap,
+/// Rigorous bounds of the error of a feasible pressure `p >= 0`, below the hardness if there is one, under the load that it carries: a duality gap, or Frank-Wolfe gap,
 /// and what follows from it.
 ///
 /// Angle brackets are means over the nodes, `u = A p` is the displacement, `v = u - h`, and `|x|^2 = <x A x>`, in which a uniform
@@ -53,6 +53,35 @@ use serde::Serialize;
 /// **The approach** takes the place of the mean gap where a uniform pressure displaces the surface: `D` is then the highest peak less
 /// the approach, and `A` has the uniform pressure in it. Nothing else changes, as none of the above asks what `A` makes of it.
 ///
+/// # Below a hardness
+/// A [`crate::contact::Law`] may ask for `p <= H_c` as well. Then the lowest `<q v>` of all `q` that carry the load is that of a
+/// fractional knapsack: `H_c` on the nodes of lowest `v`, one after the other, until the load is carried. With the value `lambda` of
+/// `v` at the node that is filled last, `G = <p v>` less that is
+///
+/// ```text
+/// G = <p max(v - lambda, 0)> + <(H_c - p) max(lambda - v, 0)>
+/// ```
+///
+/// a sum of positive terms. It is no less than the true one for any other `lambda`, since `<(p - q)(v - lambda)>` is no larger than
+/// it for every `q` between 0 and `H_c` with the same load: so rounding of `lambda` does no harm. The variational inequality
+/// `<(p - p*) v*> >= 0` holds among the pressures below `H_c`, and with it `|p - p*|^2 <= G` and all that was said of the pressure.
+/// At a mean gap `D` the same sum with `lambda = -D` bounds `F(p) - F*`, and `<(p - p*) (v + D)>`, for `q` of any load.
+///
+/// Where no node of `p` yields, the bounds of the hard wall hold as well, as more pressures are allowed there, and are used; at a mean
+/// gap the smaller of both.
+///
+/// **The datum.** Nodes that yield lie below zero, so `<p g> = 0` does not find it. Let `m = min(p, H_c - p)`, the room of the
+/// pressure. At the solution nodes with room lie at zero, and `d = -<m v>/<m>`; where `p <= H_c/2` everywhere that is `<p g> = 0`.
+/// Both `p + m` and `p - m` are allowed, so with `<(p +- m - p*) (v* + D*)> >= 0`
+///
+/// ```text
+/// |D* - d| <m> <= G + |m| t - t^2,    t <= sqrt(G)
+/// ```
+///
+/// with `|m|^2 <= <m^2> / k_min` for the softest stiffness. Where no node has room, all that touches yields, the datum of the
+/// solution may lie anywhere between the highest node that yields and the lowest that is open: it is taken in the middle, or where
+/// all nodes yield at the highest of them, and its bound is infinite.
+///
 /// # Rounding
 /// The computed `v` is off by `delta`, which [`Certificate::of_displaced`] bounds by magnitudes that it meets. As
 /// `<(p - p*) v> <= G + |delta|* t` with the dual norm `|delta|*^2 = <delta A^-1 delta>`,
@@ -65,8 +94,8 @@ use serde::Serialize;
 /// 1e-15. At a mean gap the load is free, and the mean of `delta` counts as an error of `D`. All bounds here have these terms in
 /// them. `penetration` and `load_error` are no bounds, but what is measured.
 ///
-/// All fields are dimensionless. Where there is no pressure at all, and where a value is negative or not finite, nothing is
-/// bounded: the errors are infinite. At the head of the crate the pressure of somebody else is certified.
+/// All fields are dimensionless. Where there is no pressure at all, and where a value is negative, above the hardness or not finite,
+/// nothing is bounded: the errors are infinite. At the head of the crate the pressure of somebody else is certified.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Certificate {
     /// `eta = G / (<p> h_rms)`, the error in energy against load times rms height: what [`crate::contact::Stop`] asks for. At a

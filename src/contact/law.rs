@@ -1,10 +1,16 @@
 //! What pressures are allowed.
 
+use crate::quantity;
+use serde::{Deserialize, Deserializer, Serialize};
+
 /// Part of a hardness by which rounding may keep a node that yields off it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The law of the contact: what pressures are allowed.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+///
+/// In a scene it is the section `law`: with a `hardness`, a pressure, or left out.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(from = "Keys", into = "Keys")]
 pub enum Law {
     /// A hard wall: `p >= 0`.
     #[default]
@@ -21,6 +27,11 @@ impl Law {
             Self::HardWall => f64::INFINITY,
             Self::Hardness(hardness) => hardness,
         }
+    }
+
+    /// Whether there is no hardness.
+    pub fn is_hard_wall(&self) -> bool {
+        *self == Self::HardWall
     }
 
     /// The hardness, where there is one.
@@ -45,5 +56,29 @@ impl Law {
     pub(super) fn excess(self, pressure: f64) -> f64 {
         let excess = pressure / self.ceiling() - 1.0;
         if excess > ROUNDING { excess } else { 0.0 }
+    }
+}
+
+/// The keys of the section `law`.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a section for the Law")]
+struct Keys {
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "some_pressure")]
+    hardness: Option<f64>,
+}
+
+fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    quantity::pressure(from).map(Some)
+}
+
+impl From<Keys> for Law {
+    fn from(Keys { hardness }: Keys) -> Self {
+        hardness.map_or(Self::HardWall, Self::Hardness)
+    }
+}
+
+impl From<Law> for Keys {
+    fn from(law: Law) -> Self {
+        Self { hardness: law.hardness() }
     }
 }

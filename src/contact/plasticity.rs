@@ -3,6 +3,7 @@
 use crate::contact::{Contact, chunks};
 use crate::error::SurfaceError;
 use crate::surface::Surface;
+use ndarray::Array2;
 use serde::Serialize;
 
 /// What yields of a contact below a hardness, shares and a length over the whole cell. All are zero on a hard wall.
@@ -38,6 +39,12 @@ impl Contact {
     /// What yields of the contact, where there is a hardness.
     pub fn plasticity(&self) -> Plasticity {
         Plasticity::of(self)
+    }
+
+    /// The nodes that yield; none on a hard wall.
+    pub fn yielding(&self) -> Array2<bool> {
+        let law = self.problem.law();
+        self.pressure.mapv(|p| law.yields(p))
     }
 
     /// The surface as it comes out of this contact: its heights less the overlap of the nodes that yield. On a hard wall, which is

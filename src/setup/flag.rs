@@ -61,6 +61,7 @@ pub const FLAGS: &[Flag] = &[
     flag("modulus", "solid.contact-modulus", Value::One, "E*", "Contact modulus E* = E / (1 - nu^2), a pressure: with a unit such as 1GPa, or a number in your units"),
     flag("young", "solid.young", Value::List, "E[,E]", "Young's modulus, a pressure, of the elastic body, or of both: 1/E* = sum (1 - nu^2)/E; with --poisson"),
     flag("poisson", "solid.poisson", Value::List, "NU[,NU]", "Poisson's ratio of the same"),
+    flag("hardness", "law.hardness", Value::One, "H_C", "Hardness of the softer body, a pressure above which it yields: no pressure is higher; with a unit or in that of the modulus, without a modulus over it"),
     flag("pressure", "load.mean-pressure", Value::List, "P[,P]", "Mean pressure, with a unit or in that of the modulus, which must be given; several are solved one after the other"),
     flag("reduced-pressure", "load.reduced-pressure", Value::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus pressures are over E*"),
     flag("mean-gap", "load.mean-gap", Value::List, "G[,G]", "Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd"),

@@ -58,7 +58,7 @@ pub use text::Table;
 pub use theme::Theme;
 pub use words::{differences, in_words};
 
-use crate::contact::{ContactModulus, Load, Problem, Stop};
+use crate::contact::{ContactModulus, Law, Load, Problem, Stop};
 use crate::error::{FileError, SetupError, SolveError};
 use crate::grid::Grid;
 use crate::surface::Surface;
@@ -72,6 +72,7 @@ use serde::{Deserialize, Serialize};
 /// | `surface` | a height file, an indenter, a spectrum, or a sum of them     | must be there                   |
 /// | `grid`    | points and size of the cell                                  | must be there                   |
 /// | `solid`   | the contact modulus, or Young's moduli and Poisson's ratios  | pressures are over the modulus  |
+/// | `law`     | the hardness of the softer body, a pressure                  | elastic at any pressure         |
 /// | `load`    | a mean pressure (of a `solid`), a reduced pressure, a mean gap | must be there                 |
 /// | `solver`  | the method and its settings                                  | multilevel                      |
 /// | `stop`    | certificate to reach, and iterations at the most             | 1e-8, 100 000                   |
@@ -86,6 +87,9 @@ pub struct Setup {
     /// The elastic half-space; without it pressures are over its contact modulus, and a mean pressure is no load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solid: Option<Solid>,
+    /// What pressures are allowed.
+    #[serde(default, skip_serializing_if = "Law::is_hard_wall")]
+    pub law: Law,
     /// The load.
     pub load: Load,
     /// The solver with its settings.
@@ -103,8 +107,8 @@ impl Setup {
     /// The setup of a surface on a grid under a load: pressures over the modulus, the usual solver, stop and recording. Under a
     /// mean pressure it needs a solid as well, see [`Setup::on`].
     pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
-        let (solid, solver, stop, record) = Default::default();
-        Self { surface, grid, solid, load, solver, stop, record }
+        let (solid, law, solver, stop, record) = Default::default();
+        Self { surface, grid, solid, law, load, solver, stop, record }
     }
 
     /// The setup on a solid.
@@ -141,6 +145,9 @@ impl Setup {
         if matches!(self.load, Load::MeanGap(_)) && !self.solver.takes_mean_gap() {
             return Err(SolveError::NeedsPressure { solver: self.solver.name().into() }.into());
         }
+        if !(self.law.is_hard_wall() || self.solver.takes_hardness()) {
+            return Err(SolveError::NeedsHardWall { solver: self.solver.name().into() }.into());
+        }
         Ok(grid)
     }
 
@@ -155,13 +162,16 @@ impl Setup {
     /// The problem.
     ///
     /// # Errors
-    /// The errors of [`Setup::surface`] and of [`Problem::new`].
+    /// The errors of [`Setup::surface`], of [`Problem::new`] and of [`Problem::with_law`].
     pub fn problem(&self) -> Result<Problem, SetupError> {
-        Ok(Problem::new(self.surface()?, ContactModulus(self.contact_modulus()?), self.load)?)
+        let problem = Problem::new(self.surface()?, ContactModulus(self.contact_modulus()?), self.load)?;
+        Ok(problem.with_law(self.law)?)
     }
 
-    /// The exact solution under a mean pressure, where the surface is an indenter that has one.
+    /// The exact solution under a mean pressure, where the surface is an indenter that has one and nothing
+    /// yields.
     pub fn exact(&self, grid: &Grid, mean_pressure: f64) -> Option<Exact> {
+        self.law.is_hard_wall().then_some(())?;
         Exact::of(&self.surface.smooth()?, grid, self.contact_modulus().ok()?, mean_pressure)
     }
 
