@@ -108,7 +108,7 @@ mod tests {
     use super::*;
     use crate::contact::Problem;
     use crate::contact::best::Best;
-    use crate::contact::{ContactModulus, Load};
+    use crate::contact::{ContactModulus, Law, Load};
     use crate::grid::Grid;
     use crate::surface::{Indenter, Surface};
     use ndarray::Array1;
@@ -126,13 +126,17 @@ mod tests {
             Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(mean_pressure)).unwrap()
         };
         let noise = |i: usize| ((i * i % 251) as f64 * 12.9898).sin() * 43758.5453 % 1.0;
-        vec![
+        let below = |problem: Problem, hardness: f64| problem.with_law(Law::Hardness(hardness)).unwrap();
+        let walls = vec![
             indenter(Indenter::Sine { amplitude: 0.01 }, 0.01 * PI * (0.05 * PI).sin().powi(2)),
             indenter(Indenter::Cylinder { radius: 0.25 }, 0.22),
             problem(Array1::from_shape_fn(256, |i| if i / 16 % 2 == 0 { 0.0 } else { -0.01 }), 0.01),
             problem(Array1::from_shape_fn(256, noise), 1.0),
             problem(Array1::from_shape_fn(256, |i| if i == 100 { 1.0 } else { 0.0 }), 0.01),
-        ]
+        ];
+        let hard = |wall: &Problem| [1.5, 4.0].map(|times| below(wall.clone(), times * wall.expected_mean_pressure()));
+        let hard: Vec<Problem> = walls.iter().flat_map(hard).collect();
+        walls.into_iter().chain(hard).collect()
     }
 
     fn uniform(problem: &Problem) -> Level<'_> {
