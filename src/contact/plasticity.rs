@@ -24,7 +24,7 @@ impl Plasticity {
         let (law, n) = (contact.problem.law(), contact.pressure.len() as f64);
         let of_yielding = |value: &dyn Fn(f64, f64) -> f64| -> f64 {
             let nodes = contact.pressure.iter().zip(&contact.gap).filter(|(p, _)| law.yields(**p));
-            nodes.map(|(&p, &gap)| value(p, gap)).sum()
+            nodes.fold(0.0, |sum, (&p, &gap)| sum + value(p, gap))
         };
         let load = chunks::sum(contact.pressure.len(), |i| contact.pressure.as_slice().map_or(0.0, |p| p[i]));
         Self {
