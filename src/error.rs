@@ -109,6 +109,11 @@ pub enum ProblemError {
         "an approach of {approach:?} has nothing to be measured from on a periodic half-space: give a mean gap or a pressure, a layer or a free boundary"
     )]
     ApproachOfHalfSpace { approach: f64 },
+    /// A mean pressure that the softer body cannot bear, even where all of it yields.
+    #[error(
+        "a mean pressure of {mean_pressure:?} is above the hardness of {hardness:?}, the highest pressure that the body bears: give less, or a higher hardness"
+    )]
+    AboveHardness { mean_pressure: f64, hardness: f64 },
     /// Values so large or small that sums of their squares leave the range of doubles.
     #[error("the {name} of {value:?} is out of range: choose units in which it lies between 1e-100 and 1e100")]
     OutOfRange { name: &'static str, value: f64 },
@@ -184,6 +189,11 @@ pub enum SolveError {
         "{solver} moves every wave on its own, which a free boundary does not let it: choose the solver multilevel or polonsky-keer"
     )]
     NeedsWaves { solver: String },
+    /// A solver that moves the surface against a hard wall was given a hardness.
+    #[error(
+        "{solver} moves the surface against a hard wall, which does not yield: choose the solver multilevel or polonsky-keer for a hardness"
+    )]
+    NeedsHardWall { solver: String },
 }
 
 /// A tangential load that cannot be carried, or not be solved.
@@ -228,6 +238,11 @@ pub enum SolidError {
     Young { young: f64 },
     #[error("the thickness of the layer is {thickness:?}: give a positive, finite length")]
     Thickness { thickness: f64 },
+    /// A solid inside which the stress is not known.
+    #[error(
+        "the stress is known in a half-space, below a line or a periodic surface, and this is neither: leave the stress out"
+    )]
+    NoStress,
     /// A base without a layer on it.
     #[error("a base is given without a layer on it: give the thickness of the layer, or leave the base out")]
     BaseWithoutLayer,
@@ -280,6 +295,11 @@ pub enum SetupError {
         "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
     )]
     SeedWithoutSpectrum,
+    /// A tangential load on a contact that yields.
+    #[error(
+        "a tangential load is given beside a hardness, but partial slip is that of elastic contacts: leave one of them out"
+    )]
+    FrictionOfYielding,
     /// A second file of heights that does not fit the first.
     #[error(
         "the heights in {} have the shape {found:?} and those that they are pressed on {expected:?}: give arrays of the same shape", path.display()
@@ -358,6 +378,11 @@ pub enum StudyError {
     Solve(#[from] SolveError),
     #[error(transparent)]
     File(#[from] FileError),
+    /// A load that is no pressure, on a surface that has yielded.
+    #[error(
+        "the {load} is no load of a surface that has yielded under one before: give pressures, or take the hardness away"
+    )]
+    Unload { load: &'static str },
     /// A list of loads, grids or surfaces that is empty or out of order.
     #[error("the {what} are {values}: give at least one, in ascending order, each once")]
     List { what: &'static str, values: String },
@@ -405,7 +430,7 @@ impl SolveError {
     /// Whether another solver or load would do.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::NeedsPressure { .. } | Self::NeedsWaves { .. } => true,
+            Self::NeedsPressure { .. } | Self::NeedsWaves { .. } | Self::NeedsHardWall { .. } => true,
             Self::NotConverged { .. } => false,
             Self::Observer(failure) => {
                 failure.downcast_ref().is_some_and(FileError::is_input)

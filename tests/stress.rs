@@ -284,7 +284,7 @@ fn energy_below_the_surface_is_that_put_in_at_the_surface() {
     let (grid, poisson, contact_modulus) = (Grid::line(32, TAU).unwrap(), 0.3, 2.0);
     let pressure: Vec<f64> = grid.x().map(|x| x.cos() + 0.5 * (3.0 * x).sin()).collect();
     let mut displacement = vec![0.0; 32];
-    HalfSpace::new(&grid, contact_modulus).displacement(&pressure, &mut displacement);
+    Response::half_space(&grid, contact_modulus).displacement(&pressure, &mut displacement);
     let put_in = 0.5 * pressure.iter().zip(&displacement).map(|(p, u)| p * u).sum::<f64>() * grid.spacing()[1];
     let dz = 0.005;
     let depth: Vec<f64> = (0..4000).map(|i| (i as f64 + 0.5) * dz).collect();

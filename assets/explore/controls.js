@@ -10,6 +10,8 @@ const rough = (k) => k.roughness > 0;
 const CONTROLS = [
   { group: "Load", id: "load", label: "p*", kind: "range", log: true, min: -4, max: 1.5, step: 0.02, least: 1e-5, most: 1e3, wide: "load",
     tip: "Reduced pressure p* = mean pressure / (rms gradient × E*). Contact grows in proportion to it at first, and is full at p* of about 2." },
+  { group: "Load", id: "hardness", label: "Hardness H<sub>c</sub>/E*", kind: "range", min: 0, max: 0.002, step: 0.00002, most: 1,
+    tip: "Hardness of the softer body over E*, a pressure above which it yields: no pressure is higher. At 0 the body is elastic. Not with GFMD." },
   { group: "Surface", id: "domain", label: "Geometry", kind: "select", options: { line: "Line (2-D)", surface: "Surface (3-D)" },
     tip: "A line is a profile in plane strain; a surface has both directions." },
   { group: "Surface", id: "body", label: "Shape", kind: "select",

@@ -1,6 +1,6 @@
 //! The findings of a solve under one load: status, observables, and the exact solution where there is one.
 
-use asperity::contact::{Contact, OBSERVABLES, Observables, Status};
+use asperity::contact::{Contact, OBSERVABLES, Observables, Plasticity, Status};
 use asperity::setup::Setup;
 use asperity::theory::Exact;
 use serde::Serialize;
@@ -52,6 +52,9 @@ pub struct Finding {
     #[serde(flatten)]
     pub observables: Observables,
     pub seconds: f64,
+    /// What yields, where there is a hardness.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plasticity: Option<Plasticity>,
     /// The exact solution under the same mean pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     exact: Option<Exact>,
@@ -63,6 +66,7 @@ impl Finding {
             status: contact.status,
             observables: Observables::of(contact),
             seconds: contact.work.seconds,
+            plasticity: setup.law.hardness().map(|_| contact.plasticity()),
             exact: setup.exact(contact.problem.surface().grid(), contact.mean_pressure()),
         }
     }
@@ -75,7 +79,13 @@ impl Finding {
             ("contact stiffness", format!("{:.6e}{load}", it.stiffness))
         });
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
-        let rows = rows.chain(stiffness).chain(exact).map(|(name, value)| (name.to_owned(), value));
+        let plasticity = self.plasticity.iter().flat_map(|it| {
+            [
+                ("plastic area", format!("{:.6} ({} of the load)", it.area, percent(it.load_share))),
+                ("plastic overlap", format!("{:.6e}, mean over the cell", it.overlap)),
+            ]
+        });
+        let rows = rows.chain(plasticity).chain(stiffness).chain(exact).map(|(name, value)| (name.to_owned(), value));
         rows.chain(self.others()).collect()
     }
 

@@ -162,7 +162,7 @@ fn heading<E: Extent>(flag: &Flag) -> &'static str {
         "surface" if !["height", "detrend"].contains(&flag.name) => "Roughness",
         "surface" | "grid" => "Surface (a height file, an indenter, roughness, or a sum of them) and its cell",
         "load" => E::LOAD,
-        "solid" => "Solid (the contact modulus, or elastic constants; a mean pressure needs it)",
+        "solid" | "law" => "Solid (the contact modulus, or elastic constants; a mean pressure needs it)",
         "friction" => "Friction (a tangential load after the normal one)",
         "record" => "Recording",
         _ => "Solver",

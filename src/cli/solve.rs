@@ -92,6 +92,7 @@ impl Solve {
             return usage(format!("{} can hold the nodes of a line only: give a .npz for a surface", path.display()));
         }
         if outputs.stress.is_some() {
+            setup.check_stress(&cost.grid)?;
             stress::check(&cost.grid, outputs.stress_row)?;
         }
         if self.dry_run {

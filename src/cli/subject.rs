@@ -19,6 +19,8 @@ pub struct Subject {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
     pub contact_modulus: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hardness: Option<f64>,
     pub prescribed: &'static str,
     /// The solver with all its settings.
     pub solver: Method,
@@ -44,6 +46,7 @@ impl Subject {
             jump_in_rms_steps: surface.jumps()[outer..].into(),
             seed: surface.seed(),
             contact_modulus: problem.contact_modulus(),
+            hardness: setup.law.hardness(),
             prescribed: problem.load().name(),
             solver: setup.solver,
             title: setup.surface.title(grid),
@@ -60,6 +63,7 @@ impl Subject {
 
     /// Names and values for reading.
     pub fn rows(&self) -> Vec<(String, String)> {
+        let hardness = self.hardness.map(|hardness| ("hardness H_c", format!("{hardness:.6e}, the highest pressure")));
         let rows = [
             ("source", self.source.clone()),
             ("spacing", along_axes(&self.spacing, |length| format!("{length:.6e}"))),
@@ -71,7 +75,7 @@ impl Subject {
             ("solver", self.solver.solver().settings()),
             ("prescribed", self.prescribed.to_owned()),
         ];
-        rows.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+        rows.into_iter().chain(hardness).map(|(name, value)| (name.to_owned(), value)).collect()
     }
 }
 

@@ -24,6 +24,8 @@ use std::io::Cursor;
 /// | `contact_modulus`                                    | `()`                 | `E*`                                        |
 /// | those of [`OBSERVABLES`]                             | `()`                 | load, area and all else, by their names     |
 /// | `converged`                                          | `()`                 | whether the certificate met the tolerance   |
+/// | `yielding`, where there is a hardness                | `(ny, nx)` or `(nx)` | whether the nodes yield                     |
+/// | `hardness`, `plastic_area`, `plastic_overlap`, `plastic_load_share` | `()`  | it, and the [`Plasticity`](crate::contact::Plasticity) |
 /// | `setup`                                              | bytes                | the text of the setup that repeats it       |
 ///
 /// The text is `bytes(npz["setup"]).decode()` in Python.
@@ -106,6 +108,13 @@ fn of_one(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Archive
     archive.add_field("contact", &contact.mask().view())?;
     archive.add_outline(contact)?;
     archive.npz.add_array("converged", &arr0(contact.is_converged()))?;
+    if let Some(hardness) = contact.problem.law().hardness() {
+        archive.add_field("yielding", &contact.yielding().view())?;
+        archive.npz.add_array("hardness", &arr0(hardness))?;
+        for (name, of) in PLASTICITY {
+            archive.npz.add_array(name, &arr0(of(contact)))?;
+        }
+    }
     let state = State::from(contact);
     for row in OBSERVABLES {
         archive.npz.add_array(row.name, &arr0((row.value)(&state)))?;
@@ -136,6 +145,15 @@ pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Resul
     let masks: Vec<ArrayView2<bool>> = masks.iter().map(|mask| mask.view()).collect();
     archive.add_field("contact", &stack(Axis(0), &masks).expect("one surface has one shape").view())?;
     archive.npz.add_array("converged", &contacts.iter().map(Contact::is_converged).collect::<Array1<bool>>())?;
+    if let Some(hardness) = first.problem.law().hardness() {
+        let masks: Vec<Array2<bool>> = contacts.iter().map(Contact::yielding).collect();
+        let masks: Vec<ArrayView2<bool>> = masks.iter().map(|mask| mask.view()).collect();
+        archive.add_field("yielding", &stack(Axis(0), &masks).expect("one surface has one shape").view())?;
+        archive.npz.add_array("hardness", &arr0(hardness))?;
+        for (name, of) in PLASTICITY {
+            archive.npz.add_array(name, &contacts.iter().map(of).collect::<Array1<f64>>())?;
+        }
+    }
     let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
     for row in OBSERVABLES {
         archive.npz.add_array(row.name, &states.iter().map(row.value).collect::<Array1<f64>>())?;
@@ -151,6 +169,16 @@ const FIELDS: [(&str, FieldOf); 3] = [
     ("pressure", |contact| contact.pressure.view()),
     ("gap", |contact| contact.gap.view()),
     ("displacement", |contact| contact.displacement.view()),
+];
+
+/// A number of a contact.
+type NumberOf = fn(&Contact) -> f64;
+
+/// What yields.
+const PLASTICITY: [(&str, NumberOf); 3] = [
+    ("plastic_area", |contact| contact.plasticity().area),
+    ("plastic_overlap", |contact| contact.plasticity().overlap),
+    ("plastic_load_share", |contact| contact.plasticity().load_share),
 ];
 
 /// Bins of the distributions.

@@ -1,7 +1,7 @@
 //! The stress below a contact.
 
 use crate::contact::Contact;
-use crate::elastic::stress::{Stress, depths, highest_row, under_row};
+use crate::elastic::stress::{Stress, below, depths, highest_row, is_known};
 use crate::error::SolidError;
 
 /// Depths at which the stress is given, the surface among them.
@@ -9,10 +9,10 @@ const DEPTHS: usize = 64;
 
 impl Contact {
     /// The stress below row `row` of the contact, a line having the row 0, at some depths in a solid of Poisson's ratio `poisson`, see
-    /// [`under_row`].
+    /// [`below`].
     ///
     /// # Errors
-    /// [`SolidError::Poisson`].
+    /// [`SolidError::Poisson`], and [`SolidError::NoStress`] in a layer and below a surface with a free boundary.
     ///
     /// # Panics
     /// For a row that the grid does not have.
@@ -29,8 +29,13 @@ impl Contact {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn stress(&self, row: usize, poisson: f64, depth: &[f64]) -> Result<Stress, SolidError> {
-        let pressure = self.pressure.as_slice().expect("results are made in standard layout");
-        under_row(self.problem.surface().grid(), pressure, row, poisson, depth)
+        let (pressure, grid) =
+            (self.pressure.as_slice().expect("results are made in standard layout"), self.problem.surface().grid());
+        if is_known(grid, self.problem.solid().as_ref()) {
+            below(grid, pressure, row, poisson, depth)
+        } else {
+            Err(SolidError::NoStress)
+        }
     }
 
     /// The row of the largest pressure.

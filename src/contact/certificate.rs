@@ -1,10 +1,11 @@
 //! How far a pressure can be from the solution.
 
 use crate::contact::rounding::Rounding;
-use crate::contact::{Problem, Sums, chunks};
+use crate::contact::slack::{Slack, level};
+use crate::contact::{Problem, Sums};
 use serde::Serialize;
 
-/// Rigorous bounds of the error of a feasible pressure `p >= 0` under the load that it carries: a duality gap, or Frank-Wolfe gap,
+/// Rigorous bounds of the error of a feasible pressure `p >= 0`, below the hardness if there is one, under the load that it carries: a duality gap, or Frank-Wolfe gap,
 /// and what follows from it.
 ///
 /// Angle brackets are means over the nodes, `u = A p` is the displacement, `v = u - h`, and `|x|^2 = <x A x>`, in which a uniform
@@ -52,6 +53,35 @@ use serde::Serialize;
 /// **The approach** takes the place of the mean gap where a uniform pressure displaces the surface: `D` is then the highest peak less
 /// the approach, and `A` has the uniform pressure in it. Nothing else changes, as none of the above asks what `A` makes of it.
 ///
+/// # Below a hardness
+/// A [`crate::contact::Law`] may ask for `p <= H_c` as well. Then the lowest `<q v>` of all `q` that carry the load is that of a
+/// fractional knapsack: `H_c` on the nodes of lowest `v`, one after the other, until the load is carried. With the value `lambda` of
+/// `v` at the node that is filled last, `G = <p v>` less that is
+///
+/// ```text
+/// G = <p max(v - lambda, 0)> + <(H_c - p) max(lambda - v, 0)>
+/// ```
+///
+/// a sum of positive terms. It is no less than the true one for any other `lambda`, since `<(p - q)(v - lambda)>` is no larger than
+/// it for every `q` between 0 and `H_c` with the same load: so rounding of `lambda` does no harm. The variational inequality
+/// `<(p - p*) v*> >= 0` holds among the pressures below `H_c`, and with it `|p - p*|^2 <= G` and all that was said of the pressure.
+/// At a mean gap `D` the same sum with `lambda = -D` bounds `F(p) - F*`, and `<(p - p*) (v + D)>`, for `q` of any load.
+///
+/// Where no node of `p` yields, the bounds of the hard wall hold as well, as more pressures are allowed there, and are used; at a mean
+/// gap the smaller of both.
+///
+/// **The datum.** Nodes that yield lie below zero, so `<p g> = 0` does not find it. Let `m = min(p, H_c - p)`, the room of the
+/// pressure. At the solution nodes with room lie at zero, and `d = -<m v>/<m>`; where `p <= H_c/2` everywhere that is `<p g> = 0`.
+/// Both `p + m` and `p - m` are allowed, so with `<(p +- m - p*) (v* + D*)> >= 0`
+///
+/// ```text
+/// |D* - d| <m> <= G + |m| t - t^2,    t <= sqrt(G)
+/// ```
+///
+/// with `|m|^2 <= <m^2> / k_min` for the softest stiffness. Where no node has room, all that touches yields, the datum of the
+/// solution may lie anywhere between the highest node that yields and the lowest that is open: it is taken in the middle, or where
+/// all nodes yield at the highest of them, and its bound is infinite.
+///
 /// # Rounding
 /// The computed `v` is off by `delta`, which [`Certificate::of_displaced`] bounds by magnitudes that it meets. As
 /// `<(p - p*) v> <= G + |delta|* t` with the dual norm `|delta|*^2 = <delta A^-1 delta>`,
@@ -64,8 +94,8 @@ use serde::Serialize;
 /// 1e-15. At a mean gap the load is free, and the mean of `delta` counts as an error of `D`. All bounds here have these terms in
 /// them. `penetration` and `load_error` are no bounds, but what is measured.
 ///
-/// All fields are dimensionless. Where there is no pressure at all, and where a value is negative or not finite, nothing is
-/// bounded: the errors are infinite. At the head of the crate the pressure of somebody else is certified.
+/// All fields are dimensionless. Where there is no pressure at all, and where a value is negative, above the hardness or not finite,
+/// nothing is bounded: the errors are infinite. At the head of the crate the pressure of somebody else is certified.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Certificate {
     /// `eta = G / (<p> h_rms)`, the error in energy against load times rms height: what [`crate::contact::Stop`] asks for. At a
@@ -86,7 +116,10 @@ pub struct Certificate {
     pub load_error: f64,
     /// Smallest pressure over the mean pressure; never negative in a result.
     pub min_pressure: f64,
-    /// Largest penetration (negative gap) over `h_rms`. With the datum of the gap where `<p g> = 0`, as under a mean pressure,
+    /// By how much the largest pressure is above the hardness, over it; 0 in a result, and of a hard wall.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub above_hardness: f64,
+    /// Largest penetration (negative gap) over `h_rms`, of nodes that yield left out. With the datum of the gap where `<p g> = 0`, as under a mean pressure,
     /// the deepest node lies `a` below zero, so this **is** `eta`, but for rounding. At a mean gap the datum is `D`, and it is
     /// `eta` at the most.
     pub penetration: f64,
@@ -103,6 +136,7 @@ impl Certificate {
         mean_gap_error_bound: f64::INFINITY,
         load_error: f64::INFINITY,
         min_pressure: 0.0,
+        above_hardness: 0.0,
         penetration: f64::INFINITY,
         rounding: f64::INFINITY,
     };
@@ -115,6 +149,7 @@ impl Certificate {
         mean_gap_error_bound: f64::NAN,
         load_error: f64::NAN,
         min_pressure: f64::NAN,
+        above_hardness: f64::NAN,
         penetration: f64::NAN,
         rounding: f64::NAN,
     };
@@ -132,11 +167,29 @@ impl Certificate {
     /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is at hand from a transform pair, both row by
     /// row.
     pub fn of_displaced(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
-        Self::of_sums(problem, &Sums::of(problem, pressure, displacement))
+        let sums = Sums::of(problem, pressure, displacement);
+        match problem.law().hardness() {
+            None => Self::of_sums(problem, &sums),
+            Some(_) => Self::below_hardness(problem, &sums, &Slack::of(problem, pressure, displacement)),
+        }
     }
 
-    /// The certificate of the state with these sums.
+    /// The certificate of the state with these sums on a hard wall.
     pub(super) fn of_sums(problem: &Problem, sums: &Sums) -> Self {
+        Self::of_bounds(problem, sums, |mean_pressure| Bounds::of(problem, sums, mean_pressure))
+    }
+
+    /// The certificate of the state with these sums below a hardness.
+    fn below_hardness(problem: &Problem, sums: &Sums, slack: &Slack) -> Self {
+        let above_hardness = problem.law().excess(slack.highest_pressure);
+        if above_hardness > 0.0 {
+            return Self { above_hardness, ..Self::NONE };
+        }
+        Self::of_bounds(problem, sums, |mean_pressure| Bounds::below_hardness(problem, sums, slack, mean_pressure))
+    }
+
+    /// The certificate of the state with these sums, by the bounds under its mean pressure.
+    fn of_bounds(problem: &Problem, sums: &Sums, bounds: impl FnOnce(f64) -> Bounds) -> Self {
         if !(sums.pressure > 0.0 && sums.pressure.is_finite()) {
             return Self::NONE;
         }
@@ -145,11 +198,11 @@ impl Certificate {
         if min_pressure < 0.0 {
             return Self { min_pressure, ..Self::NONE };
         }
-        let bounds = Bounds::of(problem, sums, mean_pressure);
+        let bounds = bounds(mean_pressure);
         let rms_height = problem.rms_height();
         let load_error = match problem.mean_pressure() {
             Some(prescribed) => (mean_pressure / prescribed - 1.0).abs(),
-            None => bounds.above_gap.abs() / rms_height,
+            None => bounds.missed.abs() / rms_height,
         };
         let (datum, eta) = (problem.datum(), bounds.excess() / rms_height);
         if !eta.is_finite() {
@@ -162,21 +215,32 @@ impl Certificate {
             mean_gap_error_bound: if datum.is_some() { 0.0 } else { bounds.gap_error() / rms_height },
             load_error,
             min_pressure,
-            penetration: (bounds.depth - bounds.above_gap).max(0.0) / rms_height,
+            above_hardness: 0.0,
+            penetration: bounds.deepest.max(0.0) / rms_height,
             rounding: (bounds.rounding.mean + bounds.rounding.depth) / rms_height,
         }
     }
 }
 
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
 /// The quantities of the proof of [`Certificate`], by their letters there.
 struct Bounds {
     mean_pressure: f64,
-    /// `a`: the depth of the lowest point of the gap below the datum where `<p g> = 0`.
+    /// `a`: the depth of the lowest point of the gap below the datum where `<p g> = 0`, or `G / <p>`.
     depth: f64,
-    /// `D - d`; 0 under a mean pressure.
+    /// `D - d`; 0 under a mean pressure, and where it is in `G`.
     above_gap: f64,
+    /// `D - d` of the datum that the state says; 0 under a mean pressure.
+    missed: f64,
+    /// The depth of the lowest point of the gap that may take more pressure.
+    deepest: f64,
     /// `<p u>`.
     elastic: f64,
+    /// `<m>` and the bound of `|m|^2`.
+    room: [f64; 2],
     is_at_gap: bool,
     rounding: Rounding,
 }
@@ -184,14 +248,43 @@ struct Bounds {
 impl Bounds {
     fn of(problem: &Problem, sums: &Sums, mean_pressure: f64) -> Self {
         let (mean_v, gap) = (sums.pressure_v / sums.pressure, problem.datum());
+        let depth = (mean_v - sums.lowest_v).max(0.0);
+        let above_gap = gap.map_or(0.0, |gap| mean_v + (sums.reference_v + gap));
+        let elastic = sums.elastic / problem.nodes() as f64;
         Self {
             mean_pressure,
-            depth: (mean_v - sums.lowest_v).max(0.0),
-            above_gap: gap.map_or(0.0, |gap| mean_v + (sums.reference_v + gap)),
-            elastic: sums.elastic / problem.nodes() as f64,
+            depth,
+            above_gap,
+            missed: above_gap,
+            deepest: depth - above_gap,
+            elastic,
+            room: [mean_pressure, elastic],
             is_at_gap: gap.is_some(),
             rounding: Rounding::of(problem, sums),
         }
+    }
+
+    /// The bounds below a hardness; those of a hard wall hold as well, but for the datum of the gap.
+    fn below_hardness(problem: &Problem, sums: &Sums, slack: &Slack, mean_pressure: f64) -> Self {
+        let wall = Self::of(problem, sums, mean_pressure);
+        let law = problem.law();
+        if 2.0 * slack.highest_pressure <= law.ceiling() {
+            return wall;
+        }
+        let [softest, _] = problem.compliance().stiffness_range();
+        let datum = problem.datum().unwrap_or(-slack.level);
+        let own = Self {
+            missed: datum + slack.level,
+            deepest: -(slack.lowest_v + datum),
+            room: [slack.room, slack.square_room / softest],
+            ..wall
+        };
+        let depth = slack.gain / mean_pressure;
+        if law.yields(slack.highest_pressure) && depth < own.depth + own.above_gap.abs() {
+            let rounding = own.rounding.of_terms(depth);
+            return Self { depth, above_gap: 0.0, rounding, ..own };
+        }
+        own
     }
 
     /// `a + |D - d|` with the rounding of its parts, but not of the transforms.
@@ -220,12 +313,15 @@ impl Bounds {
 
     /// The bound of `|D* - d|`.
     fn gap_error(&self) -> f64 {
-        let Self { mean_pressure, elastic, rounding, .. } = self;
-        let most = length(rounding.energy, elastic.max(0.0) + mean_pressure * rounding.mean + rounding.elastic);
+        let Self { mean_pressure, room: [room, square], rounding, .. } = self;
+        if *room == 0.0 {
+            return f64::INFINITY;
+        }
+        let most = length(rounding.energy, square.max(0.0) + room * rounding.mean + rounding.elastic);
         let (error, slope) = (self.error(), most + rounding.energy.sqrt());
         let t = error.min(0.5 * slope);
         let [below, above] = [most * error, mean_pressure * self.distance() + (slope - t) * t];
-        (below.max(above) + rounding.energy.sqrt() * most) / mean_pressure + rounding.mean
+        (below.max(above) + rounding.energy.sqrt() * most) / room + rounding.mean
     }
 }
 
@@ -242,14 +338,7 @@ fn room(problem: &Problem, datum: f64) -> f64 {
 }
 
 /// The datum `d` of the gap `g = u - h + d`: the prescribed one, or else minus the mean of `u - h` weighted by the
-/// pressure, so that `<p g> = 0`.
+/// pressure, so that `<p g> = 0`, or below a hardness by the room of the pressure, see [`level`].
 pub(super) fn datum(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
-    if let Some(datum) = problem.datum() {
-        return datum;
-    }
-    let height = problem.height();
-    let load = chunks::sum(pressure.len(), |i| pressure[i]);
-    let share = |i: usize| pressure[i] / load * (displacement[i] - height[i]);
-    let parts = chunks::visit(pressure.len(), |nodes| nodes.filter(|&i| pressure[i] != 0.0).map(share).sum::<f64>());
-    if load == 0.0 { f64::NAN } else { -parts.into_iter().sum::<f64>() }
+    problem.datum().unwrap_or_else(|| -level(problem, pressure, displacement))
 }

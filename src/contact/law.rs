@@ -1,7 +1,16 @@
 //! What pressures are allowed.
 
+use crate::quantity;
+use serde::{Deserialize, Deserializer, Serialize};
+
+/// Part of a hardness by which rounding may keep a node that yields off it.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// The law of the contact: what pressures are allowed.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+///
+/// In a scene it is the section `law`: with a `hardness`, a pressure, or left out.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(from = "Keys", into = "Keys")]
 pub enum Law {
     /// A hard wall: `p >= 0`.
     #[default]
@@ -18,5 +27,58 @@ impl Law {
             Self::HardWall => f64::INFINITY,
             Self::Hardness(hardness) => hardness,
         }
+    }
+
+    /// Whether there is no hardness.
+    pub fn is_hard_wall(&self) -> bool {
+        *self == Self::HardWall
+    }
+
+    /// The hardness, where there is one.
+    pub fn hardness(self) -> Option<f64> {
+        match self {
+            Self::HardWall => None,
+            Self::Hardness(hardness) => Some(hardness),
+        }
+    }
+
+    /// Whether a node under this pressure yields: it lies at the hardness, but for rounding.
+    pub fn yields(self, pressure: f64) -> bool {
+        pressure >= self.ceiling() * (1.0 - ROUNDING)
+    }
+
+    /// By how much this pressure may change either way, `min(p, H_c - p)`; of a hard wall the pressure itself.
+    pub(super) fn room(self, pressure: f64) -> f64 {
+        if pressure < self.ceiling() { pressure.min(self.ceiling() - pressure) } else { 0.0 }
+    }
+
+    /// By how much this pressure is above all that is allowed, over the hardness; 0 within rounding of it.
+    pub(super) fn excess(self, pressure: f64) -> f64 {
+        let excess = pressure / self.ceiling() - 1.0;
+        if excess > ROUNDING { excess } else { 0.0 }
+    }
+}
+
+/// The keys of the section `law`.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a section for the Law")]
+struct Keys {
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "some_pressure")]
+    hardness: Option<f64>,
+}
+
+fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    quantity::pressure(from).map(Some)
+}
+
+impl From<Keys> for Law {
+    fn from(Keys { hardness }: Keys) -> Self {
+        hardness.map_or(Self::HardWall, Self::Hardness)
+    }
+}
+
+impl From<Law> for Keys {
+    fn from(law: Law) -> Self {
+        Self { hardness: law.hardness() }
     }
 }

@@ -5,7 +5,10 @@
 //! `v` over the contact, so that `g` has none.
 
 use crate::contact::bound::{is_uniform, to_bound};
-use crate::contact::{Certificate, Contact, Decision, Observer, Problem, Run, Solver, Step, Stop, certificate, chunks};
+use crate::contact::slack::level;
+use crate::contact::{
+    Certificate, Contact, Decision, Observer, Problem, Run, Solver, Step, Stop, certificate, chunks, feasible,
+};
 use crate::elastic::Response;
 use crate::error::SolveError;
 use crate::surface::Field;
@@ -20,6 +23,9 @@ use crate::surface::Field;
 /// Nodes that enter with a step that suits others may be pressed too hard, nodes that leave may leave others too much, and both
 /// may take turns for ever. So where the energy would rise as nodes enter or leave, the iteration takes a gradient step
 /// instead, scaled to the load, and stops where the energy is lowest on the way. It falls on that way for certain.
+///
+/// Below a hardness `H_c` nodes that reach it yield: they stay at it until they lie apart, `g > 0`, and enter like others then. The
+/// direction lives on the nodes between zero and `H_c`, without its mean under a mean pressure, so that it keeps the load.
 ///
 /// At a mean gap even the last node may leave the contact. Then all that penetrate without pressure enter in the same
 /// iteration, with a step that is safe for every mode.
@@ -97,6 +103,8 @@ impl Solver for PolonskyKeer {
 /// The vectors of the iteration.
 struct Iterate<'a> {
     problem: &'a Problem,
+    /// The highest pressure that is allowed.
+    ceiling: f64,
     response: Response,
     p: Vec<f64>,
     u: Vec<f64>,
@@ -108,6 +116,8 @@ struct Iterate<'a> {
     previous_square: Option<f64>,
     /// Whether `u` is from a transform of `p`, not by linearity.
     fresh: bool,
+    /// Whether nodes yielded as the direction was made.
+    yields: bool,
 }
 
 impl<'a> Iterate<'a> {
@@ -121,7 +131,8 @@ impl<'a> Iterate<'a> {
             response.displacement(&p, &mut u);
         }
         let zeros = || vec![0.0; n];
-        Self { problem, response, p, u, t: zeros(), r: zeros(), before: zeros(), previous_square: None, fresh: true }
+        let (t, r, before, ceiling) = (zeros(), zeros(), zeros(), problem.law().ceiling());
+        Self { problem, ceiling, response, p, u, t, r, before, previous_square: None, fresh: true, yields: false }
     }
 
     /// The certificate of this iterate; one that would end the run is taken from a fresh displacement.
@@ -152,27 +163,47 @@ impl<'a> Iterate<'a> {
         if let Some(gap) = self.problem.datum() {
             return gap;
         }
-        let (p, u, h) = (&self.p, &self.u, self.problem.height());
+        let (p, u, h, ceiling) = (&self.p, &self.u, self.problem.height(), self.ceiling);
         let parts = chunks::visit(p.len(), |range| {
-            let inside = range.filter(|&i| p[i] > 0.0);
+            let inside = range.filter(|&i| p[i] > 0.0 && p[i] < ceiling);
             inside.fold((0usize, 0.0), |(n, sum), i| (n + 1, sum + (u[i] - h[i])))
         });
         let (n, sum) = parts.into_iter().fold((0, 0.0), |(n, s), (m, t)| (n + m, s + t));
-        -sum / n as f64
+        if n == 0 { -level(self.problem, p, u) } else { -sum / n as f64 }
     }
 
     /// `t <- g + beta t` on the contact with the share `beta = |g|^2 / |g_previous|^2` that is returned, zero elsewhere.
     fn conjugate(&mut self, datum: f64) -> f64 {
-        let (p, u, h) = (&self.p, &self.u, self.problem.height());
-        let square = chunks::sum(p.len(), |i| if p[i] > 0.0 { (u[i] - h[i] + datum).powi(2) } else { 0.0 });
+        let (p, u, h, ceiling) = (&self.p, &self.u, self.problem.height(), self.ceiling);
+        let is_free = |p: f64| p > 0.0 && p < ceiling;
+        let square = chunks::sum(p.len(), |i| if is_free(p[i]) { (u[i] - h[i] + datum).powi(2) } else { 0.0 });
         let beta = self.previous_square.map_or(0.0, |previous| square / previous);
         self.previous_square = (square > 0.0).then_some(square);
         chunks::update(&mut self.t, |range, t| {
             for (i, t) in range.zip(t) {
-                *t = if p[i] > 0.0 { u[i] - h[i] + datum + beta * *t } else { 0.0 };
+                *t = if is_free(p[i]) { u[i] - h[i] + datum + beta * *t } else { 0.0 };
             }
         });
+        self.yields = chunks::visit(p.len(), |range| range.into_iter().any(|i| p[i] >= ceiling)).contains(&true);
+        if self.yields && self.problem.mean_pressure().is_some() {
+            self.keep_load();
+        }
         beta
+    }
+
+    /// Takes the mean over the free nodes off `t`: below a ceiling no scaling makes up for it.
+    fn keep_load(&mut self) {
+        let (p, ceiling) = (&self.p, self.ceiling);
+        let is_free = |i: &usize| p[*i] > 0.0 && p[*i] < ceiling;
+        let t = &self.t;
+        let parts = chunks::visit(p.len(), |range| {
+            range.filter(is_free).fold((0usize, 0.0), |(count, sum), i| (count + 1, sum + t[i]))
+        });
+        let (count, sum) = parts.into_iter().fold((0, 0.0), |(n, s), (m, t)| (n + m, s + t));
+        let mean = sum / count as f64;
+        chunks::update(&mut self.t, |range, t| {
+            range.zip(t).filter(|(i, _)| is_free(i)).for_each(|(_, t)| *t -= mean);
+        });
     }
 
     /// The exact minimiser along `t`, `<g t> / <r t>` over the contact, where under a mean pressure `r` is taken less its mean
@@ -181,9 +212,10 @@ impl<'a> Iterate<'a> {
     /// stiffness.
     fn step_length(&self, datum: f64) -> f64 {
         let (p, u, h, t, r) = (&self.p, &self.u, self.problem.height(), &self.t, &self.r);
+        let ceiling = self.ceiling;
         let parts = chunks::visit(p.len(), |range| {
             let mut sums = [0.0; 6];
-            for i in range.filter(|&i| p[i] > 0.0) {
+            for i in range.filter(|&i| p[i] > 0.0 && p[i] < ceiling) {
                 let terms = [1.0, t[i], r[i], r[i] * t[i], (u[i] - h[i] + datum) * t[i], t[i] * t[i]];
                 sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
             }
@@ -205,12 +237,12 @@ impl<'a> Iterate<'a> {
         if slope > 0.0 && curvature > 0.0 { slope / curvature } else { softest }
     }
 
-    /// `p <- max(p - tau t, 0)` on the contact, `-tau g` on nodes without pressure that penetrate; then the load, then `u`. If the
-    /// energy rises by that, a gradient step instead. Returns what it came to.
+    /// `p <- max(p - tau t, 0)` on the contact, `-tau g` on nodes without pressure that penetrate, `H_c - tau g` on nodes that yield
+    /// and lie apart, and `H_c` at the most; then the load, then `u`. If the energy rises by that, a gradient step instead. Returns what it came to.
     fn update(&mut self, datum: f64, tau: f64, share: f64) -> Decision {
         let change = self.step(datum, tau);
         let scale = self.carry(change.load);
-        if !change.left && !change.entered {
+        if let Some(scale) = scale.filter(|_| !change.left && !change.entered) {
             self.follow(scale, tau);
             return Decision::Conjugate { length: tau, share };
         }
@@ -226,18 +258,21 @@ impl<'a> Iterate<'a> {
 
     /// The step of the pressure before it carries the load.
     fn step(&mut self, datum: f64, tau: f64) -> Change {
-        let (u, h, t) = (&self.u, self.problem.height(), &self.t);
+        let (u, h, t, ceiling) = (&self.u, self.problem.height(), &self.t, self.ceiling);
         let parts = chunks::update_both(&mut self.p, &mut self.before, |range, p, before| {
             let mut change = Change { load: 0.0, left: false, entered: false };
             for ((i, p), before) in range.zip(p).zip(before) {
                 *before = *p;
-                if *p > 0.0 {
-                    *p = (*p - tau * t[i]).max(0.0);
-                    change.left |= *p <= 0.0;
-                }
                 let gap = u[i] - h[i] + datum;
+                if *p >= ceiling {
+                    *p = (*p - tau * gap.max(0.0)).max(0.0);
+                    change.entered |= *p < ceiling;
+                } else if *p > 0.0 {
+                    *p = (*p - tau * t[i]).max(0.0).min(ceiling);
+                    change.left |= *p <= 0.0 || *p >= ceiling;
+                }
                 if *p <= 0.0 && gap < 0.0 {
-                    *p = -tau * gap;
+                    *p = (-tau * gap).min(ceiling);
                     change.entered = true;
                 }
                 change.load += *p;
@@ -251,26 +286,40 @@ impl<'a> Iterate<'a> {
         })
     }
 
-    /// From the pressure before, `p <- max(p - tau g, 0)` with `<p g> = 0`, and the load; or where the energy is lowest on the way
+    /// From the pressure before, `p <- max(p - tau g, 0)` with `<p g> = 0`, and the load, or below a ceiling the nearest pressure to
+    /// `p - tau g`; or where the energy is lowest on the way
     /// there. It falls along that way for certain.
     fn descend(&mut self, tau: f64) {
         std::mem::swap(&mut self.u, &mut self.r);
         let (before, u, h) = (&self.before, &self.u, self.problem.height());
         let datum = certificate::datum(self.problem, before, u);
         chunks::update(&mut self.p, |range, p| {
-            range.zip(p).for_each(|(i, p)| *p = (before[i] - tau * (u[i] - h[i] + datum)).max(0.0));
+            range.zip(p).for_each(|(i, p)| *p = before[i] - tau * (u[i] - h[i] + datum));
         });
-        self.carry(chunks::sum(self.p.len(), |i| self.p[i]));
+        self.project();
         let share = self.arrive(datum).lowest();
         let (before, before_u) = (&self.before, &self.r);
-        let between = |values: &mut [f64], before: &[f64]| {
+        let between = |values: &mut [f64], before: &[f64], most: f64| {
             chunks::update(values, |range, values| {
-                range.zip(values).for_each(|(i, value)| *value = before[i] + share * (*value - before[i]));
+                range.zip(values).for_each(|(i, value)| *value = (before[i] + share * (*value - before[i])).min(most));
             });
         };
-        between(&mut self.p, before);
-        between(&mut self.u, before_u);
+        between(&mut self.p, before, self.ceiling);
+        between(&mut self.u, before_u, f64::INFINITY);
         self.fresh = false;
+    }
+
+    /// Makes a pressure of what a step left: the nearest one below a ceiling that carries the load; on a hard wall the nearest one,
+    /// scaled to the load.
+    fn project(&mut self) {
+        let ceiling = self.ceiling;
+        if let Some(mean) = self.problem.mean_pressure().filter(|_| ceiling.is_finite()) {
+            let load = mean * self.p.len() as f64;
+            self.p = feasible::nearest(std::mem::take(&mut self.p), load, ceiling);
+        } else {
+            chunks::update(&mut self.p, |_, p| p.iter_mut().for_each(|p| *p = p.max(0.0).min(ceiling)));
+            self.carry(chunks::sum(self.p.len(), |i| self.p[i]));
+        }
     }
 
     /// Takes the displacement of this pressure, keeps that of the pressure before in `r`, and looks back on the way.
@@ -294,12 +343,18 @@ impl<'a> Iterate<'a> {
         self.fresh = false;
     }
 
-    /// Scales the pressure, whose sum is given, to the load, if that is prescribed, and returns the factor.
-    fn carry(&mut self, sum: f64) -> f64 {
-        let Some(mean) = self.problem.mean_pressure() else { return 1.0 };
-        let scale = mean * self.p.len() as f64 / sum;
+    /// Scales the pressure, whose sum is given, to the load, if that is prescribed, and returns the factor. Where nodes yield and the
+    /// direction keeps the load, it is 1 but for rounding; none is returned where a ceiling lets some nodes scale only.
+    fn carry(&mut self, sum: f64) -> Option<f64> {
+        let Some(mean) = self.problem.mean_pressure() else { return Some(1.0) };
+        let load = mean * self.p.len() as f64;
+        if self.ceiling.is_finite() {
+            let scale = feasible::carry(&mut self.p, load, self.ceiling);
+            return if self.yields { Some(1.0) } else { scale };
+        }
+        let scale = load / sum;
         chunks::update(&mut self.p, |_, p| p.iter_mut().for_each(|p| *p *= scale));
-        scale
+        Some(scale)
     }
 
     /// The half-space, for the last transforms; the rest is freed.

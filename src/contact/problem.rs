@@ -1,6 +1,6 @@
 //! The problem that all solvers solve.
 
-use crate::contact::{Law, Load, chunks};
+use crate::contact::{Law, Load, chunks, feasible};
 use crate::elastic::{Compliance, HalfSpace, Response, Solid};
 use crate::error::ProblemError;
 use crate::surface::{Field, Surface};
@@ -12,11 +12,15 @@ const GAP_DECAY: f64 = 5.5;
 /// A pressure to start from at a mean gap is so many times the expected one at the most.
 const FARTHEST: f64 = 1e6;
 
+/// Part of the hardness that a pressure to start from at a mean gap has at the most.
+const OF_HARDNESS: f64 = 0.5;
+
 /// A rigid surface pressed on an elastic solid, frictionless and without adhesion, under a given pressure or force, or at a given
 /// mean gap or approach.
 ///
 /// Find `p >= 0` and a datum `d` such that the gap `g = u(p) - h + d >= 0` and `p g = 0`, with `u(p)` from
-/// [`crate::elastic::Response`]; a [`Law`] may bound the pressure from above as well. Heights have no mean, nor have displacements on a
+/// [`crate::elastic::Response`]. Under a [`Law`] with a hardness `H_c`, `p <= H_c` as well, and `g <= 0` where `p = H_c`: there the
+/// softer body yields, and the surfaces overlap by `-g`. Heights have no mean, nor have displacements on a
 /// periodic grid, so there the datum is the mean gap.
 ///
 /// | prescribed      | minimises over `p >= 0`                        | found                                   |
@@ -116,7 +120,7 @@ impl Problem {
     /// The problem of the same surface and solid under another load.
     ///
     /// # Errors
-    /// The errors of [`Problem::new`] that concern the load.
+    /// The errors of [`Problem::new`] that concern the load, and [`ProblemError::AboveHardness`].
     pub fn with_load(mut self, load: Load) -> Result<Self, ProblemError> {
         if load.keeps_uniform() != self.load.keeps_uniform() {
             let (grid, solid) = (self.surface.grid(), self.solid().clone());
@@ -142,23 +146,32 @@ impl Problem {
             }
         };
         mean_pressure.map_or(Ok(()), |mean_pressure| check_magnitude("mean pressure", mean_pressure))?;
-        let problem = Self { load, mean_pressure, ..self };
-        let expected_mean_pressure = match mean_pressure {
-            Some(mean_pressure) => mean_pressure,
-            None => problem.datum().map_or(f64::NAN, |datum| problem.pressure_at(datum)),
-        };
-        Ok(Self { expected_mean_pressure, ..problem })
+        Self { load, mean_pressure, ..self }.below_hardness()
     }
 
     /// The problem with a law of what pressures are allowed.
     ///
     /// # Errors
-    /// [`ProblemError::NotPositive`] for a hardness that is not positive and finite.
+    /// [`ProblemError::NotPositive`] for a hardness that is not positive and finite, [`ProblemError::AboveHardness`] for one that does
+    /// not bear the mean pressure.
     pub fn with_law(self, law: Law) -> Result<Self, ProblemError> {
         if let Law::Hardness(hardness) = law {
             check_magnitude("hardness", hardness)?;
         }
-        Ok(Self { law, ..self })
+        Self { law, ..self }.below_hardness()
+    }
+
+    /// The problem with the mean pressure to expect, which the law must let be.
+    fn below_hardness(self) -> Result<Self, ProblemError> {
+        let hardness = self.law.ceiling();
+        let expected_mean_pressure = match self.mean_pressure {
+            Some(mean_pressure) if mean_pressure > hardness => {
+                return Err(ProblemError::AboveHardness { mean_pressure, hardness });
+            }
+            Some(mean_pressure) => mean_pressure,
+            None => self.datum().map_or(f64::NAN, |datum| self.pressure_at(datum)).min(OF_HARDNESS * hardness),
+        };
+        Ok(Self { expected_mean_pressure, ..self })
     }
 
     fn check_approach(&self, approach: f64) -> Result<(), ProblemError> {
@@ -256,13 +269,25 @@ impl Problem {
 
     /// The pressure that a run starts from: what `start` holds of one, or the uniform pressure. It is scaled to the mean pressure if
     /// that is given, and to the expected one if it is so much higher that rounding would hide what it displaces. Values that are no
-    /// pressures (negative, not finite) count as none.
+    /// pressures (negative, not finite) count as none, and none is above the hardness.
     ///
     /// # Panics
     /// If the shape of `start` is not that of the grid.
     pub fn first_pressure(&self, start: Option<&Field>) -> Vec<f64> {
         let load = self.expected_mean_pressure;
         let Some(start) = start else { return vec![load; self.nodes()] };
+        let mut pressure = self.start_of(start);
+        if let Some(hardness) = self.law.hardness() {
+            chunks::update(&mut pressure, |_, p| p.iter_mut().for_each(|p| *p = p.min(hardness)));
+            let load = self.mean_pressure.map(|mean| mean * pressure.len() as f64);
+            load.map(|load| feasible::carry(&mut pressure, load, hardness));
+        }
+        pressure
+    }
+
+    /// The pressure that a run on a hard wall starts from.
+    fn start_of(&self, start: &Field) -> Vec<f64> {
+        let load = self.expected_mean_pressure;
         assert_eq!(start.shape(), self.surface.grid().shape(), "the start must fit the grid");
         let pressure: Vec<f64> = start.iter().map(|&p| if p.is_finite() { p.max(0.0) } else { 0.0 }).collect();
         let highest = chunks::visit(pressure.len(), |range| range.fold(0.0, |high: f64, i| high.max(pressure[i])));

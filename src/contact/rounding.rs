@@ -35,6 +35,8 @@ pub(super) struct Rounding {
     pub depth: f64,
     /// The bound of the error of `<p u>` by summation.
     pub elastic: f64,
+    /// The bound of the relative error of a sum of positive terms.
+    sum: f64,
 }
 
 impl Rounding {
@@ -55,6 +57,12 @@ impl Rounding {
             mean: epsilon * square_u.sqrt() + RHO * (square_lengths.sqrt() + datum),
             depth: 2.0 * sum * (mean_v.abs() + 2.0 * sums.lowest_v.abs()),
             elastic: sum * (square_p * square_u).sqrt(),
+            sum,
         }
+    }
+
+    /// The bounds where the depth is itself a mean of positive terms.
+    pub fn of_terms(self, depth: f64) -> Self {
+        Self { depth: 2.0 * self.sum * depth, ..self }
     }
 }

@@ -1,6 +1,6 @@
 //! The knobs of the page, and the setup that they stand for.
 
-use crate::contact::{Load, Stop};
+use crate::contact::{Law, Load, Stop};
 use crate::error::SetupError;
 use crate::setup::{Cell, Method, Part, Recipe, Record, Setup, Solid, Theme};
 use crate::surface::{Indenter, Spectrum};
@@ -41,6 +41,9 @@ pub struct Knobs {
     points: usize,
     /// Reduced pressure `p* = <p> / (gbar E*)`.
     pub(super) load: f64,
+    /// Hardness over the contact modulus; 0 for none.
+    #[serde(default)]
+    hardness: f64,
     solver: Method,
     stop: Stop,
     /// Parts of the recording; of profile and mesh the one that the domain has.
@@ -118,6 +121,7 @@ impl Start {
             seed: 1,
             points,
             load: 0.05,
+            hardness: 0.0,
             solver: Method::default(),
             stop: Stop::new(1e-8, 20_000).expect("both are positive"),
             record: vec![Part::Traces, Part::Profile, Part::Mesh, Part::Fields, Part::Mask],
@@ -150,6 +154,7 @@ impl Knobs {
         };
         let setup = Setup {
             solid: Some(Solid::ContactModulus(MODULUS)),
+            law: if self.hardness > 0.0 { Law::Hardness(self.hardness * MODULUS) } else { Law::HardWall },
             solver: self.solver,
             stop: self.stop,
             record: Record { what: self.parts(), theme: self.theme, ..Record::default() },

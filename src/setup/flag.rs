@@ -67,6 +67,7 @@ pub const FLAGS: &[Flag] = &[
     flag("poisson", "solid.poisson", Value::List, "NU[,NU]", "Poisson's ratio of the same"),
     flag("layer", "solid.layer", Value::One, "T", "Thickness of an elastic layer on a rigid base, in the place of a half-space; with --poisson"),
     flag("base", "solid.base", Value::Choice(&Base::BASES), "BASE", "How the layer lies on its base [default: bonded]"),
+    flag("hardness", "law.hardness", Value::One, "H_C", "Hardness of the softer body, a pressure above which it yields: no pressure is higher; with a unit or in that of the modulus, without a modulus over it"),
     flag("pressure", "load.mean-pressure", Value::List, "P[,P]", "Mean pressure, with a unit or in that of the modulus, which must be given; several are solved one after the other"),
     flag("reduced-pressure", "load.reduced-pressure", Value::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus pressures are over E*"),
     flag("mean-gap", "load.mean-gap", Value::List, "G[,G]", "Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd"),

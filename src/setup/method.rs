@@ -72,6 +72,11 @@ impl Method {
         !matches!(self, Self::Gfmd(_))
     }
 
+    /// Whether the solver takes on a hardness.
+    pub fn takes_hardness(&self) -> bool {
+        !matches!(self, Self::Gfmd(_))
+    }
+
     /// Coarse grids that the solver goes through.
     pub fn coarse_grids(&self, grid: &Grid) -> usize {
         match self {

@@ -58,9 +58,9 @@ pub use text::Table;
 pub use theme::Theme;
 pub use words::{differences, in_words};
 
-use crate::contact::{Friction, Load, Problem, Stop};
-use crate::elastic;
-use crate::error::{FileError, SetupError, SolveError};
+use crate::contact::{Friction, Law, Load, Problem, Stop};
+use crate::elastic::{self, stress::is_known};
+use crate::error::{FileError, SetupError, SolidError, SolveError};
 use crate::grid::Grid;
 use crate::surface::Surface;
 use crate::theory::Exact;
@@ -75,6 +75,7 @@ use std::sync::Arc;
 /// | `surface` | a height file, an indenter, a spectrum, or a sum of them     | must be there                   |
 /// | `grid`    | points, size and boundary of the cell                        | must be there; periodic         |
 /// | `solid`   | the contact modulus, or Young's moduli and Poisson's ratios; a layer | a half-space, pressures over its modulus |
+/// | `law`     | the hardness of the softer body, a pressure                  | elastic at any pressure         |
 /// | `load`    | a mean pressure or a force (of a `solid`), a reduced pressure, a mean gap, an approach | must be there |
 /// | `friction` | a coefficient of friction and a tangential load            | none                            |
 /// | `solver`  | the method and its settings                                  | multilevel                      |
@@ -90,6 +91,9 @@ pub struct Setup {
     /// The elastic solid, a half-space or a layer; without it pressures are over its contact modulus, and a mean pressure is no load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solid: Option<Solid>,
+    /// What pressures are allowed.
+    #[serde(default, skip_serializing_if = "Law::is_hard_wall")]
+    pub law: Law,
     /// The load.
     pub load: Load,
     /// The tangential load that follows the normal one, and the friction that carries it.
@@ -110,8 +114,8 @@ impl Setup {
     /// The setup of a surface on a grid under a load: pressures over the modulus, the usual solver, stop and recording. Under a
     /// mean pressure it needs a solid as well, see [`Setup::on`].
     pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
-        let (solid, friction, solver, stop, record) = Default::default();
-        Self { surface, grid, solid, load, friction, solver, stop, record }
+        let (solid, law, friction, solver, stop, record) = Default::default();
+        Self { surface, grid, solid, law, load, friction, solver, stop, record }
     }
 
     /// The setup on a solid.
@@ -159,15 +163,36 @@ impl Setup {
         self.solver.check()?;
         self.stop.check()?;
         self.record.check(&grid)?;
+        if self.record.what.iter().any(|part| matches!(part, Part::Stress | Part::Fringes)) {
+            self.check_stress(&grid)?;
+        }
         self.elastic()?;
-        self.friction.map_or(Ok(0.0), |friction| friction.ratio(self.load))?;
+        self.check_friction()?;
         if !self.load.is_pressure() && !self.solver.takes_mean_gap() {
             return Err(SolveError::NeedsPressure { solver: self.solver.name().into() }.into());
         }
         if !grid.is_periodic() && !self.solver.takes_free_boundary() {
             return Err(SolveError::NeedsWaves { solver: self.solver.name().into() }.into());
         }
+        if !(self.law.is_hard_wall() || self.solver.takes_hardness()) {
+            return Err(SolveError::NeedsHardWall { solver: self.solver.name().into() }.into());
+        }
         Ok(grid)
+    }
+
+    /// Refuses the stress inside a solid in which it is not known.
+    ///
+    /// # Errors
+    /// [`SolidError::NoStress`].
+    pub fn check_stress(&self, grid: &Grid) -> Result<(), SetupError> {
+        if is_known(grid, self.elastic()?.as_ref()) { Ok(()) } else { Err(SolidError::NoStress.into()) }
+    }
+
+    /// Refuses a tangential load that friction cannot carry, or beside yielding, which the difference of two contacts does not hold for.
+    fn check_friction(&self) -> Result<(), SetupError> {
+        let Some(friction) = self.friction else { return Ok(()) };
+        friction.ratio(self.load)?;
+        if self.law.is_hard_wall() { Ok(()) } else { Err(SetupError::FrictionOfYielding) }
     }
 
     /// The surface.
@@ -181,14 +206,18 @@ impl Setup {
     /// The problem.
     ///
     /// # Errors
-    /// The errors of [`Setup::surface`] and of [`Problem::new`].
+    /// The errors of [`Setup::surface`], of [`Problem::new`] and of [`Problem::with_law`].
     pub fn problem(&self) -> Result<Problem, SetupError> {
-        Ok(Problem::new(self.surface()?, self.elastic()?, self.load)?)
+        let problem = Problem::new(self.surface()?, self.elastic()?, self.load)?;
+        Ok(problem.with_law(self.law)?)
     }
 
-    /// The exact solution under a mean pressure, where the surface is an indenter that has one.
+    /// The exact solution under a mean pressure, where the surface is an indenter that has one and nothing
+    /// yields.
     pub fn exact(&self, grid: &Grid, mean_pressure: f64) -> Option<Exact> {
-        Exact::of(&self.surface.smooth()?, grid, self.contact_modulus().ok()?, mean_pressure)
+        self.law.is_hard_wall().then_some(())?;
+        let solid = self.elastic().ok().filter(|solid| solid.is_half_space())?;
+        Exact::of(&self.surface.smooth()?, grid, solid.contact_modulus(), mean_pressure)
     }
 
     /// Sixteen hexadecimal digits that tell setups apart whose contacts differ under the same load: by all that is in them but

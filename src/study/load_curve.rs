@@ -1,11 +1,16 @@
 //! A contact under one load after the other.
 
+use super::flattened::Flattened;
 use crate::contact::{Contact, Load, Observer, Problem};
 use crate::error::{SetupError, StudyError};
 use crate::setup::{Cost, Setup, Table};
 use crate::surface::Field;
 
 /// A contact under one load after the other, each solved from the contact before.
+///
+/// Below a hardness what has yielded stays: a load that is no higher than one before is solved on the surface that the highest one
+/// has left, see [`Contact::unloaded_surface`], which is elastic. A higher one is solved on the surface as it was, below the hardness:
+/// on the way up nothing depends on the loads between.
 ///
 /// ```
 /// use asperity::contact::Load;
@@ -75,7 +80,7 @@ impl LoadCurve {
     /// by the number of the load, from 0.
     ///
     /// # Errors
-    /// For loads that cannot be, and those of `each`. What did not converge is shown all the same.
+    /// For loads that cannot be, such as a mean gap after the surface has yielded, and those of `each`. What did not converge is shown all the same.
     pub fn press<O: Observer, E: From<StudyError>>(
         &self,
         problem: &Problem,
@@ -83,12 +88,16 @@ impl LoadCurve {
         mut each: impl FnMut(usize, &Contact) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut start: Option<Field> = None;
+        let mut flattened: Option<Flattened> = None;
         for (number, &load) in self.loads.iter().enumerate() {
             let problem = problem.clone().with_load(load).map_err(SetupError::from).map_err(StudyError::from)?;
+            let elastic = flattened.as_ref().map_or(Ok(None), |it| it.elastic(&problem))?;
+            let problem = elastic.unwrap_or(problem);
             let (solver, stop) = (self.setup.solver.solver(), &self.setup.stop);
             let contact = solver.solve_from(start.as_ref(), &problem, stop, &mut watch(number));
             let contact = contact.map_err(StudyError::from)?;
             each(number, &contact)?;
+            flattened = Flattened::by(&contact).or(flattened);
             start = Some(contact.pressure);
         }
         Ok(())

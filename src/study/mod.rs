@@ -7,6 +7,7 @@
 //! ```
 
 mod estimate;
+mod flattened;
 mod identity;
 mod limit;
 mod load_curve;

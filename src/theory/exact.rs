@@ -17,7 +17,10 @@ use std::f64::consts::{E, PI, TAU};
 /// | disc punch, until its base touches   | isolated; each the mean over a ring one spacing wide            |
 /// | crossed sine in full contact         | `p = p_mean + p_full cos cos`                                  |
 ///
-/// Isolated solutions leave out the neighbouring cells, an error of order `(a/L)^3` for points. Where the pressure of a
+/// On a grid that is free along all axes every solution is isolated: that of a cylinder, wedge or power law on a line, of a sphere,
+/// cone, disc punch or power law on a surface.
+///
+/// On a periodic grid isolated solutions leave out the neighbouring cells, an error of order `(a/L)^3` for points. Where the pressure of a
 /// wedge or cone is infinite, in the middle, it is the mean over the node's cell of the logarithm there (for a cone
 /// over the disc of the cell's area): its value at the distance `dx/(2e)` or `sqrt(dx dy/(pi e))`.
 ///
@@ -74,9 +77,19 @@ struct Case<'a> {
 impl Case<'_> {
     fn solution(&self, indenter: &Indenter) -> Option<Exact> {
         let is_line = self.grid.is_line();
+        if !self.grid.is_periodic() && !self.is_alone(indenter) {
+            return None;
+        }
         match *indenter {
             Indenter::Sine { amplitude } => Some(self.sine(amplitude)),
             Indenter::CrossedSine { amplitude } => self.crossed_sine(amplitude),
+            Indenter::Cylinder { radius } if !self.grid.is_periodic() => {
+                self.isolated_line("Hertz, isolated", 0.5 / radius, 2.0)
+            }
+            Indenter::Wedge { slope } if !self.grid.is_periodic() => self.isolated_line("wedge, isolated", slope, 1.0),
+            Indenter::PowerLaw { coefficient, exponent } if is_line && !self.grid.is_periodic() => {
+                self.isolated_line("power law, isolated", coefficient, exponent)
+            }
             Indenter::Cylinder { radius } => self.periodic("cylinder, periodic", 0.5 / radius, 2.0),
             Indenter::Wedge { slope } => self.periodic("wedge, periodic", slope, 1.0),
             Indenter::Sphere { radius } => self.isolated("Hertz, isolated", 0.5 / radius, 2.0),
@@ -147,6 +160,28 @@ impl Case<'_> {
             kappa_r: Some(contact.kappa_r()),
             max_pressure,
             ..self.exact(name, PI * a * a / (lx * ly), pressure)
+        })
+    }
+
+    /// Whether an indenter has a solution that stands alone on this grid, which is free.
+    fn is_alone(&self, indenter: &Indenter) -> bool {
+        let is_smooth = !matches!(indenter, Indenter::Sine { .. } | Indenter::CrossedSine { .. });
+        let is_strip = matches!(indenter, Indenter::Punch { .. }) && self.grid.is_line();
+        let is_free = self.grid.is_line() || self.grid.periodic() == [false; 2];
+        is_smooth && is_free && !is_strip
+    }
+
+    fn isolated_line(&self, name: &'static str, coefficient: f64, exponent: f64) -> Option<Exact> {
+        let (length, dx, contact_modulus) = (self.grid.size()[1], self.grid.spacing()[1], self.contact_modulus);
+        let contact = PowerLaw { geometry: Geometry::Line, coefficient, exponent, contact_modulus };
+        let a = contact.half_width(self.mean_pressure * length);
+        let max_pressure = Some(contact.pressure(a, 0.0)).filter(|p| p.is_finite());
+        let core = if max_pressure.is_none() { 0.5 * dx / E } else { 0.0 };
+        let is_known = PowerLaw::EXPONENTS.contains(&exponent) && a < 0.5 * length;
+        is_known.then(|| Exact {
+            kappa_r: Some(contact.kappa_r()),
+            max_pressure,
+            ..self.exact(name, 2.0 * a / length, |[_, x]| contact.pressure(a, x.abs().max(core)))
         })
     }
 

@@ -10,7 +10,7 @@ mod probe;
 mod relaxation;
 mod settings;
 
-use crate::contact::{Contact, Observer, Problem, Run, Solver, Stop};
+use crate::contact::{Contact, Law, Observer, Problem, Run, Solver, Stop};
 use crate::error::SolveError;
 use crate::surface::Field;
 use moving::Moving;
@@ -53,6 +53,9 @@ impl Solver for Gfmd {
         }
         if !problem.compliance().is_diagonal() {
             return Err(SolveError::NeedsWaves { solver: self.name().into() });
+        }
+        if problem.law() != Law::HardWall {
+            return Err(SolveError::NeedsHardWall { solver: self.name().into() });
         }
         let mut run = Run::begin(self, problem, stop, observer);
         let mut surface = Moving::new(start, problem, self.masses);

@@ -6,6 +6,7 @@ use super::support::Pressure;
 use crate::chunks;
 use crate::contact::Status;
 use crate::contact::bound::{is_uniform, to_bound};
+use crate::contact::feasible::nearest;
 
 impl Level<'_> {
     /// A guarded step: towards the pressure of a whole-set update if that is wished for and `f` falls on that way, else towards
@@ -40,39 +41,44 @@ impl Level<'_> {
         self.response.displacement(&way, &mut response);
         let curvature = dot(&way, &response);
         let share = if curvature > 0.0 { (-slope / curvature).min(1.0) } else { 1.0 };
-        chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p += share * way[i]));
+        let ceiling = self.ceiling();
+        chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p = (*p + share * way[i]).min(ceiling)));
         self.pressure = Pressure::of(&p, self.response.rows());
         self.is_fresh = false;
         true
     }
 
-    /// The projection onto `p >= 0`, with the mean pressure if that is given, of a step against the gradient.
+    /// The projection onto `p >= 0`, and below a hardness onto `p <= H_c`, with the mean pressure if that is given, of a step against the gradient.
     fn gradient_step(&mut self) -> Vec<f64> {
         let lambda = self.lambda();
         let length = self.gradient_length();
         let (mut p, u, h) = (self.pressure.spread(), &self.u, self.problem.height());
         chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p -= length * (u[i] - h[i] - lambda)));
+        let ceiling = self.ceiling();
         match self.problem.mean_pressure() {
+            Some(mean_pressure) if ceiling.is_finite() => nearest(p, mean_pressure * self.u.len() as f64, ceiling),
             Some(mean_pressure) => onto_load(p, mean_pressure),
-            None => p.into_iter().map(|p| p.max(0.0)).collect(),
+            None => p.into_iter().map(|p| p.max(0.0).min(ceiling)).collect(),
         }
     }
 
-    /// Length of the step against the gradient on the set that minimises `f`. Where the gradient displaces nothing, since it is
+    /// Length of the step against the gradient on the free nodes that minimises `f`. Where the gradient displaces nothing, since it is
     /// uniform and all nodes touch, `f` falls evenly, and the step goes on to the bound, where the first node leaves. It is 0
     /// where there is no gradient.
     fn gradient_length(&mut self) -> f64 {
         let lambda = self.lambda();
-        let mut gradient = self.on_set(|v| v - lambda);
+        let free = self.pressure.free(self.ceiling());
+        let mut gradient = self.on_set(free.as_ref(), |v| v - lambda);
         if self.problem.mean_pressure().is_some() {
             remove_mean(&mut gradient);
         }
-        let field = self.pressure.support.spread(&gradient);
+        let field = free.as_ref().unwrap_or(&self.pressure.support).spread(&gradient);
         let mut response = vec![0.0; field.len()];
         self.response.displacement(&field, &mut response);
         let (square, curvature) = (dot(&gradient, &gradient), dot(&field, &response));
         if is_uniform(square, curvature, self.response.softest_stiffness()) {
-            return to_bound(self.pressure.values.iter().copied().zip(gradient)).unwrap_or(0.0);
+            let free = self.pressure.values.iter().copied().filter(|&p| p < self.ceiling());
+            return to_bound(free.zip(gradient)).unwrap_or(0.0);
         }
         square / curvature
     }
@@ -102,7 +108,7 @@ mod tests {
     use super::*;
     use crate::contact::Problem;
     use crate::contact::best::Best;
-    use crate::contact::{ContactModulus, Load};
+    use crate::contact::{ContactModulus, Law, Load};
     use crate::grid::Grid;
     use crate::surface::{Indenter, Surface};
     use ndarray::Array1;
@@ -120,13 +126,17 @@ mod tests {
             Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(mean_pressure)).unwrap()
         };
         let noise = |i: usize| ((i * i % 251) as f64 * 12.9898).sin() * 43758.5453 % 1.0;
-        vec![
+        let below = |problem: Problem, hardness: f64| problem.with_law(Law::Hardness(hardness)).unwrap();
+        let walls = vec![
             indenter(Indenter::Sine { amplitude: 0.01 }, 0.01 * PI * (0.05 * PI).sin().powi(2)),
             indenter(Indenter::Cylinder { radius: 0.25 }, 0.22),
             problem(Array1::from_shape_fn(256, |i| if i / 16 % 2 == 0 { 0.0 } else { -0.01 }), 0.01),
             problem(Array1::from_shape_fn(256, noise), 1.0),
             problem(Array1::from_shape_fn(256, |i| if i == 100 { 1.0 } else { 0.0 }), 0.01),
-        ]
+        ];
+        let hard = |wall: &Problem| [1.5, 4.0].map(|times| below(wall.clone(), times * wall.expected_mean_pressure()));
+        let hard: Vec<Problem> = walls.iter().flat_map(hard).collect();
+        walls.into_iter().chain(hard).collect()
     }
 
     fn uniform(problem: &Problem) -> Level<'_> {

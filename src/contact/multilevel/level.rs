@@ -2,10 +2,10 @@
 
 use super::correction::{Correction, mean};
 use super::extension::Extension;
-use super::support::{Pressure, RowOfNodes, Support};
+use super::support::{Pressure, RowOfNodes, Support, corrected};
 use crate::chunks;
 use crate::contact::best::Best;
-use crate::contact::{Certificate, Decision, Edges, Problem, Resolved, Status, Sums};
+use crate::contact::{Certificate, Decision, Edges, Problem, Resolved, Status, Sums, slack};
 use crate::elastic::Response;
 use std::ops::Range;
 
@@ -66,7 +66,10 @@ impl<'a> Level<'a> {
     /// Sees to it that the displacement is that of the pressure, and returns the certificate of both.
     pub fn certify(&mut self) -> Certificate {
         self.refresh();
-        Certificate::of_sums(self.problem, &self.sums())
+        match self.problem.law().hardness() {
+            None => Certificate::of_sums(self.problem, &self.sums()),
+            Some(_) => Certificate::of_displaced(self.problem, &self.pressure.spread(), &self.u),
+        }
     }
 
     /// Area and gradient of this state with its edges resolved.
@@ -75,9 +78,18 @@ impl<'a> Level<'a> {
         Edges::of(self.problem, &self.pressure.spread(), |node| u[node] - h[node] - lambda).resolved()
     }
 
-    /// `lambda` of this state: the mean of `v` weighted by the pressure or, at a given mean gap, minus that.
+    /// The highest pressure that is allowed.
+    pub fn ceiling(&self) -> f64 {
+        self.problem.law().ceiling()
+    }
+
+    /// `lambda` of this state: the mean of `v` weighted by the pressure, or below a hardness by its room, or, at a given mean gap,
+    /// minus that.
     pub fn lambda(&self) -> f64 {
         let of_pressure = || {
+            if self.ceiling().is_finite() {
+                return slack::level(self.problem, &self.pressure.spread(), &self.u);
+            }
             let sums = self.sums();
             sums.reference_v + sums.pressure_v / sums.pressure
         };
@@ -155,15 +167,19 @@ impl<'a> Level<'a> {
         parts.into_iter().fold(none, Sums::plus)
     }
 
-    /// Makes the set that of the pressure, and of the nodes where `v < lambda`.
+    /// Makes the set that of the pressure, and of the nodes where `v < lambda`; of those that yield, the ones where `v > lambda` are
+    /// free again.
     pub fn admit(&mut self) {
         let lambda = self.lambda();
         self.exchange(lambda);
     }
 
-    /// Takes nodes out of the set that have no pressure and in that have `v < lambda`. Returns whether the set changed.
+    /// Takes nodes out of the set that have no pressure and in that have `v < lambda`; lets those yield that have reached the ceiling,
+    /// and frees those that yield and have `v > lambda`. Returns whether the pressure changed by that, or the set.
     fn exchange(&mut self, lambda: f64) -> bool {
         let (u, h, Pressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
+        let (ceiling, below) = (self.ceiling(), self.ceiling().next_down());
+        let mut changed = ceiling.is_finite() && values.iter().any(|&p| p > ceiling);
         let [count, width] = support.shape();
         let (support, values) = Support::choose([count, width], |row, nodes| {
             let at = row * width;
@@ -177,35 +193,47 @@ impl<'a> Level<'a> {
                 column = run.end;
                 for (x, &p) in run.zip(&values[at]) {
                     if p > 0.0 || p == 0.0 && u[x] - h[x] < lambda {
-                        nodes.push(x, p);
+                        let is_freed = p == ceiling && u[x] - h[x] > lambda;
+                        nodes.push(x, if is_freed { below } else { p.min(ceiling) });
                     }
                 }
             }
             enter(column..width, nodes);
         });
-        let changed = support != self.pressure.support;
+        changed |= support != self.pressure.support;
         self.pressure = Pressure { support, values };
         changed
     }
 
-    /// The whole-set update: corrects on the set, exchanges nodes by the signs of pressure and gap, clips and scales.
+    /// The whole-set update: corrects the free nodes of the set, exchanges nodes by the signs of pressure and gap, clips and scales.
     pub fn update(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
         self.leave_extremes();
-        let mut extension = Extension::new(&self.pressure.support, self.problem.surface().grid().shape());
+        let (ceiling, free) = (self.ceiling(), self.pressure.free(self.ceiling()));
+        let free = free.as_ref();
+        let mut extension =
+            Extension::new(free.unwrap_or(&self.pressure.support), self.problem.surface().grid().shape());
         let gap = self.problem.datum();
-        let residual = self.on_set(|v| -(v + gap.unwrap_or(0.0)));
+        let residual = self.on_set(free, |v| -(v + gap.unwrap_or(0.0)));
+        if residual.is_empty() {
+            return None;
+        }
         let Self { response, u, pressure: Pressure { support, values }, .. } = self;
-        let mut correction = Correction::new(support, residual, gap.is_none(), response);
+        let mut correction = Correction::new(free.unwrap_or(support), residual, gap.is_none(), response);
         let status = correction.solve(self.reduction, &mut extension, response, u, &mut |correction, response| {
-            let signed = || values.iter().zip(&correction.delta).map(|(p, delta)| p + delta).collect();
+            let signed = || corrected(values, &correction.delta, ceiling);
             watch(support, &signed, correction.last, response)
         });
         let delta = correction.delta;
-        chunks::update(values, |range, p| p.iter_mut().zip(&delta[range]).for_each(|(p, delta)| *p += delta));
+        match free {
+            None => {
+                chunks::update(values, |range, p| p.iter_mut().zip(&delta[range]).for_each(|(p, delta)| *p += delta));
+            }
+            Some(_) => *values = corrected(values, &delta, ceiling),
+        }
         drop(extension);
         self.is_fresh = false;
         self.refresh();
-        let lambda = gap.map_or_else(|| mean(&self.on_set(|v| v)), |gap| -gap);
+        let lambda = gap.map_or_else(|| mean(&self.on_set(free, |v| v)), |gap| -gap);
         if self.exchange(lambda) {
             self.pressure.carry(self.problem);
             self.is_fresh = false;
@@ -213,15 +241,18 @@ impl<'a> Level<'a> {
         status
     }
 
-    /// Where nothing touches, lets nodes in. Where all nodes do at a mean gap, the load is too large, but no correction sees that,
+    /// Where nothing touches, or all that touches yields, lets nodes in. Where all nodes do at a mean gap, the load is too large, but no correction sees that,
     /// since a uniform pressure displaces nothing: lowers it until the first node leaves.
     fn leave_extremes(&mut self) {
+        let ceiling = self.ceiling();
         let values = &mut self.pressure.values;
-        if values.is_empty() {
+        let has_free = values.iter().any(|&p| p < ceiling);
+        if !has_free {
             self.admit();
         } else if let Some(gap) = self.problem.datum()
             && !self.problem.compliance().has_uniform()
             && values.len() == self.problem.nodes()
+            && values.iter().all(|&p| p < ceiling)
         {
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             chunks::update(values, |_, p| p.iter_mut().for_each(|p| *p -= least));
@@ -229,10 +260,10 @@ impl<'a> Level<'a> {
         }
     }
 
-    /// `of(v)` on the set.
-    pub fn on_set(&self, of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
-        let (u, h, Pressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
-        let mut result = vec![0.0; values.len()];
+    /// `of(v)` on the set, or on the `free` nodes of it.
+    pub fn on_set(&self, free: Option<&Support>, of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
+        let (u, h, support) = (&self.u, self.problem.height(), free.unwrap_or(&self.pressure.support));
+        let mut result = vec![0.0; support.nodes()];
         let width = support.shape()[1];
         chunks::each(&mut support.pieces(&mut result), width, |row, piece| {
             let nodes = support.runs(row).flat_map(|(run, _)| run);

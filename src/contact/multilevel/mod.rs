@@ -29,6 +29,17 @@
 //!   tolerance above rounding.
 //! - **What it costs.** Whole-set updates cycle when their corrections are loose. So a correction is tightened whenever an update
 //!   was no better, and with that the guard has hardly been needed; the tests force it.
+//!
+//! # Below a hardness
+//! There are three sets: open nodes without pressure, free ones, and those that yield, at `H_c` to the last bit. The correction acts
+//! on the free nodes, under the pressure of those that yield, and an exchange updates all sets by signs: out go free nodes below
+//! zero, in come open ones with `v < lambda`; free ones above `H_c` yield, and those that yield with `v > lambda` are free again,
+//! which the number next below `H_c` stands for. Then free nodes are scaled to the load. Where none is free, `lambda` lies between
+//! the nodes that would carry the load at `H_c` and the others, so that some enter and as many become free, unless it is the solution.
+//!
+//! All of the above holds with `{0 <= p <= H_c}` in the place of `{p >= 0}`: it is convex, every guarded step stays within it, the
+//! projection onto it and the load is exact, and for the projected gradient step `f` falls unless `p` is the solution. The length of
+//! that step comes from the free nodes: after an exchange the gradient is uniform on them, and the length zero, at the solution only.
 
 mod correction;
 mod extension;
@@ -257,7 +268,8 @@ impl Cascade<'_> {
 
 /// The signed pressure on `support`, clipped and scaled to the load.
 fn feasible(support: &Support, mut values: Vec<f64>, problem: &Problem) -> Pressure {
-    values.iter_mut().for_each(|p| *p = p.max(0.0));
+    let ceiling = problem.law().ceiling();
+    values.iter_mut().for_each(|p| *p = p.max(0.0).min(ceiling));
     let mut pressure = Pressure { support: support.clone(), values };
     pressure.carry(problem);
     pressure

@@ -4,6 +4,7 @@ use super::correction::{Correction, dot};
 use super::extension::Extension;
 use super::support::Pressure;
 use crate::contact::Problem;
+use crate::elastic::Response;
 
 /// Reduction of the residual. The stiffness errs by the square of it.
 const REDUCTION: f64 = 1e-2;
@@ -19,9 +20,30 @@ const REDUCTION: f64 = 1e-2;
 ///
 /// which starts from the pressure itself. Conjugate gradients approach the minimum from above, and `k` from below, with the square
 /// of the error of `x`. Where all nodes touch, a uniform pressure displaces nothing, and the stiffness is infinite.
+///
+/// Below a hardness `S` are the free nodes only: those that yield carry what they carry. Their share of the displacement is then
+/// taken off by one more transform pair. Where no node is free, the stiffness is zero.
 pub(in crate::contact) fn stiffness(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
     let mut response = problem.response();
-    let Pressure { support, values } = Pressure::of(pressure, response.rows());
+    let law = problem.law();
+    let is_elastic = law.hardness().is_none() || !pressure.iter().any(|&p| law.yields(p));
+    if is_elastic {
+        return stiffness_on(problem, Pressure::of(pressure, response.rows()), displacement, response);
+    }
+    let free: Vec<f64> = pressure.iter().map(|&p| if law.yields(p) { 0.0 } else { p }).collect();
+    let mut displacement = vec![0.0; free.len()];
+    response.displacement(&free, &mut displacement);
+    let free = Pressure::of(&free, response.rows());
+    if free.values.is_empty() { 0.0 } else { stiffness_on(problem, free, &displacement, response) }
+}
+
+/// The stiffness of the nodes under a pressure, from its displacement.
+fn stiffness_on(
+    problem: &Problem,
+    Pressure { support, values }: Pressure,
+    displacement: &[f64],
+    mut response: Response,
+) -> f64 {
     if values.len() == problem.nodes() {
         return f64::INFINITY;
     }

@@ -1,7 +1,7 @@
 //! Vectors that live on the contact set.
 
 use crate::chunks;
-use crate::contact::Problem;
+use crate::contact::{Problem, feasible};
 use std::ops::Range;
 
 /// A set of nodes, as runs along the rows in which a half-space takes its fields. Values on it are vectors with one entry per
@@ -65,6 +65,11 @@ impl Support {
     pub fn first(&self) -> Option<usize> {
         let row = self.rows.iter().rposition(|start| start.node == 0)?;
         self.runs.first().map(|run| row * self.width + run.start)
+    }
+
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        self.rows.last().map_or(0, |end| end.node)
     }
 
     /// Number of rows and their length.
@@ -144,13 +149,48 @@ impl Pressure {
         self.support.spread(&self.values)
     }
 
-    /// Scales it to the mean pressure of `problem`, if that is given.
+    /// Scales it to the mean pressure of `problem`, if that is given, below the hardness if there is one.
     pub fn carry(&mut self, problem: &Problem) {
         let Some(mean_pressure) = problem.mean_pressure() else { return };
+        if let Some(hardness) = problem.law().hardness() {
+            return self.carry_below(hardness, mean_pressure * problem.nodes() as f64);
+        }
         let values = &self.values;
         let scale = mean_pressure * problem.nodes() as f64 / chunks::sum(values.len(), |i| values[i]);
         chunks::update(&mut self.values, |_, p| p.iter_mut().for_each(|p| *p *= scale));
     }
+
+    /// Makes it carry a load below a hardness, on all nodes if its own cannot.
+    fn carry_below(&mut self, hardness: f64, load: f64) {
+        if self.values.len() as f64 * hardness >= load {
+            feasible::carry(&mut self.values, load, hardness);
+            return;
+        }
+        let mut field = self.spread();
+        feasible::carry(&mut field, load, hardness);
+        *self = Self::of(&field, self.support.shape());
+    }
+
+    /// The nodes that are free, whose pressure is below `ceiling`; none if all of them are.
+    pub fn free(&self, ceiling: f64) -> Option<Support> {
+        if ceiling.is_infinite() || self.values.iter().all(|&p| p < ceiling) {
+            return None;
+        }
+        let Self { support, values } = self;
+        let (free, _) = Support::choose(support.shape(), |row, nodes| {
+            for (run, at) in support.runs(row) {
+                run.zip(&values[at]).filter(|(_, p)| **p < ceiling).for_each(|(x, &p)| nodes.push(x, p));
+            }
+        });
+        Some(free)
+    }
+}
+
+/// The values below `ceiling` with `delta` added, one entry for each; the others as they are.
+pub(super) fn corrected(values: &[f64], delta: &[f64], ceiling: f64) -> Vec<f64> {
+    let mut delta = delta.iter();
+    let mut next = |p: f64| if p < ceiling { delta.next().map_or(p, |delta| p + delta) } else { p };
+    values.iter().map(|&p| next(p)).collect()
 }
 
 impl From<Pressure> for Vec<f64> {

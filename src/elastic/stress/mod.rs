@@ -21,11 +21,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod below;
 mod depths;
 mod modes;
 mod strips;
 mod tensor;
 
+pub use below::{below, is_known};
 pub use depths::depths;
 pub use modes::{highest_row, under_row};
 pub use strips::under_strips;

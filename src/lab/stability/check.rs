@@ -1,7 +1,7 @@
 //! The independent check: what a pressure is worth, from the pressure and the problem alone.
 //!
 //! It shares with the solvers the problem (heights, load and grid) and the definition of the half-space, `u_q = 2 p_q / (E* |q|)`.
-//! Displacement, yardsticks and certificate are computed here by plain sums of their own; [`super::Kernel`] holds the
+//! Below a hardness the lowest nodes are filled one after the other, lowest first. Displacement, yardsticks and certificate are computed here by plain sums of their own; [`super::Kernel`] holds the
 //! displacement against a sum over images, in which nothing is periodic and nothing a wave.
 
 use super::kernel::displacement;
@@ -20,6 +20,8 @@ pub struct Check {
     pub penetration: f64,
     /// Smallest pressure over the mean.
     pub min_pressure: f64,
+    /// Largest pressure over the hardness; 0 where there is none.
+    pub over_hardness: f64,
     /// How far the mean pressure is off the prescribed one; 0 where none is.
     pub load_error: f64,
     /// Energy, `(<p u> / 2 - <p h> + D <p>) / (<p> h_rms)`, with no `D` under a mean pressure. It is 0 for the uniform
@@ -49,15 +51,23 @@ impl Check {
         let gap = problem.datum();
         let missed = gap.map_or(0.0, |gap| (gap + lowest + above).abs());
         let penetration = gap.map_or(above, |gap| -(lowest + gap));
+        let most = largest(pressure);
+        let over_hardness = problem.law().hardness().map_or(0.0, |hardness| most / hardness);
+        // nodes that yield lie below zero, and others by more than the error in energy
+        let [excess, penetration] = match problem.law().hardness().filter(|hardness| most >= hardness * (1.0 - 1e-14)) {
+            Some(hardness) => [below_hardness(&v, pressure, hardness, gap).min(above + missed), 0.0],
+            None => [above + missed, penetration],
+        };
         let highest = h.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let over_gap = |length: f64| gap.map_or(0.0, |gap| length / gap.min(highest - gap));
         let rounding = 64.0 * f64::EPSILON * (largest(&u) + largest(h) + longest);
         Self {
-            eta: (above + missed) / rms,
-            eta_gap: over_gap(above + missed),
-            pressure_error: ((above + missed) / weighted(&|i| u[i]).max(0.0)).sqrt(),
+            eta: excess / rms,
+            eta_gap: over_gap(excess),
+            pressure_error: (excess / weighted(&|i| u[i]).max(0.0)).sqrt(),
             penetration: penetration / rms,
             min_pressure: pressure.iter().copied().fold(f64::INFINITY, f64::min) / (load / n),
+            over_hardness,
             load_error,
             energy: weighted(&|i| 0.5 * u[i] - h[i] + gap.unwrap_or(0.0)) / rms,
             rounding: rounding / rms,
@@ -74,6 +84,9 @@ impl Check {
         if self.min_pressure < 0.0 {
             return Some(format!("a tension of {:.1e} of the mean pressure", -self.min_pressure));
         }
+        if self.over_hardness > 1.0 + 1e-14 {
+            return Some(format!("a pressure of {} times the hardness", self.over_hardness));
+        }
         (self.load_error > 1e-12).then(|| format!("the load is missed by {:.1e}", self.load_error))
     }
 
@@ -89,6 +102,22 @@ impl Check {
         let mut doubts = worst.filter(|&(_, value, limit, rounding)| value.is_nan() || value > 2.0 * limit + rounding);
         doubts.next().map(|(name, value, limit, _)| format!("{name} is {value:.1e}, not {limit:.0e}"))
     }
+}
+
+/// The mean of `v` weighted by a pressure less that weighted by the best one below a hardness: of all that carry the same load, or
+/// at a mean gap of all. A length.
+fn below_hardness(v: &[f64], pressure: &[f64], hardness: f64, gap: Option<f64>) -> f64 {
+    let load: f64 = pressure.iter().sum();
+    let mut order: Vec<usize> = (0..v.len()).collect();
+    order.sort_by(|&i, &j| v[i].total_cmp(&v[j]));
+    let zero = gap.map_or_else(|| v[order[((load / hardness) as usize).min(v.len() - 1)]], |gap| -gap);
+    let mut left = load;
+    let best = order.iter().map(|&i| {
+        let p = if gap.is_some() { if v[i] < zero { hardness } else { 0.0 } } else { left.min(hardness) };
+        left -= p;
+        (pressure[i] - p) * (v[i] - zero)
+    });
+    best.sum::<f64>() / load
 }
 
 fn largest(values: &[f64]) -> f64 {

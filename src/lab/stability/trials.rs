@@ -3,7 +3,7 @@
 use super::shapes::{Shape, noise, offset, plateaus, rough, rough_with, shaped, spike, two_peaks};
 use super::trial::{Trial, Twin};
 use super::verdict::Demand;
-use crate::contact::{ContactModulus, Load, Problem};
+use crate::contact::{ContactModulus, Law, Load, Multilevel, Problem, Solver, Stop};
 use crate::error::SetupError;
 use crate::grid::Grid;
 use crate::lab::Rival;
@@ -34,6 +34,9 @@ pub fn trials(is_quick: bool) -> Result<Vec<Trial>, SetupError> {
     let mut trials = loads(grids);
     trials.extend(around_full_contact(line, surface));
     trials.extend(gaps(grids));
+    for (kind, grid) in grids {
+        trials.extend(hardnesses(kind, grid)?);
+    }
     trials.extend(narrow(line, surface));
     trials.extend(units(points));
     trials.extend(heights(grids));
@@ -95,6 +98,32 @@ fn gaps(grids: Grids) -> Vec<Trial> {
         far.into_iter().chain(near).chain(garbage).chain(shapes_apart(kind, grid))
     };
     grids.into_iter().flat_map(of_kind).collect()
+}
+
+/// Hardnesses from a thousandth to a thousand times the peak of the elastic pressure, under pressures and at a mean gap. Those below
+/// the mean pressure must be refused.
+fn hardnesses(kind: &'static str, grid: Grid) -> Result<Vec<Trial>, SetupError> {
+    let shapes: [(&str, Make); 4] =
+        [("rough", rough), ("white-noise", noise), ("two-peaks", two_peaks), ("plateaus", plateaus)];
+    let mut trials = Vec::new();
+    for (name, shape) in shapes {
+        let light = pressed(shape(grid)?, Load::ReducedPressure(0.01))?;
+        let gap = Load::MeanGap(0.5 * light.rms_height().min(light.highest()));
+        for (load, under) in [("light", light.load()), ("heavy", Load::ReducedPressure(0.3)), ("gap", gap)] {
+            let wall = light.clone().with_load(under)?;
+            let elastic = Multilevel.solve(&wall, &Stop::default(), &mut ())?;
+            for factor in [1e-3, 1e-2, 0.1, 0.3, 0.7, 0.99, 1.5, 10.0, 1e3] {
+                let hardness = factor * elastic.max_pressure();
+                let is_refused = wall.mean_pressure().is_some_and(|mean| mean > hardness);
+                let pose = move || Ok(pressed(shape(grid)?, under)?.with_law(Law::Hardness(hardness))?);
+                let trial = Trial::new(format!("hardness-{kind}-{name}-{load}-{factor:e}"), pose);
+                let demand = if is_refused { Demand::Refusal } else { Demand::Solution };
+                let is_at_mean_gap = wall.mean_gap().is_some();
+                trials.push(Trial { is_below_hardness: true, is_at_mean_gap, ..trial.demanding(demand) });
+            }
+        }
+    }
+    Ok(trials)
 }
 
 /// Surfaces of other shapes, just touching and all but closed.

@@ -9,7 +9,7 @@ use super::ruler::Ruler;
 use super::surface::Image;
 use super::window::Window;
 use crate::contact::Forecast;
-use crate::elastic::stress::{USUAL_POISSON, under_row};
+use crate::elastic::stress::{USUAL_POISSON, below, is_known};
 use crate::grid::Grid;
 use crate::plot::Frame;
 use crate::record::options::Options;
@@ -52,7 +52,8 @@ impl StressPicture {
     /// The pictures that `options` ask for, if any.
     pub fn new(scene: &Scene<'_>, forecast: Forecast, root: &str, options: &Options) -> Option<Self> {
         let has = |part: Part| options.what.has(part);
-        if !has(Part::Stress) && !has(Part::Fringes) {
+        let is_known = is_known(scene.problem.surface().grid(), scene.problem.solid().as_ref());
+        if !is_known || !has(Part::Stress) && !has(Part::Fringes) {
             return None;
         }
         let (grid, contact_modulus) = (*scene.problem.surface().grid(), scene.problem.contact_modulus());
@@ -117,7 +118,7 @@ impl StressPicture {
     fn tau_max(&self, fields: &Fields<'_>) -> Vec<f64> {
         let pressure = self.mean_pressures(fields);
         let grid = self.grid.with_shape(self.blocks.cells).expect("blocks are fewer than nodes and more than three");
-        let stress = under_row(&grid, &pressure, self.row, self.poisson, &self.depth).expect("the ratio was checked");
+        let stress = below(&grid, &pressure, self.row, self.poisson, &self.depth).expect("the ratio was checked");
         let tau = stress.tau_max();
         let columns: Vec<(usize, usize, f64)> = (0..PIXELS[0]).map(|column| self.between(column)).collect();
         let pixels = tau.rows().into_iter().flat_map(|row| {

@@ -3,14 +3,14 @@
 use super::canvas::{self, BOX, TEXT, strip, style};
 use super::fields::{Extent, Fields, range};
 use super::fill;
-use super::palette::{self, CONTACT_CLASS, Palette};
+use super::palette::{self, CONTACT_CLASS, Palette, YIELDING_CLASS};
 use super::patch_points;
 use super::picture::Picture;
 use super::reduce::Columns;
 use super::ruler::Ruler;
 use super::strips::strips_of;
 use super::window::{Samples, Window};
-use crate::contact::Forecast;
+use crate::contact::{Forecast, Law};
 use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
@@ -30,6 +30,7 @@ pub struct LinePicture {
     what: Parts,
     palette: &'static Palette,
     root: String,
+    law: Law,
     window: Window,
     /// Height of the indenter on the canvas, for all nodes of the window; empty if it is not shown.
     indenter: Vec<f32>,
@@ -58,6 +59,7 @@ impl LinePicture {
             what: options.what,
             palette: Palette::of(options.theme),
             root: root.into(),
+            law: problem.law(),
             window,
             indenter: shown.into_iter().flatten().map(|h| HEIGHT * (1.0 - profile.place(-h)) as f32).collect(),
             x: length("x", ends).axis,
@@ -136,6 +138,14 @@ impl LinePicture {
         to.log(format!("{}/{name}/curves/{name}", self.root), &[&strips as &dyn AsComponents, &values])
     }
 
+    /// Runs of nodes that yield, half a spacing beyond the outer ones.
+    fn yielding(&self, fields: &Fields<'_>) -> Vec<[f32; 2]> {
+        let nodes = self.window.every(fields.stride[1]);
+        let runs = Columns::new(nodes.count()).runs(|i| self.law.yields(fields.pressure[nodes.node(i)]));
+        let end = |i: usize, beyond: f32| ((nodes.place(i) + beyond * nodes.spacing()) * WIDTH).clamp(0.0, WIDTH);
+        runs.into_iter().map(|run| [end(run.start, -0.5), end(run.end - 1, 0.5)]).collect()
+    }
+
     /// The solid, a gap below the nodes of the indenter.
     fn solid(&self, nodes: &Samples, gap: &[f64]) -> Vec<[f32; 2]> {
         let level = |i| self.indenter[nodes.offset(i)] + HEIGHT * self.profile.share(gap[nodes.node(i)]) as f32;
@@ -160,6 +170,11 @@ impl Picture for LinePicture {
             let contact = style(self.palette.contact, Radius::new_ui_points(2.5), 34.0);
             let contact = contact.with_class_ids([CONTACT_CLASS]).with_show_labels(false);
             to.log_static(format!("{}/contact", self.root), &contact)?;
+            if !self.law.is_hard_wall() {
+                let yielding = style(self.palette.yielding, Radius::new_ui_points(2.5), 35.0);
+                let yielding = yielding.with_class_ids([YIELDING_CLASS]).with_show_labels(false);
+                to.log_static(format!("{}/contact/yielding", self.root), &yielding)?;
+            }
         }
         if self.what.has_mask_alone() {
             canvas::log_floor(to, self.palette, &format!("{}/contact/axes", self.root), &self.frame())?;
@@ -181,6 +196,10 @@ impl Picture for LinePicture {
         if self.what.has(Part::Mask) {
             let segments = self.segments(fields).into_iter().map(|ends| ends.map(|x| [x, HEIGHT]));
             to.log(format!("{root}/contact"), &LineStrips2D::update_fields().with_strips(segments))?;
+            if !self.law.is_hard_wall() {
+                let segments = self.yielding(fields).into_iter().map(|ends| ends.map(|x| [x, HEIGHT]));
+                to.log(format!("{root}/contact/yielding"), &LineStrips2D::update_fields().with_strips(segments))?;
+            }
             let place = |node| Some([nodes.place(nodes.sample(node)?) * WIDTH, HEIGHT]);
             patch_points::log(to, &format!("{root}/contact/patches"), &fields.patches, place)?;
         }

@@ -27,6 +27,7 @@ pub const SERIES: [Colour; 6] = [
 /// Classes of the nodes of a mask.
 pub const GAP_CLASS: u16 = 0;
 pub const CONTACT_CLASS: u16 = 1;
+pub const YIELDING_CLASS: u16 = 2;
 
 /// The contour of a contact, over the dark ends of the scales of pressure and gap that meet there.
 pub const CONTOUR: Colour = Colour::WHITE;
@@ -47,6 +48,8 @@ pub struct Palette {
     /// The solid's surface in space where it does not touch.
     pub relief: Colour,
     pub contact: Colour,
+    /// What yields of the contact.
+    pub yielding: Colour,
     pub pressure: Colour,
     pub gap: Colour,
     pub exact: Colour,
@@ -61,6 +64,7 @@ const DARK: Palette = Palette {
     solid_fill: Colour([0x1c, 0x3c, 0x52]),
     relief: Colour([0x6f, 0x8a, 0x9e]),
     contact: Colour::VERMILION,
+    yielding: Colour::YELLOW,
     pressure: Colour::ORANGE,
     gap: Colour::PURPLE,
     exact: Colour([0x2b, 0xbf, 0x95]),
@@ -75,6 +79,7 @@ const LIGHT: Palette = Palette {
     solid_fill: Colour([0xbf, 0xdd, 0xf0]),
     relief: Colour([0x8f, 0xab, 0xbf]),
     contact: Colour::VERMILION,
+    yielding: Colour([0x7a, 0x5f, 0x00]),
     pressure: Colour([0xa8, 0x5b, 0x00]),
     gap: Colour([0x9c, 0x4f, 0x86]),
     exact: Colour([0x00, 0x70, 0x4f]),
@@ -100,12 +105,13 @@ impl Palette {
         (0..=SHADES).map(shade).find(is_seen).unwrap_or(self.ink)
     }
 
-    /// The names and colours of contact and gap.
+    /// The names and colours of contact, of what yields of it, and of the gap.
     pub fn classes(&self) -> AnnotationContext {
         let class = |id, name: &str, color| AnnotationInfo { id, label: Some(name.into()), color: Some(color) };
         let clear = rerun::Rgba32::from_unmultiplied_rgba(0, 0, 0, 0);
         let contact = class(CONTACT_CLASS, "contact", colour(self.contact).0);
-        AnnotationContext::new([class(GAP_CLASS, "gap", clear), contact])
+        let yielding = class(YIELDING_CLASS, "yielding", colour(self.yielding).0);
+        AnnotationContext::new([class(GAP_CLASS, "gap", clear), contact, yielding])
     }
 }
 
@@ -175,9 +181,9 @@ mod tests {
     #[test]
     fn lines_are_seen_on_their_ground() {
         for (palette, _) in PLATES {
-            let Palette { indenter, solid, relief, contact, pressure, gap, exact, .. } = *palette;
+            let Palette { indenter, solid, relief, contact, yielding, pressure, gap, exact, .. } = *palette;
             let axis = palette.on_ground(Colour::GREY);
-            for line in [indenter, solid, contact, pressure, gap, exact, axis, GHOST] {
+            for line in [indenter, solid, contact, yielding, pressure, gap, exact, axis, GHOST] {
                 let seen = contrast(line, palette.ground);
                 assert!(seen >= LEAST_CONTRAST, "{line:?} on {:?}: {seen}", palette.ground);
             }

@@ -2,14 +2,14 @@
 
 use super::canvas;
 use super::fields::{Extent, Fields, range};
-use super::palette::{CONTACT_CLASS, CONTOUR, GAP_CLASS, Map, Palette};
+use super::palette::{CONTACT_CLASS, CONTOUR, GAP_CLASS, Map, Palette, YIELDING_CLASS};
 use super::patch_points;
 use super::picture::Picture;
 use super::reduce::Blocks;
 use super::relief::Relief;
 use super::ruler::Ruler;
 use super::scale::ColourScale;
-use crate::contact::Forecast;
+use crate::contact::{Forecast, Law};
 use crate::grid::Grid;
 use crate::plot::{Axis, Frame};
 use crate::record::options::Options;
@@ -27,6 +27,7 @@ const TEXT: f64 = 0.0435;
 pub struct SurfacePicture {
     what: Parts,
     root: String,
+    law: Law,
     blocks: Blocks,
     pressure: Image,
     gap: Image,
@@ -70,6 +71,7 @@ impl SurfacePicture {
         Self {
             what: *what,
             root: root.into(),
+            law: problem.law(),
             blocks,
             pressure: image("pressure", pressure, Map::inferno()),
             gap: image("gap", Ruler::gap(high - low, problem.rms_height()), Map::viridis()),
@@ -80,8 +82,12 @@ impl SurfacePicture {
     fn log_images(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let pressure = self.blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
         if self.what.has(Part::Mask) {
-            let classes =
-                self.blocks.rows_down(&pressure).map(|p| if p > 0.0 { CONTACT_CLASS } else { GAP_CLASS } as u8);
+            let class = |p: f64| match p > 0.0 {
+                true if self.law.yields(p) => YIELDING_CLASS,
+                true => CONTACT_CLASS,
+                false => GAP_CLASS,
+            };
+            let classes = self.blocks.rows_down(&pressure).map(|p| class(p) as u8);
             let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
             to.log(format!("{}/contact", self.root), &mask)?;
             let contour = LineStrips2D::update_fields().with_strips(self.contour(fields));

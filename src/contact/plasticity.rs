@@ -1,0 +1,62 @@
+//! What yields of a contact.
+
+use crate::contact::{Contact, chunks};
+use crate::error::SurfaceError;
+use crate::surface::Surface;
+use ndarray::Array2;
+use serde::Serialize;
+
+/// What yields of a contact below a hardness, shares and a length over the whole cell. All are zero on a hard wall.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Plasticity {
+    /// Share of the nodes that yield, under the hardness.
+    pub area: f64,
+    /// Mean overlap: by how much the surfaces would pass through each other where they yield, a length. It is the volume that is
+    /// displaced plastically, over the area of the cell.
+    pub overlap: f64,
+    /// Share of the load that nodes carry which yield.
+    pub load_share: f64,
+}
+
+impl Plasticity {
+    /// What yields of `contact`.
+    pub(super) fn of(contact: &Contact) -> Self {
+        let (law, n) = (contact.problem.law(), contact.pressure.len() as f64);
+        let of_yielding = |value: &dyn Fn(f64, f64) -> f64| -> f64 {
+            let nodes = contact.pressure.iter().zip(&contact.gap).filter(|(p, _)| law.yields(**p));
+            nodes.fold(0.0, |sum, (&p, &gap)| sum + value(p, gap))
+        };
+        let load = chunks::sum(contact.pressure.len(), |i| contact.pressure.as_slice().map_or(0.0, |p| p[i]));
+        Self {
+            area: of_yielding(&|_, _| 1.0) / n,
+            overlap: of_yielding(&|_, gap| (-gap).max(0.0)) / n,
+            load_share: of_yielding(&|p, _| p) / load,
+        }
+    }
+}
+
+impl Contact {
+    /// What yields of the contact, where there is a hardness.
+    pub fn plasticity(&self) -> Plasticity {
+        Plasticity::of(self)
+    }
+
+    /// The nodes that yield; none on a hard wall.
+    pub fn yielding(&self) -> Array2<bool> {
+        let law = self.problem.law();
+        self.pressure.mapv(|p| law.yields(p))
+    }
+
+    /// The surface as it comes out of this contact: its heights less the overlap of the nodes that yield. On a hard wall, which is
+    /// elastic, the same load makes the same pressure on it as the hardness did, and lower loads follow the way back.
+    ///
+    /// # Errors
+    /// None that is known: heights less an overlap are finite.
+    pub fn unloaded_surface(&self) -> Result<Surface, SurfaceError> {
+        let (law, surface) = (self.problem.law(), self.problem.surface());
+        let mut height = surface.height().to_owned();
+        let nodes = height.iter_mut().zip(self.pressure.iter().zip(&self.gap));
+        nodes.filter(|(_, (p, _))| law.yields(**p)).for_each(|(h, (_, &gap))| *h -= (-gap).max(0.0));
+        Surface::new(*surface.grid(), height)
+    }
+}

@@ -1,0 +1,26 @@
+//! The stress below a pressure on any grid for which it is known.
+
+use super::{Stress, under_row, under_strips};
+use crate::elastic::Solid;
+use crate::error::SolidError;
+use crate::grid::Grid;
+
+/// Whether the stress inside a solid is known: in a half-space, below a line, or below a periodic surface.
+pub fn is_known(grid: &Grid, solid: &dyn Solid) -> bool {
+    solid.is_half_space() && (grid.is_periodic() || grid.is_line())
+}
+
+/// The stress in a half-space below row `row` of a pressure, by [`under_strips`] below a line without images and by [`under_row`] else.
+///
+/// # Errors
+/// [`SolidError::Poisson`] for a ratio outside `(-1, 1/2]`, and [`SolidError::NoStress`] below a surface with a free boundary.
+///
+/// # Panics
+/// If the length of `pressure` does not fit the grid, or for a row that it does not have.
+pub fn below(grid: &Grid, pressure: &[f64], row: usize, poisson: f64, depth: &[f64]) -> Result<Stress, SolidError> {
+    match (grid.is_periodic(), grid.is_line()) {
+        (true, _) => under_row(grid, pressure, row, poisson, depth),
+        (false, true) => under_strips(pressure, grid.spacing()[1], poisson, depth),
+        (false, false) => Err(SolidError::NoStress),
+    }
+}

@@ -1,0 +1,39 @@
+//! A surface that has yielded.
+
+use crate::contact::{Contact, Load, Problem};
+use crate::error::StudyError;
+use crate::surface::Surface;
+use std::sync::Arc;
+
+/// A surface that has yielded under a load, below which it is elastic.
+pub(super) struct Flattened {
+    surface: Arc<Surface>,
+    /// The highest mean pressure that it has borne.
+    mean_pressure: f64,
+}
+
+impl Flattened {
+    /// The surface that a contact leaves, if nodes of it yield.
+    pub fn by(contact: &Contact) -> Option<Self> {
+        let mean_pressure = contact.mean_pressure();
+        let has_yielded = contact.plasticity().area > 0.0;
+        let surface = has_yielded.then(|| contact.unloaded_surface().ok())??;
+        Some(Self { surface: surface.into(), mean_pressure })
+    }
+
+    /// The problem of this surface in the place of `problem` where its load is lower than what the surface has borne.
+    ///
+    /// # Errors
+    /// [`StudyError::Unload`] under a load that is no pressure.
+    pub fn elastic(&self, problem: &Problem) -> Result<Option<Problem>, StudyError> {
+        let Some(mean_pressure) = problem.mean_pressure() else {
+            return Err(StudyError::Unload { load: problem.load().name() });
+        };
+        if mean_pressure > self.mean_pressure * (1.0 + 1e-12) {
+            return Ok(None);
+        }
+        let (surface, solid) = (self.surface.clone(), problem.solid().clone());
+        let elastic = Problem::new(surface, solid, Load::MeanPressure(mean_pressure));
+        Ok(Some(elastic.map_err(crate::error::SetupError::from)?))
+    }
+}
