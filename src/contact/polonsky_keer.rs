@@ -184,7 +184,8 @@ impl<'a> Iterate<'a> {
                 *t = if is_free(p[i]) { u[i] - h[i] + datum + beta * *t } else { 0.0 };
             }
         });
-        self.yields = chunks::visit(p.len(), |range| range.into_iter().any(|i| p[i] >= ceiling)).contains(&true);
+        self.yields = ceiling.is_finite()
+            && chunks::visit(p.len(), |range| range.into_iter().any(|i| p[i] >= ceiling)).contains(&true);
         if self.yields && self.problem.mean_pressure().is_some() {
             self.keep_load();
         }
