@@ -1,4 +1,7 @@
-//! Rough contact: a rigid rough surface pressed on an elastic half-space, solved, certified and recorded step by step.
+//! Rough contact: a rough surface pressed on an elastic solid, solved, certified and recorded step by step.
+//!
+//! The solid is a half-space or a layer ([`elastic`]), the boundary periodic or free along each axis ([`Grid`]), and the law a hard wall
+//! or a hardness ([`contact::Law`]). All of these are convex, so that every result has a rigorous bound of its error.
 //!
 //! # How far is a pressure from the solution?
 //! A [`contact::Certificate`] bounds the error of any pressure, whoever made it, by one transform pair:
@@ -54,10 +57,10 @@
 //! | 0     | [`error`]    | what can go wrong, one enum per concern                                           |           |
 //! | 0     | [`files`]    | output files that appear whole or not at all, CSV                                 |           |
 //! | 0     | [`quantity`] | lengths and pressures as people write them                                        | (`units`) |
-//! | 1     | [`grid`]     | the periodic grid of lines and surfaces                                           |           |
+//! | 1     | [`grid`]     | the grid of lines and surfaces, periodic or free along each axis                  |           |
 //! | 1     | [`fourier`]  | the real transform pair                                                           |           |
 //! | 2     | [`surface`]  | indenters, self-affine roughness, statistics, height files                        |           |
-//! | 2     | [`elastic`]  | the half-space: compliance and stiffness                                          |           |
+//! | 2     | [`elastic`]  | solids: half-space, layer, free boundaries; the stress inside                     |           |
 //! | 2     | [`theory`]   | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson       |           |
 //! | 3     | [`contact`]  | the problem, its certificate, solvers, observers, measures and patches            |           |
 //! | 4     | [`diagnosis`] | what held a run up: nodes that flip, errors by wavelength, Ritz values, in words |           |
@@ -79,7 +82,7 @@
 //! # Conventions
 //! - Heights `h` of the rigid surface are positive towards the solid; pressure `p` is positive in compression; the
 //!   displacement `u` of the solid's surface is positive into the solid; the gap is `g = u - h + d`.
-//! - Wavenumbers are `q = 2 pi / wavelength`, everywhere. The half-space is `u_q = 2 p_q / (E* |q|)`.
+//! - Wavenumbers are `q = 2 pi / wavelength`, everywhere. The half-space is `u_q = 2 p_q / (E* |q|)`; a layer has a factor on it.
 //! - Fields have shape `(ny, nx)`, row by row; a line has shape `(1, n)`. Sizes and spacings come as `[y, x]`.
 //! - Fourier coefficients are scaled so that the one of `q = 0` is the mean.
 //! - Any consistent set of units will do. Tolerances and certificates are dimensionless.

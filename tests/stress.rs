@@ -2,7 +2,7 @@
 
 use asperity::Grid;
 use asperity::elastic::stress::{Tensor, depths, highest_row, under_row, under_strips};
-use asperity::elastic::{HalfSpace, Stress};
+use asperity::elastic::{Response, Stress};
 use std::f64::consts::TAU;
 
 /// A Hertzian pressure of unit peak and half-width `a` about the middle of a line of `points`, one apart.

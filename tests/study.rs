@@ -215,7 +215,11 @@ fn a_height_file_is_known_by_its_heights() {
         let heights = ndarray::Array1::from_shape_fn(32, |i| scale * (i as f64).sin());
         asperity::surface::write_heights(&path, heights.view().into_dyn()).unwrap();
         let surface = Recipe { height: Some(path), ..Recipe::default() };
-        Setup::new(surface, Size { points: vec![], size: vec![1.0], refine: None }, Load::ReducedPressure(0.1))
+        Setup::new(
+            surface,
+            Size { points: vec![], size: vec![1.0], refine: None, boundary: vec![], datum: None },
+            Load::ReducedPressure(0.1),
+        )
     };
     let [solved, moved, other] = [write("a.npy", 1.0), write("b.npy", 1.0), write("c.npy", 2.0)];
     assert_eq!(points_for(&moved, &solved, folder.path()), 2);

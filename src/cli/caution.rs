@@ -1,6 +1,6 @@
 //! Warnings about surfaces and loads for which the numbers of a contact mean little.
 
-use asperity::contact::Observables;
+use asperity::contact::{Contact, Observables};
 use asperity::setup::Recipe;
 use asperity::surface::{Detrend, Surface, read_period};
 use std::io::{Write, stderr};
@@ -56,6 +56,18 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
         )
     });
     heavy.into_iter().chain(coarse).collect()
+}
+
+/// The warning that a contact reaches a free rim, beyond which the heights are not known.
+pub fn of_rim(contact: &Contact) -> Option<String> {
+    let grid = contact.problem.surface().grid();
+    let pressed = contact.pressure.iter().enumerate().filter(|(node, p)| **p > 0.0 && grid.is_at_rim(*node)).count();
+    (pressed > 0).then(|| {
+        format!(
+            "the contact reaches the free rim at {pressed} nodes, where the heights that would follow are missing: the pressure there is that \
+             of an edge, give more of the surface, or a lighter load"
+        )
+    })
 }
 
 /// The warning that the finest grid that could be tried is too coarse.

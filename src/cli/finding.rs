@@ -52,6 +52,9 @@ pub struct Finding {
     #[serde(flatten)]
     pub observables: Observables,
     pub seconds: f64,
+    /// The approach, where the solid has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub approach: Option<f64>,
     /// What yields, where there is a hardness.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub plasticity: Option<Plasticity>,
@@ -66,6 +69,7 @@ impl Finding {
             status: contact.status,
             observables: Observables::of(contact),
             seconds: contact.work.seconds,
+            approach: contact.approach(),
             plasticity: setup.law.hardness().map(|_| contact.plasticity()),
             exact: setup.exact(contact.problem.surface().grid(), contact.mean_pressure()),
         }
@@ -79,13 +83,19 @@ impl Finding {
             ("contact stiffness", format!("{:.6e}{load}", it.stiffness))
         });
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
+        let approach = self.approach.map(|approach| ("approach", format!("{approach:.6e}")));
         let plasticity = self.plasticity.iter().flat_map(|it| {
             [
                 ("plastic area", format!("{:.6} ({} of the load)", it.area, percent(it.load_share))),
                 ("plastic overlap", format!("{:.6e}, mean over the cell", it.overlap)),
             ]
         });
-        let rows = rows.chain(plasticity).chain(stiffness).chain(exact).map(|(name, value)| (name.to_owned(), value));
+        let rows = rows
+            .chain(approach)
+            .chain(plasticity)
+            .chain(stiffness)
+            .chain(exact)
+            .map(|(name, value)| (name.to_owned(), value));
         rows.chain(self.others()).collect()
     }
 

@@ -152,6 +152,7 @@ impl Solve {
         }
         let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
         warnings.extend(caution::of_contacts(&[&finding.observables]));
+        warnings.extend(caution::of_rim(contact));
         warnings.extend(unsettled.then(caution::unsettled));
         warnings.extend(outputs.stress.as_ref().and_then(|_| stress::assumed(setup)));
         let summary =

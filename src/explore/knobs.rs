@@ -1,8 +1,9 @@
 //! The knobs of the page, and the setup that they stand for.
 
 use crate::contact::{Law, Load, Stop};
+use crate::elastic::Base;
 use crate::error::SetupError;
-use crate::setup::{Cell, Method, Part, Recipe, Record, Setup, Solid, Theme};
+use crate::setup::{Cell, LayerModulus, Method, Part, Recipe, Record, Setup, Solid, Theme};
 use crate::surface::{Indenter, Spectrum};
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
@@ -18,6 +19,8 @@ const AMPLITUDE: f64 = 1e-3 * CELL;
 const MOST_POINTS: [usize; 2] = [1 << 18, 1 << 10];
 /// The most steps of one solve.
 const MOST_STEPS: usize = 100_000;
+/// Poisson's ratio of a layer.
+const LAYER_POISSON: f64 = 0.3;
 /// Loads that the slider spans.
 const REDUCED_PRESSURES: RangeInclusive<f64> = 1e-5..=1e3;
 
@@ -44,6 +47,9 @@ pub struct Knobs {
     /// Hardness over the contact modulus; 0 for none.
     #[serde(default)]
     hardness: f64,
+    /// Thickness of a bonded layer of Poisson's ratio 0.3 on a rigid base, over the cell; 0 for a half-space.
+    #[serde(default)]
+    layer: f64,
     solver: Method,
     stop: Stop,
     /// Parts of the recording; of profile and mesh the one that the domain has.
@@ -122,6 +128,7 @@ impl Start {
             points,
             load: 0.05,
             hardness: 0.0,
+            layer: 0.0,
             solver: Method::default(),
             stop: Stop::new(1e-8, 20_000).expect("both are positive"),
             record: vec![Part::Traces, Part::Profile, Part::Mesh, Part::Fields, Part::Mask],
@@ -153,7 +160,7 @@ impl Knobs {
             Domain::Surface => Cell::surface([self.points; 2], [CELL; 2]),
         };
         let setup = Setup {
-            solid: Some(Solid::ContactModulus(MODULUS)),
+            solid: Some(self.solid()),
             law: if self.hardness > 0.0 { Law::Hardness(self.hardness * MODULUS) } else { Law::HardWall },
             solver: self.solver,
             stop: self.stop,
@@ -162,6 +169,15 @@ impl Knobs {
         };
         setup.check()?;
         Ok(setup)
+    }
+
+    /// A half-space, or a bonded layer.
+    fn solid(&self) -> Solid {
+        if self.layer == 0.0 {
+            return Solid::ContactModulus(MODULUS);
+        }
+        let modulus = LayerModulus::Contact(MODULUS);
+        Solid::Layer { modulus, poisson: LAYER_POISSON, thickness: self.layer * CELL, base: Base::Bonded }
     }
 
     /// Checks the limits of the page.

@@ -2,3 +2,4 @@
 
 mod free;
 mod layer;
+mod peers;

@@ -34,11 +34,19 @@ pub struct Check {
     pub gap_rounding: f64,
 }
 
+/// The displacement, with what the uniform pressure displaces where it counts.
+fn displaced(problem: &Problem, pressure: &[f64]) -> Vec<f64> {
+    let (grid, solid) = (problem.surface().grid(), problem.solid());
+    let uniform = solid.uniform_compliance().filter(|_| problem.compliance().has_uniform()).unwrap_or(0.0);
+    let sinking = uniform * pressure.iter().sum::<f64>() / pressure.len() as f64;
+    displacement(grid, solid.as_ref(), pressure).into_iter().map(|u| u + sinking).collect()
+}
+
 impl Check {
     /// Checks `pressure`, row by row.
     pub fn of(problem: &Problem, pressure: &[f64]) -> Self {
         let (h, n) = (problem.height(), pressure.len() as f64);
-        let u = displacement(problem.surface().grid(), problem.solid().as_ref(), pressure);
+        let u = displaced(problem, pressure);
         let v: Vec<f64> = u.iter().zip(h).map(|(u, h)| u - h).collect();
         let lowest = v.iter().copied().fold(f64::INFINITY, f64::min);
         let load: f64 = pressure.iter().sum();
@@ -59,7 +67,11 @@ impl Check {
             None => [above + missed, penetration],
         };
         let highest = h.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let over_gap = |length: f64| gap.map_or(0.0, |gap| length / gap.min(highest - gap));
+        let over_gap = |length: f64| {
+            gap.map_or(0.0, |gap| {
+                length / if problem.mean_gap().is_some() { gap.min(highest - gap) } else { highest - gap }
+            })
+        };
         let rounding = 64.0 * f64::EPSILON * (largest(&u) + largest(h) + longest);
         Self {
             eta: excess / rms,

@@ -15,6 +15,7 @@ mod judge;
 mod kernel;
 mod report;
 mod shapes;
+mod solids;
 mod tally;
 mod time_step;
 mod trial;

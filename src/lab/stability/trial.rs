@@ -18,6 +18,7 @@ pub struct Trial {
     pub(super) demand: Demand,
     pub(super) is_at_mean_gap: bool,
     pub(super) is_below_hardness: bool,
+    pub(super) is_free: bool,
     /// The solver that may run out of its budget.
     pub(super) slow: Option<Rival>,
     pub(super) pose: Pose,
@@ -50,6 +51,7 @@ impl Trial {
             demand: Demand::Solution,
             is_at_mean_gap: false,
             is_below_hardness: false,
+            is_free: false,
             slow: None,
             pose: Box::new(pose),
             twin: None,
@@ -66,10 +68,11 @@ impl Trial {
         Self { tolerance, ..self }
     }
 
-    /// The demand on a solver: one that cannot take a mean gap or a hardness must refuse it.
+    /// The demand on a solver: one that cannot take a mean gap, a free boundary or a hardness must refuse it.
     pub fn demand_of(&self, rival: &Rival) -> Demand {
         match self.demand {
             _ if self.is_at_mean_gap && !rival.method.takes_mean_gap() => Demand::Refusal,
+            _ if self.is_free && !rival.method.takes_free_boundary() => Demand::Refusal,
             _ if self.is_below_hardness && !rival.method.takes_hardness() => Demand::Refusal,
             Demand::Solution if self.slow.as_ref() == Some(rival) => Demand::Budget,
             demand => demand,

@@ -1,6 +1,7 @@
 //! All trials, by what is extreme about them.
 
 use super::shapes::{Shape, noise, offset, plateaus, rough, rough_with, shaped, spike, two_peaks};
+use super::solids::{free, layers};
 use super::trial::{Trial, Twin};
 use super::verdict::Demand;
 use crate::contact::{ContactModulus, Law, Load, Multilevel, Problem, Solver, Stop};
@@ -37,6 +38,8 @@ pub fn trials(is_quick: bool) -> Result<Vec<Trial>, SetupError> {
     for (kind, grid) in grids {
         trials.extend(hardnesses(kind, grid)?);
     }
+    trials.extend(layers(grids));
+    trials.extend(free()?);
     trials.extend(narrow(line, surface));
     trials.extend(units(points));
     trials.extend(heights(grids));
