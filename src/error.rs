@@ -6,6 +6,8 @@
     reason = "fields are the values in the sentence of their variant, and a wrapped error speaks for itself"
 )]
 
+mod input;
+
 use crate::quantity::bytes_in_words;
 use std::error::Error;
 use std::path::PathBuf;
@@ -417,69 +419,4 @@ pub enum FileError {
         "no Rerun viewer can be started: install one with `pip install rerun-sdk=={version}`, or write a file with --record"
     )]
     NoViewer { version: String },
-}
-
-impl FileError {
-    /// Whether another file or place would do.
-    pub fn is_input(&self) -> bool {
-        !matches!(self, Self::Write { .. })
-    }
-}
-
-impl SolveError {
-    /// Whether another solver or load would do.
-    pub fn is_input(&self) -> bool {
-        match self {
-            Self::NeedsPressure { .. } | Self::NeedsWaves { .. } | Self::NeedsHardWall { .. } => true,
-            Self::NotConverged { .. } => false,
-            Self::Observer(failure) => {
-                failure.downcast_ref().is_some_and(FileError::is_input)
-                    || failure.downcast_ref().is_some_and(StepsError::is_input)
-            }
-        }
-    }
-}
-
-impl SlipError {
-    /// Whether another load or solver would do.
-    pub fn is_input(&self) -> bool {
-        match self {
-            Self::Solve(error) => error.is_input(),
-            _ => true,
-        }
-    }
-}
-
-impl StepsError {
-    /// Whether other steps would do.
-    pub fn is_input(&self) -> bool {
-        match self {
-            Self::File(error) => error.is_input(),
-            _ => true,
-        }
-    }
-}
-
-impl SetupError {
-    /// Whether another setup would do.
-    pub fn is_input(&self) -> bool {
-        match self {
-            Self::File(error) => error.is_input(),
-            Self::Slip(error) => error.is_input(),
-            Self::Solve(error) => error.is_input(),
-            _ => true,
-        }
-    }
-}
-
-impl StudyError {
-    /// Whether another study would do.
-    pub fn is_input(&self) -> bool {
-        match self {
-            Self::Setup(error) => error.is_input(),
-            Self::Solve(error) => error.is_input(),
-            Self::File(error) => error.is_input(),
-            _ => true,
-        }
-    }
 }

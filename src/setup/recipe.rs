@@ -88,7 +88,7 @@ impl Recipe {
     /// # Errors
     /// For a height file that cannot be read.
     pub fn rank(&self, cell: &Cell) -> Result<usize, SetupError> {
-        Ok(self.files().next().map(|path| read_shape(path)).transpose()?.map_or(cell.points.len(), |shape| shape.len()))
+        Ok(self.files().next().map(read_shape).transpose()?.map_or(cell.points.len(), |shape| shape.len()))
     }
 
     /// Checks that the surface can be made on a grid. None is made.

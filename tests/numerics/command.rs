@@ -53,5 +53,5 @@ fn every_name_that_can_be_chosen_can_be_read() {
         assert!(is_unknown(flag, "nothing") && !names.iter().any(|(name, _)| is_unknown(flag, name)), "{}", flag.name);
         chosen += 1;
     }
-    assert_eq!(chosen, 7);
+    assert_eq!(chosen, 9);
 }

@@ -24,14 +24,23 @@ pub struct Check {
     pub over_hardness: f64,
     /// How far the mean pressure is off the prescribed one; 0 where none is.
     pub load_error: f64,
-    /// Energy, `(<p u> / 2 - <p h> + D <p>) / (<p> h_rms)`, with no `D` under a mean pressure. It is 0 for the uniform
-    /// pressure, or at a mean gap for none, so the smallest one is not above 0.
+    /// Energy, `(<p u> / 2 - <p h> + D <p>) / (<p> h_rms)`, with no `D` under a mean pressure, less that of the uniform pressure, which is 0
+    /// but where the uniform pressure displaces, or at a mean gap or approach of none. So the smallest one is not above 0.
     pub energy: f64,
     /// Rounding that may add to any of these lengths, over `h_rms`: 64 roundings of the largest displacement, of the
     /// largest height, and of the displacement `2 max |p - <p>| / (E* q)` of the longest wave under a rounded pressure.
     pub rounding: f64,
     /// The same over what is left of the gap.
     pub gap_rounding: f64,
+}
+
+/// The energy of a uniform pressure over that pressure, a length.
+fn energy_of_uniform(problem: &Problem, pressure: f64) -> f64 {
+    if !problem.compliance().has_uniform() {
+        return 0.0;
+    }
+    let n = problem.nodes();
+    0.5 * displaced(problem, &vec![pressure; n]).iter().sum::<f64>() / n as f64
 }
 
 /// The displacement, with what the uniform pressure displaces where it counts.
@@ -72,6 +81,7 @@ impl Check {
                 length / if problem.mean_gap().is_some() { gap.min(highest - gap) } else { highest - gap }
             })
         };
+        let uniform = gap.map_or_else(|| energy_of_uniform(problem, load / n), |_| 0.0);
         let rounding = 64.0 * f64::EPSILON * (largest(&u) + largest(h) + longest);
         Self {
             eta: excess / rms,
@@ -81,7 +91,7 @@ impl Check {
             min_pressure: pressure.iter().copied().fold(f64::INFINITY, f64::min) / (load / n),
             over_hardness,
             load_error,
-            energy: weighted(&|i| 0.5 * u[i] - h[i] + gap.unwrap_or(0.0)) / rms,
+            energy: (weighted(&|i| 0.5 * u[i] - h[i] + gap.unwrap_or(0.0)) - uniform) / rms,
             rounding: rounding / rms,
             gap_rounding: over_gap(rounding),
         }

@@ -7,6 +7,9 @@ use crate::elastic::{Base, Layer};
 use crate::error::SetupError;
 use crate::grid::Grid;
 
+/// A function that makes a surface on a grid.
+type Make = fn(Grid) -> Shape;
+
 /// Thicknesses over the length of the cell, from far below the spacing to far beyond the cell.
 const THICKNESSES: [f64; 6] = [1e-5, 1e-3, 0.03, 0.3, 3.0, 1e3];
 
@@ -46,7 +49,7 @@ pub fn free() -> Result<Vec<Trial>, SetupError> {
         ("line-odd", Grid::line(301, 1.0)?.with_periodic([true, false])),
         ("surface", Grid::surface([32, 48], [1.0, 1.5])?.with_periodic([false; 2])),
     ];
-    let shapes: [(&str, fn(Grid) -> Shape); 4] =
+    let shapes: [(&str, Make); 4] =
         [("rough", rough), ("white-noise", noise), ("two-peaks", two_peaks), ("tilted", tilted)];
     let loads = [
         ("lightest", Load::ReducedPressure(1e-6)),

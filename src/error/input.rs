@@ -1,0 +1,68 @@
+//! Whose fault an error is: of what was given, or of the machine and the method.
+
+use super::{FileError, SetupError, SlipError, SolveError, StepsError, StudyError};
+
+impl FileError {
+    /// Whether another file or place would do.
+    pub fn is_input(&self) -> bool {
+        !matches!(self, Self::Write { .. })
+    }
+}
+
+impl SolveError {
+    /// Whether another solver or load would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::NeedsPressure { .. } | Self::NeedsWaves { .. } | Self::NeedsHardWall { .. } => true,
+            Self::NotConverged { .. } => false,
+            Self::Observer(failure) => {
+                failure.downcast_ref().is_some_and(FileError::is_input)
+                    || failure.downcast_ref().is_some_and(StepsError::is_input)
+            }
+        }
+    }
+}
+
+impl SlipError {
+    /// Whether another load or solver would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Solve(error) => error.is_input(),
+            _ => true,
+        }
+    }
+}
+
+impl StepsError {
+    /// Whether other steps would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::File(error) => error.is_input(),
+            _ => true,
+        }
+    }
+}
+
+impl SetupError {
+    /// Whether another setup would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::File(error) => error.is_input(),
+            Self::Slip(error) => error.is_input(),
+            Self::Solve(error) => error.is_input(),
+            _ => true,
+        }
+    }
+}
+
+impl StudyError {
+    /// Whether another study would do.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Setup(error) => error.is_input(),
+            Self::Solve(error) => error.is_input(),
+            Self::File(error) => error.is_input(),
+            _ => true,
+        }
+    }
+}
