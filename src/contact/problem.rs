@@ -179,7 +179,13 @@ impl Problem {
         if self.surface.grid().is_periodic() && is_half_space {
             return Err(ProblemError::ApproachOfHalfSpace { approach });
         }
-        check_magnitude("approach", approach)
+        check_magnitude("approach", approach)?;
+        // a layer that cannot be compressed keeps its volume, so that the approach is a mean gap
+        let (mean_gap, highest) = (self.highest - approach, self.highest);
+        match self.compliance.has_uniform() || mean_gap > 0.0 {
+            true => Ok(()),
+            false => Err(ProblemError::EverythingTouches { mean_gap, highest }),
+        }
     }
 
     fn check_mean_gap(&self, mean_gap: f64) -> Result<(), ProblemError> {

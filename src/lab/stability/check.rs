@@ -28,7 +28,8 @@ pub struct Check {
     /// but where the uniform pressure displaces, or at a mean gap or approach of none. So the smallest one is not above 0.
     pub energy: f64,
     /// Rounding that may add to any of these lengths, over `h_rms`: 64 roundings of the largest displacement, of the
-    /// largest height, and of the displacement `2 max |p - <p>| / (E* q)` of the longest wave under a rounded pressure.
+    /// largest height, and of the displacement `2 max |p - <p>| / (E* q)` of the longest wave under a rounded pressure. Where a uniform
+    /// pressure displaces, the mean of the displacement counts as well, which a transform rounds by 16 for each doubling of its length.
     pub rounding: f64,
     /// The same over what is left of the gap.
     pub gap_rounding: f64,
@@ -82,7 +83,9 @@ impl Check {
             })
         };
         let uniform = gap.map_or_else(|| energy_of_uniform(problem, load / n), |_| 0.0);
-        let rounding = 64.0 * f64::EPSILON * (largest(&u) + largest(h) + longest);
+        let sinking =
+            if problem.compliance().has_uniform() { 16.0 * n.log2() * f64::EPSILON * largest(&u) } else { 0.0 };
+        let rounding = sinking + 64.0 * f64::EPSILON * (largest(&u) + largest(h) + longest);
         Self {
             eta: excess / rms,
             eta_gap: over_gap(excess),

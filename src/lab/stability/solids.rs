@@ -13,23 +13,23 @@ type Make = fn(Grid) -> Shape;
 /// Thicknesses over the length of the cell, from far below the spacing to far beyond the cell.
 const THICKNESSES: [f64; 6] = [1e-5, 1e-3, 0.03, 0.3, 3.0, 1e3];
 
-/// Layers thin and thick, on both bases, compressible and not, under pressures, at a mean gap and at an approach.
+/// Layers thin and thick, on both bases, compressible and not, under pressures and at an approach.
 pub fn layers(grids: [(&'static str, Grid); 2]) -> Vec<Trial> {
-    let loads = [
-        ("light", Load::ReducedPressure(0.01)),
-        ("heavy", Load::ReducedPressure(0.3)),
-        ("approach", Load::Approach(0.005)),
-    ];
     let mut trials = Vec::new();
     for (kind, grid) in grids {
         for (base, name) in [(Base::Bonded, "bonded"), (Base::Sliding, "sliding")] {
             for poisson in [0.0, 0.3, 0.5] {
                 for thickness in THICKNESSES {
-                    for (under, load) in loads {
+                    for under in ["light", "heavy", "approach"] {
                         let layer = Layer { contact_modulus: 1.0, poisson, thickness, base };
                         let name = format!("layer-{kind}-{name}-{poisson}-{thickness:e}-{under}");
-                        let is_at_mean_gap = !load.is_pressure();
-                        let pose = move || Ok(Problem::new(rough(grid)?, layer, load)?);
+                        let is_at_mean_gap = under == "approach";
+                        let pose = move || {
+                            let load = Load::ReducedPressure(if under == "light" { 0.01 } else { 0.3 });
+                            let problem = Problem::new(rough(grid)?, layer, load)?;
+                            let approach = Load::Approach(0.3 * problem.highest());
+                            Ok(if is_at_mean_gap { problem.with_load(approach)? } else { problem })
+                        };
                         trials.push(Trial { is_at_mean_gap, ..Trial::new(name, pose) });
                     }
                 }
