@@ -114,6 +114,17 @@ impl Grid {
         self.free == [false; 2]
     }
 
+    /// What is beyond the cell, in words.
+    pub fn boundary(&self) -> &'static str {
+        match self.periodic() {
+            [true, true] => "periodic",
+            [false, false] => "free",
+            [true, false] if self.is_line() => "free",
+            [true, false] => "periodic along y, free along x",
+            [false, true] => "free along y, periodic along x",
+        }
+    }
+
     /// Whether a node lies at the rim of a free axis.
     pub fn is_at_rim(&self, node: usize) -> bool {
         let place = [node / self.shape[1], node % self.shape[1]];

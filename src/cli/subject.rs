@@ -28,6 +28,9 @@ pub struct Subject {
     pub title: String,
     #[serde(skip)]
     solid: String,
+    /// What responds, and what is beyond the cell, where it is not the periodic half-space.
+    #[serde(skip)]
+    others: Vec<(&'static str, String)>,
     /// Axes of the arrays outside.
     #[serde(skip)]
     pub rank: usize,
@@ -51,6 +54,7 @@ impl Subject {
             solver: setup.solver,
             title: setup.surface.title(grid),
             solid: setup.solid.map_or("none given: pressures are over it".into(), |solid| solid.description()),
+            others: others(setup, problem),
             rank,
         })
     }
@@ -75,8 +79,26 @@ impl Subject {
             ("solver", self.solver.solver().settings()),
             ("prescribed", self.prescribed.to_owned()),
         ];
-        rows.into_iter().chain(hardness).map(|(name, value)| (name.to_owned(), value)).collect()
+        rows.into_iter()
+            .chain(self.others.clone())
+            .chain(hardness)
+            .map(|(name, value)| (name.to_owned(), value))
+            .collect()
     }
+}
+
+/// Solid and boundary in words, where they are not a half-space and periodic.
+fn others(setup: &Setup, problem: &Problem) -> Vec<(&'static str, String)> {
+    let (grid, solid) = (problem.surface().grid(), problem.solid());
+    let layer = (!solid.is_half_space()).then(|| ("solid", solid.description()));
+    let length = (0..2).filter(|&axis| !grid.periodic()[axis]).map(|axis| grid.size()[axis]).next_back();
+    let is_of_lines = grid.is_line() || grid.periodic() != [false; 2];
+    let boundary = length.map(|length| {
+        let datum = setup.grid.datum.unwrap_or(length);
+        let said = format!(", the surface stands still at the distance {datum:.6e} from a line load");
+        ("boundary", format!("{}{}", grid.boundary(), if is_of_lines { said } else { String::new() }))
+    });
+    layer.into_iter().chain(boundary).collect()
 }
 
 /// One value, or two of the rows and the columns.

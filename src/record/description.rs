@@ -2,7 +2,6 @@
 
 use super::scene::Scene;
 use crate::contact::{Solver, Stop};
-use crate::grid::Grid;
 use crate::setup::{fnv1a, in_words};
 
 /// The name of a recording, which tells it from others beside it: surface, load and solver with its settings, or the titles of
@@ -46,7 +45,7 @@ pub fn of_scene(scene: &Scene<'_>, unit: &str) -> String {
         ("cell", format!("{} {unit}", along(grid.size().map(|l| format!("{l:.4e}"))))),
         ("rms height", format!("{:.4e} {unit}", problem.rms_height())),
         ("rms gradient", format!("{:.4e}", problem.rms_gradient())),
-        ("boundary", boundary(grid)),
+        ("boundary", grid.boundary().to_owned()),
         ("solid", problem.solid().description()),
         ("contact modulus E*", format!("{:.4e}", problem.contact_modulus())),
     ]);
@@ -63,17 +62,6 @@ pub fn of_scene(scene: &Scene<'_>, unit: &str) -> String {
         rows.extend(exact.kappa_r.map(|kappa_r| ("exact kappa_r", format!("{kappa_r:.5}"))));
     }
     table(&rows)
-}
-
-/// What is beyond the cell.
-fn boundary(grid: &Grid) -> String {
-    match grid.periodic() {
-        [true, true] => "periodic".into(),
-        [true, false] if grid.is_line() => "free".into(),
-        [false, false] => "free".into(),
-        [true, false] => "periodic along y, free along x".into(),
-        [false, true] => "free along y, periodic along x".into(),
-    }
 }
 
 /// The solver of a run and when it stops.

@@ -179,6 +179,7 @@ impl Recipe {
                  rms gradient {rms_gradient:e}, seed {seed}"
             )
         });
-        [file, against, smooth, rough].into_iter().flatten().collect::<Vec<_>>().join(", with ")
+        let files = [file, against].into_iter().flatten().reduce(|one, other| format!("{one}, {other}"));
+        [files, smooth, rough].into_iter().flatten().collect::<Vec<_>>().join(", with ")
     }
 }
