@@ -2,6 +2,7 @@
 
 use super::Setup;
 use crate::contact::{Forecast, Load};
+use crate::elastic::Compliance;
 use crate::error::SetupError;
 use crate::grid::Grid;
 
@@ -36,7 +37,8 @@ impl Setup {
             _ => 1.0,
         };
         // the heights, the solver or the three fields of the result, and what watches
-        let solved = |contact: f64| 1.0 + self.solver.fields(&grid, contact).max(3.0);
+        let solid = Compliance::fields(&grid, self.elastic()?.as_ref());
+        let solved = |contact: f64| 1.0 + solid + self.solver.fields(&grid, contact).max(3.0);
         let recorded = if is_recorded { self.solver.recorded_fields() } else { 0.0 };
         let kept = archived.saturating_sub(1) as f64 * KEPT_FIELDS;
         let fields = (solved(contact) + recorded + kept).max(archived as f64 * ARCHIVE_FIELDS);
