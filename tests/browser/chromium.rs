@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, channel};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
@@ -45,7 +46,11 @@ pub struct Chromium {
     session: String,
     events: Vec<Value>,
     folder: TempDir,
+    _turn: MutexGuard<'static, ()>,
 }
+
+/// Browsers draw in software, on all processors there are: two at once would be too slow for either of their tests.
+static TURN: Mutex<()> = Mutex::new(());
 
 /// Browser tests that ran, and those that were skipped.
 static TESTS: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
@@ -77,6 +82,7 @@ pub fn installed() -> Option<PathBuf> {
 impl Chromium {
     /// Starts `program` with an empty page.
     pub fn start(program: &Path) -> Self {
+        let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let folder = tempfile::tempdir().unwrap();
         let mut process = Command::new("sh")
             .args(["-c", PIPED])
@@ -96,7 +102,7 @@ impl Chromium {
         });
         let orders = process.stdin.take().unwrap();
         let (calls, session, events) = (0, String::new(), Vec::new());
-        let mut chromium = Self { process, orders, messages, calls, session, events, folder };
+        let mut chromium = Self { process, orders, messages, calls, session, events, folder, _turn: turn };
         chromium.attach();
         chromium
     }

@@ -19,6 +19,16 @@ const KEYS: &[(&str, u32, &str)] = &[
     ("Tab", 9, ""),
 ];
 
+/// What the page shows, and what its viewer is about.
+const SEEN: &str = "({ ...document.body.dataset, text: document.body.innerText.slice(0, 2000), \
+    ...(typeof awake === 'object' && viewer && { awake, now: performance.now(), read: read(), shownRun }) })";
+
+/// The share of pixels that differ.
+pub fn difference(one: &[[u8; 3]], other: &[[u8; 3]]) -> f64 {
+    assert_eq!(one.len(), other.len());
+    one.iter().zip(other).filter(|(a, b)| a != b).count() as f64 / one.len() as f64
+}
+
 /// A page in a browser of its own.
 pub struct Page {
     pub chromium: Chromium,
@@ -49,7 +59,7 @@ impl Page {
         let deadline = Instant::now() + Duration::from_secs(seconds);
         while self.value(&format!("(async () => Boolean(await ({condition})))()")) != true {
             if Instant::now() > deadline {
-                let seen = self.value("({...document.body.dataset, text: document.body.innerText.slice(0, 2000)})");
+                let seen = self.value(SEEN);
                 panic!("after {seconds} s it is not so: {condition}\n{seen:#}");
             }
             std::thread::sleep(Duration::from_millis(20));
@@ -125,6 +135,18 @@ impl Page {
             before = now;
         }
         panic!("the viewer never stands still");
+    }
+
+    /// Waits until more than a share of the viewer's pixels are others than they were.
+    pub fn until_redrawn(&mut self, before: &[[u8; 3]], share: f64) {
+        let deadline = Instant::now() + Duration::from_secs(60);
+        loop {
+            let changed = difference(before, &self.settled());
+            if changed > share {
+                return;
+            }
+            assert!(Instant::now() < deadline, "{changed} of the viewer has changed: {}", self.value("read()"));
+        }
     }
 
     /// Left, top, width and height of an element, scrolled into view.

@@ -3,7 +3,7 @@
 use crate::chromium::{Chromium, installed};
 use crate::downloads::{recording, save};
 use crate::explorer::{Explorer, opened, rested};
-use crate::page::Page;
+use crate::page::{Page, difference};
 use asperity::setup::{Setup, command};
 use resvg::{tiny_skia::Pixmap, usvg};
 use serde_json::{Value, json};
@@ -33,12 +33,6 @@ fn agrees(explorer: &Explorer, page: &mut Page) -> Value {
     run
 }
 
-/// The share of pixels that differ.
-fn difference(one: &[[u8; 3]], other: &[[u8; 3]]) -> f64 {
-    assert_eq!(one.len(), other.len());
-    one.iter().zip(other).filter(|(a, b)| a != b).count() as f64 / one.len() as f64
-}
-
 fn the_viewer_draws(page: &mut Page) {
     let picture = page.settled();
     let background = picture[0];
@@ -58,8 +52,7 @@ fn the_load_moves_the_contact(explorer: &Explorer, page: &mut Page) {
     assert!((load(&after) / load(&before) / 10f64.sqrt() - 1.0).abs() < 1e-2, "{} to {}", load(&before), load(&after));
     let kappa = |run: &Value| run["numbers"]["kappa"].as_f64().unwrap();
     assert!(kappa(&after) < 0.9 * kappa(&before), "{} to {}", kappa(&before), kappa(&after));
-    let changed = difference(&picture, &page.settled());
-    assert!(changed > 0.01, "{changed} of the viewer has changed");
+    page.until_redrawn(&picture, 0.01);
 }
 
 fn solvers_and_geometries_switch(explorer: &Explorer, page: &mut Page) {
@@ -97,13 +90,19 @@ fn runs_are_compared(explorer: &Explorer, page: &mut Page) {
     assert_eq!(page.value("document.getElementById('runs').options.length"), 6);
 }
 
+/// The step that the viewer shows, and the last that it has.
+const STEP: &str = "viewer.get_time_for_timeline(shownRun, 'step')";
+const LAST: &str = "viewer.get_timeline_time_range(shownRun, 'step').max";
+
 fn a_run_plays(page: &mut Page) {
+    page.settled();
+    page.value("seek(1)");
+    page.until(&format!("{STEP} === {LAST}"), 20);
     let picture = page.settled();
-    page.value("document.getElementById('scrub').value = 1000");
     page.press_at("scrub", "Home");
     assert_eq!(page.text("document.getElementById('scrub-step').value"), "step 0");
-    let changed = difference(&picture, &page.settled());
-    assert!(changed > 0.001, "{changed} of the viewer differs at the first step");
+    page.until(&format!("{STEP} === 0"), 20);
+    page.until_redrawn(&picture, 0.001);
     page.value("document.getElementById('duration').value = 0.9");
     page.click("play");
     page.until(
@@ -118,15 +117,13 @@ fn a_picked_step_is_shown(page: &mut Page) {
         let item = format!("{{ type: 'entity', entity_path: '/rough_line/{entity}', position: [250, 9, 0] }}");
         format!("linkStep(JSON.stringify({{ type: 'selection_change', recording_id: shownRun, items: [{item}] }}))")
     };
-    let (step, last) =
-        ("viewer.get_time_for_timeline(shownRun, 'step')", "viewer.get_timeline_time_range(shownRun, 'step').max");
     page.value("seek(1)");
-    page.until(&format!("{step} === {last}"), 20);
+    page.until(&format!("{STEP} === {LAST}"), 20);
     page.value(&pick("pressure/image"));
     page.settled();
-    assert_eq!(page.value(&format!("{step} === {last}")), true, "a click into a field went to a step");
+    assert_eq!(page.value(&format!("{STEP} === {LAST}")), true, "a click into a field went to a step");
     page.value(&pick("raster/image"));
-    page.until(&format!("{step} === Math.floor(({last} + 1) / 4)"), 20);
+    page.until(&format!("{STEP} === Math.floor(({LAST} + 1) / 4)"), 20);
 }
 
 fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
