@@ -12,25 +12,33 @@ const CHUNK: usize = 1 << 14;
 /// Values that are passed over together where none is positive.
 const BLOCK: usize = 16;
 
+/// The result of a loop over a chunk. All chunks come here, whether they are handled on the spot or on another core: a loop with one
+/// caller is compiled with all that it calls in it, one with two may call a function for every value.
+#[inline(never)]
+fn run<A, T>(work: &impl Fn(A) -> T, chunk: A) -> T {
+    work(chunk)
+}
+
 /// Results of `visit` on each chunk of `0..len`, in order.
 pub(crate) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     if len <= CHUNK {
-        return vec![visit(0..len)];
+        return vec![run(&visit, 0..len)];
     }
-    (0..len.div_ceil(CHUNK)).into_par_iter().map(|c| visit(c * CHUNK..len.min((c + 1) * CHUNK))).collect()
+    (0..len.div_ceil(CHUNK)).into_par_iter().map(|c| run(&visit, c * CHUNK..len.min((c + 1) * CHUNK))).collect()
 }
 
 /// Sum of `term(i)` over `0..len`.
 pub(crate) fn sum(len: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
-    visit(len, |range| range.map(&term).sum::<f64>()).into_iter().sum()
+    visit(len, |range| range.fold(0.0, |sum, i| sum + term(i))).into_iter().sum()
 }
 
 /// Results of `update` on each chunk of `values` and the range it covers, in order.
 pub(crate) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, &mut [f64]) -> T + Sync) -> Vec<T> {
+    let update = |(range, values): (Range<usize>, &mut [f64])| update(range, values);
     if values.len() <= CHUNK {
-        return vec![update(0..values.len(), values)];
+        return vec![run(&update, (0..values.len(), values))];
     }
-    let with_range = |(c, chunk): (usize, &mut [f64])| update(c * CHUNK..c * CHUNK + chunk.len(), chunk);
+    let with_range = |(c, chunk): (usize, &mut [f64])| run(&update, (c * CHUNK..c * CHUNK + chunk.len(), chunk));
     values.par_chunks_mut(CHUNK).enumerate().map(with_range).collect()
 }
 
@@ -40,19 +48,20 @@ pub(crate) fn update_both<T: Send>(
     b: &mut [f64],
     update: impl Fn(Range<usize>, &mut [f64], &mut [f64]) -> T + Sync,
 ) -> Vec<T> {
+    let update = |(range, a, b): (Range<usize>, &mut [f64], &mut [f64])| update(range, a, b);
     if a.len() <= CHUNK {
-        return vec![update(0..a.len(), a, b)];
+        return vec![run(&update, (0..a.len(), a, b))];
     }
     let pairs = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).enumerate();
-    pairs.map(|(c, (a, b))| update(c * CHUNK..c * CHUNK + a.len(), a, b)).collect()
+    pairs.map(|(c, (a, b))| run(&update, (c * CHUNK..c * CHUNK + a.len(), a, b))).collect()
 }
 
 /// Results of `make` for each of `count` rows of `width` values, in order.
 pub(crate) fn rows<T: Send>(count: usize, width: usize, make: impl Fn(usize) -> T + Sync) -> Vec<T> {
     if count * width <= CHUNK {
-        return (0..count).map(make).collect();
+        return (0..count).map(|row| run(&make, row)).collect();
     }
-    (0..count).into_par_iter().map(&make).collect()
+    (0..count).into_par_iter().map(|row| run(&make, row)).collect()
 }
 
 /// Visits the rows of `width` values of a field.

@@ -165,7 +165,7 @@ impl<'a> Iterate<'a> {
         }
         let (p, u, h, ceiling) = (&self.p, &self.u, self.problem.height(), self.ceiling);
         let parts = chunks::visit(p.len(), |range| {
-            let inside = range.filter(|&i| p[i] > 0.0 && p[i] < ceiling);
+            let inside = range.filter(|&i| (p[i] > 0.0) & (p[i] < ceiling));
             inside.fold((0usize, 0.0), |(n, sum), i| (n + 1, sum + (u[i] - h[i])))
         });
         let (n, sum) = parts.into_iter().fold((0, 0.0), |(n, s), (m, t)| (n + m, s + t));
@@ -175,7 +175,7 @@ impl<'a> Iterate<'a> {
     /// `t <- g + beta t` on the contact with the share `beta = |g|^2 / |g_previous|^2` that is returned, zero elsewhere.
     fn conjugate(&mut self, datum: f64) -> f64 {
         let (p, u, h, ceiling) = (&self.p, &self.u, self.problem.height(), self.ceiling);
-        let is_free = |p: f64| p > 0.0 && p < ceiling;
+        let is_free = |p: f64| (p > 0.0) & (p < ceiling);
         let square = chunks::sum(p.len(), |i| if is_free(p[i]) { (u[i] - h[i] + datum).powi(2) } else { 0.0 });
         let beta = self.previous_square.map_or(0.0, |previous| square / previous);
         self.previous_square = (square > 0.0).then_some(square);
@@ -195,7 +195,7 @@ impl<'a> Iterate<'a> {
     /// Takes the mean over the free nodes off `t`: below a ceiling no scaling makes up for it.
     fn keep_load(&mut self) {
         let (p, ceiling) = (&self.p, self.ceiling);
-        let is_free = |i: &usize| p[*i] > 0.0 && p[*i] < ceiling;
+        let is_free = |i: &usize| (p[*i] > 0.0) & (p[*i] < ceiling);
         let t = &self.t;
         let parts = chunks::visit(p.len(), |range| {
             range.filter(is_free).fold((0usize, 0.0), |(count, sum), i| (count + 1, sum + t[i]))
@@ -216,7 +216,7 @@ impl<'a> Iterate<'a> {
         let ceiling = self.ceiling;
         let parts = chunks::visit(p.len(), |range| {
             let mut sums = [0.0; 6];
-            for i in range.filter(|&i| p[i] > 0.0 && p[i] < ceiling) {
+            for i in range.filter(|&i| (p[i] > 0.0) & (p[i] < ceiling)) {
                 let terms = [1.0, t[i], r[i], r[i] * t[i], (u[i] - h[i] + datum) * t[i], t[i] * t[i]];
                 sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
             }
@@ -262,17 +262,18 @@ impl<'a> Iterate<'a> {
         let (u, h, t, ceiling) = (&self.u, self.problem.height(), &self.t, self.ceiling);
         let parts = chunks::update_both(&mut self.p, &mut self.before, |range, p, before| {
             let mut change = Change { load: 0.0, left: false, entered: false };
-            for ((i, p), before) in range.zip(p).zip(before) {
+            let (u, h, t) = (&u[range.clone()], &h[range.clone()], &t[range]);
+            for ((((p, before), u), h), t) in p.iter_mut().zip(before).zip(u).zip(h).zip(t) {
                 *before = *p;
-                let gap = u[i] - h[i] + datum;
+                let gap = u - h + datum;
                 if *p >= ceiling {
                     *p = (*p - tau * gap.max(0.0)).max(0.0);
                     change.entered |= *p < ceiling;
                 } else if *p > 0.0 {
-                    *p = (*p - tau * t[i]).max(0.0).min(ceiling);
-                    change.left |= *p <= 0.0 || *p >= ceiling;
+                    *p = (*p - tau * t).max(0.0).min(ceiling);
+                    change.left |= (*p <= 0.0) | (*p >= ceiling);
                 }
-                if *p <= 0.0 && gap < 0.0 {
+                if (*p <= 0.0) & (gap < 0.0) {
                     *p = (-tau * gap).min(ceiling);
                     change.entered = true;
                 }

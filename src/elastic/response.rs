@@ -1,7 +1,7 @@
 //! A solid over a grid, in Fourier space.
 
 use super::compliance::Kind;
-use super::free::Padded;
+use super::free::{FreeTable, Padded};
 use super::solid::stiffness;
 use super::{Compliance, Solid};
 use crate::error::GridError;
@@ -190,8 +190,9 @@ impl Response {
         self.filter.run(|filter| {
             filter.load(fill);
             match kind {
-                Kind::HalfSpace { modulus } => filter.scale(|wave| factor(0.5 * modulus * wave.q)),
-                Kind::Free(table) => filter.scale(|wave| factor(0.5 * table.modulus * wave.q)),
+                &Kind::HalfSpace { modulus } | &Kind::Free(FreeTable { modulus, .. }) => {
+                    filter.scale(|wave| factor(0.5 * modulus * wave.q))
+                }
                 Kind::Table(table) => {
                     filter.scale(|Wave { q, place }| factor(if q > 0.0 || with_uniform { table[place] } else { 0.0 }))
                 }

@@ -199,11 +199,12 @@ impl Modes {
         let [n1, n2] = self.shape;
         let norm = 0.25 / (n1 * n2) as f64;
         let (q, mirror_q, turn) = (self.row_q[k1], self.row_q[n1 - k1], self.row_turns[k1]);
-        let z = row.iter_mut().zip(mirror.iter_mut().rev());
-        let q = self.column_q.iter().zip(self.column_q.iter().rev()).map(|(c, mirror_c)| (q + c, mirror_q + mirror_c));
-        for (k2, (((z, mirror), (q, mirror_q)), v)) in z.zip(q).zip(&self.column_turns).enumerate() {
-            let wave = Wave { q, place: k1 * n2 + k2 };
-            let mirror_wave = Wave { q: mirror_q, place: (n1 - k1) * n2 + n2 - 1 - k2 };
+        let (row, mirror, v) = (&mut row[..n2], &mut mirror[..n2], &self.column_turns[..n2]);
+        let column_q = &self.column_q[..n2];
+        for (k2, mirror_k2) in (0..n2).zip((0..n2).rev()) {
+            let wave = Wave { q: q + column_q[k2], place: k1 * n2 + k2 };
+            let mirror_wave = Wave { q: mirror_q + column_q[mirror_k2], place: (n1 - k1) * n2 + mirror_k2 };
+            let (z, mirror, v) = (&mut row[k2], &mut mirror[mirror_k2], v[k2]);
             let (a, b) = (norm * factor(wave), norm * factor(mirror_wave));
             let v = turn * v;
             let (s, d) = (a + b, a - b);
