@@ -10,6 +10,8 @@ mod spectrum;
 mod synthesis;
 
 pub use detrend::Detrend;
+#[cfg(feature = "instruments")]
+pub use formats::Measurement;
 pub(crate) use formats::read_text;
 pub use formats::{
     has_field, read_field, read_fields, read_fields_shape, read_heights, read_period, read_shape, write_heights,

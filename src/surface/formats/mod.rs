@@ -1,10 +1,25 @@
 //! Files of heights and other fields, told apart by their content.
 
+#[cfg(feature = "instruments")]
+mod bytes;
+#[cfg(feature = "instruments")]
+mod channel;
 mod format;
+#[cfg(feature = "instruments")]
+mod instrument;
+#[cfg(feature = "instruments")]
+mod measurement;
 mod npy;
 mod npz;
 mod profile;
+#[cfg(feature = "instruments")]
+mod sdf;
 mod text;
+#[cfg(feature = "instruments")]
+mod unit;
+
+#[cfg(feature = "instruments")]
+pub use measurement::Measurement;
 
 use crate::error::FileError;
 use crate::files::write_beside;
@@ -17,6 +32,10 @@ use std::path::Path;
 
 /// All formats; the last one takes every file, and says why it cannot be read.
 const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
+
+/// All formats of instruments; none is taken for another.
+#[cfg(feature = "instruments")]
+const INSTRUMENTS: [instrument::Instrument; 1] = [sdf::INSTRUMENT];
 
 /// Heights of a line or a surface.
 const HEIGHTS: Wanted = Wanted { name: "height", ranks: 1..=2 };

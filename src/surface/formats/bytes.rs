@@ -1,0 +1,107 @@
+//! Binary data, read from its start without ever going beyond its end.
+
+use super::format::malformed;
+use std::io;
+
+/// Bytes of a file with the place in them.
+#[derive(Clone, Copy)]
+pub(super) struct Bytes<'a> {
+    all: &'a [u8],
+    at: usize,
+}
+
+impl<'a> Bytes<'a> {
+    pub fn new(all: &'a [u8]) -> Self {
+        Self { all, at: 0 }
+    }
+
+    /// The place of the next byte.
+    pub fn at(&self) -> usize {
+        self.at
+    }
+
+    /// The bytes at another place.
+    ///
+    /// # Errors
+    /// For a place beyond the end.
+    pub fn seek(mut self, at: usize) -> io::Result<Self> {
+        if at > self.all.len() {
+            return Err(malformed(format!("it refers to byte {at} and has {}: it is cut short", self.all.len())));
+        }
+        self.at = at;
+        Ok(self)
+    }
+
+    /// All bytes that are left.
+    pub fn rest(&self) -> &'a [u8] {
+        &self.all[self.at..]
+    }
+
+    /// The next `count` bytes.
+    ///
+    /// # Errors
+    /// For fewer bytes than that.
+    pub fn take(&mut self, count: usize) -> io::Result<&'a [u8]> {
+        let cut = || malformed(format!("{count} bytes are missing at byte {}: it is cut short", self.at));
+        let taken = self.at.checked_add(count).and_then(|end| self.all.get(self.at..end)).ok_or_else(cut)?;
+        self.at += count;
+        Ok(taken)
+    }
+
+    /// The next bytes as an array.
+    fn array<const N: usize>(&mut self) -> io::Result<[u8; N]> {
+        let mut array = [0; N];
+        array.copy_from_slice(self.take(N)?);
+        Ok(array)
+    }
+
+    /// The next `count` bytes as text up to the first zero, without white space around it.
+    ///
+    /// # Errors
+    /// For fewer bytes than that.
+    pub fn text(&mut self, count: usize) -> io::Result<String> {
+        let bytes = self.take(count)?;
+        let text = bytes.split(|byte| *byte == 0).next().unwrap_or_default();
+        Ok(latin(text).trim().to_owned())
+    }
+}
+
+/// Readers of numbers of one type, the first byte the least significant one.
+macro_rules! numbers {
+    ($($kind:ident)*) => {
+        impl Bytes<'_> {
+            $(
+                pub fn $kind(&mut self) -> io::Result<$kind> {
+                    Ok($kind::from_le_bytes(self.array()?))
+                }
+            )*
+        }
+    };
+}
+
+numbers!(u8 u16 u32 i16 i32 i64 f32 f64);
+
+/// A text in UTF-8 or, if it is none, in Latin-1.
+pub(super) fn latin(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
+    }
+}
+
+/// The nodes of a map of `columns` by `rows`, each of `size` bytes, if so many fit into `bytes`.
+///
+/// # Errors
+/// For counts that are not positive, and for more nodes than bytes.
+pub(super) fn nodes(rows: i64, columns: i64, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
+    let shape = [usize::try_from(rows), usize::try_from(columns)];
+    let [Ok(ny @ 1..), Ok(nx @ 1..)] = shape else {
+        return Err(malformed(format!("it says that it has {rows} rows of {columns} points")));
+    };
+    match ny.checked_mul(nx).and_then(|n| n.checked_mul(size)) {
+        Some(needed) if needed <= bytes => Ok([ny, nx]),
+        _ => Err(malformed(format!(
+            "it says that it has {rows} rows of {columns} points, and has {bytes} bytes for them"
+        ))),
+    }
+}

@@ -1,0 +1,64 @@
+//! What a file of an instrument has to offer.
+
+use super::format::malformed;
+use std::io;
+
+/// One of the fields in a file of an instrument, whose values are not read before they are asked for.
+///
+/// Rows follow each other along y and columns along x, the first row at `y = 0`, as in the file. Values times `unit` are metres, and so are
+/// distances times `lateral_unit`; a file that says nothing of units has none of both.
+pub(super) struct Channel<'a> {
+    /// The name by which it is chosen.
+    pub name: String,
+    /// Whether its values are heights: other fields, such as a phase, are listed but not read.
+    pub is_height: bool,
+    /// Rows and columns; a profile has one row.
+    pub shape: [usize; 2],
+    /// Whether it is a profile, not a map of one row.
+    pub is_profile: bool,
+    /// Distances of rows and of columns, where the file says them.
+    pub spacing: Option<[f64; 2]>,
+    /// Positions along x of a profile that is not known to be evenly spaced.
+    pub positions: Option<Vec<f64>>,
+    /// Metres in a unit of distances.
+    pub lateral_unit: Option<f64>,
+    /// Metres in a unit of heights.
+    pub unit: Option<f64>,
+    /// What else the file says of it: names and values.
+    pub header: Vec<(String, String)>,
+    /// Values row by row, NaN where there are none.
+    pub values: Box<dyn FnOnce() -> io::Result<Vec<f64>> + 'a>,
+}
+
+impl<'a> Channel<'a> {
+    /// A channel of heights on a map, without units, distances and header.
+    pub fn map(name: impl Into<String>, shape: [usize; 2], values: impl FnOnce() -> io::Result<Vec<f64>> + 'a) -> Self {
+        let (is_height, is_profile, values) = (true, false, Box::new(values));
+        let (spacing, positions, lateral_unit, unit, header) = Default::default();
+        let name = name.into();
+        Self { name, is_height, shape, is_profile, spacing, positions, lateral_unit, unit, header, values }
+    }
+}
+
+/// The channel of a name or a number from 1 on; if none is asked for, the first one of heights.
+///
+/// # Errors
+/// For a channel that is not there or holds no heights, with the names of those that do.
+pub(super) fn choose<'a>(channels: Vec<Channel<'a>>, wanted: Option<&str>) -> io::Result<Channel<'a>> {
+    let names: Vec<String> = channels.iter().filter(|it| it.is_height).map(|it| format!("{:?}", it.name)).collect();
+    let names = names.join(", ");
+    let number = wanted.and_then(|name| name.parse::<usize>().ok());
+    let is_wanted = |(i, it): &(usize, Channel)| match wanted {
+        None => it.is_height,
+        Some(name) => it.name == name || number == Some(i + 1),
+    };
+    let found = channels.into_iter().enumerate().find(is_wanted).map(|(_, it)| it);
+    match (found, wanted) {
+        (Some(channel), _) if channel.is_height => Ok(channel),
+        (Some(channel), _) => {
+            Err(malformed(format!("its channel {:?} holds no heights: choose one of {names}", channel.name)))
+        }
+        (None, Some(name)) => Err(malformed(format!("it has no channel {name:?}: choose one of {names}"))),
+        (None, None) => Err(malformed("it holds no heights")),
+    }
+}

@@ -1,0 +1,81 @@
+//! Heights as an instrument has measured them.
+
+use super::INSTRUMENTS;
+use super::channel::{Channel, choose};
+use super::format::malformed;
+use crate::error::FileError;
+use crate::surface::Field;
+use std::io;
+use std::path::Path;
+
+/// The heights in a file of an instrument, before anything is done to them.
+///
+/// A file that states its units gives metres, whatever they are; the numbers of one that does not are kept as they are, and
+/// `is_in_metres` says so. The first row of `height` is that at `y = 0`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measurement {
+    /// The format, such as "ISO 25178-71 (SDF)".
+    pub format: &'static str,
+    /// The names of all channels of heights in the file.
+    pub channels: Vec<String>,
+    /// The one that was read.
+    pub channel: String,
+    /// Heights, shape `(ny, nx)`, a profile one row; NaN where none was measured.
+    pub height: Field,
+    /// Whether it is a profile, not a map of one row.
+    pub is_profile: bool,
+    /// Distances of neighbours along y and x; none where the file does not say.
+    pub spacing: Option<[f64; 2]>,
+    /// Positions along x of a profile that is not evenly spaced.
+    pub positions: Option<Vec<f64>>,
+    /// Whether heights and distances are metres: if not, the file does not say its units.
+    pub is_in_metres: bool,
+    /// What else the file says: names and values.
+    pub header: Vec<(String, String)>,
+}
+
+impl Measurement {
+    /// Reads a file whose format is found by its content, and of several channels the one of a name or a number from 1 on, or else the
+    /// first one of heights.
+    ///
+    /// # Errors
+    /// [`FileError::Read`] for a file that is missing or unreadable; [`FileError::Format`] with the reason for one of no known format,
+    /// one that is cut short or contradicts itself, and a channel that is not there.
+    pub fn read(path: impl AsRef<Path>, channel: Option<&str>) -> Result<Self, FileError> {
+        let path = path.as_ref();
+        let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+        Self::of(&bytes, channel).map_err(|error| super::explained(path, "height", error))
+    }
+
+    /// Reads the bytes of a file like [`Measurement::read`].
+    ///
+    /// # Errors
+    /// Of the kind [`io::ErrorKind::InvalidData`], with what is wrong with them.
+    pub fn of(bytes: &[u8], channel: Option<&str>) -> io::Result<Self> {
+        let instrument = INSTRUMENTS.iter().find(|it| (it.is_it)(bytes));
+        let instrument = instrument.ok_or_else(|| malformed("it is in no format that is known here"))?;
+        let all = (instrument.channels)(bytes)?;
+        let channels = all.iter().filter(|it| it.is_height).map(|it| it.name.clone()).collect();
+        let chosen = choose(all, channel)?;
+        Self::new(instrument.name, channels, chosen)
+    }
+
+    /// The measurement in a channel.
+    fn new(format: &'static str, channels: Vec<String>, channel: Channel) -> io::Result<Self> {
+        let Channel { name, shape, is_profile, spacing, positions, lateral_unit, unit, header, values, .. } = channel;
+        let is_in_metres = lateral_unit.is_some() && unit.is_some();
+        let [lateral, unit] = if is_in_metres { [lateral_unit, unit].map(|it| it.unwrap_or(1.0)) } else { [1.0; 2] };
+        let values = values()?;
+        let found = values.len();
+        let height = Field::from_shape_vec(shape, values).map_err(|_| {
+            malformed(format!("it holds {found} heights, which are not {} rows of {}", shape[0], shape[1]))
+        })?;
+        let height = height.mapv_into(|h| if h.is_finite() { h * unit } else { f64::NAN });
+        let spacing = spacing.map(|it| it.map(|it| it * lateral));
+        if let Some(wrong) = spacing.into_iter().flatten().find(|it| !(*it > 0.0 && it.is_finite())) {
+            return Err(malformed(format!("it says that its points are {wrong:?} apart")));
+        }
+        let positions = positions.map(|it| it.into_iter().map(|x| x * lateral).collect());
+        Ok(Self { format, channels, channel: name, height, is_profile, spacing, positions, is_in_metres, header })
+    }
+}

@@ -1,0 +1,17 @@
+//! Units of length in files of instruments.
+
+/// Metres in a unit of length by the names that instruments write; none for other names.
+pub(super) fn metres(unit: &str) -> Option<f64> {
+    Some(match unit.trim().trim_matches(['[', ']', '(', ')']) {
+        "m" | "metre" | "meter" => 1.0,
+        "cm" => 1e-2,
+        "mm" | "millimetre" | "millimeter" => 1e-3,
+        "µm" | "μm" | "um" | "~m" | "micron" | "microns" | "micrometre" | "micrometer" => 1e-6,
+        "nm" | "nanometre" | "nanometer" => 1e-9,
+        "Å" | "A" | "Angstrom" | "angstrom" => 1e-10,
+        "pm" => 1e-12,
+        "in" | "inch" => 25.4e-3,
+        "mil" => 25.4e-6,
+        _ => return None,
+    })
+}
