@@ -92,6 +92,10 @@ fn texts_of_numbers_are_read() {
         ("1,2.5\n3,-4\n", &matrix),
         ("1, 2.5\n3, -4\n", &matrix),
         ("1;2.5\n3;-4\n", &matrix),
+        ("1 2,5\n3 -4\n", &matrix),
+        ("1,0;2,5;\n3,0;-4,0;\n", &matrix),
+        ("\"1\"\t\"2,5\"\n3\t-4\n", &matrix),
+        ("1,5;-2,0;3e-3\n", &line),
     ] {
         std::fs::write(&path, text).unwrap();
         assert_eq!(read_heights(&path).unwrap(), *expected, "{text:?}");
@@ -102,9 +106,8 @@ fn texts_of_numbers_are_read() {
         ("1 2\n3 4\n5\n", "line 3 holds 1 numbers, those before it 2"),
         ("1 2\n\n3 four\n", "line 3 holds \"four\", which is no number"),
         ("1,5\n2,5\n", "\"1,5\" may be one number with a decimal comma or two whole ones: write points for commas"),
-        ("1,5 2,5\n3,5 4,5\n", "no text of numbers with decimal points either: it begins with \"1,5 2,5\""),
-        ("1,5;2,5\n", "no text of numbers with decimal points either"),
-        ("# nothing\n", "no text of numbers with decimal points either: it begins with \"# nothing\""),
+        ("1,5,2 2,5\n", "no text of numbers either: it begins with \"1,5,2 2,5\""),
+        ("# nothing\n", "no text of numbers either: it begins with \"# nothing\""),
     ] {
         std::fs::write(&path, text).unwrap();
         assert!(reason(&path).contains(words), "{text:?}: {}", reason(&path));

@@ -66,9 +66,41 @@ fn reads(name: &str) {
     };
     let truth: Value = serde_json::from_str(&truth).unwrap();
     let measured = Measurement::read(&path, None).unwrap_or_else(|error| panic!("{error}"));
-    let deviation = map_deviation(name, &measured, &truth[name]);
+    let deviation = match truth[name]["dim"].as_u64() {
+        Some(1) => profile_deviation(name, &measured, &truth[name]),
+        _ => map_deviation(name, &measured, &truth[name]),
+    };
     println!("{name}: {} {:?}, deviation {deviation:.1e} of the range", measured.format, measured.height.dim());
     assert!(deviation < 1e-6, "{name}: {deviation}");
+}
+
+/// Positions and heights of a profile, over the length and the range.
+fn profile_deviation(name: &str, measured: &Measurement, truth: &Value) -> f64 {
+    let number = |value: &Value| value.as_f64().unwrap();
+    let count = truth["points"].as_u64().unwrap() as usize;
+    assert_eq!((measured.height.dim(), measured.is_profile), ((1, count), true), "{name}");
+    assert_eq!(measured.positions.is_none(), truth["uniform"].as_bool().unwrap(), "{name}");
+    let x = measured.x().unwrap();
+    let told: Vec<f64> = truth["min_max_mean_rms"].as_array().unwrap().iter().map(number).collect();
+    let (range, length) = (told[1] - told[0], number(&truth["length"]));
+    let samples = truth["samples_x_h"].as_array().unwrap().iter().map(|it| [number(&it[0]), number(&it[1])]);
+    let deviation = |[at, told]: [f64; 2]| {
+        let nearest = |i: &usize, j: &usize| (x[*i] - x[0] - at).abs().total_cmp(&(x[*j] - x[0] - at).abs());
+        let i = (0..count).min_by(nearest).unwrap();
+        ((x[i] - x[0] - at).abs() / length).max((measured.height[[0, i]] - told).abs() / range)
+    };
+    samples.map(deviation).fold(0.0, f64::max)
+}
+
+#[test]
+fn texts() {
+    for name in
+        ["xyz-1.txt", "xyz-2.txt", "xyz-1-different-order.txt", "matrix-3.txt", "matrix-6.txt", "txt_example.txt"]
+    {
+        reads(name);
+    }
+    ["gwyddion-export-english.txt", "gwyddion-export-german.txt"].into_iter().for_each(reads);
+    ["xy-1.txt", "xy-4.txt", "opdx-3.txt", "csv-1.csv", "nonuniform.asc"].into_iter().for_each(reads);
 }
 
 #[test]

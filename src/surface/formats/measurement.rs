@@ -5,8 +5,12 @@ use super::channel::{Channel, choose};
 use super::format::malformed;
 use crate::error::FileError;
 use crate::surface::Field;
+use ndarray::Axis;
 use std::io;
 use std::path::Path;
+
+/// The largest deviation from an even spacing, as a share of it: what positions that are rounded to a tenth of it come to.
+const UNEVEN: f64 = 0.1;
 
 /// The heights in a file of an instrument, before anything is done to them.
 ///
@@ -60,6 +64,12 @@ impl Measurement {
         Self::new(instrument.name, channels, chosen)
     }
 
+    /// Positions of the columns along x, the first one at 0, where the file says them.
+    pub fn x(&self) -> Option<Vec<f64>> {
+        let even = |[_, dx]: [f64; 2]| (0..self.height.ncols()).map(|i| i as f64 * dx).collect();
+        self.positions.clone().or_else(|| self.spacing.map(even))
+    }
+
     /// The measurement in a channel.
     fn new(format: &'static str, channels: Vec<String>, channel: Channel) -> io::Result<Self> {
         let Channel { name, shape, is_profile, spacing, positions, lateral_unit, unit, header, values, .. } = channel;
@@ -75,7 +85,35 @@ impl Measurement {
         if let Some(wrong) = spacing.into_iter().flatten().find(|it| !(*it > 0.0 && it.is_finite())) {
             return Err(malformed(format!("it says that its points are {wrong:?} apart")));
         }
-        let positions = positions.map(|it| it.into_iter().map(|x| x * lateral).collect());
+        let (height, positions) = match positions {
+            Some(x) => in_order(height, x.into_iter().map(|x| x * lateral).collect())?,
+            None => (height, None),
+        };
+        let even = positions.as_deref().and_then(even);
+        let spacing = spacing.or(even.map(|dx| [dx; 2]));
+        let positions = positions.filter(|_| even.is_none());
         Ok(Self { format, channels, channel: name, height, is_profile, spacing, positions, is_in_metres, header })
     }
+}
+
+/// A profile in the order of its positions, the first one at 0.
+fn in_order(height: Field, x: Vec<f64>) -> io::Result<(Field, Option<Vec<f64>>)> {
+    if let Some(wrong) = x.iter().find(|x| !x.is_finite()) {
+        return Err(malformed(format!("it holds the position {wrong:?}")));
+    }
+    let mut order: Vec<usize> = (0..x.len()).collect();
+    order.sort_by(|i, j| x[*i].total_cmp(&x[*j]));
+    let first = order.first().map_or(0.0, |i| x[*i]);
+    let positions: Vec<f64> = order.iter().map(|i| x[*i] - first).collect();
+    if let Some(pair) = positions.windows(2).find(|pair| pair[0] == pair[1]) {
+        return Err(malformed(format!("it holds two heights at the position {:?}", pair[0] + first)));
+    }
+    Ok((height.select(Axis(1), &order), Some(positions)))
+}
+
+/// The spacing of positions that are evenly spaced but for rounding.
+fn even(positions: &[f64]) -> Option<f64> {
+    let spacing = positions.last()? / (positions.len() - 1) as f64;
+    let is_even = |(i, x): (usize, &f64)| (x - i as f64 * spacing).abs() <= UNEVEN * spacing;
+    (spacing > 0.0 && positions.iter().enumerate().all(is_even)).then_some(spacing)
 }

@@ -11,9 +11,16 @@ mod instrument;
 mod measurement;
 mod npy;
 mod npz;
+#[cfg(feature = "instruments")]
+mod numbers;
+#[cfg(feature = "instruments")]
+mod points;
 mod profile;
 #[cfg(feature = "instruments")]
+mod remarks;
+#[cfg(feature = "instruments")]
 mod sdf;
+mod table;
 mod text;
 #[cfg(feature = "instruments")]
 mod unit;
@@ -33,9 +40,9 @@ use std::path::Path;
 /// All formats; the last one takes every file, and says why it cannot be read.
 const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 
-/// All formats of instruments; none is taken for another.
+/// All formats of instruments, of which the first that fits is taken: texts of numbers come last.
 #[cfg(feature = "instruments")]
-const INSTRUMENTS: [instrument::Instrument; 1] = [sdf::INSTRUMENT];
+const INSTRUMENTS: &[instrument::Instrument] = &[sdf::INSTRUMENT, numbers::INSTRUMENT];
 
 /// Heights of a line or a surface.
 const HEIGHTS: Wanted = Wanted { name: "height", ranks: 1..=2 };

@@ -1,0 +1,92 @@
+//! Texts of numbers: profiles, maps and points of maps, with or without a head that says their units.
+
+use super::bytes::latin;
+use super::channel::Channel;
+use super::format::malformed;
+use super::instrument::Instrument;
+use super::points::map;
+use super::remarks::Remarks;
+use super::table::Table;
+use std::io;
+
+/// A [`Table`] in text. Columns are, in this order of choice:
+///
+/// | columns | what they are |
+/// |---------|---------------|
+/// | any, below a head that says the width of the map | heights row by row, the first row at `y = 0`, as Gwyddion exports them |
+/// | 1 (or one row) | heights of a profile |
+/// | 2 | positions and heights of a profile |
+/// | 3 | x, y and height of the points of a map, in any order, evenly spaced; those that are missing are void |
+/// | more | heights row by row |
+///
+/// Units are those of the head: `Value units: m`, or in brackets after the names of columns, as in `x (um), z (nm)`.
+pub(super) const INSTRUMENT: Instrument = Instrument { name: "text", is_it, channels };
+
+/// Bytes from the start of a file that tell text from anything else.
+const START: usize = 4096;
+
+/// Whether bytes begin with text, in any encoding of one byte for each letter of ours.
+fn is_it(bytes: &[u8]) -> bool {
+    !bytes.is_empty() && bytes.iter().take(START).all(|byte| *byte >= b'\t')
+}
+
+fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
+    let table = Table::of(&latin(bytes))?;
+    let mut remarks = Remarks::of(&table.head);
+    let said = std::mem::take(&mut remarks.said);
+    let name = remarks.channel.clone().unwrap_or_else(|| "height".into());
+    let channel = match table.shape() {
+        _ if remarks.width.is_some() => sized(table, &remarks),
+        [_, 1] | [1, _] => profile(table, &remarks),
+        [_, 2] => positions(table, &remarks),
+        [_, 3] => points(&table, &remarks)?,
+        shape => Channel::map("", shape, move || Ok(table.values)),
+    };
+    Ok(vec![Channel { name, header: said, ..channel }])
+}
+
+/// A map whose head says its size.
+fn sized(table: Table, remarks: &Remarks) -> Channel<'static> {
+    let [ny, nx] = table.shape();
+    let width = remarks.width.unwrap_or(f64::NAN);
+    let height = remarks.height.unwrap_or(width / nx as f64 * ny as f64);
+    Channel {
+        spacing: Some([height / ny as f64, width / nx as f64]),
+        lateral_unit: Some(1.0),
+        unit: remarks.value_unit,
+        ..Channel::map("", [ny, nx], move || Ok(table.values))
+    }
+}
+
+/// Heights alone.
+fn profile(table: Table, remarks: &Remarks) -> Channel<'static> {
+    let unit = remarks.value_unit.or(remarks.column_units.first().copied().flatten());
+    Channel { is_profile: true, unit, ..Channel::map("", [1, table.values.len()], move || Ok(table.values)) }
+}
+
+/// Positions and heights.
+fn positions(table: Table, remarks: &Remarks) -> Channel<'static> {
+    let x: Vec<f64> = table.column(0).collect();
+    let of_column = |column: usize| remarks.column_units.get(column).copied().flatten();
+    Channel {
+        is_profile: true,
+        lateral_unit: of_column(0),
+        unit: remarks.value_unit.or(of_column(1)),
+        positions: Some(x),
+        ..Channel::map("", [1, table.shape()[0]], move || Ok(table.column(1).collect()))
+    }
+}
+
+/// Points of a map.
+fn points(table: &Table, remarks: &Remarks) -> io::Result<Channel<'static>> {
+    let why = "it holds three columns, which are not x, y and height on an evenly spaced grid: resample the points, or write the heights \
+               row by row as .npy";
+    let of_column = |column: usize| remarks.column_units.get(column).copied().flatten();
+    let map = map(table).ok_or_else(|| malformed(why))?;
+    Ok(Channel {
+        spacing: Some(map.spacing),
+        lateral_unit: of_column(0),
+        unit: remarks.value_unit.or(of_column(2)),
+        ..Channel::map("", map.shape, move || Ok(map.values))
+    })
+}

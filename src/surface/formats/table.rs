@@ -1,0 +1,136 @@
+//! Numbers in rows of a text.
+
+use super::format::malformed;
+use std::io;
+
+/// Characters of a line that a sentence shows.
+const SHOWN: usize = 40;
+
+/// Words for a value that was not measured, besides `NaN`.
+const VOIDS: [&str; 4] = ["BAD", "---", "N/A", "#N/A"];
+
+/// Rows of equally many numbers, and the lines above them.
+///
+/// Numbers are told apart by white space, semicolons or commas. Where something else parts them, a comma is a decimal one. Lines
+/// before the first number are the head; empty ones and those that begin with `#` or `%` are no rows anywhere.
+pub(super) struct Table {
+    /// The lines before the first number, and those that begin with `#` or `%`.
+    pub head: Vec<String>,
+    /// Numbers of a row.
+    pub columns: usize,
+    /// The numbers row by row, NaN where none was measured.
+    pub values: Vec<f64>,
+}
+
+impl Table {
+    /// The table in a text.
+    ///
+    /// # Errors
+    /// For a text without numbers, for rows that are not equally long, and where a comma may be a decimal one or part two numbers.
+    pub fn of(text: &str) -> io::Result<Self> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let is_remark = |line: &str| line.is_empty() || line.starts_with(['#', '%']);
+        let lines = || text.lines().map(str::trim).enumerate();
+        let is_row = |line: &str| !is_remark(line) && Comma::KINDS.iter().any(|comma| comma.reads(line));
+        let Some((start, _)) = lines().find(|(_, line)| is_row(line)) else { return Err(no_numbers(text)) };
+        let rows = || lines().skip(start).filter(|(_, line)| !is_remark(line));
+        refuse_doubtful(rows().map(|(_, line)| line))?;
+        let head = || lines().filter(|(at, line)| !line.is_empty() && (*at < start || is_remark(line)));
+        let read = |comma| {
+            let head = head().map(|(_, line)| line.to_owned()).collect();
+            let mut table = Self { head, columns: 0, values: Vec::new() };
+            rows().try_for_each(|(at, line)| table.add(at + 1, line, comma))?;
+            Ok(table)
+        };
+        let [parts, decimal] = Comma::KINDS;
+        read(parts).or_else(|error| read(decimal).map_err(|_| error))
+    }
+
+    /// Adds the numbers of the line at some place, which must be as many as those before.
+    fn add(&mut self, place: usize, line: &str, comma: Comma) -> io::Result<()> {
+        let before = self.values.len();
+        let add = |it: Result<f64, &str>| it.map(|it| self.values.push(it));
+        comma
+            .numbers(line)
+            .try_for_each(add)
+            .map_err(|word| malformed(format!("line {place} holds {word:?}, which is no number")))?;
+        let found = self.values.len() - before;
+        if before == 0 {
+            self.columns = found;
+        }
+        if found == self.columns {
+            return Ok(());
+        }
+        Err(malformed(format!("line {place} holds {found} numbers, those before it {}", self.columns)))
+    }
+
+    /// Rows and columns.
+    pub fn shape(&self) -> [usize; 2] {
+        [self.values.len() / self.columns, self.columns]
+    }
+
+    /// The numbers of a column.
+    pub fn column(&self, column: usize) -> impl Iterator<Item = f64> + '_ {
+        self.values.iter().copied().skip(column).step_by(self.columns)
+    }
+}
+
+/// What a comma means.
+#[derive(Clone, Copy)]
+enum Comma {
+    /// It parts numbers.
+    Parts,
+    /// It stands for a decimal point.
+    Decimal,
+}
+
+impl Comma {
+    const KINDS: [Self; 2] = [Self::Parts, Self::Decimal];
+
+    /// Whether a line holds nothing but numbers.
+    fn reads(self, line: &str) -> bool {
+        self.numbers(line).all(|it| it.is_ok())
+    }
+
+    /// The numbers of a line, words that are none as errors.
+    fn numbers(self, line: &str) -> impl Iterator<Item = Result<f64, &str>> {
+        let is_gap = |c: char| c.is_whitespace() || c == ';';
+        let is_one = line.split(is_gap).filter(|word| !word.is_empty()).nth(1).is_none();
+        let splits = move |c: char| is_gap(c) || (is_one && c == ',' && matches!(self, Self::Parts));
+        let words = line.split(splits).filter(|word| !word.is_empty());
+        words.map(move |word| self.number(word.strip_suffix(',').unwrap_or(word)).ok_or(word))
+    }
+
+    fn number(self, word: &str) -> Option<f64> {
+        let word = word.trim_matches('"');
+        if VOIDS.contains(&word) {
+            return Some(f64::NAN);
+        }
+        match self {
+            Self::Parts => word.parse().ok(),
+            Self::Decimal => word.replacen(',', ".", 1).parse().ok(),
+        }
+    }
+}
+
+/// Refuses a text in which every line may be one number with a decimal comma or two whole ones.
+fn refuse_doubtful<'a>(mut lines: impl Iterator<Item = &'a str> + Clone) -> io::Result<()> {
+    let first = lines.clone().next().unwrap_or_default();
+    if !lines.all(is_doubtful) {
+        return Ok(());
+    }
+    let reason = "may be one number with a decimal comma or two whole ones: write points for commas, or spaces between";
+    Err(malformed(format!("{first:?} {reason}")))
+}
+
+/// Whether a line such as `1,5` may be one number with a decimal comma or two whole ones.
+fn is_doubtful(line: &str) -> bool {
+    line.split_once(',').is_some_and(|(a, b)| {
+        [a, b].iter().all(|part| part.trim_start_matches(['-', '+']).bytes().all(|c| c.is_ascii_digit()))
+    })
+}
+
+fn no_numbers(text: &str) -> io::Error {
+    let start: String = text.trim_start().lines().next().unwrap_or_default().chars().take(SHOWN).collect();
+    malformed(format!("it is no .npy file, and no text of numbers either: it begins with {start:?}"))
+}
