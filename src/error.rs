@@ -7,6 +7,9 @@
 )]
 
 mod input;
+mod preparation;
+
+pub use preparation::PreparationError;
 
 use crate::quantity::bytes_in_words;
 use std::error::Error;

@@ -14,6 +14,14 @@ pub fn length<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(Quantity { kind: "a length", example: "\"160 um\"", parse: units::length })
 }
 
+/// Reads a length that need not be given, where it is.
+///
+/// # Errors
+/// The errors of [`length`].
+pub fn some_length<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    length(from).map(Some)
+}
+
 /// Reads a pressure.
 ///
 /// # Errors

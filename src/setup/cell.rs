@@ -40,12 +40,8 @@ pub struct Cell {
     pub boundary: Vec<Boundary>,
     /// Distance from a line load at which the surface stands still, a length, where one axis only is free, as that of a line: the length
     /// of the cell along it if it is left out. See [`crate::elastic::Solid::datum`].
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "crate::quantity::some_length")]
     pub datum: Option<f64>,
-}
-
-fn some_length<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    crate::quantity::length(from).map(Some)
 }
 
 impl Cell {

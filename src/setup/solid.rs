@@ -153,7 +153,7 @@ struct Keys {
     #[serde(skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
     poisson: Vec<f64>,
     /// Thickness of a layer.
-    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "quantity::some_length")]
     layer: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     base: Option<Base>,
@@ -161,10 +161,6 @@ struct Keys {
 
 fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     quantity::pressure(from).map(Some)
-}
-
-fn some_length<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    quantity::length(from).map(Some)
 }
 
 impl TryFrom<Keys> for Solid {

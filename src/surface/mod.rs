@@ -1,15 +1,14 @@
 //! Rigid surfaces: heights on a grid, peaks towards the solid positive.
 
-mod detrend;
 mod formats;
 mod indenter;
+mod preparation;
 mod refine;
 mod roughness;
 mod seam;
 mod spectrum;
 mod synthesis;
 
-pub use detrend::Detrend;
 #[cfg(feature = "instruments")]
 pub use formats::Measurement;
 pub(crate) use formats::read_text;
@@ -18,6 +17,7 @@ pub use formats::{
 };
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
+pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Scan};
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
 

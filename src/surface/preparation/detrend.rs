@@ -1,0 +1,55 @@
+//! Heights without their trend.
+
+use super::Scan;
+use super::least_squares::linear;
+use serde::{Deserialize, Serialize};
+
+/// The trend to take off measured heights: the polynomial of least squares through all that are there.
+///
+/// ```
+/// use asperity::surface::{Detrend, Scan};
+/// let height = ndarray::Array2::from_shape_fn((4, 6), |(y, x)| 7.0 + 0.5 * y as f64 - 0.25 * (x * x) as f64);
+/// let bent = Scan { height, spacing: [1.0, 1.0] };
+/// assert!(Detrend::Curvature.of(bent.clone()).height.iter().all(|h| h.abs() < 1e-13));
+/// assert!(Detrend::Mean.of(bent).height.sum().abs() < 1e-12);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Detrend {
+    /// The mean height.
+    Mean,
+    /// The plane, of a line the straight line.
+    Plane,
+    /// The polynomial of second order, of a line the parabola.
+    Curvature,
+}
+
+impl Detrend {
+    /// The trends by their names in scenes, in a few words.
+    pub const TRENDS: [(&str, &str); 3] = [
+        ("mean", "The mean height, which no contact depends on"),
+        ("plane", "The plane of least squares; of a line the straight line"),
+        ("curvature", "The polynomial of second order; of a line the parabola"),
+    ];
+
+    /// The heights without their trend.
+    pub fn of(self, scan: Scan) -> Scan {
+        let terms = match self {
+            Self::Mean => 1,
+            Self::Plane => 3,
+            Self::Curvature => 6,
+        };
+        let functions = move |place: [f64; 2]| {
+            let all = legendre(place);
+            std::array::from_fn(|i| if i < terms { all[i] } else { 0.0 })
+        };
+        let trend: [f64; 6] = linear(scan.points().into_iter().map(|(place, h)| (functions(place), h)));
+        scan.less(|place| functions(place).iter().zip(trend).map(|(f, c)| f * c).sum())
+    }
+}
+
+/// Legendre's polynomials up to second order, which are nearly independent on a map: `1, y, x, xy, P_2(y), P_2(x)`.
+pub(super) fn legendre([y, x]: [f64; 2]) -> [f64; 6] {
+    let second = |x: f64| 0.5 * (3.0 * x * x - 1.0);
+    [1.0, y, x, x * y, second(y), second(x)]
+}

@@ -1,0 +1,37 @@
+//! Heights made periodic by their mirror images.
+
+use super::Scan;
+use crate::surface::Field;
+use serde::{Deserialize, Serialize};
+
+/// The axes along which heights are mirrored at their last node, so that they are periodic without a jump: `n` nodes become `2 n - 2`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Mirror {
+    /// Along x, the columns.
+    X,
+    /// Along y, the rows.
+    Y,
+    /// Along both; of a profile along it.
+    Both,
+}
+
+impl Mirror {
+    /// The axes by their names in scenes, in a few words.
+    pub const AXES: [(&str, &str); 3] =
+        [("x", "Along x, the columns"), ("y", "Along y, the rows"), ("both", "Along both; of a profile along it")];
+
+    /// Rows and columns of the heights and their images.
+    pub(super) fn shape(self, [ny, nx]: [usize; 2]) -> [usize; 2] {
+        let twice = |n: usize, is_mirrored: bool| if is_mirrored && n > 2 { 2 * n - 2 } else { n };
+        [twice(ny, self != Self::X), twice(nx, self != Self::Y)]
+    }
+
+    /// The heights and their images.
+    pub fn of(self, scan: &Scan) -> Scan {
+        let (shape, mirrored) = (scan.shape(), self.shape(scan.shape()));
+        let back = |i: usize, axis: usize| if i < shape[axis] { i } else { mirrored[axis] - i };
+        let height = Field::from_shape_fn(mirrored, |(y, x)| scan.height[[back(y, 0), back(x, 1)]]);
+        Scan { height, ..*scan }
+    }
+}

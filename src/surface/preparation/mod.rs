@@ -1,0 +1,160 @@
+//! What is done to measured heights before they are pressed.
+
+mod crop;
+mod detrend;
+mod fill;
+mod form;
+mod gaussian;
+mod least_squares;
+mod mirror;
+mod scan;
+mod taper;
+
+pub use crop::Crop;
+pub use detrend::Detrend;
+pub use fill::Fill;
+pub use form::Form;
+pub use mirror::Mirror;
+pub use scan::Scan;
+
+use crate::error::PreparationError;
+use crate::quantity::some_length;
+use serde::{Deserialize, Serialize};
+
+/// The steps that make a surface of measured heights, in the order in which they are taken. None is taken unless it is given, and each
+/// says what it came to.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Preparation {
+    /// First the part that is kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crop: Option<Crop>,
+    /// How voids are filled.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fill: Option<Fill>,
+    /// The trend that is taken off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub detrend: Option<Detrend>,
+    /// The body whose form is taken off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remove_form: Option<Form>,
+    /// The wavelength above which waves are taken off, see [`Scan::high_pass`].
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    pub high_pass: Option<f64>,
+    /// The wavelength below which waves are taken off, see [`Scan::low_pass`].
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    pub low_pass: Option<f64>,
+    /// The share of each side within which heights run out to their mean, see [`Scan::tapered`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub taper: Option<f64>,
+    /// The axes along which heights are mirrored.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mirror: Option<Mirror>,
+}
+
+/// Prepared heights, and what each step came to, a sentence each.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prepared {
+    /// The heights.
+    pub scan: Scan,
+    /// What each step came to.
+    pub told: Vec<String>,
+}
+
+impl Preparation {
+    /// Whether no step is given.
+    pub fn is_none(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Rows and columns of what is made of so many.
+    ///
+    /// # Errors
+    /// [`PreparationError::Crop`].
+    pub fn shape(&self, shape: [usize; 2]) -> Result<[usize; 2], PreparationError> {
+        let cropped = match &self.crop {
+            Some(crop) => crop.ranges(shape).ok_or_else(|| crop.unfit(shape))?.map(|[first, beyond]| beyond - first),
+            None => shape,
+        };
+        Ok(self.mirror.map_or(cropped, |mirror| mirror.shape(cropped)))
+    }
+
+    /// Takes all steps that are given.
+    ///
+    /// # Errors
+    /// For a step that these heights do not allow.
+    pub fn of(&self, scan: Scan) -> Result<Prepared, PreparationError> {
+        let mut it = Prepared { scan, told: Vec::new() };
+        if let Some(crop) = &self.crop {
+            let part = crop.of(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
+            it.take(part, |_, part| format!("cropped to {} x {} points", part.shape()[0], part.shape()[1]));
+        }
+        if let Some(fill) = self.fill.filter(|_| it.scan.voids() > 0) {
+            let full = fill.of(it.scan.clone()).ok_or(PreparationError::AllVoid)?;
+            it.take(full, |before, _| format!("{} voids filled with the smoothest heights", before.voids()));
+        }
+        if let Some(detrend) = self.detrend {
+            let flat = detrend.of(it.scan.clone());
+            it.take(flat, |before, after| format!("the trend was taken off: {}", gradients(before, after)));
+        }
+        if let Some(form) = self.remove_form {
+            let (flat, radius) = form.of(it.scan.clone()).ok_or(PreparationError::NoForm)?;
+            it.take(flat, |before, after| {
+                format!("a form of radius {radius:.6e} was taken off: {}", gradients(before, after))
+            });
+        }
+        for (name, wavelength) in [("high", self.high_pass), ("low", self.low_pass)] {
+            let Some(wavelength) = wavelength else { continue };
+            let filtered = it.filtered(name == "high", wavelength)?;
+            it.take(filtered, |before, after| {
+                format!("{name}-pass filter at {wavelength:.4e}: {}", gradients(before, after))
+            });
+        }
+        if let Some(share) = self.taper {
+            let tapered = it.tapered(share)?;
+            it.take(tapered, |before, after| {
+                format!("tapered within {share} of each side: {}", gradients(before, after))
+            });
+        }
+        if let Some(mirror) = self.mirror {
+            let mirrored = mirror.of(&it.scan);
+            it.take(mirrored, |_, after| format!("mirrored to {} x {} points", after.shape()[0], after.shape()[1]));
+        }
+        Ok(it)
+    }
+}
+
+impl Prepared {
+    /// Goes on with other heights, and tells what they came to.
+    fn take(&mut self, next: Scan, tell: impl FnOnce(&Scan, &Scan) -> String) {
+        self.told.push(tell(&self.scan, &next));
+        self.scan = next;
+    }
+
+    fn filtered(&self, is_high: bool, wavelength: f64) -> Result<Scan, PreparationError> {
+        let shortest = 2.0 * self.scan.spacing[0].max(self.scan.spacing[1]);
+        if !(wavelength.is_finite() && wavelength >= shortest) {
+            return Err(PreparationError::Wavelength { wavelength, shortest });
+        }
+        Ok(if is_high { self.scan.high_pass(wavelength) } else { self.scan.low_pass(wavelength) })
+    }
+
+    fn tapered(&self, share: f64) -> Result<Scan, PreparationError> {
+        if share > 0.0 && share <= 0.5 {
+            Ok(self.scan.clone().tapered(share))
+        } else {
+            Err(PreparationError::Taper { share })
+        }
+    }
+}
+
+impl Crop {
+    fn unfit(&self, shape: [usize; 2]) -> PreparationError {
+        PreparationError::Crop { crop: self.0.clone(), shape }
+    }
+}
+
+/// The rms gradient before and after a step.
+fn gradients(before: &Scan, after: &Scan) -> String {
+    format!("the rms gradient was {:.4e} and is {:.4e}", before.rms_gradient(), after.rms_gradient())
+}

@@ -1,0 +1,62 @@
+//! Heights on their way from a measurement to a surface.
+
+use crate::surface::Field;
+
+/// Heights on an even grid, some of which may be void.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scan {
+    /// Heights, shape `(ny, nx)`, a line one row; NaN where there is none.
+    pub height: Field,
+    /// Distances of neighbours along y and x.
+    pub spacing: [f64; 2],
+}
+
+impl Scan {
+    /// The number of voids.
+    pub fn voids(&self) -> usize {
+        self.height.iter().filter(|h| h.is_nan()).count()
+    }
+
+    /// Rows and columns.
+    pub fn shape(&self) -> [usize; 2] {
+        self.height.dim().into()
+    }
+
+    /// The root mean square of the slope between neighbours, both of which are there.
+    pub fn rms_gradient(&self) -> f64 {
+        let [ny, nx] = self.shape();
+        let [dy, dx] = self.spacing;
+        let h = &self.height;
+        let mean = |steps: &mut dyn Iterator<Item = f64>| {
+            let (count, sum) = steps.filter(|s| !s.is_nan()).fold((0usize, 0.0), |(n, sum), s| (n + 1, sum + s * s));
+            if count == 0 { 0.0 } else { sum / count as f64 }
+        };
+        let nodes = |ny: usize, nx: usize| (0..ny).flat_map(move |y| (0..nx).map(move |x| (y, x)));
+        let along_x = mean(&mut nodes(ny, nx - 1).map(|(y, x)| (h[[y, x + 1]] - h[[y, x]]) / dx));
+        let along_y = mean(&mut nodes(ny - 1, nx).map(|(y, x)| (h[[y + 1, x]] - h[[y, x]]) / dy));
+        (along_x + along_y).sqrt()
+    }
+
+    /// Places of the nodes that are there from the middle of the map, `(y, x)`, over half of its longer side, and their heights.
+    pub(super) fn points(&self) -> Vec<([f64; 2], f64)> {
+        let half = self.half();
+        let place =
+            |i: usize, axis: usize| (i as f64 - 0.5 * (self.shape()[axis] as f64 - 1.0)) * self.spacing[axis] / half;
+        let there = self.height.indexed_iter().filter(|(_, h)| !h.is_nan());
+        there.map(|((y, x), h)| ([place(y, 0), place(x, 1)], *h)).collect()
+    }
+
+    /// Half of the longer side.
+    pub(super) fn half(&self) -> f64 {
+        let side = |axis: usize| self.shape()[axis] as f64 * self.spacing[axis];
+        0.5 * side(0).max(side(1))
+    }
+
+    /// The heights less a form, a function of the places of [`Scan::points`].
+    pub(super) fn less(mut self, form: impl Fn([f64; 2]) -> f64) -> Self {
+        let (shape, half, spacing) = (self.shape(), self.half(), self.spacing);
+        let place = |i: usize, axis: usize| (i as f64 - 0.5 * (shape[axis] as f64 - 1.0)) * spacing[axis] / half;
+        self.height.indexed_iter_mut().for_each(|((y, x), h)| *h -= form([place(y, 0), place(x, 1)]));
+        self
+    }
+}

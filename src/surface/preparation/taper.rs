@@ -1,0 +1,27 @@
+//! Heights that run out to their mean at the rim.
+
+use super::Scan;
+use std::f64::consts::PI;
+
+impl Scan {
+    /// The heights about their mean times Tukey's window: 1 inside, and within the share `share` of each side from its rims half a wave
+    /// of the cosine down to 0, along y and x. It makes any heights periodic, and adds gradient where it falls.
+    pub fn tapered(mut self, share: f64) -> Self {
+        let there = self.height.iter().filter(|h| !h.is_nan());
+        let (count, sum) = there.fold((0usize, 0.0), |(n, sum), h| (n + 1, sum + h));
+        let mean = sum / count.max(1) as f64;
+        let [y, x] = self.shape().map(|n| window(n, share));
+        self.height.indexed_iter_mut().for_each(|((row, column), h)| *h = mean + y[row] * x[column] * (*h - mean));
+        self
+    }
+}
+
+/// Tukey's window of so many nodes; 1 for a single one.
+fn window(nodes: usize, share: f64) -> Vec<f64> {
+    let last = nodes.saturating_sub(1) as f64;
+    let at = |i: usize| {
+        let rim = (i as f64).min(last - i as f64) / (share * last);
+        if nodes == 1 || rim >= 1.0 { 1.0 } else { 0.5 * (1.0 - (PI * rim).cos()) }
+    };
+    (0..nodes).map(at).collect()
+}
