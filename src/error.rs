@@ -271,6 +271,8 @@ pub enum SetupError {
     #[error(transparent)]
     Surface(#[from] SurfaceError),
     #[error(transparent)]
+    Preparation(#[from] PreparationError),
+    #[error(transparent)]
     Solid(#[from] SolidError),
     #[error(transparent)]
     Problem(#[from] ProblemError),
@@ -320,9 +322,21 @@ pub enum SetupError {
         "a datum is given without a free axis that it could be for: make the boundary free along one axis, or leave the datum out"
     )]
     DatumOfPeriodic,
-    /// A trend without measured heights.
-    #[error("a trend is to be taken off without a height file: give one as well, or leave the trend out")]
-    DetrendWithoutHeights,
+    /// A preparation of nothing.
+    #[error("heights are to be read or prepared without a height file: give one as well")]
+    PreparationWithoutHeights,
+    /// Lengths that neither the file nor the cell says.
+    #[error("the file does not say how large it is: give the size")]
+    NoSize,
+    /// A unit beside that of the file.
+    #[error("the file says its units, so leave the file unit {unit:?} out")]
+    UnitOfFile { unit: f64 },
+    /// Positions that are not evenly spaced.
+    #[error("the positions in {} are not evenly spaced: resample the heights at even ones, which is a step of the preparation", path.display())]
+    Uneven { path: PathBuf },
+    /// Heights that are void.
+    #[error("{voids} of {points} heights in {} are void: fill them or crop the heights, which are steps of the preparation", path.display())]
+    Voids { path: PathBuf, voids: usize, points: usize },
     /// A seed that a scene in TOML cannot hold.
     #[error("the seed {seed} is too large: give at most {}", i64::MAX)]
     Seed { seed: u64 },

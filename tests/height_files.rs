@@ -1,7 +1,7 @@
 //! Height files and archives: round trips, and why unusable ones are refused.
 
 use asperity::error::FileError;
-use asperity::surface::{read_heights, read_period, read_shape, write_heights};
+use asperity::surface::{Measurement, read_heights, read_shape, write_heights};
 use ndarray::{Array2, ShapeBuilder, arr1, arr2};
 use ndarray_npy::{NpzWriter, WriteNpyExt};
 use std::fs::File;
@@ -125,7 +125,7 @@ fn two_columns_or_rows_are_positions_and_heights() {
         ndarray_npy::write_npy(&path, &pairs).unwrap();
         assert_eq!(read_heights(&path).unwrap(), arr1(&heights).into_dyn());
         assert_eq!(read_shape(&path).unwrap(), [5]);
-        assert!((read_period(&path).unwrap().unwrap() - 0.5).abs() < 1e-15);
+        assert!((Measurement::read(&path, None).unwrap().spacing.unwrap()[1] - 0.1).abs() < 1e-15);
     }
     std::fs::write(&path, "X_(microns),y1\n0.0386,3.0\n0.0772,-1\n0.1158,4\n0.1544,-1\n0.1931,5\n").unwrap();
     assert_eq!((read_heights(&path).unwrap(), read_shape(&path).unwrap()), (arr1(&heights).into_dyn(), vec![5]));
@@ -136,7 +136,7 @@ fn two_columns_or_rows_are_positions_and_heights() {
         assert!(reason(&path).contains(words), "{}", reason(&path));
     }
     ndarray_npy::write_npy(&path, &Array2::<f64>::zeros((5, 3))).unwrap();
-    assert_eq!((read_shape(&path).unwrap(), read_period(&path).unwrap()), (vec![5, 3], None));
+    assert_eq!((read_shape(&path).unwrap(), Measurement::read(&path, None).unwrap().spacing), (vec![5, 3], None));
     ndarray_npy::write_npy(&path, &Array2::from_elem((5, 2), 1.0)).unwrap();
     assert!(reason(&path).contains("positions, is 1.0 throughout: give the heights alone"));
 }

@@ -227,7 +227,11 @@ fn what_is_wrong_is_said_in_one_sentence() {
             "Poisson's ratio is 0.6: it must lie above -1 and at most",
         ),
         ("mean-pressure = 0.01", "mean-pressure = []", "load: invalid type: list"),
-        ("1.0 }", "1.0 }, detrend = \"mean\"", "a trend is to be taken off without a height file: give one as well"),
+        (
+            "1.0 }",
+            "1.0 }, prepare.detrend = \"mean\"",
+            "heights are to be read or prepared without a height file: give one as well",
+        ),
         ("1.0 }", "1.0, radius = 2.0 }", "line 1: duplicate key"),
         ("load =", "load", "line 4: "),
     ] {
@@ -317,7 +321,7 @@ fn measured_heights_lose_their_trend_and_nothing_else() {
             let (recipe, cell) = Table::read(&scene).unwrap().surface().unwrap();
             recipe.surface(recipe.grid(&cell).unwrap()).unwrap()
         };
-        let plane = [0.0, 1.0, -20.0].map(|tilt| surface(tilt, ", detrend = 'plane'"));
+        let plane = [0.0, 1.0, -20.0].map(|tilt| surface(tilt, ", prepare.detrend = 'plane'"));
         for other in &plane[1..] {
             let pairs = plane[0].heights().iter().zip(other.heights());
             assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12), "{ny} x {nx}");
@@ -326,7 +330,7 @@ fn measured_heights_lose_their_trend_and_nothing_else() {
         let left = plane[0].height();
         let slope = |f: fn((usize, usize)) -> f64| left.indexed_iter().map(|(at, h)| f(at) * h).sum::<f64>();
         assert!(slope(|(i, _)| i as f64).abs() < 1e-10 && slope(|(_, j)| j as f64).abs() < 1e-10);
-        let (mean, whole) = (surface(1.0, ", detrend = 'mean'"), surface(1.0, ""));
+        let (mean, whole) = (surface(1.0, ", prepare.detrend = 'mean'"), surface(1.0, ""));
         assert!(mean.mean_height().abs() < 1e-14 && whole.mean_height().abs() > 0.1);
         assert!(mean.heights().iter().zip(whole.heights()).all(|(a, b)| (a - b).abs() < 1e-14));
     }

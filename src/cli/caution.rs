@@ -2,7 +2,7 @@
 
 use asperity::contact::{Contact, Observables};
 use asperity::setup::Recipe;
-use asperity::surface::{Detrend, Surface, read_period};
+use asperity::surface::{Detrend, Layout, Surface};
 use std::io::{Write, stderr};
 use std::path::Path;
 
@@ -26,15 +26,20 @@ const UNEQUAL: f64 = 0.01;
 pub fn of_surface(recipe: &Recipe, surface: &Surface) -> Vec<String> {
     let jumps = ["y", "x"].into_iter().zip(surface.jumps());
     let jump = |(axis, jump): (&str, f64)| {
-        let remedy = match recipe.detrend {
-            Some(Detrend::Plane) => "taper or mirror the heights, or measure a longer trace",
+        let remedy = match recipe.prepare.detrend {
+            Some(Detrend::Plane | Detrend::Curvature) => {
+                "mirror them by --mirror, or leave the period out by --boundary free"
+            }
             _ => "take off their tilt by --detrend plane",
         };
         (jump > JUMP).then(|| {
             format!("the heights jump by {jump:.3} rms steps across the period along {axis}, where the contact is not real: {remedy}")
         })
     };
-    let measured = recipe.height.as_ref().map(|path| [spacing(surface), gradient(surface), period(path, surface)]);
+    let measured = recipe
+        .height
+        .as_ref()
+        .map(|path| [spacing(surface), gradient(surface), spacing_of_file(recipe, path, surface)]);
     jumps.filter_map(jump).chain(measured.into_iter().flatten().flatten()).collect()
 }
 
@@ -105,14 +110,17 @@ fn spacing(surface: &Surface) -> Option<String> {
     })
 }
 
-/// Positions beside the heights that fit the size in no unit.
-fn period(path: &Path, surface: &Surface) -> Option<String> {
-    let (period, size) = (read_period(path).ok()??, surface.grid().size()[1]);
-    let power = (size / period).log10();
+/// Distances in a file that fit the size in no unit.
+fn spacing_of_file(recipe: &Recipe, path: &Path, surface: &Surface) -> Option<String> {
+    let Layout { spacing, shape, .. } = Layout::read(path, recipe.channel.as_deref()).ok()?;
+    let [_, told] = spacing?;
+    let refined = surface.grid().shape()[1] / recipe.prepare.shape(shape).ok()?[1];
+    let spacing = surface.grid().spacing()[1] * refined as f64;
+    let power = (spacing / told).log10();
     let is_same = (power - power.round()).abs() < SAME_LENGTH;
     (!is_same).then(|| {
         format!(
-            "the positions in {} have a period of {period:.6e} and the size is {size:.6e}: give the period as the size",
+            "the points in {} are {told:.6e} apart and those of the grid {spacing:.6e}: leave the size out, or give that of the file",
             path.display()
         )
     })

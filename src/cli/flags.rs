@@ -159,7 +159,8 @@ fn arg<E: Extent>(flag: &'static Flag) -> Arg {
 fn heading<E: Extent>(flag: &Flag) -> &'static str {
     match flag.section() {
         "surface" if flag.path.starts_with("surface.indenter.") => "Indenter",
-        "surface" if !["height", "detrend"].contains(&flag.name) => "Roughness",
+        "surface" if flag.path.starts_with("surface.prepare.") => "Preparation of measured heights, in this order",
+        "surface" if flag.path.starts_with("surface.spectrum.") || flag.name == "seed" => "Roughness",
         "surface" | "grid" => "Surface (a height file, an indenter, roughness, or a sum of them) and its cell",
         "load" => E::LOAD,
         "solid" | "law" => "Solid (the contact modulus, or elastic constants; a mean pressure needs it)",

@@ -28,8 +28,14 @@ pub struct Cell {
     /// Points along the axes; none where a height file has its own.
     #[serde(default, skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
     pub points: Vec<usize>,
-    /// Lengths along the axes; one serves all of them.
-    #[serde(serialize_with = "one_or_more::serialize", deserialize_with = "one_or_more::lengths")]
+    /// Lengths along the axes; one serves all of them, and none where a height file says its own. Those beside a height file are the lengths of
+    /// all that is in it, before anything is cropped or mirrored.
+    #[serde(
+        default,
+        skip_serializing_if = "Vec::is_empty",
+        serialize_with = "one_or_more::serialize",
+        deserialize_with = "one_or_more::lengths"
+    )]
     pub size: Vec<f64>,
     /// Points for each of those above, or of a height file, along each axis; 1 if it is left out. Heights of a file are
     /// interpolated, all else is made on the finer grid.

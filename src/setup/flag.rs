@@ -2,7 +2,7 @@
 
 use super::{Boundary, Method, Part, Theme};
 use crate::elastic::Base;
-use crate::surface::{Detrend, Indenter};
+use crate::surface::{Detrend, Fill, Form, Indenter, Mirror, Resample};
 
 /// A flag of the command line, and the place in a setup that its value is laid over.
 pub struct Flag {
@@ -40,9 +40,19 @@ const DYNAMICS: [(&str, &str); 2] = [("damped", "Constant friction"), ("fire", "
 /// All flags, in the order of a command line.
 #[rustfmt::skip]
 pub const FLAGS: &[Flag] = &[
-    flag("height", "surface.height", Value::One, "FILE", "Heights of a line or a surface from a .npy, .npz or text of numbers; peaks towards the solid are positive"),
+    flag("height", "surface.height", Value::One, "FILE", "Heights of a line or a surface from a file of an instrument, .npy, .npz or text of numbers; peaks towards the solid are positive"),
     flag("against", "surface.against", Value::One, "FILE", "Heights of a second surface of the same shape, on which the first is pressed: peaks towards the first are positive, and they are added"),
-    flag("detrend", "surface.detrend", Value::Choice(&Detrend::TRENDS), "TREND", "Trend to take off the heights of the file"),
+    flag("channel", "surface.channel", Value::One, "NAME", "Channel of a file that has several, by name or number"),
+    flag("file-unit", "surface.file-unit", Value::One, "L", "Length of 1 in a file that does not say its units, such as 1um"),
+    flag("crop", "surface.prepare.crop", Value::List, "A,B[,C,D]", "Part that is kept: first node and one beyond the last, of a map those of rows, then columns"),
+    flag("resample", "surface.prepare.resample", Value::Choice(&Resample::WAYS), "WAY", "Bring heights at uneven positions to even ones"),
+    flag("fill", "surface.prepare.fill", Value::Choice(&Fill::WAYS), "WAY", "Fill voids"),
+    flag("detrend", "surface.prepare.detrend", Value::Choice(&Detrend::TRENDS), "TREND", "Trend to take off the heights"),
+    flag("remove-form", "surface.prepare.remove-form", Value::Choice(&Form::FORMS), "FORM", "Body whose fitted form is taken off"),
+    flag("high-pass", "surface.prepare.high-pass", Value::One, "LAMBDA", "Wavelength above which waves are taken off, by the Gaussian filter of ISO 16610"),
+    flag("low-pass", "surface.prepare.low-pass", Value::One, "LAMBDA", "Wavelength below which waves are taken off, by the Gaussian filter of ISO 16610"),
+    flag("taper", "surface.prepare.taper", Value::One, "SHARE", "Share of each side within which heights run out to their mean, at most 0.5"),
+    flag("mirror", "surface.prepare.mirror", Value::Choice(&Mirror::AXES), "AXES", "Axes along which heights are mirrored, so that they are periodic without a jump"),
     flag("indenter", "surface.indenter.shape", Value::Variant(&Indenter::SHAPES), "SHAPE", "A smooth indenter, centred in the cell"),
     flag("radius", "surface.indenter.radius", Value::One, "R", "Radius of the cylinder or sphere"),
     flag("amplitude", "surface.indenter.amplitude", Value::One, "D", "Amplitude of the sine or crossed sine (half of its peak-to-valley height)"),
@@ -57,7 +67,7 @@ pub const FLAGS: &[Flag] = &[
     flag("rms-gradient", "surface.spectrum.rms-gradient", Value::One, "G", "Root-mean-square gradient of the roughness, made exact for the realisation"),
     flag("seed", "surface.seed", Value::One, "SEED", "Seed of the realisation [default: 1]"),
     flag("points", "grid.points", Value::List, "N[,N]", "Points along the array's axes, in their order: one makes a line, two a surface; of roughness auto or auto,auto"),
-    flag("size", "grid.size", Value::List, "L[,L]", "Lengths of the cell along the array's axes, in their order; one value serves all axes"),
+    flag("size", "grid.size", Value::List, "L[,L]", "Lengths of the cell along the array's axes, in their order; one value serves all axes; not needed where a height file says its own"),
     flag("refine", "grid.refine", Value::One, "N", "Points for each point of the file (interpolated) or of --points, along each axis; auto: until area and kappa_r settle"),
     flag("area-tolerance", "grid.area-tolerance", Value::One, "ERROR", "Estimated relative error of area and kappa_r at which --refine auto or --points auto ends [default: 0.01]"),
     flag("boundary", "grid.boundary", Value::Choices(&Boundary::BOUNDARIES), "B[,B]", "Boundary along the array's axes, in their order; one value serves all axes [default: periodic]"),

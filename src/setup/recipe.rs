@@ -1,27 +1,34 @@
 //! The recipe of a surface.
 
 use super::Cell;
-use crate::error::SetupError;
+use crate::error::{SetupError, SurfaceError};
 use crate::grid::Grid;
-use crate::surface::{Detrend, Field, Indenter, Spectrum, Surface, read_heights, read_shape};
-use ndarray::Axis;
+use crate::quantity::some_length;
+use crate::surface::{Indenter, Layout, Measurement, Preparation, Prepared, Scan, Spectrum, Surface};
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The recipe of a surface: a height file, an indenter, self-affine roughness, or the sum of those that are given.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Recipe {
-    /// A file of heights of a line or a surface, see [`read_heights`]; peaks towards the solid are positive.
+    /// A file of heights of a line or a surface, see [`Measurement::read`]; peaks towards the solid are positive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height: Option<PathBuf>,
     /// A file of heights of a second surface of the same shape, on which the first is pressed: peaks towards the first are positive, rows
     /// and columns lie on those of the first, and the heights are added to its.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<PathBuf>,
-    /// The trend to take off the heights of a file; none if it is left out.
+    /// The channel of files that have several, by name or number from 1 on; the first one of heights if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub detrend: Option<Detrend>,
+    pub channel: Option<String>,
+    /// The length of 1 in a file that does not say its units: heights and distances are multiplied by it. Without it they are taken as they
+    /// are.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    pub file_unit: Option<f64>,
+    /// What is done to the heights of files.
+    #[serde(skip_serializing_if = "Preparation::is_none")]
+    pub prepare: Preparation,
     /// A smooth indenter, centred in the cell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub indenter: Option<Indenter>,
@@ -64,22 +71,64 @@ impl Recipe {
         [&self.height, &self.against].into_iter().flatten()
     }
 
-    /// Checks that both files of heights have the same shape.
-    fn check_shapes(&self) -> Result<(), SetupError> {
-        let (Some(first), Some(path)) = (&self.height, &self.against) else { return Ok(()) };
-        let [expected, found] = [read_shape(first)?, read_shape(path)?];
-        if found == expected { Ok(()) } else { Err(SetupError::Against { path: path.clone(), found, expected }) }
+    /// The layout of the first file of heights.
+    fn layout(&self) -> Result<Option<Layout>, SetupError> {
+        Ok(self.files().next().map(|path| Layout::read(path, self.channel.as_deref())).transpose()?)
     }
 
-    /// The grid that the recipe makes of a cell: that of the height file, if there is one.
+    /// Checks that both files of heights have the same shape, and that what is said of files is said of one.
+    fn check_files(&self) -> Result<(), SetupError> {
+        if !self.is_measured() && (self.channel.is_some() || self.file_unit.is_some() || !self.prepare.is_none()) {
+            return Err(SetupError::PreparationWithoutHeights);
+        }
+        let (Some(_), Some(path)) = (&self.height, &self.against) else { return Ok(()) };
+        let first = self.layout()?.map_or([0; 2], |it| it.shape);
+        let other = Layout::read(path, self.channel.as_deref())?.shape;
+        if other == first {
+            Ok(())
+        } else {
+            Err(SetupError::Against { path: path.clone(), found: other.into(), expected: first.into() })
+        }
+    }
+
+    /// The grid that the recipe makes of a cell: that of the height file, if there is one, whose lengths take the place of those that the
+    /// cell leaves out.
     ///
     /// # Errors
-    /// For a file that cannot be read, points beside those of a file, and as [`Cell::grid`].
+    /// For a file that cannot be read, points beside those of a file, lengths that nobody says, and as [`Cell::grid`].
     pub fn grid(&self, cell: &Cell) -> Result<Grid, SetupError> {
-        match self.files().next() {
+        match self.layout()? {
             Some(_) if !cell.points.is_empty() => Err(SetupError::PointsOfFile),
-            Some(path) => cell.grid_of(&read_shape(path)?),
+            Some(layout) => {
+                let [dy, dx] = self.spacing(&layout, cell)?;
+                let [ny, nx] = self.prepare.shape(layout.shape)?;
+                let size = [ny as f64 * dy, nx as f64 * dx];
+                let axes = if layout.is_profile { 1..2 } else { 0..2 };
+                Cell { size: size[axes.clone()].to_vec(), ..cell.clone() }.grid_of(&[ny, nx][axes])
+            }
             None => cell.grid(),
+        }
+    }
+
+    /// The distances of neighbours in a file: those that follow from the lengths of a cell, or else those that the file says.
+    fn spacing(&self, layout: &Layout, cell: &Cell) -> Result<[f64; 2], SetupError> {
+        let [ny, nx] = layout.shape;
+        let unit = self.unit(layout.is_in_metres)?;
+        if cell.size.is_empty() {
+            return Ok(layout.spacing.ok_or(SetupError::NoSize)?.map(|spacing| spacing * unit));
+        }
+        let whole = Cell { refine: None, boundary: Vec::new(), datum: None, ..cell.clone() };
+        let shape = if layout.is_profile { vec![nx] } else { vec![ny, nx] };
+        Ok(whole.unrefined(&shape)?.spacing())
+    }
+
+    /// The length of 1 in a file.
+    fn unit(&self, is_in_metres: bool) -> Result<f64, SetupError> {
+        match self.file_unit {
+            None => Ok(1.0),
+            Some(unit) if is_in_metres => Err(SetupError::UnitOfFile { unit }),
+            Some(unit) if unit > 0.0 && unit.is_finite() => Ok(unit),
+            Some(unit) => Err(SurfaceError::NotPositive { name: "the unit of the file", value: unit }.into()),
         }
     }
 
@@ -88,21 +137,18 @@ impl Recipe {
     /// # Errors
     /// For a height file that cannot be read.
     pub fn rank(&self, cell: &Cell) -> Result<usize, SetupError> {
-        Ok(self.files().next().map(read_shape).transpose()?.map_or(cell.points.len(), |shape| shape.len()))
+        Ok(self.layout()?.map_or(cell.points.len(), |layout| if layout.is_profile { 1 } else { 2 }))
     }
 
     /// Checks that the surface can be made on a grid. None is made.
     ///
     /// # Errors
-    /// For no surface at all, a trend without a height file, and an indenter or a spectrum that cannot be on this grid.
+    /// For no surface at all, a preparation without a height file, and an indenter or a spectrum that cannot be on this grid.
     pub fn check(&self, grid: &Grid) -> Result<(), SetupError> {
         if !self.is_measured() && self.indenter.is_none() && self.spectrum.is_none() {
             return Err(SetupError::NoSurface);
         }
-        self.check_shapes()?;
-        if self.detrend.is_some() && !self.is_measured() {
-            return Err(SetupError::DetrendWithoutHeights);
-        }
+        self.check_files()?;
         if self.seed.is_some() && self.spectrum.is_none() {
             return Err(SetupError::SeedWithoutSpectrum);
         }
@@ -114,30 +160,47 @@ impl Recipe {
         Ok(())
     }
 
+    /// The heights of a file on a grid that is theirs or a finer one, prepared, and what each step came to.
+    ///
+    /// # Errors
+    /// For a file that cannot be read, positions that are not evenly spaced, and steps that its heights do not allow.
+    pub fn prepared(&self, path: &Path, grid: &Grid) -> Result<Prepared, SetupError> {
+        let mut measured = Measurement::read(path, self.channel.as_deref())?;
+        let unit = self.unit(measured.is_in_metres)?;
+        if let Some(x) = &measured.positions {
+            let resample = self.prepare.resample.ok_or_else(|| SetupError::Uneven { path: path.into() })?;
+            let (even, _) = resample.of(x, &measured.height.row(0).to_vec());
+            measured.height.row_mut(0).assign(&ndarray::ArrayView1::from(&even));
+        }
+        let [ny, nx] = self.prepare.shape(measured.height.dim().into())?;
+        let factor = [grid.shape()[0] / ny, grid.shape()[1] / nx].map(|it| it.max(1) as f64);
+        let spacing = [0, 1].map(|axis| grid.spacing()[axis] * factor[axis]);
+        Ok(self.prepare.of(Scan { height: measured.height * unit, spacing })?)
+    }
+
     /// The surface on a grid: the sum of all parts that are given.
     ///
     /// # Errors
-    /// The errors of [`Recipe::check`], and for a height file that cannot be read.
+    /// The errors of [`Recipe::check`], for a height file that cannot be read, and for voids in it.
     pub fn surface(&self, grid: Grid) -> Result<Surface, SetupError> {
         self.check(&grid)?;
-        let read = |path: &PathBuf| -> Result<Surface, SetupError> {
-            let height = read_heights(path)?;
-            let height = if height.ndim() == 1 { height.insert_axis(Axis(0)) } else { height };
-            let height: Field = height.into_dimensionality().map_err(|_| SetupError::Axes { axes: 0 })?;
-            let given = grid.with_shape(height.dim().into())?;
-            let height = Surface::new(given, height)?;
-            let height = match self.detrend {
-                Some(detrend) => Surface::new(given, detrend.of(height.heights_as_given()))?,
-                None => height,
-            };
-            let refined = height.refined((grid.shape()[1] / given.shape()[1]).max(1))?;
-            if *refined.grid() == grid { Ok(refined) } else { Ok(Surface::new(grid, refined.heights_as_given())?) }
-        };
-        let measured = self.files().map(read).collect::<Result<Vec<_>, _>>()?;
+        let measured = self.files().map(|path| self.measured(path, grid)).collect::<Result<Vec<_>, _>>()?;
         let smooth = self.indenter.map(|indenter| indenter.surface(grid)).transpose()?;
         let rough = self.spectrum.map(|spectrum| Surface::rough(grid, &spectrum, self.seed())).transpose()?;
         let sum = measured.into_iter().chain(smooth).chain(rough).reduce(|sum, part| sum.plus(&part));
         sum.ok_or(SetupError::NoSurface)
+    }
+
+    /// The prepared heights of a file, refined to a grid.
+    fn measured(&self, path: &Path, grid: Grid) -> Result<Surface, SetupError> {
+        let scan = self.prepared(path, &grid)?.scan;
+        let (voids, shape) = (scan.voids(), scan.shape());
+        if voids > 0 {
+            return Err(SetupError::Voids { path: path.into(), voids, points: shape[0] * shape[1] });
+        }
+        let height = Surface::new(grid.with_shape(shape)?, scan.height)?;
+        let refined = height.refined((grid.shape()[1] / shape[1]).max(1))?;
+        if *refined.grid() == grid { Ok(refined) } else { Ok(Surface::new(grid, refined.heights_as_given())?) }
     }
 
     /// The realisation of the roughness.
@@ -161,12 +224,9 @@ impl Recipe {
 
     /// The parts of the surface, in words.
     pub fn description(&self) -> String {
-        let trend = self.detrend.map_or("", |detrend| match detrend {
-            Detrend::Mean => " less their mean",
-            Detrend::Plane => " less their plane",
-        });
-        let file = self.height.as_ref().map(|path| format!("heights from {}{trend}", path.display()));
-        let against = self.against.as_ref().map(|path| format!("pressed on those from {}{trend}", path.display()));
+        let steps = if self.prepare.is_none() { String::new() } else { format!(" ({})", self.prepare.description()) };
+        let file = self.height.as_ref().map(|path| format!("heights from {}{steps}", path.display()));
+        let against = self.against.as_ref().map(|path| format!("pressed on those from {}{steps}", path.display()));
         let smooth = self.indenter.map(|indenter| {
             let values = indenter.parameters().into_iter().map(|(name, value)| format!(", {name} {value:?}"));
             format!("{}{}", indenter.name(), values.collect::<String>().replace('_', " "))

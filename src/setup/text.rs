@@ -3,7 +3,7 @@
 use super::{Cell, FLAGS, Method, Recipe, Setup};
 use crate::error::{FileError, SetupError};
 use crate::files::write_beside;
-use crate::surface::read_text;
+use crate::surface::{read_fields, read_text};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::Write;
@@ -63,8 +63,10 @@ impl Table {
             _ => Self::from_toml(&text),
         };
         let mut table = table.map_err(|error| at(path, error))?;
-        if let Some(toml::Value::String(height)) = table.0.get_mut("surface").and_then(|it| it.get_mut("height")) {
-            *height = path.with_file_name(&*height).to_string_lossy().into_owned();
+        for key in ["height", "against"] {
+            if let Some(toml::Value::String(file)) = table.0.get_mut("surface").and_then(|it| it.get_mut(key)) {
+                *file = path.with_file_name(&*file).to_string_lossy().into_owned();
+            }
         }
         Ok(table)
     }
@@ -75,6 +77,9 @@ impl Table {
             self.remove("surface");
             self.remove("grid.refine");
             self.lay("surface.height", result.to_string_lossy().into_owned().into());
+            if let Ok(size) = read_fields(result, "size") {
+                self.lay("grid.size", size.iter().copied().collect::<Vec<f64>>().into());
+            }
         }
         self
     }
@@ -284,7 +289,7 @@ impl Setup {
         Table(toml::Table::try_from(self).expect("a setup has a form in TOML"))
     }
 
-    /// Writes the setup as a scene, whose height file is named by its full path.
+    /// Writes the setup as a scene, whose height files are named by their full paths.
     ///
     /// # Errors
     /// The errors of [`write_beside`].
@@ -292,13 +297,14 @@ impl Setup {
         self.clone().with_full_path().to_table().write(path)
     }
 
-    /// The setup whose height file is named by its full path.
+    /// The setup whose height files are named by their full paths.
     pub fn with_full_path(mut self) -> Self {
         let full = |path: PathBuf| match std::path::absolute(&path) {
             Ok(full) if full.to_str().is_some() => full,
             _ => path,
         };
         self.surface.height = self.surface.height.map(full);
+        self.surface.against = self.surface.against.map(full);
         self
     }
 }

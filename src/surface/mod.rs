@@ -9,15 +9,13 @@ mod seam;
 mod spectrum;
 mod synthesis;
 
-#[cfg(feature = "instruments")]
-pub use formats::Measurement;
 pub(crate) use formats::read_text;
 pub use formats::{
-    has_field, read_field, read_fields, read_fields_shape, read_heights, read_period, read_shape, write_heights,
+    Layout, Measurement, has_field, read_field, read_fields, read_fields_shape, read_heights, read_shape, write_heights,
 };
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
-pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Scan};
+pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Resample, Scan};
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
 

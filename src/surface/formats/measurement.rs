@@ -1,11 +1,12 @@
 //! Heights as an instrument has measured them.
 
-use super::INSTRUMENTS;
 use super::channel::{Channel, choose};
 use super::format::malformed;
+use super::layout::{Layout, is_array};
+use super::{INSTRUMENTS, read_profile};
 use crate::error::FileError;
 use crate::surface::Field;
-use ndarray::Axis;
+use ndarray::{Array1, ArrayD, Axis};
 use std::io;
 use std::path::Path;
 
@@ -28,7 +29,7 @@ pub struct Measurement {
     pub height: Field,
     /// Whether it is a profile, not a map of one row.
     pub is_profile: bool,
-    /// Distances of neighbours along y and x; none where the file does not say.
+    /// Distances of neighbours along y and x, of uneven positions their mean; none where the file does not say.
     pub spacing: Option<[f64; 2]>,
     /// Positions along x of a profile that is not evenly spaced.
     pub positions: Option<Vec<f64>>,
@@ -47,6 +48,10 @@ impl Measurement {
     /// one that is cut short or contradicts itself, and a channel that is not there.
     pub fn read(path: impl AsRef<Path>, channel: Option<&str>) -> Result<Self, FileError> {
         let path = path.as_ref();
+        if is_array(path) {
+            let (height, positions) = read_profile(path)?;
+            return Self::of_array(height, positions).map_err(|error| super::explained(path, "height", error));
+        }
         let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
         Self::of(&bytes, channel).map_err(|error| super::explained(path, "height", error))
     }
@@ -62,6 +67,25 @@ impl Measurement {
         let channels = all.iter().filter(|it| it.is_height).map(|it| it.name.clone()).collect();
         let chosen = choose(all, channel)?;
         Self::new(instrument.name, channels, chosen)
+    }
+
+    /// Heights of an array, and the positions beside them if there are any.
+    fn of_array(array: ArrayD<f64>, positions: Option<Array1<f64>>) -> io::Result<Self> {
+        let is_profile = array.ndim() == 1;
+        let array = if is_profile { array.insert_axis(Axis(0)) } else { array };
+        let height: Field = array.into_dimensionality().map_err(|error| malformed(error.to_string()))?;
+        let shape = height.dim().into();
+        let values = move || Ok(height.into_iter().collect());
+        let positions = positions.map(|it| it.to_vec());
+        let channel = Channel { is_profile, positions, ..Channel::map("height", shape, values) };
+        Self::new("NumPy", vec!["height".into()], channel)
+    }
+
+    /// Shape and spacing.
+    pub fn layout(&self) -> Layout {
+        let Self { height, is_profile, spacing, is_in_metres, positions, .. } = self;
+        let (shape, is_even) = (height.dim().into(), positions.is_none());
+        Layout { shape, is_profile: *is_profile, spacing: *spacing, is_in_metres: *is_in_metres, is_even }
     }
 
     /// Positions of the columns along x, the first one at 0, where the file says them.
@@ -89,9 +113,9 @@ impl Measurement {
             Some(x) => in_order(height, x.into_iter().map(|x| x * lateral).collect())?,
             None => (height, None),
         };
-        let even = positions.as_deref().and_then(even);
-        let spacing = spacing.or(even.map(|dx| [dx; 2]));
-        let positions = positions.filter(|_| even.is_none());
+        let mean = positions.as_deref().and_then(|x| Some(x.last()? / (x.len() - 1) as f64));
+        let spacing = spacing.or(mean.map(|dx| [dx; 2]));
+        let positions = positions.filter(|x| mean.is_some_and(|dx| !is_even(x, dx)));
         Ok(Self { format, channels, channel: name, height, is_profile, spacing, positions, is_in_metres, header })
     }
 }
@@ -111,9 +135,7 @@ fn in_order(height: Field, x: Vec<f64>) -> io::Result<(Field, Option<Vec<f64>>)>
     Ok((height.select(Axis(1), &order), Some(positions)))
 }
 
-/// The spacing of positions that are evenly spaced but for rounding.
-fn even(positions: &[f64]) -> Option<f64> {
-    let spacing = positions.last()? / (positions.len() - 1) as f64;
-    let is_even = |(i, x): (usize, &f64)| (x - i as f64 * spacing).abs() <= UNEVEN * spacing;
-    (spacing > 0.0 && positions.iter().enumerate().all(is_even)).then_some(spacing)
+/// Whether positions are evenly spaced but for rounding.
+fn is_even(positions: &[f64], spacing: f64) -> bool {
+    positions.iter().enumerate().all(|(i, x)| (x - i as f64 * spacing).abs() <= UNEVEN * spacing)
 }

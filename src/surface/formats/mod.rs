@@ -1,37 +1,30 @@
 //! Files of heights and other fields, told apart by their content.
 
-#[cfg(feature = "instruments")]
 mod bytes;
-#[cfg(feature = "instruments")]
 mod channel;
 mod format;
-#[cfg(feature = "instruments")]
 mod instrument;
-#[cfg(feature = "instruments")]
+mod layout;
 mod measurement;
 mod npy;
 mod npz;
-#[cfg(feature = "instruments")]
 mod numbers;
-#[cfg(feature = "instruments")]
 mod points;
 mod profile;
-#[cfg(feature = "instruments")]
 mod remarks;
-#[cfg(feature = "instruments")]
 mod sdf;
 mod table;
 mod text;
-#[cfg(feature = "instruments")]
 mod unit;
 
-#[cfg(feature = "instruments")]
+pub use layout::Layout;
 pub use measurement::Measurement;
 
 use crate::error::FileError;
 use crate::files::write_beside;
 use format::{Format, Wanted, malformed};
-use ndarray::{ArrayD, ArrayViewD};
+use instrument::Instrument;
+use ndarray::{Array1, ArrayD, ArrayViewD};
 use ndarray_npy::{WriteNpyError, WriteNpyExt};
 use std::fs::File;
 use std::io;
@@ -41,8 +34,7 @@ use std::path::Path;
 const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 
 /// All formats of instruments, of which the first that fits is taken: texts of numbers come last.
-#[cfg(feature = "instruments")]
-const INSTRUMENTS: &[instrument::Instrument] = &[sdf::INSTRUMENT, numbers::INSTRUMENT];
+const INSTRUMENTS: &[Instrument] = &[sdf::INSTRUMENT, numbers::INSTRUMENT];
 
 /// Heights of a line or a surface.
 const HEIGHTS: Wanted = Wanted { name: "height", ranks: 1..=2 };
@@ -57,6 +49,11 @@ const HEIGHTS: Wanted = Wanted { name: "height", ranks: 1..=2 };
 /// no such file, is truncated, or holds another type or rank.
 pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
     read_field(path, HEIGHTS.name)
+}
+
+/// Reads heights like [`read_heights`], and the positions beside them, evenly spaced or not, if there are any.
+fn read_profile(path: &Path) -> Result<(ArrayD<f64>, Option<Array1<f64>>), FileError> {
+    with_file(path, &HEIGHTS, |file, format| (format.read)(file, &HEIGHTS)).map(profile::split)
 }
 
 /// Reads a field such as `pressure` like [`read_heights`], from the array of that name of an archive.
@@ -102,15 +99,6 @@ pub fn has_field(path: impl AsRef<Path>, name: &'static str) -> Result<bool, Fil
 /// The errors of [`read_heights`].
 pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
     with_file(path.as_ref(), &HEIGHTS, |file, format| (format.shape)(file, &HEIGHTS).map(profile::shape))
-}
-
-/// Reads the period of the positions beside the heights in a file, their number times their spacing, in whatever unit; none from a
-/// file of heights alone.
-///
-/// # Errors
-/// The errors of [`read_heights`].
-pub fn read_period(path: impl AsRef<Path>) -> Result<Option<f64>, FileError> {
-    with_file(path.as_ref(), &HEIGHTS, |file, format| Ok(profile::period(&(format.read)(file, &HEIGHTS)?)))
 }
 
 /// Reads the text that an archive carries as an array of bytes; none from any other file.

@@ -22,6 +22,12 @@ fn whole(file: &File) -> io::Result<Range<u64>> {
     Ok(0..file.metadata()?.len())
 }
 
+/// Whether a file begins like an array.
+pub(super) fn is_array(file: &mut File) -> bool {
+    let mut magic = [0; 6];
+    file.rewind().and_then(|()| file.read_exact(&mut magic)).is_ok() && magic == *b"\x93NUMPY"
+}
+
 /// The shape of the array at a place in a file.
 pub(super) fn shape(file: &mut File, place: Range<u64>, wanted: &Wanted) -> io::Result<Vec<usize>> {
     Ok(layout(file, place, wanted)?.0)

@@ -24,6 +24,14 @@ pub(super) fn is_archive(file: &mut File) -> bool {
     file.rewind().and_then(|()| file.read_exact(&mut start)).is_ok() && start == MARK
 }
 
+/// Whether a file is an archive whose first member is an array: other archives are those of instruments.
+pub(super) fn holds_arrays(file: &mut File) -> bool {
+    let mut head = [0; HEAD];
+    let is_read = is_archive(file) && file.rewind().and_then(|()| file.read_exact(&mut head)).is_ok();
+    let mut name = vec![0; number(&head[26..28]) as usize];
+    is_read && file.read_exact(&mut name).is_ok() && name.ends_with(b".npy")
+}
+
 /// The text that an archive carries as an array of bytes.
 pub(super) fn text(file: &mut File, name: &str) -> io::Result<String> {
     let place = member(file, name)?;

@@ -2,7 +2,7 @@
 
 use super::format::malformed;
 use crate::grid::Grid;
-use ndarray::{ArrayD, ArrayView1, Axis, Ix2};
+use ndarray::{Array1, ArrayD, ArrayView1, Axis};
 use std::io;
 
 /// The largest deviation from an even spacing, as a share of it: what positions that are rounded to a tenth of it come to.
@@ -13,17 +13,18 @@ const TOLERANCE: f64 = 0.1;
 /// # Errors
 /// For positions that are not evenly spaced.
 pub(super) fn heights(array: ArrayD<f64>) -> io::Result<ArrayD<f64>> {
-    let Some(pairs) = pairs(array.shape()) else { return Ok(array) };
-    let pairs_in = array.into_dimensionality::<Ix2>().map_err(|error| malformed(error.to_string()))?;
-    check(pairs_in.index_axis(pairs, 0))?;
-    Ok(pairs_in.index_axis(pairs, 1).to_owned().into_dyn())
+    let (heights, positions) = split(array);
+    if let Some(positions) = positions {
+        check(positions.view())?;
+    }
+    Ok(heights)
 }
 
-/// The period of the positions, their number times their spacing, in an array that holds some.
-pub(super) fn period(array: &ArrayD<f64>) -> Option<f64> {
-    let position = array.index_axis(pairs(array.shape())?, 0);
-    let nodes = position.len();
-    Some((position[nodes - 1] - position[0]).abs() / (nodes - 1) as f64 * nodes as f64)
+/// The heights of an array, and the positions beside them if it holds some.
+pub(super) fn split(array: ArrayD<f64>) -> (ArrayD<f64>, Option<Array1<f64>>) {
+    let Some(pairs) = pairs(array.shape()) else { return (array, None) };
+    let positions = array.index_axis(pairs, 0).iter().copied().collect();
+    (array.index_axis(pairs, 1).to_owned(), Some(positions))
 }
 
 /// The shape of the heights in an array of some shape.

@@ -49,11 +49,10 @@ impl Table {
     /// Adds the numbers of the line at some place, which must be as many as those before.
     fn add(&mut self, place: usize, line: &str, comma: Comma) -> io::Result<()> {
         let before = self.values.len();
-        let add = |it: Result<f64, &str>| it.map(|it| self.values.push(it));
-        comma
-            .numbers(line)
-            .try_for_each(add)
-            .map_err(|word| malformed(format!("line {place} holds {word:?}, which is no number")))?;
+        for number in comma.numbers(line) {
+            let wrong = |word| malformed(format!("line {place} holds {word:?}, which is no number"));
+            self.values.push(number.map_err(wrong)?);
+        }
         let found = self.values.len() - before;
         if before == 0 {
             self.columns = found;

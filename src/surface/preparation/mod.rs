@@ -7,6 +7,7 @@ mod form;
 mod gaussian;
 mod least_squares;
 mod mirror;
+mod resample;
 mod scan;
 mod taper;
 
@@ -15,6 +16,7 @@ pub use detrend::Detrend;
 pub use fill::Fill;
 pub use form::Form;
 pub use mirror::Mirror;
+pub use resample::Resample;
 pub use scan::Scan;
 
 use crate::error::PreparationError;
@@ -29,6 +31,9 @@ pub struct Preparation {
     /// First the part that is kept.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crop: Option<Crop>,
+    /// How heights at uneven positions are brought to even ones.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub resample: Option<Resample>,
     /// How voids are filled.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fill: Option<Fill>,
@@ -52,6 +57,10 @@ pub struct Preparation {
     pub mirror: Option<Mirror>,
 }
 
+/// The keys of the steps in their order.
+const STEPS: [&str; 9] =
+    ["crop", "resample", "fill", "detrend", "remove-form", "high-pass", "low-pass", "taper", "mirror"];
+
 /// Prepared heights, and what each step came to, a sentence each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prepared {
@@ -65,6 +74,16 @@ impl Preparation {
     /// Whether no step is given.
     pub fn is_none(&self) -> bool {
         *self == Self::default()
+    }
+
+    /// The steps in the words of their keys, such as "fill harmonic, detrend plane".
+    pub fn description(&self) -> String {
+        let table = toml::Table::try_from(self).unwrap_or_default();
+        let step = |name: &str| {
+            let value = table.get(name)?;
+            Some(format!("{} {}", name.replace('-', " "), value.to_string().trim_matches('"')))
+        };
+        STEPS.into_iter().filter_map(step).collect::<Vec<_>>().join(", ")
     }
 
     /// Rows and columns of what is made of so many.

@@ -1,0 +1,30 @@
+//! Heights at uneven positions brought to even ones.
+
+use serde::{Deserialize, Serialize};
+
+/// How heights at uneven positions are brought to as many even ones over the same length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Resample {
+    /// On straight lines between neighbours.
+    Linear,
+}
+
+impl Resample {
+    /// The ways by their names in scenes, in a few words.
+    pub const WAYS: [(&str, &str); 1] =
+        [("linear", "As many heights at even positions, on straight lines between neighbours")];
+
+    /// The heights at even positions, and their spacing, of heights at ever larger positions `x`, two at least.
+    pub fn of(self, x: &[f64], height: &[f64]) -> (Vec<f64>, f64) {
+        let last = x.len() - 1;
+        let spacing = (x[last] - x[0]) / last as f64;
+        let at = |i: usize| {
+            let place = (x[0] + i as f64 * spacing).clamp(x[0], x[last]);
+            let right = x.partition_point(|x| *x < place).clamp(1, last);
+            let share = (place - x[right - 1]) / (x[right] - x[right - 1]);
+            height[right - 1] + share * (height[right] - height[right - 1])
+        };
+        ((0..=last).map(at).collect(), spacing)
+    }
+}
