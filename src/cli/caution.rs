@@ -43,6 +43,13 @@ pub fn of_surface(recipe: &Recipe, surface: &Surface) -> Vec<String> {
     jumps.filter_map(jump).chain(measured.into_iter().flatten().flatten()).collect()
 }
 
+/// The warning that heights are void.
+pub fn of_voids(voids: usize, points: usize) -> String {
+    format!(
+        "{voids} of {points} heights are void, and no contact can be solved with them: fill them by --fill harmonic, or --crop them away"
+    )
+}
+
 /// Warnings about contacts, a sentence each: loads far beyond full contact, and patches of too few nodes.
 pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
     let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max).map(|p| {

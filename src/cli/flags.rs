@@ -23,7 +23,7 @@ pub trait Extent {
 
     /// The argument for a scene.
     fn scene() -> Arg {
-        Arg::new("scene").value_name("SCENE.toml").help("A scene; flags override what it says")
+        Arg::new("scene").value_name("SCENE.toml").help("A scene, or a file of heights; flags override what it says")
     }
 }
 
@@ -90,7 +90,7 @@ impl<E: Extent> Scene<E> {
     }
 }
 
-/// The setup in a scene or a result.
+/// The setup in a scene or a result, or one of the heights in any other file.
 fn read(path: &Path) -> Result<Table> {
     #[cfg(feature = "record")]
     if let Some(setups) = asperity::record::setups(path)? {
@@ -99,7 +99,20 @@ fn read(path: &Path) -> Result<Table> {
             more => usage(format!("{} holds {} setups: give a recording of one contact", path.display(), more.len())),
         };
     }
-    Ok(Table::read(path)?)
+    match Table::read(path) {
+        Err(_) if path.is_file() && !is_named_scene(path) => {
+            let mut table = Table::default();
+            table.lay("surface.height", path.to_string_lossy().into_owned().into());
+            Ok(table)
+        }
+        read => Ok(read?),
+    }
+}
+
+/// Whether a file is called a scene or a result, whatever is in it.
+fn is_named_scene(path: &Path) -> bool {
+    let ending = path.extension().unwrap_or_default();
+    ["toml", "json", "npz", "rrd"].iter().any(|it| ending.eq_ignore_ascii_case(it))
 }
 
 impl<E: Extent> FromArgMatches for Scene<E> {

@@ -7,20 +7,21 @@ use super::output::{write_json, write_rows};
 use super::subject::along_axes;
 use super::wrote::wrote;
 use anyhow::Result;
+use asperity::Grid;
 use asperity::files::check_named;
-use asperity::setup::Cost;
-use asperity::surface::{Roughness, write_heights};
+use asperity::setup::{Cost, Recipe};
+use asperity::surface::{Field, Measurement, Roughness, write_heights};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Fields that a surface takes while it is made and written: heights, spectrum, and the heights as given.
 const FIELDS: f64 = 3.0;
 
 const EXAMPLES: &str = "\
 Examples:
-  asperity surface --height profile.txt --size 160um --detrend plane --out flat.npy
+  asperity surface patch.x3p --fill harmonic --detrend curvature --out flat.npy
   asperity surface --indenter sphere --radius 1mm --points 256,256 --size 100um --json";
 
 #[derive(Args)]
@@ -41,17 +42,42 @@ pub struct Describe {
 struct Statistics {
     /// The parts of the surface, such as a file, in words.
     source: String,
+    /// What the file of heights says.
+    #[serde(flatten)]
+    origin: Option<Origin>,
     points: Vec<usize>,
     size: Vec<f64>,
     /// Distances of rows and columns, or of the nodes of a line.
     spacing: Vec<f64>,
-    /// Jumps across the period along the same axes.
-    jump_in_rms_steps: Vec<f64>,
+    /// What the steps of the preparation came to.
+    steps: Vec<String>,
+    voids: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
+    /// What there is to say of heights without voids.
+    #[serde(flatten)]
+    whole: Option<Whole>,
+    warnings: Vec<String>,
+}
+
+/// What a file of heights says of itself.
+#[derive(Serialize)]
+struct Origin {
+    format: &'static str,
+    channels: Vec<String>,
+    channel: String,
+    /// Whether the file says its units, and lengths are metres.
+    is_in_metres: bool,
+    header: Vec<(String, String)>,
+}
+
+/// The statistics of heights without voids.
+#[derive(Serialize)]
+struct Whole {
+    /// Jumps across the period along y and x, or of a line along it.
+    jump_in_rms_steps: Vec<f64>,
     #[serde(flatten)]
     roughness: Roughness,
-    warnings: Vec<String>,
 }
 
 impl Describe {
@@ -63,22 +89,11 @@ impl Describe {
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
         Cost::of_fields(&grid, FIELDS).check("a surface")?;
-        let (surface, rank) = (recipe.surface(grid)?, recipe.rank(&cell)?);
+        let rank = recipe.rank(&cell)?;
+        let (statistics, height) = describe(&recipe, &grid, 2 - rank)?;
         if let Some(path) = &self.out {
-            let height = surface.heights_as_given();
             write_heights(path, if rank == 1 { height.row(0).into_dyn() } else { height.view().into_dyn() })?;
         }
-        let outer = 2 - rank;
-        let statistics = Statistics {
-            points: grid.shape()[outer..].to_vec(),
-            source: recipe.description(),
-            size: grid.size()[outer..].to_vec(),
-            spacing: grid.spacing()[outer..].to_vec(),
-            jump_in_rms_steps: surface.jumps()[outer..].to_vec(),
-            seed: surface.seed(),
-            roughness: Roughness::of(&surface),
-            warnings: caution::of_surface(&recipe, &surface),
-        };
         if self.json {
             write_json(&statistics, &mut stdout())?
         } else {
@@ -90,19 +105,83 @@ impl Describe {
     }
 }
 
+/// The statistics of a surface from an axis on, and its heights, NaN where they are void.
+fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, Field)> {
+    let read = |path: &PathBuf| -> Result<_> { Ok((Origin::read(path, recipe)?, recipe.prepared(path, grid)?)) };
+    let (origin, prepared) = recipe.height.as_ref().map(read).transpose()?.unzip();
+    let voids = prepared.as_ref().map_or(0, |it| it.scan.voids());
+    let mut statistics = Statistics {
+        source: recipe.description(),
+        warnings: origin.iter().filter_map(|it| it.unit_warning(recipe)).collect(),
+        origin,
+        points: grid.shape()[outer..].to_vec(),
+        size: grid.size()[outer..].to_vec(),
+        spacing: grid.spacing()[outer..].to_vec(),
+        steps: prepared.as_ref().map(|it| it.told.clone()).unwrap_or_default(),
+        voids,
+        seed: recipe.spectrum.map(|_| recipe.seed()),
+        whole: None,
+    };
+    if let Some(prepared) = prepared.filter(|_| voids > 0) {
+        statistics.warnings.push(caution::of_voids(voids, grid.len()));
+        return Ok((statistics, prepared.scan.height));
+    }
+    let surface = recipe.surface(*grid)?;
+    let (jump_in_rms_steps, roughness) = (surface.jumps()[outer..].to_vec(), Roughness::of(&surface));
+    statistics.whole = Some(Whole { jump_in_rms_steps, roughness });
+    statistics.warnings.extend(caution::of_surface(recipe, &surface));
+    Ok((statistics, surface.heights_as_given()))
+}
+
+impl Origin {
+    fn read(path: &Path, recipe: &Recipe) -> Result<Self> {
+        let Measurement { format, channels, channel, is_in_metres, header, .. } =
+            Measurement::read(path, recipe.channel.as_deref())?;
+        Ok(Self { format, channels, channel, is_in_metres, header })
+    }
+
+    /// The warning that lengths are in a unit that nobody knows.
+    fn unit_warning(&self, recipe: &Recipe) -> Option<String> {
+        let is_known = self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy";
+        (!is_known).then(|| {
+            "the file does not say its units, so that its heights are taken as they are: give them by --file-unit, such as 1um".into()
+        })
+    }
+
+    fn rows(&self) -> Vec<(String, String)> {
+        let unit = if self.is_in_metres { "metres" } else { "not said by the file" };
+        let channel = match self.channels.as_slice() {
+            [one] => one.clone(),
+            all => format!("{}, one of {}: choose by --channel", self.channel, all.join(", ")),
+        };
+        let rows = [("format", self.format.to_owned()), ("channel", channel), ("lengths", unit.to_owned())];
+        rows.map(|(name, value)| (name.to_owned(), value)).into_iter().chain(self.header.clone()).collect()
+    }
+}
+
 impl Statistics {
     fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        writeln!(out, "{}", self.source)?;
+        write_rows(self.origin.iter().flat_map(Origin::rows), out)?;
         let join = |values: Vec<String>| values.join(" x ");
-        let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } = self.roughness;
-        let number = |value: f64| format!("{value:.6e}");
         let rows = [
             ("points", join(self.points.iter().map(usize::to_string).collect())),
             ("size", join(self.size.iter().map(f64::to_string).collect())),
             ("spacing", along_axes(&self.spacing, number)),
-            (
-                "jump across the period",
-                format!("{} rms steps", along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"))),
-            ),
+            ("voids", self.voids.to_string()),
+        ];
+        write_rows(rows.map(|(name, value)| (name.to_owned(), value)), out)?;
+        write_rows(self.steps.iter().map(|step| ("prepared".to_owned(), step.clone())), out)?;
+        write_rows(self.whole.iter().flat_map(Whole::rows), out)
+    }
+}
+
+impl Whole {
+    fn rows(&self) -> Vec<(String, String)> {
+        let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } = self.roughness;
+        let jumps = along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"));
+        let rows = [
+            ("jump across the period", format!("{jumps} rms steps")),
             ("rms height", number(rms_height)),
             ("rms gradient", number(rms_gradient)),
             ("rms curvature", number(rms_curvature)),
@@ -111,7 +190,10 @@ impl Statistics {
             ("skewness", number(skewness)),
             ("kurtosis", number(kurtosis)),
         ];
-        writeln!(out, "{}", self.source)?;
-        write_rows(rows.map(|(name, value)| (name.to_owned(), value)), out)
+        rows.map(|(name, value)| (name.to_owned(), value)).into()
     }
+}
+
+fn number(value: f64) -> String {
+    format!("{value:.6e}")
 }

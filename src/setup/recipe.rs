@@ -76,18 +76,23 @@ impl Recipe {
         Ok(self.files().next().map(|path| Layout::read(path, self.channel.as_deref())).transpose()?)
     }
 
-    /// Checks that both files of heights have the same shape, and that what is said of files is said of one.
+    /// Checks that both files of heights have the same shape, that their positions are even or made so, and that what is said of files is
+    /// said of one.
     fn check_files(&self) -> Result<(), SetupError> {
         if !self.is_measured() && (self.channel.is_some() || self.file_unit.is_some() || !self.prepare.is_none()) {
             return Err(SetupError::PreparationWithoutHeights);
         }
-        let (Some(_), Some(path)) = (&self.height, &self.against) else { return Ok(()) };
-        let first = self.layout()?.map_or([0; 2], |it| it.shape);
-        let other = Layout::read(path, self.channel.as_deref())?.shape;
+        let layouts = self.files().map(|path| Ok((path, Layout::read(path, self.channel.as_deref())?)));
+        let layouts = layouts.collect::<Result<Vec<_>, SetupError>>()?;
+        if let Some((path, _)) = layouts.iter().find(|(_, it)| !it.is_even && self.prepare.resample.is_none()) {
+            return Err(SetupError::Uneven { path: path.to_path_buf() });
+        }
+        let [(_, first), (path, other)] = layouts.as_slice() else { return Ok(()) };
+        let [first, other] = [first.shape, other.shape];
         if other == first {
             Ok(())
         } else {
-            Err(SetupError::Against { path: path.clone(), found: other.into(), expected: first.into() })
+            Err(SetupError::Against { path: path.to_path_buf(), found: other.into(), expected: first.into() })
         }
     }
 
@@ -97,8 +102,10 @@ impl Recipe {
     /// # Errors
     /// For a file that cannot be read, points beside those of a file, lengths that nobody says, and as [`Cell::grid`].
     pub fn grid(&self, cell: &Cell) -> Result<Grid, SetupError> {
+        if self.is_measured() && !cell.points.is_empty() {
+            return Err(SetupError::PointsOfFile);
+        }
         match self.layout()? {
-            Some(_) if !cell.points.is_empty() => Err(SetupError::PointsOfFile),
             Some(layout) => {
                 let [dy, dx] = self.spacing(&layout, cell)?;
                 let [ny, nx] = self.prepare.shape(layout.shape)?;

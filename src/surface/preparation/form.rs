@@ -35,14 +35,15 @@ impl Form {
         let points: Vec<_> = scan.points().into_iter().map(|(place, h)| (place, h / half)).collect();
         let [z0, zy, zx, zxy, zyy, zxx] = linear(points.iter().map(|(place, h)| (legendre(*place), *h)));
         let bend = Bend { slope: [zy, zx], second: [3.0 * zyy, 3.0 * zxx], mixed: zxy };
+        let is_line = scan.shape()[0] == 1;
         let (curvature, form): (f64, Box<dyn Fn([f64; 2]) -> f64>) = match self {
-            Self::Sphere => {
-                let fitted = nearest(bend.sphere(z0)?, &points, sphere)?;
-                (fitted[3], Box::new(move |place| sphere(&fitted, place).map_or(f64::NAN, |it| it.0)))
-            }
-            Self::Cylinder => {
+            Self::Cylinder if !is_line => {
                 let fitted = nearest(bend.cylinder(z0)?, &points, cylinder)?;
                 (fitted[2], Box::new(move |place| cylinder(&fitted, place).map_or(f64::NAN, |it| it.0)))
+            }
+            _ => {
+                let fitted = nearest(bend.sphere(z0)?, &points, sphere)?;
+                (fitted[3], Box::new(move |place| sphere(&fitted, place).map_or(f64::NAN, |it| it.0)))
             }
         };
         (curvature.abs() > FLAT).then(|| (scan.less(|place| half * form(place)), -half / curvature))

@@ -4,8 +4,8 @@ use super::Scan;
 use crate::chunks;
 use std::f64::consts::{LN_2, PI};
 
-/// Where the weights of the filter are cut off, in cut-off wavelengths: they are 4e-7 of the largest there.
-const REACH: f64 = 0.85;
+/// Where the weights of the filter are cut off, in cut-off wavelengths: they are 1e-9 of the largest there.
+const REACH: f64 = 1.2;
 
 impl Scan {
     /// The long waves of the heights, by the Gaussian filter of ISO 16610-21 (profiles) and 16610-61 (maps).
