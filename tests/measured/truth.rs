@@ -75,3 +75,18 @@ fn reads(name: &str) {
 fn sdf() {
     reads("sdf-1.sdf");
 }
+
+#[test]
+fn netcdf() {
+    reads("nc-1.nc");
+}
+
+#[test]
+fn sur() {
+    reads("sur-2.sur");
+}
+
+#[test]
+fn x3p() {
+    reads("x3p-2.x3p");
+}

@@ -1,22 +1,34 @@
 //! Files of heights and other fields, told apart by their content.
 
 #[cfg(feature = "instruments")]
+mod axis;
+#[cfg(feature = "instruments")]
 mod bytes;
+#[cfg(feature = "instruments")]
+mod cdf;
 #[cfg(feature = "instruments")]
 mod channel;
 mod format;
 #[cfg(feature = "instruments")]
+mod gwy;
+#[cfg(feature = "instruments")]
 mod instrument;
 #[cfg(feature = "instruments")]
 mod measurement;
+#[cfg(feature = "instruments")]
+mod netcdf;
 mod npy;
 mod npz;
 mod profile;
 #[cfg(feature = "instruments")]
 mod sdf;
+#[cfg(feature = "instruments")]
+mod sur;
 mod text;
 #[cfg(feature = "instruments")]
 mod unit;
+#[cfg(feature = "instruments")]
+mod x3p;
 
 #[cfg(feature = "instruments")]
 pub use measurement::Measurement;
@@ -35,7 +47,8 @@ const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 
 /// All formats of instruments; none is taken for another.
 #[cfg(feature = "instruments")]
-const INSTRUMENTS: [instrument::Instrument; 1] = [sdf::INSTRUMENT];
+const INSTRUMENTS: [instrument::Instrument; 5] =
+    [gwy::INSTRUMENT, netcdf::INSTRUMENT, sdf::INSTRUMENT, sur::INSTRUMENT, x3p::INSTRUMENT];
 
 /// Heights of a line or a surface.
 const HEIGHTS: Wanted = Wanted { name: "height", ranks: 1..=2 };
