@@ -233,7 +233,7 @@ impl Variable {
     }
 
     /// Its value at a place of its bytes, none where it is void.
-    pub fn values(&self) -> impl Fn(&[u8], usize) -> Option<f64> + 'static {
+    pub fn values(&self) -> impl Fn(&[u8], usize) -> Option<f64> + use<> {
         let void = ["_FillValue", "missing_value"].map(|name| self.number(name));
         let [scale, offset] = [self.number("scale_factor").unwrap_or(1.0), self.number("add_offset").unwrap_or(0.0)];
         let kind = self.kind;

@@ -67,7 +67,7 @@ impl<'a> File<'a> {
         let across = if is_profile { x.step } else { y.step.map(|it| it * factor) };
         let unit = variable.unit();
         let number = self.numbers(variable)?;
-        let turned = move |i: usize| i % columns * rows + i / columns;
+        let turned = move |i: usize| i % rows * columns + i / rows;
         let shape = if is_turned { [columns, rows] } else { [rows, columns] };
         let is_uneven = !is_profile && (x.uneven.is_some() || y.uneven.is_some());
         let values = move || match is_uneven {

@@ -75,8 +75,8 @@ impl<'a> Points<'a> {
                 let mut bytes = Vec::new();
                 for (stream, length) in streams {
                     let length = count.saturating_sub(bytes.len()).min(length as usize);
-                    let stream = ZlibDecoder::new(stream).take(length as u64).read_to_end(&mut bytes);
-                    stream.map_err(|error| malformed(format!("its points cannot be unpacked: {error}")))?;
+                    unpack(stream, length as u64, &mut bytes)
+                        .map_err(|error| malformed(format!("its points cannot be unpacked: {error}")))?;
                 }
                 Ok(bytes.into())
             }
@@ -208,6 +208,16 @@ fn plain<'a>(at: &mut Bytes<'a>, shape: [i64; 2], size: usize, depth: usize) -> 
     let size = size.saturating_mul(depth);
     let [ny, nx] = nodes(shape[0], shape[1], size, at.rest().len())?;
     Ok(Points::Plain(at.take(ny * nx * size)?))
+}
+
+/// Unpacks so many bytes of a stream, and reads on behind them: check sums are compared at the end.
+fn unpack(stream: &[u8], length: u64, bytes: &mut Vec<u8>) -> io::Result<()> {
+    let mut stream = ZlibDecoder::new(stream);
+    stream.by_ref().take(length).read_to_end(bytes)?;
+    match stream.read(&mut [0])? {
+        0 => Ok(()),
+        _ => Err(malformed(format!("a stream has more than the {length} bytes that are expected"))),
+    }
 }
 
 /// The number in two or four bytes.

@@ -139,7 +139,7 @@ impl Surface {
             (false, _, [Some(_), _, _] | [_, Some(_), _]) => {
                 Err(malformed("it holds a surface whose axes CX and CY are not both incremental"))
             }
-            (true, [rows @ 2.., _], _) => Err(malformed(format!("it holds a profile in {rows} rows"))),
+            (true, [rows, _], _) if rows > 1 => Err(malformed(format!("it holds a profile in {rows} rows"))),
             _ => Ok(self),
         }
     }
@@ -227,7 +227,8 @@ fn shape(record: Node, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
     let [columns, rows, layers] = match number(record, "ListDimension")? {
         Some(points) => [points, 1, 1],
         None => {
-            let along = |axis: &str| Ok(number(record, &format!("MatrixDimension/Size{axis}"))?.unwrap_or(0));
+            let along =
+                |axis: &str| io::Result::Ok(number(record, &format!("MatrixDimension/Size{axis}"))?.unwrap_or(0));
             [along("X")?, along("Y")?, along("Z")?]
         }
     };
