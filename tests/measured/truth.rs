@@ -107,3 +107,18 @@ fn texts() {
 fn sdf() {
     reads("sdf-1.sdf");
 }
+
+#[test]
+fn netcdf() {
+    reads("nc-1.nc");
+}
+
+#[test]
+fn sur() {
+    reads("sur-2.sur");
+}
+
+#[test]
+fn x3p() {
+    reads("x3p-2.x3p");
+}

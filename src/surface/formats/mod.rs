@@ -1,11 +1,16 @@
 //! Files of heights and other fields, told apart by their content.
 
+#[cfg(feature = "instruments")]
+mod axis;
 mod bytes;
+mod cdf;
 mod channel;
 mod format;
+mod gwy;
 mod instrument;
 mod layout;
 mod measurement;
+mod netcdf;
 mod npy;
 mod npz;
 mod numbers;
@@ -13,9 +18,13 @@ mod points;
 mod profile;
 mod remarks;
 mod sdf;
+#[cfg(feature = "instruments")]
+mod sur;
 mod table;
 mod text;
 mod unit;
+#[cfg(feature = "instruments")]
+mod x3p;
 
 pub use layout::Layout;
 pub use measurement::Measurement;
@@ -34,7 +43,16 @@ use std::path::Path;
 const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 
 /// All formats of instruments, of which the first that fits is taken: texts of numbers come last.
-const INSTRUMENTS: &[Instrument] = &[sdf::INSTRUMENT, numbers::INSTRUMENT];
+const INSTRUMENTS: &[Instrument] = &[
+    gwy::INSTRUMENT,
+    netcdf::INSTRUMENT,
+    sdf::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    sur::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    x3p::INSTRUMENT,
+    numbers::INSTRUMENT,
+];
 
 /// Heights of a line or a surface.
 const HEIGHTS: Wanted = Wanted { name: "height", ranks: 1..=2 };

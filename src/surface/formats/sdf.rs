@@ -60,8 +60,7 @@ impl Header {
 fn text(bytes: &[u8]) -> io::Result<Channel<'_>> {
     let text = latin(bytes);
     let mut parts = text.splitn(3, '*');
-    let head = parts.next().unwrap_or_default();
-    let data = parts.next().unwrap_or_default().to_owned();
+    let (head, data) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default().to_owned());
     let header: Vec<(String, String)> = head
         .lines()
         .filter_map(|line| line.split_once('='))

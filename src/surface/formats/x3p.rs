@@ -1,0 +1,251 @@
+//! Surfaces and profiles in archives with a description in XML.
+
+use super::axis::{Axis, Kind, child, find, number};
+use super::bytes::{latin, nodes};
+use super::channel::Channel;
+use super::format::malformed;
+use super::instrument::Instrument;
+use roxmltree::{Document, Node};
+use std::io::{self, BufReader, Cursor, Read};
+use zip::ZipArchive;
+
+/// An archive whose `main.xml` describes three axes and the numbers of points along them, and holds the points as a list or names a file
+/// of the archive with them, x fastest, then y, the least significant byte first. Only coordinates along absolute axes are stored, and
+/// a coordinate in metres is offset plus number times increment. Void points are NaN, empty in a list, or those whose bit in a file of
+/// valid points, the least significant bit first, is zero. Check sums are those of the archive; those in MD5 are not looked at.
+///
+/// # Source
+/// ISO 25178-72:2017 and ISO 5436-2:2012, and the published schema and descriptions of openGPS. Layers, point clouds and surfaces that are
+/// not on a grid are refused.
+pub(super) const INSTRUMENT: Instrument = Instrument { name: "ISO 25178-72 (X3P)", is_it, channels };
+
+/// The name of the description.
+const MAIN: &str = "main.xml";
+/// Bytes that a byte of an archive can stand for at most: the limit of its compression.
+const LARGEST_RATIO: usize = 1032;
+/// Bytes of a description that a byte of an archive may stand for: many more make a document that is larger than anything of use.
+const TEXT_RATIO: u64 = 64;
+/// Attributes of a description at most: the time that it takes to compare them grows with their square.
+const ATTRIBUTES: usize = 1024;
+/// Entries of a record, and of one of its entries, that are shown.
+const SHOWN: usize = 64;
+/// Bytes that every description may have.
+const TEXT: u64 = 1 << 16;
+
+fn is_it(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04") && bytes.windows(MAIN.len()).any(|it| it == MAIN.as_bytes())
+}
+
+/// An archive in the bytes of a file.
+type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
+
+/// The error of an archive.
+fn damaged(error: impl std::fmt::Display) -> io::Error {
+    malformed(format!("it is an archive that cannot be unpacked: {error}"))
+}
+
+fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
+    let mut archive: Archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
+    let text = description(&mut archive, bytes.len() as u64)?;
+    let document = Document::parse(&text)
+        .map_err(|error| malformed(format!("it holds a {MAIN} that cannot be understood: {error}")))?;
+    let root = document.root_element();
+    let surface = Surface::new(root, bytes.len().saturating_mul(LARGEST_RATIO))?;
+    Ok(vec![surface.channel(archive, header(root))?])
+}
+
+/// The text of the description.
+fn description(archive: &mut Archive, length: u64) -> io::Result<String> {
+    let limit = TEXT + TEXT_RATIO.saturating_mul(length);
+    let mut text = Vec::new();
+    archive.by_name(MAIN).map_err(damaged)?.take(limit).read_to_end(&mut text).map_err(damaged)?;
+    if text.len() as u64 == limit {
+        return Err(malformed(format!("it holds a {MAIN} of more than {limit} bytes")));
+    }
+    match text.iter().filter(|byte| **byte == b'=').count() {
+        ..=ATTRIBUTES => Ok(latin(&text)),
+        count => Err(malformed(format!("it holds a {MAIN} with {count} attributes, more than {ATTRIBUTES}"))),
+    }
+}
+
+/// The first elements in an element.
+fn elements<'a, 'b>(node: &Node<'a, 'b>) -> impl Iterator<Item = Node<'a, 'b>> {
+    node.children().filter(Node::is_element).take(SHOWN)
+}
+
+/// What the description says of the measurement.
+fn header(root: Node) -> Vec<(String, String)> {
+    let entry = |prefix: &str, node: Node| {
+        let value = node.text().unwrap_or_default().trim();
+        (!value.is_empty()).then(|| (format!("{prefix}{}", node.tag_name().name()), value.to_owned()))
+    };
+    let pair = |path: &str| Some((path.rsplit_once('/')?.1.to_owned(), find(root, path)?.to_owned()));
+    let mut header: Vec<_> = ["Record1/Revision", "Record1/FeatureType"].into_iter().filter_map(pair).collect();
+    for node in child(root, "Record2").iter().flat_map(elements) {
+        header.extend(entry("", node));
+        let prefix = format!("{}/", node.tag_name().name());
+        header.extend(elements(&node).filter_map(|it| entry(&prefix, it)));
+    }
+    header
+}
+
+/// Where the points are.
+enum Points {
+    /// In the description: one text for each.
+    List(Vec<String>),
+    /// In files of the archive of these names: coordinates and valid points.
+    Files(String, Option<String>),
+}
+
+/// A surface or profile as the description has it.
+struct Surface {
+    is_profile: bool,
+    shape: [usize; 2],
+    axes: [Axis; 3],
+    points: Points,
+}
+
+impl Surface {
+    /// The surface of a description whose archive unpacks to so many bytes at most.
+    fn new(root: Node, bytes: usize) -> io::Result<Self> {
+        let missing = |what: &str| malformed(format!("its {MAIN} has no {what}"));
+        let record = |name: &str| child(root, name).ok_or_else(|| missing(name));
+        let [first, third] = [record("Record1")?, record("Record3")?];
+        let feature = find(first, "FeatureType").unwrap_or_default();
+        let is_profile = feature == "PRF";
+        if !is_profile && feature != "SUR" {
+            return Err(malformed(format!("it holds {feature:?}, which is no surface (SUR) and no profile (PRF)")));
+        }
+        let axes = child(first, "Axes").ok_or_else(|| missing("Axes"))?;
+        let axes = [Axis::new(axes, "CX")?, Axis::new(axes, "CY")?, Axis::new(axes, "CZ")?];
+        let points = match (find(third, "DataLink/PointDataLink"), child(third, "DataList")) {
+            (Some(link), _) => Points::Files(link.into(), find(third, "DataLink/ValidPointsLink").map(str::to_owned)),
+            (None, Some(list)) => Points::List(data(list)),
+            (None, None) => return Err(missing("DataLink and no DataList")),
+        };
+        let size: usize = axes.iter().filter_map(|it| it.kind).map(Kind::size).sum();
+        let shape = match points {
+            Points::List(ref list) => shape(third, 1, list.len())?,
+            Points::Files(..) => shape(third, size.max(1), bytes)?,
+        };
+        let surface = Self { is_profile, shape, axes, points };
+        surface.checked()
+    }
+
+    /// The same surface if it is one that is read here.
+    fn checked(self) -> io::Result<Self> {
+        match (self.is_profile, self.shape, self.axes.map(|it| it.kind)) {
+            (_, _, [_, _, None]) => Err(malformed("its axis CZ is incremental and has no heights")),
+            (false, _, [Some(_), _, _] | [_, Some(_), _]) => {
+                Err(malformed("it holds a surface whose axes CX and CY are not both incremental"))
+            }
+            (true, [rows, _], _) if rows > 1 => Err(malformed(format!("it holds a profile in {rows} rows"))),
+            _ => Ok(self),
+        }
+    }
+
+    /// The channel of the surface; positions of a profile that is not even are read at once.
+    fn channel(self, mut archive: Archive<'_>, header: Vec<(String, String)>) -> io::Result<Channel<'_>> {
+        let [x, y, _] = self.axes;
+        let (shape, is_profile) = (self.shape, self.is_profile);
+        let positions = x.kind.is_some().then(|| self.coordinates(&mut archive, 0)).transpose()?;
+        let spacing = [if is_profile { x } else { y }, x].map(|it| it.increment);
+        let spacing = positions.is_none().then_some(spacing);
+        let values = move || self.coordinates(&mut archive, 2);
+        let [lateral_unit, unit] = [Some(1.0); 2];
+        Ok(Channel {
+            is_profile,
+            positions,
+            spacing,
+            lateral_unit,
+            unit,
+            header,
+            ..Channel::map("height", shape, values)
+        })
+    }
+
+    /// The coordinates of all points along an absolute axis, NaN for void points.
+    fn coordinates(&self, archive: &mut Archive, axis: usize) -> io::Result<Vec<f64>> {
+        match &self.points {
+            Points::List(list) => list.iter().take(self.count()).map(|point| self.listed(point, axis)).collect(),
+            Points::Files(link, valid) => {
+                let mut coordinates = self.stored(archive, link, axis)?;
+                if let Some(valid) = valid.as_ref().filter(|it| !it.is_empty()) {
+                    blank(archive, valid, &mut coordinates)?;
+                }
+                Ok(coordinates)
+            }
+        }
+    }
+
+    /// The number of points.
+    fn count(&self) -> usize {
+        self.shape[0] * self.shape[1]
+    }
+
+    /// The coordinate of a point of a list along an absolute axis.
+    fn listed(&self, point: &str, axis: usize) -> io::Result<f64> {
+        if point.is_empty() {
+            return Ok(f64::NAN);
+        }
+        let place = self.axes.iter().take(axis).filter(|it| it.kind.is_some()).count();
+        let wrong = || malformed(format!("it holds the point {point:?}, which is not as its axes are"));
+        let number = point.split(';').nth(place).and_then(|it| it.trim().parse().ok()).ok_or_else(wrong)?;
+        Ok(self.axes[axis].metres(number))
+    }
+
+    /// The coordinates along an absolute axis in a file of the archive.
+    fn stored(&self, archive: &mut Archive, link: &str, axis: usize) -> io::Result<Vec<f64>> {
+        let sizes = self.axes.map(|it| it.kind.map_or(0, Kind::size));
+        let (before, size): (usize, usize) = (sizes.iter().take(axis).sum(), sizes.iter().sum());
+        let kind = self.axes[axis].kind.ok_or_else(|| malformed("its heights are not stored"))?;
+        let mut file = BufReader::new(archive.by_name(link).map_err(damaged)?);
+        let mut point = [0; 24];
+        let mut next = || {
+            file.read_exact(&mut point[..size]).map_err(damaged)?;
+            Ok(self.axes[axis].metres(kind.number(&point[before..size])?))
+        };
+        let coordinates = (0..self.count()).map(|_| next()).collect::<io::Result<_>>()?;
+        ended(file)?;
+        Ok(coordinates)
+    }
+}
+
+/// Reads on behind the last point: an archive compares its check sum at the end of a file.
+fn ended(mut file: impl Read) -> io::Result<()> {
+    file.read(&mut [0]).map(|_| ()).map_err(damaged)
+}
+
+/// The points of a list.
+fn data(list: Node) -> Vec<String> {
+    let data = list.children().filter(|it| it.tag_name().name() == "Datum");
+    data.map(|it| it.text().unwrap_or_default().trim().to_owned()).collect()
+}
+
+/// Rows and columns, so many that their points, each of `size` bytes, fit into `bytes`.
+fn shape(record: Node, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
+    let [columns, rows, layers] = match number(record, "ListDimension")? {
+        Some(points) => [points, 1, 1],
+        None => {
+            let along =
+                |axis: &str| io::Result::Ok(number(record, &format!("MatrixDimension/Size{axis}"))?.unwrap_or(0));
+            [along("X")?, along("Y")?, along("Z")?]
+        }
+    };
+    match layers {
+        0 | 1 => nodes(rows, columns, size, bytes),
+        _ => Err(malformed(format!("it holds {layers} layers, not one surface"))),
+    }
+}
+
+/// Makes those coordinates void whose bit in a file of the archive is zero.
+fn blank(archive: &mut Archive, link: &str, coordinates: &mut [f64]) -> io::Result<()> {
+    let mut file = BufReader::new(archive.by_name(link).map_err(damaged)?);
+    for part in coordinates.chunks_mut(8) {
+        let mut bits = [0];
+        file.read_exact(&mut bits).map_err(damaged)?;
+        let void = part.iter_mut().enumerate().filter(|(i, _)| bits[0] >> i & 1 == 0);
+        void.for_each(|(_, coordinate)| *coordinate = f64::NAN);
+    }
+    ended(file)
+}

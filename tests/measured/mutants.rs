@@ -1,0 +1,108 @@
+//! Files with errors in them: whatever they are, they are read or refused, soon and in little memory.
+
+use crate::writers::{ALL, x3p};
+use asperity::surface::Measurement;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
+use std::time::{Duration, Instant};
+
+/// Mutants of each file; the environment variable `MUTANTS` sets another number.
+const COUNT: usize = 400;
+/// The time that a file may take.
+const LONGEST: Duration = Duration::from_secs(1);
+/// Bytes by which the memory of this process may grow: many times what all small files need together.
+const LARGEST: u64 = 2 << 30;
+
+/// Numbers that counts and places in headers are replaced by.
+const NUMBERS: [u64; 12] = [
+    0,
+    1,
+    0x7f,
+    0xff,
+    0x7fff,
+    0xffff,
+    0x7fff_ffff,
+    0xffff_ffff,
+    0x7fff_ffff_ffff_ffff,
+    0xffff_ffff_ffff_ffff,
+    0x4000_0000,
+    0x0100_0000_0000,
+];
+
+fn count() -> usize {
+    std::env::var("MUTANTS").ok().and_then(|count| count.parse().ok()).unwrap_or(COUNT)
+}
+
+/// Replaces bytes at a place by a number, in either order of bytes.
+fn replace(file: &mut [u8], at: usize, random: &mut ChaCha8Rng) {
+    let (number, size) = (NUMBERS[random.random_range(0..NUMBERS.len())], [1, 2, 4, 8][random.random_range(0..4)]);
+    let bytes = if random.random() { number.to_le_bytes() } else { number.rotate_right(8 * size as u32).to_be_bytes() };
+    file[at..].iter_mut().zip(&bytes[..size]).for_each(|(old, new)| *old = *new);
+}
+
+/// Changes a file in one place.
+fn change(file: &mut Vec<u8>, random: &mut ChaCha8Rng) {
+    let reach = if random.random() { file.len() } else { file.len().min(1024) };
+    let at = random.random_range(0..reach.max(1));
+    match random.random_range(0..6) {
+        _ if file.is_empty() => file.push(random.random()),
+        0 => file[at] ^= 1 << random.random_range(0..8),
+        1 => file[at] = random.random(),
+        2 => file.truncate(at),
+        3 => drop(file.splice(at..at, (0..random.random_range(1..20)).map(|i| i as u8).collect::<Vec<_>>())),
+        4 => drop(file.drain(at..(at + random.random_range(1..20)).min(file.len()))),
+        _ => replace(file, at, random),
+    }
+}
+
+/// A file with one to three changes.
+fn mutant(file: &[u8], random: &mut ChaCha8Rng) -> Vec<u8> {
+    let mut file = file.to_vec();
+    (0..random.random_range(1..4)).for_each(|_| change(&mut file, random));
+    file
+}
+
+/// Bytes of address space that this process has had at most, where the system says.
+fn memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmPeak:"))?;
+    line.split_whitespace().next()?.parse::<u64>().ok().map(|kilobytes| kilobytes << 10)
+}
+
+/// Reads mutants and says how many are read, and how long the slowest one took.
+fn survive(name: &str, seed: u64, make: impl Fn(&mut ChaCha8Rng) -> Vec<u8>) {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let (before, mut read, mut slowest) = (memory(), 0, Duration::ZERO);
+    for i in 0..count() {
+        let file = make(&mut random);
+        let start = Instant::now();
+        match Measurement::of(&file, None) {
+            Ok(_) => read += 1,
+            Err(error) => assert!(error.kind() == std::io::ErrorKind::InvalidData, "{name}, mutant {i}: {error}"),
+        }
+        slowest = slowest.max(start.elapsed());
+        assert!(slowest < LONGEST, "{name}, mutant {i}: {slowest:?}");
+    }
+    let grown = memory().zip(before).map_or(0, |(after, before)| after - before);
+    println!("{name}: {read} of {} mutants are read, the slowest in {slowest:?}, {} MB more", count(), grown >> 20);
+    assert!(grown < LARGEST, "{name}: {grown} bytes more");
+}
+
+#[test]
+fn files_with_errors_do_no_harm() {
+    for (seed, (name, file)) in ALL.iter().enumerate() {
+        let file = file();
+        assert!(Measurement::of(&file, None).is_ok(), "{name}");
+        survive(name, seed as u64, |random| mutant(&file, random));
+    }
+}
+
+#[test]
+fn archives_of_files_with_errors_do_no_harm() {
+    let (main, points) = x3p::doubles();
+    survive("x3p of a wrong description", 100, |random| x3p::archive(&mutant(main.as_bytes(), random), &points, &[]));
+    let valid = main.replace("</DataLink>", "<ValidPointsLink>bindata/valid.bin</ValidPointsLink></DataLink>");
+    survive("x3p of wrong points", 101, |random| {
+        x3p::archive(valid.as_bytes(), &mutant(&points, random), &mutant(&[0xff; 3], random))
+    });
+}

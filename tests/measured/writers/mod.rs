@@ -1,0 +1,43 @@
+//! Small files of instruments, written here after the formats' descriptions.
+
+pub mod gwy;
+pub mod netcdf;
+pub mod sur;
+pub mod x3p;
+
+/// Rows and columns of the files.
+pub const SHAPE: [usize; 2] = [4, 5];
+/// Row and column of the point that is void.
+pub const VOID: [usize; 2] = [1, 3];
+/// What writes a file.
+pub type Writer = fn() -> Vec<u8>;
+/// All files, by names for people.
+pub const ALL: &[(&str, Writer)] = &[
+    ("gwy", gwy::file),
+    ("netcdf of CDF-1", netcdf::file),
+    ("netcdf of CDF-5", netcdf::wide),
+    ("netcdf of a profile", netcdf::profile),
+    ("sur", sur::file),
+    ("sur of 16 bits", sur::short),
+    ("sur of two compressed objects", sur::packed),
+    ("sur of a profile", sur::profile),
+    ("x3p", x3p::file),
+    ("x3p of integers", x3p::integers),
+    ("x3p of a list", x3p::list),
+    ("x3p of an uneven profile", x3p::profile),
+];
+
+/// The height at a point, a whole number that no other point has.
+pub fn height(ix: usize, iy: usize) -> f64 {
+    (100 + 7 * ix + 40 * iy * iy) as f64
+}
+
+/// Rows and columns of the points, row by row.
+pub fn points() -> impl Iterator<Item = [usize; 2]> {
+    (0..SHAPE[0]).flat_map(|iy| (0..SHAPE[1]).map(move |ix| [iy, ix]))
+}
+
+/// Heights row by row, another one in place of the void point.
+pub fn heights(void: f64) -> impl Iterator<Item = f64> {
+    points().map(move |[iy, ix]| if [iy, ix] == VOID { void } else { height(ix, iy) })
+}
