@@ -117,14 +117,15 @@ fn spacing(surface: &Surface) -> Option<String> {
     })
 }
 
-/// Distances in a file that fit the size in no unit.
+/// Distances in a file that do not fit the size, of a file that does not say its units in none.
 fn spacing_of_file(recipe: &Recipe, path: &Path, surface: &Surface) -> Option<String> {
-    let Layout { spacing, shape, .. } = Layout::read(path, recipe.channel.as_deref()).ok()?;
+    let Layout { spacing, shape, is_in_metres, .. } = Layout::read(path, recipe.channel.as_deref()).ok()?;
     let [_, told] = spacing?;
     let refined = surface.grid().shape()[1] / recipe.prepare.shape(shape).ok()?[1];
     let spacing = surface.grid().spacing()[1] * refined as f64;
     let power = (spacing / told).log10();
-    let is_same = (power - power.round()).abs() < SAME_LENGTH;
+    let unit = if is_in_metres { 0.0 } else { power.round() };
+    let is_same = (power - unit).abs() < SAME_LENGTH;
     (!is_same).then(|| {
         format!(
             "the points in {} are {told:.6e} apart and those of the grid {spacing:.6e}: leave the size out, or give that of the file",

@@ -93,14 +93,25 @@ fn lengths_that_may_be_swapped_and_patches_of_few_nodes_are_told() {
 }
 
 #[test]
-fn positions_that_fit_the_size_in_no_unit_are_told() {
+fn distances_that_fit_the_size_in_no_unit_are_told() {
     let folder = Folder::new();
     let rows: String = (0..100).map(|i| format!("{},{}\n", 0.25 * i as f64, (i as f64 * 0.2).sin())).collect();
-    std::fs::write(folder.join("h.csv"), format!("x (um),z (um)\n{rows}")).unwrap();
-    for (size, is_told) in [("25", false), ("24.75", false), ("25e-6", false), ("40um", true)] {
-        let output = folder.run(&format!("surface --height h.csv --size {size}"));
-        let words = "the positions in h.csv have a period of 2.500000e1 and the size is 4.000000e-5: give the period as the size";
-        assert_eq!(warnings(&output).contains(&words), is_told, "{size}: {}", text(&output.stderr));
+    std::fs::write(folder.join("plain.csv"), format!("x,z\n{rows}")).unwrap();
+    std::fs::write(folder.join("um.csv"), format!("x (um),z (um)\n{rows}")).unwrap();
+    for (given, is_told) in [
+        ("plain.csv", false),
+        ("plain.csv --size 25", false),
+        ("plain.csv --size 24.75", false),
+        ("plain.csv --size 25e-6", false),
+        ("plain.csv --size 40um", true),
+        ("um.csv", false),
+        ("um.csv --size 25um", false),
+        ("um.csv --size 25", true),
+    ] {
+        let output = folder.run(&format!("surface {given}"));
+        let words = "apart and those of the grid";
+        let told = warnings(&output).iter().any(|it| it.contains(words));
+        assert_eq!(told, is_told, "{given}: {}", text(&output.stderr));
         assert_eq!(output.status.code(), Some(0));
     }
 }
