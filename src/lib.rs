@@ -59,7 +59,7 @@
 //! | 0     | [`quantity`] | lengths and pressures as people write them                                        | (`units`) |
 //! | 1     | [`grid`]     | the grid of lines and surfaces, periodic or free along each axis                  |           |
 //! | 1     | [`fourier`]  | the real transform pair                                                           |           |
-//! | 2     | [`surface`]  | indenters, self-affine roughness, statistics, height files                        |           |
+//! | 2     | [`surface`]  | indenters, self-affine roughness, statistics, measured heights and their preparation | (`instruments`) |
 //! | 2     | [`elastic`]  | solids: half-space, layer, free boundaries; the stress inside                     |           |
 //! | 2     | [`theory`]   | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson       |           |
 //! | 3     | [`contact`]  | the problem, its certificate, solvers, observers, measures and patches            |           |
@@ -74,7 +74,7 @@
 //! | 7     | `explore`    | a page with controls and a live viewer                                            | `explore` |
 //!
 //! Without features the crate is the numerics, with few dependencies. `units` adds lengths and pressures with units and scenes in
-//! JSON; `cli` adds the command line, the layer above all of these.
+//! JSON, `instruments` the formats of measuring instruments that are packed; `cli` adds the command line, the layer above all of these.
 //!
 //! A solver outside the crate can do all that those of the crate do: `examples/minimal_polonsky_keer.rs` builds every
 //! [`contact::Step`], leaves the bookkeeping to a [`contact::Run`], and is watched, certified and recorded.

@@ -80,8 +80,12 @@ impl Preparation {
     pub fn description(&self) -> String {
         let table = toml::Table::try_from(self).unwrap_or_default();
         let step = |name: &str| {
-            let value = table.get(name)?;
-            Some(format!("{} {}", name.replace('-', " "), value.to_string().trim_matches('"')))
+            let value = match table.get(name)? {
+                toml::Value::Float(number) => format!("{number:?}"),
+                toml::Value::String(word) => word.clone(),
+                other => other.to_string(),
+            };
+            Some(format!("{} {value}", name.replace('-', " ")))
         };
         STEPS.into_iter().filter_map(step).collect::<Vec<_>>().join(", ")
     }
