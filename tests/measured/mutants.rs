@@ -106,3 +106,20 @@ fn archives_of_files_with_errors_do_no_harm() {
         x3p::archive(valid.as_bytes(), &mutant(&points, random), &mutant(&[0xff; 3], random))
     });
 }
+
+#[test]
+fn descriptions_that_unpack_to_much_do_no_harm() {
+    let (main, points) = x3p::doubles();
+    let with = |record: &str| main.replace("<Record1>", &format!("<Record1>{record}"));
+    let nested = [5_000, 200_000].map(|depth| with(&["<a>".repeat(depth), "</a>".repeat(depth)].concat()));
+    let flat = [9_000, 1_000_000].map(|count| with(&"<a/>".repeat(count)));
+    let long = main.replace("<Date>", &format!("<{}/><Date>", "a".repeat(50_000)));
+    let descriptions: Vec<String> = nested.into_iter().chain(flat).chain([long]).collect();
+    for description in descriptions {
+        let file = x3p::archive(description.as_bytes(), &points, &[]);
+        let start = Instant::now();
+        let read = Measurement::of(&file, None);
+        assert!(start.elapsed() < LONGEST, "{} bytes", description.len());
+        assert_eq!(read.is_ok(), description.len() < 60_000, "{} bytes: {:?}", description.len(), read.err());
+    }
+}

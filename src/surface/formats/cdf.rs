@@ -241,7 +241,7 @@ impl Variable {
         move |bytes, place| {
             let number = kind.at(bytes, place);
             let is_void = void.contains(&Some(number)) || filled == Some(number);
-            (!is_void).then(|| scale * number + offset)
+            (!is_void).then_some(scale * number + offset)
         }
     }
 

@@ -24,7 +24,7 @@ pub(super) const INSTRUMENT: Instrument = Instrument { name: "Digital Surf (SUR,
 const MAGIC: [&[u8; 12]; 2] = [b"DIGITAL SURF", b"DSCOMPRESSED"];
 /// Bytes that a byte of compressed points can stand for at most.
 const LARGEST_RATIO: usize = 1032;
-/// The kinds of files whose objects all are profiles or surfaces: one, a series, several layers, a contour.
+/// The kinds of files whose objects all are profiles or surfaces: one, a series, several layers.
 const HEIGHTS: [i16; 6] = [1, 2, 4, 5, 7, 8];
 /// The kinds of files whose first object is a surface and whose others are images of it.
 const PICTURED: [i16; 3] = [11, 13, 16];
@@ -106,13 +106,7 @@ struct Object<'a> {
 impl<'a> Object<'a> {
     /// The object at a place, and the place behind it.
     fn new(at: &mut Bytes<'a>) -> io::Result<Self> {
-        let is_packed = match at.take(12)? {
-            magic if magic == MAGIC[0] => false,
-            magic if magic == MAGIC[1] => true,
-            other => {
-                return Err(malformed(format!("it has no object but {:?} at byte {}", latin(other), at.at() - 12)));
-            }
-        };
+        let is_packed = is_packed(at)?;
         let format = at.i16()?;
         if format != 0 {
             return Err(malformed(format!(
@@ -137,8 +131,7 @@ impl<'a> Object<'a> {
         at.take(3 * 16 + 3 * 4)?; // units of lengths, ratios of both kinds of units
         let [replica, inverted, levelled] = [at.i16()?, at.i16()?, at.i16()?];
         at.take(12)?;
-        let [second, minute, hour, day, month, year, _] =
-            [at.i16()?, at.i16()?, at.i16()?, at.i16()?, at.i16()?, at.i16()?, at.i16()?];
+        let date = date(at)?;
         let seconds = at.f32()?;
         at.take(10)?;
         let [comment, private] = [at.u16()?, at.u16()?].map(usize::from);
@@ -147,11 +140,10 @@ impl<'a> Object<'a> {
         at.take(34)?;
         let comment = at.text(comment)?;
         at.take(private)?;
-        let date = format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}");
         let header = [
             ("object", object),
             ("operator", operator),
-            ("date", if year > 0 { date } else { String::new() }),
+            ("date", date),
             ("duration in seconds", known(seconds)),
             ("acquisition", known(acquisition)),
             ("replica", known(replica)),
@@ -201,6 +193,23 @@ impl<'a> Object<'a> {
             ..Channel::map(name, shape, values)
         })
     }
+}
+
+/// Whether the object at a place has compressed points.
+fn is_packed(at: &mut Bytes) -> io::Result<bool> {
+    match at.take(12)? {
+        magic if magic == MAGIC[0] => Ok(false),
+        magic if magic == MAGIC[1] => Ok(true),
+        other => Err(malformed(format!("it has no object but {:?} at byte {}", latin(other), at.at() - 12))),
+    }
+}
+
+/// The date and the time of a measurement, nothing where the year is not known.
+fn date(at: &mut Bytes) -> io::Result<String> {
+    let [second, minute, hour, day, month, year, _] =
+        [at.i16()?, at.i16()?, at.i16()?, at.i16()?, at.i16()?, at.i16()?, at.i16()?];
+    let date = || format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}");
+    Ok(if year > 0 { date() } else { String::new() })
 }
 
 /// Points that are not compressed.
