@@ -1,6 +1,6 @@
 //! Files of instruments: what is read of them, and that none does harm.
 
-mod made;
+mod contained;
 mod mutants;
 mod truth;
-mod writers;
+mod containers;

@@ -1,6 +1,6 @@
 //! Files with errors in them: whatever they are, they are read or refused, soon and in little memory.
 
-use crate::writers::{ALL, x3p};
+use crate::containers::{ALL, x3p};
 use asperity::surface::Measurement;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};

@@ -1,6 +1,6 @@
 //! Small files of every format, read back point by point.
 
-use crate::writers::{self, ALL, SHAPE, VOID, height};
+use crate::containers::{self, ALL, SHAPE, VOID, height};
 use asperity::surface::Measurement;
 
 /// A measurement in a file that is written here.
@@ -56,17 +56,17 @@ fn maps_come_back_as_they_were_written() {
 
 #[test]
 fn x3p_says_where_it_comes_from() {
-    let measured = read(&writers::x3p::file(), Some("height"));
+    let measured = read(&containers::x3p::file(), Some("height"));
     assert_eq!(measured.format, "ISO 25178-72 (X3P)");
     assert_eq!([entry(&measured, "Date"), entry(&measured, "Instrument/Model")], ["2026-11-22T09:00:00", "probe"]);
-    is_uneven("x3p", &read(&writers::x3p::profile(), None));
+    is_uneven("x3p", &read(&containers::x3p::profile(), None));
 }
 
 #[test]
 fn x3p_is_refused_when_its_points_are_damaged_or_missing() {
-    let (main, points) = writers::x3p::doubles();
+    let (main, points) = containers::x3p::doubles();
     let refusal = |main: &str, points: &[u8]| {
-        let file = writers::x3p::archive(main.as_bytes(), points, &[]);
+        let file = containers::x3p::archive(main.as_bytes(), points, &[]);
         Measurement::of(&file, None).unwrap_err().to_string()
     };
     assert!(refusal(&main, &points[1..]).contains("cannot be unpacked"));
@@ -81,12 +81,12 @@ fn x3p_is_refused_when_its_points_are_damaged_or_missing() {
 
 #[test]
 fn sur_has_objects_comments_and_profiles() {
-    let measured = read(&writers::sur::packed(), Some("2"));
+    let measured = read(&containers::sur::packed(), Some("2"));
     assert_eq!((measured.channels.as_slice(), measured.channel.as_str()), (&["Z", "Z 2"].map(String::from)[..], "Z 2"));
     is_map("the second object", &measured);
     let told = [("comment", "remark"), ("operator", "me"), ("date", "2026-11-22 03:04:05"), ("acquisition", "9")];
     told.into_iter().for_each(|(name, value)| assert_eq!(entry(&measured, name), value));
-    let profile = read(&writers::sur::profile(), None);
+    let profile = read(&containers::sur::profile(), None);
     assert!(profile.is_profile && is_same(profile.spacing.unwrap()[1], 2e-6));
     assert_eq!(profile.height.dim(), (1, SHAPE[0] * SHAPE[1]));
     assert!(is_same(profile.height[[0, 1]], height(1, 0) * 1e-9));
@@ -94,11 +94,11 @@ fn sur_has_objects_comments_and_profiles() {
 
 #[test]
 fn sur_is_refused_when_it_is_cut_short() {
-    for file in [writers::sur::file(), writers::sur::packed()] {
+    for file in [containers::sur::file(), containers::sur::packed()] {
         let error = Measurement::of(&file[..file.len() - 1], None).unwrap_err().to_string();
         assert!(error.contains("cut short") || error.contains("points, and has"), "{error}");
     }
-    let mut file = writers::sur::packed();
+    let mut file = containers::sur::packed();
     let place = 512 + 10 + 4 + 8 * 5 + 5; // within the first of five streams
     file[place] ^= 0xff;
     assert!(Measurement::of(&file, None).is_err());
@@ -106,22 +106,22 @@ fn sur_is_refused_when_it_is_cut_short() {
 
 #[test]
 fn gwyddion_lists_channels_of_heights_only() {
-    let measured = read(&writers::gwy::file(), None);
+    let measured = read(&containers::gwy::file(), None);
     assert_eq!((measured.format, measured.channels.len()), ("Gwyddion (GWY)", 1));
     assert_eq!((measured.channel.as_str(), entry(&measured, "Tip")), ("Topography", "blunt"));
     assert!(entry(&measured, "mask").contains("void"));
-    let error = Measurement::of(&writers::gwy::file(), Some("Current")).unwrap_err().to_string();
+    let error = Measurement::of(&containers::gwy::file(), Some("Current")).unwrap_err().to_string();
     assert!(error.contains("holds no heights"), "{error}");
-    let other = [b"GWYQ".to_vec(), writers::gwy::file()].concat();
+    let other = [b"GWYQ".to_vec(), containers::gwy::file()].concat();
     assert!(Measurement::of(&other, None).unwrap_err().to_string().contains("GWYQ"));
 }
 
 #[test]
 fn netcdf_has_attributes_and_profiles() {
-    let measured = read(&writers::netcdf::file(), Some("heights"));
+    let measured = read(&containers::netcdf::file(), Some("heights"));
     assert_eq!((entry(&measured, "title"), entry(&measured, "unit")), ("a small map", "nm"));
-    assert_eq!(read(&writers::netcdf::wide(), None).channels, ["z"]);
-    is_uneven("netcdf", &read(&writers::netcdf::profile(), None));
+    assert_eq!(read(&containers::netcdf::wide(), None).channels, ["z"]);
+    is_uneven("netcdf", &read(&containers::netcdf::profile(), None));
     let other = Measurement::of(b"\x89HDF\r\n\x1a\n....", None).unwrap_err().to_string();
     assert!(other.contains("nccopy -3"), "{other}");
 }
