@@ -1,3 +1,6 @@
 //! Files of instruments: what is read of them, and that none does harm.
 
+mod made;
+mod mutants;
 mod truth;
+mod writers;

@@ -1,6 +1,8 @@
 //! Files of heights and other fields, told apart by their content.
 
 #[cfg(feature = "instruments")]
+mod al3d;
+#[cfg(feature = "instruments")]
 mod bytes;
 #[cfg(feature = "instruments")]
 mod channel;
@@ -9,8 +11,14 @@ mod format;
 mod instrument;
 #[cfg(feature = "instruments")]
 mod measurement;
+#[cfg(feature = "instruments")]
+mod nanoscope;
 mod npy;
 mod npz;
+#[cfg(feature = "instruments")]
+mod opd;
+#[cfg(feature = "instruments")]
+mod plu;
 mod profile;
 #[cfg(feature = "instruments")]
 mod sdf;
@@ -35,7 +43,8 @@ const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 
 /// All formats of instruments; none is taken for another.
 #[cfg(feature = "instruments")]
-const INSTRUMENTS: [instrument::Instrument; 1] = [sdf::INSTRUMENT];
+const INSTRUMENTS: [instrument::Instrument; 5] =
+    [al3d::INSTRUMENT, nanoscope::INSTRUMENT, opd::INSTRUMENT, plu::INSTRUMENT, sdf::INSTRUMENT];
 
 /// Heights of a line or a surface.
 const HEIGHTS: Wanted = Wanted { name: "height", ranks: 1..=2 };
