@@ -61,7 +61,9 @@ fn al3d() {
         "{}",
         reason(&file[..file.len() - 10])
     );
-    assert!(reason(&changed(&file, b"6\0", b"66\0")).starts_with("it says that it has 66 tags"));
+    let many =
+        changed(&file, &[&b"TagCount"[..], &[0; 12], b"6\0"].concat(), &[&b"TagCount"[..], &[0; 12], b"66"].concat());
+    assert!(reason(&many).starts_with("it says that it has 66 tags"), "{}", reason(&many));
 }
 
 #[test]

@@ -11,7 +11,7 @@ const MUTANTS: u64 = 400;
 /// The longest time that reading one may take.
 const LONGEST: Duration = Duration::from_secs(1);
 /// Bytes of memory that all mutants together may add to what the program has mapped, far less than a number in a header can ask for.
-const MEMORY: u64 = 1 << 29;
+const MEMORY: u64 = 1 << 31;
 /// Numbers that a text may hold instead of its own.
 const WORDS: [&str; 9] = ["-1", "0", "1", "4294967295", "18446744073709551615", "1e308", "nan", "inf", "x"];
 /// Numbers of eight bytes that may stand anywhere; shorter ones are parts of them.

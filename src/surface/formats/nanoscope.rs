@@ -22,7 +22,9 @@ pub(super) const INSTRUMENT: Instrument = Instrument { name: "Nanoscope", is_it,
 /// What a file begins with: images, images with electrochemistry, curves, and images as text.
 const MAGICS: [&[u8]; 4] = [b"\\*File list", b"\\*EC File list", b"\\*Force file list", b"?*File list"];
 /// The most images that a file may have, each with a header of its own.
-const MOST: usize = 64;
+const MOST: usize = 32;
+/// The most values of a list that are said of an image.
+const VALUES: usize = 100;
 /// The first version whose numbers all have four bytes.
 const LONG: u32 = 0x0920_0000;
 /// Lists whose values are said of each image.
@@ -134,7 +136,7 @@ fn channel<'a>(bytes: &'a [u8], name: String, kind: &str, image: &List, lists: &
     let range = range(image, lists)?.filter(|_| kind == "ZSensor" || map.name.contains("Height"));
     let Some(range) = range else { return Ok(Channel { is_height: false, ..map }) };
     if !range.is_finite() || range == 0.0 {
-        return Err(malformed(format!("the Z scale of an image is {range:?} metres")));
+        return Err(malformed(format!("its Z scale is {range:?} metres")));
     }
     let ([width, height], lateral) = size(image.need("Scan Size")?)?;
     Ok(Channel {
@@ -187,9 +189,10 @@ fn scale(text: &str) -> Option<Scale<'_>> {
 fn range(image: &List, lists: &[List]) -> io::Result<Option<f64>> {
     let text = image.find_in_group("Z scale");
     let text = text.ok_or_else(|| malformed("its images have no @2:Z scale: it is older than version 4.3"))?;
-    let hard = scale(text).ok_or_else(|| malformed(format!("the Z scale of an image is {text:?}")))?;
+    let hard = scale(text).ok_or_else(|| malformed(format!("its Z scale is {text:?}")))?;
     let Some(name) = hard.sensitivity else { return Ok(metres(hard.unit).map(|unit| hard.number * unit)) };
-    let soft = lists.iter().find_map(|list| list.find(&format!("@{name}"))).and_then(scale);
+    let name = format!("@{name}");
+    let soft = lists.iter().find_map(|list| list.find(&name)).and_then(scale);
     let span = |soft: Scale| {
         let (length, volts) = soft.unit.split_once('/')?;
         Some(hard.number * ratio(hard.unit, volts)? * soft.number * metres(length)?)
@@ -209,7 +212,7 @@ fn ratio(unit: &str, other: &str) -> Option<f64> {
 
 /// Width and height of an image, of which one alone is both, and metres in their unit.
 fn size(text: &str) -> io::Result<([f64; 2], f64)> {
-    let wrong = || malformed(format!("the scan size of an image is {text:?}"));
+    let wrong = || malformed(format!("its scan size is {text:?}"));
     let words: Vec<&str> = text.split_whitespace().collect();
     let (unit, numbers) = words.split_last().ok_or_else(wrong)?;
     let numbers: Vec<f64> = numbers.iter().map(|it| it.parse()).collect::<Result<_, _>>().map_err(|_| wrong())?;
@@ -223,8 +226,8 @@ fn size(text: &str) -> io::Result<([f64; 2], f64)> {
 
 /// What the file says of an image.
 fn header(image: &List, lists: &[List]) -> Vec<(String, String)> {
-    let common = lists.iter().filter(|list| COMMON.contains(&list.name)).flat_map(|list| list.entries.iter().copied());
+    let common = lists.iter().filter(|list| COMMON.contains(&list.name)).flat_map(|list| &list.entries).take(VALUES);
     let scan = SCAN.iter().filter_map(|name| Some((*name, lists.iter().find_map(|list| list.find(name))?)));
-    let all = common.chain(scan).chain(image.entries.iter().copied());
+    let all = common.copied().chain(scan).chain(image.entries.iter().copied().take(VALUES));
     all.filter(|it| !it.1.is_empty()).map(|(name, value)| (name.to_owned(), value.to_owned())).collect()
 }

@@ -23,7 +23,9 @@ const HEIGHTS: [&str; 5] = ["OPD", "Raw", "RAW DATA", "RAW_DATA", "SAMPLE_DATA"]
 /// The type of a block of an array.
 const ARRAY: u16 = 3;
 /// The most arrays of heights that a file may have, each with a header of its own.
-const MOST: usize = 64;
+const MOST: usize = 32;
+/// The most values of a header.
+const VALUES: usize = 1000;
 
 fn is_it(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x01\x00Directory")
@@ -103,8 +105,8 @@ impl<'a> Block<'a> {
         let value = number(size)?;
         let (rest, size) = (at.rest(), usize::from(size));
         let shape = nodes(rows.into(), columns.into(), size, rest.len())?;
-        let stored = move || rest.chunks_exact(size).take(shape[0] * shape[1]).map(value).collect();
-        let values = move || rows_of(stored()?, shape);
+        let stored = rest.chunks_exact(size).take(shape[0] * shape[1]);
+        let values = move || rows_of(stored.map(value).collect::<io::Result<_>>()?, shape);
         Ok(Channel { is_height: false, ..Channel::map(&*self.name, shape, values) })
     }
 }
@@ -124,7 +126,7 @@ fn map<'a>(array: &Block<'a>, blocks: &[Block<'a>]) -> io::Result<Channel<'a>> {
         spacing: Some([aspect * size, size]),
         lateral_unit: Some(1e-3),
         unit: Some(positive("Wavelength", None)? * 1e-9 / positive("Mult", Some(1.0))?),
-        header: header.collect(),
+        header: header.take(VALUES).collect(),
         ..array.channel()?
     })
 }

@@ -212,7 +212,7 @@ fn numbers(kind: u8) -> io::Result<Numbers> {
         0 => of(1, |mut it| it.u8().map(f64::from), None, u8::MAX.into()),
         1 => of(2, |mut it| it.u16().map(f64::from), None, u16::MAX.into()),
         2 => of(4, |mut it| it.u32().map(f64::from), None, u32::MAX.into()),
-        3 => of(4, |mut it| it.f32().map(f64::from), Some(f32::MIN.into()), 3.4e38),
+        3 => of(4, |mut it| it.f32().map(f64::from), Some(f32::MIN.into()), 3.4e38_f32.into()),
         4 => of(1, |mut it| it.u8().map(|it| f64::from(it as i8)), Some(i8::MIN.into()), i8::MAX.into()),
         5 => of(2, |mut it| it.i16().map(f64::from), Some(i16::MIN.into()), i16::MAX.into()),
         6 => of(4, |mut it| it.i32().map(f64::from), Some(i32::MIN.into()), i32::MAX.into()),
