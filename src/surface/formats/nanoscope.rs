@@ -133,7 +133,7 @@ fn channel<'a>(bytes: &'a [u8], name: String, kind: &str, image: &List, lists: &
     nodes(rows, columns, stored, data.len())?;
     let values = move || values(data, [ny, nx], stored);
     let map = Channel::map(name, [ny, nx], values);
-    let range = range(image, lists)?.filter(|_| kind == "ZSensor" || map.name.contains("Height"));
+    let range = range(image, lists)?.filter(|_| matches!(kind, "Height" | "ZSensor") || map.name.contains("Height"));
     let Some(range) = range else { return Ok(Channel { is_height: false, ..map }) };
     if !range.is_finite() || range == 0.0 {
         return Err(malformed(format!("its Z scale is {range:?} metres")));
