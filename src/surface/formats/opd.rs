@@ -131,8 +131,11 @@ fn map<'a>(array: &Block<'a>, blocks: &[Block<'a>]) -> io::Result<Channel<'a>> {
     })
 }
 
+/// A number in the bytes of a file.
+type Number = fn(&[u8]) -> io::Result<f64>;
+
 /// How a number of so many bytes is read.
-fn number(size: u16) -> io::Result<fn(&[u8]) -> io::Result<f64>> {
+fn number(size: u16) -> io::Result<Number> {
     match size {
         1 => Ok(|it| Bytes::new(it).u8().map(f64::from)),
         2 => Ok(|it| Bytes::new(it).i16().map(|value| if value < 32766 { value.into() } else { f64::NAN })),
