@@ -1,6 +1,9 @@
 //! Files of instruments: what is read of them, and that none does harm.
 
+mod binaries;
 mod contained;
-mod mutants;
-mod truth;
 mod containers;
+mod made;
+mod mutants;
+mod texts;
+mod truth;

@@ -1,6 +1,7 @@
 //! Files with errors in them: whatever they are, they are read or refused, soon and in little memory.
 
-use crate::containers::{ALL, x3p};
+use crate::containers::{self, x3p};
+use crate::{binaries, texts};
 use asperity::surface::Measurement;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -29,6 +30,9 @@ const NUMBERS: [u64; 12] = [
     0x0100_0000_0000,
 ];
 
+/// Numbers that a text may hold instead of its own.
+const WORDS: [&str; 9] = ["-1", "0", "1", "4294967295", "18446744073709551615", "1e308", "nan", "inf", "x"];
+
 fn count() -> usize {
     std::env::var("MUTANTS").ok().and_then(|count| count.parse().ok()).unwrap_or(COUNT)
 }
@@ -40,17 +44,25 @@ fn replace(file: &mut [u8], at: usize, random: &mut ChaCha8Rng) {
     file[at..].iter_mut().zip(&bytes[..size]).for_each(|(old, new)| *old = *new);
 }
 
+/// Writes another number for the digits behind a place.
+fn replace_word(file: &mut Vec<u8>, at: usize, random: &mut ChaCha8Rng) {
+    let Some(start) = (at..file.len()).find(|i| file[*i].is_ascii_digit()) else { return };
+    let end = (start..file.len()).find(|i| !file[*i].is_ascii_digit()).unwrap_or(file.len());
+    file.splice(start..end, WORDS[random.random_range(0..WORDS.len())].bytes());
+}
+
 /// Changes a file in one place.
 fn change(file: &mut Vec<u8>, random: &mut ChaCha8Rng) {
     let reach = if random.random() { file.len() } else { file.len().min(1024) };
     let at = random.random_range(0..reach.max(1));
-    match random.random_range(0..6) {
+    match random.random_range(0..7) {
         _ if file.is_empty() => file.push(random.random()),
         0 => file[at] ^= 1 << random.random_range(0..8),
         1 => file[at] = random.random(),
         2 => file.truncate(at),
         3 => drop(file.splice(at..at, (0..random.random_range(1..20)).map(|i| i as u8).collect::<Vec<_>>())),
         4 => drop(file.drain(at..(at + random.random_range(1..20)).min(file.len()))),
+        5 => replace_word(file, at, random),
         _ => replace(file, at, random),
     }
 }
@@ -90,7 +102,8 @@ fn survive(name: &str, seed: u64, make: impl Fn(&mut ChaCha8Rng) -> Vec<u8>) {
 
 #[test]
 fn files_with_errors_do_no_harm() {
-    for (seed, (name, file)) in ALL.iter().enumerate() {
+    let all = [binaries::ALL, containers::ALL, texts::ALL].concat();
+    for (seed, (name, file)) in all.iter().enumerate() {
         let file = file();
         assert!(Measurement::of(&file, None).is_ok(), "{name}");
         survive(name, seed as u64, |random| mutant(&file, random));

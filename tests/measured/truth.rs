@@ -106,6 +106,27 @@ fn texts() {
 }
 
 #[test]
+fn al3d() {
+    reads("al3d-1.al3d");
+}
+
+#[test]
+fn nanoscope() {
+    reads("di-1.di");
+    reads("di-3.di");
+}
+
+#[test]
+fn opd() {
+    reads("opd-1.opd");
+}
+
+#[test]
+fn plu() {
+    reads("plu-1.plu");
+}
+
+#[test]
 fn sdf() {
     reads("sdf-1.sdf");
 }

@@ -1,5 +1,6 @@
 //! Files of heights and other fields, told apart by their content.
 
+mod al3d;
 #[cfg(feature = "instruments")]
 mod axis;
 mod bytes;
@@ -10,10 +11,13 @@ mod gwy;
 mod instrument;
 mod layout;
 mod measurement;
+mod nanoscope;
 mod netcdf;
 mod npy;
 mod npz;
 mod numbers;
+mod opd;
+mod plu;
 mod points;
 mod profile;
 mod remarks;
@@ -44,8 +48,12 @@ const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 
 /// All formats of instruments, of which the first that fits is taken: texts of numbers come last.
 const INSTRUMENTS: &[Instrument] = &[
+    al3d::INSTRUMENT,
     gwy::INSTRUMENT,
+    nanoscope::INSTRUMENT,
     netcdf::INSTRUMENT,
+    opd::INSTRUMENT,
+    plu::INSTRUMENT,
     sdf::INSTRUMENT,
     #[cfg(feature = "instruments")]
     sur::INSTRUMENT,

@@ -1,34 +1,63 @@
-//! The surface data file of ISO 25178-71, in text and binary.
+//! The surface data file of ISO 25178-71 and of its predecessor, in text and binary.
 
 use super::bytes::{Bytes, latin, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
 use std::io;
+use std::str::FromStr;
 
 /// A header of fixed fields (binary) or of `name = value` lines (text), heights row by row as integers or floating point numbers, and a
-/// trailer of remarks. The scales turn numbers into metres. A value of the format is void if it is the smallest of its type, and `BAD` in
-/// text.
+/// trailer of remarks. The scales turn numbers into metres; the distance of rows has no meaning for a profile, which has one row. In ISO the
+/// smallest number of a signed type is void, in the predecessor BCR, and of an unsigned type, the largest one; a text may say `BAD` instead.
+/// ISO-2.0 counts rows and columns with four bytes, not two. ISO knows neither compression nor check sums, and files that use those of BCR
+/// are refused. Rows are kept in the order of the file: ISO says that y grows with them, BCR does not say.
 ///
 /// # Source
-/// ISO 25178-71:2017. Compression and check sums are not defined there, and files that use them are refused.
+/// ISO 25178-71:2017; report EUR 15178 EN (1993) for BCR; the page "SDF Format" of sdfio 1.4 for the numbers that are void, ISO-2.0 and the names
+/// of types in texts of BCR; Gwyddion 2.61 for files of ISO-1.0 with eight bytes more than a header has.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "ISO 25178-71 (SDF)", is_it, channels };
 
+/// The dialects, each behind the letter that tells text from binary.
+const DIALECTS: [&[u8]; 3] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0"];
+/// Names of the types of numbers in texts of BCR, in the order of their codes.
+const TYPES: [&str; 8] = ["UCHAR", "UINTEGER", "ULONGINT", "FLOAT", "CHAR", "INTEGER", "LONGINT", "DOUBLE"];
+/// What a writer of files of ISO-1.0 puts between header and heights.
+const SUPERFLUOUS: [u8; 8] = [5, 0, 0, 0, 1, 0, 0, 0];
+
 fn is_it(bytes: &[u8]) -> bool {
-    bytes.len() > 8
-        && [b"ISO-1.0", b"BCR-1.0"].iter().any(|magic| bytes[1..].starts_with(*magic))
-        && b"ab".contains(&bytes[0])
+    let [first, rest @ ..] = bytes else { return false };
+    let is_dialect = DIALECTS.iter().any(|name| rest.starts_with(name));
+    match first.to_ascii_lowercase() {
+        b'a' => is_dialect || is_header(rest),
+        b'b' => is_dialect,
+        _ => false,
+    }
+}
+
+/// Whether the second line of a text is the first one of a header, as in files of institutes with versions of their own.
+fn is_header(text: &[u8]) -> bool {
+    let mut lines = text.split(|byte| b"\r\n".contains(byte)).filter(|line| !line.is_empty());
+    let name = lines.nth(1).and_then(|line| line.get(..9));
+    name.is_some_and(|name| name.eq_ignore_ascii_case(b"ManufacID"))
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    Ok(vec![if bytes[0] == b'a' { text(bytes)? } else { binary(bytes)? }])
+    let is_text = bytes.first().is_some_and(|first| first.eq_ignore_ascii_case(&b'a'));
+    Ok(vec![if is_text { text(bytes)? } else { binary(bytes)? }])
 }
 
-/// The header: what both kinds of files say.
+/// Whether a file is of ISO: all others are like BCR.
+fn is_iso(bytes: &[u8]) -> bool {
+    bytes.get(1..).is_some_and(|rest| rest.starts_with(b"ISO"))
+}
+
+/// What both kinds of files say.
 struct Header {
     shape: [i64; 2],
     scale: [f64; 3],
-    compression: i64,
+    compression: u8,
+    check: u8,
     header: Vec<(String, String)>,
 }
 
@@ -40,79 +69,154 @@ impl Header {
         bytes: usize,
         values: impl FnOnce() -> io::Result<Vec<f64>> + 'a,
     ) -> io::Result<Channel<'a>> {
-        if self.compression != 0 {
-            return Err(malformed(format!("its compression is {}: write it without", self.compression)));
-        }
+        self.refuse_codes()?;
         let [x, y, z] = self.scale;
+        if !(z > 0.0 && z.is_finite()) {
+            return Err(malformed(format!("it says that a unit of its heights is {z:?} metres")));
+        }
         let shape = nodes(self.shape[0], self.shape[1], size, bytes)?;
+        let is_profile = shape[0] == 1;
         Ok(Channel {
-            spacing: Some([y, x]),
-            is_profile: shape[0] == 1,
+            spacing: Some([if is_profile { x } else { y }, x]),
+            is_profile,
             lateral_unit: Some(1.0),
             unit: Some(z),
             header: self.header,
             ..Channel::map("height", shape, values)
         })
     }
+
+    fn refuse_codes(&self) -> io::Result<()> {
+        match (self.compression, self.check) {
+            (0, 0) => Ok(()),
+            (0, check) => Err(malformed(format!("its type of check sum is {check}: write it without"))),
+            (compression, _) => Err(malformed(format!("its compression is {compression}: write it without"))),
+        }
+    }
 }
 
 /// A file of lines, whose parts end in a line of an asterisk.
 fn text(bytes: &[u8]) -> io::Result<Channel<'_>> {
-    let text = latin(bytes);
-    let mut parts = text.splitn(3, '*');
-    let (head, data) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default().to_owned());
-    let header: Vec<(String, String)> = head
-        .lines()
-        .filter_map(|line| line.split_once('='))
-        .map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned()))
-        .collect();
-    let find = |name: &str| header.iter().find(|it| it.0.eq_ignore_ascii_case(name)).map(|it| it.1.as_str());
-    let number = |name: &str| {
-        let value = find(name).ok_or_else(|| malformed(format!("its header does not say {name}")))?;
-        value.parse::<f64>().map_err(|_| malformed(format!("its header says {name} = {value:?}, which is no number")))
-    };
-    let scale = [number("Xscale")?, number("Yscale")?, number("Zscale")?];
-    let shape = [number("NumProfiles")? as i64, number("NumPoints")? as i64];
-    let compression = find("Compression").map_or(Ok(0.0), |_| number("Compression"))? as i64;
+    let (text, is_iso) = (latin(bytes), is_iso(bytes));
+    let lines: Vec<&str> = text.split(['\r', '\n']).collect();
+    let mut parts = lines.splitn(3, |line| bare(line, is_iso) == "*");
+    let [head, data, trailer] = [0; 3].map(|_| parts.next().unwrap_or_default());
+    let entries = head.iter().filter_map(|line| bare(line, is_iso).split_once('='));
+    let entries = entries.map(|it| (it.0.trim().to_owned(), it.1.trim().to_owned()));
+    let version = head.first().map(|line| ("Version".to_owned(), bare(line, is_iso).to_owned()));
+    let mut header: Vec<_> = version.into_iter().chain(entries).collect();
+    let scale = [number(&header, "Xscale")?, number(&header, "Yscale")?, number(&header, "Zscale")?];
+    let shape = [number(&header, "NumProfiles")?, number(&header, "NumPoints")?];
+    let [compression, check] = [code(&header, "Compression")?, code(&header, "CheckType")?];
+    let numbers = find(&header, "DataType").map(|_| code(&header, "DataType")).transpose()?.map(numbers).transpose()?;
+    header.extend(remarks(&trailer.join("\n")));
+    let data = data.iter().map(|line| bare(line, is_iso)).collect::<Vec<_>>().join("\n");
     let length = data.len();
-    let value = |word: &str| match word {
-        "BAD" => Ok(f64::NAN),
-        word => word.parse().map_err(|_| malformed(format!("it holds {word:?} among its heights"))),
-    };
-    let values = move || data.split_whitespace().map(value).collect();
-    Header { shape, scale, compression, header: header.clone() }.channel(1, length + 1, values)
+    let values = move || data.split_whitespace().map(|word| height(word, numbers, is_iso)).collect();
+    Header { shape, scale, compression, check, header }.channel(2, length + 1, values)
+}
+
+/// A line without the comment that BCR allows.
+fn bare(line: &str, is_iso: bool) -> &str {
+    let comment = if is_iso { None } else { line.split_once(';') };
+    comment.map_or(line, |it| it.0).trim()
+}
+
+fn find<'a>(header: &'a [(String, String)], name: &str) -> Option<&'a str> {
+    header.iter().find(|it| it.0.eq_ignore_ascii_case(name)).map(|it| it.1.as_str())
+}
+
+fn number<T: FromStr>(header: &[(String, String)], name: &str) -> io::Result<T> {
+    let value = find(header, name).ok_or_else(|| malformed(format!("its header does not say {name}")))?;
+    value.parse().map_err(|_| malformed(format!("its header says {name} = {value:?}")))
+}
+
+/// A number that stands for something, or the name of it; zero if it is not said.
+fn code(header: &[(String, String)], name: &str) -> io::Result<u8> {
+    let value = find(header, name).unwrap_or("0").to_uppercase();
+    let named = TYPES.iter().position(|it| *it == value).and_then(|it| u8::try_from(it).ok());
+    match (value.as_str(), named) {
+        ("NULL" | "NONE", _) => Ok(0),
+        (_, Some(code)) => Ok(code),
+        _ => number(header, name),
+    }
+}
+
+/// A height in a text.
+fn height(word: &str, numbers: Option<Numbers>, is_iso: bool) -> io::Result<f64> {
+    if word.eq_ignore_ascii_case("BAD") {
+        return Ok(f64::NAN);
+    }
+    let value = word.parse().map_err(|_| malformed(format!("it holds {word:?} among its heights")))?;
+    Ok(numbers.map_or(value, |it| it.known(value, is_iso)))
+}
+
+/// The trailer, if it is text that says anything.
+fn remarks(trailer: &str) -> Option<(String, String)> {
+    let said = trailer.trim().trim_end_matches('*').trim();
+    let is_text = !said.is_empty() && !said.contains(|letter: char| letter.is_control() && !letter.is_whitespace());
+    is_text.then(|| ("Trailer".to_owned(), said.to_owned()))
 }
 
 /// A file of fixed fields.
 fn binary(bytes: &[u8]) -> io::Result<Channel<'_>> {
     let mut at = Bytes::new(bytes);
     let header = ["Version", "ManufacID", "CreateDate", "ModDate"].into_iter().zip([8, 10, 12, 12]);
-    let header: Vec<_> =
+    let mut header: Vec<_> =
         header.map(|(name, length)| Ok((name.to_owned(), at.text(length)?))).collect::<io::Result<_>>()?;
-    let [columns, rows] = [at.u16()?, at.u16()?].map(i64::from);
+    let is_long = bytes.get(1..).is_some_and(|rest| rest.starts_with(b"ISO-2"));
+    let mut count = || if is_long { at.u32().map(i64::from) } else { at.u16().map(i64::from) };
+    let [columns, rows] = [count()?, count()?];
     let scale = [at.f64()?, at.f64()?, at.f64()?];
-    at.f64()?; // resolution of the heights
-    let [compression, kind, _] = [at.u8()?, at.u8()?, at.u8()?];
-    let compression = compression.into();
-    let (size, value) = numbers(kind)?;
-    let (rest, shape) = (at.rest(), [rows, columns]);
-    let values = move || rest.chunks_exact(size).take((rows * columns) as usize).map(value).collect();
-    Header { shape, scale, compression, header }.channel(size, rest.len(), values)
+    header.push(("Zresolution".to_owned(), at.f64()?.to_string()));
+    let [compression, kind, check] = [at.u8()?, at.u8()?, at.u8()?];
+    let (numbers, is_iso) = (numbers(kind)?, is_iso(bytes));
+    let [ny, nx] = nodes(rows, columns, numbers.size, at.rest().len())?;
+    let rest = heights(at.rest(), ny * nx * numbers.size);
+    header.extend(rest.get(ny * nx * numbers.size..).and_then(|it| remarks(&latin(it))));
+    let value = move |bytes| Ok(numbers.known((numbers.read)(Bytes::new(bytes))?, is_iso));
+    let values = move || rest.chunks_exact(numbers.size).take(ny * nx).map(value).collect();
+    let shape = [rows, columns];
+    Header { shape, scale, compression, check, header }.channel(numbers.size, rest.len(), values)
 }
 
-/// A number in the bytes of a file.
-type Number = fn(&[u8]) -> io::Result<f64>;
+/// Heights of so many bytes and the trailer, without what a writer puts before them.
+fn heights(rest: &[u8], length: usize) -> &[u8] {
+    rest.strip_prefix(&SUPERFLUOUS).filter(|rest| rest.len() == length).unwrap_or(rest)
+}
 
-/// The bytes of a number of a type, and how it is read.
-fn numbers(kind: u8) -> io::Result<(usize, Number)> {
-    Ok(match kind {
-        0 => (1, |it| Ok(Bytes::new(it).u8()?.into())),
-        1 => (2, |it| Ok(Bytes::new(it).u16()?.into())),
-        2 => (4, |it| Ok(Bytes::new(it).u32()?.into())),
-        3 => (4, |it| Ok(Bytes::new(it).f32()?).map(|z| if z == f32::MIN { f64::NAN } else { z.into() })),
-        5 => (2, |it| Ok(Bytes::new(it).i16()?).map(|z| if z == i16::MIN { f64::NAN } else { z.into() })),
-        6 => (4, |it| Ok(Bytes::new(it).i32()?).map(|z| if z == i32::MIN { f64::NAN } else { z.into() })),
-        7 => (8, |it| Ok(Bytes::new(it).f64()?).map(|z| if z == f64::MIN { f64::NAN } else { z })),
-        _ => return Err(malformed(format!("its heights are of the type {kind}, which ISO 25178-71 does not know"))),
-    })
+/// Numbers of one type: their bytes, how one is read, and the ends of their range, the lower one of an unsigned type apart.
+#[derive(Clone, Copy)]
+struct Numbers {
+    size: usize,
+    read: fn(Bytes) -> io::Result<f64>,
+    least: Option<f64>,
+    most: f64,
+}
+
+impl Numbers {
+    /// A number, NaN if it is void.
+    fn known(&self, value: f64, is_iso: bool) -> f64 {
+        let is_void = match self.least {
+            Some(least) if is_iso => value <= least,
+            _ => value >= self.most,
+        };
+        if is_void { f64::NAN } else { value }
+    }
+}
+
+/// The numbers of a type by its code.
+fn numbers(kind: u8) -> io::Result<Numbers> {
+    let of = |size, read: fn(Bytes) -> io::Result<f64>, least, most| Ok(Numbers { size, read, least, most });
+    match kind {
+        0 => of(1, |mut it| it.u8().map(f64::from), None, u8::MAX.into()),
+        1 => of(2, |mut it| it.u16().map(f64::from), None, u16::MAX.into()),
+        2 => of(4, |mut it| it.u32().map(f64::from), None, u32::MAX.into()),
+        3 => of(4, |mut it| it.f32().map(f64::from), Some(f32::MIN.into()), 3.4e38_f32.into()),
+        4 => of(1, |mut it| it.u8().map(|it| f64::from(it as i8)), Some(i8::MIN.into()), i8::MAX.into()),
+        5 => of(2, |mut it| it.i16().map(f64::from), Some(i16::MIN.into()), i16::MAX.into()),
+        6 => of(4, |mut it| it.i32().map(f64::from), Some(i32::MIN.into()), i32::MAX.into()),
+        7 => of(8, |mut it| it.f64(), Some(f64::MIN), 1.7e308),
+        _ => Err(malformed(format!("its heights are of the type {kind}, which ISO 25178-71 does not know"))),
+    }
 }
