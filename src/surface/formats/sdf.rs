@@ -14,8 +14,8 @@ use std::str::FromStr;
 /// are refused. Rows are kept in the order of the file: ISO says that y grows with them, BCR does not say.
 ///
 /// # Source
-/// ISO 25178-71:2017; report EUR 15178 EN (1993) for BCR; the page "SDF Format" of sdfio 1.4 for the numbers that are void, ISO-2.0 and the names
-/// of types in texts of BCR; Gwyddion 2.61 for files of ISO-1.0 with eight bytes more than a header has.
+/// ISO 25178-71:2017 and 2026, and report EUR 15178 EN (1993) for BCR, as the page "SDF Format" and the names of types of sdfio 1.4 render them;
+/// Gwyddion 2.61 for files of ISO-1.0 with eight bytes more than a header has.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "ISO 25178-71 (SDF)", is_it, channels };
 
 /// The dialects, each behind the letter that tells text from binary.
