@@ -36,7 +36,7 @@ impl Form {
         let [z0, zy, zx, zxy, zyy, zxx] = linear(points.iter().map(|(place, h)| (legendre(*place), *h)));
         let bend = Bend { slope: [zy, zx], second: [3.0 * zyy, 3.0 * zxx], mixed: zxy };
         let is_line = scan.shape()[0] == 1;
-        let (curvature, form): (f64, Box<dyn Fn([f64; 2]) -> f64>) = match self {
+        let (curvature, form): (f64, Height) = match self {
             Self::Cylinder if !is_line => {
                 let fitted = nearest(bend.cylinder(z0)?, &points, cylinder)?;
                 (fitted[2], Box::new(move |place| cylinder(&fitted, place).map_or(f64::NAN, |it| it.0)))
@@ -49,6 +49,9 @@ impl Form {
         (curvature.abs() > FLAT).then(|| (scan.less(|place| half * form(place)), -half / curvature))
     }
 }
+
+/// The height of a form at a place.
+type Height = Box<dyn Fn([f64; 2]) -> f64>;
 
 /// Slopes and second derivatives of a bent map in its middle.
 struct Bend {
