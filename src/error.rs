@@ -326,16 +326,16 @@ pub enum SetupError {
     #[error("heights are to be read or prepared without a height file: give one as well")]
     PreparationWithoutHeights,
     /// Lengths that neither the file nor the cell says.
-    #[error("the file does not say how large it is: give the size")]
+    #[error("no size is given, and no file says one: give it as well")]
     NoSize,
     /// A unit beside that of the file.
     #[error("the file says its units, so leave the file unit {unit:?} out")]
     UnitOfFile { unit: f64 },
     /// Positions that are not evenly spaced.
-    #[error("the positions in {} are not evenly spaced: resample the heights at even ones, which is a step of the preparation", path.display())]
+    #[error("the positions in {} are not evenly spaced: resample the heights at even ones", path.display())]
     Uneven { path: PathBuf },
     /// Heights that are void.
-    #[error("{voids} of {points} heights in {} are void: fill them or crop the heights, which are steps of the preparation", path.display())]
+    #[error("{voids} of {points} heights in {} are void: fill them or crop them away", path.display())]
     Voids { path: PathBuf, voids: usize, points: usize },
     /// A seed that a scene in TOML cannot hold.
     #[error("the seed {seed} is too large: give at most {}", i64::MAX)]

@@ -394,9 +394,9 @@ fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
     std::fs::write(folder.join("table.csv"), "0.1,0.2\n0.3,0.4\n").unwrap();
     std::fs::write(folder.join("noise.npy"), (0..=255).cycle().take(5000).collect::<Vec<u8>>()).unwrap();
     vec![
-        ("nan.npy", "row 5, column 3 is NaN"),
-        ("inf.npy", "row 5, column 3 is inf"),
-        ("minus_inf.npy", "row 5, column 3 is -inf"),
+        ("nan.npy", "1 of 48 heights in nan.npy are void"),
+        ("inf.npy", "1 of 48 heights in inf.npy are void"),
+        ("minus_inf.npy", "1 of 48 heights in minus_inf.npy are void"),
         ("huge.npy", "rms height"),
         ("flat.npy", "2.5"),
         ("narrow.npy", "3 points"),
@@ -413,7 +413,7 @@ fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
         ("nothing.npy", "nothing.npy is not a usable height file"),
         ("table.csv", "2 points"),
         ("words.txt", "words.txt is not a usable height file: it is no .npy file, and no text of numbers"),
-        ("uneven.npy", "the position 1.0 in place 2 is not evenly spaced"),
+        ("uneven.npy", "the positions in uneven.npy are not evenly spaced"),
         ("noise.npy", "noise.npy is not a usable height file"),
         ("sub", "sub is not a usable height file: it is a directory"),
         ("missing.npy", "cannot read missing.npy"),
@@ -435,10 +435,12 @@ fn height_files_that_cannot_be_used_are_refused() {
 fn height_files_that_are_no_surface_are_not_described() {
     let folder = folder();
     for (name, offence) in write_bad_heights(&folder) {
-        if !["flat.npy", "huge.npy"].contains(&name) {
+        if !["flat.npy", "huge.npy"].contains(&name) && !offence.ends_with("void") {
             refuse_in_one_sentence(&folder, &format!("surface --height {name} --size 1 --json --out new.npy"), offence);
         }
     }
+    let void = folder.run("surface --height nan.npy --size 1");
+    assert!(void.status.success() && text(&void.stderr).contains("1 of 48 heights are void"), "{void:?}");
     refuse_in_one_sentence(&folder, "surface", "no surface");
     refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "--size");
 }

@@ -2,7 +2,7 @@
 
 use asperity::contact::{Contact, Observables};
 use asperity::setup::Recipe;
-use asperity::surface::{Detrend, Layout, Surface};
+use asperity::surface::{Detrend, Layout, Measurement, Surface};
 use std::io::{Write, stderr};
 use std::path::Path;
 
@@ -106,6 +106,13 @@ pub fn tell(warnings: &[String]) {
     }
 }
 
+/// Says why steps of the preparation were chosen, on standard error.
+pub fn note(reasons: &[String]) {
+    for reason in reasons {
+        writeln!(stderr(), "chosen: {reason}").ok();
+    }
+}
+
 /// Lengths of measured surfaces that may have been swapped.
 fn spacing(surface: &Surface) -> Option<String> {
     let [dy, dx] = surface.grid().spacing();
@@ -119,7 +126,7 @@ fn spacing(surface: &Surface) -> Option<String> {
 
 /// Distances in a file that do not fit the size, of a file that does not say its units in none.
 fn spacing_of_file(recipe: &Recipe, path: &Path, surface: &Surface) -> Option<String> {
-    let Layout { spacing, shape, is_in_metres, .. } = Layout::read(path, recipe.channel.as_deref()).ok()?;
+    let Layout { spacing, shape, is_in_metres, .. } = Measurement::read_layout(path, recipe.channel.as_deref()).ok()?;
     let [_, told] = spacing?;
     let refined = surface.grid().shape()[1] / recipe.prepare.shape(shape).ok()?[1];
     let spacing = surface.grid().spacing()[1] * refined as f64;

@@ -1,5 +1,6 @@
 //! The flags that describe a contact to solve.
 
+use super::caution;
 use super::choice::one_of;
 use super::outcome::usage;
 use anyhow::Result;
@@ -82,6 +83,7 @@ impl<E: Extent> Scene<E> {
     pub fn table(&self) -> Result<Table> {
         let mut table = self.file.as_deref().map_or_else(|| Ok(Table::default()), read)?;
         lay(&self.given, &mut table);
+        caution::note(&table.choose_preparation()?);
         Ok(table)
     }
 

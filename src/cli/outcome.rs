@@ -59,6 +59,9 @@ pub fn remedy(error: &anyhow::Error) -> &'static str {
         Some(SetupError::NoLoad) => " (--pressure, --reduced-pressure, --mean-gap)",
         Some(SetupError::NoModulus { .. }) => " (--modulus, or --young and --poisson)",
         Some(SetupError::NoPoints) => " (--points)",
+        Some(SetupError::NoSize) => " (--size)",
+        Some(SetupError::Uneven { .. }) => " (--resample linear)",
+        Some(SetupError::Voids { .. }) => " (--fill harmonic, --crop, or --prepare auto)",
         _ => "",
     }
 }

@@ -43,8 +43,8 @@ struct Statistics {
     /// The parts of the surface, such as a file, in words.
     source: String,
     /// What the file of heights says.
-    #[serde(flatten)]
-    origin: Option<Origin>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<Origin>,
     points: Vec<usize>,
     size: Vec<f64>,
     /// Distances of rows and columns, or of the nodes of a line.
@@ -108,12 +108,12 @@ impl Describe {
 /// The statistics of a surface from an axis on, and its heights, NaN where they are void.
 fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, Field)> {
     let read = |path: &PathBuf| -> Result<_> { Ok((Origin::read(path, recipe)?, recipe.prepared(path, grid)?)) };
-    let (origin, prepared) = recipe.height.as_ref().map(read).transpose()?.unzip();
+    let (file, prepared) = recipe.height.as_ref().map(read).transpose()?.unzip();
     let voids = prepared.as_ref().map_or(0, |it| it.scan.voids());
     let mut statistics = Statistics {
         source: recipe.description(),
-        warnings: origin.iter().filter_map(|it| it.unit_warning(recipe)).collect(),
-        origin,
+        warnings: file.iter().filter_map(|it| it.unit_warning(recipe)).collect(),
+        file,
         points: grid.shape()[outer..].to_vec(),
         size: grid.size()[outer..].to_vec(),
         spacing: grid.spacing()[outer..].to_vec(),
@@ -162,7 +162,7 @@ impl Origin {
 impl Statistics {
     fn write(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}", self.source)?;
-        write_rows(self.origin.iter().flat_map(Origin::rows), out)?;
+        write_rows(self.file.iter().flat_map(Origin::rows), out)?;
         let join = |values: Vec<String>| values.join(" x ");
         let rows = [
             ("points", join(self.points.iter().map(usize::to_string).collect())),

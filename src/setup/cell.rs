@@ -82,6 +82,9 @@ impl Cell {
         if self.points.is_empty() {
             return Err(SetupError::NoPoints);
         }
+        if self.size.is_empty() {
+            return Err(SetupError::NoSize);
+        }
         self.grid_of(&self.points)
     }
 

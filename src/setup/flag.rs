@@ -2,7 +2,7 @@
 
 use super::{Boundary, Method, Part, Theme};
 use crate::elastic::Base;
-use crate::surface::{Detrend, Fill, Form, Indenter, Mirror, Resample};
+use crate::surface::{Detrend, Fill, Form, Indenter, Mirror, Preparation, Resample};
 
 /// A flag of the command line, and the place in a setup that its value is laid over.
 pub struct Flag {
@@ -44,8 +44,9 @@ pub const FLAGS: &[Flag] = &[
     flag("against", "surface.against", Value::One, "FILE", "Heights of a second surface of the same shape, on which the first is pressed: peaks towards the first are positive, and they are added"),
     flag("channel", "surface.channel", Value::One, "NAME", "Channel of a file that has several, by name or number"),
     flag("file-unit", "surface.file-unit", Value::One, "L", "Length of 1 in a file that does not say its units, such as 1um"),
-    flag("crop", "surface.prepare.crop", Value::List, "A,B[,C,D]", "Part that is kept: first node and one beyond the last, of a map those of rows, then columns"),
+    flag("prepare", "surface.prepare.steps", Value::Choice(&Preparation::WAYS), "WAY", "Choose the steps that the heights need, and say why; steps that are given are kept"),
     flag("resample", "surface.prepare.resample", Value::Choice(&Resample::WAYS), "WAY", "Bring heights at uneven positions to even ones"),
+    flag("crop", "surface.prepare.crop", Value::List, "A,B[,C,D]", "Part that is kept: first node and one beyond the last, of a map those of rows, then columns"),
     flag("fill", "surface.prepare.fill", Value::Choice(&Fill::WAYS), "WAY", "Fill voids"),
     flag("detrend", "surface.prepare.detrend", Value::Choice(&Detrend::TRENDS), "TREND", "Trend to take off the heights"),
     flag("remove-form", "surface.prepare.remove-form", Value::Choice(&Form::FORMS), "FORM", "Body whose fitted form is taken off"),

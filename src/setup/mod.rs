@@ -32,6 +32,7 @@
 
 mod auto;
 mod cell;
+mod chosen;
 mod command;
 mod cost;
 mod flag;

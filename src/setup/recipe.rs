@@ -4,7 +4,7 @@ use super::Cell;
 use crate::error::{SetupError, SurfaceError};
 use crate::grid::Grid;
 use crate::quantity::some_length;
-use crate::surface::{Indenter, Layout, Measurement, Preparation, Prepared, Scan, Spectrum, Surface};
+use crate::surface::{Choice, Indenter, Layout, Measurement, Preparation, Prepared, Resample, Scan, Spectrum, Surface};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -73,7 +73,7 @@ impl Recipe {
 
     /// The layout of the first file of heights.
     fn layout(&self) -> Result<Option<Layout>, SetupError> {
-        Ok(self.files().next().map(|path| Layout::read(path, self.channel.as_deref())).transpose()?)
+        Ok(self.files().next().map(|path| Measurement::read_layout(path, self.channel.as_deref())).transpose()?)
     }
 
     /// Checks that both files of heights have the same shape, that their positions are even or made so, and that what is said of files is
@@ -82,7 +82,7 @@ impl Recipe {
         if !self.is_measured() && (self.channel.is_some() || self.file_unit.is_some() || !self.prepare.is_none()) {
             return Err(SetupError::PreparationWithoutHeights);
         }
-        let layouts = self.files().map(|path| Ok((path, Layout::read(path, self.channel.as_deref())?)));
+        let layouts = self.files().map(|path| Ok((path, Measurement::read_layout(path, self.channel.as_deref())?)));
         let layouts = layouts.collect::<Result<Vec<_>, SetupError>>()?;
         if let Some((path, _)) = layouts.iter().find(|(_, it)| !it.is_even && self.prepare.resample.is_none()) {
             return Err(SetupError::Uneven { path: path.to_path_buf() });
@@ -183,6 +183,20 @@ impl Recipe {
         let factor = [grid.shape()[0] / ny, grid.shape()[1] / nx].map(|it| it.max(1) as f64);
         let spacing = [0, 1].map(|axis| grid.spacing()[axis] * factor[axis]);
         Ok(self.prepare.of(Scan { height: measured.height * unit, spacing })?)
+    }
+
+    /// The preparation that the heights of a file need on a cell, after they are cropped as the recipe says.
+    ///
+    /// # Errors
+    /// For no file, and the errors of [`Recipe::grid`] and [`Recipe::prepared`].
+    pub fn choice(&self, cell: &Cell) -> Result<Choice, SetupError> {
+        let path = self.files().next().ok_or(SetupError::PreparationWithoutHeights)?;
+        let is_even = Measurement::read_layout(path, self.channel.as_deref())?.is_even;
+        let resample = (!is_even).then_some(Resample::Linear);
+        let prepare = Preparation { resample, crop: self.prepare.crop.clone(), ..Preparation::default() };
+        let raw = Self { prepare, ..self.clone() };
+        let grid = raw.grid(&Cell { refine: None, ..cell.clone() })?;
+        Ok(Choice::of(&raw.prepared(path, &grid)?.scan, is_even, grid.periodic())?)
     }
 
     /// The surface on a grid: the sum of all parts that are given.

@@ -140,6 +140,7 @@ impl Table {
     /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known.
     pub fn setup(mut self) -> Result<Setup, SetupError> {
         self.check_surface()?;
+        self.choose_preparation()?;
         if let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") {
             solver.entry("method").or_insert(Method::METHODS[0].0.into());
         }
@@ -174,6 +175,7 @@ impl Table {
     /// The errors of [`Table::setup`].
     pub fn surface(mut self) -> Result<(Recipe, Cell), SetupError> {
         self.check_surface()?;
+        self.choose_preparation()?;
         #[derive(Deserialize)]
         struct Part {
             surface: Recipe,

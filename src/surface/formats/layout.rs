@@ -1,12 +1,11 @@
 //! What is known of heights in a file before they are read.
 
-use super::Measurement;
-use super::npy;
-use super::npz;
-use super::read_shape;
-use crate::error::FileError;
-use std::fs::File;
-use std::path::Path;
+use super::channel::Channel;
+use super::format::malformed;
+use std::io;
+
+/// The largest deviation from an even spacing, as a share of it: what positions that are rounded to a tenth of it come to.
+const UNEVEN: f64 = 0.1;
 
 /// Shape and spacing of the heights in a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,23 +22,54 @@ pub struct Layout {
     pub is_even: bool,
 }
 
+/// Positions in ascending order, the first one at 0.
+pub(super) struct Positions {
+    /// Which of those in the file comes next.
+    pub order: Vec<usize>,
+    pub x: Vec<f64>,
+}
+
 impl Layout {
-    /// The layout of a file like those that [`Measurement::read`] reads; of a NumPy array by its header alone.
-    ///
-    /// # Errors
-    /// The errors of [`Measurement::read`].
-    pub fn read(path: impl AsRef<Path>, channel: Option<&str>) -> Result<Self, FileError> {
-        let path = path.as_ref();
-        match *if is_array(path) { read_shape(path)? } else { Vec::new() } {
-            [ny, nx] => {
-                Ok(Self { shape: [ny, nx], is_profile: false, spacing: None, is_in_metres: false, is_even: true })
-            }
-            _ => Ok(Measurement::read(path, channel)?.layout()),
+    /// The layout of a map of no known spacing.
+    pub(super) fn map(shape: [usize; 2]) -> Self {
+        Self { shape, is_profile: false, spacing: None, is_in_metres: false, is_even: true }
+    }
+
+    /// The layout of a channel, and the positions in it.
+    pub(super) fn of(channel: &Channel) -> io::Result<(Self, Option<Positions>)> {
+        let Channel { shape, is_profile, spacing, ref positions, lateral_unit, unit, .. } = *channel;
+        let is_in_metres = lateral_unit.is_some() && unit.is_some();
+        let lateral = lateral_unit.filter(|_| is_in_metres).unwrap_or(1.0);
+        let spacing = spacing.map(|it| it.map(|it| it * lateral));
+        if let Some(wrong) = spacing.into_iter().flatten().find(|it| !(*it > 0.0 && it.is_finite())) {
+            return Err(malformed(format!("it says that its points are {wrong:?} apart")));
         }
+        let positions = positions.as_ref().map(|x| Positions::of(x, lateral)).transpose()?;
+        let mean = positions.as_ref().and_then(|it| Some(it.x.last()? / (it.x.len() - 1) as f64));
+        let is_even = positions.as_ref().zip(mean).is_none_or(|(it, dx)| it.is_even(dx));
+        let spacing = spacing.or(mean.map(|dx| [dx; 2]));
+        Ok((Self { shape, is_profile, spacing, is_in_metres, is_even }, positions))
     }
 }
 
-/// Whether a file is a NumPy array or an archive of such.
-pub(super) fn is_array(path: &Path) -> bool {
-    File::open(path).is_ok_and(|mut file| npz::holds_arrays(&mut file) || npy::is_array(&mut file))
+impl Positions {
+    /// The positions in a file, times the length of its unit.
+    fn of(x: &[f64], unit: f64) -> io::Result<Self> {
+        if let Some(wrong) = x.iter().find(|x| !x.is_finite()) {
+            return Err(malformed(format!("it holds the position {wrong:?}")));
+        }
+        let mut order: Vec<usize> = (0..x.len()).collect();
+        order.sort_by(|i, j| x[*i].total_cmp(&x[*j]));
+        let first = order.first().map_or(0.0, |i| x[*i]);
+        let sorted: Vec<f64> = order.iter().map(|i| (x[*i] - first) * unit).collect();
+        if let Some(i) = (1..sorted.len()).find(|&i| sorted[i] == sorted[i - 1]) {
+            return Err(malformed(format!("it holds two heights at the position {:?}", x[order[i]])));
+        }
+        Ok(Self { order, x: sorted })
+    }
+
+    /// Whether they are evenly spaced but for rounding.
+    fn is_even(&self, spacing: f64) -> bool {
+        self.x.iter().enumerate().all(|(i, x)| (x - i as f64 * spacing).abs() <= UNEVEN * spacing)
+    }
 }

@@ -2,16 +2,15 @@
 
 use super::channel::{Channel, choose};
 use super::format::malformed;
-use super::layout::{Layout, is_array};
-use super::{INSTRUMENTS, read_profile};
+use super::instrument::Instrument;
+use super::layout::Layout;
+use super::{INSTRUMENTS, npy, npz, read_profile, read_shape};
 use crate::error::FileError;
 use crate::surface::Field;
 use ndarray::{Array1, ArrayD, Axis};
+use std::fs::File;
 use std::io;
 use std::path::Path;
-
-/// The largest deviation from an even spacing, as a share of it: what positions that are rounded to a tenth of it come to.
-const UNEVEN: f64 = 0.1;
 
 /// The heights in a file of an instrument, before anything is done to them.
 ///
@@ -61,12 +60,27 @@ impl Measurement {
     /// # Errors
     /// Of the kind [`io::ErrorKind::InvalidData`], with what is wrong with them.
     pub fn of(bytes: &[u8], channel: Option<&str>) -> io::Result<Self> {
-        let instrument = INSTRUMENTS.iter().find(|it| (it.is_it)(bytes));
-        let instrument = instrument.ok_or_else(|| malformed("it is in no format that is known here"))?;
+        let instrument = instrument(bytes)?;
         let all = (instrument.channels)(bytes)?;
         let channels = all.iter().filter(|it| it.is_height).map(|it| it.name.clone()).collect();
-        let chosen = choose(all, channel)?;
-        Self::new(instrument.name, channels, chosen)
+        Self::new(instrument.name, channels, choose(all, channel)?)
+    }
+
+    /// Shape and spacing of what [`Measurement::read`] reads, of most formats by their header alone.
+    ///
+    /// # Errors
+    /// The errors of [`Measurement::read`].
+    pub fn read_layout(path: impl AsRef<Path>, channel: Option<&str>) -> Result<Layout, FileError> {
+        let path = path.as_ref();
+        if is_array(path) {
+            return match *read_shape(path)? {
+                [ny, nx] => Ok(Layout::map([ny, nx])),
+                _ => Ok(Self::read(path, channel)?.layout()),
+            };
+        }
+        let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+        let layout = || Ok(Layout::of(&choose((instrument(&bytes)?.channels)(&bytes)?, channel)?)?.0);
+        layout().map_err(|error| super::explained(path, "height", error))
     }
 
     /// Heights of an array, and the positions beside them if there are any.
@@ -96,46 +110,32 @@ impl Measurement {
 
     /// The measurement in a channel.
     fn new(format: &'static str, channels: Vec<String>, channel: Channel) -> io::Result<Self> {
-        let Channel { name, shape, is_profile, spacing, positions, lateral_unit, unit, header, values, .. } = channel;
-        let is_in_metres = lateral_unit.is_some() && unit.is_some();
-        let [lateral, unit] = if is_in_metres { [lateral_unit, unit].map(|it| it.unwrap_or(1.0)) } else { [1.0; 2] };
+        let (layout, positions) = Layout::of(&channel)?;
+        let Channel { name, unit, header, values, .. } = channel;
+        let Layout { shape, is_profile, spacing, is_in_metres, is_even } = layout;
         let values = values()?;
         let found = values.len();
         let height = Field::from_shape_vec(shape, values).map_err(|_| {
             malformed(format!("it holds {found} heights, which are not {} rows of {}", shape[0], shape[1]))
         })?;
+        let unit = unit.filter(|_| is_in_metres).unwrap_or(1.0);
         let height = height.mapv_into(|h| if h.is_finite() { h * unit } else { f64::NAN });
-        let spacing = spacing.map(|it| it.map(|it| it * lateral));
-        if let Some(wrong) = spacing.into_iter().flatten().find(|it| !(*it > 0.0 && it.is_finite())) {
-            return Err(malformed(format!("it says that its points are {wrong:?} apart")));
-        }
-        let (height, positions) = match positions {
-            Some(x) => in_order(height, x.into_iter().map(|x| x * lateral).collect())?,
-            None => (height, None),
+        let height = match &positions {
+            Some(positions) => height.select(Axis(1), &positions.order),
+            None => height,
         };
-        let mean = positions.as_deref().and_then(|x| Some(x.last()? / (x.len() - 1) as f64));
-        let spacing = spacing.or(mean.map(|dx| [dx; 2]));
-        let positions = positions.filter(|x| mean.is_some_and(|dx| !is_even(x, dx)));
+        let positions = positions.filter(|_| !is_even).map(|it| it.x);
         Ok(Self { format, channels, channel: name, height, is_profile, spacing, positions, is_in_metres, header })
     }
 }
 
-/// A profile in the order of its positions, the first one at 0.
-fn in_order(height: Field, x: Vec<f64>) -> io::Result<(Field, Option<Vec<f64>>)> {
-    if let Some(wrong) = x.iter().find(|x| !x.is_finite()) {
-        return Err(malformed(format!("it holds the position {wrong:?}")));
-    }
-    let mut order: Vec<usize> = (0..x.len()).collect();
-    order.sort_by(|i, j| x[*i].total_cmp(&x[*j]));
-    let first = order.first().map_or(0.0, |i| x[*i]);
-    let positions: Vec<f64> = order.iter().map(|i| x[*i] - first).collect();
-    if let Some(pair) = positions.windows(2).find(|pair| pair[0] == pair[1]) {
-        return Err(malformed(format!("it holds two heights at the position {:?}", pair[0] + first)));
-    }
-    Ok((height.select(Axis(1), &order), Some(positions)))
+/// The format of the bytes of a file.
+fn instrument(bytes: &[u8]) -> io::Result<&'static Instrument> {
+    let found = INSTRUMENTS.iter().find(|it| (it.is_it)(bytes));
+    found.ok_or_else(|| malformed("it is in no format that is known here"))
 }
 
-/// Whether positions are evenly spaced but for rounding.
-fn is_even(positions: &[f64], spacing: f64) -> bool {
-    positions.iter().enumerate().all(|(i, x)| (x - i as f64 * spacing).abs() <= UNEVEN * spacing)
+/// Whether a file is a NumPy array or an archive of such.
+fn is_array(path: &Path) -> bool {
+    File::open(path).is_ok_and(|mut file| npz::holds_arrays(&mut file) || npy::is_array(&mut file))
 }

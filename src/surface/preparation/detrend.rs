@@ -34,17 +34,28 @@ impl Detrend {
 
     /// The heights without their trend.
     pub fn of(self, scan: Scan) -> Scan {
+        let trend = self.coefficients(&scan);
+        scan.less(|place| legendre(place).iter().zip(trend).map(|(f, c)| f * c).sum())
+    }
+
+    /// The slopes along y and x of the plane of least squares.
+    pub(in crate::surface) fn tilt(scan: &Scan) -> [f64; 2] {
+        let [_, y, x, ..] = Self::Plane.coefficients(scan);
+        [y, x].map(|slope| slope / scan.half())
+    }
+
+    /// The coefficients of Legendre's polynomials, 0 for those that are not in the trend.
+    fn coefficients(self, scan: &Scan) -> [f64; 6] {
         let terms = match self {
             Self::Mean => 1,
             Self::Plane => 3,
             Self::Curvature => 6,
         };
-        let functions = move |place: [f64; 2]| {
+        let functions = |place: [f64; 2]| {
             let all = legendre(place);
             std::array::from_fn(|i| if i < terms { all[i] } else { 0.0 })
         };
-        let trend: [f64; 6] = linear(scan.points().into_iter().map(|(place, h)| (functions(place), h)));
-        scan.less(|place| functions(place).iter().zip(trend).map(|(f, c)| f * c).sum())
+        linear(scan.points().into_iter().map(|(place, h)| (functions(place), h)))
     }
 }
 

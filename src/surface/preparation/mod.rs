@@ -28,12 +28,12 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Preparation {
-    /// First the part that is kept.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub crop: Option<Crop>,
-    /// How heights at uneven positions are brought to even ones.
+    /// First of all, how heights at uneven positions are brought to even ones.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub resample: Option<Resample>,
+    /// Then the part that is kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crop: Option<Crop>,
     /// How voids are filled.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fill: Option<Fill>,
@@ -57,10 +57,6 @@ pub struct Preparation {
     pub mirror: Option<Mirror>,
 }
 
-/// The keys of the steps in their order.
-const STEPS: [&str; 9] =
-    ["crop", "resample", "fill", "detrend", "remove-form", "high-pass", "low-pass", "taper", "mirror"];
-
 /// Prepared heights, and what each step came to, a sentence each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prepared {
@@ -71,6 +67,10 @@ pub struct Prepared {
 }
 
 impl Preparation {
+    /// The ways to have the steps chosen, by their names in scenes, in a few words.
+    pub const WAYS: [(&str, &str); 1] =
+        [("auto", "Steps that the heights need to be periodic, full and told from noise")];
+
     /// Whether no step is given.
     pub fn is_none(&self) -> bool {
         *self == Self::default()
@@ -78,16 +78,18 @@ impl Preparation {
 
     /// The steps in the words of their keys, such as "fill harmonic, detrend plane".
     pub fn description(&self) -> String {
-        let table = toml::Table::try_from(self).unwrap_or_default();
-        let step = |name: &str| {
-            let value = match table.get(name)? {
-                toml::Value::Float(number) => format!("{number:?}"),
-                toml::Value::String(word) => word.clone(),
-                other => other.to_string(),
-            };
-            Some(format!("{} {value}", name.replace('-', " ")))
-        };
-        STEPS.into_iter().filter_map(step).collect::<Vec<_>>().join(", ")
+        let steps = [
+            step("resample", self.resample),
+            step("crop", self.crop.as_ref().map(|crop| &crop.0)),
+            step("fill", self.fill),
+            step("detrend", self.detrend),
+            step("remove form", self.remove_form),
+            step("high pass", self.high_pass),
+            step("low pass", self.low_pass),
+            step("taper", self.taper),
+            step("mirror", self.mirror),
+        ];
+        steps.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 
     /// Rows and columns of what is made of so many.
@@ -175,6 +177,11 @@ impl Crop {
     fn unfit(&self, shape: [usize; 2]) -> PreparationError {
         PreparationError::Crop { crop: self.0.clone(), shape }
     }
+}
+
+/// A step in the words of its key and value.
+fn step(name: &str, value: Option<impl std::fmt::Debug>) -> Option<String> {
+    value.map(|value| format!("{name} {value:?}").to_lowercase())
 }
 
 /// The rms gradient before and after a step.

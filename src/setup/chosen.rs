@@ -1,0 +1,37 @@
+//! Preparations that are to be chosen.
+
+use super::text::Table;
+use crate::error::SetupError;
+use crate::surface::Choice;
+
+/// What stands in the place of steps that are to be chosen, and where.
+const AUTO: &str = "auto";
+const STEPS: &str = "surface.prepare.steps";
+
+impl Table {
+    /// Puts the steps that a height file needs in the place of `surface.prepare.steps = "auto"`, so that the setup holds them one by one, and
+    /// returns the reasons for them. Steps that are given beside it are kept as they are.
+    ///
+    /// # Errors
+    /// For other words in its place, for no height file, and for one that cannot be read.
+    pub fn choose_preparation(&mut self) -> Result<Vec<String>, SetupError> {
+        match self.find(STEPS) {
+            None => return Ok(Vec::new()),
+            Some(steps) if steps.as_str() == Some(AUTO) => self.remove(STEPS),
+            Some(other) => {
+                let reason = format!("{other} is no way of preparing: give \"{AUTO}\", or the steps one by one");
+                return Err(SetupError::Text { place: format!("{STEPS}: "), reason });
+            }
+        }
+        let (recipe, cell) = self.clone().surface()?;
+        let Choice { preparation, reasons } = recipe.choice(&cell)?;
+        let steps = toml::Table::try_from(preparation).expect("steps have a form in TOML");
+        for (step, value) in steps {
+            let path = format!("surface.prepare.{step}");
+            if self.find(&path).is_none() {
+                self.lay(&path, value);
+            }
+        }
+        Ok(reasons)
+    }
+}

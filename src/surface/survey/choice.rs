@@ -1,0 +1,107 @@
+//! The preparation that heights need.
+
+use super::Survey;
+use crate::error::SurfaceError;
+use crate::surface::{Detrend, Fill, Mirror, Preparation, Resample, Scan};
+
+/// Jumps across the period, in rms steps, up to which heights are periodic.
+const PERIODIC: f64 = 3.0;
+/// The share of the mean square height about the plane from which on terms of second order are a form.
+const FORM: f64 = 0.5;
+/// The share of the mean square gradient from which on noise is filtered out.
+const NOISE: f64 = 0.25;
+
+/// A preparation chosen for heights, with a reason for each step.
+///
+/// Uneven positions are made even and voids filled. Heights that are not periodic lose their plane, or their terms of second order where
+/// these explain half of what is left and a period is asked for; they are then mirrored along the axes on which they still jump. Waves that
+/// cannot be told from noise are filtered out where the noise makes a quarter of the mean square gradient.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// The steps.
+    pub preparation: Preparation,
+    /// Why they were chosen, a sentence each.
+    pub reasons: Vec<String>,
+}
+
+impl Choice {
+    /// The preparation of heights that are at even positions or not, on a cell that is periodic along y and x or free.
+    ///
+    /// # Errors
+    /// The errors of [`Survey::of`].
+    pub fn of(scan: &Scan, is_even: bool, periodic: [bool; 2]) -> Result<Self, SurfaceError> {
+        let mut choice = Self { preparation: Preparation::default(), reasons: Vec::new() };
+        if !is_even {
+            choice.preparation.resample = Some(Resample::Linear);
+            choice.because("the positions are not even: heights are resampled at as many even ones".into());
+        }
+        let mut survey = Survey::of(scan)?;
+        if survey.voids > 0 {
+            choice.preparation.fill = Some(Fill::Harmonic);
+            let all = scan.height.len();
+            choice.because(format!(
+                "{} of {all} heights are void: they are filled with the smoothest ones",
+                survey.voids
+            ));
+        }
+        if jump(&survey, periodic) > PERIODIC || periodic == [false; 2] {
+            let full = Fill::Harmonic.of(scan.clone()).unwrap_or(scan.clone());
+            survey = Survey::of(&choice.detrended(full, &survey, periodic))?;
+        }
+        choice.mirror(&survey, periodic);
+        choice.filter(&survey);
+        Ok(choice)
+    }
+
+    fn because(&mut self, reason: String) {
+        self.reasons.push(reason);
+    }
+
+    /// Takes off the trend.
+    fn detrended(&mut self, scan: Scan, survey: &Survey, periodic: [bool; 2]) -> Scan {
+        let share = survey.curvature_share;
+        let is_form = share >= FORM && periodic != [false; 2];
+        let (trend, name) =
+            if is_form { (Detrend::Curvature, "terms of second order are") } else { (Detrend::Plane, "plane is") };
+        self.preparation.detrend = Some(trend);
+        self.because(format!(
+            "terms of second order explain {:.0} % of the mean square height about the plane, and the heights are not periodic: the {name} \
+             taken off",
+            100.0 * share
+        ));
+        trend.of(scan)
+    }
+
+    /// Mirrors along the axes on which heights jump.
+    fn mirror(&mut self, survey: &Survey, periodic: [bool; 2]) {
+        let [y, x] = [0, 1].map(|axis| periodic[axis] && survey.jumps[axis] > PERIODIC);
+        let (mirror, axes) = match [y, x] {
+            [true, true] => (Mirror::Both, "y and x"),
+            [true, false] => (Mirror::Y, "y"),
+            [false, true] => (Mirror::X, "x"),
+            [false, false] => return,
+        };
+        self.preparation.mirror = Some(mirror);
+        let jump = jump(survey, periodic);
+        self.because(format!(
+            "the heights jump by {jump:.3} rms steps across the period: they are mirrored along {axes}"
+        ));
+    }
+
+    /// Filters noise out.
+    fn filter(&mut self, survey: &Survey) {
+        let (share, wavelength) = (survey.noise_share(), survey.shortest_wavelength());
+        if share > NOISE {
+            self.preparation.low_pass = Some(wavelength);
+            self.because(format!(
+                "noise makes {:.0} % of the mean square gradient: waves below {wavelength:.4e}, which cannot be told from it, are filtered out",
+                100.0 * share
+            ));
+        }
+    }
+}
+
+/// The largest jump across a period.
+fn jump(survey: &Survey, periodic: [bool; 2]) -> f64 {
+    (0..2).filter(|&axis| periodic[axis]).map(|axis| survey.jumps[axis]).fold(0.0, f64::max)
+}

@@ -1,0 +1,116 @@
+//! Heights along an axis, from scale to scale.
+
+use crate::chunks;
+use crate::surface::Scan;
+
+/// Bends that grow by less than this factor from the spacing to twice the spacing are noise: those of independent heights do not grow, and
+/// those of a self-affine surface grow by `2^(2H)`.
+const NOISE: f64 = 1.1;
+/// Least growth from two to four spacings, over that from one to two, from which noise can be told from roughness.
+const LEAST: f64 = 1.05;
+/// Exponent of the growth of bends from which on heights are smooth at a scale: 4 where they have a curvature, at most 2 where they are
+/// self-affine.
+const SMOOTH: f64 = 3.0;
+/// Bends of noise over those of the heights at the shortest scale that is told from noise.
+const TOLD_FROM_NOISE: f64 = 0.5;
+
+/// Differences of heights over a distance along an axis. Pairs and triples with a void in them do not count.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Scale {
+    /// The distance `s`.
+    pub distance: f64,
+    /// Root mean square of `h(x + s) - h(x)`, a length.
+    pub rms_step: f64,
+    /// Root mean square of `(h(x + s) - h(x)) / s`.
+    pub rms_gradient: f64,
+    /// Root mean square of `(h(x + s) - 2 h(x) + h(x - s)) / s^2`, 1/length.
+    pub rms_curvature: f64,
+}
+
+/// Heights along an axis: their differences at the spacing and at its doubles, and what these tell of noise and resolution.
+///
+/// The mean square `B(s)` of the bends `h(x + s) - 2 h(x) + h(x - s)` is that of independent noise of the rms height `sigma`, which does
+/// not depend on `s`, and that of the surface, which grows as `s^(2H)` where it is self-affine: `B(s) = 6 sigma^2 + b s^(2H)`. Its values
+/// at one, two and four spacings give `sigma`.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct Scales {
+    /// The axis, "y" or "x".
+    pub axis: &'static str,
+    /// Differences at one spacing, two, four and so on, as far as a quarter of the axis.
+    pub scales: Vec<Scale>,
+    /// Rms height of independent noise, a length; 0 where none can be told from the roughness.
+    pub noise: f64,
+    /// The share of that noise in the mean square gradient at the spacing.
+    pub noise_share: f64,
+    /// The shortest wavelength that is told from noise, twice the distance at which the bends are twice those of the noise.
+    pub shortest_wavelength: f64,
+    /// The wavelength below which the heights are smooth, so that gradient and contact no longer depend on the spacing; none for heights
+    /// that are rough down to their spacing.
+    pub smooth_wavelength: Option<f64>,
+}
+
+impl Scales {
+    /// Heights along an axis, 0 for y and 1 for x; none for an axis of less than 9 nodes or without differences.
+    pub(super) fn of(scan: &Scan, axis: usize) -> Option<Self> {
+        let (nodes, spacing) = (scan.shape()[axis], scan.spacing[axis]);
+        let doubles = std::iter::successors(Some(1), |s| Some(2 * s)).take_while(|s| *s == 1 || 4 * s <= nodes);
+        let found: Option<Vec<_>> = doubles.map(|s| differences(scan, axis, s)).collect();
+        let squares = found.filter(|it| it.len() >= 3)?;
+        let scale = |(i, [steps, bends]): (usize, &[f64; 2])| {
+            let distance = spacing * 2f64.powi(i as i32);
+            let (rms_step, rms_bend) = (steps.sqrt(), bends.sqrt());
+            Scale {
+                distance,
+                rms_step,
+                rms_gradient: rms_step / distance,
+                rms_curvature: rms_bend / distance / distance,
+            }
+        };
+        let bends: Vec<f64> = squares.iter().map(|[_, bends]| *bends).collect();
+        let (step, noise) = (squares[0][0], noise(&bends));
+        let first = |is_it: &dyn Fn(usize) -> bool| (0..bends.len()).find(|i| is_it(*i));
+        let told = first(&|i| 6.0 * noise <= TOLD_FROM_NOISE * bends[i]).unwrap_or(bends.len() - 1);
+        let rough = first(&|i| bends.get(i + 1).is_none_or(|next| (next / bends[i]).log2() < SMOOTH));
+        let wavelength = |i: usize| 2.0 * spacing * 2f64.powi(i as i32);
+        Some(Self {
+            axis: ["y", "x"][axis],
+            scales: squares.iter().enumerate().map(scale).collect(),
+            noise: noise.sqrt(),
+            noise_share: if step > 0.0 { (2.0 * noise / step).min(1.0) } else { 0.0 },
+            shortest_wavelength: wavelength(told),
+            smooth_wavelength: rough.filter(|i| *i > 0).map(wavelength),
+        })
+    }
+}
+
+/// The mean square of independent noise, of the mean squares of bends at one, two, four, ... spacings.
+fn noise(bends: &[f64]) -> f64 {
+    let [one, two, four] = [bends[0], bends[1], bends[2]];
+    let growth = (four - two) / (two - one);
+    if two <= NOISE * one {
+        one / 6.0
+    } else if growth > LEAST {
+        (one - (two - one) / (growth - 1.0)).max(0.0) / 6.0
+    } else {
+        0.0
+    }
+}
+
+/// The mean squares of steps and bends over so many spacings; none where there are no such nodes.
+fn differences(scan: &Scan, axis: usize, distance: usize) -> Option<[f64; 2]> {
+    let ([ny, nx], h) = (scan.shape(), &scan.height);
+    let h = h.as_slice()?;
+    let (stride, nodes) = if axis == 0 { (nx, ny) } else { (1, nx) };
+    let sums = chunks::visit(h.len(), |range| {
+        range.fold([0.0; 4], |[steps, all_steps, bends, all_bends], node| {
+            let place = if axis == 0 { node / nx } else { node % nx };
+            let step = if place + distance < nodes { h[node + distance * stride] - h[node] } else { f64::NAN };
+            let back = if place >= distance { h[node] - h[node - distance * stride] } else { f64::NAN };
+            let [step, bend] = [step, step - back].map(|it| if it.is_nan() { [0.0; 2] } else { [it * it, 1.0] });
+            [steps + step[0], all_steps + step[1], bends + bend[0], all_bends + bend[1]]
+        })
+    });
+    let [steps, all_steps, bends, all_bends] =
+        sums.into_iter().fold([0.0; 4], |sum, part| std::array::from_fn(|i| sum[i] + part[i]));
+    (all_steps > 0.0 && all_bends > 0.0).then(|| [steps / all_steps, bends / all_bends])
+}
