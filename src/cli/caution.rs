@@ -1,8 +1,10 @@
 //! Warnings about surfaces and loads for which the numbers of a contact mean little.
 
+use super::outcome::usage;
+use anyhow::Result;
 use asperity::contact::{Contact, Observables};
 use asperity::setup::Recipe;
-use asperity::surface::{Detrend, Layout, Measurement, Surface};
+use asperity::surface::{Detrend, Layout, Measurement, Scales, Surface, Survey};
 use std::io::{Write, stderr};
 use std::path::Path;
 
@@ -19,34 +21,71 @@ const LARGEST_SHARE: f64 = 0.25;
 const STEEPEST: f64 = 10.0;
 /// Lengths whose logarithms to the base of ten differ from a whole number by less than this may be the same in another unit.
 const SAME_LENGTH: f64 = 0.01;
+/// The share of noise in the mean square gradient above which it is told.
+const NOISIEST: f64 = 0.25;
+/// Rms gradients at the spacing over those at twice the spacing above this are told: those of resolved heights are about equal.
+const LARGEST_GROWTH: f64 = 1.1;
 /// Spacings that differ by less than this share count as equal.
 const UNEQUAL: f64 = 0.01;
 
 /// Warnings about a surface, a sentence each: jumps across the period, unequal spacings, and gradients of a wrong unit.
 pub fn of_surface(recipe: &Recipe, surface: &Surface) -> Vec<String> {
-    let jumps = ["y", "x"].into_iter().zip(surface.jumps());
-    let jump = |(axis, jump): (&str, f64)| {
-        let remedy = match recipe.prepare.detrend {
-            Some(Detrend::Plane | Detrend::Curvature) => {
-                "mirror them by --mirror, or leave the period out by --boundary free"
-            }
-            _ => "take off their tilt by --detrend plane",
-        };
-        (jump > JUMP).then(|| {
-            format!("the heights jump by {jump:.3} rms steps across the period along {axis}, where the contact is not real: {remedy}")
-        })
+    let measured = recipe.height.as_ref().map(|path| {
+        let refined = refinement(recipe, path, surface);
+        let told = [spacing(surface), gradient(surface), spacing_of_file(recipe, path, surface, refined)];
+        told.into_iter().flatten().chain(of_noise(&Scales::of_surface(surface, refined)))
+    });
+    of_jumps(recipe, surface.jumps()).into_iter().chain(measured.into_iter().flatten()).collect()
+}
+
+/// Warnings about jumps across the period along y and x.
+pub fn of_jumps(recipe: &Recipe, jumps: [f64; 2]) -> Vec<String> {
+    let remedy = match recipe.prepare.detrend {
+        Some(Detrend::Plane | Detrend::Curvature) => {
+            "mirror them by --mirror, or leave the period out by --boundary free"
+        }
+        _ if recipe.is_measured() => {
+            "take off their trend and mirror them by --prepare auto, or leave the period out by --boundary free"
+        }
+        _ => "give a longer cell, or leave the period out by --boundary free",
     };
-    let measured = recipe
-        .height
-        .as_ref()
-        .map(|path| [spacing(surface), gradient(surface), spacing_of_file(recipe, path, surface)]);
-    jumps.filter_map(jump).chain(measured.into_iter().flatten().flatten()).collect()
+    let jump = |(axis, jump): (&str, f64)| {
+        format!(
+            "the heights jump by {jump:.3} rms steps across the period along {axis}, where the contact is not real: {remedy}"
+        )
+    };
+    ["y", "x"].into_iter().zip(jumps).filter(|(_, jump)| *jump > JUMP).map(jump).collect()
+}
+
+/// The warning that much of the gradient is noise, so that area has no limit as the spacing shrinks.
+pub fn of_noise(axes: &[Scales]) -> Option<String> {
+    let share = axes.iter().map(|it| it.noise_share).fold(0.0, f64::max);
+    let wavelength = axes.iter().map(|it| it.shortest_wavelength).fold(0.0, f64::max);
+    (share > NOISIEST).then(|| {
+        format!(
+            "noise at the spacing makes {:.0} % of the mean square gradient, so that area and kappa are those of the instrument and have no \
+             limit: filter it out by --low-pass {wavelength:.3e}, or by --prepare auto",
+            100.0 * share
+        )
+    })
+}
+
+/// What to do about heights that are as rough as their spacing lets them be.
+pub fn of_growth(survey: &Survey) -> Option<String> {
+    let growth = survey.gradient_growth();
+    (growth > LARGEST_GROWTH).then(|| {
+        format!(
+            "the rms gradient is {:.0} % larger at the spacing than at twice the spacing, so that area and kappa are those of this spacing: \
+             compare with other files after the same --low-pass only",
+            100.0 * (growth - 1.0)
+        )
+    })
 }
 
 /// The warning that heights are void.
 pub fn of_voids(voids: usize, points: usize) -> String {
     format!(
-        "{voids} of {points} heights are void, and no contact can be solved with them: fill them by --fill harmonic, or --crop them away"
+        "{voids} of {points} heights are void, and no contact can be solved and no relief drawn with them: fill them by --fill harmonic, or --crop them away"
     )
 }
 
@@ -106,6 +145,14 @@ pub fn tell(warnings: &[String]) {
     }
 }
 
+/// Takes warnings for an error where they are to be.
+///
+/// # Errors
+/// The warnings, as what the person at the keyboard can mend.
+pub fn heed(warnings: &[String], is_strict: bool) -> Result<()> {
+    if is_strict && !warnings.is_empty() { usage(warnings.join("; ")) } else { Ok(()) }
+}
+
 /// Says why steps of the preparation were chosen, on standard error.
 pub fn note(reasons: &[String]) {
     for reason in reasons {
@@ -125,10 +172,9 @@ fn spacing(surface: &Surface) -> Option<String> {
 }
 
 /// Distances in a file that do not fit the size, of a file that does not say its units in none.
-fn spacing_of_file(recipe: &Recipe, path: &Path, surface: &Surface) -> Option<String> {
-    let Layout { spacing, shape, is_in_metres, .. } = Measurement::read_layout(path, recipe.channel.as_deref()).ok()?;
+fn spacing_of_file(recipe: &Recipe, path: &Path, surface: &Surface, refined: usize) -> Option<String> {
+    let Layout { spacing, is_in_metres, .. } = Measurement::read_layout(path, recipe.channel.as_deref()).ok()?;
     let [_, told] = spacing?;
-    let refined = surface.grid().shape()[1] / recipe.prepare.shape(shape).ok()?[1];
     let spacing = surface.grid().spacing()[1] * refined as f64;
     let power = (spacing / told).log10();
     let unit = if is_in_metres { 0.0 } else { power.round() };
@@ -139,6 +185,13 @@ fn spacing_of_file(recipe: &Recipe, path: &Path, surface: &Surface) -> Option<St
             path.display()
         )
     })
+}
+
+/// The nodes of a surface for each of its file along an axis.
+fn refinement(recipe: &Recipe, path: &Path, surface: &Surface) -> usize {
+    let layout = Measurement::read_layout(path, recipe.channel.as_deref()).ok();
+    let shape = layout.and_then(|it| recipe.prepare.shape(it.shape).ok());
+    shape.map_or(1, |[_, nx]| surface.grid().shape()[1] / nx).max(1)
 }
 
 /// Heights that may have another unit than the size.

@@ -67,6 +67,9 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome
     }
     cost.check(curve.setup.solver.name())?;
     let problem = curve.problem()?;
+    if outputs.strict {
+        caution::heed(&caution::of_surface(&curve.setup.surface, problem.surface()), true)?;
+    }
     let pressed = press(curve, &problem, outputs)?;
     let outcome = pressed.outcome;
     write(curve, &problem, pressed, outputs)?;
@@ -102,6 +105,10 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
 fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outputs) -> Result<()> {
     let (subject, setup) = (Subject::of(&curve.setup, problem)?, curve.to_table());
     let Pressed { findings, contacts, .. } = pressed;
+    let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
+    let mut warnings = caution::of_surface(&curve.setup.surface, problem.surface());
+    warnings.extend(caution::of_contacts(&observables));
+    caution::heed(&warnings, outputs.strict)?;
     if let Some(path) = outputs.archive() {
         let bytes = archive_of_loads(&contacts, subject.rank, &setup.to_toml());
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
@@ -113,9 +120,6 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;
     }
-    let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
-    let mut warnings = caution::of_surface(&curve.setup.surface, problem.surface());
-    warnings.extend(caution::of_contacts(&observables));
     let summary = Summary { subject, loads: findings, warnings, setup };
     if outputs.json {
         write_json(&summary, &mut stdout())?

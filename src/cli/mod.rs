@@ -36,6 +36,7 @@ mod stability;
 mod stress;
 mod subject;
 mod surface;
+mod survey;
 mod verdict;
 #[cfg(feature = "explore")]
 mod view;

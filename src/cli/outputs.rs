@@ -43,6 +43,9 @@ pub struct Outputs {
     /// Print one JSON object instead of a summary
     #[arg(long)]
     pub json: bool,
+    /// Take warnings for errors: before the solve those about heights, after it those about the contact, of which only a recording is written
+    #[arg(long)]
+    pub strict: bool,
 }
 
 impl Outputs {

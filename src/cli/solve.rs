@@ -107,7 +107,9 @@ impl Solve {
         match refinement {
             Some(refinement) => self.settle(&refinement),
             None => {
-                let (contact, diagnosis) = self.watch(setup, &setup.problem()?)?;
+                let problem = setup.problem()?;
+                self.heed(setup, &problem)?;
+                let (contact, diagnosis) = self.watch(setup, &problem)?;
                 outputs.complete(&contact);
                 self.write(setup, &contact, diagnosis, false)
             }
@@ -117,8 +119,9 @@ impl Solve {
     /// Solves on ever finer grids, and records the last of them if that is wished for.
     fn settle(&self, refinement: &Refinement) -> Result<Outcome> {
         let Settled { setup, mut contact, is_within } = refinement.settle(|setup| -> Result<Contact> {
-            let solver = setup.solver.solver();
-            Ok(solver.solve(&setup.problem()?, &setup.stop, &mut Progress::new(solver.name()))?)
+            let (solver, problem) = (setup.solver.solver(), setup.problem()?);
+            self.heed(setup, &problem)?;
+            Ok(solver.solve(&problem, &setup.stop, &mut Progress::new(solver.name()))?)
         })?;
         let mut diagnosis = None;
         if self.diagnose || self.outputs.recording().is_some() {
@@ -128,11 +131,24 @@ impl Solve {
         self.write(&setup, &contact, diagnosis, !is_within)
     }
 
+    /// Refuses heights that would be warned of.
+    fn heed(&self, setup: &Setup, problem: &Problem) -> Result<()> {
+        let is_strict = self.outputs.strict;
+        let warnings = if is_strict { caution::of_surface(&setup.surface, problem.surface()) } else { Vec::new() };
+        caution::heed(&warnings, is_strict)
+    }
+
     /// Writes and prints what came out, on a grid that is not fine enough if it is `unsettled`.
     fn write(&self, setup: &Setup, contact: &Contact, diagnosis: Option<Findings>, unsettled: bool) -> Result<Outcome> {
         let (outputs, full) = (&self.outputs, setup.clone().with_full_path());
         let slip = slip::find(setup, contact)?;
         let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
+        let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
+        warnings.extend(caution::of_contacts(&[&finding.observables]));
+        warnings.extend(caution::of_rim(contact));
+        warnings.extend(unsettled.then(caution::unsettled));
+        warnings.extend(outputs.stress.as_ref().and_then(|_| stress::assumed(setup)));
+        caution::heed(&warnings, outputs.strict)?;
         if let Some(path) = outputs.archive() {
             let text = full.to_toml();
             let bytes = match &slip {
@@ -150,11 +166,6 @@ impl Solve {
         if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
         }
-        let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
-        warnings.extend(caution::of_contacts(&[&finding.observables]));
-        warnings.extend(caution::of_rim(contact));
-        warnings.extend(unsettled.then(caution::unsettled));
-        warnings.extend(outputs.stress.as_ref().and_then(|_| stress::assumed(setup)));
         let summary =
             Summary { subject, finding, slip: slip.as_ref().map(SlipFinding::from), diagnosis, warnings, setup: full };
         if outputs.json {

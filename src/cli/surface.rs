@@ -2,15 +2,18 @@
 
 use super::caution;
 use super::flags::{OfSurface, Scene};
-use super::outcome::Outcome;
+use super::outcome::{Outcome, usage};
 use super::output::{write_json, write_rows};
 use super::subject::along_axes;
+use super::survey;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::Grid;
 use asperity::files::check_named;
+#[cfg(feature = "record")]
+use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
-use asperity::surface::{Field, Measurement, Roughness, write_heights};
+use asperity::surface::{Field, Measurement, Roughness, Scan, Surface, Survey, write_heights};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
@@ -32,6 +35,13 @@ pub struct Describe {
     /// Write the heights
     #[arg(long, value_name = "FILE.npy", help_heading = "Output")]
     out: Option<PathBuf>,
+    /// Record the heights as a relief, their power spectrum and their gradient from scale to scale, for the Rerun viewer
+    #[cfg(feature = "record")]
+    #[arg(long, value_name = "FILE.rrd", help_heading = "Output")]
+    record: Option<PathBuf>,
+    /// Take warnings for errors
+    #[arg(long, help_heading = "Output")]
+    strict: bool,
     /// Print one JSON object instead of a table
     #[arg(long, help_heading = "Output")]
     json: bool,
@@ -52,6 +62,8 @@ struct Statistics {
     /// What the steps of the preparation came to.
     steps: Vec<String>,
     voids: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    survey: Option<Survey>,
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
     /// What there is to say of heights without voids.
@@ -85,12 +97,21 @@ impl Describe {
         if let Some(path) = &self.out {
             check_named(path, &["npy"])?;
         }
+        #[cfg(feature = "record")]
+        if let Some(path) = &self.record {
+            check_named(path, &["rrd"])?;
+        }
         let (recipe, cell) = self.scene.table()?.surface()?;
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
         Cost::of_fields(&grid, FIELDS).check("a surface")?;
         let rank = recipe.rank(&cell)?;
         let (statistics, height) = describe(&recipe, &grid, 2 - rank)?;
+        caution::heed(&statistics.warnings, self.strict)?;
+        #[cfg(feature = "record")]
+        if let Some(path) = &self.record {
+            statistics.record(path, &recipe, &height, grid)?;
+        }
         if let Some(path) = &self.out {
             write_heights(path, if rank == 1 { height.row(0).into_dyn() } else { height.view().into_dyn() })?;
         }
@@ -100,6 +121,8 @@ impl Describe {
             statistics.write(&mut stdout())?
         }
         caution::tell(&statistics.warnings);
+        #[cfg(feature = "record")]
+        self.record.iter().for_each(|path| wrote(path));
         self.out.iter().for_each(|path| wrote(path));
         Ok(Outcome::Done)
     }
@@ -119,17 +142,26 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
         spacing: grid.spacing()[outer..].to_vec(),
         steps: prepared.as_ref().map(|it| it.told.clone()).unwrap_or_default(),
         voids,
+        survey: None,
         seed: recipe.spectrum.map(|_| recipe.seed()),
         whole: None,
     };
     if let Some(prepared) = prepared.filter(|_| voids > 0) {
+        let survey = Survey::of(&prepared.scan)?;
         statistics.warnings.push(caution::of_voids(voids, grid.len()));
+        statistics.warnings.extend(caution::of_jumps(recipe, survey.jumps));
+        statistics.warnings.extend(caution::of_noise(&survey.axes));
+        statistics.warnings.extend(caution::of_growth(&survey));
+        statistics.survey = Some(survey);
         return Ok((statistics, prepared.scan.height));
     }
     let surface = recipe.surface(*grid)?;
+    let survey = Survey::of(&Scan::of(&surface, 1))?;
     let (jump_in_rms_steps, roughness) = (surface.jumps()[outer..].to_vec(), Roughness::of(&surface));
     statistics.whole = Some(Whole { jump_in_rms_steps, roughness });
     statistics.warnings.extend(caution::of_surface(recipe, &surface));
+    statistics.warnings.extend(caution::of_growth(&survey).filter(|_| recipe.is_measured()));
+    statistics.survey = Some(survey);
     Ok((statistics, surface.heights_as_given()))
 }
 
@@ -160,19 +192,34 @@ impl Origin {
 }
 
 impl Statistics {
+    /// Records heights, which must not be void.
+    #[cfg(feature = "record")]
+    fn record(&self, path: &Path, recipe: &Recipe, height: &Field, grid: Grid) -> Result<()> {
+        let Some(survey) = self.survey.as_ref().filter(|_| self.voids == 0) else {
+            return usage(caution::of_voids(self.voids, grid.len()));
+        };
+        let mut text = Vec::new();
+        self.write(&mut text)?;
+        let text = format!("```text\n{}```\n", String::from_utf8_lossy(&text));
+        let unit = if self.file.as_ref().is_some_and(|it| it.is_in_metres) { "m" } else { "" };
+        let surface = Surface::new(grid, height.clone())?;
+        Ok(record_survey(path, &recipe.title(&grid), &surface, survey, unit, &text)?)
+    }
+
     fn write(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}", self.source)?;
         write_rows(self.file.iter().flat_map(Origin::rows), out)?;
         let join = |values: Vec<String>| values.join(" x ");
         let rows = [
             ("points", join(self.points.iter().map(usize::to_string).collect())),
-            ("size", join(self.size.iter().map(f64::to_string).collect())),
+            ("size", join(self.size.iter().map(|size| length(*size)).collect())),
             ("spacing", along_axes(&self.spacing, number)),
             ("voids", self.voids.to_string()),
         ];
         write_rows(rows.map(|(name, value)| (name.to_owned(), value)), out)?;
         write_rows(self.steps.iter().map(|step| ("prepared".to_owned(), step.clone())), out)?;
-        write_rows(self.whole.iter().flat_map(Whole::rows), out)
+        write_rows(self.whole.iter().flat_map(Whole::rows), out)?;
+        self.survey.as_ref().map_or(Ok(()), |survey| survey::write(survey, out))
     }
 }
 
@@ -192,6 +239,12 @@ impl Whole {
         ];
         rows.map(|(name, value)| (name.to_owned(), value)).into()
     }
+}
+
+/// A length as it was given, unless that takes many digits.
+fn length(value: f64) -> String {
+    let (plain, short) = (value.to_string(), number(value));
+    if plain.len() <= short.len() { plain } else { short }
 }
 
 fn number(value: f64) -> String {

@@ -23,7 +23,9 @@ impl Table {
                 return Err(SetupError::Text { place: format!("{STEPS}: "), reason });
             }
         }
-        let (recipe, cell) = self.clone().surface()?;
+        let mut on_its_grid = self.clone();
+        on_its_grid.take_auto()?;
+        let (recipe, cell) = on_its_grid.surface()?;
         let Choice { preparation, reasons } = recipe.choice(&cell)?;
         let steps = toml::Table::try_from(preparation).expect("steps have a form in TOML");
         for (step, value) in steps {

@@ -19,7 +19,7 @@ pub(crate) use indenter::{about_peak, shortest_period};
 pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Resample, Scan};
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
-pub use survey::{Choice, PowerLaw, Scale, Scales, Survey};
+pub use survey::{Band, Choice, PowerLaw, Scale, Scales, Survey};
 
 use crate::chunks;
 use crate::error::SurfaceError;

@@ -31,6 +31,8 @@ mod stage;
 mod step_image;
 mod strips;
 mod surface;
+mod surface_relief;
+mod survey_picture;
 mod traces;
 mod waterfall;
 mod window;
@@ -49,6 +51,8 @@ pub use relief::vertices;
 pub use stage::{Stage, level};
 pub use step_image::StepImage;
 pub use surface::Image;
+pub use surface_relief::SurfaceRelief;
+pub use survey_picture::figure as survey_figure;
 pub use traces::{
     COMPARED, PHASE, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced,
 };

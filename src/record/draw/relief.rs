@@ -38,13 +38,25 @@ pub struct Relief {
 }
 
 impl Relief {
+    /// The relief of the solid in a scene.
     pub fn new(scene: &Scene<'_>, forecast: Forecast, palette: &'static Palette, root: &str, unit: &str) -> Self {
         let problem = scene.problem;
-        let grid = problem.surface().grid();
+        Self::over(problem.surface().grid(), problem.height(), forecast.max_pressure, palette, root, unit)
+    }
+
+    /// The relief of what lies at a gap below heights, coloured up to the highest pressure.
+    pub fn over(
+        grid: &Grid,
+        heights: &[f64],
+        highest_pressure: f64,
+        palette: &'static Palette,
+        root: &str,
+        unit: &str,
+    ) -> Self {
         let shape = grid.shape();
         let spacing = spacing(grid);
         let [rows, columns] = [0, 1].map(|axis| (0..shape[axis]).step_by(spacing[axis]));
-        let of_row = |y: usize| columns.clone().map(move |x| problem.height()[y * shape[1] + x]);
+        let of_row = |y: usize| columns.clone().map(move |x| heights[y * shape[1] + x]);
         let height: Vec<f64> = rows.clone().flat_map(of_row).collect();
         let [low, high] = range(height.iter().copied());
         let longest = grid.longest_wavelength();
@@ -54,7 +66,7 @@ impl Relief {
             exaggeration: RELIEF / (high - low).max(f64::MIN_POSITIVE),
             height,
             size: grid.size().map(|length| (LENGTH * length / longest) as f32),
-            highest_pressure: forecast.max_pressure,
+            highest_pressure,
             shades: Map::inferno(),
             palette,
             lengths: [0, 1].map(|axis| measured(["y", "x"][axis], unit, grid.size()[axis])),

@@ -7,6 +7,7 @@ mod recorder;
 mod recording;
 mod schedule;
 mod scribe;
+mod survey;
 mod task;
 mod worker;
 
@@ -16,3 +17,4 @@ pub use output::Output;
 pub use recorder::Recorder;
 pub use recording::Recording;
 pub use schedule::Schedule;
+pub use survey::record_survey;

@@ -1,6 +1,6 @@
 //! Heights on their way from a measurement to a surface.
 
-use crate::surface::Field;
+use crate::surface::{Field, Surface};
 
 /// Heights on an even grid, some of which may be void.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,6 +12,15 @@ pub struct Scan {
 }
 
 impl Scan {
+    /// The heights of a surface at every so many nodes along each axis, those of a line along it.
+    pub fn of(surface: &Surface, every: usize) -> Self {
+        let (grid, heights) = (surface.grid(), surface.heights_as_given());
+        let every = grid.shape().map(|n| if n == 1 { 1 } else { every });
+        let step = |axis: ndarray::AxisDescription| ndarray::Slice::new(0, None, every[axis.axis.index()] as isize);
+        let height = heights.slice_each_axis(step).as_standard_layout().into_owned();
+        Self { height, spacing: [0, 1].map(|axis| grid.spacing()[axis] * every[axis] as f64) }
+    }
+
     /// The number of voids.
     pub fn voids(&self) -> usize {
         self.height.iter().filter(|h| h.is_nan()).count()

@@ -1,14 +1,23 @@
-//! The power law of a spectrum.
+//! The power spectrum of heights in bands, and its power law.
 
 use crate::surface::PowerSpectrum;
 use std::f64::consts::TAU;
 
-/// Bins per octave in which densities are averaged before a power law is fitted, so that all wavelengths count alike.
-const BINS: f64 = 4.0;
+/// Bands per octave, in which densities are averaged.
+const BANDS: f64 = 4.0;
 /// The longest wavelength of a fit, over the length of the surface: longer ones are too few.
 const LONGEST: f64 = 0.25;
 
-/// A power law `C(q) ~ q^exponent`, fitted to a spectrum between two wavelengths.
+/// The waves in a quarter of an octave.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Band {
+    /// The geometric mean of their wavenumbers, 1/length.
+    pub wavenumber: f64,
+    /// The mean of their densities, see [`PowerSpectrum`].
+    pub density: f64,
+}
+
+/// A power law `C(q) ~ q^exponent`, fitted to the bands of a spectrum between two wavelengths.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct PowerLaw {
     /// The exponent.
@@ -20,44 +29,37 @@ pub struct PowerLaw {
     pub wavelengths: [f64; 2],
 }
 
+impl Band {
+    /// The bands of a spectrum, from the longest waves on; those without a wave are left out.
+    pub(super) fn all(spectrum: &PowerSpectrum) -> Vec<Self> {
+        let number = |q: f64| (BANDS * q.log2()).floor();
+        let waves: Vec<(f64, f64)> =
+            spectrum.wavenumber.iter().copied().zip(spectrum.density.iter().copied()).collect();
+        let bands = waves.chunk_by(|one, next| number(one.0) == number(next.0));
+        bands.map(Self::of).collect()
+    }
+
+    fn of(waves: &[(f64, f64)]) -> Self {
+        let mean = |of: &dyn Fn(&(f64, f64)) -> f64| waves.iter().map(of).sum::<f64>() / waves.len() as f64;
+        Self { wavenumber: mean(&|wave| wave.0.ln()).exp(), density: mean(&|wave| wave.1) }
+    }
+
+    /// Its wavelength.
+    pub fn wavelength(&self) -> f64 {
+        TAU / self.wavenumber
+    }
+}
+
 impl PowerLaw {
-    /// The power law of the waves of heights of some length, down to a wavelength; none where less than an octave is left.
-    pub(super) fn of(spectrum: &PowerSpectrum, is_line: bool, length: f64, shortest: f64) -> Option<Self> {
+    /// The power law of the bands of heights of some length, down to a wavelength; none where less than an octave is left.
+    pub(super) fn of(bands: &[Band], is_line: bool, length: f64, shortest: f64) -> Option<Self> {
         let longest = LONGEST * length;
-        let bin = |q: f64| (BINS * (q * longest / TAU).log2()).floor();
-        let waves = spectrum.wavenumber.iter().zip(&spectrum.density);
-        let inside = waves.filter(|(q, density)| **density > 0.0 && (shortest..=longest).contains(&(TAU / **q)));
-        let mut bins: Vec<Bin> = Vec::new();
-        for (&q, density) in inside {
-            match bins.last_mut().filter(|it| it.number == bin(q)) {
-                Some(last) => last.take(q, *density),
-                None => bins.push(Bin { number: bin(q), waves: 1.0, log_q: q.ln(), density: *density }),
-            }
-        }
-        let exponent = slope(&bins.iter().map(Bin::point).collect::<Vec<_>>()).filter(|_| longest >= 2.0 * shortest)?;
+        let is_inside = |band: &&Band| band.density > 0.0 && (shortest..=longest).contains(&band.wavelength());
+        let logarithms = |band: &Band| [band.wavenumber.ln(), band.density.ln()];
+        let points: Vec<[f64; 2]> = bands.iter().filter(is_inside).map(logarithms).collect();
+        let exponent = slope(&points).filter(|_| longest >= 2.0 * shortest)?;
         let hurst = if is_line { -0.5 * (1.0 + exponent) } else { -1.0 - 0.5 * exponent };
         Some(Self { exponent, hurst, wavelengths: [shortest, longest] })
-    }
-}
-
-/// Sums over the waves of a bin.
-struct Bin {
-    number: f64,
-    waves: f64,
-    log_q: f64,
-    density: f64,
-}
-
-impl Bin {
-    fn take(&mut self, q: f64, density: f64) {
-        self.waves += 1.0;
-        self.log_q += q.ln();
-        self.density += density;
-    }
-
-    /// The mean logarithm of the wavenumbers, and the logarithm of the mean density.
-    fn point(&self) -> [f64; 2] {
-        [self.log_q / self.waves, (self.density / self.waves).ln()]
     }
 }
 

@@ -6,16 +6,14 @@ use crate::surface::{Detrend, Fill, Mirror, Preparation, Resample, Scan};
 
 /// Jumps across the period, in rms steps, up to which heights are periodic.
 const PERIODIC: f64 = 3.0;
-/// The share of the mean square height about the plane from which on terms of second order are a form.
-const FORM: f64 = 0.5;
 /// The share of the mean square gradient from which on noise is filtered out.
 const NOISE: f64 = 0.25;
 
 /// A preparation chosen for heights, with a reason for each step.
 ///
-/// Uneven positions are made even and voids filled. Heights that are not periodic lose their plane, or their terms of second order where
-/// these explain half of what is left and a period is asked for; they are then mirrored along the axes on which they still jump. Waves that
-/// cannot be told from noise are filtered out where the noise makes a quarter of the mean square gradient.
+/// Uneven positions are made even and voids filled. Heights that are not periodic lose their terms of second order, or their plane alone
+/// where no period is asked for and they may be a body; they are then mirrored along the axes on which they still jump. Waves that cannot be
+/// told from noise are filtered out where the noise makes a quarter of the mean square gradient.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
     /// The steps.
@@ -59,16 +57,15 @@ impl Choice {
 
     /// Takes off the trend.
     fn detrended(&mut self, scan: Scan, survey: &Survey, periodic: [bool; 2]) -> Scan {
-        let share = survey.curvature_share;
-        let is_form = share >= FORM && periodic != [false; 2];
-        let (trend, name) =
-            if is_form { (Detrend::Curvature, "terms of second order are") } else { (Detrend::Plane, "plane is") };
+        let share = 100.0 * survey.curvature_share;
+        let (trend, reason) = if periodic == [false; 2] {
+            (Detrend::Plane, "nothing is beyond the rim: the plane is taken off, and what is bent stays so".to_owned())
+        } else {
+            let reason = "the heights are not periodic: their terms of second order are taken off";
+            (Detrend::Curvature, format!("{reason}, {share:.1} % of the mean square height about the plane"))
+        };
         self.preparation.detrend = Some(trend);
-        self.because(format!(
-            "terms of second order explain {:.0} % of the mean square height about the plane, and the heights are not periodic: the {name} \
-             taken off",
-            100.0 * share
-        ));
+        self.because(reason);
         trend.of(scan)
     }
 

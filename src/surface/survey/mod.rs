@@ -4,7 +4,7 @@ mod band;
 mod choice;
 mod scales;
 
-pub use band::PowerLaw;
+pub use band::{Band, PowerLaw};
 pub use choice::Choice;
 pub use scales::{Scale, Scales};
 
@@ -43,8 +43,7 @@ pub struct Survey {
     /// The power law of the power spectrum between the shortest wavelength that is told from noise and a quarter of the length.
     pub power_law: Option<PowerLaw>,
     /// The power spectrum of the heights less their plane, under a Hann window of mean square 1, which ends the waves of the rim.
-    #[serde(skip)]
-    pub spectrum: PowerSpectrum,
+    pub spectrum: Vec<Band>,
 }
 
 impl Survey {
@@ -61,7 +60,7 @@ impl Survey {
         let [total, rest] = [square(&flat), square(&Detrend::Curvature.of(full.clone()))];
         let plane = Detrend::Plane.of(scan.clone());
         let axes: Vec<Scales> = (0..2).filter_map(|axis| Scales::of(&plane, axis)).collect();
-        let spectrum = PowerSpectrum::of(&Surface::new(grid, windowed(&flat).height)?);
+        let spectrum = Band::all(&PowerSpectrum::of(&Surface::new(grid, windowed(&flat).height)?));
         let shortest = axes.iter().map(|it| it.shortest_wavelength).fold(grid.shortest_wavelength(), f64::max);
         Ok(Self {
             voids: scan.voids(),

@@ -1,7 +1,7 @@
 //! Heights along an axis, from scale to scale.
 
 use crate::chunks;
-use crate::surface::Scan;
+use crate::surface::{Scan, Surface};
 
 /// Bends that grow by less than this factor from the spacing to twice the spacing are noise: those of independent heights do not grow, and
 /// those of a self-affine surface grow by `2^(2H)`.
@@ -31,7 +31,7 @@ pub struct Scale {
 ///
 /// The mean square `B(s)` of the bends `h(x + s) - 2 h(x) + h(x - s)` is that of independent noise of the rms height `sigma`, which does
 /// not depend on `s`, and that of the surface, which grows as `s^(2H)` where it is self-affine: `B(s) = 6 sigma^2 + b s^(2H)`. Its values
-/// at one, two and four spacings give `sigma`.
+/// at one, two and four spacings give `sigma`; noise that is weaker than the steps of the surface is told as less than it is.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Scales {
     /// The axis, "y" or "x".
@@ -50,6 +50,12 @@ pub struct Scales {
 }
 
 impl Scales {
+    /// The scales of a surface along y and x, at every so many nodes along an axis; an axis of less than 9 of these is left out.
+    pub fn of_surface(surface: &Surface, every: usize) -> Vec<Self> {
+        let scan = Scan::of(surface, every);
+        (0..2).filter_map(|axis| Self::of(&scan, axis)).collect()
+    }
+
     /// Heights along an axis, 0 for y and 1 for x; none for an axis of less than 9 nodes or without differences.
     pub(super) fn of(scan: &Scan, axis: usize) -> Option<Self> {
         let (nodes, spacing) = (scan.shape()[axis], scan.spacing[axis]);

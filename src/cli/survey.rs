@@ -1,0 +1,52 @@
+//! What heights are like, for people.
+
+use super::output::write_rows;
+use asperity::surface::{Scale, Scales, Survey};
+use std::io::{self, Write};
+
+/// Writes what heights are like, and their differences from scale to scale.
+pub fn write(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
+    let [along_y, along_x] = survey.tilt;
+    let share = 100.0 * survey.curvature_share;
+    let overall = [
+        ("tilt", format!("{along_y:.3e} along y, {along_x:.3e} along x")),
+        ("curvature", format!("{share:.1} % of the mean square height about the plane")),
+    ];
+    let law = survey.power_law.map(|law| {
+        let [shortest, longest] = law.wavelengths;
+        let (exponent, hurst) = (law.exponent, law.hurst);
+        format!("C(q) ~ q^{exponent:.2} (H = {hurst:.2}) at wavelengths of {shortest:.3e} to {longest:.3e}")
+    });
+    write_rows(overall.into_iter().chain(law.map(|law| ("power spectrum", law))).map(owned), out)?;
+    survey.axes.iter().try_for_each(|axis| write_axis(axis, out))
+}
+
+fn write_axis(axis: &Scales, out: &mut impl Write) -> io::Result<()> {
+    let Scales { noise, noise_share, shortest_wavelength, .. } = axis;
+    let smooth = axis.smooth_wavelength.map_or("nowhere: they are rough down to their spacing".into(), |wavelength| {
+        format!("below wavelengths of {wavelength:.3e}")
+    });
+    let rows = [
+        ("noise", format!("{noise:.3e} rms, {:.0} % of the mean square gradient", 100.0 * noise_share)),
+        ("told from noise", format!("wavelengths from {shortest_wavelength:.3e} on")),
+        ("smooth", smooth),
+    ];
+    write_rows(rows.map(|(name, value)| (format!("{name} along {}", axis.axis), value)), out)?;
+    writeln!(
+        out,
+        "  {:<25} {:<13} {:<13} rms curvature",
+        format!("distance along {}", axis.axis),
+        "rms step",
+        "rms gradient"
+    )?;
+    write_rows(axis.scales.iter().map(row), out)
+}
+
+fn row(scale: &Scale) -> (String, String) {
+    let Scale { distance, rms_step, rms_gradient, rms_curvature } = scale;
+    (format!("{distance:.4e}"), format!("{rms_step:<13.4e} {rms_gradient:<13.4e} {rms_curvature:.4e}"))
+}
+
+fn owned((name, value): (&str, String)) -> (String, String) {
+    (name.to_owned(), value)
+}

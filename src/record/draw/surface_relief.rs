@@ -1,0 +1,39 @@
+//! A surface as a relief, coloured by its height.
+
+use super::fields::{Fields, Outline, range};
+use super::palette::Palette;
+use super::relief::Relief;
+use crate::surface::Surface;
+use rerun::{RecordingStream, RecordingStreamResult};
+
+/// A surface in three dimensions, peaks up.
+pub struct SurfaceRelief {
+    root: String,
+    relief: Relief,
+    fields: Fields<'static>,
+}
+
+impl SurfaceRelief {
+    /// The relief of a surface under `root`, lengths in `unit`.
+    pub fn new(surface: &Surface, palette: &'static Palette, root: &str, unit: &str) -> Self {
+        let heights = surface.heights();
+        let [low, high] = range(heights.iter().copied());
+        let relief = Relief::over(surface.grid(), heights, high - low, palette, root, unit);
+        // what is drawn lies at the negative of height and gap: that of the surface as far below its highest peak as it is
+        let gap = heights.iter().map(|h| high - 2.0 * h).collect::<Vec<_>>().into();
+        let pressure = heights.iter().map(|h| h - low).collect::<Vec<_>>().into();
+        let fields = Fields { stride: [1, 1], pressure, gap, outline: Outline::default(), patches: Vec::new() };
+        Self { root: format!("{root}/relief"), relief, fields }
+    }
+
+    /// The root of its entities.
+    pub fn root(&self) -> &str {
+        &self.root
+    }
+
+    /// Records it.
+    pub fn log(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        self.relief.log_static(to)?;
+        self.relief.log_frame(to, &self.fields)
+    }
+}

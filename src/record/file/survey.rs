@@ -1,0 +1,54 @@
+//! Recordings of what heights are like.
+
+use super::output::Output;
+use super::recording::{Name, stream};
+use crate::error::FileError;
+use crate::record::draw::{FigurePicture, Palette, SurfaceRelief, survey_figure};
+use crate::record::layout::send_survey;
+use crate::setup::Theme;
+use crate::surface::{Surface, Survey};
+use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
+use std::io;
+use std::path::Path;
+
+/// Entity of the text.
+const TEXT: &str = "/description";
+/// Entity of the relief.
+const RELIEF: &str = "/surface";
+
+/// Writes a recording of a surface: a relief, of a line its heights; the power spectrum with its power law; the rms gradient over the
+/// distance; and a text in Markdown. Lengths are in `unit`, such as `m`.
+///
+/// # Errors
+/// [`FileError::Target`] if no file can be made at `out`, [`FileError::Write`] if writing fails.
+pub fn record_survey(
+    out: &Path,
+    title: &str,
+    surface: &Surface,
+    survey: &Survey,
+    unit: &str,
+    text: &str,
+) -> Result<(), FileError> {
+    let palette = Palette::of(Theme::Dark);
+    let figure = FigurePicture::new(&survey_figure(surface, survey, unit), Vec::new(), palette);
+    let relief = (!surface.grid().is_line()).then(|| SurfaceRelief::new(surface, palette, RELIEF, unit));
+    let output = Output::create(out)?;
+    let failure = |failure| output.error(io::Error::other(failure));
+    let name = Name::made_of(title.into(), &[title.to_owned(), text.to_owned()]);
+    let stream = stream(output.clone(), &name).map_err(failure)?;
+    log(&stream, relief.as_ref(), &figure, text).map_err(failure)?;
+    stream.flush_blocking().map_err(|failure| output.error(io::Error::other(failure)))?;
+    output.finish()
+}
+
+fn log(
+    to: &RecordingStream,
+    relief: Option<&SurfaceRelief>,
+    figure: &FigurePicture,
+    text: &str,
+) -> RecordingStreamResult<()> {
+    send_survey(relief.map(|relief| relief.root()), figure, TEXT, to)?;
+    to.log_static(TEXT, &TextDocument::from_markdown(text))?;
+    figure.log_static(to)?;
+    relief.map_or(Ok(()), |relief| relief.log(to))
+}

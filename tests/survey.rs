@@ -1,0 +1,173 @@
+//! What measured heights are like, told of heights of which it is known, and the preparation that they need.
+
+use asperity::surface::{Choice, Detrend, Fill, Mirror, Preparation, Resample, Scales, Scan, Spectrum, Survey};
+use asperity::{Grid, Surface};
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
+
+const SPACING: f64 = 0.25;
+
+/// Self-affine heights of the Hurst exponent 0.7 down to a short cut-off of so many spacings, of the rms gradient 0.1, on a part of their
+/// period, so that they jump across it.
+fn rough(shape: [usize; 2], cutoff: f64, seed: u64) -> Scan {
+    let twice = shape.map(|n| if n == 1 { 1 } else { 2 * n });
+    let grid = match twice {
+        [1, nx] => Grid::line(nx, nx as f64 * SPACING),
+        [ny, nx] => Grid::surface([ny, nx], [ny, nx].map(|n| n as f64 * SPACING)),
+    };
+    let rolloff_wavelength = twice[1] as f64 * SPACING / 4.0;
+    let spectrum = Spectrum { hurst: 0.7, rolloff_wavelength, short_cutoff: cutoff * SPACING, rms_gradient: 0.1 };
+    let whole = Scan::of(&Surface::rough(grid.unwrap(), &spectrum, seed).unwrap(), 1);
+    let height = ndarray::Array2::from_shape_fn(shape, |(y, x)| whole.height[[y, x]]);
+    Scan { height, spacing: [SPACING; 2] }
+}
+
+/// Heights with independent noise of some rms height.
+fn noisy(mut scan: Scan, rms: f64, seed: u64) -> Scan {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let half = rms * 3f64.sqrt();
+    scan.height.mapv_inplace(|h| h + random.random_range(-half..half));
+    scan
+}
+
+#[test]
+fn noise_is_told_from_roughness() {
+    for (shape, seed) in [([1, 1 << 14], 1), ([1, 1 << 14], 2), ([256, 256], 3)] {
+        let surface = rough(shape, 2.0, seed);
+        let step = Survey::of(&surface).unwrap().axes[0].scales[0].rms_step;
+        for share in [0.5, 1.0, 3.0] {
+            for axis in Survey::of(&noisy(surface.clone(), share * step, seed)).unwrap().axes {
+                let found = axis.noise / (share * step);
+                assert!(
+                    (found - 1.0).abs() < 0.25,
+                    "{shape:?}, {share} steps: {found} of the noise along {}",
+                    axis.axis
+                );
+                assert!(axis.noise_share > 0.2, "{}", axis.noise_share);
+            }
+        }
+        let clean = Survey::of(&surface).unwrap();
+        assert!(clean.noise_share() < 0.1, "{shape:?}: {} of the gradient is taken for noise", clean.noise_share());
+    }
+}
+
+#[test]
+fn noise_alone_is_noise_at_all_scales() {
+    let flat = Scan { height: ndarray::Array2::zeros((128, 160)), spacing: [SPACING; 2] };
+    let survey = Survey::of(&noisy(flat, 2.0, 7)).unwrap();
+    for axis in &survey.axes {
+        assert!((axis.noise / 2.0 - 1.0).abs() < 0.05 && axis.noise_share > 0.95, "{axis:?}");
+        assert!(axis.shortest_wavelength >= 128.0 * SPACING / 4.0, "{axis:?}");
+    }
+    assert_eq!(survey.power_law, None, "nothing is told from noise");
+}
+
+#[test]
+fn the_hurst_exponent_is_that_of_the_roughness() {
+    for (shape, within) in [([1, 1 << 15], 0.1), ([512, 512], 0.1)] {
+        // the roll-off lies at half of the length of this part
+        let law = Survey::of(&rough(shape, 2.0, 11)).unwrap().power_law.unwrap();
+        assert!((law.hurst - 0.7).abs() < within, "{shape:?}: {law:?}");
+        assert_eq!(law.wavelengths[1], shape[1] as f64 * SPACING / 4.0);
+    }
+}
+
+#[test]
+fn heights_are_smooth_below_their_short_cutoff() {
+    for shape in [[1, 1 << 14], [256, 256]] {
+        for axis in Survey::of(&rough(shape, 64.0, 5)).unwrap().axes {
+            let smooth = axis.smooth_wavelength.unwrap() / SPACING;
+            assert!((16.0..=64.0).contains(&smooth), "{shape:?} along {}: smooth below {smooth} spacings", axis.axis);
+            assert!(axis.noise_share < 1e-3, "{axis:?}");
+            let [one, two] = [0, 1].map(|i| axis.scales[i].rms_gradient);
+            assert!((one / two - 1.0).abs() < 0.02, "the gradient is resolved: {one} and {two}");
+        }
+        assert!(Survey::of(&rough(shape, 2.0, 5)).unwrap().axes.iter().all(|axis| axis.smooth_wavelength.is_none()));
+    }
+}
+
+#[test]
+fn a_tilted_and_bent_map_says_by_how_much() {
+    let place = |i: usize, n: usize| (i as f64 - 0.5 * (n as f64 - 1.0)) * SPACING;
+    let [ny, nx] = [60, 90];
+    let bent = |(y, x): (usize, usize)| 3.0 + 0.02 * place(y, ny) - 0.05 * place(x, nx) + 1e-3 * place(x, nx).powi(2);
+    let mut scan = Scan { height: ndarray::Array2::from_shape_fn((ny, nx), bent), spacing: [SPACING; 2] };
+    let check = |survey: &Survey, within: f64| {
+        assert!((survey.tilt[0] - 0.02).abs() < within && (survey.tilt[1] + 0.05).abs() < within, "{:?}", survey.tilt);
+        assert!((survey.curvature_share - 1.0).abs() < within, "{}", survey.curvature_share);
+    };
+    check(&Survey::of(&scan).unwrap(), 1e-9);
+    (10..14).for_each(|y| (20..25).for_each(|x| scan.height[[y, x]] = f64::NAN));
+    let survey = Survey::of(&scan).unwrap();
+    assert_eq!(survey.voids, 20);
+    check(&survey, 1e-3);
+}
+
+#[test]
+fn all_voids_are_refused() {
+    let void = Scan { height: ndarray::Array2::from_elem((16, 16), f64::NAN), spacing: [1.0; 2] };
+    assert!(Survey::of(&void).unwrap_err().to_string().contains("NaN"));
+    assert!(Choice::of(&void, true, [true; 2]).is_err());
+}
+
+#[test]
+fn what_is_chosen_is_what_heights_need() {
+    let choose = |scan: &Scan, periodic| Choice::of(scan, true, periodic).unwrap();
+    let none = Preparation::default();
+    let grid = Grid::surface([128, 128], [32.0, 32.0]).unwrap();
+    let spectrum = Spectrum { hurst: 0.7, rolloff_wavelength: 8.0, short_cutoff: 1.0, rms_gradient: 0.1 };
+    let periodic = Scan::of(&Surface::rough(grid, &spectrum, 1).unwrap(), 1);
+    assert_eq!(choose(&periodic, [true; 2]).preparation, none, "periodic heights are left as they are");
+
+    let part = rough([128, 128], 8.0, 3);
+    let mirrored = Preparation { detrend: Some(Detrend::Curvature), mirror: Some(Mirror::Both), ..none.clone() };
+    assert_eq!(choose(&part, [true; 2]).preparation, mirrored);
+    assert_eq!(choose(&part, [true; 2]).reasons.len(), 2);
+    assert_eq!(choose(&part, [true, false]).preparation.mirror, Some(Mirror::Y));
+    let flat = Preparation { detrend: Some(Detrend::Plane), ..none.clone() };
+    assert_eq!(choose(&part, [false; 2]).preparation, flat);
+
+    let mut holed = part.clone();
+    holed.height[[5, 5]] = f64::NAN;
+    assert_eq!(choose(&holed, [true; 2]).preparation, Preparation { fill: Some(Fill::Harmonic), ..mirrored.clone() });
+
+    let step = Survey::of(&part).unwrap().axes[0].scales[0].rms_step;
+    let low_pass = choose(&noisy(part.clone(), step, 1), [true; 2]).preparation.low_pass.unwrap();
+    assert!(low_pass > 4.0 * SPACING, "{low_pass}");
+
+    let uneven = Choice::of(&rough([1, 4096], 8.0, 1), false, [true; 2]).unwrap().preparation;
+    assert_eq!(uneven.resample, Some(Resample::Linear));
+}
+
+/// What the steps that were chosen make of heights needs none of them any more, but for the noise that a filter leaves at its wavelength.
+#[test]
+fn prepared_heights_are_periodic_and_told_from_noise() {
+    for (scan, seed) in [(rough([1, 8192], 2.0, 9), 1), (rough([160, 200], 2.0, 9), 2)] {
+        let step = Survey::of(&scan).unwrap().axes[0].scales[0].rms_step;
+        let mut measured = noisy(scan, 2.0 * step, seed);
+        measured.height.indexed_iter_mut().for_each(|((y, x), h)| *h += 0.3 * x as f64 - 0.1 * y as f64);
+        let choice = Choice::of(&measured, true, [true; 2]).unwrap();
+        let before = Survey::of(&measured).unwrap();
+        let after = Survey::of(&choice.preparation.of(measured).unwrap().scan).unwrap();
+        assert!(before.jumps[1] > 50.0 && after.jumps.iter().all(|jump| *jump < 3.0), "{:?}", after.jumps);
+        assert!(before.noise_share() > 0.5 && after.noise_share() < 0.05, "{}", after.noise_share());
+    }
+}
+
+#[test]
+fn scales_of_a_refined_surface_are_those_of_its_nodes() {
+    let grid = Grid::surface([32, 48], [8.0, 12.0]).unwrap();
+    let spectrum = Spectrum { hurst: 0.5, rolloff_wavelength: 4.0, short_cutoff: 0.8, rms_gradient: 0.1 };
+    let surface = Surface::rough(grid, &spectrum, 4).unwrap();
+    let [coarse, fine] =
+        [(&surface, 1), (&surface.refined(4).unwrap(), 4)].map(|(it, every)| Scales::of_surface(it, every));
+    assert_eq!(coarse.len(), 2);
+    for (coarse, fine) in coarse.iter().zip(&fine) {
+        for (one, other) in coarse.scales.iter().zip(&fine.scales) {
+            assert!(
+                (one.rms_step / other.rms_step - 1.0).abs() < 1e-9 && one.distance == other.distance,
+                "{one:?}, {other:?}"
+            );
+        }
+    }
+}
