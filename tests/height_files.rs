@@ -141,13 +141,14 @@ fn two_columns_or_rows_are_positions_and_heights() {
     assert!(reason(&path).contains("positions, is 1.0 throughout: give the heights alone"));
 }
 
-/// Real files, those of the tests of SurfaceTopography, in the folder of the environment variable `ASPERITY_SURFACES`.
+/// Real files, those of the tests of SurfaceTopography, where they are beside the project.
 #[test]
 fn measured_profiles_and_matrices_are_read() {
-    let Some(folder) = std::env::var_os("ASPERITY_SURFACES").map(PathBuf::from) else {
-        eprintln!("skipped: ASPERITY_SURFACES names no folder of measured files");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/surfaces");
+    if !folder.is_dir() {
+        eprintln!("skipped: there are no measured files in {}", folder.display());
         return;
-    };
+    }
     let read = |name: &str| read_heights(folder.join(name)).unwrap();
     let matrix = read("matrix-3.txt");
     assert_eq!((matrix.shape(), matrix[[0, 255]], matrix[[131, 121]]), (&[256, 256][..], 1.7899e-7, 3.3094e-10));

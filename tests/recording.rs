@@ -33,6 +33,8 @@ mod loads;
 mod numbers;
 #[path = "recording/properties.rs"]
 mod properties;
+#[path = "recording/survey.rs"]
+mod survey;
 #[path = "recording/theme.rs"]
 mod theme;
 

@@ -3,7 +3,7 @@
 use super::*;
 
 /// The lines on standard error that warn.
-fn warnings(output: &Output) -> Vec<&str> {
+pub fn warnings(output: &Output) -> Vec<&str> {
     text(&output.stderr).lines().filter_map(|line| line.strip_prefix("warning: ")).collect()
 }
 
