@@ -13,14 +13,15 @@ use asperity::files::check_named;
 #[cfg(feature = "record")]
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
-use asperity::surface::{Field, Measurement, Roughness, Scan, Surface, Survey, write_heights};
+use asperity::surface::{Field, Measurement, Resample, Roughness, Scan, Surface, Survey, write_heights};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
 use std::path::{Path, PathBuf};
 
-/// Fields that a surface takes while it is made and written: heights, spectrum, and the heights as given.
-const FIELDS: f64 = 3.0;
+/// Fields that a surface takes while it is made, described and written: heights as they are and as given, with trends and windows on and
+/// off, and their spectrum.
+const FIELDS: f64 = 10.0;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -101,12 +102,14 @@ impl Describe {
         if let Some(path) = &self.record {
             check_named(path, &["rrd"])?;
         }
-        let (recipe, cell) = self.scene.table()?.surface()?;
+        let (mut recipe, cell) = self.scene.table()?.surface()?;
+        let uneven = even(&mut recipe)?;
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
         Cost::of_fields(&grid, FIELDS).check("a surface")?;
         let rank = recipe.rank(&cell)?;
-        let (statistics, height) = describe(&recipe, &grid, 2 - rank)?;
+        let (mut statistics, height) = describe(&recipe, &grid, 2 - rank)?;
+        statistics.warnings.extend(uneven);
         caution::heed(&statistics.warnings, self.strict)?;
         #[cfg(feature = "record")]
         if let Some(path) = &self.record {
@@ -126,6 +129,21 @@ impl Describe {
         self.out.iter().for_each(|path| wrote(path));
         Ok(Outcome::Done)
     }
+}
+
+/// Has heights at uneven positions resampled, which a description needs as well, and says so.
+fn even(recipe: &mut Recipe) -> Result<Option<String>> {
+    let is_given = recipe.prepare.resample.is_some();
+    let Some(path) = recipe.height.as_ref().filter(|_| !is_given) else { return Ok(None) };
+    if Measurement::read_layout(path, recipe.channel.as_deref())?.is_even {
+        return Ok(None);
+    }
+    recipe.prepare.resample = Some(Resample::Linear);
+    Ok(Some(
+        "the positions are not evenly spaced, and no contact can be solved with them: this is told of heights at even ones, as --resample linear \
+         makes them"
+            .into(),
+    ))
 }
 
 /// The statistics of a surface from an axis on, and its heights, NaN where they are void.

@@ -1,5 +1,6 @@
 //! Preparations that are to be chosen.
 
+use super::Cost;
 use super::text::Table;
 use crate::error::SetupError;
 use crate::surface::Choice;
@@ -7,6 +8,8 @@ use crate::surface::Choice;
 /// What stands in the place of steps that are to be chosen, and where.
 const AUTO: &str = "auto";
 const STEPS: &str = "surface.prepare.steps";
+/// Fields that heights take while it is found out what they are like.
+const SURVEY_FIELDS: f64 = 9.0;
 
 impl Table {
     /// Puts the steps that a height file needs in the place of `surface.prepare.steps = "auto"`, so that the setup holds them one by one, and
@@ -26,6 +29,7 @@ impl Table {
         let mut on_its_grid = self.clone();
         on_its_grid.take_auto()?;
         let (recipe, cell) = on_its_grid.surface()?;
+        Cost::of_fields(&recipe.grid(&cell)?, SURVEY_FIELDS).check("a survey")?;
         let Choice { preparation, reasons } = recipe.choice(&cell)?;
         let steps = toml::Table::try_from(preparation).expect("steps have a form in TOML");
         for (step, value) in steps {
