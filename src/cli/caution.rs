@@ -2,9 +2,8 @@
 
 use asperity::contact::{Contact, Observables};
 use asperity::setup::Recipe;
-use asperity::surface::{Detrend, Layout, Measurement, Surface};
+use asperity::surface::{Detrend, HeightFile, Layout, Surface};
 use std::io::{Write, stderr};
-use std::path::Path;
 
 /// Reduced pressures above this one are far beyond full contact, which is near 1 to 2.
 const HEAVIEST: f64 = 10.0;
@@ -39,7 +38,7 @@ pub fn of_surface(recipe: &Recipe, surface: &Surface) -> Vec<String> {
     let measured = recipe
         .height
         .as_ref()
-        .map(|path| [spacing(surface), gradient(surface), spacing_of_file(recipe, path, surface)]);
+        .map(|file| [spacing(surface), gradient(surface), spacing_of_file(recipe, file, surface)]);
     jumps.filter_map(jump).chain(measured.into_iter().flatten().flatten()).collect()
 }
 
@@ -125,8 +124,8 @@ fn spacing(surface: &Surface) -> Option<String> {
 }
 
 /// Distances in a file that do not fit the size, of a file that does not say its units in none.
-fn spacing_of_file(recipe: &Recipe, path: &Path, surface: &Surface) -> Option<String> {
-    let Layout { spacing, shape, is_in_metres, .. } = Measurement::read_layout(path, recipe.channel.as_deref()).ok()?;
+fn spacing_of_file(recipe: &Recipe, file: &HeightFile, surface: &Surface) -> Option<String> {
+    let Layout { spacing, shape, is_in_metres, .. } = file.layout(recipe.channel.as_deref()).ok()?;
     let [_, told] = spacing?;
     let refined = surface.grid().shape()[1] / recipe.prepare.shape(shape).ok()?[1];
     let spacing = surface.grid().spacing()[1] * refined as f64;
@@ -136,7 +135,7 @@ fn spacing_of_file(recipe: &Recipe, path: &Path, surface: &Surface) -> Option<St
     (!is_same).then(|| {
         format!(
             "the points in {} are {told:.6e} apart and those of the grid {spacing:.6e}: leave the size out, or give that of the file",
-            path.display()
+            file.display()
         )
     })
 }

@@ -10,11 +10,11 @@ use anyhow::Result;
 use asperity::Grid;
 use asperity::files::check_named;
 use asperity::setup::{Cost, Recipe};
-use asperity::surface::{Field, Measurement, Roughness, write_heights};
+use asperity::surface::{Field, HeightFile, Measurement, Roughness, write_heights};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Fields that a surface takes while it is made and written: heights, spectrum, and the heights as given.
 const FIELDS: f64 = 3.0;
@@ -107,7 +107,7 @@ impl Describe {
 
 /// The statistics of a surface from an axis on, and its heights, NaN where they are void.
 fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, Field)> {
-    let read = |path: &PathBuf| -> Result<_> { Ok((Origin::read(path, recipe)?, recipe.prepared(path, grid)?)) };
+    let read = |file: &HeightFile| -> Result<_> { Ok((Origin::read(file, recipe)?, recipe.prepared(file, grid)?)) };
     let (file, prepared) = recipe.height.as_ref().map(read).transpose()?.unzip();
     let voids = prepared.as_ref().map_or(0, |it| it.scan.voids());
     let mut statistics = Statistics {
@@ -134,9 +134,9 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
 }
 
 impl Origin {
-    fn read(path: &Path, recipe: &Recipe) -> Result<Self> {
+    fn read(file: &HeightFile, recipe: &Recipe) -> Result<Self> {
         let Measurement { format, channels, channel, is_in_metres, header, .. } =
-            Measurement::read(path, recipe.channel.as_deref())?;
+            file.measurement(recipe.channel.as_deref())?;
         Ok(Self { format, channels, channel, is_in_metres, header })
     }
 
