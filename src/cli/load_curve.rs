@@ -114,7 +114,7 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
         setup.write(path)?;
     }
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
-    let mut warnings = caution::of_surface(&curve.setup.surface, problem.surface());
+    let mut warnings = curve.setup.surface.warnings(problem.surface());
     warnings.extend(caution::of_contacts(&observables));
     let summary = Summary { subject, loads: findings, warnings, setup };
     if outputs.json {

@@ -150,7 +150,7 @@ impl Solve {
         if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
         }
-        let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
+        let mut warnings = setup.surface.warnings(contact.problem.surface());
         warnings.extend(caution::of_contacts(&[&finding.observables]));
         warnings.extend(caution::of_rim(contact));
         warnings.extend(unsettled.then(caution::unsettled));

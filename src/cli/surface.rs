@@ -129,7 +129,7 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     let surface = recipe.surface(*grid)?;
     let (jump_in_rms_steps, roughness) = (surface.jumps()[outer..].to_vec(), Roughness::of(&surface));
     statistics.whole = Some(Whole { jump_in_rms_steps, roughness });
-    statistics.warnings.extend(caution::of_surface(recipe, &surface));
+    statistics.warnings.extend(recipe.warnings(&surface));
     Ok((statistics, surface.heights_as_given()))
 }
 

@@ -31,6 +31,7 @@
 //! ```
 
 mod auto;
+mod caution;
 mod cell;
 mod chosen;
 mod command;

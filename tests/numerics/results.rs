@@ -35,7 +35,7 @@ fn results_are_repeated_from_themselves() {
     let again = Table::read(&path).unwrap().setup().unwrap();
     let (height, found) = (rough_height(&values), read_heights(&path).unwrap());
     assert!(height.iter().zip(&found).all(|(a, b)| (a - b).abs() < 1e-15));
-    assert_eq!((again.surface.indenter, again.surface.height.clone()), (None, Some(path.into())));
+    assert_eq!((again.surface.indenter, again.surface.height.clone()), (None, Some(path.clone().into())));
     assert_eq!((again.surface.rank(&again.grid).unwrap(), again.check().unwrap().shape()), (1, [1, 32]));
 
     let contact = again.solver.solver().solve(&again.problem().unwrap(), &again.stop, &mut ()).unwrap();
