@@ -11,7 +11,7 @@ const rough = (k) => isMade(k) && k.roughness > 0;
 const CONTROLS = [
   { group: "Load", id: "load", label: "p*", kind: "range", log: true, min: -4, max: 1.5, step: 0.02, least: 1e-5, most: 1e3, wide: "load",
     tip: "Reduced pressure p* = mean pressure / (rms gradient × E*). Contact grows in proportion to it at first, and is full at p* of about 2." },
-  { group: "Load", id: "hardness", label: "Hardness H<sub>c</sub>/E*", kind: "range", min: 0, max: 0.002, step: 0.00002, most: 1,
+  { group: "Load", id: "hardness", label: "Hardness H_c/E*", kind: "range", min: 0, max: 0.002, step: 0.00002, most: 1,
     tip: "Hardness of the softer body over E*, a pressure above which it yields: no pressure is higher. At 0 the body is elastic. Not with GFMD." },
   { group: "Load", id: "layer", label: "Layer t/L", kind: "range", min: 0, max: 0.5, step: 0.005, most: 10,
     tip: "Thickness of an elastic layer (bonded to a rigid base, ν = 0.3) over the length of the cell. At 0 it is a half-space." },

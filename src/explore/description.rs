@@ -2,6 +2,7 @@
 
 use super::height_knobs::HeightKnobs;
 use super::refusal::Refusal;
+use crate::setup::fnv1a;
 use crate::surface::{HeightFile, Measurement, Preparation, Scan, Survey};
 use serde::Serialize;
 
@@ -41,6 +42,8 @@ impl Description {
     /// # Errors
     /// For a file that cannot be read.
     pub fn of(file: &HeightFile, knobs: HeightKnobs) -> Result<Self, Refusal> {
+        let mark = format!("{:016x}", fnv1a([file.bytes()?.as_ref()]));
+        let knobs = HeightKnobs { file: Some(mark), ..knobs };
         let measured = file.measurement(knobs.channel.as_deref())?;
         let chosen = if knobs.auto { knobs.chosen(file) } else { Ok((knobs.clone(), Vec::new())) };
         let taken = chosen.and_then(|(knobs, reasons)| Ok((scan(&knobs, file)?, knobs, reasons)));
@@ -59,6 +62,20 @@ impl Description {
         let Measurement { is_profile, channels, channel, is_in_metres, .. } = measured;
         let name = file.display().to_string();
         Ok(Self { name, is_profile, channels, channel, is_in_metres, has_spacing, knobs, rows, reasons, fault })
+    }
+}
+
+impl Description {
+    /// Refuses knobs that are for another file.
+    ///
+    /// # Errors
+    /// For knobs with the mark of another file.
+    pub(super) fn check(&self, knobs: &HeightKnobs) -> Result<(), Refusal> {
+        if knobs.file.is_none() || knobs.file == self.knobs.file {
+            return Ok(());
+        }
+        let name = &self.name;
+        Err(Refusal(format!("another file, {name}, has taken the place of this one: drop this one again")))
     }
 }
 

@@ -14,6 +14,9 @@ pub const MOST_POINTS: [usize; 2] = [1 << 18, 1 << 20];
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct HeightKnobs {
+    /// The mark of the file that they are for, by its bytes, as a description tells it; any file if it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
     /// The channel, by name or number from 1 on; the first one of heights if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub channel: Option<String>,
@@ -33,8 +36,8 @@ pub struct HeightKnobs {
 
 impl Default for HeightKnobs {
     fn default() -> Self {
-        let (channel, unit, width, prepare) = Default::default();
-        Self { channel, unit, width, boundary: Boundary::Periodic, auto: true, prepare }
+        let (file, channel, unit, width, prepare) = Default::default();
+        Self { file, channel, unit, width, boundary: Boundary::Periodic, auto: true, prepare }
     }
 }
 

@@ -58,7 +58,7 @@ pub struct Knobs {
     theme: Theme,
     /// How the file of heights is taken, where it is the body: its points and lengths take the place of those above.
     #[serde(default)]
-    heights: HeightKnobs,
+    pub(super) heights: HeightKnobs,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -146,6 +146,11 @@ impl Knobs {
     /// A sentence with the value that cannot be and what to do.
     pub fn setup(&self) -> Result<Setup, Refusal> {
         self.setup_with(None)
+    }
+
+    /// Whether the file of heights is the body.
+    pub(super) fn takes_file(&self) -> bool {
+        self.body == Body::File
     }
 
     /// The setup that the knobs stand for beside a file of heights, if there is one.

@@ -93,8 +93,11 @@ impl Session {
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
     /// Knobs that stand for nothing are refused; what runs then goes on.
     pub(super) fn order(&self, kind: Kind, knobs: Knobs) -> Result<u64, Refusal> {
-        let file = self.lock().heights.as_ref().map(|(file, _)| file.clone());
-        let setup = knobs.setup_with(file.as_ref())?;
+        let heights = self.lock().heights.clone();
+        if let Some((_, description)) = heights.as_ref().filter(|_| knobs.takes_file()) {
+            description.check(&knobs.heights)?;
+        }
+        let setup = knobs.setup_with(heights.as_ref().map(|(file, _)| file))?;
         Ok(self.change(|state| {
             state.generation += 1;
             state.order = Some(Order { kind, knobs, setup });
@@ -113,9 +116,10 @@ impl Session {
 
     /// Describes the file of heights as other knobs take it.
     pub(super) fn describe(&self, knobs: HeightKnobs) -> Result<Description, Refusal> {
-        let file = self.lock().heights.as_ref().map(|(file, _)| file.clone());
         let none = || Refusal("there is no file of heights to describe: drop one on the page, or open it".into());
-        self.describe_as(file.ok_or_else(none)?, knobs)
+        let (file, description) = self.lock().heights.clone().ok_or_else(none)?;
+        description.check(&knobs)?;
+        self.describe_as(file, knobs)
     }
 
     fn describe_as(&self, file: HeightFile, knobs: HeightKnobs) -> Result<Description, Refusal> {
