@@ -1,5 +1,8 @@
 //! The explorer, asked as a browser would ask it.
 
+#[path = "explore/heights.rs"]
+mod heights;
+
 use asperity::Stop;
 use asperity::contact::{Multilevel, Solver};
 use asperity::explore::{Explorer, Knobs, Server, Session, Start};

@@ -5,7 +5,7 @@ use asperity::surface::{Measurement, read_heights, read_shape, write_heights};
 use ndarray::{Array2, ShapeBuilder, arr1, arr2};
 use ndarray_npy::{NpzWriter, WriteNpyExt};
 use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 fn reason(path: &Path) -> String {
     match read_heights(path) {

@@ -124,7 +124,7 @@ fn heights_indenter_and_roughness_add_up() {
     let alone =
         Setup { surface: Recipe { indenter: None, spectrum: None, seed: None, ..setup.surface.clone() }, ..setup };
     assert_eq!(alone.surface().unwrap().heights(), measured.heights());
-    assert_eq!(read_heights(alone.surface.height.unwrap()).unwrap().shape(), [20, 24]);
+    assert_eq!(read_heights(alone.surface.height.unwrap().path()).unwrap().shape(), [20, 24]);
 }
 
 #[test]

@@ -61,7 +61,8 @@ function legend(svg, top, curves, width) {
 }
 
 /** The knobs that make the surface of a sweep. */
-function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points }) {
+function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights }) {
+  if (body === "file") return JSON.stringify(heights);
   return JSON.stringify([domain, body, body === "power-law" && exponent, points, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
 }
 

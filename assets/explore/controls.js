@@ -3,25 +3,26 @@
 
 const byId = (id) => document.getElementById(id);
 const isGfmd = (k) => k.solver.method === "gfmd";
-const rough = (k) => k.roughness > 0;
+const isMade = (k) => k.body !== "file";
+const rough = (k) => isMade(k) && k.roughness > 0;
 
 /** Every control: its group, the path of the knob that it sets if that is not its id, and what it does in physics. A slider has
  * a field beside it for values between its notches, from `least` to `most` if that is not the range of the slider. */
 const CONTROLS = [
   { group: "Load", id: "load", label: "p*", kind: "range", log: true, min: -4, max: 1.5, step: 0.02, least: 1e-5, most: 1e3, wide: "load",
     tip: "Reduced pressure p* = mean pressure / (rms gradient × E*). Contact grows in proportion to it at first, and is full at p* of about 2." },
-  { group: "Load", id: "hardness", label: "Hardness H<sub>c</sub>/E*", kind: "range", min: 0, max: 0.002, step: 0.00002, most: 1,
+  { group: "Load", id: "hardness", label: "Hardness H_c/E*", kind: "range", min: 0, max: 0.002, step: 0.00002, most: 1,
     tip: "Hardness of the softer body over E*, a pressure above which it yields: no pressure is higher. At 0 the body is elastic. Not with GFMD." },
   { group: "Load", id: "layer", label: "Layer t/L", kind: "range", min: 0, max: 0.5, step: 0.005, most: 10,
     tip: "Thickness of an elastic layer (bonded to a rigid base, ν = 0.3) over the length of the cell. At 0 it is a half-space." },
-  { group: "Surface", id: "domain", label: "Geometry", kind: "select", options: { line: "Line (2-D)", surface: "Surface (3-D)" },
+  { group: "Surface", id: "domain", label: "Geometry", kind: "select", shown: isMade, options: { line: "Line (2-D)", surface: "Surface (3-D)" },
     tip: "A line is a profile in plane strain; a surface has both directions." },
   { group: "Surface", id: "body", label: "Shape", kind: "select",
-    options: { flat: "None: rough only", round: "Cylinder / sphere", sine: "Sine", "power-law": "Power law" },
+    options: { flat: "None: rough only", round: "Cylinder / sphere", sine: "Sine", "power-law": "Power law", file: "A file of heights" },
     tip: "The smooth body under the roughness, one per periodic cell of 160 µm. Without roughness on it the exact solution is known." },
   { group: "Surface", id: "exponent", label: "Exponent n", kind: "range", min: 1, max: 12, step: 0.5, shown: (k) => k.body === "power-law",
     tip: "Profile −A rⁿ: 1 is a wedge or cone, 2 the cylinder or sphere, large values a flat punch." },
-  { group: "Surface", id: "roughness", label: "Roughness", kind: "range", min: 0, max: 0.01, step: 0.0002,
+  { group: "Surface", id: "roughness", label: "Roughness", kind: "range", shown: isMade, min: 0, max: 0.01, step: 0.0002,
     tip: "Rms gradient of the roughness. At 0 the body is smooth: with the cylinder or sphere that is Hertz. A rough flat has no other scale, so there only p* counts." },
   { group: "Surface", id: "hurst", label: "Hurst H", kind: "range", min: 0.1, max: 1, step: 0.05, shown: rough,
     tip: "Hurst exponent: how heights grow with length. Small H is jagged on short waves; 0.8 is typical of fractured and ground surfaces." },
@@ -31,7 +32,7 @@ const CONTROLS = [
     tip: "Waves per cell at the short end of the spectrum. Needs at least two points per wave, and 8 to 32 for accurate areas." },
   { group: "Surface", id: "seed", label: "Seed", kind: "number", min: 0, max: 4294967295, step: 1, shown: rough, dice: true,
     tip: "Which random surface of this spectrum. The same seed gives the same surface everywhere. The dice (key D) takes another." },
-  { group: "Surface", id: "points", label: "Points", kind: "range", power2: true, min: 5, max: 18, step: 1, whole: true,
+  { group: "Surface", id: "points", label: "Points", kind: "range", power2: true, min: 5, max: 18, step: 1, whole: true, shown: isMade,
     tip: "Points of the line, or along each side of the surface (at most 1024). More points cost more, and need no more steps of the multilevel solver." },
   { group: "Solver", id: "solver", path: ["solver", "method"], label: "Method", kind: "select",
     options: { multilevel: "Multilevel", "polonsky-keer": "Conjugate gradients", gfmd: "GFMD" },
@@ -84,6 +85,7 @@ function build() {
   groups.get("Load").append(element("div", { class: "buttons" },
     button("sweep", "Sweep the load", "From first touch to full contact, each load from the contact before: contact, area, kappa and kappa_r in the viewer as they come, and below (key S).", sweep),
     button("cancel", "Stop", "End what is being solved; its latest state stays (Esc).", cancel)));
+  buildHeights();
   byId("controls").addEventListener("submit", (event) => event.preventDefault());
 }
 
@@ -202,6 +204,7 @@ function show() {
     }
     byId(`row-${control.id}`).hidden = control.shown ? !control.shown(knobs) : false;
   }
+  showHeights();
 }
 
 function dice() {

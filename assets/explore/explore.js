@@ -19,7 +19,7 @@ function paint(theme) {
   wake();
 }
 
-const KEYS = isView ? { t: toggleTheme } : { " ": play, s: sweep, d: dice, b: swap, p: pin, t: toggleTheme, Escape: cancel };
+const KEYS = isView ? { t: toggleTheme } : { " ": play, s: sweep, d: dice, o: openFile, b: swap, p: pin, t: toggleTheme, Escape: cancel };
 
 /** The keys of the page, of which the viewer gets none: it would keep all of them. Tab goes on, and Esc back to the page. */
 function key(event) {
@@ -39,7 +39,7 @@ function key(event) {
 function isTyping({ target, key }) {
   if (key === "Escape") return false;
   if (inViewer(target)) return isView;
-  return target.tagName === "SELECT" || target.type === "number" || (key === " " && (target.tagName === "BUTTON" || target.type === "checkbox"));
+  return target.tagName === "SELECT" || ["number", "text"].includes(target.type) || (key === " " && (target.tagName === "BUTTON" || target.type === "checkbox"));
 }
 
 function leaveViewer() {
@@ -78,6 +78,7 @@ async function begin() {
   takeTheme();
   remember(await ask("/api/runs"));
   build();
+  description = await ask("/api/heights");
   show();
   charts();
   byId("lesson").append(element("option", { value: "" }, "none"), ...Object.keys(LESSONS).map((name) => element("option", { value: name }, name)));
@@ -97,7 +98,8 @@ async function begin() {
   showDuration();
   window.addEventListener("resize", charts);
   if (before.run || before.sweep) heard(before);
-  if (!before.run || !isPainted) changed();
+  if (!before.run && description) { knobs.body = "file"; takeDescription(description); }
+  else if (!before.run || !isPainted) changed();
   listen();
 }
 

@@ -55,6 +55,7 @@ function heard(news) {
   report = news;
   if (news.fault) fault(news.fault);
   if (news.run) heardRun(news.run);
+  showHeights();
   if (news.sweep) heardSweep(news.sweep);
   showPin(news.pinned);
   byId("cancel").disabled = !news.busy;
@@ -234,5 +235,6 @@ function numbers() {
   byId("numbers").tBodies[0].replaceChildren(...body);
   const status = run.numbers ? run.numbers.status : "begun";
   if (!shown || shown === run) byId("title").textContent = `${run.title}: ${status}${run.exact ? `; exact: ${run.exact.name}` : ""}`;
+  warn(run);
   Object.assign(document.body.dataset, { run: run.id, status, ended: run.ended });
 }

@@ -1,93 +1,16 @@
-//! Warnings about surfaces and loads for which the numbers of a contact mean little.
+//! Warnings about loads for which the numbers of a contact mean little.
 
 use super::outcome::usage;
 use anyhow::Result;
 use asperity::contact::{Contact, Observables};
-use asperity::setup::Recipe;
-use asperity::surface::{Detrend, Layout, Measurement, Scales, Surface, Survey};
 use std::io::{Write, stderr};
-use std::path::Path;
 
 /// Reduced pressures above this one are far beyond full contact, which is near 1 to 2.
 const HEAVIEST: f64 = 10.0;
-/// Steps across the period above this many rms steps are a jump: periodic random lines have 0.05 to 2, measured traces less their
-/// plane up to 100.
-const JUMP: f64 = 10.0;
 /// Estimated errors of area or `kappa_r` above this one are told.
 const LARGEST_ERROR: f64 = 0.1;
 /// A share of the contact in patches too small to trust above this one is told.
 const LARGEST_SHARE: f64 = 0.25;
-/// Rms gradients of measured heights above this one come from a wrong unit, as they differ by thousands.
-const STEEPEST: f64 = 10.0;
-/// Lengths whose logarithms to the base of ten differ from a whole number by less than this may be the same in another unit.
-const SAME_LENGTH: f64 = 0.01;
-/// The share of noise in the mean square gradient above which it is told.
-const NOISIEST: f64 = 0.25;
-/// Rms gradients at the spacing over those at twice the spacing above this are told: those of resolved heights are about equal.
-const LARGEST_GROWTH: f64 = 1.1;
-/// Spacings that differ by less than this share count as equal.
-const UNEQUAL: f64 = 0.01;
-
-/// Warnings about a surface, a sentence each: jumps across the period, unequal spacings, and gradients of a wrong unit.
-pub fn of_surface(recipe: &Recipe, surface: &Surface) -> Vec<String> {
-    let measured = recipe.height.as_ref().map(|path| {
-        let refined = refinement(recipe, path, surface);
-        let told = [spacing(surface), gradient(surface), spacing_of_file(recipe, path, surface, refined)];
-        told.into_iter().flatten().chain(of_noise(&Scales::of_surface(surface, refined)))
-    });
-    of_jumps(recipe, surface.jumps()).into_iter().chain(measured.into_iter().flatten()).collect()
-}
-
-/// Warnings about jumps across the period along y and x.
-pub fn of_jumps(recipe: &Recipe, jumps: [f64; 2]) -> Vec<String> {
-    let remedy = match recipe.prepare.detrend {
-        Some(Detrend::Plane | Detrend::Curvature) => {
-            "mirror them by --mirror, or leave the period out by --boundary free"
-        }
-        _ if recipe.is_measured() => {
-            "take off their trend and mirror them by --prepare auto, or leave the period out by --boundary free"
-        }
-        _ => "give a longer cell, or leave the period out by --boundary free",
-    };
-    let jump = |(axis, jump): (&str, f64)| {
-        format!(
-            "the heights jump by {jump:.3} rms steps across the period along {axis}, where the contact is not real: {remedy}"
-        )
-    };
-    ["y", "x"].into_iter().zip(jumps).filter(|(_, jump)| *jump > JUMP).map(jump).collect()
-}
-
-/// The warning that much of the gradient is noise, so that area has no limit as the spacing shrinks.
-pub fn of_noise(axes: &[Scales]) -> Option<String> {
-    let share = axes.iter().map(|it| it.noise_share).fold(0.0, f64::max);
-    let wavelength = axes.iter().map(|it| it.shortest_wavelength).fold(0.0, f64::max);
-    (share > NOISIEST).then(|| {
-        format!(
-            "noise at the spacing makes {:.0} % of the mean square gradient, so that area and kappa are those of the instrument and have no \
-             limit: filter it out by --low-pass {wavelength:.3e}, or by --prepare auto",
-            100.0 * share
-        )
-    })
-}
-
-/// What to do about heights that are as rough as their spacing lets them be.
-pub fn of_growth(survey: &Survey) -> Option<String> {
-    let growth = survey.gradient_growth();
-    (growth > LARGEST_GROWTH).then(|| {
-        format!(
-            "the rms gradient is {:.0} % larger at the spacing than at twice the spacing, so that area and kappa are those of this spacing: \
-             compare with other files after the same --low-pass only",
-            100.0 * (growth - 1.0)
-        )
-    })
-}
-
-/// The warning that heights are void.
-pub fn of_voids(voids: usize, points: usize) -> String {
-    format!(
-        "{voids} of {points} heights are void, and no contact can be solved and no relief drawn with them: fill them by --fill harmonic, or --crop them away"
-    )
-}
 
 /// Warnings about contacts, a sentence each: loads far beyond full contact, and patches of too few nodes.
 pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
@@ -158,44 +81,4 @@ pub fn note(reasons: &[String]) {
     for reason in reasons {
         writeln!(stderr(), "chosen: {reason}").ok();
     }
-}
-
-/// Lengths of measured surfaces that may have been swapped.
-fn spacing(surface: &Surface) -> Option<String> {
-    let [dy, dx] = surface.grid().spacing();
-    let is_unequal = !surface.grid().is_line() && (dy / dx - 1.0).abs() > UNEQUAL;
-    is_unequal.then(|| {
-        format!(
-            "the spacing is {dy:.4e} along y (rows) and {dx:.4e} along x (columns): if that is not so, give --size as y,x"
-        )
-    })
-}
-
-/// Distances in a file that do not fit the size, of a file that does not say its units in none.
-fn spacing_of_file(recipe: &Recipe, path: &Path, surface: &Surface, refined: usize) -> Option<String> {
-    let Layout { spacing, is_in_metres, .. } = Measurement::read_layout(path, recipe.channel.as_deref()).ok()?;
-    let [_, told] = spacing?;
-    let spacing = surface.grid().spacing()[1] * refined as f64;
-    let power = (spacing / told).log10();
-    let unit = if is_in_metres { 0.0 } else { power.round() };
-    let is_same = (power - unit).abs() < SAME_LENGTH;
-    (!is_same).then(|| {
-        format!(
-            "the points in {} are {told:.6e} apart and those of the grid {spacing:.6e}: leave the size out, or give that of the file",
-            path.display()
-        )
-    })
-}
-
-/// The nodes of a surface for each of its file along an axis.
-fn refinement(recipe: &Recipe, path: &Path, surface: &Surface) -> usize {
-    let layout = Measurement::read_layout(path, recipe.channel.as_deref()).ok();
-    let shape = layout.and_then(|it| recipe.prepare.shape(it.shape).ok());
-    shape.map_or(1, |[_, nx]| surface.grid().shape()[1] / nx).max(1)
-}
-
-/// Heights that may have another unit than the size.
-fn gradient(surface: &Surface) -> Option<String> {
-    let gradient = surface.rms_gradient();
-    (gradient > STEEPEST).then(|| format!("the rms gradient is {gradient:.3e}: give heights and size in the same unit"))
 }

@@ -86,7 +86,7 @@ impl Certify {
         }
         let assessment = Assessment::of(&claim, &contact)?;
         let holds = assessment.holds(&contact, &setup.stop);
-        let mut warnings = caution::of_surface(&setup.surface, problem.surface());
+        let mut warnings = setup.surface.warnings(problem.surface());
         let finding = Finding::of(&setup, &contact);
         warnings.extend(caution::of_contacts(&[&finding.observables]));
         self.write(

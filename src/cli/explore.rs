@@ -3,8 +3,10 @@
 use super::outcome::{Outcome, usage};
 use anyhow::Result;
 use asperity::explore::{Explorer, Server, Session, Start};
+use asperity::surface::HeightFile;
 use clap::Args;
 use std::io::{Write, stdout};
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 /// The program that opens an address in the browser of the person at the keyboard.
@@ -18,7 +20,8 @@ const OPEN: &[&str] = &["xdg-open"];
 const EXAMPLES: &str = "\
 Examples:
   asperity explore
-  asperity explore hertz-line --port 9000 --no-open";
+  asperity explore hertz-line --port 9000 --no-open
+  asperity explore --height patch.x3p";
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -26,6 +29,9 @@ pub struct Explore {
     /// Where to start
     #[arg(value_enum, default_value = "rough-line")]
     start: Start,
+    /// A file of heights to start with instead, as if it were dropped on the page
+    #[arg(long, value_name = "FILE")]
+    height: Option<PathBuf>,
     #[command(flatten)]
     page: PageArgs,
 }
@@ -44,6 +50,9 @@ pub struct PageArgs {
 impl Explore {
     pub fn run(&self) -> Result<Outcome> {
         let (session, solver) = Session::start();
+        if let Some(path) = &self.height {
+            session.open(HeightFile::from(path.clone()).with_full_path())?;
+        }
         let explorer = Explorer::new(session.clone(), self.start.knobs())?;
         let served = self.page.open().and_then(|server| Ok(server.run(explorer)?));
         session.close();

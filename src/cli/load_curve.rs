@@ -68,7 +68,7 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome
     cost.check(curve.setup.solver.name())?;
     let problem = curve.problem()?;
     if outputs.strict {
-        caution::heed(&caution::of_surface(&curve.setup.surface, problem.surface()), true)?;
+        caution::heed(&curve.setup.surface.warnings(problem.surface()), true)?;
     }
     let pressed = press(curve, &problem, outputs)?;
     let outcome = pressed.outcome;
@@ -106,7 +106,7 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     let (subject, setup) = (Subject::of(&curve.setup, problem)?, curve.to_table());
     let Pressed { findings, contacts, .. } = pressed;
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
-    let mut warnings = caution::of_surface(&curve.setup.surface, problem.surface());
+    let mut warnings = curve.setup.surface.warnings(problem.surface());
     warnings.extend(caution::of_contacts(&observables));
     caution::heed(&warnings, outputs.strict)?;
     if let Some(path) = outputs.archive() {

@@ -134,7 +134,7 @@ impl Solve {
     /// Refuses heights that would be warned of.
     fn heed(&self, setup: &Setup, problem: &Problem) -> Result<()> {
         let is_strict = self.outputs.strict;
-        let warnings = if is_strict { caution::of_surface(&setup.surface, problem.surface()) } else { Vec::new() };
+        let warnings = if is_strict { setup.surface.warnings(problem.surface()) } else { Vec::new() };
         caution::heed(&warnings, is_strict)
     }
 
@@ -143,7 +143,7 @@ impl Solve {
         let (outputs, full) = (&self.outputs, setup.clone().with_full_path());
         let slip = slip::find(setup, contact)?;
         let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
-        let mut warnings = caution::of_surface(&setup.surface, contact.problem.surface());
+        let mut warnings = setup.surface.warnings(contact.problem.surface());
         warnings.extend(caution::of_contacts(&[&finding.observables]));
         warnings.extend(caution::of_rim(contact));
         warnings.extend(unsettled.then(caution::unsettled));

@@ -13,7 +13,7 @@ use asperity::files::check_named;
 #[cfg(feature = "record")]
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
-use asperity::surface::{Field, Measurement, Resample, Roughness, Scan, Surface, Survey, write_heights};
+use asperity::surface::{Field, HeightFile, Measurement, Resample, Roughness, Scan, Surface, Survey, write_heights};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
@@ -134,8 +134,8 @@ impl Describe {
 /// Has heights at uneven positions resampled, which a description needs as well, and says so.
 fn even(recipe: &mut Recipe) -> Result<Option<String>> {
     let is_given = recipe.prepare.resample.is_some();
-    let Some(path) = recipe.height.as_ref().filter(|_| !is_given) else { return Ok(None) };
-    if Measurement::read_layout(path, recipe.channel.as_deref())?.is_even {
+    let Some(file) = recipe.height.as_ref().filter(|_| !is_given) else { return Ok(None) };
+    if file.layout(recipe.channel.as_deref())?.is_even {
         return Ok(None);
     }
     recipe.prepare.resample = Some(Resample::Linear);
@@ -148,7 +148,7 @@ fn even(recipe: &mut Recipe) -> Result<Option<String>> {
 
 /// The statistics of a surface from an axis on, and its heights, NaN where they are void.
 fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, Field)> {
-    let read = |path: &PathBuf| -> Result<_> { Ok((Origin::read(path, recipe)?, recipe.prepared(path, grid)?)) };
+    let read = |file: &HeightFile| -> Result<_> { Ok((Origin::read(file, recipe)?, recipe.prepared(file, grid)?)) };
     let (file, prepared) = recipe.height.as_ref().map(read).transpose()?.unzip();
     let voids = prepared.as_ref().map_or(0, |it| it.scan.voids());
     let mut statistics = Statistics {
@@ -166,10 +166,7 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     };
     if let Some(prepared) = prepared.filter(|_| voids > 0) {
         let survey = Survey::of(&prepared.scan)?;
-        statistics.warnings.push(caution::of_voids(voids, grid.len()));
-        statistics.warnings.extend(caution::of_jumps(recipe, survey.jumps));
-        statistics.warnings.extend(caution::of_noise(&survey.axes));
-        statistics.warnings.extend(caution::of_growth(&survey));
+        statistics.warnings.extend(recipe.warnings_of_voids(&survey, grid.len()));
         statistics.survey = Some(survey);
         return Ok((statistics, prepared.scan.height));
     }
@@ -177,16 +174,16 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     let survey = Survey::of(&Scan::of(&surface, 1))?;
     let (jump_in_rms_steps, roughness) = (surface.jumps()[outer..].to_vec(), Roughness::of(&surface));
     statistics.whole = Some(Whole { jump_in_rms_steps, roughness });
-    statistics.warnings.extend(caution::of_surface(recipe, &surface));
-    statistics.warnings.extend(caution::of_growth(&survey).filter(|_| recipe.is_measured()));
+    statistics.warnings.extend(recipe.warnings(&surface));
+    statistics.warnings.extend(recipe.is_measured().then(|| survey.warning_of_growth()).flatten());
     statistics.survey = Some(survey);
     Ok((statistics, surface.heights_as_given()))
 }
 
 impl Origin {
-    fn read(path: &Path, recipe: &Recipe) -> Result<Self> {
+    fn read(file: &HeightFile, recipe: &Recipe) -> Result<Self> {
         let Measurement { format, channels, channel, is_in_metres, header, .. } =
-            Measurement::read(path, recipe.channel.as_deref())?;
+            file.measurement(recipe.channel.as_deref())?;
         Ok(Self { format, channels, channel, is_in_metres, header })
     }
 
@@ -214,7 +211,10 @@ impl Statistics {
     #[cfg(feature = "record")]
     fn record(&self, path: &Path, recipe: &Recipe, height: &Field, grid: Grid) -> Result<()> {
         let Some(survey) = self.survey.as_ref().filter(|_| self.voids == 0) else {
-            return usage(caution::of_voids(self.voids, grid.len()));
+            return usage(format!(
+                "{} heights are void, and a relief has none: fill them by --fill harmonic, or --crop them away",
+                self.voids
+            ));
         };
         let mut text = Vec::new();
         self.write(&mut text)?;

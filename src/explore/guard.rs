@@ -6,8 +6,9 @@ use axum::http::{HeaderMap, Method};
 /// Names under which the loopback interface is known.
 const HOSTS: [&str; 2] = ["127.0.0.1", "localhost"];
 
-/// Status and sentence with which a request is refused; none if it may pass.
-pub fn refuse(method: &Method, headers: &HeaderMap, port: u16) -> Option<(u16, String)> {
+/// Status and sentence with which a request is refused; none if it may pass. What is posted is of a kind that no page of others may send
+/// without asking first, such as JSON.
+pub fn refuse(method: &Method, headers: &HeaderMap, port: u16, kind: &str) -> Option<(u16, String)> {
     let is_own = |host: &str| HOSTS.iter().any(|own| host == format!("{own}:{port}"));
     let text = |name: &HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
     if headers.get_all(HOST).iter().count() != 1 || !text(&HOST).is_some_and(is_own) {
@@ -19,8 +20,8 @@ pub fn refuse(method: &Method, headers: &HeaderMap, port: u16) -> Option<(u16, S
     if text(&HeaderName::from_static("sec-fetch-site")).is_some_and(|site| site == "cross-site") {
         return Some((403, "other pages may not use this server".into()));
     }
-    if method == Method::POST && text(&CONTENT_TYPE) != Some("application/json") {
-        return Some((415, "send JSON, with the content type application/json".into()));
+    if method == Method::POST && text(&CONTENT_TYPE) != Some(kind) {
+        return Some((415, format!("send it with the content type {kind}")));
     }
     (method != Method::GET && method != Method::POST).then(|| (405, "only GET and POST are answered here".into()))
 }

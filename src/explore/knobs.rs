@@ -1,10 +1,11 @@
 //! The knobs of the page, and the setup that they stand for.
 
+use super::height_knobs::{HeightKnobs, MOST_POINTS};
+use super::refusal::Refusal;
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
-use crate::error::SetupError;
 use crate::setup::{Cell, LayerModulus, Method, Part, Recipe, Record, Setup, Solid, Theme};
-use crate::surface::{Indenter, Spectrum};
+use crate::surface::{HeightFile, Indenter, Spectrum};
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 
@@ -15,8 +16,6 @@ const MODULUS: f64 = 1e9;
 const RADIUS: f64 = 100.0 * CELL;
 /// Amplitude of the waves.
 const AMPLITUDE: f64 = 1e-3 * CELL;
-/// The most points along a line, and along each side of a surface: more cannot be solved while someone waits.
-const MOST_POINTS: [usize; 2] = [1 << 18, 1 << 10];
 /// The most steps of one solve.
 const MOST_STEPS: usize = 100_000;
 /// Poisson's ratio of a layer.
@@ -57,6 +56,9 @@ pub struct Knobs {
     /// Ground of the pictures; dark where the page says nothing.
     #[serde(default)]
     theme: Theme,
+    /// How the file of heights is taken, where it is the body: its points and lengths take the place of those above.
+    #[serde(default)]
+    pub(super) heights: HeightKnobs,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -78,17 +80,8 @@ enum Body {
     PowerLaw,
     /// Nothing but the roughness.
     Flat,
-}
-
-/// Knobs that stand for nothing, in one sentence.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{0}")]
-pub struct Refusal(pub String);
-
-impl From<SetupError> for Refusal {
-    fn from(error: SetupError) -> Self {
-        Self(error.to_string())
-    }
+    /// The file of heights, and no roughness on it.
+    File,
 }
 
 /// A state of the knobs to start from.
@@ -133,6 +126,7 @@ impl Start {
             stop: Stop::new(1e-8, 20_000).expect("both are positive"),
             record: vec![Part::Traces, Part::Profile, Part::Mesh, Part::Fields, Part::Mask],
             theme: Theme::Dark,
+            heights: HeightKnobs::default(),
         }
     }
 }
@@ -146,45 +140,71 @@ impl Knobs {
         serde_json::from_slice(json).map_err(|error| Refusal(error.to_string()))
     }
 
-    /// The setup that the knobs stand for, checked as far as that takes no surface.
+    /// The setup that the knobs stand for without a file of heights, checked as far as that takes no surface.
     ///
     /// # Errors
     /// A sentence with the value that cannot be and what to do.
     pub fn setup(&self) -> Result<Setup, Refusal> {
+        self.setup_with(None)
+    }
+
+    /// Whether the file of heights is the body.
+    pub(super) fn takes_file(&self) -> bool {
+        self.body == Body::File
+    }
+
+    /// The setup that the knobs stand for beside a file of heights, if there is one.
+    ///
+    /// # Errors
+    /// The errors of [`Knobs::setup`].
+    pub fn setup_with(&self, file: Option<&HeightFile>) -> Result<Setup, Refusal> {
         self.check()?;
-        let spectrum = self.spectrum();
-        let seed = spectrum.map(|_| self.seed.into());
-        let surface = Recipe { indenter: self.indenter(), spectrum, seed, ..Recipe::default() };
-        let cell = match self.domain {
-            Domain::Line => Cell::line(self.points, CELL),
-            Domain::Surface => Cell::surface([self.points; 2], [CELL; 2]),
-        };
+        let (surface, cell) = self.surface(file)?;
+        let grid = surface.grid(&cell)?;
         let setup = Setup {
-            solid: Some(self.solid()),
+            solid: Some(self.solid(grid.longest_wavelength())),
             law: if self.hardness > 0.0 { Law::Hardness(self.hardness * MODULUS) } else { Law::HardWall },
             solver: self.solver,
             stop: self.stop,
-            record: Record { what: self.parts(), theme: self.theme, ..Record::default() },
+            record: Record { what: self.parts(grid.is_line()), theme: self.theme, ..Record::default() },
             ..Setup::new(surface, cell, Load::ReducedPressure(self.load))
         };
         setup.check()?;
         Ok(setup)
     }
 
-    /// A half-space, or a bonded layer.
-    fn solid(&self) -> Solid {
+    /// The surface and its cell.
+    fn surface(&self, file: Option<&HeightFile>) -> Result<(Recipe, Cell), Refusal> {
+        if self.body == Body::File {
+            let none = "there is no file of heights: drop one on the page, or open it";
+            return self.heights.surface(file.ok_or_else(|| Refusal(none.into()))?);
+        }
+        let spectrum = self.spectrum();
+        let seed = spectrum.map(|_| self.seed.into());
+        let recipe = Recipe { indenter: self.indenter(), spectrum, seed, ..Recipe::default() };
+        Ok(match self.domain {
+            Domain::Line => (recipe, Cell::line(self.points, CELL)),
+            Domain::Surface => (recipe, Cell::surface([self.points; 2], [CELL; 2])),
+        })
+    }
+
+    /// A half-space, or a bonded layer below a cell of some length.
+    fn solid(&self, length: f64) -> Solid {
         if self.layer == 0.0 {
             return Solid::ContactModulus(MODULUS);
         }
         let modulus = LayerModulus::Contact(MODULUS);
-        Solid::Layer { modulus, poisson: LAYER_POISSON, thickness: self.layer * CELL, base: Base::Bonded }
+        Solid::Layer { modulus, poisson: LAYER_POISSON, thickness: self.layer * length, base: Base::Bonded }
     }
 
     /// Checks the limits of the page.
     fn check(&self) -> Result<(), Refusal> {
-        let most = MOST_POINTS[self.domain as usize];
+        let most = match self.domain {
+            Domain::Line => MOST_POINTS[0],
+            Domain::Surface => MOST_POINTS[1].isqrt(),
+        };
         let (low, high) = REDUCED_PRESSURES.into_inner();
-        Err(Refusal(if self.points > most {
+        Err(Refusal(if self.points > most && self.body != Body::File {
             format!("{} points are too many here: give at most {most}", self.points)
         } else if self.stop.max_iterations() > MOST_STEPS {
             format!("{} steps are too many here: give at most {MOST_STEPS}", self.stop.max_iterations())
@@ -217,13 +237,13 @@ impl Knobs {
                 let coefficient = half * half / (2.0 * RADIUS) / half.powf(self.exponent);
                 Indenter::PowerLaw { coefficient, exponent: self.exponent }
             }
-            (Body::Flat, _) => return None,
+            (Body::Flat | Body::File, _) => return None,
         })
     }
 
-    /// The parts of the recording that the domain has; without any the traces, since no parts stand for the usual ones.
-    fn parts(&self) -> Vec<Part> {
-        let missing = if self.domain == Domain::Line { Part::Mesh } else { Part::Profile };
+    /// The parts of the recording that a line or a surface has; without any the traces, since no parts stand for the usual ones.
+    fn parts(&self, is_line: bool) -> Vec<Part> {
+        let missing = if is_line { Part::Mesh } else { Part::Profile };
         let parts: Vec<Part> = self.record.iter().copied().filter(|&part| part != missing).collect();
         if parts.is_empty() { vec![Part::Traces] } else { parts }
     }

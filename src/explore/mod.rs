@@ -7,12 +7,17 @@
 //! ```
 //!
 //! Everything goes over one port of the loopback interface: page, viewer, state and the recording as it grows. A request
-//! changes nothing but the one [`Session`]; what the page saves, the browser downloads.
+//! changes nothing but the one [`Session`]; what the page saves, the browser downloads. A file of heights that is dropped on the page stays
+//! in the memory of the session, and the next one takes its place.
 
+mod description;
 mod guard;
+mod height_knobs;
+mod height_name;
 mod knobs;
 mod page;
 mod reel;
+mod refusal;
 mod report;
 mod route;
 mod server;
@@ -23,8 +28,11 @@ mod stream;
 mod sweep;
 mod worker;
 
-pub use knobs::{Knobs, Refusal, Start};
+pub use description::Description;
+pub use height_knobs::HeightKnobs;
+pub use knobs::{Knobs, Start};
 pub use page::Viewing;
+pub use refusal::Refusal;
 pub use route::Explorer;
 pub use server::Server;
 pub use session::Session;

@@ -3,7 +3,6 @@
 use super::report::{RunReport, SweepReport};
 use crate::contact::{Contact, archive};
 use crate::record::{Ghost, Output};
-use crate::setup::Setup;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -29,7 +28,8 @@ pub enum Ended {
 /// What came of a solve.
 pub struct Solved {
     pub report: RunReport,
-    pub setup: Setup,
+    /// Axes of its arrays.
+    pub rank: usize,
     pub contact: Contact,
     /// Curves of the recording, to stand beside those of others.
     pub curves: Arc<Ghost>,
@@ -69,6 +69,6 @@ impl Reel {
 impl Solved {
     /// The arrays and the setup as `.npz`; none if they cannot be written.
     pub fn archive(&self) -> Option<Vec<u8>> {
-        archive(&self.contact, self.setup.grid.points.len(), Some(&self.setup.to_toml())).ok()
+        archive(&self.contact, self.rank, Some(&self.report.setup)).ok()
     }
 }

@@ -32,6 +32,10 @@ pub struct RunReport {
     pub command: String,
     /// Setup that repeats the solve, in TOML.
     pub setup: String,
+    /// What each step that was taken with the heights of a file came to.
+    pub prepared: Vec<String>,
+    /// Why the numbers may mean little.
+    pub warnings: Vec<String>,
     pub knobs: Knobs,
     /// Whether solver and recording have ended.
     pub ended: bool,

@@ -1,17 +1,24 @@
 //! The paths of the explorer.
 
-use super::knobs::{Knobs, Refusal};
+use super::height_name::height_name;
+use super::knobs::Knobs;
 use super::page::Page;
 use super::reel::Reel;
-use super::session::{Order, Session};
-use super::site::{Reply, Request, Site};
+use super::refusal::Refusal;
+use super::session::{Kind, Session};
+use super::site::{Intake, Reply, Request, Site};
 use super::stream::RecordingBytes;
 use crate::contact::OBSERVABLES;
+use crate::surface::HeightFile;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use serde_json::json;
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
+/// The largest file of heights, in bytes.
+const MOST_HEIGHTS: usize = 1 << 26;
 /// Longest wait of a request for news.
 const PATIENCE: Duration = Duration::from_millis(900);
 
@@ -27,6 +34,9 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/api/sweep`      | POST   | the same for a sweep                                                  |
 /// | `/api/cancel`     | POST   | ends what runs                                                        |
 /// | `/api/pin`        | POST   | takes the name of a recording, or null: its curves stand beside new ones |
+/// | `/api/heights`    | POST   | takes the bytes of a file of heights, called `?name=`; a [`Description`](super::Description) of it |
+/// |                   | GET    | the latest description, or null                                       |
+/// | `/api/describe`   | POST   | takes [`HeightKnobs`](super::HeightKnobs); the description of that file as they take it |
 /// | `/run/ID.rrd`     | GET    | one of the latest recordings, as it grows                             |
 /// | `/api/runs`       | GET    | what is told of the latest recordings that are complete               |
 /// | `/save/ID.rrd`    | GET    | one of the latest recordings, once it is complete, to save            |
@@ -47,23 +57,18 @@ impl Explorer {
     }
 
     fn post(&self, request: &Request<'_>) -> Reply {
-        let order =
-            |order: fn(Knobs) -> Order| Knobs::read(request.body).and_then(|knobs| self.session.order(order(knobs)));
+        let order = |kind| Knobs::read(request.body).and_then(|knobs| self.session.order(kind, knobs));
         let done = match request.path {
-            "/api/solve" => order(Order::Solve),
-            "/api/sweep" => order(Order::Sweep),
+            "/api/heights" => return answer(self.session.open(file(request))),
+            "/api/describe" => return answer(read(request.body).and_then(|knobs| self.session.describe(knobs))),
+            "/api/solve" => order(Kind::Solve),
+            "/api/sweep" => order(Kind::Sweep),
             "/api/cancel" => Ok(self.session.cancel()),
-            "/api/pin" => match serde_json::from_slice(request.body) {
-                Ok(name) => self.session.pin(name),
-                Err(error) => Err(Refusal(error.to_string())),
-            },
+            "/api/pin" => read(request.body).and_then(|name| self.session.pin(name)),
             path if self.page.file(path).is_some() || GETS.contains(&path) => return Reply::wrong_method("GET"),
             path => return Reply::missing(path),
         };
-        match done {
-            Ok(revision) => Reply::json(&json!({ "revision": revision })),
-            Err(Refusal(sentence)) => Reply::Error(400, sentence),
-        }
+        answer(done.map(|revision| json!({ "revision": revision })))
     }
 
     fn get(&self, request: &Request<'_>) -> Reply {
@@ -72,7 +77,8 @@ impl Explorer {
             "/api/observables" => Reply::json(&OBSERVABLES),
             "/api/state" => self.state(request.query),
             "/api/runs" => Reply::json(&self.session.told()),
-            "/api/solve" | "/api/sweep" | "/api/cancel" | "/api/pin" => Reply::wrong_method("POST"),
+            "/api/heights" => Reply::json(&self.session.description()),
+            "/api/solve" | "/api/sweep" | "/api/cancel" | "/api/pin" | "/api/describe" => Reply::wrong_method("POST"),
             path => self.page.file(path).or_else(|| self.reel(path)).unwrap_or_else(|| Reply::missing(path)),
         }
     }
@@ -103,6 +109,25 @@ impl Explorer {
     }
 }
 
+/// What was asked for, or why it is refused.
+fn answer(done: Result<impl Serialize, Refusal>) -> Reply {
+    match done {
+        Ok(value) => Reply::json(&value),
+        Err(Refusal(sentence)) => Reply::Error(400, sentence),
+    }
+}
+
+/// What JSON stands for.
+fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, Refusal> {
+    serde_json::from_slice(json).map_err(|error| Refusal(error.to_string()))
+}
+
+/// The file of heights in a request.
+fn file(request: &Request<'_>) -> HeightFile {
+    let name = request.query.split('&').find_map(|pair| pair.strip_prefix("name="));
+    HeightFile::in_memory(height_name(name.unwrap_or_default()), request.body)
+}
+
 /// Paths that are only read.
 const GETS: [&str; 4] = ["/api/start", "/api/observables", "/api/state", "/api/runs"];
 
@@ -123,6 +148,13 @@ fn saved_arrays(reel: &Reel) -> Reply {
 }
 
 impl Site for Explorer {
+    fn intake(&self, path: &str) -> Intake {
+        match path {
+            "/api/heights" => Intake { kind: "application/octet-stream", most: MOST_HEIGHTS },
+            _ => Intake::JSON,
+        }
+    }
+
     fn reply(&self, request: &Request<'_>) -> Reply {
         if request.method == "POST" { self.post(request) } else { self.get(request) }
     }

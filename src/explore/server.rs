@@ -1,7 +1,7 @@
 //! The server: loopback only, for its own pages only, with bounded requests.
 
 use super::guard;
-use super::site::{Reply, Request, Site};
+use super::site::{Intake, Reply, Request, Site};
 use axum::Router;
 use axum::body::{Body, to_bytes};
 use axum::extract::{Request as Incoming, State};
@@ -9,14 +9,13 @@ use axum::http::header::{
     CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue, REFERRER_POLICY,
     X_CONTENT_TYPE_OPTIONS,
 };
-use axum::http::{Response, StatusCode};
+use axum::http::{Method, Response, StatusCode};
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// The largest body of a request.
-const MOST_BODY: usize = 1 << 16;
 /// Requests answered at the same time; further ones wait.
 const THREADS: usize = 32;
 /// Ports tried after the one asked for.
@@ -84,7 +83,7 @@ impl Server {
 
     async fn serve(self, site: impl Site) -> io::Result<()> {
         let listener = tokio::net::TcpListener::from_std(self.listener)?;
-        let router = Router::new().fallback(answer).with_state((Arc::new(site), self.port));
+        let router = Router::new().fallback(answer).with_state((Arc::new(site), self.port, Arc::default()));
         tokio::select! {
             served = axum::serve(listener, router) => served,
             interrupted = tokio::signal::ctrl_c() => interrupted,
@@ -107,20 +106,45 @@ async fn termination() -> io::Result<()> {
     std::future::pending().await
 }
 
-async fn answer<S: Site>(State((site, port)): State<(Arc<S>, u16)>, request: Incoming) -> Response<Body> {
+/// The right to send a body beyond those of orders, which one request has at a time: so many of them cannot fill the memory.
+struct Delivery(Arc<AtomicBool>);
+
+impl Delivery {
+    /// The right, if nobody has it.
+    fn begin(taken: &Arc<AtomicBool>) -> Option<Self> {
+        (!taken.swap(true, Ordering::AcqRel)).then(|| Self(Arc::clone(taken)))
+    }
+}
+
+impl Drop for Delivery {
+    fn drop(&mut self) {
+        self.0.store(false, Ordering::Release);
+    }
+}
+
+/// The content of the server, its port, and whether someone has the right of [`Delivery`].
+type Served<S> = (Arc<S>, u16, Arc<AtomicBool>);
+
+async fn answer<S: Site>(State((site, port, taken)): State<Served<S>>, request: Incoming) -> Response<Body> {
     let (head, body) = request.into_parts();
-    if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, port) {
+    let Intake { kind, most } = if head.method == Method::POST { site.intake(head.uri.path()) } else { Intake::JSON };
+    if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, port, kind) {
         return response(Reply::Error(status, sentence));
     }
-    if guard::announced(&head.headers) > MOST_BODY as u64 {
-        return response(too_large());
+    if guard::announced(&head.headers) > most as u64 {
+        return response(too_large(most));
     }
-    let body = match tokio::time::timeout(PATIENCE, to_bytes(body, MOST_BODY)).await {
+    let delivery = (most > Intake::JSON.most).then(|| Delivery::begin(&taken));
+    if let Some(None) = delivery {
+        return response(Reply::Error(503, "another file is on its way: wait for its end, and send it again".into()));
+    }
+    let body = match tokio::time::timeout(PATIENCE, to_bytes(body, most)).await {
         Ok(Ok(body)) => body,
-        Ok(Err(_)) => return response(too_large()),
+        Ok(Err(_)) => return response(too_large(most)),
         Err(_) => return response(Reply::Error(408, "the request did not arrive in time".into())),
     };
     let reply = move || {
+        let _until_the_end = delivery;
         let (path, query) = (head.uri.path(), head.uri.query().unwrap_or_default());
         site.reply(&Request { method: head.method.as_str(), path, query, body: &body })
     };
@@ -128,8 +152,8 @@ async fn answer<S: Site>(State((site, port)): State<(Arc<S>, u16)>, request: Inc
     response(replied.unwrap_or_else(|_| Reply::Error(500, "the request could not be answered".into())))
 }
 
-fn too_large() -> Reply {
-    Reply::Error(413, format!("the request is too large: send at most {MOST_BODY} bytes"))
+fn too_large(most: usize) -> Reply {
+    Reply::Error(413, format!("the request is too large: send at most {most} bytes"))
 }
 
 fn response(reply: Reply) -> Response<Body> {

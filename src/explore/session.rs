@@ -1,11 +1,15 @@
 //! One session: the orders of the page, and all that came of them, in one place.
 
-use super::knobs::{Knobs, Refusal};
+use super::description::Description;
+use super::height_knobs::HeightKnobs;
+use super::knobs::Knobs;
 use super::reel::{Ended, Reel, Solved, Told};
+use super::refusal::Refusal;
 use super::report::{Numbers, Report, SweepReport};
 use crate::contact::Contact;
 use crate::record::Ghost;
 use crate::setup::Setup;
+use crate::surface::HeightFile;
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -31,6 +35,8 @@ struct State {
     closed: bool,
     /// The latest recordings, the newest last.
     recordings: VecDeque<Reel>,
+    /// The file of heights, and what the page was told of it last.
+    heights: Option<(HeightFile, Description)>,
 }
 
 impl State {
@@ -59,10 +65,20 @@ impl State {
     }
 }
 
-/// An order of the page: one solve, or solves from first touch to full contact.
-pub enum Order {
-    Solve(Knobs),
-    Sweep(Knobs),
+/// An order of the page: what is to be done with the knobs and the setup that they stand for.
+pub struct Order {
+    pub kind: Kind,
+    pub knobs: Knobs,
+    pub setup: Setup,
+}
+
+/// What is done with a setup.
+#[derive(Clone, Copy)]
+pub enum Kind {
+    /// One solve.
+    Solve,
+    /// Solves from first touch to full contact.
+    Sweep,
 }
 
 /// The right to work until the next order.
@@ -76,15 +92,45 @@ pub struct Turn<'a> {
 impl Session {
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
     /// Knobs that stand for nothing are refused; what runs then goes on.
-    pub(super) fn order(&self, order: Order) -> Result<u64, Refusal> {
-        let (Order::Solve(knobs) | Order::Sweep(knobs)) = &order;
-        knobs.setup()?;
+    pub(super) fn order(&self, kind: Kind, knobs: Knobs) -> Result<u64, Refusal> {
+        let heights = self.lock().heights.clone();
+        if let Some((_, description)) = heights.as_ref().filter(|_| knobs.takes_file()) {
+            description.check(&knobs.heights)?;
+        }
+        let setup = knobs.setup_with(heights.as_ref().map(|(file, _)| file))?;
         Ok(self.change(|state| {
             state.generation += 1;
-            state.order = Some(order);
+            state.order = Some(Order { kind, knobs, setup });
             state.report.busy = true;
             state.report.fault = None;
         }))
+    }
+
+    /// Takes a file of heights in the place of the one before, and describes it with the steps that it needs.
+    ///
+    /// # Errors
+    /// For a file that cannot be read; the one before is then kept.
+    pub fn open(&self, file: HeightFile) -> Result<Description, Refusal> {
+        self.describe_as(file, HeightKnobs::default())
+    }
+
+    /// Describes the file of heights as other knobs take it.
+    pub(super) fn describe(&self, knobs: HeightKnobs) -> Result<Description, Refusal> {
+        let none = || Refusal("there is no file of heights to describe: drop one on the page, or open it".into());
+        let (file, description) = self.lock().heights.clone().ok_or_else(none)?;
+        description.check(&knobs)?;
+        self.describe_as(file, knobs)
+    }
+
+    fn describe_as(&self, file: HeightFile, knobs: HeightKnobs) -> Result<Description, Refusal> {
+        let description = Description::of(&file, knobs)?;
+        self.lock().heights = Some((file, description.clone()));
+        Ok(description)
+    }
+
+    /// What the page was told of the file of heights last, if there is one.
+    pub(super) fn description(&self) -> Option<Description> {
+        self.lock().heights.as_ref().map(|(_, description)| description.clone())
     }
 
     /// Ends what runs; its latest state stays.
@@ -175,7 +221,7 @@ impl Turn<'_> {
     }
 
     /// Keeps the result of a solve and the curves of its recording, and reports it.
-    pub fn finish(self, setup: Setup, contact: Contact, curves: Ghost) {
+    pub fn finish(self, rank: usize, contact: Contact, curves: Ghost) {
         let numbers = Numbers::of_contact(&contact);
         self.session.change(|state| {
             let Some(run) = &mut state.report.run else { return };
@@ -183,7 +229,7 @@ impl Turn<'_> {
             run.numbers = Some(numbers);
             let report = run.clone();
             let id = report.id.clone();
-            state.end(&id, Ended::Run(Arc::new(Solved { report, setup, contact, curves: Arc::new(curves) })));
+            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, curves: Arc::new(curves) })));
         });
     }
 

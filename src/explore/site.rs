@@ -45,8 +45,27 @@ impl Reply {
     }
 }
 
+/// The bodies that a path takes.
+#[derive(Clone, Copy)]
+pub struct Intake {
+    /// Their MIME type, which is none of those that pages of others may send without asking.
+    pub kind: &'static str,
+    /// Their largest size in bytes.
+    pub most: usize,
+}
+
+impl Intake {
+    /// Orders of the page.
+    pub const JSON: Self = Self { kind: "application/json", most: 1 << 16 };
+}
+
 /// The content of a server.
 pub trait Site: Send + Sync + 'static {
+    /// What a path takes.
+    fn intake(&self, _path: &str) -> Intake {
+        Intake::JSON
+    }
+
     /// Answers a request; it may take its time.
     fn reply(&self, request: &Request<'_>) -> Reply;
 }

@@ -5,19 +5,20 @@ use super::reel::Reel;
 use super::report::{ExactNumbers, Numbers, RunReport, file_stem};
 use super::session::Turn;
 use crate::contact::{Failure, Observer, Step, Wish};
-use crate::error::SolveError;
+use crate::error::{SetupError, SolveError};
 use crate::record::{Ghost, Options, Recording, Scene};
-use crate::setup::command;
+use crate::setup::{Setup, command};
+use crate::surface::Surface;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// Time between two reports of a running solve.
 const INTERVAL: Duration = Duration::from_millis(60);
 
-/// Solves what the knobs stand for, until it is done or the turn over.
-pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
-    let setup = knobs.setup()?;
+/// Solves the setup that the knobs stand for, until it is done or the turn over.
+pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let problem = setup.problem()?;
+    let rank = setup.surface.rank(&setup.grid)?;
     let scene = Scene::of(&setup, &problem);
     let title = format!("{}, p* = {}", scene.title, knobs.load);
     let report = RunReport {
@@ -26,6 +27,8 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
         title: title.clone(),
         command: command(&setup),
         setup: setup.to_toml(),
+        prepared: prepared(&setup, problem.surface())?,
+        warnings: setup.surface.warnings(problem.surface()),
         knobs,
         ended: false,
         numbers: None,
@@ -45,8 +48,14 @@ pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
     if let Some(failure) = contact.failure {
         return Err(SolveError::Observer(failure).into());
     }
-    turn.finish(setup, contact, curves);
+    turn.finish(rank, contact, curves);
     Ok(())
+}
+
+/// What each step of the preparation came to.
+fn prepared(setup: &Setup, surface: &Surface) -> Result<Vec<String>, SetupError> {
+    let of = |file| Ok(setup.surface.prepared(file, surface.grid())?.told);
+    setup.surface.height.as_ref().map_or(Ok(Vec::new()), of)
 }
 
 /// Reports where a solve stands, and ends it when its turn is over.

@@ -46,8 +46,7 @@ const EXACT: [PointCurve; 2] = [
 ];
 
 /// Solves load after load, each from the contact before, until contact is full or the turn over.
-pub fn run(turn: Turn<'_>, knobs: Knobs) -> Result<(), Failure> {
-    let setup = knobs.setup()?;
+pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let loads: Vec<f64> = loads().collect();
     let problem = at_load(&setup.problem()?, FIRST)?;
     let curves: Vec<PointCurve> = match exact(&setup, &problem) {

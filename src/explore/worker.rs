@@ -1,6 +1,6 @@
 //! The solver thread of a session.
 
-use super::session::{Order, Session};
+use super::session::{Kind, Order, Session};
 use super::{solve, sweep};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -17,10 +17,10 @@ impl Session {
 
 /// Carries out one order after the other.
 fn work(session: &Session) {
-    while let Some((turn, order)) = session.next() {
-        let done = catch_unwind(AssertUnwindSafe(|| match order {
-            Order::Solve(knobs) => solve::run(turn, knobs),
-            Order::Sweep(knobs) => sweep::run(turn, knobs),
+    while let Some((turn, Order { kind, knobs, setup })) = session.next() {
+        let done = catch_unwind(AssertUnwindSafe(|| match kind {
+            Kind::Solve => solve::run(turn, knobs, setup),
+            Kind::Sweep => sweep::run(turn, knobs, setup),
         }));
         turn.end(match done {
             Ok(done) => done.err().map(|fault| fault.to_string()),

@@ -42,10 +42,20 @@ pub fn command(setup: &Setup) -> String {
 /// A value as it is written on a command line.
 fn word(value: &toml::Value) -> String {
     match value {
-        toml::Value::String(text) => text.clone(),
+        toml::Value::String(text) => quoted(text),
         toml::Value::Float(number) => format!("{number:e}"),
         toml::Value::Array(values) => values.iter().map(word).collect::<Vec<_>>().join(","),
         other => other.to_string(),
+    }
+}
+
+/// A text as one word of a shell, in single quotes unless it is plain: the name of a file may hold anything.
+fn quoted(text: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:+".contains(c);
+    if !text.is_empty() && text.chars().all(is_plain) {
+        text.into()
+    } else {
+        format!("'{}'", text.replace('\'', r"'\''"))
     }
 }
 

@@ -31,6 +31,7 @@
 //! ```
 
 mod auto;
+mod caution;
 mod cell;
 mod chosen;
 mod command;
@@ -61,12 +62,11 @@ pub use words::{differences, in_words};
 
 use crate::contact::{Friction, Law, Load, Problem, Stop};
 use crate::elastic::{self, stress::is_known};
-use crate::error::{FileError, SetupError, SolidError, SolveError};
+use crate::error::{SetupError, SolidError, SolveError};
 use crate::grid::Grid;
-use crate::surface::Surface;
+use crate::surface::{HeightFile, Surface};
 use crate::theory::Exact;
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// The description of a contact to solve.
@@ -229,12 +229,10 @@ impl Setup {
     pub fn fingerprint(&self) -> Result<String, SetupError> {
         let (load, record) = (Load::ReducedPressure(1.0), Record::default());
         let mut rest = Self { load, friction: None, record, ..self.clone() };
-        let read = |path: Option<PathBuf>| match path {
-            Some(path) => std::fs::read(&path).map_err(|source| FileError::Read { path, source }),
-            None => Ok(Vec::new()),
-        };
-        let [height, against] = [read(rest.surface.height.take())?, read(rest.surface.against.take())?];
-        Ok(format!("{:016x}", fnv1a([rest.to_toml().as_bytes(), &height, &against])))
+        let files = [rest.surface.height.take(), rest.surface.against.take()];
+        let read = files.iter().flatten().map(HeightFile::bytes).collect::<Result<Vec<_>, _>>()?;
+        let text = rest.to_toml();
+        Ok(format!("{:016x}", fnv1a(std::iter::once(text.as_bytes()).chain(read.iter().map(AsRef::as_ref)))))
     }
 }
 

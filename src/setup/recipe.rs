@@ -4,21 +4,20 @@ use super::Cell;
 use crate::error::{SetupError, SurfaceError};
 use crate::grid::Grid;
 use crate::quantity::some_length;
-use crate::surface::{Choice, Indenter, Layout, Measurement, Preparation, Prepared, Resample, Scan, Spectrum, Surface};
+use crate::surface::{Choice, HeightFile, Indenter, Layout, Preparation, Prepared, Resample, Scan, Spectrum, Surface};
 use serde::{Deserialize, Serialize};
-use std::path::{Path, PathBuf};
 
 /// The recipe of a surface: a height file, an indenter, self-affine roughness, or the sum of those that are given.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Recipe {
-    /// A file of heights of a line or a surface, see [`Measurement::read`]; peaks towards the solid are positive.
+    /// A file of heights of a line or a surface, see [`HeightFile`]; peaks towards the solid are positive.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub height: Option<PathBuf>,
+    pub height: Option<HeightFile>,
     /// A file of heights of a second surface of the same shape, on which the first is pressed: peaks towards the first are positive, rows
     /// and columns lie on those of the first, and the heights are added to its.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub against: Option<PathBuf>,
+    pub against: Option<HeightFile>,
     /// The channel of files that have several, by name or number from 1 on; the first one of heights if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub channel: Option<String>,
@@ -67,13 +66,13 @@ impl Recipe {
     }
 
     /// The files of heights.
-    fn files(&self) -> impl Iterator<Item = &PathBuf> {
+    fn files(&self) -> impl Iterator<Item = &HeightFile> {
         [&self.height, &self.against].into_iter().flatten()
     }
 
     /// The layout of the first file of heights.
     fn layout(&self) -> Result<Option<Layout>, SetupError> {
-        Ok(self.files().next().map(|path| Measurement::read_layout(path, self.channel.as_deref())).transpose()?)
+        Ok(self.files().next().map(|file| file.layout(self.channel.as_deref())).transpose()?)
     }
 
     /// Checks that both files of heights have the same shape, that their positions are even or made so, and that what is said of files is
@@ -82,17 +81,17 @@ impl Recipe {
         if !self.is_measured() && (self.channel.is_some() || self.file_unit.is_some() || !self.prepare.is_none()) {
             return Err(SetupError::PreparationWithoutHeights);
         }
-        let layouts = self.files().map(|path| Ok((path, Measurement::read_layout(path, self.channel.as_deref())?)));
+        let layouts = self.files().map(|file| Ok((file, file.layout(self.channel.as_deref())?)));
         let layouts = layouts.collect::<Result<Vec<_>, SetupError>>()?;
-        if let Some((path, _)) = layouts.iter().find(|(_, it)| !it.is_even && self.prepare.resample.is_none()) {
-            return Err(SetupError::Uneven { path: path.to_path_buf() });
+        if let Some((file, _)) = layouts.iter().find(|(_, it)| !it.is_even && self.prepare.resample.is_none()) {
+            return Err(SetupError::Uneven { path: file.path().into() });
         }
-        let [(_, first), (path, other)] = layouts.as_slice() else { return Ok(()) };
+        let [(_, first), (file, other)] = layouts.as_slice() else { return Ok(()) };
         let [first, other] = [first.shape, other.shape];
         if other == first {
             Ok(())
         } else {
-            Err(SetupError::Against { path: path.to_path_buf(), found: other.into(), expected: first.into() })
+            Err(SetupError::Against { path: file.path().into(), found: other.into(), expected: first.into() })
         }
     }
 
@@ -171,11 +170,11 @@ impl Recipe {
     ///
     /// # Errors
     /// For a file that cannot be read, positions that are not evenly spaced, and steps that its heights do not allow.
-    pub fn prepared(&self, path: &Path, grid: &Grid) -> Result<Prepared, SetupError> {
-        let mut measured = Measurement::read(path, self.channel.as_deref())?;
+    pub fn prepared(&self, file: &HeightFile, grid: &Grid) -> Result<Prepared, SetupError> {
+        let mut measured = file.measurement(self.channel.as_deref())?;
         let unit = self.unit(measured.is_in_metres)?;
         if let Some(x) = &measured.positions {
-            let resample = self.prepare.resample.ok_or_else(|| SetupError::Uneven { path: path.into() })?;
+            let resample = self.prepare.resample.ok_or_else(|| SetupError::Uneven { path: file.path().into() })?;
             let (even, _) = resample.of(x, &measured.height.row(0).to_vec());
             measured.height.row_mut(0).assign(&ndarray::ArrayView1::from(&even));
         }
@@ -190,13 +189,13 @@ impl Recipe {
     /// # Errors
     /// For no file, and the errors of [`Recipe::grid`] and [`Recipe::prepared`].
     pub fn choice(&self, cell: &Cell) -> Result<Choice, SetupError> {
-        let path = self.files().next().ok_or(SetupError::PreparationWithoutHeights)?;
-        let is_even = Measurement::read_layout(path, self.channel.as_deref())?.is_even;
+        let file = self.files().next().ok_or(SetupError::PreparationWithoutHeights)?;
+        let is_even = file.layout(self.channel.as_deref())?.is_even;
         let resample = (!is_even).then_some(Resample::Linear);
         let prepare = Preparation { resample, crop: self.prepare.crop.clone(), ..Preparation::default() };
         let raw = Self { prepare, ..self.clone() };
         let grid = raw.grid(&Cell { refine: None, ..cell.clone() })?;
-        Ok(Choice::of(&raw.prepared(path, &grid)?.scan, is_even, grid.periodic())?)
+        Ok(Choice::of(&raw.prepared(file, &grid)?.scan, is_even, grid.periodic())?)
     }
 
     /// The surface on a grid: the sum of all parts that are given.
@@ -205,7 +204,7 @@ impl Recipe {
     /// The errors of [`Recipe::check`], for a height file that cannot be read, and for voids in it.
     pub fn surface(&self, grid: Grid) -> Result<Surface, SetupError> {
         self.check(&grid)?;
-        let measured = self.files().map(|path| self.measured(path, grid)).collect::<Result<Vec<_>, _>>()?;
+        let measured = self.files().map(|file| self.measured(file, grid)).collect::<Result<Vec<_>, _>>()?;
         let smooth = self.indenter.map(|indenter| indenter.surface(grid)).transpose()?;
         let rough = self.spectrum.map(|spectrum| Surface::rough(grid, &spectrum, self.seed())).transpose()?;
         let sum = measured.into_iter().chain(smooth).chain(rough).reduce(|sum, part| sum.plus(&part));
@@ -213,11 +212,11 @@ impl Recipe {
     }
 
     /// The prepared heights of a file, refined to a grid.
-    fn measured(&self, path: &Path, grid: Grid) -> Result<Surface, SetupError> {
-        let scan = self.prepared(path, &grid)?.scan;
+    fn measured(&self, file: &HeightFile, grid: Grid) -> Result<Surface, SetupError> {
+        let scan = self.prepared(file, &grid)?.scan;
         let (voids, shape) = (scan.voids(), scan.shape());
         if voids > 0 {
-            return Err(SetupError::Voids { path: path.into(), voids, points: shape[0] * shape[1] });
+            return Err(SetupError::Voids { path: file.path().into(), voids, points: shape[0] * shape[1] });
         }
         let height = Surface::new(grid.with_shape(shape)?, scan.height)?;
         let refined = height.refined((grid.shape()[1] / shape[1]).max(1))?;
@@ -231,7 +230,7 @@ impl Recipe {
 
     /// A name for people, such as "Rough cylinder".
     pub fn title(&self, grid: &Grid) -> String {
-        let file = self.height.as_ref().and_then(|path| path.file_stem());
+        let file = self.height.as_ref().and_then(|file| file.path().file_stem());
         let body = match (file, self.indenter) {
             (Some(stem), _) => return stem.to_string_lossy().into_owned(),
             (None, Some(indenter)) => indenter.name(),
@@ -246,8 +245,8 @@ impl Recipe {
     /// The parts of the surface, in words.
     pub fn description(&self) -> String {
         let steps = if self.prepare.is_none() { String::new() } else { format!(" ({})", self.prepare.description()) };
-        let file = self.height.as_ref().map(|path| format!("heights from {}{steps}", path.display()));
-        let against = self.against.as_ref().map(|path| format!("pressed on those from {}{steps}", path.display()));
+        let file = self.height.as_ref().map(|file| format!("heights from {}{steps}", file.display()));
+        let against = self.against.as_ref().map(|file| format!("pressed on those from {}{steps}", file.display()));
         let smooth = self.indenter.map(|indenter| {
             let values = indenter.parameters().into_iter().map(|(name, value)| format!(", {name} {value:?}"));
             format!("{}{}", indenter.name(), values.collect::<String>().replace('_', " "))

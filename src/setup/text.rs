@@ -3,11 +3,11 @@
 use super::{Cell, FLAGS, Method, Recipe, Setup};
 use crate::error::{FileError, SetupError};
 use crate::files::write_beside;
-use crate::surface::{read_fields, read_text};
+use crate::surface::{HeightFile, read_fields, read_text};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A setup on its way: its sections and keys with any values, to lay others over it before it is read.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -301,12 +301,8 @@ impl Setup {
 
     /// The setup whose height files are named by their full paths.
     pub fn with_full_path(mut self) -> Self {
-        let full = |path: PathBuf| match std::path::absolute(&path) {
-            Ok(full) if full.to_str().is_some() => full,
-            _ => path,
-        };
-        self.surface.height = self.surface.height.map(full);
-        self.surface.against = self.surface.against.map(full);
+        self.surface.height = self.surface.height.map(HeightFile::with_full_path);
+        self.surface.against = self.surface.against.map(HeightFile::with_full_path);
         self
     }
 }

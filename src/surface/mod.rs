@@ -12,7 +12,8 @@ mod synthesis;
 
 pub(crate) use formats::read_text;
 pub use formats::{
-    Layout, Measurement, has_field, read_field, read_fields, read_fields_shape, read_heights, read_shape, write_heights,
+    HeightFile, Layout, Measurement, has_field, read_field, read_fields, read_fields_shape, read_heights, read_shape,
+    write_heights,
 };
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};

@@ -9,6 +9,7 @@ mod downloads;
 mod explorer;
 mod eyes;
 mod hands;
+mod heights;
 mod measures;
 mod page;
 mod person;

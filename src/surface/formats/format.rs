@@ -1,9 +1,13 @@
 //! The interface of formats of files of heights and other fields.
 
 use ndarray::ArrayD;
-use std::fs::File;
-use std::io;
+use std::io::{self, Read, Seek};
 use std::ops::RangeInclusive;
+
+/// What a file is read from: one on disk, or its bytes in memory.
+pub trait Source: Read + Seek {}
+
+impl<T: Read + Seek> Source for T {}
 
 /// The array that is wanted of a file.
 pub struct Wanted {
@@ -16,11 +20,11 @@ pub struct Wanted {
 /// A format of files of arrays. Errors of the kind [`io::ErrorKind::InvalidData`] say what is wrong with a file.
 pub struct Format {
     /// Whether a file is of this format.
-    pub is_it: fn(&mut File) -> bool,
+    pub is_it: fn(&mut dyn Source) -> bool,
     /// The shape of the array, without reading it where a header tells.
-    pub shape: fn(&mut File, &Wanted) -> io::Result<Vec<usize>>,
+    pub shape: fn(&mut dyn Source, &Wanted) -> io::Result<Vec<usize>>,
     /// The array.
-    pub read: fn(&mut File, &Wanted) -> io::Result<ArrayD<f64>>,
+    pub read: fn(&mut dyn Source, &Wanted) -> io::Result<ArrayD<f64>>,
 }
 
 /// An error that says what is wrong with a file.

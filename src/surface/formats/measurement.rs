@@ -1,15 +1,15 @@
 //! Heights as an instrument has measured them.
 
 use super::channel::{Channel, choose};
-use super::format::malformed;
+use super::format::{Source, malformed};
 use super::instrument::Instrument;
 use super::layout::Layout;
-use super::{INSTRUMENTS, npy, npz, read_profile, read_shape};
+use super::{INSTRUMENTS, npy, npz, open, profile_of, shape_of};
 use crate::error::FileError;
 use crate::surface::Field;
-use ndarray::{Array1, ArrayD, Axis};
+use ndarray::Axis;
 use std::fs::File;
-use std::io;
+use std::io::{self, Cursor, Read, Seek};
 use std::path::Path;
 
 /// The heights in a file of an instrument, before anything is done to them.
@@ -47,12 +47,11 @@ impl Measurement {
     /// one that is cut short or contradicts itself, and a channel that is not there.
     pub fn read(path: impl AsRef<Path>, channel: Option<&str>) -> Result<Self, FileError> {
         let path = path.as_ref();
-        if is_array(path) {
-            let (height, positions) = read_profile(path)?;
-            return Self::of_array(height, positions).map_err(|error| super::explained(path, "height", error));
-        }
-        let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
-        Self::of(&bytes, channel).map_err(|error| super::explained(path, "height", error))
+        let read = || {
+            let mut file = open(path)?;
+            if is_array(&mut file) { Self::of_arrays(&mut file) } else { Self::of_instrument(&whole(file)?, channel) }
+        };
+        read().map_err(|error| super::explained(path, "height", error))
     }
 
     /// Reads the bytes of a file like [`Measurement::read`].
@@ -60,10 +59,8 @@ impl Measurement {
     /// # Errors
     /// Of the kind [`io::ErrorKind::InvalidData`], with what is wrong with them.
     pub fn of(bytes: &[u8], channel: Option<&str>) -> io::Result<Self> {
-        let instrument = instrument(bytes)?;
-        let all = (instrument.channels)(bytes)?;
-        let channels = all.iter().filter(|it| it.is_height).map(|it| it.name.clone()).collect();
-        Self::new(instrument.name, channels, choose(all, channel)?)
+        let mut source = Cursor::new(bytes);
+        if is_array(&mut source) { Self::of_arrays(&mut source) } else { Self::of_instrument(bytes, channel) }
     }
 
     /// Shape and spacing of what [`Measurement::read`] reads, of most formats by their header alone.
@@ -72,19 +69,33 @@ impl Measurement {
     /// The errors of [`Measurement::read`].
     pub fn read_layout(path: impl AsRef<Path>, channel: Option<&str>) -> Result<Layout, FileError> {
         let path = path.as_ref();
-        if is_array(path) {
-            return match *read_shape(path)? {
-                [ny, nx] => Ok(Layout::map([ny, nx])),
-                _ => Ok(Self::read(path, channel)?.layout()),
-            };
-        }
-        let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
-        let layout = || Ok(Layout::of(&choose((instrument(&bytes)?.channels)(&bytes)?, channel)?)?.0);
-        layout().map_err(|error| super::explained(path, "height", error))
+        let read = || {
+            let mut file = open(path)?;
+            if is_array(&mut file) { layout_of_arrays(&mut file) } else { layout_of_instrument(&whole(file)?, channel) }
+        };
+        read().map_err(|error| super::explained(path, "height", error))
     }
 
-    /// Heights of an array, and the positions beside them if there are any.
-    fn of_array(array: ArrayD<f64>, positions: Option<Array1<f64>>) -> io::Result<Self> {
+    /// Shape and spacing of what [`Measurement::of`] reads.
+    ///
+    /// # Errors
+    /// The errors of [`Measurement::of`].
+    pub(super) fn layout_of(bytes: &[u8], channel: Option<&str>) -> io::Result<Layout> {
+        let mut source = Cursor::new(bytes);
+        if is_array(&mut source) { layout_of_arrays(&mut source) } else { layout_of_instrument(bytes, channel) }
+    }
+
+    /// The measurement in a file of an instrument.
+    fn of_instrument(bytes: &[u8], channel: Option<&str>) -> io::Result<Self> {
+        let instrument = instrument(bytes)?;
+        let all = (instrument.channels)(bytes)?;
+        let channels = all.iter().filter(|it| it.is_height).map(|it| it.name.clone()).collect();
+        Self::new(instrument.name, channels, choose(all, channel)?)
+    }
+
+    /// The heights of arrays, and the positions beside them if there are any.
+    fn of_arrays(source: &mut dyn Source) -> io::Result<Self> {
+        let (array, positions) = profile_of(source)?;
         let is_profile = array.ndim() == 1;
         let array = if is_profile { array.insert_axis(Axis(0)) } else { array };
         let height: Field = array.into_dimensionality().map_err(|error| malformed(error.to_string()))?;
@@ -136,6 +147,25 @@ fn instrument(bytes: &[u8]) -> io::Result<&'static Instrument> {
 }
 
 /// Whether a file is a NumPy array or an archive of such.
-fn is_array(path: &Path) -> bool {
-    File::open(path).is_ok_and(|mut file| npz::holds_arrays(&mut file) || npy::is_array(&mut file))
+fn is_array(source: &mut dyn Source) -> bool {
+    npz::holds_arrays(source) || npy::is_array(source)
+}
+
+fn layout_of_arrays(source: &mut dyn Source) -> io::Result<Layout> {
+    match *shape_of(source)? {
+        [ny, nx] => Ok(Layout::map([ny, nx])),
+        _ => Ok(Measurement::of_arrays(source)?.layout()),
+    }
+}
+
+fn layout_of_instrument(bytes: &[u8], channel: Option<&str>) -> io::Result<Layout> {
+    Ok(Layout::of(&choose((instrument(bytes)?.channels)(bytes)?, channel)?)?.0)
+}
+
+/// All bytes of a file.
+fn whole(mut file: File) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    file.rewind()?;
+    file.read_to_end(&mut bytes)?;
+    Ok(bytes)
 }

@@ -8,6 +8,7 @@ mod cdf;
 mod channel;
 mod format;
 mod gwy;
+mod height_file;
 mod instrument;
 mod layout;
 mod measurement;
@@ -30,12 +31,13 @@ mod unit;
 #[cfg(feature = "instruments")]
 mod x3p;
 
+pub use height_file::HeightFile;
 pub use layout::Layout;
 pub use measurement::Measurement;
 
 use crate::error::FileError;
 use crate::files::write_beside;
-use format::{Format, Wanted, malformed};
+use format::{Format, Source, Wanted, malformed};
 use instrument::Instrument;
 use ndarray::{Array1, ArrayD, ArrayViewD};
 use ndarray_npy::{WriteNpyError, WriteNpyExt};
@@ -44,7 +46,7 @@ use std::io;
 use std::path::Path;
 
 /// All formats; the last one takes every file, and says why it cannot be read.
-const FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
+static FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 
 /// All formats of instruments, of which the first that fits is taken: texts of numbers come last.
 const INSTRUMENTS: &[Instrument] = &[
@@ -77,9 +79,14 @@ pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
     read_field(path, HEIGHTS.name)
 }
 
-/// Reads heights like [`read_heights`], and the positions beside them, evenly spaced or not, if there are any.
-fn read_profile(path: &Path) -> Result<(ArrayD<f64>, Option<Array1<f64>>), FileError> {
-    with_file(path, &HEIGHTS, |file, format| (format.read)(file, &HEIGHTS)).map(profile::split)
+/// The heights of arrays like [`read_heights`], and the positions beside them, evenly spaced or not, if there are any.
+fn profile_of(arrays: &mut dyn Source) -> io::Result<(ArrayD<f64>, Option<Array1<f64>>)> {
+    (format(arrays).read)(arrays, &HEIGHTS).map(profile::split)
+}
+
+/// The shape of the heights of arrays, as their header says.
+fn shape_of(arrays: &mut dyn Source) -> io::Result<Vec<usize>> {
+    (format(arrays).shape)(arrays, &HEIGHTS).map(profile::shape)
 }
 
 /// Reads a field such as `pressure` like [`read_heights`], from the array of that name of an archive.
@@ -115,7 +122,7 @@ pub fn read_fields_shape(path: impl AsRef<Path>, name: &'static str) -> Result<V
 /// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] for an archive that is cut short.
 pub fn has_field(path: impl AsRef<Path>, name: &'static str) -> Result<bool, FileError> {
     let wanted = Wanted { name, ranks: 0..=3 };
-    let is_there = |file: &mut File| Ok(npz::is_archive(file) && npz::find_member(file, name)?.is_some());
+    let is_there = |file: &mut dyn Source| Ok(npz::is_archive(file) && npz::find_member(file, name)?.is_some());
     with_file(path.as_ref(), &wanted, |file, _| is_there(file))
 }
 
@@ -124,7 +131,7 @@ pub fn has_field(path: impl AsRef<Path>, name: &'static str) -> Result<bool, Fil
 /// # Errors
 /// The errors of [`read_heights`].
 pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
-    with_file(path.as_ref(), &HEIGHTS, |file, format| (format.shape)(file, &HEIGHTS).map(profile::shape))
+    with_file(path.as_ref(), &HEIGHTS, |file, _| shape_of(file))
 }
 
 /// Reads the text that an archive carries as an array of bytes; none from any other file.
@@ -144,18 +151,26 @@ pub fn read_text(path: impl AsRef<Path>, name: &str) -> Result<Option<String>, F
 fn with_file<T>(
     path: &Path,
     wanted: &Wanted,
-    read: impl FnOnce(&mut File, &Format) -> io::Result<T>,
+    read: impl FnOnce(&mut dyn Source, &Format) -> io::Result<T>,
 ) -> Result<T, FileError> {
-    let opened = std::fs::metadata(path).and_then(|metadata| match metadata.is_file() {
+    let opened = open(path).and_then(|mut file| {
+        let format = format(&mut file);
+        read(&mut file, format)
+    });
+    opened.map_err(|error| explained(path, wanted.name, error))
+}
+
+/// Opens a file, and nothing else that has a path.
+fn open(path: &Path) -> io::Result<File> {
+    match std::fs::metadata(path)?.is_file() {
         true => File::open(path),
         false => Err(malformed("it is a directory or a device, give a file")),
-    });
-    opened
-        .and_then(|mut file| {
-            let format = FORMATS.iter().find(|format| (format.is_it)(&mut file));
-            read(&mut file, format.unwrap_or(&npy::FORMAT))
-        })
-        .map_err(|error| explained(path, wanted.name, error))
+    }
+}
+
+/// The format of arrays.
+fn format(source: &mut dyn Source) -> &'static Format {
+    FORMATS.iter().find(|format| (format.is_it)(source)).unwrap_or(&npy::FORMAT)
 }
 
 fn explained(path: &Path, what: &'static str, error: io::Error) -> FileError {

@@ -1,11 +1,10 @@
 //! NumPy's `.npy`.
 
-use super::format::{Format, Wanted, malformed};
+use super::format::{Format, Source, Wanted, malformed};
 use ndarray::ArrayD;
 use ndarray_npy::npy::header::Header;
 use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement};
-use std::fs::File;
-use std::io::{self, BufReader, Read, Seek, SeekFrom};
+use std::io::{self, BufReader, Read, SeekFrom};
 use std::ops::Range;
 
 /// Bytes at the start of a file that must hold the whole header; NumPy writes 128.
@@ -18,23 +17,23 @@ pub(super) const FORMAT: Format = Format {
     read: |file, wanted| whole(file).and_then(|place| read(file, place, wanted)),
 };
 
-fn whole(file: &File) -> io::Result<Range<u64>> {
-    Ok(0..file.metadata()?.len())
+fn whole(file: &mut dyn Source) -> io::Result<Range<u64>> {
+    Ok(0..file.seek(SeekFrom::End(0))?)
 }
 
 /// Whether a file begins like an array.
-pub(super) fn is_array(file: &mut File) -> bool {
+pub(super) fn is_array(file: &mut dyn Source) -> bool {
     let mut magic = [0; 6];
     file.rewind().and_then(|()| file.read_exact(&mut magic)).is_ok() && magic == *b"\x93NUMPY"
 }
 
 /// The shape of the array at a place in a file.
-pub(super) fn shape(file: &mut File, place: Range<u64>, wanted: &Wanted) -> io::Result<Vec<usize>> {
+pub(super) fn shape(file: &mut dyn Source, place: Range<u64>, wanted: &Wanted) -> io::Result<Vec<usize>> {
     Ok(layout(file, place, wanted)?.0)
 }
 
 /// The array at a place in a file.
-pub(super) fn read(file: &mut File, place: Range<u64>, wanted: &Wanted) -> io::Result<ArrayD<f64>> {
+pub(super) fn read(file: &mut dyn Source, place: Range<u64>, wanted: &Wanted) -> io::Result<ArrayD<f64>> {
     let (_, kind) = layout(file, place.clone(), wanted)?;
     file.seek(SeekFrom::Start(place.start))?;
     let bytes = BufReader::new(file.take(place.end - place.start));
@@ -95,7 +94,7 @@ impl Kind {
 }
 
 /// The shape of an array and its type: type, rank and length are checked before anything of the claimed size is allocated.
-fn layout(file: &mut File, place: Range<u64>, wanted: &Wanted) -> io::Result<(Vec<usize>, Kind)> {
+fn layout(file: &mut dyn Source, place: Range<u64>, wanted: &Wanted) -> io::Result<(Vec<usize>, Kind)> {
     let (header, start) = header(file, &place)?;
     let name = header.type_descriptor.to_string();
     let Some((kind, size)) = Kind::named(name.trim_matches(['\'', '"', '<', '>', '=', '|'])) else {
@@ -121,7 +120,7 @@ fn layout(file: &mut File, place: Range<u64>, wanted: &Wanted) -> io::Result<(Ve
 }
 
 /// The header of an array, and where the data after it start.
-pub(super) fn header(file: &mut File, place: &Range<u64>) -> io::Result<(Header, u64)> {
+pub(super) fn header(file: &mut dyn Source, place: &Range<u64>) -> io::Result<(Header, u64)> {
     let mut start = Vec::new();
     let most = HEADER_BYTES.min(place.end - place.start);
     file.seek(SeekFrom::Start(place.start))?;

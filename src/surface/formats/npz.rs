@@ -1,9 +1,8 @@
 //! NumPy's `.npz`, an archive of arrays.
 
-use super::format::{Format, malformed};
+use super::format::{Format, Source, malformed};
 use super::npy;
-use std::fs::File;
-use std::io::{self, Read, Seek, SeekFrom};
+use std::io::{self, Read, SeekFrom};
 use std::ops::Range;
 
 /// An array of an archive, such as a result.
@@ -19,13 +18,13 @@ const MARK: [u8; 4] = *b"PK\x03\x04";
 const HEAD: usize = 30;
 
 /// Whether a file is an archive.
-pub(super) fn is_archive(file: &mut File) -> bool {
+pub(super) fn is_archive(file: &mut dyn Source) -> bool {
     let mut start = [0; MARK.len()];
     file.rewind().and_then(|()| file.read_exact(&mut start)).is_ok() && start == MARK
 }
 
 /// Whether a file is an archive whose first member is an array: other archives are those of instruments.
-pub(super) fn holds_arrays(file: &mut File) -> bool {
+pub(super) fn holds_arrays(file: &mut dyn Source) -> bool {
     let mut head = [0; HEAD];
     let is_read = is_archive(file) && file.rewind().and_then(|()| file.read_exact(&mut head)).is_ok();
     let mut name = vec![0; number(&head[26..28]) as usize];
@@ -33,7 +32,7 @@ pub(super) fn holds_arrays(file: &mut File) -> bool {
 }
 
 /// The text that an archive carries as an array of bytes.
-pub(super) fn text(file: &mut File, name: &str) -> io::Result<String> {
+pub(super) fn text(file: &mut dyn Source, name: &str) -> io::Result<String> {
     let place = member(file, name)?;
     let (_, start) = npy::header(file, &place)?;
     let mut text = String::new();
@@ -46,7 +45,7 @@ pub(super) fn text(file: &mut File, name: &str) -> io::Result<String> {
 ///
 /// # Errors
 /// The reason, where there is no such member, and those of [`find_member`].
-fn member(file: &mut File, name: &str) -> io::Result<Range<u64>> {
+fn member(file: &mut dyn Source, name: &str) -> io::Result<Range<u64>> {
     find_member(file, name)?.ok_or_else(|| malformed(format!("it is an archive without the array `{name}`")))
 }
 
@@ -54,9 +53,9 @@ fn member(file: &mut File, name: &str) -> io::Result<Range<u64>> {
 ///
 /// # Errors
 /// The reason, where the member is compressed, or the archive is cut short.
-pub(super) fn find_member(file: &mut File, name: &str) -> io::Result<Option<Range<u64>>> {
+pub(super) fn find_member(file: &mut dyn Source, name: &str) -> io::Result<Option<Range<u64>>> {
     let cut_short = |error: io::Error| malformed(format!("it is a broken archive ({error})"));
-    let bytes = file.metadata()?.len();
+    let bytes = file.seek(SeekFrom::End(0))?;
     let mut at = 0;
     loop {
         let mut head = [0; HEAD];

@@ -1,10 +1,9 @@
 //! Plain text: a number a line, a matrix, or positions and heights.
 
-use super::format::{Format, Wanted, malformed};
+use super::format::{Format, Source, Wanted, malformed};
 use super::table::Table;
 use ndarray::ArrayD;
-use std::fs::File;
-use std::io::{self, Read, Seek};
+use std::io::{self, Read};
 
 /// A [`Table`] of numbers: of one column or row a line, else a matrix, row by row.
 pub(super) const FORMAT: Format =
@@ -14,7 +13,7 @@ pub(super) const FORMAT: Format =
 const START: u64 = 4096;
 
 /// Whether a file begins with text, in any encoding of one byte for each letter of ours.
-fn is_text(file: &mut File) -> bool {
+fn is_text(file: &mut dyn Source) -> bool {
     let mut start = Vec::new();
     let is_read = file.rewind().is_ok() && file.take(START).read_to_end(&mut start).is_ok();
     is_read && !start.is_empty() && !start.iter().any(is_control)
@@ -25,7 +24,7 @@ fn is_control(byte: &u8) -> bool {
     *byte < b'\t'
 }
 
-fn read(file: &mut File, _: &Wanted) -> io::Result<ArrayD<f64>> {
+fn read(file: &mut dyn Source, _: &Wanted) -> io::Result<ArrayD<f64>> {
     let mut bytes = Vec::new();
     file.rewind()?;
     file.read_to_end(&mut bytes)?;

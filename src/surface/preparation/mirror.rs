@@ -22,7 +22,7 @@ impl Mirror {
         [("x", "Along x, the columns"), ("y", "Along y, the rows"), ("both", "Along both; of a profile along it")];
 
     /// Rows and columns of the heights and their images.
-    pub(super) fn shape(self, [ny, nx]: [usize; 2]) -> [usize; 2] {
+    pub fn shape(self, [ny, nx]: [usize; 2]) -> [usize; 2] {
         let twice = |n: usize, is_mirrored: bool| if is_mirrored && n > 2 { 2 * n - 2 } else { n };
         [twice(ny, self != Self::X), twice(nx, self != Self::Y)]
     }

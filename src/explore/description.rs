@@ -1,0 +1,171 @@
+//! What the page is told of a file of heights.
+
+use super::height_knobs::HeightKnobs;
+use super::refusal::Refusal;
+use crate::setup::fnv1a;
+use crate::surface::{HeightFile, Measurement, Preparation, Scan, Survey};
+use serde::Serialize;
+
+/// Lines of a file's own header that are shown, and letters of each.
+const HEADER: [usize; 2] = [24, 100];
+/// Units in which lengths are shown, the longest first, in metres.
+const UNITS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
+
+/// A file of heights in words, and the knobs that take it.
+#[derive(Clone, Serialize)]
+pub struct Description {
+    /// Its name.
+    pub name: String,
+    /// Whether it holds a profile, not a map.
+    pub is_profile: bool,
+    /// The channels of heights to choose from.
+    pub channels: Vec<String>,
+    /// The one that was read.
+    pub channel: String,
+    /// Whether it says its units.
+    pub is_in_metres: bool,
+    /// Whether it says how far apart its points are.
+    pub has_spacing: bool,
+    /// The knobs, with the steps that were chosen if they are to be.
+    pub knobs: HeightKnobs,
+    /// What there is to say of it: names and values.
+    pub rows: Vec<(String, String)>,
+    /// Why steps were chosen, a sentence each.
+    pub reasons: Vec<String>,
+    /// What keeps it from being solved, in one sentence.
+    pub fault: Option<String>,
+}
+
+impl Description {
+    /// A file as knobs take it.
+    ///
+    /// # Errors
+    /// For a file that cannot be read.
+    pub fn of(file: &HeightFile, knobs: HeightKnobs) -> Result<Self, Refusal> {
+        let mark = format!("{:016x}", fnv1a([file.bytes()?.as_ref()]));
+        let knobs = HeightKnobs { file: Some(mark), ..knobs };
+        let measured = file.measurement(knobs.channel.as_deref())?;
+        let chosen = if knobs.auto { knobs.chosen(file) } else { Ok((knobs.clone(), Vec::new())) };
+        let taken = chosen.and_then(|(knobs, reasons)| Ok((scan(&knobs, file)?, knobs, reasons)));
+        let mut rows = of_file(&measured, &knobs);
+        let (knobs, reasons, fault) = match taken {
+            Ok((scan, knobs, reasons)) => {
+                rows.extend(of_heights(&scan)?);
+                let fault = knobs.surface(file).err().map(|Refusal(sentence)| sentence);
+                (knobs, reasons, fault)
+            }
+            Err(Refusal(sentence)) => (knobs, Vec::new(), Some(sentence)),
+        };
+        let short = |text: &String| text.chars().take(HEADER[1]).collect::<String>();
+        rows.extend(measured.header.iter().take(HEADER[0]).map(|(name, value)| (short(name), short(value))));
+        let has_spacing = measured.spacing.is_some();
+        let Measurement { is_profile, channels, channel, is_in_metres, .. } = measured;
+        let name = file.display().to_string();
+        Ok(Self { name, is_profile, channels, channel, is_in_metres, has_spacing, knobs, rows, reasons, fault })
+    }
+}
+
+impl Description {
+    /// Refuses knobs that are for another file.
+    ///
+    /// # Errors
+    /// For knobs with the mark of another file.
+    pub(super) fn check(&self, knobs: &HeightKnobs) -> Result<(), Refusal> {
+        if knobs.file.is_none() || knobs.file == self.knobs.file {
+            return Ok(());
+        }
+        let name = &self.name;
+        Err(Refusal(format!("another file, {name}, has taken the place of this one: drop this one again")))
+    }
+}
+
+/// The heights as they were measured, but for those that are cropped away.
+fn scan(knobs: &HeightKnobs, file: &HeightFile) -> Result<Scan, Refusal> {
+    let Preparation { resample, crop, .. } = knobs.prepare.clone();
+    let raw = HeightKnobs { prepare: Preparation { resample, crop, ..Preparation::default() }, ..knobs.clone() };
+    let (recipe, cell) = raw.surface(file)?;
+    Ok(recipe.prepared(file, &recipe.grid(&cell)?)?.scan)
+}
+
+/// What a file says of itself.
+fn of_file(measured: &Measurement, knobs: &HeightKnobs) -> Vec<(String, String)> {
+    let lengths = match (measured.is_in_metres, knobs.unit) {
+        (true, _) => "metres, as the file says".into(),
+        (false, Some(unit)) => format!("1 in the file is {}", length(unit)),
+        (false, None) => "not said by the file: taken as metres".into(),
+    };
+    let [ny, nx] = measured.height.dim().into();
+    let points = if measured.is_profile { nx.to_string() } else { format!("{ny} x {nx}") };
+    let rows = [
+        ("format", measured.format.to_owned()),
+        ("channel", measured.channel.clone()),
+        ("lengths", lengths),
+        ("points", points),
+    ];
+    rows.map(|(name, value)| (name.to_owned(), value)).into()
+}
+
+/// What heights are like.
+fn of_heights(scan: &Scan) -> Result<Vec<(String, String)>, Refusal> {
+    let survey = Survey::of(scan)?;
+    let ([ny, nx], [dy, dx]) = (scan.shape(), scan.spacing);
+    let is_line = ny == 1;
+    let axes = |[y, x]: [String; 2]| if is_line { x } else { format!("{y} along y, {x} along x") };
+    let size = [ny as f64 * dy, nx as f64 * dx].map(length);
+    let noise = survey.axes.iter().map(|it| it.noise).fold(0.0, f64::max);
+    let rows = [
+        ("size", if is_line { size[1].clone() } else { size.join(" x ") }),
+        ("voids", format!("{} of {}", survey.voids, ny * nx)),
+        ("tilt", axes(survey.tilt.map(figure))),
+        ("jump across the period", format!("{} rms steps", axes(survey.jumps.map(figure)))),
+        ("rms height", length(rms_height(scan))),
+        ("rms gradient", figure(scan.rms_gradient())),
+        ("noise", format!("{}, {:.0} % of the mean square gradient", length(noise), 100.0 * survey.noise_share())),
+        ("shortest wavelength told from noise", length(survey.shortest_wavelength())),
+    ];
+    let rows = rows.map(|(name, value)| (name.to_owned(), value));
+    let hurst = survey.power_law.map(|it| {
+        let [shortest, longest] = it.wavelengths.map(length);
+        ("Hurst exponent".to_owned(), format!("{:.2}, from {shortest} to {longest}", it.hurst))
+    });
+    Ok(rows.into_iter().chain(hurst).collect())
+}
+
+/// The root mean square of heights about their mean, voids left out.
+fn rms_height(scan: &Scan) -> f64 {
+    let there = || scan.height.iter().filter(|h| !h.is_nan());
+    let count = there().count().max(1) as f64;
+    let mean = there().sum::<f64>() / count;
+    (there().map(|h| (h - mean).powi(2)).sum::<f64>() / count).sqrt()
+}
+
+/// A length in metres with the unit that makes it a number of one to three digits before its point.
+fn length(metres: f64) -> String {
+    let fits = |unit: &&(&str, f64)| metres.abs() >= 0.9995 * unit.1;
+    let (name, unit) = UNITS.iter().find(fits).unwrap_or(if metres == 0.0 { &UNITS[0] } else { &UNITS[3] });
+    format!("{} {name}", figure(metres / unit))
+}
+
+/// A number to four digits.
+fn figure(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".into();
+    }
+    if !(1e-3..1e6).contains(&size) {
+        return format!("{value:.3e}");
+    }
+    let digits = (3.0 - size.log10().floor()).clamp(0.0, 6.0) as usize;
+    format!("{value:.digits$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_told_in_the_unit_that_fits_them() {
+        let told = [1e-5, 9.9996e-7, 2.5e-10, 3.0, 0.0, 1.25e-4].map(length);
+        assert_eq!(told, ["10.00 µm", "1.000 µm", "0.2500 nm", "3.000 m", "0 m", "125.0 µm"]);
+    }
+}

@@ -1,0 +1,124 @@
+//! The knobs of a file of heights, and the surface that they make of it.
+
+use super::refusal::Refusal;
+use crate::grid::Grid;
+use crate::quantity::some_length;
+use crate::setup::{Boundary, Cell, Recipe};
+use crate::surface::{Choice, Crop, HeightFile, Layout, Preparation};
+use serde::{Deserialize, Serialize};
+
+/// The most points of a line, and of a surface: more cannot be solved while someone waits.
+pub const MOST_POINTS: [usize; 2] = [1 << 18, 1 << 20];
+
+/// How the heights of a file are taken. Lengths are in metres.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub struct HeightKnobs {
+    /// The mark of the file that they are for, by its bytes, as a description tells it; any file if it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// The channel, by name or number from 1 on; the first one of heights if it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub channel: Option<String>,
+    /// The length of 1 in a file that does not say its units.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    pub unit: Option<f64>,
+    /// The length along x of all that is in the file, whose nodes are then as far apart along y.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    pub width: Option<f64>,
+    /// What is beyond the heights.
+    pub boundary: Boundary,
+    /// Whether a description chooses the steps anew.
+    pub auto: bool,
+    /// What is done to the heights before they are pressed.
+    pub prepare: Preparation,
+}
+
+impl Default for HeightKnobs {
+    fn default() -> Self {
+        let (file, channel, unit, width, prepare) = Default::default();
+        Self { file, channel, unit, width, boundary: Boundary::Periodic, auto: true, prepare }
+    }
+}
+
+impl HeightKnobs {
+    /// The recipe and the cell of a file, bounded like all surfaces of the page.
+    ///
+    /// # Errors
+    /// For a file that cannot be read, and for one of too many points.
+    pub fn surface(&self, file: &HeightFile) -> Result<(Recipe, Cell), Refusal> {
+        let (recipe, cell) = self.unbounded(file)?;
+        let grid = recipe.grid(&cell)?;
+        let (most, [ny, nx]) = (most(grid.is_line()), grid.shape());
+        if grid.len() > most {
+            return Err(Refusal(format!(
+                "{ny} x {nx} points are too many here: crop the heights to at most {most}, and mind that a mirror doubles them"
+            )));
+        }
+        Ok((recipe, cell))
+    }
+
+    /// The knobs with the steps that the heights of a file need, and why they need them.
+    ///
+    /// # Errors
+    /// For a file that cannot be read, and one whose lengths nobody says.
+    pub fn chosen(&self, file: &HeightFile) -> Result<(Self, Vec<String>), Refusal> {
+        let layout = file.layout(self.channel.as_deref())?;
+        let most = most(layout.is_profile);
+        let part = |points: usize| (points > most).then(|| middle(&layout, most as f64 / points as f64));
+        let [rows, columns] = layout.shape;
+        let first = self.choice(file, part(rows * columns))?;
+        let mirrored = first.preparation.mirror.map_or([rows, columns], |mirror| mirror.shape([rows, columns]));
+        let crop = part(mirrored[0] * mirrored[1]);
+        let mut choice = if crop == first.preparation.crop { first } else { self.choice(file, crop.clone())? };
+        if crop.is_some() {
+            let reason = format!(
+                "{rows} x {columns} points, or those of their mirror images, are more than can be solved while someone waits: the middle of \
+                 them is kept"
+            );
+            choice.reasons.insert(0, reason);
+        }
+        Ok((Self { prepare: choice.preparation, ..self.clone() }, choice.reasons))
+    }
+
+    /// The steps that a part of a file needs.
+    fn choice(&self, file: &HeightFile, crop: Option<Crop>) -> Result<Choice, Refusal> {
+        let prepare = Preparation { crop, ..Preparation::default() };
+        let (recipe, cell) = Self { prepare, ..self.clone() }.unbounded(file)?;
+        let Choice { preparation, reasons } = recipe.choice(&cell)?;
+        Ok(Choice { preparation: Preparation { crop: recipe.prepare.crop, ..preparation }, reasons })
+    }
+
+    /// The recipe and the cell of a file of any length.
+    fn unbounded(&self, file: &HeightFile) -> Result<(Recipe, Cell), Refusal> {
+        let Self { channel, unit, prepare, .. } = self.clone();
+        let recipe = Recipe { height: Some(file.clone()), channel, file_unit: unit, prepare, ..Recipe::default() };
+        let size = match self.width {
+            Some(width) => size(width, &file.layout(self.channel.as_deref())?),
+            None => Vec::new(),
+        };
+        Ok((recipe, Cell { points: Vec::new(), size, refine: None, boundary: vec![self.boundary], datum: None }))
+    }
+}
+
+/// The most points of a line or a surface.
+fn most(is_line: bool) -> usize {
+    MOST_POINTS[usize::from(!is_line)]
+}
+
+/// The lengths along the axes of a file of some width.
+fn size(width: f64, layout: &Layout) -> Vec<f64> {
+    let [ny, nx] = layout.shape.map(|n| n as f64);
+    if layout.is_profile { vec![width] } else { vec![width * ny / nx, width] }
+}
+
+/// The middle of a map or a profile, a share of its points.
+fn middle(layout: &Layout, share: f64) -> Crop {
+    let side = if layout.is_profile { share } else { share.sqrt() };
+    let range = |n: usize| {
+        let kept = ((n as f64 * side) as usize).max(Grid::MIN_POINTS).min(n);
+        [(n - kept) / 2, (n - kept) / 2 + kept]
+    };
+    let [y, x] = layout.shape.map(range);
+    Crop(if layout.is_profile { x.into() } else { [y, x].concat() })
+}

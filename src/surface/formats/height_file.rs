@@ -1,0 +1,106 @@
+//! A file of heights, on disk or in memory.
+
+use super::{Layout, Measurement, explained};
+use crate::error::FileError;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::fmt;
+use std::path::{Display, Path, PathBuf};
+use std::sync::Arc;
+
+/// A file of heights: its path, or a name and bytes that are nowhere but in memory. As text it is the path or the name.
+///
+/// ```
+/// use asperity::surface::HeightFile;
+/// let file = HeightFile::in_memory("ramp.txt", *b"0 1 2 3\n4 5 6 7\n1 1 1 1\n2 2 2 2\n");
+/// assert_eq!(file.layout(None)?.shape, [4, 4]);
+/// assert_eq!(file.measurement(None)?.height[[1, 0]], 4.0);
+/// # Ok::<(), asperity::error::FileError>(())
+/// ```
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
+#[serde(from = "PathBuf", into = "PathBuf")]
+pub struct HeightFile {
+    path: PathBuf,
+    /// What is in it, where it is not on disk.
+    bytes: Option<Arc<[u8]>>,
+}
+
+impl HeightFile {
+    /// A file of some name that is not on disk.
+    pub fn in_memory(name: impl Into<PathBuf>, bytes: impl Into<Arc<[u8]>>) -> Self {
+        Self { path: name.into(), bytes: Some(bytes.into()) }
+    }
+
+    /// The path, or the name of one in memory.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The path or the name, for people.
+    pub fn display(&self) -> Display<'_> {
+        self.path.display()
+    }
+
+    /// Reads it, see [`Measurement::read`].
+    ///
+    /// # Errors
+    /// The errors of [`Measurement::read`].
+    pub fn measurement(&self, channel: Option<&str>) -> Result<Measurement, FileError> {
+        match &self.bytes {
+            None => Measurement::read(&self.path, channel),
+            Some(bytes) => Measurement::of(bytes, channel).map_err(|error| explained(&self.path, "height", error)),
+        }
+    }
+
+    /// Shape and spacing of what is in it, see [`Measurement::read_layout`].
+    ///
+    /// # Errors
+    /// The errors of [`Measurement::read`].
+    pub fn layout(&self, channel: Option<&str>) -> Result<Layout, FileError> {
+        match &self.bytes {
+            None => Measurement::read_layout(&self.path, channel),
+            Some(bytes) => {
+                Measurement::layout_of(bytes, channel).map_err(|error| explained(&self.path, "height", error))
+            }
+        }
+    }
+
+    /// All bytes of it.
+    ///
+    /// # Errors
+    /// [`FileError::Read`].
+    pub fn bytes(&self) -> Result<Cow<'_, [u8]>, FileError> {
+        match &self.bytes {
+            None => std::fs::read(&self.path)
+                .map(Cow::Owned)
+                .map_err(|source| FileError::Read { path: self.path.clone(), source }),
+            Some(bytes) => Ok(Cow::Borrowed(bytes)),
+        }
+    }
+
+    /// The same file by its full path; one in memory has none.
+    pub fn with_full_path(self) -> Self {
+        match std::path::absolute(&self.path) {
+            Ok(full) if self.bytes.is_none() && full.to_str().is_some() => full.into(),
+            _ => self,
+        }
+    }
+}
+
+impl From<PathBuf> for HeightFile {
+    fn from(path: PathBuf) -> Self {
+        Self { path, bytes: None }
+    }
+}
+
+impl From<HeightFile> for PathBuf {
+    fn from(file: HeightFile) -> Self {
+        file.path
+    }
+}
+
+impl fmt::Debug for HeightFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.path.fmt(f)
+    }
+}
