@@ -8,9 +8,10 @@ use super::subject::along_axes;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::Grid;
+use asperity::error::FileError;
 use asperity::files::check_named;
 use asperity::setup::{Cost, Recipe};
-use asperity::surface::{Field, Measurement, Roughness, write_heights};
+use asperity::surface::{Field, Measurement, Roughness, Scan};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
@@ -29,8 +30,8 @@ Examples:
 pub struct Describe {
     #[command(flatten)]
     scene: Scene<OfSurface>,
-    /// Write the heights
-    #[arg(long, value_name = "FILE.npy", help_heading = "Output")]
+    /// Write the heights in metres, as the ending of the name says: .npy, .sdf, .x3p or .xyz
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Print one JSON object instead of a table
     #[arg(long, help_heading = "Output")]
@@ -83,16 +84,16 @@ struct Whole {
 impl Describe {
     pub fn run(&self) -> Result<Outcome> {
         if let Some(path) = &self.out {
-            check_named(path, &["npy"])?;
+            check_named(path, &Scan::endings())?;
         }
         let (recipe, cell) = self.scene.table()?.surface()?;
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
         Cost::of_fields(&grid, FIELDS).check("a surface")?;
-        let rank = recipe.rank(&cell)?;
-        let (statistics, height) = describe(&recipe, &grid, 2 - rank)?;
+        let (statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?)?;
         if let Some(path) = &self.out {
-            write_heights(path, if rank == 1 { height.row(0).into_dyn() } else { height.view().into_dyn() })?;
+            statistics.check_unit(&recipe, path)?;
+            scan(height, &grid).write(path)?;
         }
         if self.json {
             write_json(&statistics, &mut stdout())?
@@ -133,6 +134,12 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     Ok((statistics, surface.heights_as_given()))
 }
 
+/// Heights that fill a grid, of which they may have fewer points than it.
+fn scan(height: Field, grid: &Grid) -> Scan {
+    let (points, size) = ([height.nrows(), height.ncols()], grid.size());
+    Scan { height, spacing: [0, 1].map(|axis| size[axis] / points[axis] as f64) }
+}
+
 impl Origin {
     fn read(path: &Path, recipe: &Recipe) -> Result<Self> {
         let Measurement { format, channels, channel, is_in_metres, header, .. } =
@@ -140,10 +147,14 @@ impl Origin {
         Ok(Self { format, channels, channel, is_in_metres, header })
     }
 
+    /// Whether lengths are metres as far as anybody says.
+    fn has_unit(&self, recipe: &Recipe) -> bool {
+        self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy"
+    }
+
     /// The warning that lengths are in a unit that nobody knows.
     fn unit_warning(&self, recipe: &Recipe) -> Option<String> {
-        let is_known = self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy";
-        (!is_known).then(|| {
+        (!self.has_unit(recipe)).then(|| {
             "the file does not say its units, so that its heights are taken as they are: give them by --file-unit, such as 1um".into()
         })
     }
@@ -160,6 +171,17 @@ impl Origin {
 }
 
 impl Statistics {
+    /// Refuses a format that is in metres for heights in a unit that nobody knows.
+    fn check_unit(&self, recipe: &Recipe, path: &Path) -> Result<(), FileError> {
+        let is_array = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
+        if is_array || self.file.as_ref().is_none_or(|it| it.has_unit(recipe)) {
+            return Ok(());
+        }
+        let reason =
+            "it would be in metres, and the height file does not say its units: give them by --file-unit, such as 1um";
+        Err(FileError::Target { path: path.into(), reason: reason.into() })
+    }
+
     fn write(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}", self.source)?;
         write_rows(self.file.iter().flat_map(Origin::rows), out)?;
