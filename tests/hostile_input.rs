@@ -1,6 +1,14 @@
 //! Bad input: exit code 2, one sentence with what is wrong, nothing on standard output, no file made or touched.
 
+#[allow(dead_code, reason = "not every test file uses every helper")]
+#[path = "measured/binaries/mod.rs"]
+mod binaries;
 mod command;
+#[allow(dead_code, reason = "not every test file uses every helper")]
+#[path = "measured/containers/mod.rs"]
+mod containers;
+#[path = "hostile_input/measured.rs"]
+mod measured;
 
 use assert_cmd::Command;
 use command::{Folder, text};
@@ -478,7 +486,7 @@ fn names_that_promise_another_content_are_refused() {
         (format!("{solve} --out old"), "cannot write old: give a name that ends in .npz or .csv"),
         (format!("{solve} --save-setup x.npz"), "cannot write x.npz: give a name that ends in .toml"),
         (format!("{sphere} --out x.csv"), "x.csv can hold the nodes of a line only: give a .npz for a surface"),
-        (format!("surface {CYLINDER} --out x.npz"), "cannot write x.npz: give a name that ends in .npy"),
+        (format!("surface {CYLINDER} --out x.npz"), "cannot write x.npz: give a name that ends in .npy or .sdf"),
         ("bench --out x.npz".into(), "cannot write x.npz: give a name that ends in .csv"),
         ("stability --out x".into(), "cannot write x: give a name that ends in .csv"),
         #[cfg(feature = "record")]
