@@ -1,6 +1,14 @@
 //! Bad input: exit code 2, one sentence with what is wrong, nothing on standard output, no file made or touched.
 
+#[allow(dead_code, reason = "not every test file uses every helper")]
+#[path = "measured/binaries/mod.rs"]
+mod binaries;
 mod command;
+#[allow(dead_code, reason = "not every test file uses every helper")]
+#[path = "measured/containers/mod.rs"]
+mod containers;
+#[path = "hostile_input/measured.rs"]
+mod measured;
 
 use assert_cmd::Command;
 use command::{Folder, text};
@@ -435,12 +443,16 @@ fn height_files_that_cannot_be_used_are_refused() {
 fn height_files_that_are_no_surface_are_not_described() {
     let folder = folder();
     for (name, offence) in write_bad_heights(&folder) {
-        if !["flat.npy", "huge.npy"].contains(&name) && !offence.ends_with("void") {
+        if !["flat.npy", "huge.npy", "uneven.npy"].contains(&name) && !offence.ends_with("void") {
             refuse_in_one_sentence(&folder, &format!("surface --height {name} --size 1 --json --out new.npy"), offence);
         }
     }
-    let void = folder.run("surface --height nan.npy --size 1");
-    assert!(void.status.success() && text(&void.stderr).contains("1 of 48 heights are void"), "{void:?}");
+    for (described, words) in
+        [("nan.npy", "1 of 48 heights are void"), ("uneven.npy", "the positions are not evenly spaced")]
+    {
+        let output = folder.run(&format!("surface --height {described} --size 1"));
+        assert!(output.status.success() && text(&output.stderr).contains(words), "{output:?}");
+    }
     refuse_in_one_sentence(&folder, "surface", "no surface");
     refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "--size");
 }
@@ -478,7 +490,7 @@ fn names_that_promise_another_content_are_refused() {
         (format!("{solve} --out old"), "cannot write old: give a name that ends in .npz or .csv"),
         (format!("{solve} --save-setup x.npz"), "cannot write x.npz: give a name that ends in .toml"),
         (format!("{sphere} --out x.csv"), "x.csv can hold the nodes of a line only: give a .npz for a surface"),
-        (format!("surface {CYLINDER} --out x.npz"), "cannot write x.npz: give a name that ends in .npy"),
+        (format!("surface {CYLINDER} --out x.npz"), "cannot write x.npz: give a name that ends in .npy or .sdf"),
         ("bench --out x.npz".into(), "cannot write x.npz: give a name that ends in .csv"),
         ("stability --out x".into(), "cannot write x: give a name that ends in .csv"),
         #[cfg(feature = "record")]

@@ -62,6 +62,20 @@ fn spheres_cylinders_and_circles_are_found_wherever_they_lie() {
     assert!(Form::Sphere.of(scan([8, 8], [1.0, 1.0], |_, _| 2.0)).is_none());
 }
 
+/// The spacing of a line across it is nominally 1, whatever its length.
+#[test]
+fn lines_of_micrometres_are_prepared_like_longer_ones() {
+    let line = |height: &dyn Fn(f64) -> f64| scan([1, 200], [1.0, 1e-6], |_, x| height(x));
+    let bent = line(&|x| 1e-6 + 0.1 * x + 5e3 * x * x);
+    assert!(largest(&Detrend::Curvature.of(bent.clone())) < 1e-15);
+    assert!(largest(&Detrend::Plane.of(bent)) > 1e-6);
+    let arc = line(&|x| (1e-3f64.powi(2) - (x - 0.8e-4).powi(2)).sqrt());
+    let (rest, radius) = Form::Sphere.of(arc).unwrap();
+    assert!((radius / 1e-3 - 1.0).abs() < 1e-6 && largest(&rest) < 1e-12, "{radius}, {}", largest(&rest));
+    let filtered: Preparation = toml::from_str("low-pass = 1e-5\nhigh-pass = 1e-4").unwrap();
+    assert_eq!(filtered.of(line(&|x| (3e5 * x).sin())).unwrap().told.len(), 2);
+}
+
 /// The transmission of ISO 16610-21, equation (4): half of the amplitude at the cut-off.
 #[test]
 fn gaussian_filters_transmit_waves_as_the_standard_says() {
@@ -85,6 +99,25 @@ fn gaussian_filters_transmit_waves_as_the_standard_says() {
     );
 }
 
+/// The weight function of ISO 16610-21, equation (1), which is a half at the distance `ln 2 / pi` of the cut-off.
+#[test]
+fn gaussian_filters_weigh_neighbours_by_their_distance() {
+    let spacing = LN_2 / PI / 4.0;
+    for (shape, one, other) in [([1, 700], [0, 5], [0, 9]), ([9, 90], [2, 80], [6, 80]), ([90, 9], [80, 2], [80, 6])] {
+        let mut torn = scan(shape, [spacing; 2], |_, _| f64::NAN);
+        torn.height[one] = 1.0;
+        torn.height[other] = -2.0;
+        let lonely = [shape[0] - 1 - one[0], shape[1] - 1 - one[1]];
+        torn.height[lonely] = 5.0;
+        let smooth = torn.low_pass(1.0);
+        for (node, expected) in [(one, 0.0), (other, -1.0), (lonely, 5.0)] {
+            let found = smooth.height[node];
+            assert!((found - expected).abs() < 1e-12, "{shape:?} {node:?}: {found}, not {expected}");
+        }
+        assert_eq!(smooth.voids(), torn.voids());
+    }
+}
+
 /// `x^2 - y^2` and `x y` solve Laplace's equation between neighbours as well.
 #[test]
 fn voids_are_filled_with_harmonic_heights() {
@@ -96,6 +129,15 @@ fn voids_are_filled_with_harmonic_heights() {
         let off = (&filled.height - &whole.height).iter().fold(0.0, |most, d| f64::max(most, d.abs()));
         assert!(off < 1e-6, "{off}");
     }
+    let wide = scan([151, 130], [0.02, 0.05], |y, x| x * x - y * y + 2.0 * x * y - x);
+    let mut torn = wide.clone();
+    let is_known = |y: usize, x: usize| [0, 150].contains(&y) || [0, 129].contains(&x) || (y * y + 7 * x) % 997 == 5;
+    torn.height.indexed_iter_mut().filter(|((y, x), _)| !is_known(*y, *x)).for_each(|(_, h)| *h = f64::NAN);
+    let filled = Fill::Harmonic.of(torn).unwrap();
+    assert!((&filled.height - &wide.height).iter().all(|d| d.abs() < 1e-6));
+    let line = scan([1, 1000], [1.0, 1e-6], |_, x| if (200e-6..900e-6).contains(&x) { f64::NAN } else { 3.0 * x });
+    let straight = Fill::Harmonic.of(line).unwrap();
+    assert!(straight.height.indexed_iter().all(|((_, x), h)| (h - 3e-6 * x as f64).abs() < 1e-9));
     let rim = scan([5, 6], [1.0, 1.0], |y, x| if x < 4.0 && y > 0.0 { 3.5 } else { f64::NAN });
     assert!(Fill::Harmonic.of(rim).unwrap().height.iter().all(|h| (h - 3.5).abs() < 1e-12));
     assert!(Fill::Harmonic.of(scan([5, 6], [1.0, 1.0], |_, _| f64::NAN)).is_none());

@@ -9,11 +9,12 @@ use super::survey;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::Grid;
+use asperity::error::FileError;
 use asperity::files::check_named;
 #[cfg(feature = "record")]
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
-use asperity::surface::{Field, HeightFile, Measurement, Resample, Roughness, Scan, Surface, Survey, write_heights};
+use asperity::surface::{Field, HeightFile, Measurement, Resample, Roughness, Scan, Surface, Survey};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
@@ -33,8 +34,8 @@ Examples:
 pub struct Describe {
     #[command(flatten)]
     scene: Scene<OfSurface>,
-    /// Write the heights
-    #[arg(long, value_name = "FILE.npy", help_heading = "Output")]
+    /// Write the heights in metres, as the ending of the name says: .npy, .sdf, .x3p or .xyz
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Record the heights as a relief, their power spectrum and their gradient from scale to scale, for the Rerun viewer
     #[cfg(feature = "record")]
@@ -96,7 +97,7 @@ struct Whole {
 impl Describe {
     pub fn run(&self) -> Result<Outcome> {
         if let Some(path) = &self.out {
-            check_named(path, &["npy"])?;
+            check_named(path, &Scan::endings())?;
         }
         #[cfg(feature = "record")]
         if let Some(path) = &self.record {
@@ -107,16 +108,16 @@ impl Describe {
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
         Cost::of_fields(&grid, FIELDS).check("a surface")?;
-        let rank = recipe.rank(&cell)?;
-        let (mut statistics, height) = describe(&recipe, &grid, 2 - rank)?;
+        let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?)?;
         statistics.warnings.extend(uneven);
         caution::heed(&statistics.warnings, self.strict)?;
+        self.out.iter().try_for_each(|path| statistics.check_unit(&recipe, path))?;
         #[cfg(feature = "record")]
         if let Some(path) = &self.record {
             statistics.record(path, &recipe, &height, grid)?;
         }
         if let Some(path) = &self.out {
-            write_heights(path, if rank == 1 { height.row(0).into_dyn() } else { height.view().into_dyn() })?;
+            scan(height, &grid).write(path)?;
         }
         if self.json {
             write_json(&statistics, &mut stdout())?
@@ -180,6 +181,12 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     Ok((statistics, surface.heights_as_given()))
 }
 
+/// Heights that fill a grid, of which they may have fewer points than it.
+fn scan(height: Field, grid: &Grid) -> Scan {
+    let (points, size) = ([height.nrows(), height.ncols()], grid.size());
+    Scan { height, spacing: [0, 1].map(|axis| size[axis] / points[axis] as f64) }
+}
+
 impl Origin {
     fn read(file: &HeightFile, recipe: &Recipe) -> Result<Self> {
         let Measurement { format, channels, channel, is_in_metres, header, .. } =
@@ -187,10 +194,14 @@ impl Origin {
         Ok(Self { format, channels, channel, is_in_metres, header })
     }
 
+    /// Whether lengths are metres as far as anybody says.
+    fn has_unit(&self, recipe: &Recipe) -> bool {
+        self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy"
+    }
+
     /// The warning that lengths are in a unit that nobody knows.
     fn unit_warning(&self, recipe: &Recipe) -> Option<String> {
-        let is_known = self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy";
-        (!is_known).then(|| {
+        (!self.has_unit(recipe)).then(|| {
             "the file does not say its units, so that its heights are taken as they are: give them by --file-unit, such as 1um".into()
         })
     }
@@ -222,6 +233,17 @@ impl Statistics {
         let unit = if self.file.as_ref().is_some_and(|it| it.is_in_metres) { "m" } else { "" };
         let surface = Surface::new(grid, height.clone())?;
         Ok(record_survey(path, &recipe.title(&grid), &surface, survey, unit, &text)?)
+    }
+
+    /// Refuses a format that is in metres for heights in a unit that nobody knows.
+    fn check_unit(&self, recipe: &Recipe, path: &Path) -> Result<(), FileError> {
+        let is_array = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
+        if is_array || self.file.as_ref().is_none_or(|it| it.has_unit(recipe)) {
+            return Ok(());
+        }
+        let reason =
+            "it would be in metres, and the height file does not say its units: give them by --file-unit, such as 1um";
+        Err(FileError::Target { path: path.into(), reason: reason.into() })
     }
 
     fn write(&self, out: &mut impl Write) -> io::Result<()> {

@@ -14,6 +14,7 @@ fn opened(path: &Path) -> String {
     match path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).as_deref() {
         Some("rrd") if cfg!(feature = "explore") => format!("asperity view {word}"),
         Some("rrd") => format!("rerun {word}"),
+        Some("sdf" | "x3p" | "xyz") => format!("asperity surface {word}"),
         Some("toml") => format!("asperity solve {word}"),
         Some("npy" | "npz") => format!("numpy.load({name:?}) in Python"),
         Some("png" | "svg") => "any viewer of pictures".into(),

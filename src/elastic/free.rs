@@ -3,7 +3,7 @@
 use super::{Solid, element};
 use crate::chunks;
 use crate::error::GridError;
-use crate::fourier::{Complex, Filter, Fourier};
+use crate::fourier::{self, Complex, Filter, Fourier, smooth};
 use crate::grid::Grid;
 use std::f64::consts::TAU;
 
@@ -49,19 +49,6 @@ fn padded(grid: &Grid) -> Result<Grid, GridError> {
     let points = [0, 1].map(|axis| if periodic[axis] { shape[axis] } else { smooth(2 * shape[axis]) });
     let size = [0, 1].map(|axis| if periodic[axis] { grid.size()[axis] } else { points[axis] as f64 * spacing[axis] });
     if grid.is_line() { Grid::line(points[1], size[1]) } else { Grid::surface(points, size) }
-}
-
-/// The least even number from `least` on with no factors but 2, 3 and 5, of which transforms are fast.
-fn smooth(least: usize) -> usize {
-    let rest = |mut n: usize| {
-        for factor in [2, 3, 5] {
-            while n.is_multiple_of(factor) {
-                n /= factor;
-            }
-        }
-        n
-    };
-    (least..).find(|&n| n.is_multiple_of(2) && rest(n) == 1).expect("a power of two follows every number")
 }
 
 /// The influence transformed along all axes: of lines, and of surfaces without images.
@@ -115,15 +102,13 @@ fn banded(grid: &Grid, padded: &Grid, solid: &dyn Solid, free: usize) -> Vec<f64
 
 /// The convolution with a table, and its scratch: one field, and a half spectrum of the padded grid.
 pub(super) struct Padded {
-    shape: [usize; 2],
-    filter: Filter,
+    fields: fourier::Padded,
     stage: Vec<f64>,
 }
 
 impl Padded {
     pub fn new(grid: &Grid, table: &FreeTable) -> Self {
-        let [ny, nx] = grid.shape();
-        Self { shape: [ny, nx], filter: Filter::with_used_rows(&table.padded, ny), stage: vec![0.0; ny * nx] }
+        Self { fields: fourier::Padded::new(grid.shape(), &table.padded), stage: vec![0.0; grid.len()] }
     }
 
     /// Gives the displacement under a pressure, both in `rows` of the unpadded grid, as [`super::Response::displace_by_rows`] has them.
@@ -135,23 +120,10 @@ impl Padded {
         sinks: &mut [S],
         store: impl Fn(usize, &[f64], &mut S) + Sync + Send,
     ) {
-        let Self { shape: [ny, nx], ref mut filter, ref mut stage } = *self;
+        let Self { fields, stage } = self;
         let width = rows[1];
         chunks::rows_mut(stage, width, fill);
-        let [count, padded_width] = filter.rows();
-        let is_line = ny == 1;
-        filter.run(|filter| {
-            filter.load(|r, row| {
-                let first = if is_line { nx.min(r * padded_width) } else { r * nx };
-                let values = &stage[first..if is_line { nx.min(first + padded_width) } else { first + nx }];
-                row[..values.len()].copy_from_slice(values);
-                row[values.len()..].fill(0.0);
-            });
-            filter.scale(|wave| table.weights[wave.place]);
-            let mut parts: Vec<&mut [f64]> = stage.chunks_mut(if is_line { padded_width } else { nx }).collect();
-            parts.resize_with(count, Default::default);
-            filter.store(&mut parts, |_, row, part| part.copy_from_slice(&row[..part.len()]));
-        });
+        fields.scale(stage, &table.weights);
         chunks::each(sinks, width, |r, sink| store(r, &stage[r * width..][..width], sink));
     }
 }

@@ -14,6 +14,7 @@ mod columns;
 mod filter;
 mod line;
 mod long_line;
+mod padded;
 mod pair;
 mod plans;
 mod surface;
@@ -21,6 +22,7 @@ mod wave;
 mod worker;
 
 pub(crate) use filter::Filter;
+pub(crate) use padded::{Padded, smooth};
 pub use pair::Fourier;
 pub(crate) use wave::Wave;
 

@@ -3,6 +3,7 @@
 mod binaries;
 mod contained;
 mod containers;
+mod exports;
 mod made;
 mod mutants;
 mod texts;

@@ -6,6 +6,7 @@ mod axis;
 mod bytes;
 mod cdf;
 mod channel;
+mod export;
 mod format;
 mod gwy;
 mod height_file;
@@ -40,7 +41,6 @@ use crate::files::write_beside;
 use format::{Format, Source, Wanted, malformed};
 use instrument::Instrument;
 use ndarray::{Array1, ArrayD, ArrayViewD};
-use ndarray_npy::{WriteNpyError, WriteNpyExt};
 use std::fs::File;
 use std::io;
 use std::path::Path;
@@ -195,10 +195,5 @@ fn explained(path: &Path, what: &'static str, error: io::Error) -> FileError {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write_heights(path: impl AsRef<Path>, heights: ArrayViewD<f64>) -> Result<(), FileError> {
-    write_beside(path.as_ref(), |writer| {
-        heights.write_npy(writer).map_err(|error| match error {
-            WriteNpyError::Io(source) => source,
-            other => io::Error::other(other),
-        })
-    })
+    write_beside(path.as_ref(), |file| npy::write(heights, file))
 }

@@ -1,10 +1,10 @@
 //! NumPy's `.npy`.
 
 use super::format::{Format, Source, Wanted, malformed};
-use ndarray::ArrayD;
+use ndarray::{ArrayD, ArrayViewD};
 use ndarray_npy::npy::header::Header;
-use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement};
-use std::io::{self, BufReader, Read, SeekFrom};
+use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement, WriteNpyError, WriteNpyExt};
+use std::io::{self, BufReader, Read, SeekFrom, Write};
 use std::ops::Range;
 
 /// Bytes at the start of a file that must hold the whole header; NumPy writes 128.
@@ -57,6 +57,14 @@ pub(super) fn read(file: &mut dyn Source, place: Range<u64>, wanted: &Wanted) ->
 
 fn widened<T: ReadableElement + Copy + Into<f64>>(bytes: impl Read) -> Result<ArrayD<f64>, ReadNpyError> {
     Ok(ArrayD::<T>::read_npy(bytes)?.mapv(Into::into))
+}
+
+/// Writes an array of doubles.
+pub(super) fn write(array: ArrayViewD<f64>, file: impl Write) -> io::Result<()> {
+    array.write_npy(file).map_err(|error| match error {
+        WriteNpyError::Io(source) => source,
+        other => io::Error::other(other),
+    })
 }
 
 /// A type of numbers.

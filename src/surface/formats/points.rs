@@ -44,14 +44,18 @@ struct Axis {
 }
 
 impl Axis {
-    /// The axis on which all these positions are; none if there is only one, or one is not finite.
+    /// The axis on which all these positions are, of which some may be missing; none if there is only one, or one is not finite.
     fn of(mut positions: Vec<f64>) -> Option<Self> {
         positions.sort_by(f64::total_cmp);
         let [first, last] = [*positions.first()?, *positions.last()?];
         let same = SAME * (last - first);
-        let steps = positions.windows(2).filter(|pair| pair[1] - pair[0] > same).count();
-        let spacing = (last - first) / steps as f64;
-        (spacing > 0.0 && spacing.is_finite()).then_some(Self { first, spacing, points: steps + 1 })
+        let gaps = positions.windows(2).map(|pair| pair[1] - pair[0]);
+        let mut gaps: Vec<f64> = gaps.filter(|gap| *gap > same).collect();
+        let middle = gaps.len() / 2;
+        let typical = (!gaps.is_empty()).then(|| *gaps.select_nth_unstable_by(middle, f64::total_cmp).1)?;
+        let steps: f64 = gaps.iter().map(|gap| (gap / typical).round()).sum();
+        let spacing = (last - first) / steps;
+        (spacing > 0.0 && spacing.is_finite()).then_some(Self { first, spacing, points: steps as usize + 1 })
     }
 
     /// The place of a position, if it is at one.

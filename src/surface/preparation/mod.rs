@@ -5,6 +5,7 @@ mod detrend;
 mod fill;
 mod form;
 mod gaussian;
+mod laplace;
 mod least_squares;
 mod mirror;
 mod resample;
@@ -157,7 +158,7 @@ impl Prepared {
     }
 
     fn filtered(&self, is_high: bool, wavelength: f64) -> Result<Scan, PreparationError> {
-        let shortest = 2.0 * self.scan.spacing[0].max(self.scan.spacing[1]);
+        let shortest = 2.0 * self.scan.axes().map(|axis| self.scan.spacing[axis]).fold(0.0, f64::max);
         if !(wavelength.is_finite() && wavelength >= shortest) {
             return Err(PreparationError::Wavelength { wavelength, shortest });
         }

@@ -55,10 +55,16 @@ impl Scan {
         there.map(|((y, x), h)| ([place(y, 0), place(x, 1)], *h)).collect()
     }
 
+    /// The axes along which there are several nodes: a line has no extent along y, and its spacing there says nothing.
+    pub(super) fn axes(&self) -> impl Iterator<Item = usize> + use<> {
+        let shape = self.shape();
+        (0..2).filter(move |axis| shape[*axis] > 1)
+    }
+
     /// Half of the longer side.
     pub(super) fn half(&self) -> f64 {
-        let side = |axis: usize| self.shape()[axis] as f64 * self.spacing[axis];
-        0.5 * side(0).max(side(1))
+        let sides = self.axes().map(|axis| self.shape()[axis] as f64 * self.spacing[axis]);
+        0.5 * sides.reduce(f64::max).unwrap_or(1.0)
     }
 
     /// The heights less a form, a function of the places of [`Scan::points`].

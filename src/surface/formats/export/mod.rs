@@ -1,0 +1,81 @@
+//! Heights as files that other programs read.
+
+mod sdf;
+#[cfg(feature = "instruments")]
+mod x3p;
+mod xyz;
+
+use super::npy;
+use crate::error::FileError;
+use crate::files::{check_named, write_beside};
+use crate::surface::Scan;
+use std::fs::File;
+use std::io::{self, BufWriter};
+use std::path::Path;
+
+/// A file on its way.
+type Draft<'a> = BufWriter<&'a mut File>;
+
+/// A format that heights are written in, told by the ending of a name.
+struct Export {
+    ending: &'static str,
+    write: fn(&Scan, &mut Draft) -> io::Result<()>,
+}
+
+/// All formats.
+const EXPORTS: &[Export] = &[
+    Export { ending: "npy", write: npy },
+    Export { ending: "sdf", write: sdf::write },
+    #[cfg(feature = "instruments")]
+    Export { ending: "x3p", write: x3p::write },
+    Export { ending: "xyz", write: xyz::write },
+];
+
+impl Scan {
+    /// The endings of names that [`Scan::write`] knows.
+    pub fn endings() -> Vec<&'static str> {
+        EXPORTS.iter().map(|it| it.ending).collect()
+    }
+
+    /// Writes heights in metres to a file for other programs, in the format that the ending of its name stands for. All digits are kept,
+    /// the first row is that at `y = 0`, and one row is a profile.
+    ///
+    /// | ending | format | voids |
+    /// |--------|--------|-------|
+    /// | `.npy` | NumPy's array of doubles, of rank 1 for a profile; it does not say the spacing | NaN |
+    /// | `.sdf` | text of ISO 25178-71 | `BAD` |
+    /// | `.x3p` | archive of ISO 25178-72 with doubles (feature `instruments`) | NaN |
+    /// | `.xyz` | text of x, y and height in columns, of x and height for a profile | left out, NaN in a profile |
+    ///
+    /// # Errors
+    /// [`FileError::Target`] for another ending, and the errors of [`write_beside`].
+    ///
+    /// ```
+    /// use asperity::surface::{Measurement, Scan};
+    /// let height = ndarray::arr2(&[[1e-6, 2e-6, 3e-6], [4e-6, f64::NAN, 6e-6]]);
+    /// let scan = Scan { height, spacing: [5e-6, 2e-6] };
+    /// let folder = tempfile::tempdir()?;
+    /// let path = folder.path().join("patch.sdf");
+    /// scan.write(&path)?;
+    /// let read = Measurement::read(&path, None)?;
+    /// assert_eq!((read.spacing, read.height[[1, 2]]), (Some([5e-6, 2e-6]), 6e-6));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        let path = path.as_ref();
+        check_named(path, &Self::endings())?;
+        let ending = path.extension().unwrap_or_default();
+        let named = EXPORTS.iter().filter(|it| ending.eq_ignore_ascii_case(it.ending));
+        named.map(|export| write_beside(path, |file| (export.write)(self, file))).collect()
+    }
+}
+
+fn npy(scan: &Scan, file: &mut Draft) -> io::Result<()> {
+    let heights = scan.height.view();
+    npy::write(if is_profile(scan) { heights.row(0).into_dyn() } else { heights.into_dyn() }, file)
+}
+
+/// Whether heights are a profile.
+fn is_profile(scan: &Scan) -> bool {
+    scan.shape()[0] == 1
+}

@@ -1,0 +1,122 @@
+//! Files that are written for other programs, and what is read of them.
+
+use asperity::surface::{Field, Measurement, Scan};
+use std::path::Path;
+
+/// Heights of a map, none of which has few digits, with voids inside and all along a row and a column.
+fn map() -> Scan {
+    let is_void = |y: usize, x: usize| y == 2 || x == 5 || (y == 4 && x < 2);
+    let height =
+        |(y, x): (usize, usize)| if is_void(y, x) { f64::NAN } else { 1e-6 * (0.3 + (3 * y + x) as f64).sin() };
+    Scan { height: Field::from_shape_fn((6, 9), height), spacing: [1e-6 / 3.0, 0.7e-6] }
+}
+
+fn profile() -> Scan {
+    let height = |(_, x): (usize, usize)| if x == 3 { f64::NAN } else { 1e-9 * (x as f64 + 0.1).exp() };
+    Scan { height: Field::from_shape_fn((1, 8), height), spacing: [1.0, 0.1e-6] }
+}
+
+/// What is read of heights that are written to a file of some ending.
+fn read_back(scan: &Scan, ending: &str) -> Measurement {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(format!("patch.{ending}"));
+    scan.write(&path).unwrap();
+    Measurement::read(&path, None).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The bits of heights, the same ones for all voids.
+fn bits(height: &Field) -> Vec<u64> {
+    height.iter().map(|h| if h.is_nan() { 0 } else { h.to_bits() }).collect()
+}
+
+#[test]
+fn maps_come_back_to_the_last_bit() {
+    let scan = map();
+    for ending in ["sdf", "x3p", "npy", "xyz", "SDF"] {
+        let read = read_back(&scan, ending);
+        assert_eq!((read.height.dim(), read.is_profile), ((6, 9), false), "{ending}");
+        assert_eq!(bits(&read.height), bits(&scan.height), "{ending}");
+        match (ending, read.spacing) {
+            ("npy", spacing) => assert!(spacing.is_none() && !read.is_in_metres),
+            ("xyz", Some(found)) => {
+                let pairs = found.into_iter().zip(scan.spacing);
+                assert!(read.is_in_metres && pairs.into_iter().all(|(a, b)| (a / b - 1.0).abs() < 1e-15), "{found:?}");
+            }
+            (_, spacing) => assert_eq!((spacing, read.is_in_metres), (Some(scan.spacing), true), "{ending}"),
+        }
+    }
+}
+
+#[test]
+fn profiles_come_back_to_the_last_bit() {
+    let scan = profile();
+    for ending in ["sdf", "x3p", "npy", "xyz"] {
+        let read = read_back(&scan, ending);
+        assert!(read.is_profile && read.positions.is_none(), "{ending}");
+        assert_eq!(bits(&read.height), bits(&scan.height), "{ending}");
+        let spacing = read.spacing.map(|it| it[1]);
+        assert!(
+            ending == "npy" || spacing.is_some_and(|dx| (dx / 0.1e-6 - 1.0).abs() < 1e-15),
+            "{ending}: {spacing:?}"
+        );
+    }
+}
+
+#[test]
+fn files_are_as_their_formats_say() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = |scan: &Scan, name: &str| {
+        scan.write(folder.path().join(name)).unwrap();
+        std::fs::read_to_string(folder.path().join(name)).unwrap()
+    };
+    let small = Scan { height: ndarray::arr2(&[[1e-9, f64::NAN], [0.0, -2.5e-7]]), spacing: [3e-6, 2e-6] };
+    let sdf = text(&small, "a.sdf");
+    assert!(sdf.starts_with("aISO-1.0\r\n") && sdf.ends_with("*\r\n1e-9 BAD\r\n0e0 -2.5e-7\r\n*\r\n"), "{sdf}");
+    for line in ["NumPoints = 2", "NumProfiles = 2", "Xscale = 2e-6", "Yscale = 3e-6", "Zscale = 1", "DataType = 7"] {
+        assert!(sdf.lines().any(|it| it == line), "{line} in {sdf}");
+    }
+    let xyz = text(&small, "a.xyz");
+    assert_eq!(xyz, "# x (m), y (m), height (m)\n0e0 0e0 1e-9\n0e0 3e-6 0e0\n2e-6 3e-6 -2.5e-7\n");
+    let line = Scan { height: ndarray::arr2(&[[1.0, f64::NAN]]), spacing: [1.0, 2e-6] };
+    assert_eq!(text(&line, "b.xyz"), "# x (m), height (m)\n0e0 1e0\n2e-6 NaN\n");
+    assert!(text(&line, "b.sdf").contains("NumProfiles = 1\r\nXscale = 2e-6\r\nYscale = 0e0\r\n"));
+}
+
+/// The sum of a text of three letters is that of RFC 1321, A.5.
+#[test]
+fn archives_have_the_check_sums_of_what_is_in_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.x3p");
+    map().write(&path).unwrap();
+    let mut archive = zip::ZipArchive::new(std::fs::File::open(&path).unwrap()).unwrap();
+    let mut read = |name: &str| {
+        let mut bytes = Vec::new();
+        std::io::Read::read_to_end(&mut archive.by_name(name).unwrap(), &mut bytes).unwrap();
+        bytes
+    };
+    let [main, points, sum] = ["main.xml", "bindata/data.bin", "md5checksum.hex"].map(&mut read);
+    assert_eq!(format!("{:x}", md5::compute("abc")), "900150983cd24fb0d6963f7d28e17f72");
+    assert_eq!(String::from_utf8(sum).unwrap(), format!("{:x} *main.xml\n", md5::compute(&main)));
+    let main = String::from_utf8(main).unwrap();
+    assert!(main.contains(&format!("<MD5ChecksumPointData>{:x}<", md5::compute(&points))), "{main}");
+    assert_eq!(points.len(), 8 * map().height.len());
+}
+
+#[test]
+fn the_same_heights_are_the_same_file() {
+    let folder = tempfile::tempdir().unwrap();
+    for ending in Scan::endings() {
+        let written = ["a", "b"].map(|name| {
+            let path = folder.path().join(name).with_extension(ending);
+            map().write(&path).unwrap();
+            std::fs::read(path).unwrap()
+        });
+        assert_eq!(written[0], written[1], "{ending}");
+    }
+}
+
+#[test]
+fn other_endings_are_refused() {
+    let refused = map().write(Path::new("patch.txt")).unwrap_err().to_string();
+    assert_eq!(refused, "cannot write patch.txt: give a name that ends in .npy or .sdf or .x3p or .xyz");
+}
