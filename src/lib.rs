@@ -59,7 +59,7 @@
 //! | 0     | [`quantity`] | lengths and pressures as people write them                                        | (`units`) |
 //! | 1     | [`grid`]     | the grid of lines and surfaces, periodic or free along each axis                  |           |
 //! | 1     | [`fourier`]  | the real transform pair                                                           |           |
-//! | 2     | [`surface`]  | indenters, self-affine roughness, statistics, measured heights and their preparation | (`instruments`) |
+//! | 2     | [`surface`]  | indenters, self-affine roughness, statistics, measured heights: read, surveyed, prepared, written | (`instruments`) |
 //! | 2     | [`elastic`]  | solids: half-space, layer, free boundaries; the stress inside                     |           |
 //! | 2     | [`theory`]   | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson       |           |
 //! | 3     | [`contact`]  | the problem, its certificate, solvers, observers, measures and patches            |           |

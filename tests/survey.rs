@@ -104,6 +104,17 @@ fn a_tilted_and_bent_map_says_by_how_much() {
 }
 
 #[test]
+fn a_plane_leaves_nothing_but_a_flat() {
+    let tilted = |(y, x): (usize, usize)| 1e-9 * (y as f64 + 0.3 * x as f64) + 7e-9;
+    let scan = Scan { height: ndarray::Array2::from_shape_fn((10, 5), tilted), spacing: [1e-9; 2] };
+    let survey = Survey::of(&scan).unwrap();
+    assert!((survey.curvature_share, survey.noise_share()) == (0.0, 0.0), "{survey:?}");
+    for trend in [Detrend::Plane, Detrend::Curvature] {
+        assert!(trend.of(scan.clone()).height.iter().all(|h| *h == 0.0), "rounding is no roughness");
+    }
+}
+
+#[test]
 fn all_voids_are_refused() {
     let void = Scan { height: ndarray::Array2::from_elem((16, 16), f64::NAN), spacing: [1.0; 2] };
     assert!(Survey::of(&void).unwrap_err().to_string().contains("NaN"));

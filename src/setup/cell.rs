@@ -59,6 +59,11 @@ impl Cell {
         Self { points: vec![points], size: vec![length], refine: None, boundary: Vec::new(), datum: None }
     }
 
+    /// The cell of a height file that says its points and lengths.
+    pub fn of_file() -> Self {
+        Self { points: Vec::new(), size: Vec::new(), refine: None, boundary: Vec::new(), datum: None }
+    }
+
     /// The cell without images, free along all axes.
     pub fn free(self) -> Self {
         Self { boundary: vec![Boundary::Free], ..self }

@@ -1,4 +1,4 @@
-//! The layout of a surface: its relief on the left, figure and text on the right.
+//! The layout of a surface: its relief above a text on the left, the figure on the right.
 
 use super::blueprint::{Kind, Pane, View, send};
 use crate::record::draw::{FigurePicture, STEP};
@@ -17,9 +17,10 @@ pub fn send_survey(
     let panels =
         panels.map(|(title, root, bounds)| View::plane(title, &root, vec![format!("{root}/**")], bounds, palette));
     let mut panels: Vec<Pane> = panels.collect();
-    let left = relief.map_or_else(|| panels.remove(0), space);
-    panels.push(View::text("Description", text.into()));
+    let heights = relief.map_or_else(|| panels.remove(0), space);
+    let left = vec![(heights, 2.0), (View::text("Description", text.into()), 1.0)];
+    let left = Pane::container(Kind::Vertical, "heights", left);
     let right = Pane::even(Kind::Vertical, "figure", panels);
-    let panes = vec![(left, 1.4), (right, 1.0)];
+    let panes = vec![(left, 1.3), (right, 1.0)];
     send(vec![Pane::container(Kind::Horizontal, "surface", panes)], (STEP, 1.0), Some(palette), stream)
 }

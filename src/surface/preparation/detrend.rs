@@ -4,6 +4,9 @@ use super::Scan;
 use super::least_squares::linear;
 use serde::{Deserialize, Serialize};
 
+/// Heights below this part of those before a trend was taken off are rounding, and become 0.
+const ROUNDING: f64 = 1e-13;
+
 /// The trend to take off measured heights: the polynomial of least squares through all that are there.
 ///
 /// ```
@@ -34,8 +37,12 @@ impl Detrend {
 
     /// The heights without their trend.
     pub fn of(self, scan: Scan) -> Scan {
-        let trend = self.coefficients(&scan);
-        scan.less(|place| legendre(place).iter().zip(trend).map(|(f, c)| f * c).sum())
+        let (trend, before) = (self.coefficients(&scan), reach(&scan));
+        let mut rest = scan.less(|place| legendre(place).iter().zip(trend).map(|(f, c)| f * c).sum());
+        if self != Self::Mean && reach(&rest) <= ROUNDING * before {
+            rest.height.mapv_inplace(|h| if h.is_nan() { h } else { 0.0 });
+        }
+        rest
     }
 
     /// The slopes along y and x of the plane of least squares.
@@ -57,6 +64,12 @@ impl Detrend {
         };
         linear(scan.points().into_iter().map(|(place, h)| (functions(place), h)))
     }
+}
+
+/// The height of the highest peak over the deepest valley.
+fn reach(scan: &Scan) -> f64 {
+    let there = || scan.height.iter().copied().filter(|h| !h.is_nan());
+    there().fold(f64::NEG_INFINITY, f64::max) - there().fold(f64::INFINITY, f64::min)
 }
 
 /// Legendre's polynomials up to second order, which are nearly independent on a map: `1, y, x, xy, P_2(y), P_2(x)`.

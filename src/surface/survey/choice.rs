@@ -4,8 +4,9 @@ use super::Survey;
 use crate::error::SurfaceError;
 use crate::surface::{Detrend, Fill, Mirror, Preparation, Resample, Scan};
 
-/// Jumps across the period, in rms steps, up to which heights are periodic.
-const PERIODIC: f64 = 3.0;
+/// Jumps across the period, in rms steps, up to which lines and maps are periodic: the one step of a line may be large by chance, the rms of
+/// those of a map is about 1.
+const PERIODIC: [f64; 2] = [3.0, 1.5];
 /// The share of the mean square gradient from which on noise is filtered out.
 const NOISE: f64 = 0.25;
 
@@ -42,11 +43,12 @@ impl Choice {
                 survey.voids
             ));
         }
-        if jump(&survey, periodic) > PERIODIC || periodic == [false; 2] {
+        let most = PERIODIC[usize::from(scan.shape()[0] > 1)];
+        if jump(&survey, periodic) > most || periodic == [false; 2] {
             let full = Fill::Harmonic.of(scan.clone()).unwrap_or(scan.clone());
             survey = Survey::of(&choice.detrended(full, &survey, periodic))?;
         }
-        choice.mirror(&survey, periodic);
+        choice.mirror(&survey, periodic, most);
         choice.filter(&survey);
         Ok(choice)
     }
@@ -69,9 +71,9 @@ impl Choice {
         trend.of(scan)
     }
 
-    /// Mirrors along the axes on which heights jump.
-    fn mirror(&mut self, survey: &Survey, periodic: [bool; 2]) {
-        let [y, x] = [0, 1].map(|axis| periodic[axis] && survey.jumps[axis] > PERIODIC);
+    /// Mirrors along the axes on which heights jump by more than so many rms steps.
+    fn mirror(&mut self, survey: &Survey, periodic: [bool; 2], most: f64) {
+        let [y, x] = [0, 1].map(|axis| periodic[axis] && survey.jumps[axis] > most);
         let (mirror, axes) = match [y, x] {
             [true, true] => (Mirror::Both, "y and x"),
             [true, false] => (Mirror::Y, "y"),
