@@ -38,7 +38,7 @@ fn decoded(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::plain_name;
+    use super::*;
 
     #[test]
     fn names_are_plain() {
