@@ -6,7 +6,7 @@ const LONGEST: usize = 100;
 const NAMELESS: &str = "heights";
 
 /// The name in the query of a request, without folders, characters that cannot be seen, and what is beyond a hundred letters.
-pub fn height_name(encoded: &str) -> String {
+pub fn plain_name(encoded: &str) -> String {
     let name = decoded(encoded);
     let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
     let name: String = last.chars().filter(is_seen).take(LONGEST).collect();
@@ -38,7 +38,7 @@ fn decoded(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::height_name;
+    use super::*;
 
     #[test]
     fn names_are_plain() {
@@ -59,8 +59,8 @@ mod tests {
             ("a%2F", "heights"),
             (&long, &"A".repeat(100)),
         ] {
-            assert_eq!(height_name(encoded), name, "{encoded}");
+            assert_eq!(plain_name(encoded), name, "{encoded}");
         }
-        assert_eq!(height_name("%ff.txt"), "\u{fffd}.txt");
+        assert_eq!(plain_name("%ff.txt"), "\u{fffd}.txt");
     }
 }

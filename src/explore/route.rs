@@ -1,6 +1,6 @@
 //! The paths of the explorer.
 
-use super::height_name::height_name;
+use super::height_name::plain_name;
 use super::knobs::Knobs;
 use super::page::Page;
 use super::reel::Reel;
@@ -125,7 +125,7 @@ fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, Refusal> {
 /// The file of heights in a request.
 fn file(request: &Request<'_>) -> HeightFile {
     let name = request.query.split('&').find_map(|pair| pair.strip_prefix("name="));
-    HeightFile::in_memory(height_name(name.unwrap_or_default()), request.body)
+    HeightFile::in_memory(plain_name(name.unwrap_or_default()), request.body)
 }
 
 /// Paths that are only read.

@@ -212,14 +212,18 @@ fn files_of_anyone_get_a_sentence_and_leave_the_one_before() {
     let page = Page::open();
     let kept = page.describe("kept.txt", &matrix());
     let whole = npy((8, 8), height);
-    let mut claim = whole.clone();
-    let place = claim.windows(4).position(|it| it == b"8, 8").unwrap();
-    claim[place..place + 6].copy_from_slice(b"8,99 )");
-    let hostile: [(&str, &[u8]); 9] = [
+    let with_shape = |shape: &[u8; 6]| {
+        let mut file = whole.clone();
+        let place = file.windows(6).position(|it| it == b"(8, 8)").unwrap();
+        file[place..place + 6].copy_from_slice(shape);
+        file
+    };
+    let hostile: [(&str, &[u8]); 10] = [
         ("empty", b""),
         ("zeros", &[0; 100_000]),
         ("half.npy", &whole[..whole.len() / 2]),
-        ("claim.npy", &claim),
+        ("claim.npy", &with_shape(b"(8,99)")),
+        ("broken.npy", &with_shape(b"(8(99)")),
         ("bomb.zip", b"PK\x03\x04\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff"),
         ("cut.gwy", b"GWYP\xff\xff\xff\xff\xff\xff\xff\xff"),
         ("cut.sur", b"DIGITAL SURF\0\0\0\0"),

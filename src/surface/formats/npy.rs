@@ -134,6 +134,10 @@ pub(super) fn header(file: &mut dyn Source, place: &Range<u64>) -> io::Result<(H
     file.seek(SeekFrom::Start(place.start))?;
     file.take(most).read_to_end(&mut start)?;
     let mut rest = start.as_slice();
-    let header = Header::from_reader(&mut rest).map_err(|error| malformed(format!("it is no .npy file ({error})")))?;
+    let header = Header::from_reader(&mut rest).map_err(|error| {
+        let why = error.to_string(); // a syntax error draws where it is, from an arrow on
+        let why = why.split("-->").next().unwrap_or_default().trim_end_matches([':', ' ', '\n']);
+        malformed(format!("it is no .npy file ({why})"))
+    })?;
     Ok((header, place.start + (start.len() - rest.len()) as u64))
 }
