@@ -6,12 +6,11 @@ use std::io::{self, Write};
 
 /// Writes what heights are like, and their differences from scale to scale.
 pub fn write(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
-    let [along_y, along_x] = survey.tilt;
+    let [along_y, along_x] = survey.tilt.map(|tilt| format!("{tilt:.3e}"));
+    let is_map = survey.axes.iter().any(|axis| axis.axis == "y");
+    let tilt = if is_map { format!("{along_y} along y, {along_x} along x") } else { along_x };
     let share = 100.0 * survey.curvature_share;
-    let overall = [
-        ("tilt", format!("{along_y:.3e} along y, {along_x:.3e} along x")),
-        ("curvature", format!("{share:.1} % of the mean square height about the plane")),
-    ];
+    let overall = [("tilt", tilt), ("curvature", format!("{share:.1} % of the mean square height about the plane"))];
     let law = survey.power_law.map(|law| {
         let [shortest, longest] = law.wavelengths;
         let (exponent, hurst) = (law.exponent, law.hurst);
