@@ -239,7 +239,7 @@ fn files_of_anyone_get_a_sentence_and_leave_the_one_before() {
     assert_eq!(page.get("/api/heights").json(), kept);
     for knobs in [
         "",
-        "[]",
+        "null",
         "{\"path\": \"/etc/passwd\"}",
         "{\"channel\": \"none\"}",
         "{\"prepare\": {\"crop\": [-1]}}",
