@@ -454,7 +454,7 @@ fn height_files_that_are_no_surface_are_not_described() {
         assert!(output.status.success() && text(&output.stderr).contains(words), "{output:?}");
     }
     refuse_in_one_sentence(&folder, "surface", "no surface");
-    refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "--size");
+    refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "missing field `rolloff-wavelength`");
 }
 
 #[test]
