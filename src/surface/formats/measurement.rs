@@ -4,12 +4,11 @@ use super::channel::{Channel, choose};
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::layout::Layout;
-use super::{INSTRUMENTS, npy, npz, read_profile, read_shape};
+use super::{INSTRUMENTS, npy, npz, open, read_profile, read_shape};
 use crate::error::FileError;
 use crate::surface::Field;
 use ndarray::{Array1, ArrayD, Axis};
-use std::fs::File;
-use std::io;
+use std::io::{self, Read};
 use std::path::Path;
 
 /// The heights in a file of an instrument, before anything is done to them.
@@ -51,7 +50,7 @@ impl Measurement {
             let (height, positions) = read_profile(path)?;
             return Self::of_array(height, positions).map_err(|error| super::explained(path, "height", error));
         }
-        let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+        let bytes = bytes(path)?;
         Self::of(&bytes, channel).map_err(|error| super::explained(path, "height", error))
     }
 
@@ -78,7 +77,7 @@ impl Measurement {
                 _ => Ok(Self::read(path, channel)?.layout()),
             };
         }
-        let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+        let bytes = bytes(path)?;
         let layout = || Ok(Layout::of(&choose((instrument(&bytes)?.channels)(&bytes)?, channel)?)?.0);
         layout().map_err(|error| super::explained(path, "height", error))
     }
@@ -129,6 +128,13 @@ impl Measurement {
     }
 }
 
+/// All bytes of a file.
+fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+    let mut bytes = Vec::new();
+    let read = open(path).and_then(|mut file| file.read_to_end(&mut bytes));
+    read.map(|_| bytes).map_err(|error| super::explained(path, "height", error))
+}
+
 /// The format of the bytes of a file.
 fn instrument(bytes: &[u8]) -> io::Result<&'static Instrument> {
     let found = INSTRUMENTS.iter().find(|it| (it.is_it)(bytes));
@@ -137,5 +143,5 @@ fn instrument(bytes: &[u8]) -> io::Result<&'static Instrument> {
 
 /// Whether a file is a NumPy array or an archive of such.
 fn is_array(path: &Path) -> bool {
-    File::open(path).is_ok_and(|mut file| npz::holds_arrays(&mut file) || npy::is_array(&mut file))
+    open(path).is_ok_and(|mut file| npz::holds_arrays(&mut file) || npy::is_array(&mut file))
 }

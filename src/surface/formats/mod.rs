@@ -146,16 +146,20 @@ fn with_file<T>(
     wanted: &Wanted,
     read: impl FnOnce(&mut File, &Format) -> io::Result<T>,
 ) -> Result<T, FileError> {
-    let opened = std::fs::metadata(path).and_then(|metadata| match metadata.is_file() {
-        true => File::open(path),
-        false => Err(malformed("it is a directory or a device, give a file")),
-    });
-    opened
+    open(path)
         .and_then(|mut file| {
             let format = FORMATS.iter().find(|format| (format.is_it)(&mut file));
             read(&mut file, format.unwrap_or(&npy::FORMAT))
         })
         .map_err(|error| explained(path, wanted.name, error))
+}
+
+/// Opens a file that ends: neither a directory nor a device.
+fn open(path: &Path) -> io::Result<File> {
+    std::fs::metadata(path).and_then(|metadata| match metadata.is_file() {
+        true => File::open(path),
+        false => Err(malformed("it is a directory or a device, give a file")),
+    })
 }
 
 fn explained(path: &Path, what: &'static str, error: io::Error) -> FileError {
