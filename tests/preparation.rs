@@ -134,7 +134,8 @@ fn voids_are_filled_with_harmonic_heights() {
     let is_known = |y: usize, x: usize| [0, 150].contains(&y) || [0, 129].contains(&x) || (y * y + 7 * x) % 997 == 5;
     torn.height.indexed_iter_mut().filter(|((y, x), _)| !is_known(*y, *x)).for_each(|(_, h)| *h = f64::NAN);
     let filled = Fill::Harmonic.of(torn).unwrap();
-    assert!((&filled.height - &wide.height).iter().all(|d| d.abs() < 1e-6));
+    let off = (&filled.height - &wide.height).iter().fold(0.0, |most, d| f64::max(most, d.abs()));
+    assert!(off < 1e-6 * largest(&wide), "{off} of {}", largest(&wide));
     let line = scan([1, 1000], [1.0, 1e-6], |_, x| if (200e-6..900e-6).contains(&x) { f64::NAN } else { 3.0 * x });
     let straight = Fill::Harmonic.of(line).unwrap();
     assert!(straight.height.indexed_iter().all(|((_, x), h)| (h - 3e-6 * x as f64).abs() < 1e-9));

@@ -5,7 +5,7 @@ use crate::error::{SetupError, SurfaceError};
 use crate::grid::Grid;
 use crate::quantity::some_length;
 use crate::surface::{Choice, HeightFile, Indenter, Layout, Preparation, Prepared, Resample, Scan, Spectrum, Surface};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// The recipe of a surface: a height file, an indenter, self-affine roughness, or the sum of those that are given.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -19,7 +19,7 @@ pub struct Recipe {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<HeightFile>,
     /// The channel of files that have several, by name or number from 1 on; the first one of heights if it is left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "name_or_number")]
     pub channel: Option<String>,
     /// The length of 1 in a file that does not say its units: heights and distances are multiplied by it. Without it they are taken as they
     /// are.
@@ -262,4 +262,20 @@ impl Recipe {
         let files = [file, against].into_iter().flatten().reduce(|one, other| format!("{one}, {other}"));
         [files, smooth, rough].into_iter().flatten().collect::<Vec<_>>().join(", with ")
     }
+}
+
+/// The channel of a file.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "give the name of a channel, or its number from 1 on")]
+enum Channel {
+    Name(String),
+    Number(u64),
+}
+
+/// Reads a channel that is given by name or number.
+fn name_or_number<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D::Error> {
+    Ok(Some(match Channel::deserialize(from)? {
+        Channel::Name(name) => name,
+        Channel::Number(number) => number.to_string(),
+    }))
 }

@@ -11,10 +11,17 @@ pub const ALL: &[Writer] = &[
     ("text, matrix", || b"1 2 3 4\n5 6 NaN 8\n9 10 11 12\n".into()),
     ("text, points", || POINTS.into()),
     ("text of Gwyddion", || GWYDDION.into()),
+    ("text, decimal commas", || b"1,5\t2,5\t-3e-1\t4\n5\t6,25\tNaN\t8\n9\t10\t11\t12\n1\t1,0\t1\t0\n".into()),
+    ("text, commas", || b"x [nm],z [nm]\n0.0,1.5\n0.5,-2\n1.0,0.3\n1.5,---\n2.0,1\n".into()),
+    ("text, exported points", || EXPORTED.into()),
 ];
 
 /// A map of 3 x 2 points in any order, of which one is missing.
 const POINTS: &str = "x [mm]\ty [mm]\tz [\u{b5}m]\n0.2 0.5 6\n0 0 1\n0.1 0 2\n0 0.5 4\n0.2 0 3\n";
+
+/// A map of 4 x 4 points row by row, of which one is missing.
+const EXPORTED: &str = "# x (m), y (m), height (m)\n0 0 1e-9\n1e-6 0 2e-9\n2e-6 0 1e-9\n3e-6 0 4e-9\n0 2e-6 0\n1e-6 2e-6 5e-9\n\
+    2e-6 2e-6 1e-9\n3e-6 2e-6 4e-9\n0 4e-6 1e-9\n1e-6 4e-6 2e-9\n2e-6 4e-6 9e-9\n0 6e-6 1e-9\n1e-6 6e-6 2e-9\n2e-6 6e-6 1e-9\n3e-6 6e-6 7e-9\n";
 
 const GWYDDION: &str = "# Kanal: H\u{f6}he 2\n# Breite: 3,0 \u{b5}m\n# H\u{f6}he: 1000 nm\n# Value units: m\n1e-9 2e-9 3e-9\n4e-9 5e-9 6e-9\n";
 
@@ -57,6 +64,17 @@ fn matrices_and_points_are_maps() {
 }
 
 #[test]
+fn commas_part_numbers_or_stand_for_points() {
+    let decimal = read(&ALL[4].1());
+    assert_eq!((decimal.height[[0, 0]], decimal.height[[0, 2]], decimal.height[[1, 1]]), (1.5, -0.3, 6.25));
+    assert!(decimal.height[[1, 2]].is_nan() && decimal.height.dim() == (4, 4));
+    let parted = read(&ALL[5].1());
+    assert_map(&parted, &[&[1.5e-9, -2e-9, 0.3e-9, f64::NAN, 1e-9]], Some([0.5e-9; 2]));
+    let exported = read(&ALL[6].1());
+    assert!(exported.height.dim() == (4, 4) && exported.height[[2, 3]].is_nan() && exported.is_in_metres);
+}
+
+#[test]
 fn exports_of_gwyddion_say_their_size_in_any_language() {
     let measured = read(&ALL[3].1());
     assert_map(&measured, &[&[1e-9, 2e-9, 3e-9], &[4e-9, 5e-9, 6e-9]], Some([0.5e-6, 1e-6]));
@@ -69,5 +87,6 @@ fn texts_that_are_no_surface_say_why() {
     assert!(reason(b"0 0 1\n1 0 2\n0.3 0.7 3\n").starts_with("it holds three columns, which are not x, y and height"));
     assert!(reason(b"0 1\n1 2\n1 3\n").starts_with("it holds two heights at the position 1.0"));
     assert!(reason(b"0 1\nnan 2\n1 3\n").starts_with("it holds the position NaN"));
+    assert!(reason(b";\n;;\n").contains("it begins with \";\""));
     assert!(reason(b"nothing\n").contains("no text of numbers"));
 }

@@ -47,6 +47,7 @@ impl<'a> Channel<'a> {
 pub(super) fn choose<'a>(channels: Vec<Channel<'a>>, wanted: Option<&str>) -> io::Result<Channel<'a>> {
     let names: Vec<String> = channels.iter().filter(|it| it.is_height).map(|it| format!("{:?}", it.name)).collect();
     let names = names.join(", ");
+    let all: Vec<String> = channels.iter().map(|it| format!("{:?}", it.name)).collect();
     let number = wanted.and_then(|name| name.parse::<usize>().ok());
     let is_wanted = |(i, it): &(usize, Channel)| match wanted {
         None => it.is_height,
@@ -59,6 +60,7 @@ pub(super) fn choose<'a>(channels: Vec<Channel<'a>>, wanted: Option<&str>) -> io
             Err(malformed(format!("its channel {:?} holds no heights: choose one of {names}", channel.name)))
         }
         (None, Some(name)) => Err(malformed(format!("it has no channel {name:?}: choose one of {names}"))),
-        (None, None) => Err(malformed("it holds no heights")),
+        (None, None) if all.is_empty() => Err(malformed("it holds no heights")),
+        (None, None) => Err(malformed(format!("it holds no heights, but {}", all.join(", ")))),
     }
 }

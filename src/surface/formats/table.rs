@@ -86,9 +86,10 @@ enum Comma {
 impl Comma {
     const KINDS: [Self; 2] = [Self::Parts, Self::Decimal];
 
-    /// Whether a line holds nothing but numbers.
+    /// Whether a line holds numbers and nothing else.
     fn reads(self, line: &str) -> bool {
-        self.numbers(line).all(|it| it.is_ok())
+        let mut numbers = self.numbers(line).peekable();
+        numbers.peek().is_some() && numbers.all(|it| it.is_ok())
     }
 
     /// The numbers of a line, words that are none as errors.

@@ -8,6 +8,7 @@ use super::instrument::Instrument;
 use roxmltree::{Document, Node};
 use std::io::{self, BufReader, Cursor, Read};
 use zip::ZipArchive;
+use zip::result::ZipError;
 
 /// An archive whose `main.xml` describes three axes and the numbers of points along them, and holds the points as a list or names a file
 /// of the archive with them, x fastest, then y, the least significant byte first. Only coordinates along absolute axes are stored, and
@@ -42,6 +43,14 @@ type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 /// The error of an archive.
 fn damaged(error: impl std::fmt::Display) -> io::Error {
     malformed(format!("it is an archive that cannot be unpacked: {error}"))
+}
+
+/// The error of a file of an archive.
+fn missing(name: &str) -> impl Fn(ZipError) -> io::Error {
+    move |error| match error {
+        ZipError::FileNotFound => malformed(format!("it is an archive without {name:?}, which it refers to")),
+        other => damaged(other),
+    }
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
@@ -199,7 +208,7 @@ impl Surface {
         let sizes = self.axes.map(|it| it.kind.map_or(0, Kind::size));
         let (before, size): (usize, usize) = (sizes.iter().take(axis).sum(), sizes.iter().sum());
         let kind = self.axes[axis].kind.ok_or_else(|| malformed("its heights are not stored"))?;
-        let mut file = BufReader::new(archive.by_name(link).map_err(damaged)?);
+        let mut file = BufReader::new(archive.by_name(link).map_err(missing(link))?);
         let mut point = [0; 24];
         let mut next = || {
             file.read_exact(&mut point[..size]).map_err(damaged)?;
@@ -240,7 +249,7 @@ fn shape(record: Node, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
 
 /// Makes those coordinates void whose bit in a file of the archive is zero.
 fn blank(archive: &mut Archive, link: &str, coordinates: &mut [f64]) -> io::Result<()> {
-    let mut file = BufReader::new(archive.by_name(link).map_err(damaged)?);
+    let mut file = BufReader::new(archive.by_name(link).map_err(missing(link))?);
     for part in coordinates.chunks_mut(8) {
         let mut bits = [0];
         file.read_exact(&mut bits).map_err(damaged)?;
