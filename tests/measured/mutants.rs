@@ -114,7 +114,8 @@ fn prepare(path: &Path, turn: usize, measured: &Measurement) -> bool {
     let size = if measured.spacing.is_some() { Vec::new() } else { size };
     let cell = Cell { points: Vec::new(), size, ..Cell::line(4, 1.0) };
     let longest = if measured.is_profile { dx } else { measured.spacing.map_or(1.0, |[dy, dx]| dx.max(dy)) };
-    let recipe = Recipe { height: Some(path.to_path_buf().into()), prepare: steps(turn, 4.0 * longest), ..Recipe::default() };
+    let recipe =
+        Recipe { height: Some(path.to_path_buf().into()), prepare: steps(turn, 4.0 * longest), ..Recipe::default() };
     match recipe.grid(&cell).and_then(|grid| recipe.surface(grid)) {
         Ok(surface) => surface.heights().iter().all(|h| h.is_finite()),
         Err(SetupError::Surface(SurfaceError::NonFinite { .. }) | SetupError::Voids { .. }) => {

@@ -1,6 +1,6 @@
 //! The text of ISO 25178-71.
 
-use super::{Draft, is_profile};
+use super::draft::{Draft, is_profile};
 use crate::surface::Scan;
 use std::io::{self, Write};
 

@@ -1,6 +1,6 @@
 //! The archive of ISO 25178-72.
 
-use super::{Draft, is_profile};
+use super::draft::{Draft, is_profile};
 use crate::surface::Scan;
 use md5::{Context, Digest};
 use std::io::{self, Seek, Write};

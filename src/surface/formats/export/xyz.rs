@@ -1,6 +1,6 @@
 //! Positions and heights in columns of a text.
 
-use super::{Draft, is_profile};
+use super::draft::{Draft, is_profile};
 use crate::surface::Scan;
 use std::io::{self, Write};
 
