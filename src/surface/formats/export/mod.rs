@@ -1,5 +1,6 @@
 //! Heights as files that other programs read.
 
+mod draft;
 mod sdf;
 #[cfg(feature = "instruments")]
 mod x3p;
@@ -9,12 +10,9 @@ use super::npy;
 use crate::error::FileError;
 use crate::files::{check_named, write_beside};
 use crate::surface::Scan;
-use std::fs::File;
-use std::io::{self, BufWriter};
+use draft::Draft;
+use std::io;
 use std::path::Path;
-
-/// A file on its way.
-type Draft<'a> = BufWriter<&'a mut File>;
 
 /// A format that heights are written in, told by the ending of a name.
 struct Export {
@@ -72,10 +70,5 @@ impl Scan {
 
 fn npy(scan: &Scan, file: &mut Draft) -> io::Result<()> {
     let heights = scan.height.view();
-    npy::write(if is_profile(scan) { heights.row(0).into_dyn() } else { heights.into_dyn() }, file)
-}
-
-/// Whether heights are a profile.
-fn is_profile(scan: &Scan) -> bool {
-    scan.shape()[0] == 1
+    npy::write(if scan.is_line() { heights.row(0).into_dyn() } else { heights.into_dyn() }, file)
 }

@@ -1,0 +1,7 @@
+//! Files on their way.
+
+use std::fs::File;
+use std::io::BufWriter;
+
+/// A file that is renamed when all of it is written.
+pub(super) type Draft<'a> = BufWriter<&'a mut File>;
