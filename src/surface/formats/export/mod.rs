@@ -63,8 +63,8 @@ impl Scan {
         let path = path.as_ref();
         check_named(path, &Self::endings())?;
         let ending = path.extension().unwrap_or_default();
-        let named = EXPORTS.iter().filter(|it| ending.eq_ignore_ascii_case(it.ending));
-        named.map(|export| write_beside(path, |file| (export.write)(self, file))).collect()
+        let mut named = EXPORTS.iter().filter(|it| ending.eq_ignore_ascii_case(it.ending));
+        named.try_for_each(|export| write_beside(path, |file| (export.write)(self, file)))
     }
 }
 
