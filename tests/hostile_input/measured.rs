@@ -76,17 +76,19 @@ fn files_of_wrong_units_are_refused() {
         (
             "a.gwy",
             changed(gwy::file(), b"unitstr\0sm\0", b"unitstr\0sV\0"),
-            "no heights, but \"Current\", \"Topography\"",
+            "none of its channels \"Current\", \"Topography\" is a length",
         ),
         ("a.spm", changed(nanoscope::file(), b"10 12 ~m", b"10 12 ~V"), "~V"),
-        ("a.nc", changed(netcdf::file(), b"\0\0\0\x02nm\0\0", b"\0\0\0\x02kV\0\0"), "kV"),
+        (
+            "a.nc",
+            changed(netcdf::file(), b"\0\0\0\x02nm\0\0", b"\0\0\0\x02kV\0\0"),
+            "none of its channels \"heights\" is a length",
+        ),
         ("a.opd", changed(opd::file(), &0.25_f32.to_le_bytes(), &f32::NAN.to_le_bytes()), "NaN"),
         ("a.plu", changed(plu::file(), &2_f32.to_le_bytes(), &(-2_f32).to_le_bytes()), "-2"),
         ("a.sdf", unit("Xscale = 2.0e-006", "Xscale = -1"), "-1"),
         ("b.sdf", unit("Zscale = 1.0e-9", "Zscale = one"), "one"),
-        ("a.sur", changed(sur::file(), b"um  ", b"kV  "), "kV"),
         ("a.x3p", described("<Increment>2e-6<", "<Increment>0<"), "0.0 apart"),
-        ("a.xyz", b"# x (m), y (m), z (V)\n0 0 1\n0 1 2\n1 0 3\n1 1 4\n".into(), "V"),
     ]);
 }
 

@@ -61,6 +61,8 @@ pub(super) fn choose<'a>(channels: Vec<Channel<'a>>, wanted: Option<&str>) -> io
         }
         (None, Some(name)) => Err(malformed(format!("it has no channel {name:?}: choose one of {names}"))),
         (None, None) if all.is_empty() => Err(malformed("it holds no heights")),
-        (None, None) => Err(malformed(format!("it holds no heights, but {}", all.join(", ")))),
+        (None, None) => {
+            Err(malformed(format!("it holds no heights: none of its channels {} is a length", all.join(", "))))
+        }
     }
 }

@@ -55,6 +55,11 @@ impl Scan {
         there.map(|((y, x), h)| ([place(y, 0), place(x, 1)], *h)).collect()
     }
 
+    /// Whether it is a line, one row.
+    pub fn is_line(&self) -> bool {
+        self.shape()[0] == 1
+    }
+
     /// The axes along which there are several nodes: a line has no extent along y, and its spacing there says nothing.
     pub(super) fn axes(&self) -> impl Iterator<Item = usize> + use<> {
         let shape = self.shape();

@@ -1,13 +1,7 @@
-//! What all exports begin with.
+//! Files on their way.
 
-use crate::surface::Scan;
 use std::fs::File;
 use std::io::BufWriter;
 
-/// A file on its way.
+/// A file that is renamed when all of it is written.
 pub(super) type Draft<'a> = BufWriter<&'a mut File>;
-
-/// Whether heights are a profile.
-pub(super) fn is_profile(scan: &Scan) -> bool {
-    scan.shape()[0] == 1
-}

@@ -10,7 +10,7 @@ use super::npy;
 use crate::error::FileError;
 use crate::files::{check_named, write_beside};
 use crate::surface::Scan;
-use draft::{Draft, is_profile};
+use draft::Draft;
 use std::io;
 use std::path::Path;
 
@@ -63,12 +63,12 @@ impl Scan {
         let path = path.as_ref();
         check_named(path, &Self::endings())?;
         let ending = path.extension().unwrap_or_default();
-        let named = EXPORTS.iter().filter(|it| ending.eq_ignore_ascii_case(it.ending));
-        named.map(|export| write_beside(path, |file| (export.write)(self, file))).collect()
+        let mut named = EXPORTS.iter().filter(|it| ending.eq_ignore_ascii_case(it.ending));
+        named.try_for_each(|export| write_beside(path, |file| (export.write)(self, file)))
     }
 }
 
 fn npy(scan: &Scan, file: &mut Draft) -> io::Result<()> {
     let heights = scan.height.view();
-    npy::write(if is_profile(scan) { heights.row(0).into_dyn() } else { heights.into_dyn() }, file)
+    npy::write(if scan.is_line() { heights.row(0).into_dyn() } else { heights.into_dyn() }, file)
 }

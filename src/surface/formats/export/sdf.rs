@@ -1,6 +1,6 @@
 //! The text of ISO 25178-71.
 
-use super::draft::{Draft, is_profile};
+use super::draft::Draft;
 use crate::surface::Scan;
 use std::io::{self, Write};
 
@@ -11,7 +11,7 @@ use std::io::{self, Write};
 /// ISO 25178-71:2017, as the program sdfio 2.0 renders it.
 pub(super) fn write(scan: &Scan, file: &mut Draft) -> io::Result<()> {
     let ([rows, points], [dy, dx]) = (scan.shape(), scan.spacing);
-    let dy = if is_profile(scan) { 0.0 } else { dy };
+    let dy = if scan.is_line() { 0.0 } else { dy };
     write!(file, "aISO-1.0\r\nManufacID = asperity\r\nCreateDate = 000000000000\r\nModDate = 000000000000\r\n")?;
     write!(file, "NumPoints = {points}\r\nNumProfiles = {rows}\r\nXscale = {dx:e}\r\nYscale = {dy:e}\r\n")?;
     write!(file, "Zscale = 1\r\nZresolution = -1\r\nCompression = 0\r\nDataType = 7\r\nCheckType = 0\r\n*\r\n")?;

@@ -1,6 +1,6 @@
 //! The archive of ISO 25178-72.
 
-use super::draft::{Draft, is_profile};
+use super::draft::Draft;
 use crate::surface::Scan;
 use md5::{Context, Digest};
 use std::io::{self, Seek, Write};
@@ -49,7 +49,7 @@ fn points(scan: &Scan, file: &mut impl Write) -> io::Result<Digest> {
 /// The description of heights with this check sum.
 fn description(scan: &Scan, sum: Digest) -> String {
     let ([rows, points], [dy, dx]) = (scan.shape(), scan.spacing);
-    let feature = if is_profile(scan) { "PRF" } else { "SUR" };
+    let feature = if scan.is_line() { "PRF" } else { "SUR" };
     let axis = |name: &str, kind: &str, step: f64| {
         format!(
             "<{name}><AxisType>{kind}</AxisType><DataType>D</DataType><Increment>{step:e}</Increment><Offset>0</Offset></{name}>"
