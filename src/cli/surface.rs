@@ -252,7 +252,7 @@ impl Statistics {
         let join = |values: Vec<String>| values.join(" x ");
         let rows = [
             ("points", join(self.points.iter().map(usize::to_string).collect())),
-            ("size", join(self.size.iter().map(|size| length(*size)).collect())),
+            ("size", join(lengths(&self.size))),
             ("spacing", along_axes(&self.spacing, number)),
             ("voids", self.voids.to_string()),
         ];
@@ -281,10 +281,11 @@ impl Whole {
     }
 }
 
-/// A length as it was given, unless that takes many digits.
-fn length(value: f64) -> String {
-    let (plain, short) = (value.to_string(), number(value));
-    if plain.len() <= short.len() { plain } else { short }
+/// Lengths as they were given, unless that takes many digits.
+fn lengths(values: &[f64]) -> Vec<String> {
+    let plain: Vec<String> = values.iter().map(f64::to_string).collect();
+    let is_short = plain.iter().zip(values).all(|(plain, value)| plain.len() < number(*value).len());
+    if is_short { plain } else { values.iter().map(|value| number(*value)).collect() }
 }
 
 fn number(value: f64) -> String {

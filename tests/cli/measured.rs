@@ -107,7 +107,7 @@ fn a_description_says_what_heights_are_like() {
     let out = text(&output.stdout);
     for words in [
         "Width                     72 µm",
-        "tilt                      -1.0",
+        "tilt                      -1.1",
         "curvature                 ",
         "power spectrum            C(q) ~ q^-",
         "noise along y",

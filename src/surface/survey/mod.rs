@@ -40,7 +40,8 @@ pub struct Survey {
     pub jumps: [f64; 2],
     /// Scales, noise and resolution along y and x, of a profile along x; an axis of less than 9 nodes is left out.
     pub axes: Vec<Scales>,
-    /// The power law of the power spectrum between the shortest wavelength that is told from noise and a quarter of the length.
+    /// The power law of the power spectrum between the shortest wavelength that is told from noise, and at which heights are rough, and a
+    /// quarter of the length.
     pub power_law: Option<PowerLaw>,
     /// The power spectrum of the heights less their plane, under a Hann window of mean square 1, which ends the waves of the rim.
     pub spectrum: Vec<Band>,
@@ -61,7 +62,8 @@ impl Survey {
         let plane = Detrend::Plane.of(scan.clone());
         let axes: Vec<Scales> = (0..2).filter_map(|axis| Scales::of(&plane, axis)).collect();
         let spectrum = Band::all(&PowerSpectrum::of(&Surface::new(grid, windowed(&flat).height)?));
-        let shortest = axes.iter().map(|it| it.shortest_wavelength).fold(grid.shortest_wavelength(), f64::max);
+        let rough = |it: &Scales| it.shortest_wavelength.max(it.smooth_wavelength.unwrap_or(0.0));
+        let shortest = axes.iter().map(rough).fold(grid.shortest_wavelength(), f64::max);
         Ok(Self {
             voids: scan.voids(),
             tilt: Detrend::tilt(&full),
