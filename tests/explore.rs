@@ -2,10 +2,12 @@
 
 #[path = "explore/heights.rs"]
 mod heights;
+#[path = "explore/lessons.rs"]
+mod lessons;
 
 use asperity::Stop;
 use asperity::contact::{Multilevel, Solver};
-use asperity::explore::{Explorer, Knobs, Server, Session, Start};
+use asperity::explore::{Explorer, Knobs, Lesson, Server, Session, Start};
 use asperity::setup::Setup;
 use assert_cmd::Command;
 use rerun::components::Color;
@@ -41,7 +43,7 @@ impl Answer {
 impl Page {
     fn open() -> Self {
         let (session, _) = Session::start();
-        let explorer = Explorer::new(session, Start::RoughLine.knobs()).unwrap();
+        let explorer = Explorer::new(session, Start::RoughLine.knobs(), Lesson::all()).unwrap();
         let server = Server::bind(0).unwrap();
         let port = server.port();
         std::thread::spawn(move || server.run(explorer).unwrap());

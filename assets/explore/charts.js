@@ -75,9 +75,9 @@ function charts() {
   const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
   chart(byId("chart-area"), "Area against p*", 1, [
     curve("Persson", "persson", (p) => p.persson), curve("a_rel", "computed", (p) => p.relative_area_resolved),
-    curve("exact", "exact", (p) => p.exact?.relative_area)], note);
+    curve("exact", "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], note);
   chart(byId("chart-kappa"), "κ, κ_r against p*", 4, [
     curve("Persson", "persson", (p) => p.persson / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa_resolved),
-    curve("κ_r", "second", (p) => p.kappa_r_resolved), curve("exact", "exact", (p) => p.exact?.kappa_r)], note);
+    curve("κ_r", "second", (p) => p.kappa_r_resolved), curve("exact", "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")], note);
   Object.assign(document.body.dataset, { sweep: shown ? (shown.ended ? "ended" : points.length) : "none", stale: isStale });
 }

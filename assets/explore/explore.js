@@ -81,12 +81,8 @@ async function begin() {
   description = await ask("/api/heights");
   show();
   charts();
-  byId("lesson").append(element("option", { value: "" }, "none"), ...Object.keys(LESSONS).map((name) => element("option", { value: name }, name)));
-  byId("lesson").addEventListener("change", () => openLesson(byId("lesson").value));
-  byId("lesson-back").addEventListener("click", () => step(-1));
-  byId("lesson-next").addEventListener("click", () => step(1));
-  byId("lesson-close").addEventListener("click", () => { byId("lesson").value = ""; openLesson(""); });
-  const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand };
+  await beginLessons();
+  const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand, "copy-link": copyLink };
   Object.entries(saves).forEach(([id, action]) => byId(id).addEventListener("click", action));
   byId("words").addEventListener("click", () => byId("glossary").showModal());
   byId("runs").addEventListener("change", () => showRun(byId("runs").value));
@@ -98,9 +94,10 @@ async function begin() {
   showDuration();
   window.addEventListener("resize", charts);
   if (before.run || before.sweep) heard(before);
+  listen();
+  if (await openAddress()) return;
   if (!before.run && description) { knobs.body = "file"; takeDescription(description); }
   else if (!before.run || !isPainted) changed();
-  listen();
 }
 
 begin();

@@ -13,6 +13,7 @@ async function post(path, body) {
 /** Solves anew; while one request is under way, only the latest change waits. The curves of another surface are greyed at once. */
 async function changed() {
   charts();
+  writeAddress();
   if (posting) { waiting = true; return; }
   posting = true;
   asked = performance.now();
@@ -185,6 +186,7 @@ function showPin(id) {
   byId("pin").setAttribute("aria-pressed", String(pinned !== null));
   byId("pin").textContent = pinned ? `Pinned ${pinned}` : "Pin";
   byId("rival").textContent = pinned ? "pinned" : "before";
+  writeAddress();
   numbers();
 }
 

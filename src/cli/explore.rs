@@ -2,7 +2,7 @@
 
 use super::outcome::{Outcome, usage};
 use anyhow::Result;
-use asperity::explore::{Explorer, Server, Session, Start};
+use asperity::explore::{Explorer, Lesson, Server, Session, Start};
 use asperity::surface::HeightFile;
 use clap::Args;
 use std::io::{Write, stdout};
@@ -21,7 +21,8 @@ const EXAMPLES: &str = "\
 Examples:
   asperity explore
   asperity explore hertz-line --port 9000 --no-open
-  asperity explore --height patch.x3p";
+  asperity explore --height patch.x3p
+  asperity explore --lessons my-lessons";
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -32,6 +33,9 @@ pub struct Explore {
     /// A file of heights to start with instead, as if it were dropped on the page
     #[arg(long, value_name = "FILE")]
     height: Option<PathBuf>,
+    /// A folder of lessons in the place of those of the page, one in each file that ends in .toml
+    #[arg(long, value_name = "DIR")]
+    lessons: Option<PathBuf>,
     #[command(flatten)]
     page: PageArgs,
 }
@@ -49,11 +53,15 @@ pub struct PageArgs {
 
 impl Explore {
     pub fn run(&self) -> Result<Outcome> {
+        let lessons = match self.lessons.as_deref().map(Lesson::folder).transpose() {
+            Ok(lessons) => lessons.unwrap_or_else(Lesson::all),
+            Err(refusal) => return usage(refusal.to_string()),
+        };
         let (session, solver) = Session::start();
         if let Some(path) = &self.height {
             session.open(HeightFile::from(path.clone()).with_full_path())?;
         }
-        let explorer = Explorer::new(session.clone(), self.start.knobs())?;
+        let explorer = Explorer::new(session.clone(), self.start.knobs(), lessons)?;
         let served = self.page.open().and_then(|server| Ok(server.run(explorer)?));
         session.close();
         solver.join().ok(); // a solver that failed has said so on the page

@@ -19,12 +19,14 @@ macro_rules! file {
 }
 
 /// The files of the page: path, kind and text.
-const FILES: [(&str, &str, &str); 11] = [
+const FILES: [(&str, &str, &str); 13] = [
     file!("explore.css", "text/css; charset=utf-8"),
     file!("favicon.svg", "image/svg+xml"),
+    file!("address.js", SCRIPT),
     file!("charts.js", SCRIPT),
     file!("controls.js", SCRIPT),
     file!("explore.js", SCRIPT),
+    file!("guess.js", SCRIPT),
     file!("heights.js", SCRIPT),
     file!("lessons.js", SCRIPT),
     file!("link.js", SCRIPT),

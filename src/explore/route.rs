@@ -2,6 +2,7 @@
 
 use super::height_name::plain_name;
 use super::knobs::Knobs;
+use super::lesson::Lesson;
 use super::page::Page;
 use super::reel::Reel;
 use super::refusal::Refusal;
@@ -28,6 +29,7 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// |-------------------|--------|-----------------------------------------------------------------------|
 /// | `/`, and its files| GET    | page, script, style, viewer                                           |
 /// | `/api/start`      | GET    | the [`Knobs`] to start with                                           |
+/// | `/api/lessons`    | GET    | the lessons, see [`Lesson`]                                           |
 /// | `/api/observables`| GET    | names and meanings of the numbers in a report                         |
 /// | `/api/state`      | GET    | the report, at once or when it is newer than `?since=`        |
 /// | `/api/solve`      | POST   | takes [`Knobs`], ends what runs; the revision from which on news of it come |
@@ -45,15 +47,16 @@ pub struct Explorer {
     page: Page,
     session: Arc<Session>,
     start: Knobs,
+    lessons: Vec<Lesson>,
 }
 
 impl Explorer {
-    /// The page, with controls that start at `start`.
+    /// The page, with controls that start at `start`, and its lessons.
     ///
     /// # Errors
     /// If the viewer is not in the binary.
-    pub fn new(session: Arc<Session>, start: Knobs) -> io::Result<Self> {
-        Ok(Self { page: Page::new("explore")?, session, start })
+    pub fn new(session: Arc<Session>, start: Knobs, lessons: Vec<Lesson>) -> io::Result<Self> {
+        Ok(Self { page: Page::new("explore")?, session, start, lessons })
     }
 
     fn post(&self, request: &Request<'_>) -> Reply {
@@ -74,6 +77,7 @@ impl Explorer {
     fn get(&self, request: &Request<'_>) -> Reply {
         match request.path {
             "/api/start" => Reply::json(&self.start),
+            "/api/lessons" => Reply::json(&self.lessons),
             "/api/observables" => Reply::json(&OBSERVABLES),
             "/api/state" => self.state(request.query),
             "/api/runs" => Reply::json(&self.session.told()),
@@ -129,7 +133,7 @@ fn file(request: &Request<'_>) -> HeightFile {
 }
 
 /// Paths that are only read.
-const GETS: [&str; 4] = ["/api/start", "/api/observables", "/api/state", "/api/runs"];
+const GETS: [&str; 5] = ["/api/start", "/api/observables", "/api/state", "/api/runs", "/api/lessons"];
 
 /// The recording under the name of its run, once it is complete.
 fn saved_recording(reel: Reel) -> Reply {

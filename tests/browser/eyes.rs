@@ -69,6 +69,7 @@ fn axes_follow_data_layout_and_size(page: &mut Page) {
     curves_stand_on_their_axes(page, "after a sweep");
     page.press_at("lesson", "h");
     page.until("document.body.dataset.lesson === '0'", 10);
+    page.click("answer-2");
     rested(page);
     curves_stand_on_their_axes(page, "in a lesson");
     page.click("lesson-close");
@@ -146,6 +147,7 @@ fn a_pin_keeps_its_numbers(page: &mut Page) {
     assert_eq!(page.text(rival), kappa);
     page.press_at("lesson", "h");
     page.until("document.body.dataset.lesson === '0' && pinned === null", 10);
+    page.click("answer-2");
     rested(page);
     page.click("lesson-close");
     page.until(&format!("pinned === '{pin}'"), 10);

@@ -1,0 +1,88 @@
+"use strict";
+// The address of what one sees: knobs, or a lesson and its step, and the run that is pinned, to be opened on another machine.
+
+/** The longest address that is read. */
+const LONGEST = 16384;
+
+/** What one sees. */
+function seen() {
+  if (lesson) return { lesson: lesson.title, step: lesson.at + 1 };
+  const kept = pinned && runOf(pinned);
+  return kept && !isSweep(kept) ? { knobs, pinned: kept.knobs } : { knobs };
+}
+
+/** Writes what one sees into the address. */
+function writeAddress() {
+  if (isOpened) history.replaceState(null, "", `#${encodeURIComponent(JSON.stringify(seen()))}`);
+}
+
+/** Whether the address that the page was opened with has been carried out: it is not written over before. */
+let isOpened = false;
+
+async function copyLink() {
+  writeAddress();
+  const hint = byId("hint");
+  await navigator.clipboard.writeText(location.href).then(
+    () => { hint.textContent = "Copied: the address of this page, with all that you see."; },
+    () => { hint.textContent = "The link could not be copied: take it from the address of the page."; });
+}
+
+/** What the address says to show; none for an address without it. */
+function wished() {
+  const text = location.hash.slice(1);
+  if (!text) return null;
+  if (text.length > LONGEST) throw new Error(`it is longer than ${LONGEST} letters`);
+  const wish = JSON.parse(decodeURIComponent(text));
+  if (wish === null || typeof wish !== "object") throw new Error("it holds no state of the page");
+  return wish;
+}
+
+/** Carries out what the address says, and returns whether there was anything; the server refuses knobs that stand for nothing. */
+async function openAddress() {
+  try {
+    const wish = wished();
+    if (wish && words(wish) !== words(seen())) await carryOut(wish);
+    return wish !== null;
+  } catch (error) {
+    fault(`This address is none of the page: ${error.message}. Open the page without what follows the #.`);
+    return false;
+  } finally {
+    isOpened = true;
+  }
+}
+
+async function carryOut({ lesson: title, step: place, knobs: wanted, pinned: kept }) {
+  if (title !== undefined) return openLessonAt(title, place);
+  if (kept) {
+    const { revision } = await post("/api/solve", painted(kept));
+    await ended(revision);
+    await setPin(report.run.id);
+  }
+  await post("/api/solve", painted(wanted));
+  knobs = painted(wanted);
+  show();
+}
+
+/** A state as words that do not depend on the order of its keys, nor on the colours. */
+function words(state) {
+  const sorted = (key, value) => key === "theme" ? undefined
+    : value && typeof value === "object" && !Array.isArray(value) ? Object.fromEntries(Object.entries(value).sort()) : value;
+  return JSON.stringify(state, sorted);
+}
+
+/** Knobs in the colours of this page. */
+const painted = (wanted) => ({ ...wanted, theme: document.documentElement.dataset.theme });
+
+/** Waits until the order of a revision is carried out. */
+async function ended(revision) {
+  while (report.revision < revision || report.busy || !report.run?.ended) await new Promise((done) => setTimeout(done, 50));
+}
+
+/** Opens a lesson at one of its steps, without asking what was asked before it. */
+async function openLessonAt(title, place) {
+  const opened = lessons.find((it) => it.title === title);
+  if (!opened) throw new Error(`there is no lesson ${JSON.stringify(title)} here`);
+  if (!Number.isInteger(place) || place < 1 || place > opened.steps.length) throw new Error(`the lesson has no step ${JSON.stringify(place)}`);
+  byId("lesson").value = title;
+  await openLesson(title, place - 1);
+}
