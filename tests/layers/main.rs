@@ -59,7 +59,7 @@ const PLACES: &[(&str, &[&str])] = &[
     ("rustfft", &["fourier/"]),
     ("strsim", &["setup/"]),
     ("tokio", &["cli/interrupt.rs", "explore/"]),
-    ("toml", &["setup/"]),
+    ("toml", &["explore/lesson.rs", "setup/"]),
     ("uom", &["quantity.rs"]),
 ];
 
