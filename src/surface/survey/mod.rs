@@ -18,9 +18,9 @@ use std::f64::consts::PI;
 ///
 /// ```
 /// use asperity::surface::{Scan, Survey};
-/// // a tilted wave of 16 nodes, with noise of 1e-3 that is different at each node
+/// // a tilted wave of 1024 nodes, with noise of 1e-3 that is different at each node
 /// let noise = |x: usize| 1e-3 * 2f64.sqrt() * (x as f64 * x as f64 * 0.7).sin();
-/// let wave = |x: usize| (std::f64::consts::TAU * x as f64 / 16.0).sin();
+/// let wave = |x: usize| (std::f64::consts::TAU * x as f64 / 1024.0).sin();
 /// let height = ndarray::Array2::from_shape_fn((1, 4096), |(_, x)| wave(x) + 0.5 * x as f64 + noise(x));
 /// let survey = Survey::of(&Scan { height, spacing: [1.0, 1.0] })?;
 /// assert!((survey.tilt[1] - 0.5).abs() < 1e-3);
