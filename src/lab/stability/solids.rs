@@ -2,7 +2,6 @@
 
 use super::shapes::{Shape, noise, rough, shaped, two_peaks};
 use super::trial::Trial;
-use super::verdict::Demand;
 use crate::contact::{ContactModulus, Load, Problem};
 use crate::elastic::{Base, Layer};
 use crate::error::SetupError;
@@ -13,6 +12,9 @@ type Make = fn(Grid) -> Shape;
 
 /// Thicknesses over the length of the cell, from far below the spacing to far beyond the cell.
 const THICKNESSES: [f64; 6] = [1e-5, 1e-3, 0.03, 0.3, 3.0, 1e3];
+
+/// Budgets that the one layer may take that crawls.
+const SLOW: u32 = 6;
 
 /// Layers thin and thick, on both bases, compressible and not, under pressures and at an approach.
 pub fn layers(grids: [(&'static str, Grid); 2]) -> Vec<Trial> {
@@ -33,8 +35,8 @@ pub fn layers(grids: [(&'static str, Grid); 2]) -> Vec<Trial> {
                         };
                         // far thinner than the spacing and not to be compressed, it takes tens of thousands of steps to an approach
                         let is_slow = name == "layer-line-bonded-0.5-1e-5-approach";
-                        let demand = if is_slow { Demand::Budget } else { Demand::Solution };
-                        trials.push(Trial { is_at_mean_gap, ..Trial::new(name, pose).demanding(demand) });
+                        let patience = if is_slow { SLOW } else { 1 };
+                        trials.push(Trial { is_at_mean_gap, patience, ..Trial::new(name, pose) });
                     }
                 }
             }
