@@ -222,6 +222,14 @@ const SECONDS = { name: "seconds", sentence: "Seconds of the solver alone, recor
 const label = (name) => (name === "kappa_r" ? "kappa_r_counted" : name.replace(/_resolved$/, ""))
   .replace("kappa", "κ").replaceAll(/_(?!r(?![a-z]))/g, " ");
 
+/** A state that the table shows in the place of the end of the run: a name and its numbers. */
+let moment = null;
+
+function setMoment(state) {
+  moment = state;
+  numbers();
+}
+
 function numbers() {
   const shown = runOf(shownRun);
   if (shown && isSweep(shown)) byId("title").textContent = `${shown.title}: ${shown.ended ? "ended" : "running"}, ${shown.points.length} loads`;
@@ -230,13 +238,15 @@ function numbers() {
   const before = rival(run);
   const cell = (text, name) => element("td", { "data-number": name }, text);
   const body = observables.map(({ name, sentence }) => {
-    const values = [run, before].map((r) => figure(r?.numbers?.[name]));
+    const values = [moment || run, before].map((r) => figure(r?.numbers?.[name]));
     const theory = run.exact && EXACT[name] ? figure(run.exact[EXACT[name]]) : "";
     return element("tr", { title: sentence }, element("th", { scope: "row" }, label(name)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
   byId("numbers").tBodies[0].replaceChildren(...body);
   const status = run.numbers ? run.numbers.status : "begun";
   if (!shown || shown === run) byId("title").textContent = `${run.title}: ${status}${run.exact ? `; exact: ${run.exact.name}` : ""}`;
+  byId("this").textContent = moment ? moment.name : "this run";
+  showSectionOf(run);
   warn(run);
   Object.assign(document.body.dataset, { run: run.id, status, ended: run.ended });
 }

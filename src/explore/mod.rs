@@ -12,15 +12,18 @@
 
 mod description;
 mod guard;
+mod hand;
 mod height_knobs;
 mod height_name;
 mod knobs;
 mod lesson;
 mod page;
+mod patches;
 mod reel;
 mod refusal;
 mod report;
 mod route;
+mod section;
 mod server;
 mod session;
 mod site;
@@ -30,6 +33,7 @@ mod sweep;
 mod worker;
 
 pub use description::Description;
+pub use hand::{Held, Hold};
 pub use height_knobs::HeightKnobs;
 pub use knobs::{Knobs, Start};
 pub use lesson::{Curve, Lesson, LessonStep, Question};

@@ -19,7 +19,7 @@ macro_rules! file {
 }
 
 /// The files of the page: path, kind and text.
-const FILES: [(&str, &str, &str); 13] = [
+const FILES: [(&str, &str, &str); 16] = [
     file!("explore.css", "text/css; charset=utf-8"),
     file!("favicon.svg", "image/svg+xml"),
     file!("address.js", SCRIPT),
@@ -27,9 +27,12 @@ const FILES: [(&str, &str, &str); 13] = [
     file!("controls.js", SCRIPT),
     file!("explore.js", SCRIPT),
     file!("guess.js", SCRIPT),
+    file!("hand.js", SCRIPT),
     file!("heights.js", SCRIPT),
     file!("lessons.js", SCRIPT),
     file!("link.js", SCRIPT),
+    file!("pick.js", SCRIPT),
+    file!("picture.js", SCRIPT),
     file!("runs.js", SCRIPT),
     file!("save.js", SCRIPT),
     file!("viewer.js", SCRIPT),
