@@ -4,6 +4,8 @@
 mod heights;
 #[path = "explore/lessons.rs"]
 mod lessons;
+#[path = "explore/texts.rs"]
+mod texts;
 
 use asperity::Stop;
 use asperity::contact::{Multilevel, Solver};
@@ -205,10 +207,10 @@ fn the_page_names_nothing_outside() {
     let html = page.get("/");
     let scripts: Vec<&str> =
         html.text().split("script src=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
-    assert!(scripts.contains(&"/explore.js"), "{scripts:?}");
-    let own = scripts.into_iter().filter(|path| *path != "/re_viewer.js");
-    for path in own.chain(["/", "/explore.css"]) {
-        let answer = page.get(path);
+    assert!(scripts.contains(&"explore.js"), "{scripts:?}");
+    let own = scripts.into_iter().filter(|path| *path != "re_viewer.js");
+    for path in own.chain(["", "explore.css"]) {
+        let answer = page.get(&format!("/{path}"));
         let elsewhere = answer.text().replace("http://www.w3.org/2000/svg", "");
         assert!(
             !elsewhere.contains("http://") && !elsewhere.contains("https://") && !elsewhere.contains("//cdn"),

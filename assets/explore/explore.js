@@ -14,7 +14,7 @@ function paint(theme) {
     answer.dispatchEvent(new MediaQueryListEvent("change", { media, matches: answer.matches }));
   }
   document.documentElement.dataset.theme = theme;
-  byId("theme").textContent = theme === "dark" ? "Light" : "Dark";
+  byId("theme").textContent = theme === "dark" ? say("theme.light") : say("theme.dark");
   localStorage.setItem("theme", theme);
   wake();
 }
@@ -67,12 +67,12 @@ async function begin() {
   window.addEventListener("keydown", key, true);
   startViewer().catch((error) => {
     document.body.dataset.viewer = "failed";
-    noteViewer(`The viewer could not start (${error}). Try another browser, or add ?renderer=webgl to the address.`);
+    noteViewer(say("viewer.unstarted", { reason: error }));
   });
-  if (isView) { byId("title").textContent = "a recording, from this machine"; return; }
+  if (isView) { byId("title").textContent = say("title.recording"); return; }
   const ask = async (path) => (await fetch(path)).json();
   const before = await ask("/api/state");
-  observables = [...await ask("/api/observables"), SECONDS].filter((row) => (row.is_traced && !LEFT_OUT.includes(row.name)) || SHOWN.includes(row.name));
+  observables = [...await ask("/api/observables"), SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
   knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("/api/start");
   const isPainted = knobs.theme === document.documentElement.dataset.theme;
   takeTheme();

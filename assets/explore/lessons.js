@@ -9,7 +9,7 @@ let suspended = null;
 
 async function beginLessons() {
   lessons = await (await fetch("/api/lessons")).json();
-  byId("lesson").append(element("option", { value: "" }, "none"), ...lessons.map(({ title }) => element("option", { value: title }, title)));
+  byId("lesson").append(element("option", { value: "" }, say("lesson.none")), ...lessons.map(({ title }) => element("option", { value: title }, title)));
   byId("lesson").addEventListener("change", () => openLesson(byId("lesson").value));
   byId("lesson-back").addEventListener("click", () => step(-1));
   byId("lesson-next").addEventListener("click", () => step(1));
@@ -40,7 +40,7 @@ function showLesson() {
   document.body.dataset.asked = Boolean(isAsked);
   byId("lesson-ask").hidden = !isAsked;
   byId("lesson-text").hidden = isAsked;
-  if (isAsked) ask(steps[at].ask, reveal); else showStep();
+  if (isAsked) poseQuestion(steps[at].ask, reveal); else showStep();
   writeAddress();
 }
 

@@ -18,8 +18,17 @@ macro_rules! file {
     };
 }
 
+/// What the page says, in each of its languages.
+const TEXTS: &str = concat!(
+    "const TEXTS = {\n\"en\": ",
+    include_str!("../../assets/explore/texts/en.json"),
+    ",\n\"de\": ",
+    include_str!("../../assets/explore/texts/de.json"),
+    "};\n"
+);
+
 /// The files of the page: path, kind and text.
-const FILES: [(&str, &str, &str); 16] = [
+const FILES: &[(&str, &str, &str)] = &[
     file!("explore.css", "text/css; charset=utf-8"),
     file!("favicon.svg", "image/svg+xml"),
     file!("address.js", SCRIPT),
@@ -35,6 +44,8 @@ const FILES: [(&str, &str, &str); 16] = [
     file!("picture.js", SCRIPT),
     file!("runs.js", SCRIPT),
     file!("save.js", SCRIPT),
+    file!("say.js", SCRIPT),
+    ("/texts.js", SCRIPT, TEXTS),
     file!("viewer.js", SCRIPT),
 ];
 
