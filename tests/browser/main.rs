@@ -8,6 +8,7 @@ mod chromium;
 mod downloads;
 mod explorer;
 mod eyes;
+mod grips;
 mod hands;
 mod heights;
 mod measures;
