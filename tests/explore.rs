@@ -1,5 +1,7 @@
 //! The explorer, asked as a browser would ask it.
 
+#[path = "explore/hand.rs"]
+mod hand;
 #[path = "explore/heights.rs"]
 mod heights;
 #[path = "explore/lessons.rs"]
