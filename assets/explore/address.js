@@ -54,11 +54,11 @@ async function openAddress() {
 async function carryOut({ lesson: title, step: place, knobs: wanted, pinned: kept }) {
   if (title !== undefined) return openLessonAt(title, place);
   if (kept) {
-    const { revision } = await post("/api/solve", painted(kept));
+    const { revision } = await post("solve", painted(kept));
     await ended(revision);
     await setPin(report.run.id);
   }
-  await post("/api/solve", painted(wanted));
+  await post("solve", painted(wanted));
   knobs = painted(wanted);
   show();
 }

@@ -70,15 +70,15 @@ async function begin() {
     noteViewer(`The viewer could not start (${error}). Try another browser, or add ?renderer=webgl to the address.`);
   });
   if (isView) { byId("title").textContent = "a recording, from this machine"; return; }
-  const ask = async (path) => (await fetch(path)).json();
-  const before = await ask("/api/state");
-  observables = [...await ask("/api/observables"), SECONDS].filter((row) => (row.is_traced && !LEFT_OUT.includes(row.name)) || SHOWN.includes(row.name));
-  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("/api/start");
+  await joinSession();
+  const before = await ask("state");
+  observables = [...await ask("observables"), SECONDS].filter((row) => (row.is_traced && !LEFT_OUT.includes(row.name)) || SHOWN.includes(row.name));
+  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("start");
   const isPainted = knobs.theme === document.documentElement.dataset.theme;
   takeTheme();
-  remember(await ask("/api/runs"));
+  remember(await ask("runs"));
   build();
-  description = await ask("/api/heights");
+  description = await ask("heights");
   show();
   charts();
   await beginLessons();

@@ -14,7 +14,7 @@ function dropGuess() {
 }
 
 /** Puts a question on the page, and calls with what there is to say of the answer. */
-function ask(it, done) {
+function poseQuestion(it, done) {
   byId("lesson-question").textContent = it.question;
   const answers = { choose, number: askNumber, draw: askCurve }[it.kind](it, done);
   byId("lesson-answers").replaceChildren(...answers);

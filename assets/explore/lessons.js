@@ -8,7 +8,7 @@ let lesson = null;
 let suspended = null;
 
 async function beginLessons() {
-  lessons = await (await fetch("/api/lessons")).json();
+  lessons = await ask("lessons");
   byId("lesson").append(element("option", { value: "" }, "none"), ...lessons.map(({ title }) => element("option", { value: title }, title)));
   byId("lesson").addEventListener("change", () => openLesson(byId("lesson").value));
   byId("lesson-back").addEventListener("click", () => step(-1));
@@ -40,7 +40,7 @@ function showLesson() {
   document.body.dataset.asked = Boolean(isAsked);
   byId("lesson-ask").hidden = !isAsked;
   byId("lesson-text").hidden = isAsked;
-  if (isAsked) ask(steps[at].ask, reveal); else showStep();
+  if (isAsked) poseQuestion(steps[at].ask, reveal); else showStep();
   writeAddress();
 }
 

@@ -49,12 +49,12 @@ function read() {
 
 async function startViewer() {
   const query = new URLSearchParams(location.search);
-  await wasm_bindgen({ module_or_path: `/re_viewer_bg.wasm` });
+  await wasm_bindgen({ module_or_path: "re_viewer_bg.wasm" });
   const canvas = element("canvas", { id: "canvas" });
   byId("viewer").append(canvas);
   const focused = document.activeElement;
   const handle = new wasm_bindgen.WebHandle({
-    url: isView ? [`${location.origin}/recording.rrd`] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
+    url: isView ? [beside("recording.rrd")] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
     render_backend: query.get("renderer"), ...(isView && { on_viewer_event: linkStep }),
     panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
   });
@@ -71,7 +71,7 @@ async function startViewer() {
 
 /** Has the viewer draw when it has read a recording to its end, and notes which. */
 function noteWhole({ name }) {
-  const run = runs.find((run) => address(run) === name);
+  const run = runs.find((run) => recordingAddress(run) === name);
   if (!run) return;
   document.body.dataset.whole = run.id;
   wholeRuns.add(run.id);

@@ -2,12 +2,13 @@
 
 use super::outcome::{Outcome, usage};
 use anyhow::Result;
-use asperity::explore::{Explorer, Lesson, Server, Session, Start};
+use asperity::explore::{Explorer, Lesson, Server, Sessions, Start};
 use asperity::surface::HeightFile;
 use clap::Args;
 use std::io::{Write, stdout};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::sync::Arc;
 
 /// The program that opens an address in the browser of the person at the keyboard.
 #[cfg(target_os = "macos")]
@@ -57,14 +58,11 @@ impl Explore {
             Ok(lessons) => lessons.unwrap_or_else(Lesson::all),
             Err(refusal) => return usage(refusal.to_string()),
         };
-        let (session, solver) = Session::start();
-        if let Some(path) = &self.height {
-            session.open(HeightFile::from(path.clone()).with_full_path())?;
-        }
-        let explorer = Explorer::new(session.clone(), self.start.knobs(), lessons)?;
+        let heights = self.height.clone().map(|path| HeightFile::from(path).with_full_path());
+        let sessions = Arc::new(heights.map_or_else(|| Ok(Sessions::default()), Sessions::with_heights)?);
+        let explorer = Explorer::new(sessions.clone(), self.start.knobs(), lessons)?;
         let served = self.page.open().and_then(|server| Ok(server.run(explorer)?));
-        session.close();
-        solver.join().ok(); // a solver that failed has said so on the page
+        sessions.close();
         served.map(|()| Outcome::Done)
     }
 }

@@ -6,11 +6,12 @@
 //!   +----(Report)-----+<---(Turn)------------+
 //! ```
 //!
-//! Everything goes over one port of the loopback interface: page, viewer, state and the recording as it grows. A request
-//! changes nothing but the one [`Session`]; what the page saves, the browser downloads. A file of heights that is dropped on the page stays
-//! in the memory of the session, and the next one takes its place.
+//! Everything goes over one port of the loopback interface: page, viewer, state and the recording as it grows. Every
+//! tab has a session of its own among the few [`Sessions`], and a request changes nothing but that; what the page saves, the browser
+//! downloads. A file of heights that is dropped on the page stays in the memory of the session, and the next one takes its place.
 
 mod description;
+mod facet;
 mod guard;
 mod height_knobs;
 mod height_name;
@@ -23,8 +24,10 @@ mod report;
 mod route;
 mod server;
 mod session;
+mod sessions;
 mod site;
 mod solve;
+mod step_numbers;
 mod stream;
 mod sweep;
 mod worker;
@@ -37,4 +40,4 @@ pub use page::Viewing;
 pub use refusal::Refusal;
 pub use route::Explorer;
 pub use server::Server;
-pub use session::Session;
+pub use sessions::Sessions;

@@ -19,10 +19,11 @@ macro_rules! file {
 }
 
 /// The files of the page: path, kind and text.
-const FILES: [(&str, &str, &str); 13] = [
+const FILES: [(&str, &str, &str); 14] = [
     file!("explore.css", "text/css; charset=utf-8"),
     file!("favicon.svg", "image/svg+xml"),
     file!("address.js", SCRIPT),
+    file!("backend.js", SCRIPT),
     file!("charts.js", SCRIPT),
     file!("controls.js", SCRIPT),
     file!("explore.js", SCRIPT),

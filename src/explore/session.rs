@@ -6,6 +6,7 @@ use super::knobs::Knobs;
 use super::reel::{Ended, Reel, Solved, Told};
 use super::refusal::Refusal;
 use super::report::{Numbers, Report, SweepReport};
+use super::step_numbers::StepNumbers;
 use crate::contact::Contact;
 use crate::record::Ghost;
 use crate::setup::Setup;
@@ -18,8 +19,10 @@ use std::time::Duration;
 /// fields of 1024 x 1024 nodes.
 const RECORDINGS: usize = 6;
 
+/// A file of heights, and what the page was told of it last.
+pub type Heights = (HeightFile, Description);
+
 /// The orders of the page, one at a time, and what comes of them; a new order ends the one before.
-#[derive(Default)]
 pub struct Session {
     state: Mutex<State>,
     changed: Condvar,
@@ -35,8 +38,7 @@ struct State {
     closed: bool,
     /// The latest recordings, the newest last.
     recordings: VecDeque<Reel>,
-    /// The file of heights, and what the page was told of it last.
-    heights: Option<(HeightFile, Description)>,
+    heights: Option<Heights>,
 }
 
 impl State {
@@ -90,6 +92,12 @@ pub struct Turn<'a> {
 }
 
 impl Session {
+    /// A session with a file of heights, if there is one, whose orders are numbered on from `after`.
+    pub(super) fn new(heights: Option<Heights>, after: u64) -> Self {
+        let state = State { heights, generation: after, ..State::default() };
+        Self { state: Mutex::new(state), changed: Condvar::new() }
+    }
+
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
     /// Knobs that stand for nothing are refused; what runs then goes on.
     pub(super) fn order(&self, kind: Kind, knobs: Knobs) -> Result<u64, Refusal> {
@@ -110,7 +118,7 @@ impl Session {
     ///
     /// # Errors
     /// For a file that cannot be read; the one before is then kept.
-    pub fn open(&self, file: HeightFile) -> Result<Description, Refusal> {
+    pub(super) fn open(&self, file: HeightFile) -> Result<Description, Refusal> {
         self.describe_as(file, HeightKnobs::default())
     }
 
@@ -220,8 +228,8 @@ impl Turn<'_> {
         self.session.change(|state| news(&mut state.report));
     }
 
-    /// Keeps the result of a solve and the curves of its recording, and reports it.
-    pub fn finish(self, rank: usize, contact: Contact, curves: Ghost) {
+    /// Keeps the result of a solve, the curves of its recording and the numbers of its steps, and reports it.
+    pub fn finish(self, rank: usize, contact: Contact, curves: Ghost, steps: StepNumbers) {
         let numbers = Numbers::of_contact(&contact);
         self.session.change(|state| {
             let Some(run) = &mut state.report.run else { return };
@@ -229,7 +237,8 @@ impl Turn<'_> {
             run.numbers = Some(numbers);
             let report = run.clone();
             let id = report.id.clone();
-            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, curves: Arc::new(curves) })));
+            let curves = Arc::new(curves);
+            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, curves, steps })));
         });
     }
 

@@ -4,6 +4,7 @@ use super::knobs::Knobs;
 use super::reel::Reel;
 use super::report::{ExactNumbers, Numbers, RunReport, file_stem};
 use super::session::Turn;
+use super::step_numbers::StepNumbers;
 use crate::contact::{Failure, Observer, Step, Wish};
 use crate::error::{SetupError, SolveError};
 use crate::record::{Ghost, Options, Recording, Scene};
@@ -41,14 +42,16 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     turn.keep(Reel::new(&id, &file_stem, live));
     turn.tell(|news| news.run = Some(report));
     let mut curves = Ghost::new(&format!("pinned {id}"));
+    let mut steps = StepNumbers::default();
     let watch = Watch { turn, reported: Instant::now() };
     let solver = setup.solver.solver();
-    let contact = solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), &mut curves, watch))?;
+    let contact =
+        solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), (&mut curves, &mut steps), watch))?;
     recording.finish()?;
     if let Some(failure) = contact.failure {
         return Err(SolveError::Observer(failure).into());
     }
-    turn.finish(rank, contact, curves);
+    turn.finish(rank, contact, curves, steps);
     Ok(())
 }
 

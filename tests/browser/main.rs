@@ -14,3 +14,4 @@ mod measures;
 mod page;
 mod person;
 mod strangers;
+mod tabs;
