@@ -8,6 +8,8 @@ mod heights;
 mod lessons;
 #[path = "explore/sessions.rs"]
 mod sessions;
+#[path = "explore/texts.rs"]
+mod texts;
 
 use asperity::Stop;
 use asperity::contact::{Multilevel, Solver};

@@ -19,21 +19,28 @@ function writeAddress() {
 /** Whether the address that the page was opened with has been carried out: it is not written over before. */
 let isOpened = false;
 
+/** The address without what is the reader's own, such as the language. */
+function linked() {
+  const link = new URL(location.href);
+  link.search = "";
+  return link.href;
+}
+
 async function copyLink() {
   writeAddress();
   const hint = byId("hint");
-  await navigator.clipboard.writeText(location.href).then(
-    () => { hint.textContent = "Copied: the address of this page, with all that you see."; },
-    () => { hint.textContent = "The link could not be copied: take it from the address of the page."; });
+  await navigator.clipboard.writeText(linked()).then(
+    () => { hint.textContent = say("link.copied"); },
+    () => { hint.textContent = say("link.failed"); });
 }
 
 /** What the address says to show; none for an address without it. */
 function wished() {
   const text = location.hash.slice(1);
   if (!text) return null;
-  if (text.length > LONGEST) throw new Error(`it is longer than ${LONGEST} letters`);
+  if (text.length > LONGEST) throw new Error(say("address.long", { most: LONGEST }));
   const wish = JSON.parse(decodeURIComponent(text));
-  if (wish === null || typeof wish !== "object") throw new Error("it holds no state of the page");
+  if (wish === null || typeof wish !== "object") throw new Error(say("address.empty"));
   return wish;
 }
 
@@ -44,7 +51,7 @@ async function openAddress() {
     if (wish && words(wish) !== words(seen())) await carryOut(wish);
     return wish !== null;
   } catch (error) {
-    fault(`This address is none of the page: ${error.message}. Open the page without what follows the #.`);
+    fault(say("fault.address", { reason: error.message }));
     return false;
   } finally {
     isOpened = true;
@@ -81,8 +88,8 @@ async function ended(revision) {
 /** Opens a lesson at one of its steps, without asking what was asked before it. */
 async function openLessonAt(title, place) {
   const opened = lessons.find((it) => it.title === title);
-  if (!opened) throw new Error(`there is no lesson ${JSON.stringify(title)} here`);
-  if (!Number.isInteger(place) || place < 1 || place > opened.steps.length) throw new Error(`the lesson has no step ${JSON.stringify(place)}`);
+  if (!opened) throw new Error(say("address.lesson", { title: JSON.stringify(title) }));
+  if (!Number.isInteger(place) || place < 1 || place > opened.steps.length) throw new Error(say("address.step", { place: JSON.stringify(place) }));
   byId("lesson").value = title;
   await openLesson(title, place - 1);
 }

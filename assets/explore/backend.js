@@ -11,45 +11,43 @@ const BREAK = 1000;
 /** Status of an answer for a session that has ended. */
 const ENDED = 410;
 
-/** What is said when nobody answers. */
-const GONE = "The server has ended: start asperity explore again, on the same port, and this page goes on by itself.";
-
 /** The JSON of an answer; a refusal is an error with the sentence of the server, and the status. */
 async function answered(request) {
-  const answer = await request.catch(() => { throw new Error(GONE); });
+  const answer = await request.catch(() => { throw new Error(say("fault.server")); });
   if (!answer.ok) throw Object.assign(new Error(await answer.text()), { status: answer.status });
   return answer.json();
 }
 
 const sent = (body, type = "application/json") => ({ method: "POST", headers: { "Content-Type": type }, body });
-const below = (path) => `session/${session}/${path}`;
+const below = (path, name = session) => solved ? path : `session/${name}/${path}`;
 
 /** What the session tells at a path. */
-const ask = (path) => answered(fetch(below(`api/${path}`)));
+const ask = async (path) => solved ? answerBeforehand(path) : answered(fetch(below(`api/${path}`)));
 
 /** What the session answers to an order. */
-const post = (path, body) => answered(fetch(below(`api/${path}`), sent(JSON.stringify(body))));
+const post = async (path, body) => solved ? orderBeforehand(path, body) : answered(fetch(below(`api/${path}`), sent(JSON.stringify(body))));
 
 /** What the session answers to a file. */
-const postFile = (path, file) => answered(fetch(below(`api/${path}`), sent(file, "application/octet-stream")));
+const postFile = async (path, file) => solved ? orderBeforehand(path) : answered(fetch(below(`api/${path}`), sent(file, "application/octet-stream")));
 
 /** The address of a file beside the page. */
 const beside = (path) => new URL(path, document.baseURI).href;
 
 /** The address of the recording of a run, from which the viewer reads as it grows. */
-const recordingAddress = (run) => beside(`session/${run.session}/run/${run.id}.rrd`);
+const recordingAddress = (run) => beside(below(`run/${run.id}.rrd`, run.session));
 
 /** The address under which something of a run is saved, by its ending. */
-const savingAddress = (run, ending) => beside(`session/${run.session}/save/${run.id}.${ending}`);
+const savingAddress = (run, ending) => beside(below(`${solved ? "run" : "save"}/${run.id}.${ending}`, run.session));
 
 /** Whether the server still has what belongs to a run: it lost the runs of sessions before. */
 const isKept = (run) => run.session === session;
 
 /** Takes the session that this tab had before, if there is one that no other tab has, or a new one. */
 async function joinSession() {
+  if (solved) return;
   window.addEventListener("pagehide", () => { fetch(below("api/leave"), { ...sent("{}"), keepalive: true }); });
   session = sessionStorage.getItem("session");
-  const isMine = session !== null && await hold(session) && await ask("state").then(() => true, () => false);
+  const isMine = session !== null && await holdSession(session) && await ask("state").then(() => true, () => false);
   if (!isMine) await beginSession(0);
 }
 
@@ -59,7 +57,7 @@ async function beginSession(after) {
     try {
       ({ session } = await answered(fetch("api/session", sent(String(after)))));
       sessionStorage.setItem("session", session);
-      hold(session);
+      holdSession(session);
       return;
     } catch (error) {
       miss(error);
@@ -77,7 +75,7 @@ function miss(error) {
 }
 
 /** Holds the name of a session for as long as this page is open; false if another page does not let go of it. */
-function hold(name) {
+function holdSession(name) {
   return new Promise((told) => {
     const taken = () => { told(true); return new Promise(() => {}); };
     navigator.locks.request(`session ${name}`, { signal: AbortSignal.timeout(PARTING) }, taken).catch(() => told(false));

@@ -39,7 +39,7 @@ function chart(target, title, top, curves, note) {
   for (const curve of shown) {
     svg.append(drawn("polyline", { class: curve.style, "clip-path": `url(#${inside})`, points: curve.points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ") }));
   }
-  const said = note || (shown.length ? "" : "Sweep the load, to draw this");
+  const said = note || (shown.length ? "" : say("chart.sweep"));
   said.split(", ").filter(Boolean).forEach((line, i) => {
     svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2 + 16 * i, "text-anchor": "middle" }, line));
   });
@@ -71,13 +71,13 @@ function charts() {
   const { sweep: shown } = report;
   const points = shown ? shown.points : [];
   const isStale = points.length > 0 && surfaceOf(shown.knobs) !== surfaceOf(knobs);
-  const note = isStale ? "Another surface, sweep again" : "";
+  const note = isStale ? say("chart.stale") : "";
   const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
-  chart(byId("chart-area"), "Area against p*", 1, [
+  chart(byId("chart-area"), say("chart.area"), 1, [
     curve("Persson", "persson", (p) => p.persson), curve("a_rel", "computed", (p) => p.relative_area_resolved),
-    curve("exact", "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], note);
-  chart(byId("chart-kappa"), "κ, κ_r against p*", 4, [
+    curve(say("chart.exact"), "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], note);
+  chart(byId("chart-kappa"), say("chart.kappa"), 4, [
     curve("Persson", "persson", (p) => p.persson / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa_resolved),
-    curve("κ_r", "second", (p) => p.kappa_r_resolved), curve("exact", "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")], note);
+    curve("κ_r", "second", (p) => p.kappa_r_resolved), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")], note);
   Object.assign(document.body.dataset, { sweep: shown ? (shown.ended ? "ended" : points.length) : "none", stale: isStale });
 }

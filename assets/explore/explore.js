@@ -14,7 +14,7 @@ function paint(theme) {
     answer.dispatchEvent(new MediaQueryListEvent("change", { media, matches: answer.matches }));
   }
   document.documentElement.dataset.theme = theme;
-  byId("theme").textContent = theme === "dark" ? "Light" : "Dark";
+  byId("theme").textContent = theme === "dark" ? say("theme.light") : say("theme.dark");
   localStorage.setItem("theme", theme);
   wake();
 }
@@ -67,12 +67,12 @@ async function begin() {
   window.addEventListener("keydown", key, true);
   startViewer().catch((error) => {
     document.body.dataset.viewer = "failed";
-    noteViewer(`The viewer could not start (${error}). Try another browser, or add ?renderer=webgl to the address.`);
+    noteViewer(location.protocol === "file:" ? say("viewer.disk") : say("viewer.unstarted", { reason: error }));
   });
-  if (isView) { byId("title").textContent = "a recording, from this machine"; return; }
+  if (isView) { byId("title").textContent = say("title.recording"); return; }
   await joinSession();
   const before = await ask("state");
-  observables = [...await ask("observables"), SECONDS].filter((row) => (row.is_traced && !LEFT_OUT.includes(row.name)) || SHOWN.includes(row.name));
+  observables = [...await ask("observables"), SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
   knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("start");
   const isPainted = knobs.theme === document.documentElement.dataset.theme;
   takeTheme();
@@ -82,6 +82,8 @@ async function begin() {
   show();
   charts();
   await beginLessons();
+  beginHand();
+  byId("patch-close").addEventListener("click", () => choosePatch(null));
   const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand, "copy-link": copyLink };
   Object.entries(saves).forEach(([id, action]) => byId(id).addEventListener("click", action));
   byId("words").addEventListener("click", () => byId("glossary").showModal());

@@ -3,7 +3,7 @@
 
 /** Loads at which a curve is guessed, and the upper ends of the axes of the charts. */
 const GUESSED_LOADS = [1e-3, 1e-2, 0.1, 0.3, 1];
-const CURVES = { area: ["Area a_rel", 1, "chart-area"], kappa: ["κ", 4, "chart-kappa"], "kappa-r": ["κ_r", 4, "chart-kappa"] };
+const CURVES = { area: ["a_rel", 1, "chart-area"], kappa: ["κ", 4, "chart-kappa"], "kappa-r": ["κ_r", 4, "chart-kappa"] };
 
 /** The guess that is held against what is shown: a curve in a chart, or a number. */
 let guess = null;
@@ -23,7 +23,7 @@ function poseQuestion(it, done) {
 function choose({ choices, right }, done) {
   return choices.map((choice, i) => {
     const made = element("button", { type: "button", class: "answer", id: `answer-${i + 1}` }, choice);
-    made.addEventListener("click", () => done(i + 1 === right ? `Yes: ${choice}.` : `You said: ${choice}. The answer: ${choices[right - 1]}.`));
+    made.addEventListener("click", () => done(i + 1 === right ? say("guess.yes", { choice }) : say("guess.no", { choice, answer: choices[right - 1] })));
     return made;
   });
 }
@@ -31,11 +31,11 @@ function choose({ choices, right }, done) {
 function askNumber({ of }, done) {
   const symbol = observables.find(({ name }) => name === of)?.symbol ?? of;
   const field = element("input", { type: "number", step: "any", "aria-label": symbol, id: "guess-number" });
-  const made = element("button", { type: "button", class: "answer", id: "answer-1" }, "Show");
+  const made = element("button", { type: "button", class: "answer", id: "answer-1" }, say("guess.show"));
   made.addEventListener("click", () => {
     if (!Number.isFinite(field.valueAsNumber)) return field.focus();
     guess = { of, value: field.valueAsNumber };
-    done(`You guessed ${symbol} = ${field.value}.`);
+    done(say("guess.number", { symbol, value: field.value }));
   });
   return [element("label", { for: "guess-number" }, `${symbol} = `), field, made];
 }
@@ -46,17 +46,17 @@ function askCurve({ curve }, done) {
   const values = GUESSED_LOADS.map(() => top / 2);
   guess = { target, points: GUESSED_LOADS.map((load, i) => [load, values[i]]) };
   const sliders = GUESSED_LOADS.map((load, i) => {
-    const slider = element("input", { type: "range", min: "0", max: `${top}`, step: `${top / 100}`, value: `${values[i]}`, class: "guess", "aria-label": `${name} at p* = ${load}` });
+    const slider = element("input", { type: "range", min: "0", max: `${top}`, step: `${top / 100}`, value: `${values[i]}`, class: "guess", "aria-label": say("guess.at", { name, load }) });
     slider.addEventListener("input", () => { guess.points[i][1] = slider.valueAsNumber; charts(); });
     return element("label", {}, slider, ` p* = ${load}`);
   });
-  const made = element("button", { type: "button", class: "answer", id: "answer-1" }, "Show");
-  made.addEventListener("click", () => done("Your curve is the dotted one."));
+  const made = element("button", { type: "button", class: "answer", id: "answer-1" }, say("guess.show"));
+  made.addEventListener("click", () => done(say("guess.curve")));
   charts();
   return [...sliders, made];
 }
 
 /** The guessed curve of a chart, if there is one. */
 function guessOf(target) {
-  return guess && guess.target === target ? [{ name: "your guess", style: "guess", points: guess.points }] : [];
+  return guess && guess.target === target ? [{ name: say("guess.yours"), style: "guess", points: guess.points }] : [];
 }

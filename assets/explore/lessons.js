@@ -9,7 +9,7 @@ let suspended = null;
 
 async function beginLessons() {
   lessons = await ask("lessons");
-  byId("lesson").append(element("option", { value: "" }, "none"), ...lessons.map(({ title }) => element("option", { value: title }, title)));
+  byId("lesson").append(element("option", { value: "" }, say("lesson.none")), ...lessons.map(({ title }) => element("option", { value: title }, title)));
   byId("lesson").addEventListener("change", () => openLesson(byId("lesson").value));
   byId("lesson-back").addEventListener("click", () => step(-1));
   byId("lesson-next").addEventListener("click", () => step(1));

@@ -120,7 +120,7 @@ function follow(run) {
     viewer.add_receiver(recordingAddress(run));
     wake();
     byId("scrub").value = 1000;
-    byId("scrub-step").value = "latest";
+    byId("scrub-step").value = say("play.latest");
     watchFirst(run, asked);
   }, Math.max(0, followed + BREATH[run.knobs.domain] - performance.now()));
 }
@@ -142,7 +142,7 @@ function forget(run) {
 function listRuns() {
   const options = [...runs].reverse().map((run, i) => element("option", { value: run.id }, `${"ABCDEF"[i]}: ${run.id}, ${run.title}`));
   byId("runs").replaceChildren(...options);
-  byId("runs").title = `Switch the viewer between the latest runs. The viewer keeps ${KEEP}; older ones are dropped.`;
+  byId("runs").title = say("runs.tip", { count: KEEP });
 }
 
 let shownRun = null;
@@ -189,8 +189,7 @@ function showPin(id) {
   if (pinned === id) return;
   pinned = runOf(id) ? id : null;
   byId("pin").setAttribute("aria-pressed", String(pinned !== null));
-  byId("pin").textContent = pinned ? `Pinned ${pinned}` : "Pin";
-  byId("rival").textContent = pinned ? "pinned" : "before";
+  byId("pin").textContent = pinned ? say("pin.pinned", { run: pinned }) : say("pin");
   writeAddress();
   numbers();
 }
@@ -217,31 +216,50 @@ function figure(value, digits = 5) {
 /** The observables that the server knows: those that change step by step are shown, and these. */
 let observables = [];
 const SHOWN = ["kappa_r_error", "iterations", "transforms", "seconds"];
-/** Those that would only crowd the table: counted nodes beside resolved edges. */
-const LEFT_OUT = ["relative_area"];
 /** The exact values that stand beside resolved observables. */
 const EXACT = { relative_area_resolved: "relative_area", kappa_r_resolved: "kappa_r" };
-const SECONDS = { name: "seconds", sentence: "Seconds of the solver alone, recording left out." };
+const SECONDS = { name: "seconds" };
 
-/** The name of an observable for people: resolved edges are what it means if nothing else is said. */
-const label = (name) => (name === "kappa_r" ? "kappa_r_counted" : name.replace(/_resolved$/, ""))
-  .replace("kappa", "κ").replaceAll(/_(?!r(?![a-z]))/g, " ");
+/** The words of a status, which the server tells in English. */
+const statusOf = ({ numbers }) => say(`status.${(numbers ? numbers.status : "begun").replaceAll(" ", "-")}`);
+
+function titleSweep({ title, ended, points }) {
+  const places = { title, count: points.length };
+  byId("title").textContent = ended ? say("title.sweep.ended", places) : say("title.sweep.running", places);
+}
+
+function titleRun(run) {
+  const places = { title: run.title, status: statusOf(run), exact: run.exact?.name };
+  byId("title").textContent = run.exact ? say("title.run.exact", places) : say("title.run", places);
+}
+
+/** A state that the table shows in the place of the end of the run: a name and its numbers. */
+let moment = null;
+
+function setMoment(state) {
+  moment = state;
+  numbers();
+}
 
 function numbers() {
   const shown = runOf(shownRun);
-  if (shown && isSweep(shown)) byId("title").textContent = `${shown.title}: ${shown.ended ? "ended" : "running"}, ${shown.points.length} loads`;
+  if (shown && isSweep(shown)) titleSweep(shown);
   const run = shownOrLatest();
   if (!run) return;
   const before = rival(run);
   const cell = (text, name) => element("td", { "data-number": name }, text);
-  const body = observables.map(({ name, sentence }) => {
-    const values = [run, before].map((r) => figure(r?.numbers?.[name]));
+  const body = observables.map(({ name }) => {
+    const values = [moment || run, run.beside || before].map((it) => figure(it?.numbers?.[name]));
     const theory = run.exact && EXACT[name] ? figure(run.exact[EXACT[name]]) : "";
-    return element("tr", { title: sentence }, element("th", { scope: "row" }, label(name)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
+    return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
   byId("numbers").tBodies[0].replaceChildren(...body);
   const status = run.numbers ? run.numbers.status : "begun";
-  if (!shown || shown === run) byId("title").textContent = `${run.title}: ${status}${run.exact ? `; exact: ${run.exact.name}` : ""}`;
+  if (!shown || shown === run) titleRun(run);
+  byId("this").textContent = moment ? moment.name : say("numbers.this");
+  byId("rival").textContent = say(run.beside ? "numbers.beside" : pinned ? "numbers.pinned" : "numbers.before");
+  byId("beside").setAttribute("aria-pressed", String(Boolean(knobs.beside)));
+  showSectionOf(run);
   warn(run);
   Object.assign(document.body.dataset, { run: run.id, status, ended: run.ended });
 }

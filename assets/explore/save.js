@@ -6,7 +6,7 @@ function offerSaves() {
   const it = current();
   const offer = (id, isThere) => { byId(id).disabled = !isThere; };
   offer("save-rrd", it && it.ended && isKept(it));
-  offer("save-npz", it && it.ended && isKept(it) && !isSweep(it));
+  offer("save-npz", it && it.ended && isKept(it) && !isSweep(it) && !solved);
   offer("save-setup", it && !isSweep(it));
   offer("copy-command", it && !isSweep(it));
   offer("save-picture", it && viewer);
@@ -86,7 +86,7 @@ function savePicture() {
     pixels.drawImage(byId("canvas"), 0, 0);
     if (pixels.getImageData(0, 0, 1, 1).data[3]) picture.toBlob((blob) => saveBlob(blob, `${file_stem}.png`));
     else if (frames) look(frames - 1);
-    else fault("The viewer drew nothing to save: try again, or take a picture of the screen.");
+    else fault(say("fault.picture"));
   }));
   look(PATIENCE);
 }
@@ -95,7 +95,7 @@ async function copyCommand() {
   const { command } = current();
   try {
     await navigator.clipboard.writeText(command);
-    byId("hint").textContent = `Copied: ${command}`;
+    byId("hint").textContent = say("command.copied", { command });
   } catch {
     byId("hint").textContent = command;
   }

@@ -55,12 +55,12 @@ async function startViewer() {
   const focused = document.activeElement;
   const handle = new wasm_bindgen.WebHandle({
     url: isView ? [beside("recording.rrd")] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
-    render_backend: query.get("renderer"), ...(isView && { on_viewer_event: linkStep }),
+    render_backend: query.get("renderer"), on_viewer_event: heardViewer,
     panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
   });
   await handle.start(canvas);
   giveBack(focused);
-  if (isView) byId("viewer-note").hidden = true; else noteViewer("Waiting for the first picture.");
+  if (isView) byId("viewer-note").hidden = true; else noteViewer(say("viewer.waiting"));
   viewer = handle;
   document.body.dataset.viewer = "started";
   runs.slice(-1).forEach(follow);
@@ -93,7 +93,7 @@ const inViewer = (target) => target instanceof Element && byId("viewer").contain
 function guardViewer() {
   if (!viewer || !viewer.has_panicked()) return;
   document.body.dataset.viewer = "failed";
-  noteViewer("The viewer has failed. Reload the page; if it fails again, add ?renderer=webgl to the address.");
+  noteViewer(say("viewer.failed"));
   viewer = null;
 }
 
@@ -121,7 +121,7 @@ function seek(share) {
   viewer.set_time_for_timeline(run.id, timeline(run), step);
   wake();
   byId("scrub").value = 1000 * share;
-  byId("scrub-step").value = `${timeline(run)} ${step}`;
+  byId("scrub-step").value = say(`timeline.${timeline(run)}`, { value: step });
   return true;
 }
 
@@ -143,11 +143,11 @@ function play() {
     playing = requestAnimationFrame(frame);
   };
   playing = requestAnimationFrame(frame);
-  byId("play").textContent = "Pause";
+  byId("play").textContent = say("play.pause");
 }
 
 function stopPlaying() {
   if (playing) cancelAnimationFrame(playing);
   playing = null;
-  byId("play").textContent = "Play";
+  byId("play").textContent = say("play");
 }

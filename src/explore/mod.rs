@@ -11,17 +11,22 @@
 //! downloads. A file of heights that is dropped on the page stays in the memory of the session, and the next one takes its place.
 
 mod description;
+mod export;
 mod facet;
 mod guard;
+mod hand;
 mod height_knobs;
 mod height_name;
 mod knobs;
 mod lesson;
 mod page;
+mod patches;
+mod policy;
 mod reel;
 mod refusal;
 mod report;
 mod route;
+mod section;
 mod server;
 mod session;
 mod sessions;
@@ -33,6 +38,8 @@ mod sweep;
 mod worker;
 
 pub use description::Description;
+pub use export::Export;
+pub use hand::{Held, Hold};
 pub use height_knobs::HeightKnobs;
 pub use knobs::{Knobs, Start};
 pub use lesson::{Curve, Lesson, LessonStep, Question};

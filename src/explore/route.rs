@@ -48,6 +48,7 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/api/heights`    | POST   | takes the bytes of a file of heights, called `?name=`; a [`Description`](super::Description) of it |
 /// |                   | GET    | the latest description, or null                                       |
 /// | `/api/describe`   | POST   | takes [`HeightKnobs`](super::HeightKnobs); the description of that file as they take it |
+/// | `/api/hold`       | POST   | takes a [`Hold`](super::Hold); the contact as a hand holds it, [`Held`](super::Held) |
 /// | `/run/ID.rrd`     | GET    | one of the latest recordings, as it grows                             |
 /// | `/api/runs`       | GET    | what is told of the latest recordings that are complete               |
 /// | `/api/run/ID/NAME`| GET    | a facet of a run that has ended, such as `steps`                      |
@@ -107,7 +108,8 @@ impl Explorer {
 
 /// Paths of a session that are only read, and those that only take orders.
 const GETS: [&str; 5] = ["/api/start", "/api/observables", "/api/state", "/api/runs", "/api/lessons"];
-const POSTS: [&str; 6] = ["/api/solve", "/api/sweep", "/api/cancel", "/api/pin", "/api/describe", "/api/leave"];
+const POSTS: [&str; 7] =
+    ["/api/solve", "/api/sweep", "/api/cancel", "/api/pin", "/api/describe", "/api/hold", "/api/leave"];
 
 /// Carries out an order.
 fn ordered(session: &Session, request: &Request<'_>) -> Reply {
@@ -115,6 +117,7 @@ fn ordered(session: &Session, request: &Request<'_>) -> Reply {
     let done = match request.path {
         "/api/heights" => return answer(session.open(file(request))),
         "/api/describe" => return answer(read(request.body).and_then(|knobs| session.describe(knobs))),
+        "/api/hold" => return answer(read(request.body).and_then(|hold| session.hold(&hold))),
         "/api/solve" => order(Kind::Solve),
         "/api/sweep" => order(Kind::Sweep),
         "/api/cancel" => Ok(session.cancel()),

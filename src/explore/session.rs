@@ -1,6 +1,7 @@
 //! One session: the orders of the page, and all that came of them, in one place.
 
 use super::description::Description;
+use super::hand::{Held, Hold};
 use super::height_knobs::HeightKnobs;
 use super::knobs::Knobs;
 use super::reel::{Ended, Reel, Solved, Told};
@@ -10,7 +11,7 @@ use super::step_numbers::StepNumbers;
 use crate::contact::Contact;
 use crate::record::Ghost;
 use crate::setup::Setup;
-use crate::surface::HeightFile;
+use crate::surface::{Field, HeightFile};
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -25,6 +26,8 @@ pub type Heights = (HeightFile, Description);
 /// The orders of the page, one at a time, and what comes of them; a new order ends the one before.
 pub struct Session {
     state: Mutex<State>,
+    /// The pressure of the contact under the hand, of which there is one at a time, and of that beside it.
+    hand: Mutex<[Option<Field>; 2]>,
     changed: Condvar,
 }
 
@@ -72,10 +75,12 @@ pub struct Order {
     pub kind: Kind,
     pub knobs: Knobs,
     pub setup: Setup,
+    /// The surface that is pressed beside, if there is one.
+    pub beside: Option<Setup>,
 }
 
 /// What is done with a setup.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Kind {
     /// One solve.
     Solve,
@@ -95,23 +100,35 @@ impl Session {
     /// A session with a file of heights, if there is one, whose orders are numbered on from `after`.
     pub(super) fn new(heights: Option<Heights>, after: u64) -> Self {
         let state = State { heights, generation: after, ..State::default() };
-        Self { state: Mutex::new(state), changed: Condvar::new() }
+        Self { state: Mutex::new(state), hand: Mutex::default(), changed: Condvar::new() }
     }
 
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
     /// Knobs that stand for nothing are refused; what runs then goes on.
     pub(super) fn order(&self, kind: Kind, knobs: Knobs) -> Result<u64, Refusal> {
+        let file = self.file_of(&knobs)?;
+        let (setup, beside) = (knobs.setup_with(file.as_ref())?, knobs.beside_with(file.as_ref())?);
+        Ok(self.change(|state| {
+            state.generation += 1;
+            state.order = Some(Order { kind, knobs, setup, beside });
+            state.report.busy = true;
+            state.report.fault = None;
+        }))
+    }
+
+    /// The file of heights that knobs are for, if there is one.
+    fn file_of(&self, knobs: &Knobs) -> Result<Option<HeightFile>, Refusal> {
         let heights = self.lock().heights.clone();
         if let Some((_, description)) = heights.as_ref().filter(|_| knobs.takes_file()) {
             description.check(&knobs.heights)?;
         }
-        let setup = knobs.setup_with(heights.as_ref().map(|(file, _)| file))?;
-        Ok(self.change(|state| {
-            state.generation += 1;
-            state.order = Some(Order { kind, knobs, setup });
-            state.report.busy = true;
-            state.report.fault = None;
-        }))
+        Ok(heights.map(|(file, _)| file))
+    }
+
+    /// Solves the contact under the hand, while what runs goes on.
+    pub(super) fn hold(&self, hold: &Hold) -> Result<Held, Refusal> {
+        let file = self.file_of(hold.knobs())?;
+        hold.solve(file.as_ref(), &mut self.hand.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
     /// Takes a file of heights in the place of the one before, and describes it with the steps that it needs.
@@ -228,17 +245,19 @@ impl Turn<'_> {
         self.session.change(|state| news(&mut state.report));
     }
 
-    /// Keeps the result of a solve, the curves of its recording and the numbers of its steps, and reports it.
-    pub fn finish(self, rank: usize, contact: Contact, curves: Ghost, steps: StepNumbers) {
+    /// Keeps the result of a solve, that of the surface beside, the curves of the recording and the numbers of the steps, and reports it.
+    pub fn finish(self, rank: usize, contact: Contact, beside: Option<Contact>, curves: Ghost, steps: StepNumbers) {
         let numbers = Numbers::of_contact(&contact);
+        let numbers_beside = beside.as_ref().map(Numbers::of_contact);
         self.session.change(|state| {
             let Some(run) = &mut state.report.run else { return };
             run.ended = true;
             run.numbers = Some(numbers);
+            run.beside.iter_mut().for_each(|it| it.numbers = numbers_beside.clone());
             let report = run.clone();
             let id = report.id.clone();
             let curves = Arc::new(curves);
-            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, curves, steps })));
+            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, beside, curves, steps })));
         });
     }
 

@@ -1,0 +1,45 @@
+"use strict";
+// The language of the page, and its sentences, which `texts.js` holds.
+
+const LANGUAGES = Object.keys(TEXTS);
+
+/** The language that the address asks for, or was chosen before, or is the first of the browser's that there is. */
+function wantedLanguage() {
+  const wishes = [new URLSearchParams(location.search).get("language"), localStorage.getItem("language"), ...navigator.languages];
+  return wishes.map((wish) => String(wish).slice(0, 2).toLowerCase()).find((wish) => LANGUAGES.includes(wish)) || "en";
+}
+
+const language = wantedLanguage();
+
+/** The text of a key in the language of the page, with values in its places such as {name}. */
+function say(key, places = {}) {
+  const text = TEXTS[language][key] ?? TEXTS.en[key] ?? key;
+  return text.replace(/\{(\w+)\}/g, (place, name) => Object.hasOwn(places, name) ? places[name] : place);
+}
+
+/** Gives the elements of the page their texts: `data-text` is what they say, `data-tip` what the pointer is told, `data-name` what a
+ * screen reader is. */
+function sayAll() {
+  document.documentElement.lang = language;
+  for (const it of document.querySelectorAll("[data-text]")) it.textContent = say(it.dataset.text);
+  for (const it of document.querySelectorAll("[data-tip]")) it.title = say(it.dataset.tip);
+  for (const it of document.querySelectorAll("[data-name]")) it.ariaLabel = say(it.dataset.name);
+}
+
+/** A page in another language is the same page opened anew: its address holds what one sees. */
+function changeLanguage(wish) {
+  localStorage.setItem("language", wish);
+  const address = new URL(location.href);
+  address.searchParams.delete("language");
+  history.replaceState(null, "", address);
+  location.reload();
+}
+
+function offerLanguages() {
+  const list = document.getElementById("language");
+  list.replaceChildren(...LANGUAGES.map((it) => new Option(TEXTS[it].language, it, false, it === language)));
+  list.addEventListener("change", () => changeLanguage(list.value));
+}
+
+sayAll();
+offerLanguages();
