@@ -61,9 +61,9 @@ function legend(svg, top, curves, width) {
 }
 
 /** The knobs that make the surface of a sweep. */
-function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights }) {
+function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, bumps }) {
   if (body === "file") return JSON.stringify(heights);
-  return JSON.stringify([domain, body, body === "power-law" && exponent, points, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
+  return JSON.stringify([domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
 }
 
 /** Draws the sweep; one of another surface than that of the knobs is grey, and says so. */

@@ -194,6 +194,18 @@ function showPin(id) {
   numbers();
 }
 
+/** Presses the surface of the pinned run, or of the one before, beside this one with the same mean pressure, or takes it away. */
+function putBeside() {
+  const run = shownOrLatest();
+  const other = run && rival(run);
+  if (knobs.beside) delete knobs.beside;
+  else if (other) knobs.beside = besideOf(other.knobs);
+  else fault(say("beside.none"));
+  changed();
+}
+
+const besideOf = ({ beside: _, ...its }) => its;
+
 function showRun(id) {
   stopPlaying();
   shownRun = id;
