@@ -4,6 +4,8 @@
 mod heights;
 #[path = "explore/lessons.rs"]
 mod lessons;
+#[path = "explore/played.rs"]
+mod played;
 #[path = "explore/texts.rs"]
 mod texts;
 
