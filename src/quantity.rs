@@ -3,6 +3,7 @@
 //! Lengths, pressures and forces in scenes are numbers in any consistent set of units or, with the feature `units`, texts
 //! such as `"160 um"`, `"1 GPa"` and `"5 N"`, which are turned into metres, pascals and newtons.
 
+use serde::Deserialize;
 use serde::de::{self, Deserializer, Visitor};
 use std::fmt;
 
@@ -37,6 +38,11 @@ pub fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
 pub fn force<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(Quantity { kind: "a force", example: "\"1 N\" or \"1 N/m\"", parse: units::force })
 }
+
+/// A length among others.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(transparent)]
+pub struct Length(#[serde(deserialize_with = "length")] pub f64);
 
 /// A number of bytes, for reading.
 pub fn bytes_in_words(bytes: f64) -> String {

@@ -160,6 +160,7 @@ function mend(id) {
     if (knobs.cutoff > knobs.points / 2) knobs.cutoff = knobs.points / 8;
   }
   if (knobs.domain === "surface" && knobs.points > 1024) knobs.points = 1024;
+  if (knobs.domain === "surface" || knobs.body === "file") knobs.bumps = [];
   if (knobs.body === "flat" && knobs.roughness === 0) {
     if (id === "roughness") knobs.body = "round"; else knobs.roughness = 0.001;
   }

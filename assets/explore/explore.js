@@ -83,6 +83,8 @@ async function begin() {
   show();
   charts();
   await beginLessons();
+  beginHand();
+  byId("patch-close").addEventListener("click", () => choosePatch(null));
   const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand, "copy-link": copyLink };
   Object.entries(saves).forEach(([id, action]) => byId(id).addEventListener("click", action));
   byId("words").addEventListener("click", () => byId("glossary").showModal());

@@ -56,7 +56,7 @@ function reveal(verdict) {
 
 function showStep(verdict) {
   const { knobs: wanted, text, sweep: sweeps } = lesson.steps[lesson.at];
-  Object.assign(knobs, structuredClone(wanted));
+  knobs = structuredClone(wanted);
   takeTheme();
   show();
   const words = inLanguage(text);

@@ -1,17 +1,22 @@
 "use strict";
-// A step that is picked in an image over steps is the step of everything.
+// What is picked in the viewer: a step in an image over steps is the step of everything, a patch in a picture is shown beside its twin.
 
 /** Images whose columns are steps, their width on the canvas, and their columns at the most: beyond that, columns hold two, four and so
  * on. */
 const OVER_STEPS = /\/(raster(_row|_column)?|error_(pressure|displacement)|energy|lanes)\/image$/;
 const IMAGE = { width: 1000, columns: 1024 };
 
-/** Takes the viewer to the step that was picked, once it is done with telling of it: until then it takes no calls. */
-function linkStep(event) {
-  const { type, recording_id: recording, items } = JSON.parse(event);
-  if (type !== "selection_change") return;
-  const picked = items.find((item) => item.position && OVER_STEPS.test(item.entity_path ?? ""));
-  if (picked) setTimeout(goToPlace, 0, recording, picked.position[0] / IMAGE.width);
+/** Hears what the viewer tells, and does what follows once it is done with telling: until then it takes no calls. */
+function heardViewer(event) {
+  const told = JSON.parse(event);
+  if (told.type === "selection_change") setTimeout(heardSelection, 0, told);
+  if (told.type === "time_update" && !isView) setTimeout(showMoment, 0);
+}
+
+function heardSelection({ recording_id: recording, items }) {
+  const step = items.find((item) => item.position && OVER_STEPS.test(item.entity_path ?? ""));
+  if (step) goToPlace(recording, step.position[0] / IMAGE.width);
+  else if (!isView) heardPick(recording, items);
 }
 
 /** Goes to the step at a share of the width of the images. */

@@ -185,7 +185,6 @@ function showPin(id) {
   pinned = runOf(id) ? id : null;
   byId("pin").setAttribute("aria-pressed", String(pinned !== null));
   byId("pin").textContent = pinned ? say("pin.pinned", { run: pinned }) : say("pin");
-  byId("rival").textContent = pinned ? say("numbers.pinned") : say("numbers.before");
   writeAddress();
   numbers();
 }
@@ -230,6 +229,14 @@ function titleRun(run) {
   byId("title").textContent = run.exact ? say("title.run.exact", places) : say("title.run", places);
 }
 
+/** A state that the table shows in the place of the end of the run: a name and its numbers. */
+let moment = null;
+
+function setMoment(state) {
+  moment = state;
+  numbers();
+}
+
 function numbers() {
   const shown = runOf(shownRun);
   if (shown && isSweep(shown)) titleSweep(shown);
@@ -238,13 +245,17 @@ function numbers() {
   const before = rival(run);
   const cell = (text, name) => element("td", { "data-number": name }, text);
   const body = observables.map(({ name }) => {
-    const values = [run, before].map((r) => figure(r?.numbers?.[name]));
+    const values = [moment || run, run.beside || before].map((it) => figure(it?.numbers?.[name]));
     const theory = run.exact && EXACT[name] ? figure(run.exact[EXACT[name]]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
   byId("numbers").tBodies[0].replaceChildren(...body);
   const status = run.numbers ? run.numbers.status : "begun";
   if (!shown || shown === run) titleRun(run);
+  byId("this").textContent = moment ? moment.name : say("numbers.this");
+  byId("rival").textContent = say(run.beside ? "numbers.beside" : pinned ? "numbers.pinned" : "numbers.before");
+  byId("beside").setAttribute("aria-pressed", String(Boolean(knobs.beside)));
+  showSectionOf(run);
   warn(run);
   judge(run);
   Object.assign(document.body.dataset, { run: run.id, status, ended: run.ended });

@@ -55,7 +55,7 @@ async function startViewer() {
   const focused = document.activeElement;
   const handle = new wasm_bindgen.WebHandle({
     url: isView ? [`${location.origin}/recording.rrd`] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
-    render_backend: query.get("renderer"), ...(isView && { on_viewer_event: linkStep }),
+    render_backend: query.get("renderer"), on_viewer_event: heardViewer,
     panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
   });
   await handle.start(canvas);

@@ -87,15 +87,24 @@ pub struct Patch {
     pub load: f64,
     /// `kappa_r = gbar_r E* area / load` with the gradient of its own nodes.
     pub kappa_r: f64,
+    /// Mean curvature of the surface over its nodes, an inverse length, positive where it bulges towards the solid, see
+    /// [`Surface::curvature`](crate::Surface::curvature).
+    pub curvature: f64,
 }
 
 impl Patch {
     /// The patches of nodes with `pressure > 0` (row by row), the largest first.
     pub fn all(problem: &Problem, pressure: &[f64]) -> Vec<Self> {
+        Self::with_nodes(problem, pressure).into_iter().map(|(patch, _)| patch).collect()
+    }
+
+    /// The same with the nodes of each, as runs along rows, by their numbers on the grid.
+    pub fn with_nodes(problem: &Problem, pressure: &[f64]) -> Vec<(Self, Vec<Range<usize>>)> {
         let (surface, grid) = (problem.surface(), problem.surface().grid());
         let [dy, dx] = grid.spacing();
         let cell = if grid.is_line() { dx } else { dy * dx };
         let square_gradient = surface.square_gradient();
+        let curvature = surface.curvature();
         let measure = |runs: Vec<Range<usize>>| {
             let nodes = || runs.iter().cloned().flatten();
             let count = nodes().count();
@@ -103,10 +112,12 @@ impl Patch {
             let gradient = (nodes().map(&square_gradient).sum::<f64>() / count as f64).sqrt();
             let area = cell * count as f64;
             let peak = nodes().max_by(|&a, &b| pressure[a].total_cmp(&pressure[b])).unwrap_or_default();
-            Self { nodes: count, peak, area, load, kappa_r: gradient * problem.contact_modulus() * area / load }
+            let kappa_r = gradient * problem.contact_modulus() * area / load;
+            let curvature = nodes().map(&curvature).sum::<f64>() / count as f64;
+            (Self { nodes: count, peak, area, load, kappa_r, curvature }, runs)
         };
-        let mut patches: Vec<Self> = members(pressure, grid).into_iter().map(measure).collect();
-        patches.sort_by_key(|patch| std::cmp::Reverse(patch.nodes));
+        let mut patches: Vec<_> = members(pressure, grid).into_iter().map(measure).collect();
+        patches.sort_by_key(|(patch, _)| std::cmp::Reverse(patch.nodes));
         patches
     }
 }

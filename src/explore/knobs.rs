@@ -5,7 +5,7 @@ use super::refusal::Refusal;
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
 use crate::setup::{Cell, LayerModulus, Method, Part, Recipe, Record, Setup, Solid, Theme};
-use crate::surface::{HeightFile, Indenter, Spectrum};
+use crate::surface::{Bump, Bumps, HeightFile, Indenter, Spectrum};
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 
@@ -18,6 +18,8 @@ const RADIUS: f64 = 100.0 * CELL;
 const AMPLITUDE: f64 = 1e-3 * CELL;
 /// The most steps of one solve.
 const MOST_STEPS: usize = 100_000;
+/// The most bumps of a line.
+const MOST_BUMPS: usize = 32;
 /// Poisson's ratio of a layer.
 const LAYER_POISSON: f64 = 0.3;
 /// Loads that the slider spans.
@@ -56,9 +58,16 @@ pub struct Knobs {
     /// Ground of the pictures; dark where the page says nothing.
     #[serde(default)]
     theme: Theme,
+    /// Bumps on a line: where they are, their heights and widths, over the length of the cell.
+    #[serde(default)]
+    bumps: Vec<[f64; 3]>,
     /// How the file of heights is taken, where it is the body: its points and lengths take the place of those above.
     #[serde(default)]
     pub(super) heights: HeightKnobs,
+    /// The knobs of a second surface, which is pressed beside the first with the same mean pressure: of these knobs only those of the surface
+    /// count.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    beside: Option<Box<Knobs>>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -126,7 +135,9 @@ impl Start {
             stop: Stop::new(1e-8, 20_000).expect("both are positive"),
             record: vec![Part::Traces, Part::Profile, Part::Mesh, Part::Fields, Part::Mask],
             theme: Theme::Dark,
+            bumps: Vec::new(),
             heights: HeightKnobs::default(),
+            beside: None,
         }
     }
 }
@@ -173,6 +184,26 @@ impl Knobs {
         Ok(setup)
     }
 
+    /// The setup of the surface beside, if there is one, under the load of the knobs: a solve presses it as hard as the first one.
+    ///
+    /// # Errors
+    /// The errors of [`Knobs::setup`], for a line beside a surface, and for a surface that has another one beside it.
+    pub fn beside_with(&self, file: Option<&HeightFile>) -> Result<Option<Setup>, Refusal> {
+        let Some(beside) = &self.beside else { return Ok(None) };
+        let refuse = |sentence: &str| Err(Refusal(sentence.into()));
+        if beside.beside.is_some() {
+            return refuse("a surface beside another one has none beside it: leave out the inner \"beside\"");
+        }
+        let Self { load, hardness, layer, solver, stop, record, theme, .. } = self.clone();
+        let other = Self { load, hardness, layer, solver, stop, record, theme, ..Self::clone(beside) };
+        let (first, second) = (self.setup_with(file)?, other.setup_with(file)?);
+        let is_line = |setup: &Setup| Ok::<_, Refusal>(setup.surface.grid(&setup.grid)?.is_line());
+        if is_line(&first)? != is_line(&second)? {
+            return refuse("a line cannot be pressed beside a surface: choose two lines or two surfaces");
+        }
+        Ok(Some(second))
+    }
+
     /// The surface and its cell.
     fn surface(&self, file: Option<&HeightFile>) -> Result<(Recipe, Cell), Refusal> {
         if self.body == Body::File {
@@ -181,7 +212,8 @@ impl Knobs {
         }
         let spectrum = self.spectrum();
         let seed = spectrum.map(|_| self.seed.into());
-        let recipe = Recipe { indenter: self.indenter(), spectrum, seed, ..Recipe::default() };
+        let bumps = Bumps(self.bumps.iter().map(|it| Bump::of(it.map(|share| share * CELL))).collect());
+        let recipe = Recipe { indenter: self.indenter(), spectrum, seed, bumps, ..Recipe::default() };
         Ok(match self.domain {
             Domain::Line => (recipe, Cell::line(self.points, CELL)),
             Domain::Surface => (recipe, Cell::surface([self.points; 2], [CELL; 2])),
@@ -210,6 +242,8 @@ impl Knobs {
             format!("{} steps are too many here: give at most {MOST_STEPS}", self.stop.max_iterations())
         } else if !REDUCED_PRESSURES.contains(&self.load) {
             format!("the load p* is {:?}: give {low:e} to {high:e}", self.load)
+        } else if self.bumps.len() > MOST_BUMPS {
+            format!("{} bumps are too many here: give at most {MOST_BUMPS}", self.bumps.len())
         } else if self.body == Body::Flat && self.roughness == 0.0 {
             "a flat without roughness touches everywhere: raise the roughness or choose another body".into()
         } else {

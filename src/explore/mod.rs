@@ -12,16 +12,19 @@
 
 mod description;
 mod guard;
+mod hand;
 mod height_knobs;
 mod height_name;
 mod knobs;
 mod lesson;
 mod page;
+mod patches;
 mod question;
 mod reel;
 mod refusal;
 mod report;
 mod route;
+mod section;
 mod server;
 mod session;
 mod site;
@@ -32,6 +35,7 @@ mod words;
 mod worker;
 
 pub use description::Description;
+pub use hand::{Held, Hold};
 pub use height_knobs::HeightKnobs;
 pub use knobs::{Knobs, Start};
 pub use lesson::{Lesson, LessonStep};

@@ -28,7 +28,7 @@ const TEXTS: &str = concat!(
 );
 
 /// The files of the page: path, kind and text.
-const FILES: [(&str, &str, &str); 15] = [
+const FILES: &[(&str, &str, &str)] = &[
     file!("explore.css", "text/css; charset=utf-8"),
     file!("favicon.svg", "image/svg+xml"),
     file!("address.js", SCRIPT),
@@ -36,9 +36,12 @@ const FILES: [(&str, &str, &str); 15] = [
     file!("controls.js", SCRIPT),
     file!("explore.js", SCRIPT),
     file!("guess.js", SCRIPT),
+    file!("hand.js", SCRIPT),
     file!("heights.js", SCRIPT),
     file!("lessons.js", SCRIPT),
     file!("link.js", SCRIPT),
+    file!("pick.js", SCRIPT),
+    file!("picture.js", SCRIPT),
     file!("runs.js", SCRIPT),
     file!("save.js", SCRIPT),
     file!("say.js", SCRIPT),

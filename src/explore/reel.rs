@@ -31,6 +31,8 @@ pub struct Solved {
     /// Axes of its arrays.
     pub rank: usize,
     pub contact: Contact,
+    /// The contact of the surface beside, if there is one.
+    pub beside: Option<Contact>,
     /// Curves of the recording, to stand beside those of others.
     pub curves: Arc<Ghost>,
 }

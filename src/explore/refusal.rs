@@ -1,6 +1,6 @@
 //! What the page may not have.
 
-use crate::error::{FileError, SetupError, SurfaceError};
+use crate::error::{FileError, ProblemError, SetupError, SurfaceError};
 
 /// An order that stands for nothing, in one sentence.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -15,6 +15,12 @@ impl From<SetupError> for Refusal {
 
 impl From<FileError> for Refusal {
     fn from(error: FileError) -> Self {
+        Self(error.to_string())
+    }
+}
+
+impl From<ProblemError> for Refusal {
+    fn from(error: ProblemError) -> Self {
         Self(error.to_string())
     }
 }

@@ -42,6 +42,16 @@ pub struct RunReport {
     /// Numbers of its latest state.
     pub numbers: Option<Numbers>,
     pub exact: Option<ExactNumbers>,
+    /// The surface beside, under the same mean pressure.
+    pub beside: Option<Beside>,
+}
+
+/// What is told of the surface beside.
+#[derive(Clone, Serialize)]
+pub struct Beside {
+    pub title: String,
+    /// Numbers of its contact, once it is solved.
+    pub numbers: Option<Numbers>,
 }
 
 /// Name, without ending, of the files of a run: surface, load or `sweep`, and solver, as in `rough-line_p0.1_multilevel`.

@@ -39,6 +39,7 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/api/heights`    | POST   | takes the bytes of a file of heights, called `?name=`; a [`Description`](super::Description) of it |
 /// |                   | GET    | the latest description, or null                                       |
 /// | `/api/describe`   | POST   | takes [`HeightKnobs`](super::HeightKnobs); the description of that file as they take it |
+/// | `/api/hold`       | POST   | takes a [`Hold`](super::Hold); the contact as a hand holds it, [`Held`](super::Held) |
 /// | `/run/ID.rrd`     | GET    | one of the latest recordings, as it grows                             |
 /// | `/api/runs`       | GET    | what is told of the latest recordings that are complete               |
 /// | `/save/ID.rrd`    | GET    | one of the latest recordings, once it is complete, to save            |
@@ -64,6 +65,7 @@ impl Explorer {
         let done = match request.path {
             "/api/heights" => return answer(self.session.open(file(request))),
             "/api/describe" => return answer(read(request.body).and_then(|knobs| self.session.describe(knobs))),
+            "/api/hold" => return answer(read(request.body).and_then(|hold| self.session.hold(&hold))),
             "/api/solve" => order(Kind::Solve),
             "/api/sweep" => order(Kind::Sweep),
             "/api/cancel" => Ok(self.session.cancel()),
@@ -82,8 +84,28 @@ impl Explorer {
             "/api/state" => self.state(request.query),
             "/api/runs" => Reply::json(&self.session.told()),
             "/api/heights" => Reply::json(&self.session.description()),
-            "/api/solve" | "/api/sweep" | "/api/cancel" | "/api/pin" | "/api/describe" => Reply::wrong_method("POST"),
-            path => self.page.file(path).or_else(|| self.reel(path)).unwrap_or_else(|| Reply::missing(path)),
+            "/api/solve" | "/api/sweep" | "/api/cancel" | "/api/pin" | "/api/describe" | "/api/hold" => {
+                Reply::wrong_method("POST")
+            }
+            path => self
+                .page
+                .file(path)
+                .or_else(|| self.facet(path))
+                .or_else(|| self.reel(path))
+                .unwrap_or_else(|| Reply::missing(path)),
+        }
+    }
+
+    fn facet(&self, path: &str) -> Option<Reply> {
+        let (id, name) = path.strip_prefix("/api/run/")?.split_once('/')?;
+        let solved = self.session.reel(id)?.solved()?;
+        match name {
+            "section" => Some(Reply::json(&super::section::Section::of(&solved.contact, true))),
+            "beside" => {
+                Some(Reply::json(&solved.beside.as_ref().map(|it| super::section::Section::of(it, true))))
+            }
+            "patches" => Some(Reply::json(&super::patches::PatchTable::of(&solved.contact))),
+            _ => None,
         }
     }
 

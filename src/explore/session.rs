@@ -1,6 +1,7 @@
 //! One session: the orders of the page, and all that came of them, in one place.
 
 use super::description::Description;
+use super::hand::{Held, Hold};
 use super::height_knobs::HeightKnobs;
 use super::knobs::Knobs;
 use super::reel::{Ended, Reel, Solved, Told};
@@ -9,7 +10,7 @@ use super::report::{Numbers, Report, SweepReport};
 use crate::contact::Contact;
 use crate::record::Ghost;
 use crate::setup::Setup;
-use crate::surface::HeightFile;
+use crate::surface::{Field, HeightFile};
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -22,6 +23,8 @@ const RECORDINGS: usize = 6;
 #[derive(Default)]
 pub struct Session {
     state: Mutex<State>,
+    /// The pressure of the contact under the hand, of which there is one at a time, and of that beside it.
+    hand: Mutex<[Option<Field>; 2]>,
     changed: Condvar,
 }
 
@@ -70,6 +73,8 @@ pub struct Order {
     pub kind: Kind,
     pub knobs: Knobs,
     pub setup: Setup,
+    /// The surface that is pressed beside, if there is one.
+    pub beside: Option<Setup>,
 }
 
 /// What is done with a setup.
@@ -93,17 +98,29 @@ impl Session {
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
     /// Knobs that stand for nothing are refused; what runs then goes on.
     pub(super) fn order(&self, kind: Kind, knobs: Knobs) -> Result<u64, Refusal> {
+        let file = self.file_of(&knobs)?;
+        let (setup, beside) = (knobs.setup_with(file.as_ref())?, knobs.beside_with(file.as_ref())?);
+        Ok(self.change(|state| {
+            state.generation += 1;
+            state.order = Some(Order { kind, knobs, setup, beside });
+            state.report.busy = true;
+            state.report.fault = None;
+        }))
+    }
+
+    /// The file of heights that knobs are for, if there is one.
+    fn file_of(&self, knobs: &Knobs) -> Result<Option<HeightFile>, Refusal> {
         let heights = self.lock().heights.clone();
         if let Some((_, description)) = heights.as_ref().filter(|_| knobs.takes_file()) {
             description.check(&knobs.heights)?;
         }
-        let setup = knobs.setup_with(heights.as_ref().map(|(file, _)| file))?;
-        Ok(self.change(|state| {
-            state.generation += 1;
-            state.order = Some(Order { kind, knobs, setup });
-            state.report.busy = true;
-            state.report.fault = None;
-        }))
+        Ok(heights.map(|(file, _)| file))
+    }
+
+    /// Solves the contact under the hand, while what runs goes on.
+    pub(super) fn hold(&self, hold: &Hold) -> Result<Held, Refusal> {
+        let file = self.file_of(hold.knobs())?;
+        hold.solve(file.as_ref(), &mut self.hand.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
     /// Takes a file of heights in the place of the one before, and describes it with the steps that it needs.
@@ -221,15 +238,17 @@ impl Turn<'_> {
     }
 
     /// Keeps the result of a solve and the curves of its recording, and reports it.
-    pub fn finish(self, rank: usize, contact: Contact, curves: Ghost) {
+    pub fn finish(self, rank: usize, contact: Contact, beside: Option<Contact>, curves: Ghost) {
         let numbers = Numbers::of_contact(&contact);
+        let numbers_beside = beside.as_ref().map(Numbers::of_contact);
         self.session.change(|state| {
             let Some(run) = &mut state.report.run else { return };
             run.ended = true;
             run.numbers = Some(numbers);
+            run.beside.iter_mut().for_each(|it| it.numbers = numbers_beside.clone());
             let report = run.clone();
             let id = report.id.clone();
-            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, curves: Arc::new(curves) })));
+            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, beside, curves: Arc::new(curves) })));
         });
     }
 

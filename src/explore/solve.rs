@@ -2,9 +2,9 @@
 
 use super::knobs::Knobs;
 use super::reel::Reel;
-use super::report::{ExactNumbers, Numbers, RunReport, file_stem};
+use super::report::{Beside, ExactNumbers, Numbers, RunReport, file_stem};
 use super::session::Turn;
-use crate::contact::{Failure, Observer, Step, Wish};
+use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
 use crate::error::{SetupError, SolveError};
 use crate::record::{Ghost, Options, Recording, Scene};
 use crate::setup::{Setup, command};
@@ -15,9 +15,10 @@ use std::time::{Duration, Instant};
 /// Time between two reports of a running solve.
 const INTERVAL: Duration = Duration::from_millis(60);
 
-/// Solves the setup that the knobs stand for, until it is done or the turn over.
-pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
+/// Solves the setup that the knobs stand for, and the one beside it under the same mean pressure, until all is done or the turn over.
+pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) -> Result<(), Failure> {
     let problem = setup.problem()?;
+    let beside = beside.map(|beside| pressed_alike(beside, &problem)).transpose()?;
     let rank = setup.surface.rank(&setup.grid)?;
     let scene = Scene::of(&setup, &problem);
     let title = format!("{}, p* = {}", scene.title, knobs.load);
@@ -33,23 +34,38 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
         ended: false,
         numbers: None,
         exact: scene.exact.as_ref().map(ExactNumbers::from),
+        beside: beside.as_ref().map(|(setup, problem)| Beside { title: Scene::of(setup, problem).title, numbers: None }),
     };
     let id = report.id.clone();
     let file_stem = report.file_stem.clone();
     let options = Options { ghost: turn.ghost(), ..Options::from(&setup.record) };
-    let (recording, live) = Recording::live(&id, &[Scene { title, ..scene }], options)?;
+    let name = "beside".into();
+    let other = beside.as_ref().map(|(setup, problem)| Scene { name, ..Scene::of(setup, problem) });
+    let scenes: Vec<Scene<'_>> = [Scene { title, ..scene }].into_iter().chain(other).collect();
+    let (recording, live) = Recording::live(&id, &scenes, options)?;
     turn.keep(Reel::new(&id, &file_stem, live));
     turn.tell(|news| news.run = Some(report));
     let mut curves = Ghost::new(&format!("pinned {id}"));
-    let watch = Watch { turn, reported: Instant::now() };
+    let mut watch = Watch { turn, reported: Instant::now() };
     let solver = setup.solver.solver();
-    let contact = solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), &mut curves, watch))?;
+    let contact = solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), &mut curves, &mut watch))?;
+    let other = match &beside {
+        Some((setup, problem)) => Some(solver.solve(problem, &setup.stop, &mut (recording.recorder(1), watch))?),
+        None => None,
+    };
     recording.finish()?;
-    if let Some(failure) = contact.failure {
+    if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
     }
-    turn.finish(rank, contact, curves);
+    turn.finish(rank, contact, other, curves);
     Ok(())
+}
+
+/// A setup under the mean pressure of a problem, and the problem that it stands for.
+pub fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Failure> {
+    let setup = Setup { load: Load::MeanPressure(other.expected_mean_pressure()), ..setup };
+    let problem = setup.problem()?;
+    Ok((setup, problem))
 }
 
 /// What each step of the preparation came to.

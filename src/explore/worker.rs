@@ -17,9 +17,9 @@ impl Session {
 
 /// Carries out one order after the other.
 fn work(session: &Session) {
-    while let Some((turn, Order { kind, knobs, setup })) = session.next() {
+    while let Some((turn, Order { kind, knobs, setup, beside })) = session.next() {
         let done = catch_unwind(AssertUnwindSafe(|| match kind {
-            Kind::Solve => solve::run(turn, knobs, setup),
+            Kind::Solve => solve::run(turn, knobs, setup, beside),
             Kind::Sweep => sweep::run(turn, knobs, setup),
         }));
         turn.end(match done {

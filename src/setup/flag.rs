@@ -67,6 +67,7 @@ pub const FLAGS: &[Flag] = &[
     flag("short-cutoff", "surface.spectrum.short-cutoff", Value::One, "LAMBDA", "Wavelength below which the spectrum is zero"),
     flag("rms-gradient", "surface.spectrum.rms-gradient", Value::One, "G", "Root-mean-square gradient of the roughness, made exact for the realisation"),
     flag("seed", "surface.seed", Value::One, "SEED", "Seed of the realisation [default: 1]"),
+    flag("bumps", "surface.bumps", Value::List, "X,H,W[,...]", "Bumps on a line, three lengths for each: where it is, its height (a hollow has a negative one) and its width"),
     flag("points", "grid.points", Value::List, "N[,N]", "Points along the array's axes, in their order: one makes a line, two a surface; of roughness auto or auto,auto"),
     flag("size", "grid.size", Value::List, "L[,L]", "Lengths of the cell along the array's axes, in their order; one value serves all axes; not needed where a height file says its own"),
     flag("refine", "grid.refine", Value::One, "N", "Points for each point of the file (interpolated) or of --points, along each axis; auto: until area and kappa_r settle"),

@@ -4,7 +4,9 @@ use super::Cell;
 use crate::error::{SetupError, SurfaceError};
 use crate::grid::Grid;
 use crate::quantity::some_length;
-use crate::surface::{Choice, HeightFile, Indenter, Layout, Preparation, Prepared, Resample, Scan, Spectrum, Surface};
+use crate::surface::{
+    Bumps, Choice, HeightFile, Indenter, Layout, Preparation, Prepared, Resample, Scan, Spectrum, Surface,
+};
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// The recipe of a surface: a height file, an indenter, self-affine roughness, or the sum of those that are given.
@@ -37,6 +39,9 @@ pub struct Recipe {
     /// The realisation of the roughness; 1 if none is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
+    /// Bumps and hollows on a line, added to what else there is.
+    #[serde(skip_serializing_if = "Bumps::is_empty")]
+    pub bumps: Bumps,
 }
 
 impl Recipe {
@@ -52,12 +57,12 @@ impl Recipe {
 
     /// The indenter, where nothing else is added to it.
     pub fn smooth(&self) -> Option<Indenter> {
-        self.indenter.filter(|_| !self.is_measured() && self.spectrum.is_none())
+        self.indenter.filter(|_| !self.is_measured() && self.spectrum.is_none() && self.bumps.is_empty())
     }
 
     /// Whether the surface is random, and so all the same everywhere.
     pub fn is_random(&self) -> bool {
-        self.spectrum.is_some() && !self.is_measured() && self.indenter.is_none()
+        self.spectrum.is_some() && !self.is_measured() && self.indenter.is_none() && self.bumps.is_empty()
     }
 
     /// Whether heights of a file are part of it.
@@ -151,7 +156,7 @@ impl Recipe {
     /// # Errors
     /// For no surface at all, a preparation without a height file, and an indenter or a spectrum that cannot be on this grid.
     pub fn check(&self, grid: &Grid) -> Result<(), SetupError> {
-        if !self.is_measured() && self.indenter.is_none() && self.spectrum.is_none() {
+        if !self.is_measured() && self.indenter.is_none() && self.spectrum.is_none() && self.bumps.is_empty() {
             return Err(SetupError::NoSurface);
         }
         self.check_files()?;
@@ -163,6 +168,7 @@ impl Recipe {
         }
         self.indenter.map_or(Ok(()), |indenter| indenter.check(grid))?;
         self.spectrum.map_or(Ok(()), |spectrum| spectrum.validate(grid))?;
+        self.some_bumps().map_or(Ok(()), |bumps| bumps.check(grid))?;
         Ok(())
     }
 
@@ -207,7 +213,8 @@ impl Recipe {
         let measured = self.files().map(|file| self.measured(file, grid)).collect::<Result<Vec<_>, _>>()?;
         let smooth = self.indenter.map(|indenter| indenter.surface(grid)).transpose()?;
         let rough = self.spectrum.map(|spectrum| Surface::rough(grid, &spectrum, self.seed())).transpose()?;
-        let sum = measured.into_iter().chain(smooth).chain(rough).reduce(|sum, part| sum.plus(&part));
+        let bumps = self.some_bumps().map(|bumps| bumps.surface(grid)).transpose()?;
+        let sum = measured.into_iter().chain(smooth).chain(rough).chain(bumps).reduce(|sum, part| sum.plus(&part));
         sum.ok_or(SetupError::NoSurface)
     }
 
@@ -221,6 +228,10 @@ impl Recipe {
         let height = Surface::new(grid.with_shape(shape)?, scan.height)?;
         let refined = height.refined((grid.shape()[1] / shape[1]).max(1))?;
         if *refined.grid() == grid { Ok(refined) } else { Ok(Surface::new(grid, refined.heights_as_given())?) }
+    }
+
+    fn some_bumps(&self) -> Option<&Bumps> {
+        (!self.bumps.is_empty()).then_some(&self.bumps)
     }
 
     /// The realisation of the roughness.
@@ -260,7 +271,11 @@ impl Recipe {
             )
         });
         let files = [file, against].into_iter().flatten().reduce(|one, other| format!("{one}, {other}"));
-        [files, smooth, rough].into_iter().flatten().collect::<Vec<_>>().join(", with ")
+        let bumps = self.some_bumps().map(|bumps| match bumps.0.len() {
+            1 => "a bump".into(),
+            count => format!("{count} bumps"),
+        });
+        [files, smooth, rough, bumps].into_iter().flatten().collect::<Vec<_>>().join(", with ")
     }
 }
 

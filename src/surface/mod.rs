@@ -1,5 +1,6 @@
 //! Rigid surfaces: heights on a grid, peaks towards the solid positive.
 
+mod bumps;
 mod formats;
 mod indenter;
 mod preparation;
@@ -10,6 +11,7 @@ mod spectrum;
 mod survey;
 mod synthesis;
 
+pub use bumps::{Bump, Bumps};
 pub(crate) use formats::read_text;
 pub use formats::{
     HeightFile, Layout, Measurement, has_field, read_field, read_fields, read_fields_shape, read_heights, read_shape,
@@ -167,6 +169,23 @@ impl Surface {
             let along_x = slope(x, nx, 1, y * nx, round_x) * per_dx;
             let along_y = if ny == 1 { 0.0 } else { slope(y, ny, nx, x, round_y) * per_dy };
             along_x.powi(2) + along_y.powi(2)
+        }
+    }
+
+    /// Local mean curvature as a function of the node, counted row by row: `-h''` of a line and half of `-(h_xx + h_yy)` of a surface, by
+    /// second differences, so that a cylinder and a sphere of radius `R` have `1/R`. At a free rim it is 0 across the rim. The function
+    /// panics where there is no node.
+    pub fn curvature(&self) -> impl Fn(usize) -> f64 + Sync {
+        let (h, grid) = (self.heights(), self.grid);
+        let [per_yy, per_xx] = grid.spacing().map(|spacing| spacing.powi(-2));
+        let share = if grid.is_line() { 1.0 } else { 0.5 };
+        let bend = move |node: usize, [one, other]: [usize; 2]| match one != node && other != node {
+            true => 2.0 * h[node] - h[one] - h[other],
+            false => 0.0,
+        };
+        move |node| {
+            let [right, left, below, above] = grid.neighbours(node);
+            share * (bend(node, [left, right]) * per_xx + bend(node, [above, below]) * per_yy)
         }
     }
 

@@ -1,0 +1,217 @@
+"use strict";
+// The hand: it presses the rigid surface onto the solid, and drags points of its profile.
+
+/** The least gap that a hand leaves, over the highest peak: at none everything touches. */
+const CLOSEST = 0.02;
+/** Standard deviation of a bump over the length of the cell, the most of them, and how near to the profile a hand takes it, in pixels. */
+const BUMP = { width: 0.015, most: 32, near: 14 };
+/** Pixels beyond which a press is no click. */
+const STILL = 4;
+
+/** What the hand holds: where it began, the state then, and the gap or the bump since. */
+let grip = null;
+let holding = false;
+let wantedHold = null;
+const heldTimes = [];
+
+/** Asks for the contact under the hand; while one request is under way, only the latest wish waits. */
+async function hold(wish) {
+  wantedHold = wish;
+  if (holding) return;
+  holding = true;
+  while (wantedHold) {
+    const asked = performance.now();
+    const order = wantedHold;
+    wantedHold = null;
+    await post("/api/hold", order).then(
+      (held) => { heldTimes.push(performance.now() - asked); document.body.dataset.held = heldTimes.length; showHeld(held, order); },
+      (error) => fault(error.message));
+  }
+  holding = false;
+}
+
+function showHeld({ section: held, numbers: told }, order) {
+  fault("");
+  if (!grip) return;
+  if (order["mean-gap"] !== null) knobs.load = Number(Math.min(1e3, Math.max(1e-5, told.reduced_pressure)).toPrecision(4));
+  show();
+  setMoment({ name: "hand", numbers: told });
+  showSection(held, true);
+}
+
+/** What there is to solve for the hand: the gap that it holds, or the load of the knobs. */
+const held = () => ({ knobs, "mean-gap": grip?.gap ?? null, "is-deep": isDeep() });
+
+/** Whether the stress below is shown in the picture. */
+const isDeep = () => byId("fringes").checked;
+
+/** Whether points of the profile can be dragged: those of lines that the knobs make. */
+const canBend = () => knobs.domain === "line" && knobs.body !== "file";
+
+function takeGrip(kind, event) {
+  if (!section) return;
+  const at = frame(byId("section"));
+  grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, moved: 0, perHeight: at.perHeight };
+  stopPlaying();
+}
+
+/** Moves the rigid surface, or the point that is held, by pixels upwards from where it was taken. */
+function moveGrip(up) {
+  grip.moved = Math.max(grip.moved, Math.abs(up));
+  const by = up / grip.perHeight;
+  if (grip.kind === "press") press(grip.begun + by); else bend(grip.bump, grip.height + by / section.length);
+}
+
+/** Presses to a mean gap. Where nothing touches there is nothing to solve. */
+function press(gap) {
+  grip.gap = Math.max(CLOSEST * section.highest, gap);
+  if (grip.gap >= section.highest * (1 - 1e-6)) lift(grip.gap); else hold(held());
+}
+
+/** Shows the rigid surface above a solid that it does not touch. */
+function lift(gap) {
+  wantedHold = null;
+  const by = gap - section.mean_gap;
+  const flat = section.solid.map(() => 0);
+  const rigid = section.rigid.map((height) => height + by);
+  knobs.load = 1e-5;
+  show();
+  showSection({ ...section, rigid, solid: flat, pressure: flat, mean_gap: gap, shear: null }, true);
+}
+
+/** Gives a bump its height, over the length of the cell; the rigid surface points down. */
+function bend(bump, height) {
+  if (knobs.bumps[bump]) knobs.bumps[bump][1] = Number((-height).toPrecision(4));
+  hold(held());
+}
+
+/** The bump at a share of the length: the nearest one, or a new one. */
+function bumpAt(share) {
+  const near = knobs.bumps.findIndex(([x]) => Math.abs(x - share) < BUMP.width);
+  if (near >= 0) return near;
+  if (knobs.bumps.length >= BUMP.most) return knobs.bumps.length - 1;
+  return knobs.bumps.push([Number(share.toPrecision(4)), 0, BUMP.width]) - 1;
+}
+
+function takePoint(share, event) {
+  takeGrip("bend", event);
+  grip.bump = bumpAt(share);
+  grip.height = -knobs.bumps[grip.bump][1];
+}
+
+/** Lets go: what the hand found is solved as a run, and recorded. */
+function letGo() {
+  if (!grip) return;
+  grip = null;
+  wantedHold = null;
+  knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
+  setMoment(null);
+  changed();
+}
+
+/** Takes off all bumps. */
+function unbend() {
+  knobs.bumps = [];
+  changed();
+}
+
+/** The share of the length, and the height of the profile in pixels, below a pointer. */
+function under(event) {
+  const canvas = byId("section");
+  const box = canvas.getBoundingClientRect();
+  const share = Math.min(1 - 1e-9, Math.max(0, (event.clientX - box.x) / box.width));
+  const profile = frame(canvas).y(section.rigid[Math.floor(share * section.rigid.length)]);
+  return { share, y: event.clientY - box.y, profile };
+}
+
+function pointerDown(event) {
+  if (!section || event.button) return;
+  event.preventDefault();
+  byId("section").setPointerCapture(event.pointerId);
+  const { share, y, profile } = under(event);
+  if (canBend() && Math.abs(y - profile) < BUMP.near) takePoint(share, event);
+  else takeGrip("press", event);
+}
+
+function pointerMove(event) {
+  if (!section) return;
+  if (grip) { if (Math.abs(event.clientY - grip.y) > STILL || grip.moved > STILL) moveGrip(grip.y - event.clientY); return; }
+  const { y, profile } = under(event);
+  byId("section").style.cursor = canBend() && Math.abs(y - profile) < BUMP.near ? "grab" : "ns-resize";
+}
+
+/** A press without a movement picks the patch below it. */
+function pointerUp(event) {
+  const isClick = grip && grip.moved <= STILL;
+  if (isClick) {
+    grip = null;
+    knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
+    pickAt(under(event).share);
+  } else letGo();
+}
+
+/** The keys of the two handles, in steps over the height of the picture. */
+const STEPS = { ArrowUp: 0.02, ArrowDown: -0.02, PageUp: 0.1, PageDown: -0.1 };
+
+function handleKey(event, kind) {
+  const sideways = { ArrowLeft: -0.01, ArrowRight: 0.01 }[event.key];
+  if (kind === "bend" && sideways) { moveHandle(handle + sideways); event.preventDefault(); return; }
+  const by = STEPS[event.key];
+  if (!by || !section) return;
+  event.preventDefault();
+  event.stopPropagation();
+  if (!grip) { if (kind === "bend") takePoint(handle); else takeGrip("press"); grip.steps = 0; }
+  grip.steps += by;
+  moveGrip(grip.steps * byId("section").getBoundingClientRect().height * BANDS.relief);
+}
+
+/** Where the handle of the profile stands, as a share of the length. */
+let handle = 0.5;
+
+function moveHandle(share) {
+  handle = Math.min(1, Math.max(0, Number(share.toFixed(3))));
+  placeHandles();
+}
+
+/** Puts the handles to where rigid surface and profile stand. */
+function placeHandles() {
+  if (!section) return;
+  const at = frame(byId("section"));
+  const profile = section.rigid[Math.min(section.rigid.length - 1, Math.floor(handle * section.rigid.length))];
+  const mean = section.mean_gap + section.solid.reduce((sum, it) => sum + it, 0) / section.solid.length;
+  const clip = (y) => `${Math.min(at.ground, Math.max(at.top, y))}px`;
+  byId("press").style.top = clip(at.y(mean));
+  Object.assign(byId("bend").style, { left: `${100 * handle}%`, top: clip(at.y(profile)) });
+  byId("bend").hidden = !canBend();
+  byId("unbend").hidden = !knobs.bumps.length;
+  byId("press").setAttribute("aria-valuenow", figure(section.mean_gap / section.highest, 3));
+  byId("press").setAttribute("aria-valuetext", `mean gap ${figure(section.mean_gap / section.highest, 3)} of the highest peak, p* ${figure(knobs.load, 4)}`);
+  byId("bend").setAttribute("aria-valuenow", figure(handle, 3));
+  byId("bend").setAttribute("aria-valuetext", `at ${figure(handle, 3)} of the length`);
+}
+
+function beginHand() {
+  const canvas = byId("section");
+  canvas.addEventListener("pointerdown", pointerDown);
+  canvas.addEventListener("pointermove", pointerMove);
+  canvas.addEventListener("pointerup", pointerUp);
+  canvas.addEventListener("pointercancel", letGo);
+  for (const kind of ["press", "bend"]) {
+    const made = byId(kind);
+    made.addEventListener("keydown", (event) => handleKey(event, kind));
+    made.addEventListener("keyup", (event) => { if (STEPS[event.key]) letGo(); });
+    made.addEventListener("blur", letGo);
+    made.addEventListener("pointerdown", (event) => {
+      event.preventDefault();
+      made.setPointerCapture(event.pointerId);
+      made.focus();
+      if (kind === "bend") takePoint(handle, event); else takeGrip("press", event);
+    });
+    made.addEventListener("pointermove", (event) => { if (grip) moveGrip(grip.y - event.clientY); });
+    made.addEventListener("pointerup", letGo);
+    made.addEventListener("pointercancel", letGo);
+  }
+  byId("unbend").addEventListener("click", unbend);
+  byId("fringes").addEventListener("change", () => showSectionOf(shownOrLatest()));
+  new ResizeObserver(() => { drawSection(); placeHandles(); drawPatch(); }).observe(canvas);
+}

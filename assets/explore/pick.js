@@ -1,0 +1,147 @@
+"use strict";
+// Picking: a patch of a contact, a step of a curve, a load of a sweep.
+
+/** Sections and patches of runs that have ended, by their names. */
+const facets = new Map();
+
+/** A facet of a run, asked for once. */
+function facet(run, name) {
+  const key = `${run.id}/${name}`;
+  if (!facets.has(key)) facets.set(key, get(`/api/run/${key}`));
+  for (const old of [...facets.keys()].slice(0, -3 * KEEP)) facets.delete(old);
+  return facets.get(key);
+}
+
+const get = async (path) => (await fetch(path)).json();
+
+/** Shows in the table where the viewer stands in the run that it shows. */
+function showMoment() {
+  document.body.dataset.moment = viewer ? viewer.get_time_for_timeline(shownRun, "step") : "";
+}
+
+let sectionRun = null;
+
+/** Shows the section of a run that has ended, unless a hand holds another. */
+async function showSectionOf(run) {
+  if (!run || !run.ended || isSweep(run)) return;
+  if (sectionRun !== run.id) choosePatch(null);
+  sectionRun = run.id;
+  const its = await facet(run, "section").catch((error) => fault(error.message));
+  if (!its || grip || sectionRun !== run.id) return;
+  showSection(isDeep() ? its : { ...its, shear: null });
+  document.body.dataset.section = run.id;
+}
+
+/** The patch that is chosen, with its number, or none. */
+let chosen = null;
+
+function choosePatch(patch) {
+  chosen = patch;
+  byId("patch").hidden = !patch;
+  drawSection();
+  drawPatch();
+  document.body.dataset.patch = patch ? patch.number : "none";
+}
+
+/** Chooses the patch at a share of the length of the section, or the nearest one. */
+async function pickAt(share) {
+  const run = runOf(sectionRun);
+  if (!run) return;
+  const table = await facet(run, "patches");
+  const [rows, columns] = table.shape;
+  const row = section.y === null ? 0 : Math.min(rows - 1, Math.floor(section.y / table.size[0] * rows));
+  pickNear(table, row, Math.floor(share * columns));
+}
+
+/** Chooses the patch whose part of the map is nearest to a place. */
+function pickNear(table, row, column) {
+  const [, columns] = table.shape;
+  let best = [Infinity, 0];
+  table.map.forEach((number, i) => {
+    if (!number) return;
+    const away = Math.hypot(Math.floor(i / columns) - row, i % columns - column);
+    if (away < best[0]) best = [away, number];
+  });
+  choosePatch(best[1] ? { number: best[1], size: table.size, ...table.patches[best[1] - 1] } : null);
+}
+
+/** Pixels of the longer side of an image of a surface, the width of the canvas of a line, and the length of a relief. */
+const VIEW = { image: 512, line: 1000, relief: 10 };
+
+/** Chooses the patch that was picked in the viewer, in a profile, an image or a relief. */
+async function heardPick(recording, items) {
+  const run = runOf(recording);
+  const item = items.find((it) => it.position && !it.entity_path?.startsWith("/beside"));
+  if (!run || !item || isSweep(run) || !run.ended) return;
+  const table = await facet(run, "patches");
+  const share = item.entity_path.includes("/relief/") ? onRelief(item.position, table) : onImage(item.position, table);
+  pickNear(table, ...share.map((it, axis) => Math.floor(it * table.shape[axis])));
+}
+
+function onRelief([x, y], { size }) {
+  const longest = Math.max(...size);
+  return [y, x].map((at, axis) => at * longest / (VIEW.relief * size[axis]) + 0.5);
+}
+
+function onImage([x, y], { grid }) {
+  if (grid[0] === 1) return [0, x / VIEW.line];
+  const scale = Math.min(1, VIEW.image / Math.max(...grid));
+  return [y, x].map((at, axis) => at / (grid[axis] * scale));
+}
+
+/** Marks the chosen patch in the section. */
+function paintChosen(to, at, colour) {
+  const middle = chosen.place[1] / section.length;
+  const half = Math.max(2, at.w * patchWidth() / section.length / 2);
+  to.strokeStyle = colour.green;
+  to.lineWidth = 1.5;
+  to.strokeRect(at.x(middle) - half - 2, 1, 2 * half + 4, at.h - 2);
+}
+
+/** How wide the chosen patch is, of a surface as wide as a circle of its area. */
+const patchWidth = () => section.y === null ? chosen.area : 2 * Math.sqrt(chosen.area / Math.PI);
+
+/** Draws the chosen patch beside its Hertz twin: pressures above, profiles below. */
+function drawPatch() {
+  if (!chosen) return;
+  const { twin, profile } = chosen;
+  const rows = [["width", patchWidth(), twin && 2 * twin.half_width], ["area", chosen.area, twin?.area], ["load, share", chosen.share, twin && chosen.share],
+    ["p max / E*", chosen.max_pressure, twin?.max_pressure], ["κ_r", chosen.kappa_r, twin?.kappa_r], ["curvature", chosen.curvature, twin && chosen.curvature]];
+  byId("patch-name").textContent = `Patch ${chosen.number}, ${chosen.nodes} nodes`;
+  byId("patch-numbers").tBodies[0].replaceChildren(...rows.map(([name, its, of]) =>
+    element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, figure(its, 3)), element("td", {}, figure(of, 3)))));
+  byId("patch-note").textContent = twin ? "" : "Hollow: no parabola has this curvature.";
+  if (profile) drawTwin(profile, twin); else byId("patch-picture").replaceChildren();
+}
+
+function drawTwin({ x, height, pressure }, twin) {
+  const box = byId("patch-picture").getBoundingClientRect();
+  const [w, h] = [Math.max(120, box.width), Math.max(80, box.height)];
+  const [first, last] = [x[0], x.at(-1)];
+  const half = twin ? twin.half_width : 0;
+  const ellipse = (at) => twin.max_pressure * Math.sqrt(Math.max(0, 1 - (at / half) ** 2));
+  const most = Math.max(...pressure, twin ? twin.max_pressure : 0);
+  const [low, high] = [Math.min(...height), Math.max(...height, 1e-30)];
+  const px = (at) => (at - first) / (last - first) * w;
+  const above = (p) => h * 0.55 - p / most * h * 0.5;
+  const below = (z) => h - (z - low) / (high - low || 1) * h * 0.4;
+  const path = (values, y) => values.map((value, i) => `${px(x[i]).toFixed(1)},${y(value).toFixed(1)}`).join(" ");
+  const svg = drawn("svg", { viewBox: `0 0 ${w} ${h}`, role: "img", "aria-label": "Pressure and profile of the patch, and dashed those of its Hertz twin" });
+  svg.append(drawn("polyline", { class: "second", points: path(pressure, above) }), drawn("polyline", { class: "computed", points: path(height, (z) => below(high + low - z)) }));
+  if (twin) {
+    const middle = weightedMiddle(x, pressure);
+    svg.append(drawn("polyline", { class: "exact", points: path(x.map((at) => ellipse(at - middle)), above) }));
+    const top = highestNear(x, height, middle);
+    svg.append(drawn("polyline", { class: "exact", points: path(x.map((at) => Math.max(low, top - 0.5 * chosen.curvature * (at - middle) ** 2)), (z) => below(high + low - z)) }));
+  }
+  byId("patch-picture").replaceChildren(svg);
+}
+
+/** Where the middle of a pressure is. */
+function weightedMiddle(x, pressure) {
+  const sum = pressure.reduce((all, p) => all + p, 0);
+  return sum ? x.reduce((all, at, i) => all + at * pressure[i], 0) / sum : 0;
+}
+
+/** The height at the point that is nearest to a place. */
+const highestNear = (x, height, place) => height[x.reduce((best, at, i) => Math.abs(at - place) < Math.abs(x[best] - place) ? i : best, 0)];

@@ -1,0 +1,74 @@
+//! A contact under the hand: solved at once from the one before, and not recorded.
+
+use super::knobs::Knobs;
+use super::refusal::Refusal;
+use super::report::Numbers;
+use super::section::Section;
+use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
+use crate::setup::Setup;
+use crate::surface::{Field, HeightFile};
+use serde::{Deserialize, Serialize};
+
+/// The finest certificate that a contact under the hand is solved to, and its most steps.
+const TOLERANCE: f64 = 1e-6;
+const MOST_STEPS: usize = 2000;
+
+/// Where a hand holds the rigid surface.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Hold {
+    /// The state of the knobs.
+    knobs: Knobs,
+    /// The mean gap, a length; without it the load of the knobs.
+    mean_gap: Option<f64>,
+    /// Whether the stress below is asked for.
+    is_deep: bool,
+}
+
+/// The contact under the hand.
+#[derive(Serialize)]
+pub struct Held {
+    section: Section,
+    /// The surface beside, under the same mean pressure.
+    beside: Option<Section>,
+    numbers: Numbers,
+}
+
+impl Hold {
+    /// Whether a file of heights is held.
+    pub(super) fn knobs(&self) -> &Knobs {
+        &self.knobs
+    }
+
+    /// Solves, from the pressures before, of this surface and of the one beside, if they are on the same grid: the new ones then take their
+    /// places.
+    ///
+    /// # Errors
+    /// A sentence on knobs that stand for nothing, and on a gap at which nothing or everything touches.
+    pub(super) fn solve(&self, file: Option<&HeightFile>, before: &mut [Option<Field>; 2]) -> Result<Held, Refusal> {
+        let setup = self.knobs.setup_with(file)?;
+        let mut problem = setup.problem()?;
+        if let Some(mean_gap) = self.mean_gap {
+            problem = problem.with_load(Load::MeanGap(mean_gap))?;
+        }
+        let [first, second] = before;
+        let contact = solve(&problem, &setup, first)?;
+        let beside = self.knobs.beside_with(file)?.map(|beside| {
+            let problem = beside.problem()?.with_load(Load::MeanPressure(contact.mean_pressure()))?;
+            Ok::<_, Refusal>(Section::of(&solve(&problem, &beside, second)?, self.is_deep))
+        });
+        let section = Section::of(&contact, self.is_deep);
+        Ok(Held { section, beside: beside.transpose()?, numbers: Numbers::of_contact(&contact) })
+    }
+}
+
+/// The contact of a problem, from the pressure before if it is on the same grid.
+fn solve(problem: &Problem, setup: &Setup, before: &mut Option<Field>) -> Result<Contact, Refusal> {
+    let stop = Stop::new(setup.stop.tolerance().max(TOLERANCE), MOST_STEPS).map_err(|it| Refusal(it.to_string()))?;
+    let shape = problem.surface().grid().shape();
+    let start = before.take().filter(|field| field.dim() == shape.into());
+    let solved = Multilevel.solve_from(start.as_ref(), problem, &stop, &mut ());
+    let contact = solved.map_err(|fault| Refusal(fault.to_string()))?;
+    *before = Some(contact.pressure.clone());
+    Ok(contact)
+}

@@ -1,0 +1,110 @@
+//! The section through a contact that the page draws by itself.
+
+use crate::contact::Contact;
+use ndarray::ArrayView1;
+use serde::Serialize;
+use std::ops::Range;
+
+/// The most columns of a section, and of the picture of the stress below it.
+const COLUMNS: usize = 1024;
+const STRESS_COLUMNS: usize = 512;
+/// Rows of the picture of the stress, and its depth over the length of the section.
+const STRESS_ROWS: usize = 48;
+const DEPTH: f64 = 0.1;
+/// Poisson's ratio of the solid, on which the largest shear stress hardly depends.
+const POISSON: f64 = 0.3;
+
+/// A contact along a line, or along the row of a surface in which the pressure is largest: what a column holds is where the gap in it is
+/// smallest, so that no contact is left out. Lengths in metres, pressures over the contact modulus.
+#[derive(Clone, Serialize)]
+pub struct Section {
+    /// Length of the section.
+    pub length: f64,
+    /// Where the row is, from the first one on; none of a line.
+    pub y: Option<f64>,
+    /// The rigid surface where it stands, above the mean of the solid's surface.
+    pub rigid: Vec<f32>,
+    /// The solid's surface.
+    pub solid: Vec<f32>,
+    /// Pressure.
+    pub pressure: Vec<f32>,
+    /// Mean gap.
+    pub mean_gap: f64,
+    /// The highest peak above the mean of the rigid surface: a larger mean gap than that is no contact.
+    pub highest: f64,
+    /// The largest shear stress below, where it is known and was asked for.
+    pub shear: Option<Shear>,
+}
+
+/// The largest shear stress in a solid below a section.
+#[derive(Clone, Serialize)]
+pub struct Shear {
+    /// How deep its last row is.
+    pub depth: f64,
+    /// Columns of a row.
+    pub columns: usize,
+    /// Its values over the contact modulus, row by row from the surface on.
+    pub values: Vec<f32>,
+}
+
+impl Section {
+    /// The section of a contact, with the stress below if `is_deep`.
+    pub fn of(contact: &Contact, is_deep: bool) -> Self {
+        let (problem, row) = (&contact.problem, contact.highest_row());
+        let grid = problem.surface().grid();
+        let (pressure, gap, solid) = (contact.pressure.row(row), contact.gap.row(row), contact.displacement.row(row));
+        let lowest = |nodes: Range<usize>| {
+            let closer = |&a: &usize, &b: &usize| gap[a].total_cmp(&gap[b]).then(pressure[b].total_cmp(&pressure[a]));
+            nodes.min_by(closer).unwrap_or_default()
+        };
+        let nodes: Vec<usize> = columns(grid.shape()[1], COLUMNS).map(lowest).collect();
+        let modulus = problem.contact_modulus();
+        let of = |value: &dyn Fn(usize) -> f64| nodes.iter().map(|&node| value(node) as f32).collect();
+        Self {
+            length: grid.size()[1],
+            y: (!grid.is_line()).then(|| row as f64 * grid.spacing()[0]),
+            rigid: of(&|node| gap[node] + solid[node]),
+            solid: of(&|node| solid[node]),
+            pressure: of(&|node| pressure[node] / modulus),
+            mean_gap: contact.mean_gap(),
+            highest: problem.highest(),
+            shear: is_deep.then(|| Shear::below(contact, row)).flatten(),
+        }
+    }
+}
+
+impl Shear {
+    /// The stress below a row of a contact; none where it is not known.
+    fn below(contact: &Contact, row: usize) -> Option<Self> {
+        let grid = contact.problem.surface().grid();
+        let depth = DEPTH * grid.size()[1];
+        let depths: Vec<f64> = (0..STRESS_ROWS).map(|i| depth * i as f64 / (STRESS_ROWS - 1) as f64).collect();
+        let stress = contact.stress(row, POISSON, &depths).ok()?.tau_max();
+        let ranges: Vec<Range<usize>> = columns(grid.shape()[1], STRESS_COLUMNS).collect();
+        let modulus = contact.problem.contact_modulus();
+        let highest = |values: ArrayView1<'_, f64>, nodes: &Range<usize>| {
+            nodes.clone().map(|node| values[node] / modulus).fold(0.0, f64::max) as f32
+        };
+        let values = stress.rows().into_iter().flat_map(|row| ranges.iter().map(move |nodes| highest(row, nodes)));
+        Some(Self { depth, columns: ranges.len(), values: values.collect() })
+    }
+}
+
+/// Nodes in at most `most` columns of about the same width.
+pub(super) fn columns(nodes: usize, most: usize) -> impl Iterator<Item = Range<usize>> {
+    let count = nodes.min(most);
+    (0..count).map(move |i| i * nodes / count..(i + 1) * nodes / count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_hold_every_node_once() {
+        for (nodes, most) in [(5, 8), (1000, 7), (4096, 1024)] {
+            let held: Vec<usize> = columns(nodes, most).flatten().collect();
+            assert_eq!(held, (0..nodes).collect::<Vec<_>>());
+        }
+    }
+}
