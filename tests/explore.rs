@@ -1,11 +1,15 @@
 //! The explorer, asked as a browser would ask it.
 
+#[path = "explore/export.rs"]
+mod export;
 #[path = "explore/facets.rs"]
 mod facets;
 #[path = "explore/heights.rs"]
 mod heights;
 #[path = "explore/lessons.rs"]
 mod lessons;
+#[path = "explore/played.rs"]
+mod played;
 #[path = "explore/sessions.rs"]
 mod sessions;
 #[path = "explore/texts.rs"]

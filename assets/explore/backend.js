@@ -31,13 +31,13 @@ const post = async (path, body) => solved ? orderBeforehand(path, body) : answer
 const postFile = async (path, file) => solved ? orderBeforehand(path) : answered(fetch(below(`api/${path}`), sent(file, "application/octet-stream")));
 
 /** The address of a file beside the page. */
-const beside = (path) => new URL(path, document.baseURI).href;
+const nextTo = (path) => new URL(path, document.baseURI).href;
 
 /** The address of the recording of a run, from which the viewer reads as it grows. */
-const recordingAddress = (run) => beside(below(`run/${run.id}.rrd`, run.session));
+const recordingAddress = (run) => nextTo(below(`run/${run.id}.rrd`, run.session));
 
 /** The address under which something of a run is saved, by its ending. */
-const savingAddress = (run, ending) => beside(below(`${solved ? "run" : "save"}/${run.id}.${ending}`, run.session));
+const savingAddress = (run, ending) => nextTo(below(`${solved ? "run" : "save"}/${run.id}.${ending}`, run.session));
 
 /** Whether the server still has what belongs to a run: it lost the runs of sessions before. */
 const isKept = (run) => run.session === session;

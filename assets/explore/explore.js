@@ -72,7 +72,8 @@ async function begin() {
   if (isView) { byId("title").textContent = say("title.recording"); return; }
   await joinSession();
   const before = await ask("state");
-  observables = [...await ask("observables"), SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
+  known = await ask("observables");
+  observables = [...known, SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
   knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("start");
   const isPainted = knobs.theme === document.documentElement.dataset.theme;
   takeTheme();
@@ -98,9 +99,11 @@ async function begin() {
   window.addEventListener("resize", charts);
   if (before.run || before.sweep) heard(before);
   listen();
-  if (await openAddress()) return;
-  if (!before.run && description) { knobs.body = "file"; takeDescription(description); }
-  else if (!before.run || !isPainted) changed();
+  window.addEventListener("hashchange", () => openAddress(async () => {}));
+  await openAddress(async () => {
+    if (!before.run && description) { knobs.body = "file"; takeDescription(description); }
+    else if (!before.run || !isPainted) await changed();
+  });
 }
 
 begin();

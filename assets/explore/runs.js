@@ -225,7 +225,8 @@ function figure(value, digits = 5) {
   return size < 1e-3 || size >= 1e6 ? value.toExponential(Math.max(0, digits - 3)) : String(Number(value.toPrecision(digits)));
 }
 
-/** The observables that the server knows: those that change step by step are shown, and these. */
+/** The observables that the server knows, and those that are shown: those that change step by step, and these. */
+let known = [];
 let observables = [];
 const SHOWN = ["kappa_r_error", "iterations", "transforms", "seconds"];
 /** The exact values that stand beside resolved observables. */
@@ -273,5 +274,6 @@ function numbers() {
   byId("beside").setAttribute("aria-pressed", String(Boolean(knobs.beside)));
   showSectionOf(run);
   warn(run);
+  judge(run);
   Object.assign(document.body.dataset, { run: run.id, status, ended: run.ended });
 }

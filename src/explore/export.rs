@@ -107,7 +107,7 @@ impl Export {
 
 /// The runs of a step: all states that can be turned to, and the sweep if the load is swept.
 fn of_step(step: &LessonStep) -> Vec<Wanted> {
-    let states = [step.knobs.clone()].into_iter().map(|knobs| (Kind::Solve, knobs));
+    let states = step.states().into_iter().map(|knobs| (Kind::Solve, knobs));
     states.chain(step.sweep.then(|| (Kind::Sweep, step.knobs.clone()))).collect()
 }
 

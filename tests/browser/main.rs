@@ -5,6 +5,7 @@
 #![cfg(unix)]
 
 mod chromium;
+mod course;
 mod downloads;
 mod explorer;
 mod eyes;
