@@ -6,7 +6,7 @@ const LONGEST = 16384;
 
 /** What one sees. */
 function seen() {
-  if (lesson) return { lesson: lesson.title, step: lesson.at + 1 };
+  if (lesson) return { lesson: lesson.name, step: lesson.at + 1 };
   const kept = pinned && runOf(pinned);
   return kept && !isSweep(kept) ? { knobs, pinned: kept.knobs } : { knobs };
 }
@@ -44,28 +44,29 @@ function wished() {
   return wish;
 }
 
-/** Carries out what the address says, and returns whether there was anything; the server refuses knobs that stand for nothing. */
-async function openAddress() {
+/** Carries out what the address says, and returns whether there was anything; the server refuses knobs that stand for nothing. What is
+ * shown instead of an address that is refused takes its sentence off, so that is said after it. */
+async function openAddress(instead) {
   try {
     const wish = wished();
     if (wish && words(wish) !== words(seen())) await carryOut(wish);
-    return wish !== null;
+    if (wish === null) await instead();
   } catch (error) {
+    await instead();
     fault(say("fault.address", { reason: error.message }));
-    return false;
   } finally {
     isOpened = true;
   }
 }
 
-async function carryOut({ lesson: title, step: place, knobs: wanted, pinned: kept }) {
-  if (title !== undefined) return openLessonAt(title, place);
+async function carryOut({ lesson: name, step: place, knobs: wanted, pinned: kept }) {
+  if (name !== undefined) return openLessonAt(name, place);
   if (kept) {
-    const { revision } = await post("/api/solve", painted(kept));
+    const { revision } = await post("solve", painted(kept));
     await ended(revision);
     await setPin(report.run.id);
   }
-  await post("/api/solve", painted(wanted));
+  await post("solve", painted(wanted));
   knobs = painted(wanted);
   show();
 }
@@ -86,10 +87,10 @@ async function ended(revision) {
 }
 
 /** Opens a lesson at one of its steps, without asking what was asked before it. */
-async function openLessonAt(title, place) {
-  const opened = lessons.find((it) => it.title === title);
-  if (!opened) throw new Error(say("address.lesson", { title: JSON.stringify(title) }));
+async function openLessonAt(name, place) {
+  const opened = lessons.find((it) => it.name === name);
+  if (!opened) throw new Error(say("address.lesson", { name: JSON.stringify(name) }));
   if (!Number.isInteger(place) || place < 1 || place > opened.steps.length) throw new Error(say("address.step", { place: JSON.stringify(place) }));
-  byId("lesson").value = title;
-  await openLesson(title, place - 1);
+  byId("lesson").value = name;
+  await openLesson(name, place - 1);
 }

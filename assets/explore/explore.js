@@ -67,18 +67,19 @@ async function begin() {
   window.addEventListener("keydown", key, true);
   startViewer().catch((error) => {
     document.body.dataset.viewer = "failed";
-    noteViewer(say("viewer.unstarted", { reason: error }));
+    noteViewer(location.protocol === "file:" ? say("viewer.disk") : say("viewer.unstarted", { reason: error }));
   });
   if (isView) { byId("title").textContent = say("title.recording"); return; }
-  const ask = async (path) => (await fetch(path)).json();
-  const before = await ask("/api/state");
-  observables = [...await ask("/api/observables"), SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
-  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("/api/start");
+  await joinSession();
+  const before = await ask("state");
+  known = await ask("observables");
+  observables = [...known, SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
+  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("start");
   const isPainted = knobs.theme === document.documentElement.dataset.theme;
   takeTheme();
-  remember(await ask("/api/runs"));
+  remember(await ask("runs"));
   build();
-  description = await ask("/api/heights");
+  description = await ask("heights");
   show();
   charts();
   await beginLessons();
@@ -99,9 +100,11 @@ async function begin() {
   window.addEventListener("resize", charts);
   if (before.run || before.sweep) heard(before);
   listen();
-  if (await openAddress()) return;
-  if (!before.run && description) { knobs.body = "file"; takeDescription(description); }
-  else if (!before.run || !isPainted) changed();
+  window.addEventListener("hashchange", () => openAddress(async () => {}));
+  await openAddress(async () => {
+    if (!before.run && description) { knobs.body = "file"; takeDescription(description); }
+    else if (!before.run || !isPainted) await changed();
+  });
 }
 
 begin();

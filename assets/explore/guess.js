@@ -14,30 +14,42 @@ function dropGuess() {
 }
 
 /** Puts a question on the page, and calls with what there is to say of the answer. */
-function poseQuestion(it, done) {
-  byId("lesson-question").textContent = it.question;
+function pose(it, done) {
+  byId("lesson-question").textContent = inLanguage(it.question);
   const answers = { choose, number: askNumber, draw: askCurve }[it.kind](it, done);
   byId("lesson-answers").replaceChildren(...answers);
 }
 
 function choose({ choices, right }, done) {
-  return choices.map((choice, i) => {
+  const texts = choices.map(inLanguage);
+  return texts.map((choice, i) => {
     const made = element("button", { type: "button", class: "answer", id: `answer-${i + 1}` }, choice);
-    made.addEventListener("click", () => done(i + 1 === right ? say("guess.yes", { choice }) : say("guess.no", { choice, answer: choices[right - 1] })));
+    made.addEventListener("click", () => done(i + 1 === right ? say("guess.yes", { choice }) : say("guess.no", { choice, answer: texts[right - 1] })));
     return made;
   });
 }
 
 function askNumber({ of }, done) {
-  const symbol = observables.find(({ name }) => name === of)?.symbol ?? of;
+  const symbol = nameOf(of);
   const field = element("input", { type: "number", step: "any", "aria-label": symbol, id: "guess-number" });
   const made = element("button", { type: "button", class: "answer", id: "answer-1" }, say("guess.show"));
   made.addEventListener("click", () => {
     if (!Number.isFinite(field.valueAsNumber)) return field.focus();
-    guess = { of, value: field.valueAsNumber };
-    done(say("guess.number", { symbol, value: field.value }));
+    guess = { of, said: say("guess.number", { symbol, value: field.value }) };
+    done(guess.said);
   });
   return [element("label", { for: "guess-number" }, `${symbol} = `), field, made];
+}
+
+/** The name of a number: that of its row in the table, or else its symbol. */
+function nameOf(of) {
+  return observables.some(({ name }) => name === of) ? say(`number.${of}`) : known.find(({ name }) => name === of)?.symbol ?? of;
+}
+
+/** Says what a number that was guessed is, once the run of the step has ended. */
+function judge(run) {
+  if (!guess?.of || !run.ended || !byId("lesson-verdict") || words(run.knobs) !== words(knobs)) return;
+  byId("lesson-verdict").textContent = `${guess.said} ${say("guess.told", { value: figure(run.numbers?.[guess.of]) })}`;
 }
 
 /** A slider for each load, which together are the curve; it is drawn in its chart while they are moved. */

@@ -8,20 +8,20 @@ let lesson = null;
 let suspended = null;
 
 async function beginLessons() {
-  lessons = await (await fetch("/api/lessons")).json();
-  byId("lesson").append(element("option", { value: "" }, say("lesson.none")), ...lessons.map(({ title }) => element("option", { value: title }, title)));
+  lessons = await ask("lessons");
+  byId("lesson").append(element("option", { value: "" }, say("lesson.none")), ...lessons.map(({ name, title }) => element("option", { value: name }, inLanguage(title))));
   byId("lesson").addEventListener("change", () => openLesson(byId("lesson").value));
   byId("lesson-back").addEventListener("click", () => step(-1));
   byId("lesson-next").addEventListener("click", () => step(1));
   byId("lesson-close").addEventListener("click", () => { byId("lesson").value = ""; openLesson(""); });
 }
 
-async function openLesson(title, at = 0) {
+async function openLesson(name, at = 0) {
   if (!lesson) {
     suspended = pinned;
     await setPin(null);
   }
-  const opened = lessons.find((it) => it.title === title);
+  const opened = lessons.find((it) => it.name === name);
   lesson = opened ? { ...opened, at, answered: new Set() } : null;
   byId("lesson-card").hidden = !lesson;
   dropGuess();
@@ -40,7 +40,7 @@ function showLesson() {
   document.body.dataset.asked = Boolean(isAsked);
   byId("lesson-ask").hidden = !isAsked;
   byId("lesson-text").hidden = isAsked;
-  if (isAsked) poseQuestion(steps[at].ask, reveal); else showStep();
+  if (isAsked) pose(steps[at].ask, reveal); else showStep();
   writeAddress();
 }
 
@@ -56,11 +56,11 @@ function reveal(verdict) {
 
 function showStep(verdict) {
   const { knobs: wanted, text, sweep: sweeps } = lesson.steps[lesson.at];
-  Object.assign(knobs, structuredClone(wanted));
+  knobs = structuredClone(wanted);
   takeTheme();
   show();
-  const words = verdict ? [element("strong", {}, verdict), ` ${text}`] : [text];
-  byId("lesson-text").replaceChildren(...words);
+  const words = inLanguage(text);
+  byId("lesson-text").replaceChildren(...(verdict ? [element("strong", { id: "lesson-verdict" }, verdict), ` ${words}`] : [words]));
   if (sweeps) sweep(); else changed();
 }
 

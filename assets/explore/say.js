@@ -17,6 +17,11 @@ function say(key, places = {}) {
   return text.replace(/\{(\w+)\}/g, (place, name) => Object.hasOwn(places, name) ? places[name] : place);
 }
 
+/** What a lesson says in the language of the page, else in English, else in any. */
+function inLanguage(words) {
+  return typeof words === "string" ? words : words[language] ?? words.en ?? Object.values(words)[0];
+}
+
 /** Gives the elements of the page their texts: `data-text` is what they say, `data-tip` what the pointer is told, `data-name` what a
  * screen reader is. */
 function sayAll() {

@@ -1,10 +1,13 @@
 //! Lessons: what the page shows step by step, and what it asks before.
 
 use super::knobs::{Knobs, Start};
+use super::question::Question;
 use super::refusal::Refusal;
-use crate::contact::OBSERVABLES;
+use super::words::Words;
 use crate::error::FileError;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -12,19 +15,29 @@ use toml::Spanned;
 /// The most lessons of a folder, and the longest one.
 const MOST_LESSONS: usize = 64;
 const MOST_BYTES: u64 = 1 << 18;
+/// The most states that a class may turn to from one step.
+const MOST_STATES: usize = 64;
 
 /// The lessons that the page has of its own: names and texts.
-const LESSONS: [(&str, &str); 3] = [
+const LESSONS: [(&str, &str); 6] = [
     ("hertz-and-rough.toml", include_str!("../../assets/lessons/hertz-and-rough.toml")),
-    ("below.toml", include_str!("../../assets/lessons/below.toml")),
+    ("kappa-r.toml", include_str!("../../assets/lessons/kappa-r.toml")),
+    ("counting.toml", include_str!("../../assets/lessons/counting.toml")),
+    ("coating.toml", include_str!("../../assets/lessons/coating.toml")),
+    ("yield.toml", include_str!("../../assets/lessons/yield.toml")),
     ("crawl.toml", include_str!("../../assets/lessons/crawl.toml")),
 ];
+
+/// Values that a class may turn knobs to, by the names of the knobs.
+type Turns = BTreeMap<String, Vec<Value>>;
 
 /// A lesson.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Lesson {
+    /// Its name in links: that of its file, without the ending.
+    pub name: String,
     /// Its name in the list.
-    pub title: String,
+    pub title: Words,
     /// Its steps, one at least.
     pub steps: Vec<LessonStep>,
 }
@@ -33,72 +46,37 @@ pub struct Lesson {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LessonStep {
     /// What there is to see, told with the answer where something is asked.
-    pub text: String,
+    pub text: Words,
     /// The state of the knobs.
     pub knobs: Knobs,
+    /// What else a class may turn knobs to from there.
+    turn: Turns,
     /// Whether the load is swept.
     pub sweep: bool,
     /// What is asked before anything is shown.
     pub ask: Option<Question>,
 }
 
-/// A question to which one answers by a guess.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
-pub enum Question {
-    /// One of some answers.
-    Choose {
-        /// The question.
-        question: String,
-        /// The answers.
-        choices: Vec<String>,
-        /// Which of them is right, from 1 on.
-        right: usize,
-    },
-    /// A number that the run will tell.
-    Number {
-        /// The question.
-        question: String,
-        /// The observable that answers it, such as `kappa_r_resolved`.
-        of: String,
-    },
-    /// A curve against the load, which a sweep will draw beside the guess.
-    Draw {
-        /// The question.
-        question: String,
-        /// Which curve.
-        curve: Curve,
-    },
-}
-
-/// A curve of a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Curve {
-    /// The relative area.
-    Area,
-    /// The area-load factor.
-    Kappa,
-    /// The area-load factor with the rms gradient of the actual contact.
-    KappaR,
-}
-
-/// A lesson as it is written: the knobs of a step are laid over those of the lesson, and these over those that the page starts with.
+/// A lesson as it is written: the knobs of a step are laid over those of the lesson, and these over those that the page starts with; what a class may turn to goes the same way.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct Draft {
-    title: String,
+    title: Words,
     #[serde(default)]
     knobs: toml::Table,
+    #[serde(default)]
+    turn: Turns,
     step: Vec<Spanned<DraftStep>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct DraftStep {
-    text: String,
+    text: Words,
     #[serde(default)]
     knobs: toml::Table,
+    #[serde(default)]
+    turn: Turns,
     #[serde(default)]
     sweep: bool,
     ask: Option<Question>,
@@ -151,51 +129,84 @@ impl Lesson {
             Refusal(format!("{name}, line {line}: {}", reason.lines().collect::<Vec<_>>().join(" ")))
         };
         let draft: Draft = toml::from_str(text).map_err(|error| at(error.span(), error.message()))?;
+        draft.title.check().map_err(|Refusal(reason)| at(None, &format!("title: {reason}")))?;
         if draft.step.is_empty() {
             return Err(at(None, "the lesson has no steps: give one at least, as [[step]]"));
         }
         let step = |step: Spanned<DraftStep>| {
             let span = step.span();
-            LessonStep::of(&draft.knobs, step.into_inner()).map_err(|Refusal(reason)| at(Some(span), &reason))
+            LessonStep::of(&draft.knobs, &draft.turn, step.into_inner())
+                .map_err(|Refusal(reason)| at(Some(span), &reason))
         };
         let steps = draft.step.into_iter().map(step).collect::<Result<_, _>>()?;
-        Ok(Self { title: draft.title, steps })
+        let stem = Path::new(name).file_stem().map_or_else(|| name.into(), |stem| stem.to_string_lossy());
+        Ok(Self { name: stem.into_owned(), title: draft.title, steps })
     }
 }
 
 impl LessonStep {
-    fn of(common: &toml::Table, draft: DraftStep) -> Result<Self, Refusal> {
-        let DraftStep { text, knobs, sweep, ask } = draft;
-        let wrong = |error: serde_json::Error| Refusal(format!("knobs: {error}"));
+    fn of(common: &toml::Table, turns: &Turns, draft: DraftStep) -> Result<Self, Refusal> {
+        let DraftStep { text, knobs, turn, sweep, ask } = draft;
         let mut values = serde_json::to_value(Start::RoughLine.knobs()).map_err(wrong)?;
         for (key, value) in common.iter().chain(&knobs) {
             values[key] = serde_json::to_value(value).map_err(wrong)?;
         }
         let knobs: Knobs = serde_json::from_value(values).map_err(wrong)?;
         knobs.setup()?;
+        text.check()?;
         ask.iter().try_for_each(|ask| ask.check(sweep))?;
-        Ok(Self { text, knobs, sweep, ask })
+        let turn: Turns = turns.clone().into_iter().chain(turn).collect();
+        turned(&knobs, &turn)?.iter().try_for_each(|knobs| knobs.setup().map(|_| ()).map_err(of_turn))?;
+        Ok(Self { text, knobs, turn, sweep, ask })
+    }
+
+    /// All states of the knobs that a class may turn to from this step: its own first, then every choice of one of the values of each knob
+    /// that may be turned, its own among them.
+    pub fn states(&self) -> Vec<Knobs> {
+        turned(&self.knobs, &self.turn).unwrap_or_else(|_| vec![self.knobs.clone()])
     }
 }
 
-impl Question {
-    /// Refuses a question that has no answer.
-    fn check(&self, sweeps: bool) -> Result<(), Refusal> {
-        let refuse = |sentence: String| Err(Refusal(sentence));
-        match self {
-            Self::Choose { choices, .. } if !(2..=6).contains(&choices.len()) => {
-                refuse(format!("{} choices are given: give two to six", choices.len()))
+/// The states that knobs have when each of some is turned to each of its values, from the knobs as they are on.
+fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Refusal> {
+    let mut states = vec![knobs.clone()];
+    for (key, values) in turn {
+        let mut further = Vec::new();
+        for value in values {
+            for state in &states {
+                further.push(with(state, key, value)?);
             }
-            Self::Choose { choices, right, .. } if !(1..=choices.len()).contains(right) => {
-                refuse(format!("choice {right} is to be right, but there are {}: count them from 1 on", choices.len()))
-            }
-            Self::Number { of, .. } if !OBSERVABLES.iter().any(|it| it.name == of) => {
-                refuse(format!("{of:?} is no number of a run: give one such as \"kappa_r_resolved\""))
-            }
-            Self::Draw { .. } if !sweeps => {
-                refuse("a curve is asked for, but the load is not swept: give sweep = true".into())
-            }
-            _ => Ok(()),
+        }
+        states.extend(further);
+        states = distinct(states);
+        if states.len() > MOST_STATES {
+            return Err(Refusal(format!("turn: it leads to more than {MOST_STATES} states: give fewer values")));
         }
     }
+    Ok(states)
+}
+
+/// Knobs with one of them turned.
+fn with(knobs: &Knobs, key: &str, value: &Value) -> Result<Knobs, Refusal> {
+    let mut values = serde_json::to_value(knobs).map_err(wrong)?;
+    values[key] = value.clone();
+    serde_json::from_value(values).map_err(|error| of_turn(Refusal(error.to_string())))
+}
+
+/// States without those that are the same as one before.
+fn distinct(states: Vec<Knobs>) -> Vec<Knobs> {
+    states.into_iter().fold(Vec::new(), |mut kept, state| {
+        if !kept.contains(&state) {
+            kept.push(state);
+        }
+        kept
+    })
+}
+
+fn wrong(error: serde_json::Error) -> Refusal {
+    Refusal(format!("knobs: {error}"))
+}
+
+fn of_turn(Refusal(reason): Refusal) -> Refusal {
+    Refusal(format!("turn: {reason}"))
 }

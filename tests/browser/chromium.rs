@@ -113,9 +113,33 @@ impl Chromium {
             "Browser.setDownloadBehavior",
             json!({"behavior": "allow", "downloadPath": folder, "eventsEnabled": true}),
         );
+        self.open_tab();
+    }
+
+    /// Opens an empty tab, which is then the page, and returns the one that was the page before.
+    pub fn open_tab(&mut self) -> String {
         let target = self.browser("Target.createTarget", json!({"url": "about:blank"}))["targetId"].clone();
+        self.attach_to(&target)
+    }
+
+    /// Makes the page that a page opened with `window.open` the page, and returns the one that was it before.
+    pub fn opened_tab(&mut self, address: &str) -> String {
+        let told = self.told("Target.targetCreated", |event| {
+            event["targetInfo"]["type"] == "page" && event["targetInfo"]["url"] == address
+        });
+        self.attach_to(&told["targetInfo"]["targetId"])
+    }
+
+    fn attach_to(&mut self, target: &Value) -> String {
         let attached = self.browser("Target.attachToTarget", json!({"targetId": target, "flatten": true}));
-        self.session = attached["sessionId"].as_str().unwrap().into();
+        std::mem::replace(&mut self.session, attached["sessionId"].as_str().unwrap().into())
+    }
+
+    /// Makes another tab the page, in front of all others, and returns the one that was it before.
+    pub fn switch_to(&mut self, tab: String) -> String {
+        let before = std::mem::replace(&mut self.session, tab);
+        self.page("Page.bringToFront", json!({}));
+        before
     }
 
     /// Where downloads are put.

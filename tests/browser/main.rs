@@ -5,6 +5,7 @@
 #![cfg(unix)]
 
 mod chromium;
+mod course;
 mod downloads;
 mod explorer;
 mod eyes;
@@ -15,3 +16,4 @@ mod measures;
 mod page;
 mod person;
 mod strangers;
+mod tabs;

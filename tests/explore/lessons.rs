@@ -1,7 +1,7 @@
-//! Lessons: those of the page, and those of a teacher.
+//! Lessons of a teacher: what can be written, and what is refused.
 
-use super::Page;
-use asperity::explore::{Curve, Lesson, Question};
+use asperity::explore::{Curve, Lesson, Question, Words};
+use serde_json::{Value, json};
 use std::path::Path;
 
 /// A lesson in a folder of its own.
@@ -11,29 +11,22 @@ fn folder(text: &str) -> tempfile::TempDir {
     folder
 }
 
+/// The one lesson that a text holds.
+fn lesson(text: &str) -> Lesson {
+    let lessons = Lesson::folder(folder(text).path()).unwrap();
+    <[Lesson; 1]>::try_from(lessons).unwrap()[0].clone()
+}
+
+fn json_of(value: &impl serde::Serialize) -> Value {
+    serde_json::to_value(value).unwrap()
+}
+
 const STEP: &str = "title = \"T\"\n\n[[step]]\ntext = \"Look.\"\n";
 
 #[test]
-fn the_page_has_lessons_that_ask() {
-    let page = Page::open();
-    let lessons = page.ask("GET", "/api/lessons", "", "").json();
-    let lessons = lessons.as_array().unwrap();
-    assert_eq!(lessons.len(), Lesson::all().len());
-    for lesson in lessons {
-        let steps = lesson["steps"].as_array().unwrap();
-        assert!(steps.iter().any(|step| step["ask"]["question"].is_string()), "{} asks nothing", lesson["title"]);
-        for step in steps {
-            let answer =
-                page.ask("POST", "/api/solve", "Content-Type: application/json\r\n", &step["knobs"].to_string());
-            assert_eq!(answer.status, 200, "{}", answer.text());
-        }
-    }
-    assert_eq!(page.ask("POST", "/api/lessons", "Content-Type: application/json\r\n", "{}").status, 405);
-}
-
-#[test]
 fn a_teacher_writes_lessons() {
-    let text = r#"
+    let lesson = lesson(
+        r#"
         title = "Mine"
         knobs = { domain = "surface", points = 64, cutoff = 16 }
         [[step]]
@@ -44,11 +37,10 @@ fn a_teacher_writes_lessons() {
         knobs.load = 0.5
         sweep = true
         ask = { kind = "draw", question = "Draw it.", curve = "kappa-r" }
-    "#;
-    let lessons = Lesson::folder(folder(text).path()).unwrap();
-    let [lesson] = lessons.as_slice() else { panic!("{lessons:?}") };
-    assert_eq!((lesson.title.as_str(), lesson.steps.len()), ("Mine", 2));
-    let [first, second] = [0, 1].map(|i| serde_json::to_value(&lesson.steps[i].knobs).unwrap());
+    "#,
+    );
+    assert_eq!((lesson.name.as_str(), &lesson.title, lesson.steps.len()), ("lesson", &"Mine".into(), 2));
+    let [first, second] = [0, 1].map(|i| json_of(&lesson.steps[i].knobs));
     assert_eq!((first["points"].as_u64(), first["load"].as_f64()), (Some(64), Some(0.05)));
     assert_eq!((second["points"].as_u64(), second["load"].as_f64()), (Some(64), Some(0.5)));
     let asked = Question::Draw { question: "Draw it.".into(), curve: Curve::KappaR };
@@ -56,18 +48,92 @@ fn a_teacher_writes_lessons() {
 }
 
 #[test]
+fn texts_are_in_one_language_or_in_some() {
+    let lesson = lesson(
+        "title = { en = \"T\", de = \"U\" }\n[[step]]\ntext = { fr = \"Voyez.\" }\n\
+         ask = { kind = \"choose\", question = \"?\", choices = [\"a\", { en = \"b\", de = \"c\" }], right = 1 }\n",
+    );
+    assert_eq!(json_of(&lesson.title), json!({"en": "T", "de": "U"}));
+    let step = json_of(&lesson.steps[0]);
+    assert_eq!(
+        (&step["text"], &step["ask"]["choices"]),
+        (&json!({"fr": "Voyez."}), &json!(["a", {"en": "b", "de": "c"}]))
+    );
+    assert!(matches!(lesson.title, Words::Each(texts) if texts["de"] == "U"));
+}
+
+/// A class may turn to every choice of values, and the values of a step take the place of those of the lesson.
+#[test]
+fn what_may_be_turned_makes_all_states() {
+    let lesson = lesson(
+        "title = \"T\"\nturn = { load = [0.1, 0.2], hurst = [0.5, 0.8] }\n\
+         [[step]]\nknobs.load = 0.3\ntext = \"A.\"\n\
+         [[step]]\nknobs.load = 0.2\ntext = \"B.\"\nturn = { hurst = [0.8], solver = [{ method = \"polonsky-keer\" }] }\n",
+    );
+    let states = |step: usize| -> Vec<(Value, Value, Value)> {
+        let states = lesson.steps[step].states();
+        let of = |knobs: Value| (knobs["load"].clone(), knobs["hurst"].clone(), knobs["solver"]["method"].clone());
+        states.iter().map(|knobs| of(json_of(knobs))).collect()
+    };
+    let (first, second) = (states(0), states(1));
+    assert_eq!((first.len(), second.len()), (6, 4), "{first:?} {second:?}");
+    assert_eq!(first[0], (json!(0.3), json!(0.8), json!("multilevel")), "its own state comes first");
+    for load in [0.1, 0.2, 0.3] {
+        for hurst in [0.5, 0.8] {
+            assert!(first.contains(&(json!(load), json!(hurst), json!("multilevel"))), "{load} {hurst}");
+        }
+        let gradients = (json!(load), json!(0.8), json!("polonsky-keer"));
+        assert_eq!(second.contains(&gradients), load < 0.3, "{load}");
+    }
+    for lesson in Lesson::all() {
+        for step in &lesson.steps {
+            let states = step.states();
+            assert!(states[0] == step.knobs && states.len() <= 64, "{}: {}", lesson.name, states.len());
+        }
+    }
+}
+
+#[test]
+fn the_example_of_the_readme_is_a_lesson() {
+    let readme = include_str!("../../assets/lessons/README.md");
+    let example = readme.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
+    let lesson = lesson(example);
+    assert_eq!(lesson.steps.len(), 4);
+    assert_eq!(lesson.steps[0].states().len(), 3);
+    let kinds: Vec<_> = lesson.steps.iter().map(|step| json_of(step)["ask"]["kind"].clone()).collect();
+    assert_eq!(kinds, [Value::Null, json!("choose"), json!("number"), json!("draw")]);
+    for key in json_of(&lesson.steps[0].knobs).as_object().unwrap().keys() {
+        let is_known = readme.contains(&format!("`{key}`")) || ["theme", "heights"].contains(&key.as_str());
+        assert!(is_known, "the knob {key} is not explained");
+    }
+}
+
+#[test]
 fn lessons_that_cannot_be_say_where() {
     let refused = |text: &str| Lesson::folder(folder(text).path()).unwrap_err().to_string();
     let ask = |question: &str| format!("{STEP}ask = {question}\n");
+    let loads = |count: usize| (0..count).map(|i| format!("0.0{}", i + 10)).collect::<Vec<_>>().join(", ");
     for (text, line, words) in [
         ("title = ".to_owned(), 1, ""),
         ("title = \"T\"\nstep = []\n".into(), 1, "the lesson has no steps"),
+        (STEP.replace("\"T\"", "\" \""), 1, "title: a text has no words"),
+        (STEP.replace("\"T\"", "3"), 1, "give a text, or texts by language"),
+        (STEP.replace("\"Look.\"", "{ english = \"Look.\" }"), 3, "\"english\" is no language: give two letters"),
+        (STEP.replace("\"Look.\"", "{}"), 3, "a text has no words"),
         (format!("{STEP}colour = 3\n"), 5, "unknown field `colour`"),
         (format!("{STEP}\n[[step]]\nknobs.load = 0.1\n"), 6, "missing field `text`"),
         (format!("{STEP}knobs.load = \"much\"\n"), 3, "knobs: invalid type"),
         (format!("{STEP}knobs.loads = 0.1\n"), 3, "knobs: unknown field `loads`"),
         (format!("{STEP}knobs.load = 1e9\n"), 3, "the load p* is 1000000000.0: give"),
         (format!("{STEP}knobs.points = 1048576\n"), 3, "1048576 points are too many here"),
+        (format!("{STEP}turn.load = [0.1, 1e9]\n"), 3, "turn: the load p* is 1000000000.0: give"),
+        (format!("{STEP}turn.loads = [0.1]\n"), 3, "turn: unknown field `loads`"),
+        (format!("{STEP}turn.load = 0.1\n"), 5, "invalid type"),
+        (
+            format!("{STEP}turn = {{ load = [{0}], hurst = [{0}] }}\n", loads(8)),
+            3,
+            "turn: it leads to more than 64 states",
+        ),
         (ask("{ kind = \"guess\", question = \"?\" }"), 5, "unknown variant `guess`"),
         (
             ask("{ kind = \"choose\", question = \"?\", choices = [\"a\"], right = 1 }"),
@@ -79,6 +145,7 @@ fn lessons_that_cannot_be_say_where() {
             3,
             "choice 3 is to be right",
         ),
+        (ask("{ kind = \"choose\", question = \"\", choices = [\"a\", \"b\"], right = 1 }"), 3, "a text has no words"),
         (ask("{ kind = \"number\", question = \"?\", of = \"kappa_q\" }"), 3, "\"kappa_q\" is no number of a run"),
         (
             ask("{ kind = \"draw\", question = \"?\", curve = \"kappa\" }"),

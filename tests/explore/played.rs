@@ -1,0 +1,246 @@
+//! The lessons of the page, played to their ends: what they tell is what the program gives.
+
+use super::Page;
+use asperity::contact::OBSERVABLES;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+use std::time::Instant;
+
+/// A step that was played: as it is written, the numbers of its run, and the points of its sweep.
+struct Played {
+    step: Value,
+    numbers: Value,
+    sweep: Vec<Value>,
+}
+
+impl Played {
+    fn number(&self, of: &str) -> f64 {
+        self.numbers[of].as_f64().unwrap_or_else(|| panic!("{of} is {}", self.numbers[of]))
+    }
+}
+
+/// All steps of all lessons, by the name of the lesson, each of them played once.
+static LESSONS: LazyLock<BTreeMap<String, Vec<Played>>> = LazyLock::new(|| {
+    let page = Page::open();
+    let begun = Instant::now();
+    let lessons = page.get("/api/lessons").json();
+    let played = lessons.as_array().unwrap().iter().map(|lesson| {
+        let steps = lesson["steps"].as_array().unwrap().iter().map(|step| played(&page, step));
+        (lesson["name"].as_str().unwrap().to_owned(), steps.collect())
+    });
+    let played = played.collect();
+    println!("All lessons take {:.1} s.", begun.elapsed().as_secs_f64());
+    played
+});
+
+fn played(page: &Page, step: &Value) -> Played {
+    let run = page.solve(&step["knobs"]);
+    let mut sweep = Vec::new();
+    if step["sweep"] == true {
+        page.order("/api/sweep", &step["knobs"]);
+        let state = page.wait(|state| state["busy"] == false && state["sweep"]["ended"] == true);
+        sweep = state["sweep"]["points"].as_array().unwrap().clone();
+    }
+    Played { step: step.clone(), numbers: run["numbers"].clone(), sweep }
+}
+
+/// The number `of` in a step, counted from 1 on.
+fn number(lesson: &str, step: usize, of: &str) -> f64 {
+    LESSONS[lesson][step - 1].number(of)
+}
+
+/// Texts in one language: those of a step with its question and the answers, joined.
+fn texts(step: &Value, language: &str) -> String {
+    match step {
+        Value::Object(map) if map.contains_key("en") => map.get(language).and_then(Value::as_str).unwrap_or("").into(),
+        Value::Object(map) => {
+            let said =
+                |(key, value): (&String, &Value)| (key != "knobs" && key != "turn").then(|| texts(value, language));
+            map.iter().filter_map(said).collect::<Vec<_>>().join(" ")
+        }
+        Value::Array(all) => all.iter().map(|it| texts(it, language)).collect::<Vec<_>>().join(" "),
+        _ => String::new(),
+    }
+}
+
+#[test]
+fn every_lesson_is_played_to_its_end() {
+    assert_eq!(LESSONS.len(), 6);
+    let shown: Vec<&str> = OBSERVABLES.iter().filter(|row| row.is_traced).map(|row| row.name).collect();
+    for (name, steps) in LESSONS.iter() {
+        let asked = steps.iter().filter(|played| played.step["ask"].is_object()).count();
+        assert!(steps.len() >= 4 && asked + 1 >= steps.len(), "{name} asks {asked} times in {} steps", steps.len());
+        for (at, played) in steps.iter().enumerate() {
+            assert_eq!(played.numbers["status"], "converged", "{name}, step {}", at + 1);
+            let asked = played.step["ask"]["of"].as_str();
+            for of in shown.iter().copied().chain(asked).chain(["iterations", "transforms"]) {
+                assert!(played.number(of).is_finite(), "{name}, step {}: {of}", at + 1);
+            }
+            assert_eq!(played.step["sweep"] == true, !played.sweep.is_empty(), "{name}, step {}", at + 1);
+        }
+    }
+}
+
+#[test]
+fn every_text_is_in_both_languages() {
+    fn check(value: &Value, place: &str) {
+        let each = |map: &Map<String, Value>| map.iter().for_each(|(key, it)| check(it, &format!("{place}, {key}")));
+        match value {
+            Value::Object(map) if map.contains_key("en") || map.contains_key("de") => {
+                let is_name = map["en"] == "GFMD";
+                assert!(map.len() == 2 && (map["en"] != map["de"] || is_name), "{place}: {value}");
+            }
+            Value::Object(map) => each(map),
+            Value::Array(all) => all.iter().for_each(|it| check(it, place)),
+            _ => {}
+        }
+    }
+    for (name, steps) in LESSONS.iter() {
+        for played in steps {
+            for text in ["text", "ask"] {
+                assert!(!played.step[text].is_string(), "{name} has a text in one language");
+                check(&played.step[text], name);
+            }
+        }
+    }
+}
+
+/// Numbers that a text tells, as it tells them: lesson, step, observable.
+const TOLD: [(&str, usize, &str, &str); 33] = [
+    ("hertz-and-rough", 2, "kappa_r_resolved", "1.46"),
+    ("hertz-and-rough", 4, "patches", "31"),
+    ("kappa-r", 1, "kappa_resolved", "2.56"),
+    ("kappa-r", 1, "kappa_r_resolved", "1.65"),
+    ("kappa-r", 2, "kappa_resolved", "3.07"),
+    ("kappa-r", 2, "kappa_r_resolved", "1.64"),
+    ("kappa-r", 3, "kappa_resolved", "2.39"),
+    ("kappa-r", 3, "kappa_r_resolved", "1.69"),
+    ("kappa-r", 4, "kappa_resolved", "2.03"),
+    ("kappa-r", 4, "kappa_r_resolved", "1.71"),
+    ("counting", 1, "relative_area", "0.0605"),
+    ("counting", 1, "relative_area_resolved", "0.0555"),
+    ("counting", 1, "patches", "14"),
+    ("counting", 2, "relative_area", "0.0579"),
+    ("counting", 2, "relative_area_resolved", "0.0563"),
+    ("counting", 3, "relative_area", "0.0565"),
+    ("counting", 3, "relative_area_resolved", "0.0563"),
+    ("counting", 4, "relative_area", "0.0234"),
+    ("counting", 4, "relative_area_resolved", "0.0197"),
+    ("counting", 4, "kappa_r", "2.67"),
+    ("counting", 5, "relative_area", "0.0203"),
+    ("counting", 5, "relative_area_resolved", "0.0201"),
+    ("counting", 5, "kappa_r_resolved", "1.72"),
+    ("coating", 3, "relative_area_resolved", "0.051"),
+    ("coating", 4, "kappa_r_resolved", "0.13"),
+    ("coating", 5, "patches", "8"),
+    ("yield", 3, "relative_area_resolved", "0.146"),
+    ("yield", 4, "patches", "23"),
+    ("yield", 5, "relative_area_resolved", "0.134"),
+    ("yield", 6, "relative_area_resolved", "0.260"),
+    ("crawl", 1, "relative_area_resolved", "0.1522"),
+    ("crawl", 3, "relative_area_resolved", "0.1522"),
+    ("crawl", 4, "relative_area_resolved", "0.1522"),
+];
+
+#[test]
+fn what_lessons_tell_is_what_the_program_gives() {
+    for (lesson, step, of, told) in TOLD {
+        let digits = told.split_once('.').map_or(0, |(_, digits)| digits.len());
+        assert_eq!(format!("{:.digits$}", number(lesson, step, of)), told, "{lesson}, step {step}: {of}");
+        let step = if lesson == "crawl" { 4 } else { step };
+        let texts = ["en", "de"].map(|language| texts(&LESSONS[lesson][step - 1].step, language));
+        assert!(texts[0].contains(told), "{lesson}, step {step}: {told} is not in {}", texts[0]);
+        assert!(texts[1].contains(&told.replace('.', ",")), "{lesson}, step {step}: {told} is not in {}", texts[1]);
+    }
+}
+
+fn near(value: f64, told: f64, within: f64, what: &str) {
+    assert!((value - told).abs() <= within, "{what} is {value}, not {told} within {within}");
+}
+
+#[test]
+fn hertz_and_rough_contact_grow_as_told() {
+    let ratio = |of: &str, a: usize, b: usize| number("hertz-and-rough", a, of) / number("hertz-and-rough", b, of);
+    near(ratio("relative_area_resolved", 2, 1), 3.15, 5e-3, "the width of the cylinder's contact");
+    near(ratio("kappa_resolved", 2, 1), 1.0 / 3.0, 0.02, "kappa of the cylinder");
+    near(number("hertz-and-rough", 1, "kappa_r_resolved"), 1.47, 5e-3, "kappa_r of the cylinder");
+    near(number("hertz-and-rough", 3, "patches"), 9.0, 0.0, "patches");
+    near(ratio("relative_area_resolved", 4, 3), 7.0, 0.1, "the rough area");
+    near(ratio("kappa_resolved", 4, 3), 0.70, 5e-3, "kappa of the rough line");
+    near(ratio("kappa_r_resolved", 4, 3), 1.07, 5e-3, "kappa_r of the rough line");
+    let flatter = number("kappa-r", 1, "kappa_r_resolved") / number("kappa-r", 1, "kappa_resolved");
+    near(flatter, 0.64, 5e-3, "the gradient of what touches");
+}
+
+#[test]
+fn kappa_r_keeps_its_level_in_the_sweep() {
+    let sweep = &LESSONS["kappa-r"][4].sweep;
+    let at = |load: f64, of: &str| {
+        let is_at = |point: &&Value| (point["reduced_pressure"].as_f64().unwrap() / load - 1.0).abs() < 1e-6;
+        sweep.iter().find(is_at).unwrap()[of].as_f64().unwrap()
+    };
+    for point in sweep.iter().filter(|it| (0.00099..=0.1001).contains(&it["reduced_pressure"].as_f64().unwrap())) {
+        near(point["kappa_r_resolved"].as_f64().unwrap(), 1.7, 0.1, "kappa_r");
+    }
+    near(at(1e-3, "kappa_resolved"), 3.4, 0.05, "kappa at the small load");
+    near(at(0.1, "kappa_resolved"), 2.0, 0.05, "kappa at the large load");
+    for of in ["kappa_resolved", "kappa_r_resolved"] {
+        near(at(1.0, of), 0.96, 5e-3, of);
+    }
+}
+
+#[test]
+fn counting_is_off_as_told() {
+    let (counted, right) = ("relative_area", "relative_area_resolved");
+    let off = |step: usize, fine: usize| number("counting", step, counted) / number("counting", fine, right) - 1.0;
+    near(off(1, 3), 0.08, 5e-3, "counting on the coarse grid");
+    near(off(3, 3), 0.004, 5e-4, "counting on the fine grid");
+    near(off(4, 5), 0.17, 5e-3, "counting at the small load");
+    near(number("counting", 2, right) / number("counting", 3, right), 1.0, 1e-3, "the resolved area");
+    let excess = (number("counting", 1, counted) - number("counting", 1, right)) * 1024.0 / 14.0;
+    near(excess, 0.38, 0.02, "spacings too much for each patch");
+}
+
+#[test]
+fn coatings_are_stiffer_as_told() {
+    let half_space = |of: &str| number("hertz-and-rough", 2, of);
+    let (area, highest) = ("relative_area_resolved", "max_pressure_over_modulus");
+    near(number("coating", 1, area) / half_space(area), 0.998, 5e-4, "the area on a thick layer");
+    near(number("coating", 2, area), 0.098, 5e-4, "the area on the layer");
+    near(number("coating", 2, highest) / half_space(highest), 1.28, 5e-3, "the largest pressure on the layer");
+    near(number("coating", 4, area) / number("coating", 3, area), 2.0, 0.05, "the width on a coating");
+    near(number("coating", 5, area), 0.068, 5e-4, "the rough area on a coating");
+    near(number("yield", 4, area), 0.119, 5e-4, "the rough area on a half-space");
+}
+
+#[test]
+fn metals_yield_as_told() {
+    let (area, highest) = ("relative_area_resolved", "max_pressure_over_modulus");
+    near(number("yield", 1, highest), 3.04e-4, 5e-7, "the largest elastic pressure");
+    near(number("yield", 2, highest), number("yield", 1, highest), 1e-12, "the pressure below the hardness");
+    near(number("yield", 3, highest), 2e-4, 1e-12, "the pressure at the hardness");
+    near(number("yield", 3, area) / number("yield", 1, area), 1.21, 5e-3, "the area of the softer metal");
+    near(number("yield", 4, highest), 1.28e-3, 5e-6, "the largest pressure of the rough line");
+    near(number("yield", 5, area) / number("yield", 4, area), 1.12, 5e-3, "the area of the rough metal");
+    near(5e-5 / number("yield", 5, area) / 5e-4, 0.75, 5e-3, "the mean pressure in contact over the hardness");
+}
+
+/// Work is told to the step, but may differ by some where processors round otherwise.
+#[test]
+fn solvers_work_as_told() {
+    for (step, of, told) in [
+        (1, "iterations", 929.0),
+        (1, "transforms", 2218.0),
+        (2, "iterations", 228.0),
+        (2, "transforms", 1138.0),
+        (3, "iterations", 163.0),
+        (3, "transforms", 438.0),
+        (4, "transforms", 85.0),
+        (5, "transforms", 82.0),
+    ] {
+        near(number("crawl", step, of) / told, 1.0, 0.05, &format!("{of} in step {step}, over what is told,"));
+        let text = texts(&LESSONS["crawl"][step - 1].step, "en");
+        assert!(text.contains(&told.to_string()), "{told} is not in {text}");
+    }
+}
