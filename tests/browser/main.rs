@@ -4,6 +4,7 @@
 //! `CHROME` or `CHROMIUM` names a Chromium that is not on the path.
 #![cfg(unix)]
 
+mod blind;
 mod chromium;
 mod course;
 mod downloads;
