@@ -33,7 +33,9 @@ async function hold(wish) {
 /** Shows the section of knobs that nobody turns: a load of a sweep. */
 async function holdQuietly(its) {
   const shown = await post("hold", { knobs: its, "mean-gap": null, "is-deep": isDeep() }).catch((error) => fault(error.message));
-  if (shown && moment && !grip) showSection(shown.section, shown.beside);
+  if (!shown || !moment || grip) return;
+  sectionRun = null;
+  showSection(shown.section, shown.beside);
 }
 
 function showHeld({ section: held, beside: heldBeside, numbers: told }, order) {
@@ -57,7 +59,8 @@ const canBend = () => knobs.domain === "line" && knobs.body !== "file";
 function takeGrip(kind, event) {
   if (!section) return;
   const at = frame(byId("section"));
-  grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, moved: 0, perHeight: at.perHeight };
+  grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, moved: 0, perHeight: at.perHeight, run: sectionRun };
+  sectionRun = null;
   stopPlaying();
 }
 
@@ -150,6 +153,7 @@ function pointerMove(event) {
 function pointerUp(event) {
   const isClick = grip && grip.moved <= STILL;
   if (isClick) {
+    sectionRun = grip.run;
     grip = null;
     knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
     pickAt(under(event).share);
@@ -218,6 +222,6 @@ function beginHand() {
     made.addEventListener("pointercancel", letGo);
   }
   byId("unbend").addEventListener("click", unbend);
-  byId("fringes").addEventListener("change", () => showSectionOf(shownOrLatest()));
+  byId("fringes").addEventListener("change", () => { sectionRun = null; showSectionOf(shownOrLatest()); });
   new ResizeObserver(() => { drawSections(); placeHandles(); drawPatch(); }).observe(canvas);
 }
