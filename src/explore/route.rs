@@ -101,9 +101,7 @@ impl Explorer {
         let solved = self.session.reel(id)?.solved()?;
         match name {
             "section" => Some(Reply::json(&super::section::Section::of(&solved.contact, true))),
-            "beside" => {
-                Some(Reply::json(&solved.beside.as_ref().map(|it| super::section::Section::of(it, true))))
-            }
+            "beside" => Some(Reply::json(&solved.beside.as_ref().map(|it| super::section::Section::of(it, true)))),
             "patches" => Some(Reply::json(&super::patches::PatchTable::of(&solved.contact))),
             _ => None,
         }

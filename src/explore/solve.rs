@@ -34,7 +34,9 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         ended: false,
         numbers: None,
         exact: scene.exact.as_ref().map(ExactNumbers::from),
-        beside: beside.as_ref().map(|(setup, problem)| Beside { title: Scene::of(setup, problem).title, numbers: None }),
+        beside: beside
+            .as_ref()
+            .map(|(setup, problem)| Beside { title: Scene::of(setup, problem).title, numbers: None }),
     };
     let id = report.id.clone();
     let file_stem = report.file_stem.clone();

@@ -6,10 +6,13 @@
 
 mod chromium;
 mod downloads;
+mod everyone;
 mod explorer;
 mod eyes;
 mod hands;
 mod heights;
+mod lessons;
+mod links;
 mod measures;
 mod page;
 mod person;
