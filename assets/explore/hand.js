@@ -30,13 +30,19 @@ async function hold(wish) {
   holding = false;
 }
 
-function showHeld({ section: held, numbers: told }, order) {
+/** Shows the section of knobs that nobody turns: a load of a sweep. */
+async function holdQuietly(its) {
+  const shown = await post("/api/hold", { knobs: its, "mean-gap": null, "is-deep": isDeep() }).catch((error) => fault(error.message));
+  if (shown && moment && !grip) showSection(shown.section, shown.beside);
+}
+
+function showHeld({ section: held, beside: heldBeside, numbers: told }, order) {
   fault("");
   if (!grip) return;
   if (order["mean-gap"] !== null) knobs.load = Number(Math.min(1e3, Math.max(1e-5, told.reduced_pressure)).toPrecision(4));
   show();
-  setMoment({ name: "hand", numbers: told });
-  showSection(held, true);
+  setMoment({ name: say("moment.hand"), numbers: told });
+  showSection(held, heldBeside, true);
 }
 
 /** What there is to solve for the hand: the gap that it holds, or the load of the knobs. */
@@ -76,7 +82,7 @@ function lift(gap) {
   const rigid = section.rigid.map((height) => height + by);
   knobs.load = 1e-5;
   show();
-  showSection({ ...section, rigid, solid: flat, pressure: flat, mean_gap: gap, shear: null }, true);
+  showSection({ ...section, rigid, solid: flat, pressure: flat, mean_gap: gap, shear: null }, null, true);
 }
 
 /** Gives a bump its height, over the length of the cell; the rigid surface points down. */
@@ -185,9 +191,9 @@ function placeHandles() {
   byId("bend").hidden = !canBend();
   byId("unbend").hidden = !knobs.bumps.length;
   byId("press").setAttribute("aria-valuenow", figure(section.mean_gap / section.highest, 3));
-  byId("press").setAttribute("aria-valuetext", `mean gap ${figure(section.mean_gap / section.highest, 3)} of the highest peak, p* ${figure(knobs.load, 4)}`);
+  byId("press").setAttribute("aria-valuetext", say("press.value", { gap: figure(section.mean_gap / section.highest, 3), load: figure(knobs.load, 4) }));
   byId("bend").setAttribute("aria-valuenow", figure(handle, 3));
-  byId("bend").setAttribute("aria-valuetext", `at ${figure(handle, 3)} of the length`);
+  byId("bend").setAttribute("aria-valuetext", say("bend.value", { place: figure(handle, 3) }));
 }
 
 function beginHand() {
@@ -213,5 +219,5 @@ function beginHand() {
   }
   byId("unbend").addEventListener("click", unbend);
   byId("fringes").addEventListener("change", () => showSectionOf(shownOrLatest()));
-  new ResizeObserver(() => { drawSection(); placeHandles(); drawPatch(); }).observe(canvas);
+  new ResizeObserver(() => { drawSections(); placeHandles(); drawPatch(); }).observe(canvas);
 }

@@ -14,9 +14,32 @@ function facet(run, name) {
 
 const get = async (path) => (await fetch(path)).json();
 
-/** Shows in the table where the viewer stands in the run that it shows. */
-function showMoment() {
-  document.body.dataset.moment = viewer ? viewer.get_time_for_timeline(shownRun, "step") : "";
+/** Shows in the table where the viewer stands in the run or the sweep that it shows. */
+async function showMoment() {
+  const run = runOf(shownRun);
+  const now = run && viewer?.get_time_for_timeline(run.id, timeline(run));
+  if (grip || now === null || now === undefined) return;
+  if (isSweep(run)) momentOfLoad(run.points.findLast(({ number }) => number <= now));
+  else if (run.ended) await momentOfStep(run, Math.round(now));
+}
+
+/** The numbers of a load of a sweep, and its section. */
+function momentOfLoad(point) {
+  if (!point || moment?.numbers === point) return;
+  setMoment({ name: say("moment.load", { load: figure(point.reduced_pressure, 3) }), numbers: point });
+  charts();
+  const { sweep: { knobs: swept } } = report;
+  holdQuietly({ ...swept, load: Number(point.reduced_pressure.toPrecision(12)) });
+}
+
+/** The numbers of a step of a run; at its end those of the run. */
+async function momentOfStep(run, step) {
+  const { steps, ...columns } = await facet(run, "steps").catch(() => ({ steps: [] }));
+  if (runOf(shownRun) !== run || !steps.length) return;
+  const at = steps.findLastIndex((it) => it <= step);
+  const isEnd = at < 0 || step >= steps.at(-1);
+  const numbers = isEnd ? null : Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
+  setMoment(numbers && { name: say("moment.step", { step: steps[at] }), numbers });
 }
 
 let sectionRun = null;
@@ -26,9 +49,11 @@ async function showSectionOf(run) {
   if (!run || !run.ended || isSweep(run)) return;
   if (sectionRun !== run.id) choosePatch(null);
   sectionRun = run.id;
-  const its = await facet(run, "section").catch((error) => fault(error.message));
+  const its = await Promise.all([facet(run, "section"), facet(run, "beside")]).catch((error) => fault(error.message));
   if (!its || grip || sectionRun !== run.id) return;
-  showSection(isDeep() ? its : { ...its, shear: null });
+  const [shown, shownBeside] = its.map((it) => it && (isDeep() ? it : { ...it, shear: null }));
+  showSection(shown, shownBeside);
+  run.steps = (await facet(run, "steps").catch(() => ({}))).steps;
   document.body.dataset.section = run.id;
 }
 
@@ -38,7 +63,7 @@ let chosen = null;
 function choosePatch(patch) {
   chosen = patch;
   byId("patch").hidden = !patch;
-  drawSection();
+  drawSections();
   drawPatch();
   document.body.dataset.patch = patch ? patch.number : "none";
 }
@@ -105,14 +130,21 @@ const patchWidth = () => section.y === null ? chosen.area : 2 * Math.sqrt(chosen
 function drawPatch() {
   if (!chosen) return;
   const { twin, profile } = chosen;
-  const rows = [["width", patchWidth(), twin && 2 * twin.half_width], ["area", chosen.area, twin?.area], ["load, share", chosen.share, twin && chosen.share],
-    ["p max / E*", chosen.max_pressure, twin?.max_pressure], ["κ_r", chosen.kappa_r, twin?.kappa_r], ["curvature", chosen.curvature, twin && chosen.curvature]];
-  byId("patch-name").textContent = `Patch ${chosen.number}, ${chosen.nodes} nodes`;
-  byId("patch-numbers").tBodies[0].replaceChildren(...rows.map(([name, its, of]) =>
-    element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, figure(its, 3)), element("td", {}, figure(of, 3)))));
-  byId("patch-note").textContent = twin ? "" : "Hollow: no parabola has this curvature.";
+  const isLine = section.y === null;
+  const share = (part) => `${figure(100 * part, 3)} %`;
+  const rows = [["patch.width", patchWidth(), twin && 2 * twin.half_width, micrometres], ["patch.area", !isLine && chosen.area, twin?.area, squareMicrometres],
+    ["patch.load", chosen.share, twin && chosen.share, share], ["patch.pressure", chosen.max_pressure, twin?.max_pressure],
+    ["patch.kappa-r", chosen.kappa_r, twin?.kappa_r], ["patch.radius", 1 / chosen.curvature, twin && 1 / chosen.curvature, micrometres]];
+  byId("patch-name").textContent = say("patch.name", { number: chosen.number, nodes: chosen.nodes });
+  const cells = ([name, its, of, words = (value) => figure(value, 3)]) =>
+    element("tr", {}, element("th", { scope: "row" }, say(name)), element("td", {}, words(its)), element("td", {}, twin ? words(of) : "–"));
+  byId("patch-numbers").tBodies[0].replaceChildren(...rows.filter(([, its]) => its !== false).map(cells));
+  byId("patch-note").textContent = twin ? "" : say("patch.hollow");
   if (profile) drawTwin(profile, twin); else byId("patch-picture").replaceChildren();
 }
+
+const micrometres = (length) => `${figure(1e6 * length, 3)} µm`;
+const squareMicrometres = (area) => `${figure(1e12 * area, 3)} µm²`;
 
 function drawTwin({ x, height, pressure }, twin) {
   const box = byId("patch-picture").getBoundingClientRect();
@@ -126,7 +158,7 @@ function drawTwin({ x, height, pressure }, twin) {
   const above = (p) => h * 0.55 - p / most * h * 0.5;
   const below = (z) => h - (z - low) / (high - low || 1) * h * 0.4;
   const path = (values, y) => values.map((value, i) => `${px(x[i]).toFixed(1)},${y(value).toFixed(1)}`).join(" ");
-  const svg = drawn("svg", { viewBox: `0 0 ${w} ${h}`, role: "img", "aria-label": "Pressure and profile of the patch, and dashed those of its Hertz twin" });
+  const svg = drawn("svg", { viewBox: `0 0 ${w} ${h}`, role: "img", "aria-label": say("patch.picture") });
   svg.append(drawn("polyline", { class: "second", points: path(pressure, above) }), drawn("polyline", { class: "computed", points: path(height, (z) => below(high + low - z)) }));
   if (twin) {
     const middle = weightedMiddle(x, pressure);

@@ -8,25 +8,32 @@ const SPARE = 0.08;
 /** Fringe orders up to the largest shear stress. */
 const ORDERS = 8;
 
-/** The section that is drawn, its run, and the limits of its axes, which stay as they are while a hand holds it. */
+/** The section that is drawn, that of the surface beside, and the limits of their axes, which stay while a hand holds them. */
 let section = null;
+let beside = null;
 let axes = null;
 
-/** Axes that hold a section: the lowest and the highest place, the largest pressure, the largest shear stress. */
-function axesOf({ rigid, solid, pressure, shear }) {
-  const low = Math.min(...solid);
-  const high = Math.max(...rigid);
-  return { low, high, pressure: Math.max(...pressure) || 1, shear: shear ? Math.max(...shear.values) || 1 : 1 };
+/** Axes that hold all sections: the lowest and the highest place, the largest pressure, the largest shear stress. */
+function axesOf(sections) {
+  const most = (of) => Math.max(...sections.flatMap(of));
+  return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most(({ pressure }) => pressure) || 1,
+    shear: most(({ shear }) => shear?.values ?? [0]) || 1 };
 }
 
-/** Shows a section, with axes of its own unless a hand holds it. */
-function showSection(shown, isHeld = false) {
+/** Shows a section, and the one beside if there is one, with axes of their own unless a hand holds them. */
+function showSection(shown, shownBeside, isHeld = false) {
   section = shown;
-  if (!section) return;
-  const own = axesOf(section);
+  beside = shownBeside;
+  const own = axesOf([section, beside].filter(Boolean));
   axes = isHeld && axes ? { ...axes, pressure: Math.max(axes.pressure, own.pressure), shear: Math.max(axes.shear, own.shear) } : own;
-  drawSection();
+  byId("section-beside-box").hidden = !beside;
+  drawSections();
   placeHandles();
+}
+
+function drawSections() {
+  drawSection(byId("section"), section);
+  drawSection(byId("section-beside"), beside);
 }
 
 /** Places of the picture in pixels: x of a share of the length, y of a height and of a pressure, and back. */
@@ -43,17 +50,16 @@ function frame(canvas) {
   };
 }
 
-function drawSection() {
-  const canvas = byId("section");
+function drawSection(canvas, shown) {
   const box = canvas.getBoundingClientRect();
-  if (!section || !box.width) return;
+  if (!shown || !box.width) return;
   const scale = window.devicePixelRatio || 1;
   canvas.width = Math.round(box.width * scale);
   canvas.height = Math.round(box.height * scale);
   const to = canvas.getContext("2d");
   to.scale(scale, scale);
-  paintSection(to, frame(canvas), section);
-  canvas.setAttribute("aria-label", sectionInWords());
+  paintSection(to, frame(canvas), shown);
+  canvas.ariaLabel = inWords(shown);
 }
 
 /** The colours of the style sheet. */
@@ -62,7 +68,8 @@ function colours() {
   return Object.fromEntries(["ground", "panel", "edge", "ink", "soft", "accent", "warm", "green"].map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 
-function paintSection(to, at, { rigid, solid, pressure, shear }) {
+function paintSection(to, at, shown) {
+  const { rigid, solid, pressure, shear } = shown;
   const colour = colours();
   const place = (i, n) => at.x((i + 0.5) / n);
   const line = (values, y) => {
@@ -80,8 +87,8 @@ function paintSection(to, at, { rigid, solid, pressure, shear }) {
   to.clearRect(0, 0, at.w, at.h);
   to.fillStyle = colour.panel;
   to.fill(filled(solid, at.y, at.h));
-  if (shear) paintShear(to, at, solid, shear);
-  if (chosen) paintChosen(to, at, colour);
+  if (shear) paintShear(to, at, shown);
+  if (chosen && shown === section) paintChosen(to, at, colour);
   to.save();
   to.beginPath();
   to.rect(0, at.top, at.w, at.h - at.top);
@@ -98,11 +105,11 @@ function paintSection(to, at, { rigid, solid, pressure, shear }) {
   to.fill(filled(pressure, at.pressure, at.top));
   to.fillStyle = colour.soft;
   to.font = "12px system-ui, sans-serif";
-  to.fillText(`p ≤ ${figure(axes.pressure, 3)} E*`, 6, 14);
+  to.fillText(say("section.scale", { pressure: figure(axes.pressure, 3) }), 6, 14);
 }
 
 /** The stress below each place of the surface, to scale, as the fringes that crossed polarisers show. */
-function paintShear(to, at, solid, { depth, columns, values }) {
+function paintShear(to, at, { solid, length, shear: { depth, columns, values } }) {
   const rows = values.length / columns;
   const image = new ImageData(columns, rows);
   values.forEach((value, i) => {
@@ -111,15 +118,15 @@ function paintShear(to, at, solid, { depth, columns, values }) {
   });
   const source = element("canvas", { width: columns, height: rows });
   source.getContext("2d").putImageData(image, 0, 0);
-  const high = depth / section.length * at.w;
+  const high = depth / length * at.w;
   for (let i = 0; i < columns; i++) {
     const y = at.y(solid[Math.floor((i + 0.5) / columns * solid.length)]);
     to.drawImage(source, i, 0, 1, rows, at.w * i / columns, y, at.w / columns + 0.5, high);
   }
 }
 
-/** The picture in words, for those who do not see it. */
-function sectionInWords() {
-  const touching = section.pressure.filter((p) => p > 0).length / section.pressure.length;
-  return `Profile of the rigid surface on the solid: ${figure(100 * touching, 3)} % of it touches, largest pressure ${figure(Math.max(...section.pressure), 3)} E*`;
+/** A section in words, for those who do not see it. */
+function inWords({ pressure }) {
+  const share = pressure.filter((p) => p > 0).length / pressure.length;
+  return say("section.words", { share: figure(100 * share, 3), pressure: figure(Math.max(...pressure), 3) });
 }

@@ -82,8 +82,9 @@ function heardRun(run) {
   if (known) Object.assign(known, run);
   else {
     runs.push(run);
+    moment = null;
     byId("title").textContent = run.title;
-    if (viewer) follow(run);
+    follow(run);
     while (runs.length > KEEP) forget(runs.splice(runs.findIndex((old) => old.id !== pinned), 1)[0]);
     listRuns();
   }
@@ -94,7 +95,7 @@ function heardRun(run) {
 function remember(earlier) {
   runs = earlier;
   listRuns();
-  if (viewer) runs.slice(-1).forEach(follow);
+  runs.slice(-1).forEach(follow);
 }
 
 const address = (run) => `${location.origin}/run/${run.id}.rrd`;
@@ -108,6 +109,7 @@ let next = null;
 function follow(run) {
   shownRun = run.id;
   clearTimeout(next);
+  if (!viewer) return;
   next = setTimeout(() => {
     followed = performance.now();
     stopPlaying();
@@ -189,13 +191,26 @@ function showPin(id) {
   numbers();
 }
 
+/** Presses the surface of the pinned run, or of the one before, beside this one with the same mean pressure, or takes it away. */
+function putBeside() {
+  const run = shownOrLatest();
+  const other = run && rival(run);
+  if (knobs.beside) delete knobs.beside;
+  else if (other) knobs.beside = besideOf(other.knobs);
+  else fault(say("beside.none"));
+  changed();
+}
+
+const besideOf = ({ beside: _, ...its }) => its;
+
 function showRun(id) {
   stopPlaying();
+  moment = null;
   shownRun = id;
   byId("runs").value = id;
   const run = runOf(id);
   if (viewer && run.followed) viewer.set_active_recording_id(id);
-  else if (viewer) follow(run);
+  else follow(run);
   numbers();
   offerSaves();
   wake();

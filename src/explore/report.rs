@@ -101,6 +101,8 @@ pub struct SweepReport {
 /// A contact of a sweep, and what theories say.
 #[derive(Clone, Serialize)]
 pub struct SweepPoint {
+    /// The number of its load in the recording, from 0 on.
+    pub number: usize,
     #[serde(flatten)]
     pub observables: Observables,
     /// Persson's relative area.

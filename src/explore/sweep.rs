@@ -163,6 +163,7 @@ impl Press<'_> {
             return Ok(());
         }
         let point = SweepPoint {
+            number,
             observables: Observables::of(contact),
             persson: persson::relative_area(load),
             exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),

@@ -9,6 +9,7 @@ mod downloads;
 mod everyone;
 mod explorer;
 mod eyes;
+mod grips;
 mod hands;
 mod heights;
 mod lessons;
