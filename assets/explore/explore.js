@@ -64,9 +64,13 @@ function takeTheme() {
 function printed() {
   const { dataset } = document.documentElement;
   const screen = dataset.theme;
-  const draw = (theme) => { dataset.theme = theme; drawSections(); };
-  draw("light");
-  window.addEventListener("afterprint", () => draw(screen), { once: true });
+  const draw = (theme, isPaper) => {
+    dataset.theme = theme;
+    document.body.toggleAttribute("data-paper", isPaper);
+    drawSections();
+  };
+  draw("light", true);
+  window.addEventListener("afterprint", () => draw(screen, false), { once: true });
 }
 
 async function begin() {
