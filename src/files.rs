@@ -1,6 +1,6 @@
 //! Output files that appear whole or not at all.
 
-use crate::error::FileError;
+use crate::error::{Failure, FileError};
 use serde::Serialize;
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufWriter, Write};
@@ -77,6 +77,52 @@ pub fn write_csv<T: Serialize>(path: &Path, rows: impl IntoIterator<Item = T>) -
         rows.into_iter().try_for_each(|row| csv.serialize(row))?;
         csv.flush()
     })
+}
+
+/// Checks that a folder can be made at `path`: that nothing is there but an empty folder, and that one can be made beside it.
+///
+/// # Errors
+/// [`FileError::Target`] if not.
+pub fn check_folder(path: &Path) -> Result<(), FileError> {
+    let unfit = |reason: &str| Err(FileError::Target { path: path.into(), reason: reason.into() });
+    match std::fs::read_dir(path).map(|mut entries| entries.next().is_none()) {
+        Ok(true) => Ok(()),
+        Ok(false) => unfit("it is not empty, give a new folder"),
+        Err(_) if path.exists() => unfit("it is no folder that can be read, give a new one"),
+        Err(_) => check_target(path),
+    }
+}
+
+/// Makes the folder `path` whole or not at all: `fill` fills a draft beside it, which is then renamed.
+///
+/// # Errors
+/// Those of [`check_folder`], those of `fill`, and [`FileError::Write`] for the rest. None leaves anything behind.
+///
+/// ```
+/// use asperity::files::fill_folder;
+/// let folder = tempfile::tempdir()?;
+/// let site = folder.path().join("site");
+/// fill_folder(&site, |draft| Ok(std::fs::write(draft.join("index.html"), "")?))?;
+/// assert!(site.join("index.html").is_file());
+/// assert!(fill_folder(&site, |_| Ok(())).unwrap_err().to_string().contains("it is not empty"));
+/// # Ok::<(), Box<dyn std::error::Error + Send + Sync>>(())
+/// ```
+pub fn fill_folder(path: &Path, fill: impl FnOnce(&Path) -> Result<(), Failure>) -> Result<(), Failure> {
+    check_folder(path)?;
+    let failed = |source| FileError::Write { path: path.into(), source };
+    let name = format!(".asperity-{}-folder", std::process::id());
+    let draft = path.with_file_name(name);
+    std::fs::create_dir(&draft).map_err(failed)?;
+    let filled = fill(&draft).and_then(|()| {
+        if path.is_dir() {
+            std::fs::remove_dir(path).map_err(failed)?;
+        }
+        Ok(std::fs::rename(&draft, path).map_err(failed)?)
+    });
+    if filled.is_err() {
+        let _ = std::fs::remove_dir_all(&draft); // what cannot be removed is of no use to anybody
+    }
+    filled
 }
 
 /// A new file in the folder of its target, removed unless it is renamed.

@@ -1,17 +1,25 @@
 //! The explorer, asked as a browser would ask it.
 
+#[path = "explore/export.rs"]
+mod export;
+#[path = "explore/facets.rs"]
+mod facets;
+#[path = "explore/hand.rs"]
+mod hand;
 #[path = "explore/heights.rs"]
 mod heights;
 #[path = "explore/lessons.rs"]
 mod lessons;
 #[path = "explore/played.rs"]
 mod played;
+#[path = "explore/sessions.rs"]
+mod sessions;
 #[path = "explore/texts.rs"]
 mod texts;
 
 use asperity::Stop;
 use asperity::contact::{Multilevel, Solver};
-use asperity::explore::{Explorer, Knobs, Lesson, Server, Session, Start};
+use asperity::explore::{Explorer, Knobs, Lesson, Server, Sessions, Start};
 use asperity::setup::Setup;
 use assert_cmd::Command;
 use rerun::components::Color;
@@ -20,11 +28,13 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Cursor, Read, Write};
 use std::net::TcpStream;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// An explorer on a port of its own.
 struct Page {
     port: u16,
+    session: String,
 }
 
 /// An answer: status, headers in lower case, body.
@@ -46,12 +56,25 @@ impl Answer {
 
 impl Page {
     fn open() -> Self {
-        let (session, _) = Session::start();
-        let explorer = Explorer::new(session, Start::RoughLine.knobs(), Lesson::all()).unwrap();
+        let explorer = Explorer::new(Arc::new(Sessions::default()), Start::RoughLine.knobs(), Lesson::all()).unwrap();
         let server = Server::bind(0).unwrap();
         let port = server.port();
         std::thread::spawn(move || server.run(explorer).unwrap());
-        Self { port }
+        Self::of(port)
+    }
+
+    /// A page of the server on a port, with a session of its own.
+    fn of(port: u16) -> Self {
+        let page = Self { port, session: String::new() };
+        let begun = page.post("/api/session", "0");
+        assert_eq!(begun.status, 200, "{}", begun.text());
+        Self { session: begun.json()["session"].as_str().unwrap().into(), ..page }
+    }
+
+    /// The full path of one that is below the session, as most are.
+    fn full(&self, path: &str) -> String {
+        let is_below = ["/api/", "/run/", "/save/"].iter().any(|start| path.starts_with(start));
+        if is_below && path != "/api/session" { format!("/session/{}{path}", self.session) } else { path.into() }
     }
 
     /// Sends `request` as it is and reads the answer.
@@ -63,7 +86,7 @@ impl Page {
     }
 
     fn ask(&self, method: &str, path: &str, headers: &str, body: &str) -> Answer {
-        let (port, length) = (self.port, body.len());
+        let (port, length, path) = (self.port, body.len(), self.full(path));
         self.send(
             format!(
                 "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\nContent-Length: {length}\r\n\
@@ -325,7 +348,7 @@ fn hostile_requests_leave_it_running() {
     let large = "x".repeat(1 << 17);
     assert_eq!(page.post("/api/solve", &large).status, 413);
     let claim = format!(
-        "POST /api/solve HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Type: application/json\r\nContent-Length: 99999999999999999\r\n\r\n{{"
+        "POST /api/session HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Type: application/json\r\nContent-Length: 99999999999999999\r\n\r\n{{"
     );
     assert_eq!(page.send(claim.as_bytes()).status, 413);
     let endless_header = format!("GET / HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nX: {}", "y".repeat(1 << 20));
@@ -612,7 +635,7 @@ fn a_recording_can_be_read_while_it_grows() {
     page.order("/api/solve", &endless());
     let id = page.wait(|state| state["run"]["numbers"]["status"] == "running")["run"]["id"].clone();
     let mut stream = TcpStream::connect(("127.0.0.1", page.port)).unwrap();
-    let path = format!("/run/{}.rrd", id.as_str().unwrap());
+    let path = page.full(&format!("/run/{}.rrd", id.as_str().unwrap()));
     write!(stream, "GET {path} HTTP/1.1\r\nHost: localhost:{}\r\n\r\n", page.port).unwrap();
     let mut first = [0; 1 << 12];
     stream.read_exact(&mut first).unwrap();
@@ -683,7 +706,7 @@ fn ends_at(signal: &str) {
     let mut out = BufReader::new(child.stdout.take().unwrap());
     out.read_line(&mut said).unwrap();
     let port = said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap();
-    let page = Page { port };
+    let page = Page::of(port);
     page.order("/api/solve", &endless());
     page.wait(|state| state["run"]["numbers"]["status"] == "running");
     std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();

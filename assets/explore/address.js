@@ -62,11 +62,11 @@ async function openAddress(instead) {
 async function carryOut({ lesson: name, step: place, knobs: wanted, pinned: kept }) {
   if (name !== undefined) return openLessonAt(name, place);
   if (kept) {
-    const { revision } = await post("/api/solve", painted(kept));
+    const { revision } = await post("solve", painted(kept));
     await ended(revision);
     await setPin(report.run.id);
   }
-  await post("/api/solve", painted(wanted));
+  await post("solve", painted(wanted));
   knobs = painted(wanted);
   show();
 }

@@ -132,8 +132,8 @@ function explain(target, tip) {
 
 /** The parts of a recording that a box stands for. */
 const parts = (box) => box.value.split(" ");
-const toSlider = (c, v) => c.log ? Math.log10(v) : c.log2 || c.power2 ? Math.log2(v) : v;
-const fromSlider = (c, v) => c.log ? Number((10 ** v).toPrecision(4)) : c.power2 ? 2 ** v : c.log2 ? Math.round(2 ** v) : v;
+const toSlider = (c, v) => c.values ? c.values.indexOf(v) : c.log ? Math.log10(v) : c.log2 || c.power2 ? Math.log2(v) : v;
+const fromSlider = (c, v) => c.values ? c.values[v] : c.log ? Number((10 ** v).toPrecision(4)) : c.power2 ? 2 ** v : c.log2 ? Math.round(2 ** v) : v;
 
 /** Takes the value of a control into the knobs. */
 function take(control) {
@@ -144,9 +144,12 @@ function take(control) {
 }
 
 function set(control, value) {
-  const [holder, name] = place(control);
-  holder[name] = value;
-  mend(control.id);
+  if (solved) takeSolved(control, value);
+  else {
+    const [holder, name] = place(control);
+    holder[name] = value;
+    mend(control.id);
+  }
   show();
 }
 
@@ -173,6 +176,7 @@ function mend(id) {
 
 /** Shows the knobs in the controls. */
 function show() {
+  if (solved) offerSolved();
   for (const control of CONTROLS) {
     const id = `control-${control.id}`;
     const input = byId(id);

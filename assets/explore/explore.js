@@ -80,19 +80,19 @@ async function begin() {
   window.addEventListener("keydown", key, true);
   startViewer().catch((error) => {
     document.body.dataset.viewer = "failed";
-    noteViewer(say("viewer.unstarted", { reason: error }));
+    noteViewer(location.protocol === "file:" ? say("viewer.disk") : say("viewer.unstarted", { reason: error }));
   });
   if (isView) { byId("title").textContent = say("title.recording"); return; }
-  const ask = async (path) => (await fetch(path)).json();
-  const before = await ask("/api/state");
-  known = await ask("/api/observables");
+  await joinSession();
+  const before = await ask("state");
+  known = await ask("observables");
   observables = [...known, SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
-  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("/api/start");
+  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("start");
   const isPainted = knobs.theme === document.documentElement.dataset.theme;
   takeTheme();
-  remember(await ask("/api/runs"));
+  remember(await ask("runs"));
   build();
-  description = await ask("/api/heights");
+  description = await ask("heights");
   show();
   charts();
   await beginLessons();

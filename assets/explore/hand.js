@@ -23,7 +23,7 @@ async function hold(wish) {
     const asked = performance.now();
     const order = wantedHold;
     wantedHold = null;
-    await post("/api/hold", order).then(
+    await post("hold", order).then(
       (held) => { heldTimes.push(performance.now() - asked); document.body.dataset.held = heldTimes.length; showHeld(held, order); },
       (error) => fault(error.message));
   }
@@ -32,7 +32,7 @@ async function hold(wish) {
 
 /** Shows the section of knobs that nobody turns: a load of a sweep. */
 async function holdQuietly(its) {
-  const shown = await post("/api/hold", { knobs: its, "mean-gap": null, "is-deep": isDeep() }).catch((error) => fault(error.message));
+  const shown = await post("hold", { knobs: its, "mean-gap": null, "is-deep": isDeep() }).catch((error) => fault(error.message));
   if (shown && moment && !grip) showSection(shown.section, shown.beside);
 }
 

@@ -73,13 +73,7 @@ function dragged(event) {
 async function takeFile(file) {
   if (!file) return;
   if (file.size > LARGEST) { fault(say("fault.large", { name: file.name, size: Math.ceil(file.size / 1e6), most: Math.floor(LARGEST / 1e6) })); return; }
-  const send = async () => {
-    const headers = { "Content-Type": "application/octet-stream" };
-    const answer = await fetch(`/api/heights?name=${encodeURIComponent(file.name)}`, { method: "POST", headers, body: file });
-    if (!answer.ok) throw new Error(await answer.text());
-    return answer.json();
-  };
-  await send().then((told) => { knobs.body = "file"; takeDescription(told); }, (error) => fault(error.message));
+  await postFile(`heights?name=${encodeURIComponent(file.name)}`, file).then((told) => { knobs.body = "file"; takeDescription(told); }, (error) => fault(error.message));
 }
 
 /** Asks the server for a description of the file as the knobs take it, with a step or a setting changed. */
@@ -90,7 +84,7 @@ async function takeStep(control, value) {
   else if (control.id !== "auto") heights.auto = heights.auto || control.id === "channel";
   if (value === "") delete place[control.id];
   else place[control.id] = control.id === "auto" ? value === "true" : control.list ? value.split(/[ ,;]+/).map(Number) : value;
-  await post("/api/describe", heights).then(takeDescription, (error) => { fault(say("fault.step", { label: heightLabel(control), value, reason: error.message })); showHeights(); });
+  await post("describe", heights).then(takeDescription, (error) => { fault(say("fault.step", { label: heightLabel(control), value, reason: error.message })); showHeights(); });
 }
 
 /** Takes what the server tells of the file and how it is taken, and solves it if it can be. */

@@ -8,7 +8,7 @@ let lesson = null;
 let suspended = null;
 
 async function beginLessons() {
-  lessons = await (await fetch("/api/lessons")).json();
+  lessons = await ask("lessons");
   byId("lesson").append(element("option", { value: "" }, say("lesson.none")), ...lessons.map(({ name, title }) => element("option", { value: name }, inLanguage(title))));
   byId("lesson").addEventListener("change", () => openLesson(byId("lesson").value));
   byId("lesson-back").addEventListener("click", () => step(-1));

@@ -7,12 +7,11 @@ const facets = new Map();
 /** A facet of a run, asked for once. */
 function facet(run, name) {
   const key = `${run.id}/${name}`;
-  if (!facets.has(key)) facets.set(key, get(`/api/run/${key}`));
+  if (!facets.has(key)) facets.set(key, ask(`run/${key}`));
   for (const old of [...facets.keys()].slice(0, -3 * KEEP)) facets.delete(old);
   return facets.get(key);
 }
 
-const get = async (path) => (await fetch(path)).json();
 
 /** Shows in the table where the viewer stands in the run or the sweep that it shows. */
 async function showMoment() {
@@ -34,8 +33,9 @@ function momentOfLoad(point) {
 
 /** The numbers of a step of a run; at its end those of the run. */
 async function momentOfStep(run, step) {
-  const { steps, ...columns } = await facet(run, "steps").catch(() => ({ steps: [] }));
-  if (runOf(shownRun) !== run || !steps.length) return;
+  const columns = await facet(run, "steps").catch((error) => fault(error.message));
+  if (!columns || runOf(shownRun) !== run) return;
+  const steps = columns.iterations;
   const at = steps.findLastIndex((it) => it <= step);
   const isEnd = at < 0 || step >= steps.at(-1);
   const numbers = isEnd ? null : Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
@@ -53,7 +53,7 @@ async function showSectionOf(run) {
   if (!its || grip || sectionRun !== run.id) return;
   const [shown, shownBeside] = its.map((it) => it && (isDeep() ? it : { ...it, shear: null }));
   showSection(shown, shownBeside);
-  run.steps = (await facet(run, "steps").catch(() => ({}))).steps;
+  run.steps = (await facet(run, "steps").catch(() => null))?.iterations;
   document.body.dataset.section = run.id;
 }
 

@@ -4,12 +4,6 @@
 let posting = false;
 let waiting = false;
 
-async function post(path, body) {
-  const answer = await fetch(path, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) });
-  if (!answer.ok) throw new Error(await answer.text());
-  return answer.json();
-}
-
 /** Solves anew; while one request is under way, only the latest change waits. The curves of another surface are greyed at once. */
 async function changed() {
   charts();
@@ -19,13 +13,13 @@ async function changed() {
   asked = performance.now();
   do {
     waiting = false;
-    await post("/api/solve", knobs).then(() => fault(""), (error) => fault(error.message));
+    await post("solve", knobs).then(() => fault(""), (error) => fault(error.message));
   } while (waiting);
   posting = false;
 }
 
-const sweep = () => post("/api/sweep", knobs).then(() => fault(""), (error) => fault(error.message));
-const cancel = () => post("/api/cancel", {}).catch((error) => fault(error.message));
+const sweep = () => post("sweep", knobs).then(() => fault(""), (error) => fault(error.message));
+const cancel = () => post("cancel", {}).catch((error) => fault(error.message));
 
 function fault(sentence) {
   byId("fault").textContent = sentence;
@@ -39,21 +33,33 @@ let asked = 0;
 async function listen() {
   for (;;) {
     try {
-      const answer = await fetch(`/api/state?since=${report.revision}`);
-      const news = await answer.json();
+      const news = await ask(`state?since=${report.revision}`);
       if (news.revision !== report.revision) heard(news);
-      if (document.body.dataset.server === "gone") fault("");
+      if (["gone", "full"].includes(document.body.dataset.server)) fault("");
       document.body.dataset.server = "there";
-    } catch {
-      document.body.dataset.server = "gone";
-      fault(say("fault.server"));
-      await new Promise((done) => setTimeout(done, 1000));
+    } catch (error) {
+      if (error.status === ENDED) await beginAgain();
+      else { miss(error); await pause(); }
     }
   }
 }
 
+/** Begins a session in the place of one that the server no longer has, and solves in it what is seen: what is pinned first. Earlier runs stay
+ * as far as the viewer has them. */
+async function beginAgain() {
+  const kept = pinned && runOf(pinned);
+  await beginSession(Math.max(0, ...runs.map(numberOf)));
+  runs.filter((run) => !run.ended || !run.followed).forEach(forget);
+  runs = runs.filter((run) => run.ended && run.followed);
+  Object.assign(report, { revision: 0, busy: false, pinned: null });
+  listRuns();
+  fault("");
+  carryOut({ knobs, pinned: kept && !isSweep(kept) ? kept.knobs : null }).catch((error) => fault(error.message));
+}
+
+/** Takes the news; a sweep of an earlier session stays until there is another. */
 function heard(news) {
-  report = news;
+  report = { ...news, sweep: news.sweep || report.sweep };
   if (news.fault) fault(news.fault);
   if (news.run) heardRun(news.run);
   showHeights();
@@ -73,15 +79,16 @@ let runs = [];
 
 /** A sweep stands among the runs, with loads for steps; one that is older than the latest run was there before the page. */
 function heardSweep(sweep) {
-  const number = (run) => Number(run.id.split("-")[1]);
-  if (runOf(sweep.id) || !(report.run && number(report.run) > number(sweep))) heardRun(sweep);
+  if (runOf(sweep.id) || !(report.run && numberOf(report.run) > numberOf(sweep))) heardRun(sweep);
 }
+
+const numberOf = (run) => Number(run.id.split("-")[1]);
 
 function heardRun(run) {
   const known = runOf(run.id);
   if (known) Object.assign(known, run);
   else {
-    runs.push(run);
+    runs.push(Object.assign(run, { session }));
     moment = null;
     byId("title").textContent = run.title;
     follow(run);
@@ -93,12 +100,10 @@ function heardRun(run) {
 
 /** Takes the runs of before this page was opened, as far as they can still be read. */
 function remember(earlier) {
-  runs = earlier;
+  runs = earlier.map((run) => Object.assign(run, { session }));
   listRuns();
   runs.slice(-1).forEach(follow);
 }
-
-const address = (run) => `${location.origin}/run/${run.id}.rrd`;
 
 /** The least time between two runs that the viewer gets, in milliseconds: of those in between only the last counts. */
 const BREATH = { line: 120, surface: 400 };
@@ -114,7 +119,7 @@ function follow(run) {
     followed = performance.now();
     stopPlaying();
     run.followed = true;
-    viewer.add_receiver(address(run));
+    viewer.add_receiver(recordingAddress(run));
     wake();
     byId("scrub").value = 1000;
     byId("scrub-step").value = say("play.latest");
@@ -133,7 +138,7 @@ function watchFirst(run, since) {
 }
 
 function forget(run) {
-  if (viewer && run.followed) viewer.remove_receiver(address(run));
+  if (viewer && run.followed) viewer.remove_receiver(recordingAddress(run));
 }
 
 function listRuns() {
@@ -179,7 +184,7 @@ function pin() {
 }
 
 async function setPin(id) {
-  if (id !== pinned) await post("/api/pin", id).then(() => fault(""), (error) => fault(error.message));
+  if (id !== pinned) await post("pin", id).then(() => fault(""), (error) => fault(error.message));
 }
 
 function showPin(id) {

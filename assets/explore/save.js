@@ -5,8 +5,8 @@
 function offerSaves() {
   const it = current();
   const offer = (id, isThere) => { byId(id).disabled = !isThere; };
-  offer("save-rrd", it && it.ended);
-  offer("save-npz", it && it.ended && !isSweep(it));
+  offer("save-rrd", it && it.ended && isKept(it));
+  offer("save-npz", it && it.ended && isKept(it) && !isSweep(it) && !solved);
   offer("save-setup", it && !isSweep(it));
   offer("copy-command", it && !isSweep(it));
   offer("save-picture", it && viewer);
@@ -28,8 +28,8 @@ function saveBlob(blob, name) {
   setTimeout(() => URL.revokeObjectURL(address), 60000);
 }
 
-const saveRecording = () => save(`/save/${current().id}.rrd`);
-const saveArrays = () => save(`/save/${current().id}.npz`);
+const saveRecording = () => save(savingAddress(current(), "rrd"));
+const saveArrays = () => save(savingAddress(current(), "npz"));
 const saveSetup = () => saveText(current().setup, "application/toml", `${current().file_stem}.toml`);
 
 /** The sweep as a table: all observables of each load, and what theories say. */

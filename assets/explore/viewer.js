@@ -54,7 +54,7 @@ async function startViewer() {
   byId("viewer").append(canvas);
   const focused = document.activeElement;
   const handle = new wasm_bindgen.WebHandle({
-    url: isView ? [`${location.origin}/recording.rrd`] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
+    url: isView ? [nextTo("recording.rrd")] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
     render_backend: query.get("renderer"), on_viewer_event: heardViewer,
     panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
   });
@@ -71,7 +71,7 @@ async function startViewer() {
 
 /** Has the viewer draw when it has read a recording to its end, and notes which. */
 function noteWhole({ name }) {
-  const run = runs.find((run) => address(run) === name);
+  const run = runs.find((run) => recordingAddress(run) === name);
   if (!run) return;
   document.body.dataset.whole = run.id;
   wholeRuns.add(run.id);

@@ -1,13 +1,18 @@
 //! `asperity explore`: turn a knob, watch the contact relax.
 
+use super::interrupt::interrupted;
 use super::outcome::{Outcome, usage};
-use anyhow::Result;
-use asperity::explore::{Explorer, Lesson, Server, Session, Start};
+use anyhow::{Result, anyhow};
+use asperity::error::{Failure, FileError};
+use asperity::explore::{Explorer, Export, Lesson, Server, Sessions, Start};
 use asperity::surface::HeightFile;
 use clap::Args;
-use std::io::{Write, stdout};
-use std::path::PathBuf;
+use std::io::{Write, stderr, stdout};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 /// The program that opens an address in the browser of the person at the keyboard.
 #[cfg(target_os = "macos")]
@@ -22,7 +27,8 @@ Examples:
   asperity explore
   asperity explore hertz-line --port 9000 --no-open
   asperity explore --height patch.x3p
-  asperity explore --lessons my-lessons";
+  asperity explore --lessons my-lessons
+  asperity explore --lessons my-lessons --export course";
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -36,6 +42,9 @@ pub struct Explore {
     /// A folder of lessons in the place of those of the page, one in each file that ends in .toml
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,
+    /// Solve all that the lessons show, and write them as a folder of files for any web server, which is new or empty
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["height", "port", "no_open"])]
+    export: Option<PathBuf>,
     #[command(flatten)]
     page: PageArgs,
 }
@@ -57,16 +66,41 @@ impl Explore {
             Ok(lessons) => lessons.unwrap_or_else(Lesson::all),
             Err(refusal) => return usage(refusal.to_string()),
         };
-        let (session, solver) = Session::start();
-        if let Some(path) = &self.height {
-            session.open(HeightFile::from(path.clone()).with_full_path())?;
+        if let Some(folder) = &self.export {
+            return export(folder, lessons);
         }
-        let explorer = Explorer::new(session.clone(), self.start.knobs(), lessons)?;
+        let heights = self.height.clone().map(|path| HeightFile::from(path).with_full_path());
+        let sessions = Arc::new(heights.map_or_else(|| Ok(Sessions::default()), Sessions::with_heights)?);
+        let explorer = Explorer::new(sessions.clone(), self.start.knobs(), lessons)?;
         let served = self.page.open().and_then(|server| Ok(server.run(explorer)?));
-        session.close();
-        solver.join().ok(); // a solver that failed has said so on the page
+        sessions.close();
         served.map(|()| Outcome::Done)
     }
+}
+
+/// Writes lessons as a site, and says on standard error how far that is.
+fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<Outcome> {
+    let export = match Export::new(lessons) {
+        Ok(export) => export,
+        Err(refusal) => return usage(refusal.to_string()),
+    };
+    let interrupted = interrupted()?;
+    let mut shown = None;
+    let mut goes_on = |done: usize| {
+        if shown != Some(done) {
+            shown = Some(done);
+            writeln!(stderr(), "solving {} of {}", done + 1, export.runs()).ok(); // progress is no reason to fail
+        }
+        if interrupted.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    export.write(folder, &mut goes_on).map_err(untold)?;
+    writeln!(stdout(), "{}: {} runs; put it on any web server", folder.display(), export.runs())?;
+    Ok(Outcome::Done)
+}
+
+/// A failure with what it is, where that decides how the command ends.
+fn untold(failure: Failure) -> anyhow::Error {
+    failure.downcast::<FileError>().map_or_else(|other| anyhow!(other), |file| anyhow::Error::new(*file))
 }
 
 impl PageArgs {

@@ -6,11 +6,13 @@
 //!   +----(Report)-----+<---(Turn)------------+
 //! ```
 //!
-//! Everything goes over one port of the loopback interface: page, viewer, state and the recording as it grows. A request
-//! changes nothing but the one [`Session`]; what the page saves, the browser downloads. A file of heights that is dropped on the page stays
-//! in the memory of the session, and the next one takes its place.
+//! Everything goes over one port of the loopback interface: page, viewer, state and the recording as it grows. Every
+//! tab has a session of its own among the few [`Sessions`], and a request changes nothing but that; what the page saves, the browser
+//! downloads. A file of heights that is dropped on the page stays in the memory of the session, and the next one takes its place.
 
 mod description;
+mod export;
+mod facet;
 mod guard;
 mod hand;
 mod height_knobs;
@@ -19,6 +21,7 @@ mod knobs;
 mod lesson;
 mod page;
 mod patches;
+mod policy;
 mod question;
 mod reel;
 mod refusal;
@@ -27,14 +30,17 @@ mod route;
 mod section;
 mod server;
 mod session;
+mod sessions;
 mod site;
 mod solve;
+mod step_numbers;
 mod stream;
 mod sweep;
 mod words;
 mod worker;
 
 pub use description::Description;
+pub use export::Export;
 pub use hand::{Held, Hold};
 pub use height_knobs::HeightKnobs;
 pub use knobs::{Knobs, Start};
@@ -44,5 +50,5 @@ pub use question::{Curve, Question};
 pub use refusal::Refusal;
 pub use route::Explorer;
 pub use server::Server;
-pub use session::Session;
+pub use sessions::Sessions;
 pub use words::Words;

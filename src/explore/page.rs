@@ -1,5 +1,6 @@
 //! The page and the viewer inside it, all of them in the binary.
 
+use super::policy::IN_PAGE;
 use super::site::{Reply, Request, Site};
 use super::stream::RecordingBytes;
 use axum::body::Bytes;
@@ -32,6 +33,8 @@ const FILES: &[(&str, &str, &str)] = &[
     file!("explore.css", "text/css; charset=utf-8"),
     file!("favicon.svg", "image/svg+xml"),
     file!("address.js", SCRIPT),
+    file!("backend.js", SCRIPT),
+    file!("beforehand.js", SCRIPT),
     file!("charts.js", SCRIPT),
     file!("controls.js", SCRIPT),
     file!("explore.js", SCRIPT),
@@ -85,6 +88,18 @@ impl Page {
                 Reply::Page(kind, Bytes::from_static(text.as_bytes()))
             }
         })
+    }
+
+    /// All files, by their names, as they lie in a folder beside the script `solved.js`, which the page then loads.
+    pub fn files(&self) -> impl Iterator<Item = (&'static str, Bytes)> {
+        let kind = "<meta charset=\"utf-8\">";
+        let policy = format!("{kind}\n<meta http-equiv=\"Content-Security-Policy\" content=\"{IN_PAGE}\">");
+        let script = "<script src=\"beforehand.js\" defer></script>";
+        let solved = format!("<script src=\"solved.js\" defer></script>\n{script}");
+        let html = self.html().replace(kind, &policy).replace(script, &solved);
+        let own = FILES.iter().map(|(path, _, text)| (&path[1..], Bytes::from_static(text.as_bytes())));
+        let viewer = [("re_viewer.js", self.script.clone()), ("re_viewer_bg.wasm", self.module.clone())];
+        own.chain(viewer).chain([("index.html", html.into())])
     }
 
     fn html(&self) -> String {

@@ -1,6 +1,7 @@
 //! A recording of the session, and what came of the solve or sweep behind it.
 
 use super::report::{RunReport, SweepReport};
+use super::step_numbers::StepNumbers;
 use crate::contact::{Contact, archive};
 use crate::record::{Ghost, Output};
 use serde::Serialize;
@@ -35,6 +36,7 @@ pub struct Solved {
     pub beside: Option<Contact>,
     /// Curves of the recording, to stand beside those of others.
     pub curves: Arc<Ghost>,
+    pub steps: StepNumbers,
 }
 
 /// What the page is told of a recording that is complete.

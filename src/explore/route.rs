@@ -1,5 +1,6 @@
 //! The paths of the explorer.
 
+use super::facet::FACETS;
 use super::height_name::plain_name;
 use super::knobs::Knobs;
 use super::lesson::Lesson;
@@ -7,6 +8,7 @@ use super::page::Page;
 use super::reel::Reel;
 use super::refusal::Refusal;
 use super::session::{Kind, Session};
+use super::sessions::Sessions;
 use super::site::{Intake, Reply, Request, Site};
 use super::stream::RecordingBytes;
 use crate::contact::OBSERVABLES;
@@ -23,11 +25,17 @@ const MOST_HEIGHTS: usize = 1 << 26;
 /// Longest wait of a request for news.
 const PATIENCE: Duration = Duration::from_millis(900);
 
-/// The page and the session behind it.
+/// The page and the sessions behind it.
 ///
 /// | path              | method | answer                                                                |
 /// |-------------------|--------|-----------------------------------------------------------------------|
 /// | `/`, and its files| GET    | page, script, style, viewer                                           |
+/// | `/api/session`    | POST   | takes the number after which runs are numbered, begins a session; its name |
+///
+/// All other paths are those of one session, below `/session/NAME`:
+///
+/// | path              | method | answer                                                                |
+/// |-------------------|--------|-----------------------------------------------------------------------|
 /// | `/api/start`      | GET    | the [`Knobs`] to start with                                           |
 /// | `/api/lessons`    | GET    | the lessons, see [`Lesson`]                                           |
 /// | `/api/observables`| GET    | names and meanings of the numbers in a report                         |
@@ -36,17 +44,19 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/api/sweep`      | POST   | the same for a sweep                                                  |
 /// | `/api/cancel`     | POST   | ends what runs                                                        |
 /// | `/api/pin`        | POST   | takes the name of a recording, or null: its curves stand beside new ones |
+/// | `/api/leave`      | POST   | notes that the page is closed, or opened anew                         |
 /// | `/api/heights`    | POST   | takes the bytes of a file of heights, called `?name=`; a [`Description`](super::Description) of it |
 /// |                   | GET    | the latest description, or null                                       |
 /// | `/api/describe`   | POST   | takes [`HeightKnobs`](super::HeightKnobs); the description of that file as they take it |
 /// | `/api/hold`       | POST   | takes a [`Hold`](super::Hold); the contact as a hand holds it, [`Held`](super::Held) |
 /// | `/run/ID.rrd`     | GET    | one of the latest recordings, as it grows                             |
 /// | `/api/runs`       | GET    | what is told of the latest recordings that are complete               |
+/// | `/api/run/ID/NAME`| GET    | a facet of a run that has ended, such as `steps`                      |
 /// | `/save/ID.rrd`    | GET    | one of the latest recordings, once it is complete, to save            |
 /// | `/save/ID.npz`    | GET    | the arrays of the result behind one of them, to save                  |
 pub struct Explorer {
     page: Page,
-    session: Arc<Session>,
+    sessions: Arc<Sessions>,
     start: Knobs,
     lessons: Vec<Lesson>,
 }
@@ -56,80 +66,116 @@ impl Explorer {
     ///
     /// # Errors
     /// If the viewer is not in the binary.
-    pub fn new(session: Arc<Session>, start: Knobs, lessons: Vec<Lesson>) -> io::Result<Self> {
-        Ok(Self { page: Page::new("explore")?, session, start, lessons })
+    pub fn new(sessions: Arc<Sessions>, start: Knobs, lessons: Vec<Lesson>) -> io::Result<Self> {
+        Ok(Self { page: Page::new("explore")?, sessions, start, lessons })
     }
 
-    fn post(&self, request: &Request<'_>) -> Reply {
-        let order = |kind| Knobs::read(request.body).and_then(|knobs| self.session.order(kind, knobs));
-        let done = match request.path {
-            "/api/heights" => return answer(self.session.open(file(request))),
-            "/api/describe" => return answer(read(request.body).and_then(|knobs| self.session.describe(knobs))),
-            "/api/hold" => return answer(read(request.body).and_then(|hold| self.session.hold(&hold))),
-            "/api/solve" => order(Kind::Solve),
-            "/api/sweep" => order(Kind::Sweep),
-            "/api/cancel" => Ok(self.session.cancel()),
-            "/api/pin" => read(request.body).and_then(|name| self.session.pin(name)),
-            path if self.page.file(path).is_some() || GETS.contains(&path) => return Reply::wrong_method("GET"),
-            path => return Reply::missing(path),
+    /// A file of the page, or a new session.
+    fn outside(&self, request: &Request<'_>) -> Reply {
+        match (request.path, request.method) {
+            ("/api/session", "POST") => match read(request.body).map(|after| self.sessions.begin(after)) {
+                Ok(Ok(name)) => Reply::json(&json!({ "session": name })),
+                Ok(Err(Refusal(sentence))) => Reply::Error(503, sentence),
+                Err(Refusal(sentence)) => Reply::Error(400, sentence),
+            },
+            ("/api/session", _) => Reply::wrong_method("POST"),
+            (path, method) => match self.page.file(path) {
+                Some(_) if method == "POST" => Reply::wrong_method("GET"),
+                file => file.unwrap_or_else(|| Reply::missing(path)),
+            },
+        }
+    }
+
+    /// What is at a path of a session.
+    fn inside(&self, name: &str, request: &Request<'_>) -> Reply {
+        let Some(session) = self.sessions.session(name) else {
+            return Reply::Error(410, "this session has ended: reload the page for a new one".into());
         };
-        answer(done.map(|revision| json!({ "revision": revision })))
-    }
-
-    fn get(&self, request: &Request<'_>) -> Reply {
-        match request.path {
-            "/api/start" => Reply::json(&self.start),
-            "/api/lessons" => Reply::json(&self.lessons),
-            "/api/observables" => Reply::json(&OBSERVABLES),
-            "/api/state" => self.state(request.query),
-            "/api/runs" => Reply::json(&self.session.told()),
-            "/api/heights" => Reply::json(&self.session.description()),
-            "/api/solve" | "/api/sweep" | "/api/cancel" | "/api/pin" | "/api/describe" | "/api/hold" => {
-                Reply::wrong_method("POST")
+        match (request.path, request.method) {
+            ("/api/leave", "POST") => {
+                self.sessions.leave(name);
+                Reply::json(&())
             }
-            path => self
-                .page
-                .file(path)
-                .or_else(|| self.facet(path))
-                .or_else(|| self.reel(path))
-                .unwrap_or_else(|| Reply::missing(path)),
+            (path, "POST") if GETS.contains(&path) => Reply::wrong_method("GET"),
+            (path, "GET") if POSTS.contains(&path) => Reply::wrong_method("POST"),
+            (_, "POST") => ordered(&session, request),
+            ("/api/start", _) => Reply::json(&self.start),
+            ("/api/lessons", _) => Reply::json(&self.lessons),
+            _ => told(&session, request),
         }
     }
+}
 
-    fn facet(&self, path: &str) -> Option<Reply> {
-        let (id, name) = path.strip_prefix("/api/run/")?.split_once('/')?;
-        let solved = self.session.reel(id)?.solved()?;
-        match name {
-            "section" => Some(Reply::json(&super::section::Section::of(&solved.contact, true))),
-            "beside" => Some(Reply::json(&solved.beside.as_ref().map(|it| super::section::Section::of(it, true)))),
-            "patches" => Some(Reply::json(&super::patches::PatchTable::of(&solved.contact))),
-            _ => None,
-        }
+/// Paths of a session that are only read, and those that only take orders.
+const GETS: [&str; 5] = ["/api/start", "/api/observables", "/api/state", "/api/runs", "/api/lessons"];
+const POSTS: [&str; 7] =
+    ["/api/solve", "/api/sweep", "/api/cancel", "/api/pin", "/api/describe", "/api/hold", "/api/leave"];
+
+/// Carries out an order.
+fn ordered(session: &Session, request: &Request<'_>) -> Reply {
+    let order = |kind| Knobs::read(request.body).and_then(|knobs| session.order(kind, knobs));
+    let done = match request.path {
+        "/api/heights" => return answer(session.open(file(request))),
+        "/api/describe" => return answer(read(request.body).and_then(|knobs| session.describe(knobs))),
+        "/api/hold" => return answer(read(request.body).and_then(|hold| session.hold(&hold))),
+        "/api/solve" => order(Kind::Solve),
+        "/api/sweep" => order(Kind::Sweep),
+        "/api/cancel" => Ok(session.cancel()),
+        "/api/pin" => read(request.body).and_then(|name| session.pin(name)),
+        path => return Reply::missing(path),
+    };
+    answer(done.map(|revision| json!({ "revision": revision })))
+}
+
+/// What a session tells.
+fn told(session: &Session, request: &Request<'_>) -> Reply {
+    match request.path {
+        "/api/observables" => Reply::json(&OBSERVABLES),
+        "/api/state" => state(session, request.query),
+        "/api/runs" => Reply::json(&session.told()),
+        "/api/heights" => Reply::json(&session.description()),
+        path => reel(session, path).or_else(|| facet(session, path)).unwrap_or_else(|| Reply::missing(path)),
     }
+}
 
-    /// The report, when it is newer than the query says.
-    fn state(&self, query: &str) -> Reply {
-        let since = query.split('&').find_map(|pair| pair.strip_prefix("since="));
-        match since.map_or(Ok(0), str::parse::<u64>) {
-            Ok(revision) => {
-                let patience = if since.is_some() { PATIENCE } else { Duration::ZERO };
-                Reply::json(&self.session.report(revision, patience))
-            }
-            Err(_) => Reply::Error(400, "since is not a revision: give a whole number".into()),
+/// The name of a session in a path, and the path below it; none of a path that is of no session.
+fn split(path: &str) -> Option<(&str, &str)> {
+    let below = path.strip_prefix("/session/")?;
+    below.find('/').map(|end| below.split_at(end))
+}
+
+/// The report, when it is newer than the query says.
+fn state(session: &Session, query: &str) -> Reply {
+    let since = query.split('&').find_map(|pair| pair.strip_prefix("since="));
+    match since.map_or(Ok(0), str::parse::<u64>) {
+        Ok(revision) => {
+            let patience = if since.is_some() { PATIENCE } else { Duration::ZERO };
+            Reply::json(&session.report(revision, patience))
         }
+        Err(_) => Reply::Error(400, "since is not a revision: give a whole number".into()),
     }
+}
 
-    /// One of the latest recordings, to show or to save, or the arrays of its result.
-    fn reel(&self, path: &str) -> Option<Reply> {
-        let (folder, file) = path.strip_prefix('/')?.split_once('/')?;
-        let (id, kind) = file.rsplit_once('.')?;
-        let reel = self.session.reel(id)?;
-        match (folder, kind) {
-            ("run", "rrd") => Some(Reply::Recording(RecordingBytes::Live(reel.live), None)),
-            ("save", "rrd") => Some(saved_recording(reel)),
-            ("save", "npz") => Some(saved_arrays(&reel)),
-            _ => None,
-        }
+/// A facet of one of the latest runs, once it has ended.
+fn facet(session: &Session, path: &str) -> Option<Reply> {
+    let (id, name) = path.strip_prefix("/api/run/")?.split_once('/')?;
+    let (reel, facet) = (session.reel(id)?, FACETS.iter().find(|facet| facet.name == name)?);
+    Some(match reel.solved() {
+        Some(solved) => Reply::json(&(facet.of)(&solved)),
+        None => Reply::Error(409, format!("{id} has no {name}: ask for those of a solve that has ended")),
+    })
+}
+
+/// One of the latest recordings, to show or to save, or the arrays of its result.
+fn reel(session: &Session, path: &str) -> Option<Reply> {
+    let (folder, file) = path.strip_prefix('/')?.split_once('/')?;
+    let (id, kind) = file.rsplit_once('.')?;
+    let reel = session.reel(id)?;
+    match (folder, kind) {
+        ("run", "rrd") => Some(Reply::Recording(RecordingBytes::Live(reel.live), None)),
+        ("save", "rrd") => Some(saved_recording(reel)),
+        ("save", "npz") => Some(saved_arrays(&reel)),
+        _ => None,
     }
 }
 
@@ -152,9 +198,6 @@ fn file(request: &Request<'_>) -> HeightFile {
     HeightFile::in_memory(plain_name(name.unwrap_or_default()), request.body)
 }
 
-/// Paths that are only read.
-const GETS: [&str; 5] = ["/api/start", "/api/observables", "/api/state", "/api/runs", "/api/lessons"];
-
 /// The recording under the name of its run, once it is complete.
 fn saved_recording(reel: Reel) -> Reply {
     if reel.live.written().is_some() {
@@ -173,13 +216,16 @@ fn saved_arrays(reel: &Reel) -> Reply {
 
 impl Site for Explorer {
     fn intake(&self, path: &str) -> Intake {
-        match path {
-            "/api/heights" => Intake { kind: "application/octet-stream", most: MOST_HEIGHTS },
+        match split(path) {
+            Some((_, "/api/heights")) => Intake { kind: "application/octet-stream", most: MOST_HEIGHTS },
             _ => Intake::JSON,
         }
     }
 
     fn reply(&self, request: &Request<'_>) -> Reply {
-        if request.method == "POST" { self.post(request) } else { self.get(request) }
+        match split(request.path) {
+            Some((session, path)) => self.inside(session, &Request { path, ..*request }),
+            None => self.outside(request),
+        }
     }
 }

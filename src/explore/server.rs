@@ -1,6 +1,7 @@
 //! The server: loopback only, for its own pages only, with bounded requests.
 
 use super::guard;
+use super::policy::IN_HEADER;
 use super::site::{Intake, Reply, Request, Site};
 use axum::Router;
 use axum::body::{Body, to_bytes};
@@ -24,11 +25,6 @@ const FURTHER_PORTS: u16 = 32;
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Longest time that open connections go on at the end.
 const FAREWELL: Duration = Duration::from_millis(500);
-
-/// Content security policy: the page loads from this server and talks to it, and to no other.
-const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
-    img-src 'self' data: blob:; worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; \
-    frame-ancestors 'none'";
 
 /// A port of the loopback interface, taken.
 pub struct Server {
@@ -169,7 +165,7 @@ fn response(reply: Reply) -> Response<Body> {
     let headers = response.headers_mut();
     headers.insert(CONTENT_TYPE, HeaderValue::from_static(kind));
     headers.insert(CACHE_CONTROL, HeaderValue::from_static(cache));
-    headers.insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY));
+    headers.insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(IN_HEADER));
     headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
     headers.insert(REFERRER_POLICY, HeaderValue::from_static("no-referrer"));
     let save = name.and_then(|name| format!("attachment; filename=\"{name}\"").parse().ok());

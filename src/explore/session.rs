@@ -7,6 +7,7 @@ use super::knobs::Knobs;
 use super::reel::{Ended, Reel, Solved, Told};
 use super::refusal::Refusal;
 use super::report::{Numbers, Report, SweepReport};
+use super::step_numbers::StepNumbers;
 use crate::contact::Contact;
 use crate::record::Ghost;
 use crate::setup::Setup;
@@ -19,8 +20,10 @@ use std::time::Duration;
 /// fields of 1024 x 1024 nodes.
 const RECORDINGS: usize = 6;
 
+/// A file of heights, and what the page was told of it last.
+pub type Heights = (HeightFile, Description);
+
 /// The orders of the page, one at a time, and what comes of them; a new order ends the one before.
-#[derive(Default)]
 pub struct Session {
     state: Mutex<State>,
     /// The pressure of the contact under the hand, of which there is one at a time, and of that beside it.
@@ -38,8 +41,7 @@ struct State {
     closed: bool,
     /// The latest recordings, the newest last.
     recordings: VecDeque<Reel>,
-    /// The file of heights, and what the page was told of it last.
-    heights: Option<(HeightFile, Description)>,
+    heights: Option<Heights>,
 }
 
 impl State {
@@ -78,7 +80,7 @@ pub struct Order {
 }
 
 /// What is done with a setup.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Kind {
     /// One solve.
     Solve,
@@ -95,6 +97,12 @@ pub struct Turn<'a> {
 }
 
 impl Session {
+    /// A session with a file of heights, if there is one, whose orders are numbered on from `after`.
+    pub(super) fn new(heights: Option<Heights>, after: u64) -> Self {
+        let state = State { heights, generation: after, ..State::default() };
+        Self { state: Mutex::new(state), hand: Mutex::default(), changed: Condvar::new() }
+    }
+
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
     /// Knobs that stand for nothing are refused; what runs then goes on.
     pub(super) fn order(&self, kind: Kind, knobs: Knobs) -> Result<u64, Refusal> {
@@ -127,7 +135,7 @@ impl Session {
     ///
     /// # Errors
     /// For a file that cannot be read; the one before is then kept.
-    pub fn open(&self, file: HeightFile) -> Result<Description, Refusal> {
+    pub(super) fn open(&self, file: HeightFile) -> Result<Description, Refusal> {
         self.describe_as(file, HeightKnobs::default())
     }
 
@@ -237,8 +245,8 @@ impl Turn<'_> {
         self.session.change(|state| news(&mut state.report));
     }
 
-    /// Keeps the result of a solve and the curves of its recording, and reports it.
-    pub fn finish(self, rank: usize, contact: Contact, beside: Option<Contact>, curves: Ghost) {
+    /// Keeps the result of a solve, that of the surface beside, the curves of the recording and the numbers of the steps, and reports it.
+    pub fn finish(self, rank: usize, contact: Contact, beside: Option<Contact>, curves: Ghost, steps: StepNumbers) {
         let numbers = Numbers::of_contact(&contact);
         let numbers_beside = beside.as_ref().map(Numbers::of_contact);
         self.session.change(|state| {
@@ -248,7 +256,8 @@ impl Turn<'_> {
             run.beside.iter_mut().for_each(|it| it.numbers = numbers_beside.clone());
             let report = run.clone();
             let id = report.id.clone();
-            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, beside, curves: Arc::new(curves) })));
+            let curves = Arc::new(curves);
+            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, beside, curves, steps })));
         });
     }
 

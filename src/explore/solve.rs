@@ -4,6 +4,7 @@ use super::knobs::Knobs;
 use super::reel::Reel;
 use super::report::{Beside, ExactNumbers, Numbers, RunReport, file_stem};
 use super::session::Turn;
+use super::step_numbers::StepNumbers;
 use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
 use crate::error::{SetupError, SolveError};
 use crate::record::{Ghost, Options, Recording, Scene};
@@ -48,9 +49,11 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     turn.keep(Reel::new(&id, &file_stem, live));
     turn.tell(|news| news.run = Some(report));
     let mut curves = Ghost::new(&format!("pinned {id}"));
+    let mut steps = StepNumbers::default();
     let mut watch = Watch { turn, reported: Instant::now() };
     let solver = setup.solver.solver();
-    let contact = solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), &mut curves, &mut watch))?;
+    let contact =
+        solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), (&mut curves, &mut steps), &mut watch))?;
     let other = match &beside {
         Some((setup, problem)) => Some(solver.solve(problem, &setup.stop, &mut (recording.recorder(1), watch))?),
         None => None,
@@ -59,7 +62,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
     }
-    turn.finish(rank, contact, other, curves);
+    turn.finish(rank, contact, other, curves, steps);
     Ok(())
 }
 

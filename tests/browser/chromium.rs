@@ -18,10 +18,6 @@ const FLAGS: &[&str] = &[
     "--headless=new",
     "--remote-debugging-pipe",
     "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
     "--disable-dev-shm-usage",
     "--disable-quic",
     "--no-first-run",
@@ -33,6 +29,11 @@ const FLAGS: &[&str] = &[
     "--host-resolver-rules=MAP rebound.test 127.0.0.1, MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
     "--window-size=1280,720",
 ];
+
+/// Graphics in software, and none at all.
+const SOFTWARE: &[&str] =
+    &["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+const NO_GRAPHICS: &[&str] = &["--disable-gpu", "--disable-3d-apis"];
 
 /// Pipes 3 and 4 are those of the protocol.
 const PIPED: &str = r#"exec "$0" "$@" 3<&0 4>&1 </dev/null >/dev/null 2>/dev/null"#;
@@ -82,6 +83,15 @@ pub fn installed() -> Option<PathBuf> {
 impl Chromium {
     /// Starts `program` with an empty page.
     pub fn start(program: &Path) -> Self {
+        Self::start_with(program, SOFTWARE)
+    }
+
+    /// Starts `program` so that no page can draw in three dimensions.
+    pub fn without_graphics(program: &Path) -> Self {
+        Self::start_with(program, NO_GRAPHICS)
+    }
+
+    fn start_with(program: &Path, graphics: &[&str]) -> Self {
         let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let folder = tempfile::tempdir().unwrap();
         let mut process = Command::new("sh")
@@ -89,6 +99,7 @@ impl Chromium {
             .arg(program)
             .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
             .args(FLAGS)
+            .args(graphics)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
@@ -113,9 +124,33 @@ impl Chromium {
             "Browser.setDownloadBehavior",
             json!({"behavior": "allow", "downloadPath": folder, "eventsEnabled": true}),
         );
+        self.open_tab();
+    }
+
+    /// Opens an empty tab, which is then the page, and returns the one that was the page before.
+    pub fn open_tab(&mut self) -> String {
         let target = self.browser("Target.createTarget", json!({"url": "about:blank"}))["targetId"].clone();
+        self.attach_to(&target)
+    }
+
+    /// Makes the page that a page opened with `window.open` the page, and returns the one that was it before.
+    pub fn opened_tab(&mut self, address: &str) -> String {
+        let told = self.told("Target.targetCreated", |event| {
+            event["targetInfo"]["type"] == "page" && event["targetInfo"]["url"] == address
+        });
+        self.attach_to(&told["targetInfo"]["targetId"])
+    }
+
+    fn attach_to(&mut self, target: &Value) -> String {
         let attached = self.browser("Target.attachToTarget", json!({"targetId": target, "flatten": true}));
-        self.session = attached["sessionId"].as_str().unwrap().into();
+        std::mem::replace(&mut self.session, attached["sessionId"].as_str().unwrap().into())
+    }
+
+    /// Makes another tab the page, in front of all others, and returns the one that was it before.
+    pub fn switch_to(&mut self, tab: String) -> String {
+        let before = std::mem::replace(&mut self.session, tab);
+        self.page("Page.bringToFront", json!({}));
+        before
     }
 
     /// Where downloads are put.

@@ -12,19 +12,33 @@ use std::process::{Child, Command, Stdio};
 pub struct Explorer {
     process: Child,
     pub port: u16,
+    /// The session whose state it tells.
+    pub session: String,
 }
 
 impl Explorer {
     pub fn start() -> Self {
+        Self::start_at(0)
+    }
+
+    /// One on a port, or on any for 0.
+    pub fn start_at(port: u16) -> Self {
         let mut process = Command::new(env!("CARGO_BIN_EXE_asperity"))
-            .args(["explore", "--no-open", "--port", "0"])
+            .args(["explore", "--no-open", "--port", &port.to_string()])
             .stdout(Stdio::piped())
             .spawn()
             .unwrap();
         let mut said = String::new();
         BufReader::new(process.stdout.take().unwrap()).read_line(&mut said).unwrap();
         let port = said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap();
-        Self { process, port }
+        Self { process, port, session: String::new() }
+    }
+
+    /// Ends it without a word.
+    pub fn kill(mut self) -> u16 {
+        self.process.kill().unwrap();
+        self.process.wait().unwrap();
+        self.port
     }
 
     pub fn id(&self) -> u32 {
@@ -35,11 +49,11 @@ impl Explorer {
         format!("http://127.0.0.1:{}", self.port)
     }
 
-    /// The state that the server reports, asked without a browser.
+    /// The state that the server reports of the session, asked without a browser.
     pub fn state(&self) -> Value {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
-        write!(stream, "GET /api/state HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n\r\n", self.port)
-            .unwrap();
+        let path = format!("/session/{}/api/state", self.session);
+        write!(stream, "GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n\r\n", self.port).unwrap();
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();
         serde_json::from_str(answer.split_once("\r\n\r\n").unwrap().1).unwrap()
@@ -60,18 +74,19 @@ pub fn opened(program: &Path) -> (Explorer, Page) {
 
 /// The page with its viewer, at the end of its first run, with more in its address.
 pub fn opened_at(program: &Path, more: &str) -> (Explorer, Page) {
-    let explorer = Explorer::start();
+    let mut explorer = Explorer::start();
     let mut page = Page { chromium: Chromium::start(program) };
     page.follow(&format!("{}/?renderer=webgl&theme=dark{more}", explorer.origin()));
     page.until("document.body.dataset.viewer === 'started'", 120);
     rested(&mut page);
+    explorer.session = page.text("session");
     (explorer, page)
 }
 
 /// Waits until nothing is solved, and page and viewer show the run that the controls ask for.
 pub fn rested(page: &mut Page) {
     page.until(
-        "fetch('/api/state').then((answer) => answer.json()).then(({ busy, revision, run }) => { \
+        "ask('state').then(({ busy, revision, run }) => { \
            const seen = document.body.dataset; \
            return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) \
              && (seen.shown || '').split(' ')[0] === run.id \

@@ -4,7 +4,9 @@
 //! `CHROME` or `CHROMIUM` names a Chromium that is not on the path.
 #![cfg(unix)]
 
+mod blind;
 mod chromium;
+mod course;
 mod downloads;
 mod everyone;
 mod explorer;
@@ -18,3 +20,4 @@ mod measures;
 mod page;
 mod person;
 mod strangers;
+mod tabs;

@@ -213,7 +213,7 @@ fn outward(chromium: &Chromium, origin: &str) -> Vec<String> {
 
 /// Page and workers talk to their own server only, and could not do otherwise.
 fn the_policy_blocks(explorer: &Explorer, page: &mut Page) {
-    let own = format!("{}/run/", explorer.origin());
+    let own = format!("{}/session/{}/run/", explorer.origin(), explorer.session);
     let runs = page
         .chromium
         .events("Network.requestWillBeSent")

@@ -34,7 +34,8 @@ fn fetched(page: &mut Page, address: &str, options: &str) -> String {
 
 /// Reading and ordering from a page that is not the explorer's.
 fn tries(page: &mut Page, explorer: &Explorer) {
-    let (state, solve) = (format!("{}/api/state", explorer.origin()), format!("{}/api/solve", explorer.origin()));
+    let session = format!("{}/session/{}", explorer.origin(), explorer.session);
+    let (state, solve) = (format!("{session}/api/state"), format!("{session}/api/solve"));
     let before = explorer.state();
     let body = json!(before["run"]["knobs"].to_string());
     assert_eq!(fetched(page, &state, "{}"), "refused");
@@ -67,15 +68,22 @@ fn frames(page: &mut Page, explorer: &Explorer) {
 #[test]
 fn pages_of_others_get_nothing() {
     let Some(program) = installed() else { return };
-    let explorer = Explorer::start();
+    let mut explorer = Explorer::start();
     let rebound = format!("http://rebound.test:{}/", explorer.port);
     let mut page = Page { chromium: Chromium::start(&program) };
     page.open(&format!("{}/favicon.svg", explorer.origin()));
-    let solve = "fetch('/api/start').then((it) => it.text()).then((body) => fetch('/api/solve', \
-        { method: 'POST', headers: { 'Content-Type': 'application/json' }, body })).then((it) => it.status)";
-    assert_eq!(page.value(solve), 200, "the explorer refuses its own origin");
+    let sent =
+        |body: &str| format!("{{ method: 'POST', headers: {{ 'Content-Type': 'application/json' }}, body: {body} }}");
+    let begin = format!("fetch('/api/session', {}).then((it) => it.json()).then((it) => it.session)", sent("'0'"));
+    explorer.session = page.text(&begin);
+    let session = format!("/session/{}/api", explorer.session);
+    let solve = format!(
+        "fetch('{session}/start').then((it) => it.text()).then((body) => fetch('{session}/solve', {})).then((it) => it.status)",
+        sent("body")
+    );
+    assert_eq!(page.value(&solve), 200, "the explorer refuses its own origin");
     page.until(
-        "fetch('/api/state').then((it) => it.json()).then((state) => !state.busy && state.run && state.run.ended)",
+        &format!("fetch('{session}/state').then((it) => it.json()).then((state) => !state.busy && state.run && state.run.ended)"),
         60,
     );
     for address in [stranger(), "data:text/html,<title>nowhere</title><body></body>".into()] {

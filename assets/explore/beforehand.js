@@ -1,0 +1,105 @@
+"use strict";
+// The second way: a page without a server shows what was solved beforehand, which answers in the place of a session.
+
+/** What was solved beforehand; none where there is a server. */
+const solved = typeof SOLVED === "object" ? SOLVED : null;
+
+/** What a session would tell, and who waits for more of it. */
+let latestNews = { revision: 0, busy: false, run: null, sweep: null, pinned: null, fault: null };
+let listeners = [];
+
+function tell(change) {
+  latestNews = { ...latestNews, ...change, revision: latestNews.revision + 1 };
+  listeners.splice(0).forEach((done) => done(latestNews));
+  return { revision: latestNews.revision };
+}
+
+/** What is answered at a path: one of a page, or a facet of a run. */
+function answerBeforehand(path) {
+  const [place, since] = path.split("?since=");
+  if (place === "state") return latestNews.revision > Number(since ?? -1) ? latestNews : new Promise((done) => listeners.push(done));
+  if (place === "runs") return [];
+  if (place === "heights") return null;
+  const [, id, facet] = place.split("/");
+  return facet ? solved.facets[id][facet] : solved[place];
+}
+
+/** Carries out an order: what was solved comes up, and what was not is refused. */
+function orderBeforehand(path, body) {
+  if (path === "pin") return tell({ pinned: body });
+  if (path === "solve") return bringUp(solvedRun(body));
+  if (path === "sweep") return bringUp(solvedSweep(body));
+  if (path === "cancel" || path === "leave") return latestNews;
+  throw new Error(say("solved.never"));
+}
+
+function bringUp(found) {
+  if (!found) throw new Error(say("solved.refused", { list: solvedList() }));
+  const known = runOf(found.id);
+  if (known) recall(known);
+  const run = structuredClone(found);
+  return tell(isSweep(run) ? { run: null, sweep: run } : { run, sweep: null });
+}
+
+/** Makes an earlier run the latest one again. */
+function recall(run) {
+  runs.push(...runs.splice(runs.indexOf(run), 1));
+  listRuns();
+  showRun(run.id);
+}
+
+const withoutLoad = ({ load, ...state }) => words(state);
+const solvedRun = (wanted) => solved.runs.find((run) => !isSweep(run) && words(run.knobs) === words(wanted));
+const solvedSweep = (wanted) => solved.runs.find((run) => isSweep(run) && withoutLoad(run.knobs) === withoutLoad(wanted));
+
+/** The knob of a control in a state. */
+const knobOf = ({ id, path }, state) => (path || [id]).reduce((it, name) => it?.[name], state);
+
+/** A state without the knob of a control, as words; the method of a solver goes with all of its settings. */
+function wordsBut({ id, path }, state) {
+  const copy = structuredClone(state);
+  if (path && path[1] !== "method") delete copy[path[0]]?.[path[1]]; else delete copy[path ? path[0] : id];
+  return words(copy);
+}
+
+/** The solved states that differ from the knobs in one control alone, by its value. */
+function alternatives(control) {
+  const found = new Map();
+  const rest = wordsBut(control, knobs);
+  for (const run of solved.runs) {
+    const value = knobOf(control, run.knobs);
+    if (!isSweep(run) && value !== undefined && !found.has(value) && wordsBut(control, run.knobs) === rest) found.set(value, run.knobs);
+  }
+  return new Map([...found].sort(([a], [b]) => a < b ? -1 : 1));
+}
+
+/** Turns a control to the solved state of a value. */
+function takeSolved(control, value) {
+  const state = alternatives(control).get(value);
+  if (state) Object.assign(knobs, structuredClone(state), { theme: knobs.theme });
+}
+
+/** Lets every control turn to what was solved, and to nothing else. */
+function offerSolved() {
+  for (const control of CONTROLS) {
+    const input = byId(`control-${control.id}`);
+    const values = [...alternatives(control).keys()];
+    const isTurnable = values.length > 1 && ["range", "select"].includes(control.kind);
+    control.values = control.kind === "range" ? values : null;
+    if (control.kind === "range") Object.assign(input, { min: 0, max: Math.max(1, values.length - 1), step: 1 });
+    if (control.kind === "select") [...input.options].forEach((option) => { option.disabled = !values.includes(option.value); });
+    for (const it of [input, ...input.querySelectorAll("input")]) it.disabled = !isTurnable;
+    if (byId(`control-${control.id}-value`)) byId(`control-${control.id}-value`).readOnly = true;
+  }
+  byId("sweep").disabled = !solvedSweep(knobs);
+  for (const id of ["dice", "open-file"]) Object.assign(byId(id), { disabled: true, title: say("solved.never") });
+  byId("solved").textContent = say("solved", { list: solvedList() });
+  byId("solved").hidden = false;
+}
+
+/** What can be turned to from here: controls and their values. */
+function solvedList() {
+  const turnable = CONTROLS.filter((control) => control.kind !== "checks").map((control) => [control, [...alternatives(control).keys()]]);
+  const named = turnable.filter(([, values]) => values.length > 1).map(([control, values]) => `${labelOf(control)} ${values.map((value) => control.kind === "select" ? optionOf(control, value) : value).join(", ")}`);
+  return named.join("; ") || say("solved.this");
+}

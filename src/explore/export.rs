@@ -1,0 +1,152 @@
+//! The lessons as a folder of files for any server of files: what they show is solved beforehand.
+
+use super::facet::FACETS;
+use super::knobs::Knobs;
+use super::lesson::{Lesson, LessonStep};
+use super::page::Page;
+use super::refusal::Refusal;
+use super::session::{Kind, Session};
+use crate::contact::{Failure, OBSERVABLES};
+use crate::files::{check_folder, fill_folder};
+use crate::record::Output;
+use serde_json::{Map, Value, json};
+use std::fs::{File, create_dir, write};
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::Duration;
+
+/// The most runs of a site.
+const MOST_RUNS: usize = 1024;
+/// Longest time between two questions whether to go on.
+const PATIENCE: Duration = Duration::from_millis(100);
+/// Bytes of a recording that are copied at once.
+const PIECE: u64 = 1 << 20;
+
+/// What becomes a run: a kind of order, and its knobs.
+type Wanted = (Kind, Knobs);
+
+/// Lessons that are to become a site.
+pub struct Export {
+    lessons: Vec<Lesson>,
+    start: Knobs,
+    wanted: Vec<Wanted>,
+}
+
+impl Export {
+    /// Lessons with all states that a class may turn to.
+    ///
+    /// # Errors
+    /// For no lesson, and for too many states.
+    pub fn new(lessons: Vec<Lesson>) -> Result<Self, Refusal> {
+        let steps = || lessons.iter().flat_map(|lesson| &lesson.steps);
+        let Some(first) = steps().next() else {
+            return Err(Refusal("there is no lesson to export: give one at least".into()));
+        };
+        let mut wanted: Vec<Wanted> = Vec::new();
+        for run in steps().flat_map(of_step) {
+            if !wanted.contains(&run) {
+                wanted.push(run);
+            }
+        }
+        if wanted.len() > MOST_RUNS {
+            let count = wanted.len();
+            return Err(Refusal(format!(
+                "{count} states can be turned to in these lessons: leave at most {MOST_RUNS} of them"
+            )));
+        }
+        Ok(Self { start: first.knobs.clone(), wanted, lessons })
+    }
+
+    /// Number of its runs.
+    pub fn runs(&self) -> usize {
+        self.wanted.len()
+    }
+
+    /// Solves all states and writes the site into a folder, which is new or empty, and then whole or as it was. `goes_on` is told now and
+    /// then how many runs are solved.
+    ///
+    /// # Errors
+    /// For a folder that cannot be had, a run that cannot be solved, and the wish not to go on.
+    pub fn write(&self, folder: &Path, goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<(), Failure> {
+        check_folder(folder)?;
+        let page = Page::new("explore")?;
+        let (session, solver) = Session::start(None, 0);
+        let written = fill_folder(folder, |draft| {
+            page.files().try_for_each(|(name, bytes)| write(draft.join(name), bytes))?;
+            create_dir(draft.join("run"))?;
+            let solved = self.solve(&session, draft, goes_on)?;
+            Ok(write(draft.join("solved.js"), format!("\"use strict\";\nconst SOLVED = {solved};\n"))?)
+        });
+        session.close();
+        solver.join().ok(); // a solver that failed has said so
+        written
+    }
+
+    /// Solves all states, copies their recordings, and returns all else that the page asks for.
+    fn solve(
+        &self,
+        session: &Session,
+        folder: &Path,
+        goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Value, Failure> {
+        let (mut runs, mut facets) = (Vec::new(), Map::new());
+        for (done, (kind, knobs)) in self.wanted.iter().enumerate() {
+            let id = solve(session, *kind, knobs, &mut || goes_on(done))?;
+            let reel = session.reel(&id).ok_or("a recording is missing")?;
+            copy(&reel.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
+            runs.push(serde_json::to_value(reel.told())?);
+            let of_run =
+                reel.solved().map(|solved| FACETS.iter().map(|it| (it.name.into(), (it.of)(&solved))).collect());
+            facets.extend(of_run.map(|of_run| (id, Value::Object(of_run))));
+        }
+        let Self { lessons, start, .. } = self;
+        Ok(json!({ "start": start, "lessons": lessons, "observables": OBSERVABLES, "runs": runs, "facets": facets }))
+    }
+}
+
+/// The runs of a step: all states that can be turned to, and the sweep if the load is swept.
+fn of_step(step: &LessonStep) -> Vec<Wanted> {
+    let states = step.states().into_iter().map(|knobs| (Kind::Solve, knobs));
+    states.chain(step.sweep.then(|| (Kind::Sweep, step.knobs.clone()))).collect()
+}
+
+/// Solves one state, and returns the name of its recording.
+fn solve(
+    session: &Session,
+    kind: Kind,
+    knobs: &Knobs,
+    goes_on: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<String, Failure> {
+    let mut revision = session.order(kind, knobs.clone())?;
+    loop {
+        let report = session.report(revision, PATIENCE);
+        if let Some(fault) = report.fault {
+            return Err(fault.into());
+        }
+        if !report.busy {
+            let id = match kind {
+                Kind::Solve => report.run.map(|run| run.id),
+                Kind::Sweep => report.sweep.map(|sweep| sweep.id),
+            };
+            return id.ok_or_else(|| "a run came to nothing".into());
+        }
+        if goes_on().is_break() {
+            return Err("the export was interrupted: nothing is written".into());
+        }
+        revision = report.revision;
+    }
+}
+
+/// Copies a recording that is complete.
+fn copy(recording: &Output, file: &mut File) -> io::Result<()> {
+    let mut from = 0;
+    loop {
+        let piece = recording.read(from, PIECE)?;
+        if piece.is_empty() {
+            return Ok(());
+        }
+        file.write_all(&piece)?;
+        from += piece.len() as u64;
+    }
+}

@@ -1,0 +1,22 @@
+//! Facets: what can be asked of a run that has ended, beyond its report.
+
+use super::patches::PatchTable;
+use super::reel::Solved;
+use super::section::Section;
+use serde_json::{Value, json};
+
+/// Something to be told of a run.
+pub struct Facet {
+    /// Its name in the path under which it is asked for.
+    pub name: &'static str,
+    /// It, as JSON.
+    pub of: fn(&Solved) -> Value,
+}
+
+/// The facets of a run.
+pub const FACETS: [Facet; 4] = [
+    Facet { name: "section", of: |solved| json!(Section::of(&solved.contact, true)) },
+    Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(|it| Section::of(it, true))) },
+    Facet { name: "patches", of: |solved| json!(PatchTable::of(&solved.contact)) },
+    Facet { name: "steps", of: |solved| json!(solved.steps) },
+];

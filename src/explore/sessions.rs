@@ -1,0 +1,101 @@
+//! The sessions of a server: every tab of a browser has its own.
+
+use super::description::Description;
+use super::height_knobs::HeightKnobs;
+use super::refusal::Refusal;
+use super::session::{Heights, Session};
+use crate::surface::HeightFile;
+use std::hash::{BuildHasher, RandomState};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// The most sessions at the same time, each with a solver thread and recordings of its own.
+const MOST: usize = 4;
+/// Time after which a session from which nobody has asked anything may make room for a new one; a page that is open asks every second.
+const IDLE: Duration = Duration::from_secs(60);
+
+/// The sessions of a server.
+#[derive(Default)]
+pub struct Sessions {
+    /// The file of heights with which every session begins.
+    heights: Option<Heights>,
+    open: Mutex<Vec<Open>>,
+}
+
+/// A session that pages can ask.
+struct Open {
+    name: String,
+    session: Arc<Session>,
+    solver: JoinHandle<()>,
+    /// When it was last asked; none once its page has said that it leaves.
+    asked: Option<Instant>,
+}
+
+impl Sessions {
+    /// No session yet; all that come begin with a file of heights.
+    ///
+    /// # Errors
+    /// For a file that cannot be read.
+    pub fn with_heights(file: HeightFile) -> Result<Self, Refusal> {
+        let description = Description::of(&file, HeightKnobs::default())?;
+        Ok(Self { heights: Some((file, description)), open: Mutex::default() })
+    }
+
+    /// Begins a session, whose runs are numbered on from `after`, and returns its name. If there is no room for it, the one that was
+    /// not asked for the longest time ends, if that is long enough.
+    pub(super) fn begin(&self, after: u32) -> Result<String, Refusal> {
+        let mut open = self.lock();
+        if open.len() >= MOST {
+            let longest = (0..open.len()).filter(|&i| open[i].is_idle()).min_by_key(|&i| open[i].asked);
+            let all_live = || {
+                Refusal(format!(
+                    "{MOST} tabs are open here, which is all that this server has room for: close one of them, and this page goes on by itself"
+                ))
+            };
+            open.remove(longest.ok_or_else(all_live)?).session.close();
+        }
+        let name = unguessable();
+        let (session, solver) = Session::start(self.heights.clone(), after.into());
+        open.push(Open { name: name.clone(), session, solver, asked: Some(Instant::now()) });
+        Ok(name)
+    }
+
+    /// The session of a name, which then counts as asked.
+    pub(super) fn session(&self, name: &str) -> Option<Arc<Session>> {
+        let mut open = self.lock();
+        let found = open.iter_mut().find(|it| it.name == name)?;
+        found.asked = Some(Instant::now());
+        Some(Arc::clone(&found.session))
+    }
+
+    /// Notes that the page of a session leaves: it may make room at once, and lives on if the page comes back before.
+    pub(super) fn leave(&self, name: &str) {
+        self.lock().iter_mut().filter(|it| it.name == name).for_each(|it| it.asked = None);
+    }
+
+    /// Ends all sessions, and waits for their solvers.
+    pub fn close(&self) {
+        let open = std::mem::take(&mut *self.lock());
+        open.iter().for_each(|it| it.session.close());
+        for Open { solver, .. } in open {
+            solver.join().ok(); // a solver that failed has said so on its page
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Vec<Open>> {
+        self.open.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Open {
+    fn is_idle(&self) -> bool {
+        self.asked.is_none_or(|asked| asked.elapsed() >= IDLE)
+    }
+}
+
+/// A name that nobody guesses: 128 bits from keys that the system gives to the process.
+fn unguessable() -> String {
+    let keys = RandomState::new();
+    format!("{:016x}{:016x}", keys.hash_one(0), keys.hash_one(1))
+}

@@ -1,0 +1,121 @@
+//! The lessons as a folder of files: all that they show is there, or nothing.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// A lesson of two steps: a load to turn, and a sweep.
+pub const LESSON: &str = r#"
+    title = "Two loads"
+    knobs = { points = 512, cutoff = 64 }
+    turn = { load = [0.02, 0.2] }
+    [[step]]
+    text = "First."
+    [[step]]
+    text = "Then."
+    knobs.body = "sine"
+    knobs.roughness = 0
+    turn = { load = [0.05] }
+    sweep = true
+"#;
+
+fn export(lessons: &Path, site: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+    command.args(["explore", "--lessons"]).arg(lessons).arg("--export").arg(site);
+    command
+}
+
+fn names(folder: &Path) -> BTreeSet<String> {
+    std::fs::read_dir(folder).unwrap().map(|it| it.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+#[test]
+fn all_that_lessons_show_is_solved_beforehand() {
+    let folder = tempfile::tempdir().unwrap();
+    let (lessons, site) = (folder.path().join("lessons"), folder.path().join("site"));
+    std::fs::create_dir(&lessons).unwrap();
+    std::fs::write(lessons.join("two.toml"), LESSON).unwrap();
+    let output = export(&lessons, &site).output().unwrap();
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{told}");
+    assert!(told.contains("solving 5 of 5"), "{told}");
+    assert_eq!(names(folder.path()), ["lessons", "site"].map(String::from).into());
+    let files = names(&site);
+    for name in ["index.html", "re_viewer.js", "re_viewer_bg.wasm", "solved.js", "texts.js", "explore.css", "run"] {
+        assert!(files.contains(name), "{name} is not among {files:?}");
+    }
+    let html = std::fs::read_to_string(site.join("index.html")).unwrap();
+    assert!(html.contains("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "), "{html}");
+    for script in html.split("src=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
+        assert!(files.contains(script), "{script} is not among {files:?}");
+    }
+    let script = std::fs::read_to_string(site.join("solved.js")).unwrap();
+    let json = script.trim_start_matches("\"use strict\";\nconst SOLVED = ").trim_end().trim_end_matches(';');
+    let solved: Value = serde_json::from_str(json).unwrap();
+    let runs = solved["runs"].as_array().unwrap();
+    let loads: Vec<f64> =
+        runs.iter().filter(|run| run["points"].is_null()).map(|run| run["knobs"]["load"].as_f64().unwrap()).collect();
+    assert_eq!((runs.len(), loads.len()), (5, 4), "{loads:?}");
+    assert!(loads.contains(&0.02) && loads.contains(&0.2) && loads.contains(&0.05), "{loads:?}");
+    for run in runs {
+        let id = run["id"].as_str().unwrap();
+        assert_eq!(run["ended"], true, "{id}");
+        assert!(std::fs::metadata(site.join("run").join(format!("{id}.rrd"))).unwrap().len() > 1000, "{id}");
+        let is_sweep = !run["points"].is_null();
+        assert_eq!(solved["facets"][id]["steps"]["iterations"].is_array(), !is_sweep, "{id}");
+        assert_eq!(is_sweep || run["numbers"]["status"] == "converged", true, "{id}");
+    }
+    assert_eq!(names(&site.join("run")).len(), runs.len());
+    assert_eq!(solved["start"], solved["lessons"][0]["steps"][0]["knobs"]);
+}
+
+#[test]
+fn nothing_is_written_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let lessons = folder.path().join("lessons");
+    std::fs::create_dir(&lessons).unwrap();
+    std::fs::write(lessons.join("two.toml"), LESSON).unwrap();
+    let file = lessons.join("two.toml");
+    for (site, reason) in [
+        (&lessons, "it is not empty"),
+        (&file, "it is no folder"),
+        (&folder.path().join("none/site"), "there is no folder"),
+    ] {
+        let output = export(&lessons, site).output().unwrap();
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{told}");
+        assert!(told.contains(reason) && told.contains(site.to_str().unwrap()), "{reason} is not in {told}");
+    }
+    assert_eq!(names(folder.path()), ["lessons".to_owned()].into());
+    let clash = export(&lessons, &folder.path().join("site")).args(["--port", "9"]).output().unwrap();
+    assert_eq!(clash.status.code(), Some(2));
+}
+
+/// An export that is interrupted leaves nothing behind.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let lessons = folder.path().join("lessons");
+    std::fs::create_dir(&lessons).unwrap();
+    let endless = "title = \"T\"\n[[step]]\ntext = \"Wait.\"\nknobs = { solver = { method = \"gfmd\" }, points = 32768, stop = { tolerance = 1e-13, max-iterations = 100000 } }\n";
+    std::fs::write(lessons.join("long.toml"), endless).unwrap();
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_asperity"))
+        .args(["explore", "--lessons"])
+        .arg(&lessons)
+        .arg("--export")
+        .arg(folder.path().join("site"))
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut told = String::new();
+    let mut pipe = std::io::BufReader::new(child.stderr.take().unwrap());
+    std::io::BufRead::read_line(&mut pipe, &mut told).unwrap();
+    assert_eq!(told, "solving 1 of 1\n");
+    std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(1));
+    std::io::Read::read_to_string(&mut pipe, &mut told).unwrap();
+    assert!(told.contains("the export was interrupted: nothing is written"), "{told}");
+    assert_eq!(names(folder.path()), ["lessons".to_owned()].into());
+}

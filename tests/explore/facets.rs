@@ -1,0 +1,51 @@
+//! Facets of runs: what is told of a run that has ended, beyond its report.
+
+use super::{Page, endless, stop, with};
+use serde_json::{Value, json};
+
+#[test]
+fn the_numbers_of_every_step_are_told() {
+    let page = Page::open();
+    let run = page.solve(&with(json!({"points": 512, "cutoff": 64, "solver": {"method": "polonsky-keer"}})));
+    let steps = page.get("/api/run/run-1/steps").json();
+    let columns = steps.as_object().unwrap();
+    let iterations = steps["iterations"].as_array().unwrap();
+    assert!(iterations.len() > 10 && iterations[0].as_f64() < iterations[1].as_f64(), "{iterations:?}");
+    for (name, column) in columns {
+        let last = column.as_array().unwrap().last().unwrap().as_f64().unwrap();
+        assert_eq!(column.as_array().unwrap().len(), iterations.len(), "{name}");
+        assert_eq!(Some(last), run["numbers"][name].as_f64(), "{name}");
+    }
+    for name in ["kappa_r_resolved", "relative_area_resolved", "certificate", "patches", "transforms", "seconds"] {
+        assert!(columns.contains_key(name), "{name} is not among {:?}", columns.keys());
+    }
+}
+
+#[test]
+fn the_steps_of_long_runs_are_thinned() {
+    let page = Page::open();
+    let slow = json!({"solver": {"method": "gfmd"}, "points": 64, "cutoff": 16, "stop": stop(1e-15, 9001)});
+    page.solve(&with(slow));
+    let steps = page.get("/api/run/run-1/steps").json();
+    let iterations: Vec<f64> = steps["iterations"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect();
+    assert!((1000..=2001).contains(&iterations.len()), "{}", iterations.len());
+    let [body @ .., _] = iterations.as_slice() else { panic!("no steps") };
+    assert!(body.windows(2).all(|pair| pair[1] - pair[0] == 8.0), "{body:?}");
+    assert_eq!(*iterations.last().unwrap(), 9001.0);
+}
+
+#[test]
+fn facets_are_those_of_runs_that_have_ended() {
+    let page = Page::open();
+    for path in ["/api/run/run-1/steps", "/api/run/run-1", "/api/run/"] {
+        assert_eq!(page.get(path).status, 404, "{path}");
+    }
+    page.order("/api/solve", &endless());
+    page.wait(|state| state["run"]["numbers"]["status"] == "running");
+    let refused = page.get("/api/run/run-1/steps");
+    assert_eq!((refused.status, refused.text()), (409, "run-1 has no steps: ask for those of a solve that has ended"));
+    assert_eq!(page.get("/api/run/run-1/everything").status, 404);
+    assert_eq!(page.post("/api/cancel", "{}").status, 200);
+    page.wait(|state| state["busy"] == false);
+    assert_ne!(page.get("/api/run/run-1/steps").json(), Value::Null);
+}
