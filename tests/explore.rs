@@ -4,6 +4,8 @@
 mod export;
 #[path = "explore/facets.rs"]
 mod facets;
+#[path = "explore/hand.rs"]
+mod hand;
 #[path = "explore/heights.rs"]
 mod heights;
 #[path = "explore/lessons.rs"]

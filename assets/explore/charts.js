@@ -34,7 +34,9 @@ function chart(target, title, top, curves, note) {
   for (let e = first; e <= last; e += every) svg.append(drawn("text", { x: x(10 ** e), y: h - 20, "text-anchor": "middle" }, e === 0 ? "1" : `1e${e}`));
   svg.append(drawn("text", { x: ROOM.left + wide / 2, y: h - 5, "text-anchor": "middle" }, "p*"));
   for (let i = 0; i <= 2; i++) svg.append(drawn("text", { x: ROOM.left - 4, y: y(i * top / 2) + 4, "text-anchor": "end" }, String(i * top / 2)));
-  if (knobs && knobs.load >= 10 ** first && knobs.load <= 10 ** last) svg.append(drawn("line", { class: "now", x1: x(knobs.load), x2: x(knobs.load), y1: ROOM.above, y2: h - ROOM.below }));
+  const load = moment?.numbers.reduced_pressure ?? knobs?.load;
+  if (load >= 10 ** first && load <= 10 ** last) svg.append(drawn("line", { class: "now", x1: x(load), x2: x(load), y1: ROOM.above, y2: h - ROOM.below }));
+  target.onclick = (event) => pickLoad(10 ** (first + (event.clientX - box.x - ROOM.left) / wide * (last - first)));
   const shown = curves.filter((curve) => curve.points.length);
   for (const curve of shown) {
     svg.append(drawn("polyline", { class: curve.style, "clip-path": `url(#${inside})`, points: curve.points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ") }));
@@ -80,5 +82,34 @@ function charts() {
   chart(byId("chart-kappa"), say("chart.kappa"), 4, [
     curve("Persson", "persson", (p) => p.persson / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa_resolved),
     curve("κ_r", "second", (p) => p.kappa_r_resolved), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")], note);
+  for (const target of [byId("chart-area"), byId("chart-kappa")]) {
+    target.tabIndex = points.length ? 0 : -1;
+    target.setAttribute("aria-valuetext", moment ? moment.name : say("moment.load", { load: figure(knobs.load, 4) }));
+  }
   Object.assign(document.body.dataset, { sweep: shown ? (shown.ended ? "ended" : points.length) : "none", stale: isStale });
+}
+
+/** Shows the load of the sweep that is nearest to one, in the viewer, the table and the picture. */
+function pickLoad(load) {
+  const points = report.sweep?.points ?? [];
+  const away = ({ reduced_pressure: p }) => Math.abs(Math.log(p / load));
+  if (points.length) showLoad(points.reduce((best, point) => away(point) < away(best) ? point : best));
+}
+
+/** Goes from one load of the sweep to its neighbours by keys. */
+function stepLoad(event) {
+  const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+  const points = report.sweep?.points ?? [];
+  if (!by || !points.length) return;
+  event.preventDefault();
+  const load = moment?.numbers.reduced_pressure ?? knobs.load;
+  const now = points.findLastIndex((point) => point.reduced_pressure <= load * (1 + 1e-9));
+  showLoad(points[Math.min(points.length - 1, Math.max(0, now + by))]);
+}
+
+function showLoad(point) {
+  const { id } = report.sweep;
+  if (shownRun !== id && runOf(id)) showRun(id);
+  if (viewer?.get_timeline_time_range(id, "load")) goTo(id, "load", point.number);
+  momentOfLoad(point);
 }

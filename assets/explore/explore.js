@@ -86,6 +86,7 @@ async function begin() {
   charts();
   await beginLessons();
   beginHand();
+  for (const id of ["chart-area", "chart-kappa"]) byId(id).addEventListener("keydown", stepLoad);
   byId("beside").addEventListener("click", putBeside);
   byId("patch-close").addEventListener("click", () => choosePatch(null));
   const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand, "copy-link": copyLink };

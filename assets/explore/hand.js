@@ -30,6 +30,12 @@ async function hold(wish) {
   holding = false;
 }
 
+/** Shows the section of knobs that nobody turns: a load of a sweep. */
+async function holdQuietly(its) {
+  const shown = await post("hold", { knobs: its, "mean-gap": null, "is-deep": isDeep() }).catch((error) => fault(error.message));
+  if (shown && moment && !grip) showSection(shown.section, shown.beside);
+}
+
 function showHeld({ section: held, beside: heldBeside, numbers: told }, order) {
   fault("");
   if (!grip) return;

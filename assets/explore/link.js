@@ -24,11 +24,8 @@ function goToPlace(recording, share) {
   const range = viewer && viewer.get_timeline_time_range(recording, "step");
   if (!range) return;
   const step = Math.floor(share * stepsShown(range.max + 1));
-  viewer.set_playing(recording, false);
-  viewer.set_active_timeline(recording, "step");
-  viewer.set_time_for_timeline(recording, "step", Math.min(step, range.max));
+  goTo(recording, "step", Math.min(step, range.max));
   document.body.dataset.picked = step;
-  wake();
 }
 
 /** The steps of all columns of an image, the last of which may not be full. */

@@ -13,6 +13,35 @@ function facet(run, name) {
 }
 
 
+/** Shows in the table where the viewer stands in the run or the sweep that it shows. */
+async function showMoment() {
+  const run = runOf(shownRun);
+  const now = run && viewer?.get_time_for_timeline(run.id, timeline(run));
+  if (grip || now === null || now === undefined) return;
+  if (isSweep(run)) momentOfLoad(run.points.findLast(({ number }) => number <= now));
+  else if (run.ended) await momentOfStep(run, Math.round(now));
+}
+
+/** The numbers of a load of a sweep, and its section. */
+function momentOfLoad(point) {
+  if (!point || moment?.numbers === point) return;
+  setMoment({ name: say("moment.load", { load: figure(point.reduced_pressure, 3) }), numbers: point });
+  charts();
+  const { sweep: { knobs: swept } } = report;
+  holdQuietly({ ...swept, load: Number(point.reduced_pressure.toPrecision(12)) });
+}
+
+/** The numbers of a step of a run; at its end those of the run. */
+async function momentOfStep(run, step) {
+  const columns = await facet(run, "steps").catch((error) => fault(error.message));
+  if (!columns || runOf(shownRun) !== run) return;
+  const steps = columns.iterations;
+  const at = steps.findLastIndex((it) => it <= step);
+  const isEnd = at < 0 || step >= steps.at(-1);
+  const numbers = isEnd ? null : Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
+  setMoment(numbers && { name: say("moment.step", { step: steps[at] }), numbers });
+}
+
 let sectionRun = null;
 
 /** Shows the section of a run that has ended, unless a hand holds another. */
@@ -24,6 +53,7 @@ async function showSectionOf(run) {
   if (!its || grip || sectionRun !== run.id) return;
   const [shown, shownBeside] = its.map((it) => it && (isDeep() ? it : { ...it, shear: null }));
   showSection(shown, shownBeside);
+  run.steps = (await facet(run, "steps").catch(() => null))?.iterations;
   document.body.dataset.section = run.id;
 }
 

@@ -121,7 +121,8 @@ function paintShear(to, at, { solid, length, shear: { depth, columns, values } }
   const high = depth / length * at.w;
   for (let i = 0; i < columns; i++) {
     const y = at.y(solid[Math.floor((i + 0.5) / columns * solid.length)]);
-    to.drawImage(source, i, 0, 1, rows, at.w * i / columns, y, at.w / columns + 0.5, high);
+    const [left, right] = [i, i + 1].map((edge) => Math.round(at.w * edge / columns));
+    to.drawImage(source, i, 0, 1, rows, left, y, right - left, high);
   }
 }
 

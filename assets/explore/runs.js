@@ -89,8 +89,9 @@ function heardRun(run) {
   if (known) Object.assign(known, run);
   else {
     runs.push(Object.assign(run, { session }));
+    moment = null;
     byId("title").textContent = run.title;
-    if (viewer) follow(run);
+    follow(run);
     while (runs.length > KEEP) forget(runs.splice(runs.findIndex((old) => old.id !== pinned), 1)[0]);
     listRuns();
   }
@@ -101,7 +102,7 @@ function heardRun(run) {
 function remember(earlier) {
   runs = earlier.map((run) => Object.assign(run, { session }));
   listRuns();
-  if (viewer) runs.slice(-1).forEach(follow);
+  runs.slice(-1).forEach(follow);
 }
 
 /** The least time between two runs that the viewer gets, in milliseconds: of those in between only the last counts. */
@@ -113,6 +114,7 @@ let next = null;
 function follow(run) {
   shownRun = run.id;
   clearTimeout(next);
+  if (!viewer) return;
   next = setTimeout(() => {
     followed = performance.now();
     stopPlaying();
@@ -208,11 +210,12 @@ const besideOf = ({ beside: _, ...its }) => its;
 
 function showRun(id) {
   stopPlaying();
+  moment = null;
   shownRun = id;
   byId("runs").value = id;
   const run = runOf(id);
   if (viewer && run.followed) viewer.set_active_recording_id(id);
-  else if (viewer) follow(run);
+  else follow(run);
   numbers();
   offerSaves();
   wake();

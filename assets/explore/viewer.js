@@ -104,9 +104,16 @@ function noteViewer(sentence) {
 
 let playing = null;
 
+/** First and last step of a run, or load of a sweep, that the viewer has; without a viewer those that have numbers. */
+function rangeOf(run) {
+  if (viewer) return viewer.get_timeline_time_range(run.id, timeline(run));
+  const known = isSweep(run) ? run.points.map(({ number }) => number) : run.steps;
+  return known?.length ? { min: known[0], max: known.at(-1) } : null;
+}
+
 /** The step at a share of the run: early steps, in which most happens, take most of the time. Loads take as long each. */
 function stepAt(run, share) {
-  const range = viewer && run && viewer.get_timeline_time_range(run.id, timeline(run));
+  const range = run && rangeOf(run);
   if (!range) return null;
   const length = range.max - range.min;
   return Math.round(range.min + (isSweep(run) ? share * length : Math.expm1(share * Math.log1p(length))));
@@ -116,13 +123,20 @@ function seek(share) {
   const run = runOf(shownRun);
   const step = stepAt(run, share);
   if (step === null) return false;
-  viewer.set_playing(run.id, false);
-  viewer.set_active_timeline(run.id, timeline(run));
-  viewer.set_time_for_timeline(run.id, timeline(run), step);
-  wake();
+  if (viewer) goTo(run.id, timeline(run), step);
+  else if (isSweep(run)) momentOfLoad(run.points.findLast(({ number }) => number <= step));
+  else momentOfStep(run, step);
   byId("scrub").value = 1000 * share;
   byId("scrub-step").value = say(`timeline.${timeline(run)}`, { value: step });
   return true;
+}
+
+/** Has the viewer stand at a step or a load of a recording. */
+function goTo(recording, line, at) {
+  viewer.set_playing(recording, false);
+  viewer.set_active_timeline(recording, line);
+  viewer.set_time_for_timeline(recording, line, at);
+  wake();
 }
 
 /** Seconds that the whole relaxation takes. */

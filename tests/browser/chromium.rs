@@ -18,10 +18,6 @@ const FLAGS: &[&str] = &[
     "--headless=new",
     "--remote-debugging-pipe",
     "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
     "--disable-dev-shm-usage",
     "--disable-quic",
     "--no-first-run",
@@ -33,6 +29,11 @@ const FLAGS: &[&str] = &[
     "--host-resolver-rules=MAP rebound.test 127.0.0.1, MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
     "--window-size=1280,720",
 ];
+
+/// Graphics in software, and none at all.
+const SOFTWARE: &[&str] =
+    &["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+const NO_GRAPHICS: &[&str] = &["--disable-gpu", "--disable-3d-apis"];
 
 /// Pipes 3 and 4 are those of the protocol.
 const PIPED: &str = r#"exec "$0" "$@" 3<&0 4>&1 </dev/null >/dev/null 2>/dev/null"#;
@@ -82,6 +83,15 @@ pub fn installed() -> Option<PathBuf> {
 impl Chromium {
     /// Starts `program` with an empty page.
     pub fn start(program: &Path) -> Self {
+        Self::start_with(program, SOFTWARE)
+    }
+
+    /// Starts `program` so that no page can draw in three dimensions.
+    pub fn without_graphics(program: &Path) -> Self {
+        Self::start_with(program, NO_GRAPHICS)
+    }
+
+    fn start_with(program: &Path, graphics: &[&str]) -> Self {
         let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let folder = tempfile::tempdir().unwrap();
         let mut process = Command::new("sh")
@@ -89,6 +99,7 @@ impl Chromium {
             .arg(program)
             .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
             .args(FLAGS)
+            .args(graphics)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()

@@ -4,11 +4,13 @@
 //! `CHROME` or `CHROMIUM` names a Chromium that is not on the path.
 #![cfg(unix)]
 
+mod blind;
 mod chromium;
 mod course;
 mod downloads;
 mod explorer;
 mod eyes;
+mod grips;
 mod hands;
 mod heights;
 mod measures;

@@ -119,3 +119,72 @@ fn soak() {
     let (first, last) = (measured[1], measured[measured.len() - 1]);
     assert!(last[0] < 1.2 * first[0] + 20.0, "the server has grown from {} to {} MB", first[0], last[0]);
 }
+
+/// Presses the contact to so many gaps one after the other, as fast as they are solved and drawn; tells contacts and frames a second.
+const PRESS: &str = "async (times) => { takeGrip('press'); const gap = section.mean_gap; let frames = 0; let goes = true; \
+    const count = () => { frames += 1; if (goes) requestAnimationFrame(count); }; requestAnimationFrame(count); \
+    const begun = performance.now(); \
+    for (let i = 0; i < times; i++) { press(gap * (1 - 0.4 * Math.sin(i / 20))); \
+      while (holding) await new Promise((done) => { const turn = new MessageChannel(); turn.port1.onmessage = done; turn.port2.postMessage(0); }); } \
+    const seconds = (performance.now() - begun) / 1000; goes = false; letGo(); return [times / seconds, frames / seconds]; }";
+
+/// How fast the contact under the hand follows, with and without the stress below.
+#[test]
+#[ignore = "a measurement"]
+fn rate() {
+    let Some(program) = installed() else { return };
+    let (_explorer, mut page) = opened(&program);
+    for (domain, points) in [("line", 1024), ("line", 4096), ("line", 16384), ("surface", 128), ("surface", 256)] {
+        page.value(&format!(
+            "(() => {{ {TURN} turn('domain', '{domain}'); turn('points', {}); }})()",
+            f64::from(points).log2()
+        ));
+        rested(&mut page);
+        for deep in [false, true] {
+            page.value(&format!("byId('fringes').checked = {deep}"));
+            page.until("document.body.dataset.section === latest().id && !isAwake()", 60);
+            let rates = page.value(&format!("({PRESS})(200)"));
+            println!("{domain} of {points}, stress below {deep}: {rates} contacts and frames a second");
+            rested(&mut page);
+        }
+    }
+}
+
+/// A drag of the rigid surface, or of a point of its profile, by the pointer.
+fn drag(page: &mut Page, at: usize) {
+    let id = if at % 5 == 4 { "bend" } else { "press" };
+    if id == "bend" {
+        page.value(&format!("moveHandle({})", (at % 17) as f64 / 17.0));
+    }
+    let [x, y, width, height] = page.place(id);
+    let (x, y) = (x + width / 2.0, y + height / 2.0);
+    let far = ((at * 7) % 23) as f64 - 11.0;
+    page.mouse("mousePressed", [x, y]);
+    (1..=5).for_each(|part| page.mouse("mouseMoved", [x, y + far * f64::from(part) / 5.0]));
+    page.mouse("mouseReleased", [x, y + far]);
+}
+
+/// 500 drags in a row: the page goes on, and memory stays.
+#[test]
+#[ignore = "a measurement"]
+fn soak_of_drags() {
+    let Some(program) = installed() else { return };
+    let (explorer, mut page) = opened(&program);
+    let mut measured = Vec::new();
+    for at in 0..500 {
+        drag(&mut page, at);
+        if at % 25 == 24 {
+            page.value("unbend(); knobs.load = 0.05; show(); changed()");
+        }
+        if at % 50 == 49 {
+            rested(&mut page);
+            assert_eq!(page.value("document.getElementById('fault').hidden"), true);
+            let memory = memory(&explorer, &mut page);
+            let [server, renderer, graphics] = memory.map(f64::round);
+            println!("{} drags: server {server} MB, page {renderer} MB, graphics {graphics} MB", at + 1);
+            measured.push(memory);
+        }
+    }
+    let (first, last) = (measured[1], measured[measured.len() - 1]);
+    assert!(last[0] < 1.2 * first[0] + 20.0, "the server has grown from {} to {} MB", first[0], last[0]);
+}

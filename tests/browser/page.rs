@@ -97,11 +97,16 @@ impl Page {
     /// Clicks the middle of an element.
     pub fn click(&mut self, id: &str) {
         let [x, y, width, height] = self.place(id);
-        for (kind, pressed) in [("mousePressed", 1), ("mouseReleased", 0)] {
-            let (x, y) = (x + width / 2.0, y + height / 2.0);
-            let event = json!({"type": kind, "x": x, "y": y, "button": "left", "buttons": pressed, "clickCount": 1});
-            self.chromium.page("Input.dispatchMouseEvent", event);
+        for kind in ["mousePressed", "mouseReleased"] {
+            self.mouse(kind, [x + width / 2.0, y + height / 2.0]);
         }
+    }
+
+    /// Presses, moves or lets go of the left button of the mouse at a place.
+    pub fn mouse(&mut self, kind: &str, [x, y]: [f64; 2]) {
+        let pressed = u32::from(kind != "mouseReleased");
+        let event = json!({"type": kind, "x": x, "y": y, "button": "left", "buttons": pressed, "clickCount": 1});
+        self.chromium.page("Input.dispatchMouseEvent", event);
     }
 
     /// Types a value into a field and leaves it with the Enter key.

@@ -115,7 +115,7 @@ fn a_run_plays(page: &mut Page) {
 fn a_picked_step_is_shown(page: &mut Page) {
     let pick = |entity: &str| {
         let item = format!("{{ type: 'entity', entity_path: '/rough_line/{entity}', position: [250, 9, 0] }}");
-        format!("linkStep(JSON.stringify({{ type: 'selection_change', recording_id: shownRun, items: [{item}] }}))")
+        format!("heardViewer(JSON.stringify({{ type: 'selection_change', recording_id: shownRun, items: [{item}] }}))")
     };
     page.value("seek(1)");
     page.until(&format!("{STEP} === {LAST}"), 20);

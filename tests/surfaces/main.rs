@@ -1,5 +1,6 @@
 //! Surfaces: heights, indenters, random roughness and statistics.
 
+mod bumps;
 mod heights;
 mod indenter;
 mod refine;
