@@ -12,6 +12,8 @@ mod heights;
 mod lessons;
 #[path = "explore/played.rs"]
 mod played;
+#[path = "explore/scenes.rs"]
+mod scenes;
 #[path = "explore/sessions.rs"]
 mod sessions;
 #[path = "explore/texts.rs"]
@@ -56,7 +58,11 @@ impl Answer {
 
 impl Page {
     fn open() -> Self {
-        let explorer = Explorer::new(Arc::new(Sessions::default()), Start::RoughLine.knobs(), Lesson::all()).unwrap();
+        Self::serve(Explorer::new(Arc::new(Sessions::default()), Start::RoughLine.knobs(), Lesson::all()).unwrap())
+    }
+
+    /// A page of an explorer on a port of its own.
+    fn serve(explorer: Explorer) -> Self {
         let server = Server::bind(0).unwrap();
         let port = server.port();
         std::thread::spawn(move || server.run(explorer).unwrap());

@@ -20,21 +20,40 @@ function answerBeforehand(path) {
   if (place === "state") return latestNews.revision > Number(since ?? -1) ? latestNews : new Promise((done) => listeners.push(done));
   if (place === "runs") return [];
   if (place === "heights") return null;
-  const [, id, facet] = place.split("/");
-  return facet ? solved.facets[id][facet] : solved[place];
+  const [, id, name] = place.split("/");
+  return name ? solvedFacets(id).then((facets) => facets[name]) : solved[place];
+}
+
+/** The facets of a run, which a script of their own holds: other files cannot be read from a folder on disk. */
+function solvedFacets(id) {
+  return new Promise((done) => {
+    if (solved.facets[id]) { done(solved.facets[id]); return; }
+    const script = element("script", { src: `run/${id}.js` });
+    script.addEventListener("load", () => done(solved.facets[id]));
+    script.addEventListener("error", () => done({}));
+    document.head.append(script);
+  });
 }
 
 /** Carries out an order: what was solved comes up, and what was not is refused. */
 function orderBeforehand(path, body) {
   if (path === "pin") return tell({ pinned: body });
-  if (path === "solve") return bringUp(solvedRun(body));
-  if (path === "sweep") return bringUp(solvedSweep(body));
+  if (path === "solve") return bringUp(solvedRun(body), body);
+  if (path === "sweep") return bringUp(solvedSweep(body), body);
   if (path === "cancel" || path === "leave") return latestNews;
   throw new Error(say("solved.never"));
 }
 
-function bringUp(found) {
-  if (!found) throw new Error(say("solved.refused", { list: solvedList() }));
+/** The knobs of what came up last. */
+let solvedKnobs = solved && solved.start;
+
+function bringUp(found, wanted) {
+  if (!found) {
+    knobs = structuredClone(solvedKnobs);
+    show();
+    throw new Error(say("solved.refused", { list: solvedList() }));
+  }
+  solvedKnobs = structuredClone(wanted);
   const known = runOf(found.id);
   if (known) recall(known);
   const run = structuredClone(found);
@@ -92,7 +111,7 @@ function offerSolved() {
     if (byId(`control-${control.id}-value`)) byId(`control-${control.id}-value`).readOnly = true;
   }
   byId("sweep").disabled = !solvedSweep(knobs);
-  for (const id of ["dice", "open-file"]) Object.assign(byId(id), { disabled: true, title: say("solved.never") });
+  for (const id of ["dice", "open-file", "beside"]) Object.assign(byId(id), { disabled: true, title: say("solved.never") });
   byId("solved").textContent = say("solved", { list: solvedList() });
   byId("solved").hidden = false;
 }

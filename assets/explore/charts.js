@@ -63,7 +63,8 @@ function legend(svg, top, curves, width) {
 }
 
 /** The knobs that make the surface of a sweep. */
-function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, bumps }) {
+function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, scene, bumps }) {
+  if (body === "scene") return scene;
   if (body === "file") return JSON.stringify(heights);
   return JSON.stringify([domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
 }

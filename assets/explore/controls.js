@@ -3,17 +3,18 @@
 
 const byId = (id) => document.getElementById(id);
 const isGfmd = (k) => k.solver.method === "gfmd";
-const isMade = (k) => k.body !== "file";
+const isMade = (k) => !["file", "scene"].includes(k.body);
+const isOwn = (k) => k.body !== "scene";
 const rough = (k) => isMade(k) && k.roughness > 0;
 
 /** Every control: its group, and the path of the knob that it sets if that is not its id. A slider has a field beside it for values
  * between its notches, from `least` to `most` if that is not the range of the slider. Its label and what it does in physics are texts. */
 const CONTROLS = [
   { group: "load", id: "load", kind: "range", log: true, min: -4, max: 1.5, step: 0.02, least: 1e-5, most: 1e3, wide: "load" },
-  { group: "load", id: "hardness", kind: "range", min: 0, max: 0.002, step: 0.00002, most: 1 },
-  { group: "load", id: "layer", kind: "range", min: 0, max: 0.5, step: 0.005, most: 10 },
+  { group: "load", id: "hardness", kind: "range", shown: isOwn, min: 0, max: 0.002, step: 0.00002, most: 1 },
+  { group: "load", id: "layer", kind: "range", shown: isOwn, min: 0, max: 0.5, step: 0.005, most: 10 },
   { group: "surface", id: "domain", kind: "select", shown: isMade, options: ["line", "surface"] },
-  { group: "surface", id: "body", kind: "select", options: ["flat", "round", "sine", "power-law", "file"] },
+  { group: "surface", id: "body", kind: "select", options: ["flat", "round", "sine", "power-law", "file", "scene"] },
   { group: "surface", id: "exponent", kind: "range", min: 1, max: 12, step: 0.5, shown: (k) => k.body === "power-law" },
   { group: "surface", id: "roughness", kind: "range", shown: isMade, min: 0, max: 0.01, step: 0.0002 },
   { group: "surface", id: "hurst", kind: "range", min: 0.1, max: 1, step: 0.05, shown: rough },
@@ -32,6 +33,8 @@ const CONTROLS = [
 
 /** The state of the knobs, as the server takes it. */
 let knobs = null;
+/** The knobs that the page starts with, if those are of a scene. */
+let sceneStart = null;
 /** Settings of GFMD, for when it is chosen again. */
 let gfmd = { masses: "uniform", dynamics: "damped", "time-step": 0.5, damping: 1 };
 
@@ -63,6 +66,7 @@ function build() {
   groups.get("load").append(element("div", { class: "buttons" },
     button("sweep", say("control.sweep"), say("control.sweep.tip"), sweep), button("cancel", say("control.cancel"), say("control.cancel.tip"), cancel)));
   buildHeights();
+  byId("control-body").querySelector("[value=scene]").hidden = !sceneStart;
   byId("controls").addEventListener("submit", (event) => event.preventDefault());
 }
 
@@ -158,6 +162,7 @@ function mend(id) {
   const { method, ...settings } = knobs.solver;
   if ("masses" in settings) gfmd = settings;
   knobs.solver = method === "gfmd" ? { method, ...gfmd } : { method };
+  if (id === "body" && !isOwn(knobs)) ({ domain: knobs.domain, scene: knobs.scene } = sceneStart);
   if (id === "domain") {
     knobs.points = knobs.domain === "line" ? 4096 : 256;
     if (knobs.cutoff > knobs.points / 2) knobs.cutoff = knobs.points / 8;

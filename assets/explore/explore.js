@@ -87,7 +87,9 @@ async function begin() {
   const before = await ask("state");
   known = await ask("observables");
   observables = [...known, SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
-  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : await ask("start");
+  const start = await ask("start");
+  if (!isOwn(start)) sceneStart = start;
+  knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : structuredClone(start);
   const isPainted = knobs.theme === document.documentElement.dataset.theme;
   takeTheme();
   remember(await ask("runs"));

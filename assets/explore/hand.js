@@ -54,7 +54,7 @@ const held = () => ({ knobs, "mean-gap": grip?.gap ?? null, "is-deep": isDeep() 
 const isDeep = () => byId("fringes").checked;
 
 /** Whether points of the profile can be dragged: those of lines that the knobs make. */
-const canBend = () => knobs.domain === "line" && knobs.body !== "file";
+const canBend = () => !solved && knobs.domain === "line" && isMade(knobs);
 
 function takeGrip(kind, event) {
   if (!section) return;
@@ -134,7 +134,7 @@ function under(event) {
 }
 
 function pointerDown(event) {
-  if (!section || event.button) return;
+  if (!section || event.button || solved) return;
   event.preventDefault();
   byId("section").setPointerCapture(event.pointerId);
   const { share, y, profile } = under(event);
@@ -151,7 +151,7 @@ function pointerMove(event) {
 
 /** A press without a movement picks the patch below it. */
 function pointerUp(event) {
-  const isClick = grip && grip.moved <= STILL;
+  const isClick = solved || (grip && grip.moved <= STILL);
   if (isClick) {
     sectionRun = grip.run;
     grip = null;
@@ -192,6 +192,7 @@ function placeHandles() {
   const clip = (y) => `${Math.min(at.ground, Math.max(at.top, y))}px`;
   byId("press").style.top = clip(at.y(mean));
   Object.assign(byId("bend").style, { left: `${100 * handle}%`, top: clip(at.y(profile)) });
+  byId("press").hidden = solved !== null;
   byId("bend").hidden = !canBend();
   byId("unbend").hidden = !knobs.bumps.length;
   byId("press").setAttribute("aria-valuenow", figure(section.mean_gap / section.highest, 3));

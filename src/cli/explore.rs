@@ -1,12 +1,13 @@
 //! `asperity explore`: turn a knob, watch the contact relax.
 
+use super::flags::{Scene, Whole};
 use super::interrupt::interrupted;
-use super::outcome::{Outcome, usage};
+use super::outcome::{Outcome, Usage, usage};
 use anyhow::{Result, anyhow};
 use asperity::error::{Failure, FileError};
-use asperity::explore::{Explorer, Export, Lesson, Server, Sessions, Start};
+use asperity::explore::{Explorer, Export, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, Start};
 use asperity::surface::HeightFile;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::io::{Write, stderr, stdout};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -26,6 +27,7 @@ const EXAMPLES: &str = "\
 Examples:
   asperity explore
   asperity explore hertz-line --port 9000 --no-open
+  asperity explore scene.toml
   asperity explore --height patch.x3p
   asperity explore --lessons my-lessons
   asperity explore --lessons my-lessons --export course";
@@ -33,9 +35,9 @@ Examples:
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Explore {
-    /// Where to start
-    #[arg(value_enum, default_value = "rough-line")]
-    start: Start,
+    /// Where to start: hertz-line, hertz-surface, rough-line or rough-surface, or a scene as `asperity solve` takes it
+    #[arg(value_name = "START|SCENE.toml", default_value = "rough-line", value_parser = begin)]
+    start: Begin,
     /// A file of heights to start with instead, as if it were dropped on the page
     #[arg(long, value_name = "FILE")]
     height: Option<PathBuf>,
@@ -69,13 +71,57 @@ impl Explore {
         if let Some(folder) = &self.export {
             return export(folder, lessons);
         }
-        let heights = self.height.clone().map(|path| HeightFile::from(path).with_full_path());
-        let sessions = Arc::new(heights.map_or_else(|| Ok(Sessions::default()), Sessions::with_heights)?);
-        let explorer = Explorer::new(sessions.clone(), self.start.knobs(), lessons)?;
+        let (sessions, knobs) = match (&self.start, &self.height) {
+            (Begin::Scene(_), Some(_)) => return usage("a scene has heights of its own: give it without --height"),
+            (Begin::Scene(path), None) => with_scene(path)?,
+            (Begin::Start(start), Some(path)) => {
+                let heights = HeightFile::from(path.clone()).with_full_path();
+                (Sessions::with_heights(heights)?, start.knobs())
+            }
+            (Begin::Start(start), None) => (Sessions::default(), start.knobs()),
+        };
+        let sessions = Arc::new(sessions);
+        let explorer = Explorer::new(sessions.clone(), knobs, lessons)?;
         let served = self.page.open().and_then(|server| Ok(server.run(explorer)?));
         sessions.close();
         served.map(|()| Outcome::Done)
     }
+}
+
+/// What the page starts with.
+#[derive(Clone)]
+enum Begin {
+    /// A state of the knobs.
+    Start(Start),
+    /// A setup in a file.
+    Scene(PathBuf),
+}
+
+/// What an argument means.
+fn begin(text: &str) -> Result<Begin, String> {
+    let path = Path::new(text);
+    match Start::from_str(text, false) {
+        Ok(start) => Ok(Begin::Start(start)),
+        Err(_) if path.extension().is_some() || path.exists() => Ok(Begin::Scene(path.into())),
+        Err(_) => Err("give hertz-line, hertz-surface, rough-line or rough-surface, or the file of a scene".into()),
+    }
+}
+
+/// Sessions with the scene of a file, and the knobs to start with. What `solve` would refuse is refused in its words.
+fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
+    let mut table = Scene::<Whole>::of(path.into()).table()?;
+    if table.take_loads()?.is_some() {
+        return usage("the page presses under one load at a time, but several are given: give one");
+    }
+    if table.take_auto()?.is_some() {
+        return usage("the page has one grid, but a grid is to be found: give a number for refine");
+    }
+    let refused = |Refusal(sentence): Refusal| Usage(sentence);
+    let setup = table.setup()?.with_full_path();
+    setup.problem()?;
+    let scene = SceneFile::of(setup).map_err(refused)?;
+    let knobs = Knobs::of_scene(&scene).map_err(refused)?;
+    Ok((Sessions::with_scene(scene), knobs))
 }
 
 /// Writes lessons as a site, and says on standard error how far that is.

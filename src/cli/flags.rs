@@ -79,6 +79,12 @@ pub struct Scene<E> {
 }
 
 impl<E: Extent> Scene<E> {
+    /// A scene as it is in its file.
+    #[cfg(feature = "explore")]
+    pub fn of(file: PathBuf) -> Self {
+        Self { file: Some(file), given: Vec::new(), extent: PhantomData }
+    }
+
     /// The setup as it was given, its sections and keys apart.
     pub fn table(&self) -> Result<Table> {
         let mut table = self.file.as_deref().map_or_else(|| Ok(Table::default()), read)?;

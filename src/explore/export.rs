@@ -5,7 +5,7 @@ use super::knobs::Knobs;
 use super::lesson::{Lesson, LessonStep};
 use super::page::Page;
 use super::refusal::Refusal;
-use super::session::{Kind, Session};
+use super::session::{Kind, Session, Stock};
 use crate::contact::{Failure, OBSERVABLES};
 use crate::files::{check_folder, fill_folder};
 use crate::record::Output;
@@ -71,7 +71,7 @@ impl Export {
     pub fn write(&self, folder: &Path, goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<(), Failure> {
         check_folder(folder)?;
         let page = Page::new("explore")?;
-        let (session, solver) = Session::start(None, 0);
+        let (session, solver) = Session::start(Stock::default(), 0);
         let written = fill_folder(folder, |draft| {
             page.files().try_for_each(|(name, bytes)| write(draft.join(name), bytes))?;
             create_dir(draft.join("run"))?;
@@ -83,25 +83,27 @@ impl Export {
         written
     }
 
-    /// Solves all states, copies their recordings, and returns all else that the page asks for.
+    /// Solves all states, writes their recordings and facets, and returns all else that the page asks for.
     fn solve(
         &self,
         session: &Session,
         folder: &Path,
         goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Value, Failure> {
-        let (mut runs, mut facets) = (Vec::new(), Map::new());
+        let mut runs = Vec::new();
         for (done, (kind, knobs)) in self.wanted.iter().enumerate() {
             let id = solve(session, *kind, knobs, &mut || goes_on(done))?;
             let reel = session.reel(&id).ok_or("a recording is missing")?;
             copy(&reel.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
             runs.push(serde_json::to_value(reel.told())?);
-            let of_run =
-                reel.solved().map(|solved| FACETS.iter().map(|it| (it.name.into(), (it.of)(&solved))).collect());
-            facets.extend(of_run.map(|of_run| (id, Value::Object(of_run))));
+            if let Some(solved) = reel.solved() {
+                let facets: Map<String, Value> = FACETS.iter().map(|it| (it.name.into(), (it.of)(&solved))).collect();
+                let script = format!("SOLVED.facets[\"{id}\"] = {};\n", Value::Object(facets));
+                write(folder.join("run").join(format!("{id}.js")), script)?;
+            }
         }
         let Self { lessons, start, .. } = self;
-        Ok(json!({ "start": start, "lessons": lessons, "observables": OBSERVABLES, "runs": runs, "facets": facets }))
+        Ok(json!({ "start": start, "lessons": lessons, "observables": OBSERVABLES, "runs": runs, "facets": {} }))
     }
 }
 

@@ -4,9 +4,10 @@ use super::knobs::Knobs;
 use super::refusal::Refusal;
 use super::report::Numbers;
 use super::section::Section;
+use super::source::Source;
 use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
 use crate::setup::Setup;
-use crate::surface::{Field, HeightFile};
+use crate::surface::Field;
 use serde::{Deserialize, Serialize};
 
 /// The finest certificate that a contact under the hand is solved to, and its most steps.
@@ -45,15 +46,15 @@ impl Hold {
     ///
     /// # Errors
     /// A sentence on knobs that stand for nothing, and on a gap at which nothing or everything touches.
-    pub(super) fn solve(&self, file: Option<&HeightFile>, before: &mut [Option<Field>; 2]) -> Result<Held, Refusal> {
-        let setup = self.knobs.setup_with(file)?;
+    pub(super) fn solve(&self, source: Option<&Source>, before: &mut [Option<Field>; 2]) -> Result<Held, Refusal> {
+        let setup = self.knobs.setup_with(source)?;
         let mut problem = setup.problem()?;
         if let Some(mean_gap) = self.mean_gap {
             problem = problem.with_load(Load::MeanGap(mean_gap))?;
         }
         let [first, second] = before;
         let contact = solve(&problem, &setup, first)?;
-        let beside = self.knobs.beside_with(file)?.map(|beside| {
+        let beside = self.knobs.beside_with(source)?.map(|beside| {
             let problem = beside.problem()?.with_load(Load::MeanPressure(contact.mean_pressure()))?;
             Ok::<_, Refusal>(Section::of(&solve(&problem, &beside, second)?, self.is_deep))
         });

@@ -2,10 +2,11 @@
 
 use super::height_knobs::{HeightKnobs, MOST_POINTS};
 use super::refusal::Refusal;
+use super::source::{SceneFile, Source};
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
 use crate::setup::{Cell, LayerModulus, Method, Part, Recipe, Record, Setup, Solid, Theme};
-use crate::surface::{Bump, Bumps, HeightFile, Indenter, Spectrum};
+use crate::surface::{Bump, Bumps, Indenter, Spectrum};
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 
@@ -64,6 +65,9 @@ pub struct Knobs {
     /// How the file of heights is taken, where it is the body: its points and lengths take the place of those above.
     #[serde(default)]
     pub(super) heights: HeightKnobs,
+    /// The mark of the scene, where that is the body.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    scene: Option<String>,
     /// The knobs of a second surface, which is pressed beside the first with the same mean pressure: of these knobs only those of the surface
     /// count.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -91,6 +95,8 @@ enum Body {
     Flat,
     /// The file of heights, and no roughness on it.
     File,
+    /// The scene of a setup, with its cell, solid and law.
+    Scene,
 }
 
 /// A state of the knobs to start from.
@@ -137,12 +143,41 @@ impl Start {
             theme: Theme::Dark,
             bumps: Vec::new(),
             heights: HeightKnobs::default(),
+            scene: None,
             beside: None,
         }
     }
 }
 
 impl Knobs {
+    /// The knobs of a scene, with the solver, the parts of the recording and, if that is a pressure or a force, the load of its setup.
+    ///
+    /// # Errors
+    /// For a scene that cannot be made, and for a setup beyond the limits of the page.
+    pub fn of_scene(scene: &SceneFile) -> Result<Self, Refusal> {
+        let (setup, start) = (&scene.setup, Start::RoughLine.knobs());
+        let problem = setup.problem()?;
+        let surface = problem.surface();
+        let unit = problem.rms_gradient() * problem.contact_modulus();
+        let knobs = Self {
+            domain: if surface.grid().is_line() { Domain::Line } else { Domain::Surface },
+            body: Body::Scene,
+            scene: Some(scene.mark.clone()),
+            load: match setup.load {
+                Load::ReducedPressure(load) => load,
+                load if load.is_pressure() => problem.expected_mean_pressure() / unit,
+                _ => start.load,
+            },
+            solver: setup.solver,
+            stop: setup.stop,
+            record: if setup.record.what.is_empty() { start.record } else { setup.record.what.clone() },
+            theme: setup.record.theme,
+            ..Start::RoughLine.knobs()
+        };
+        knobs.check()?;
+        Ok(knobs)
+    }
+
     /// The knobs that `json` holds.
     ///
     /// # Errors
@@ -159,36 +194,59 @@ impl Knobs {
         self.setup_with(None)
     }
 
+    /// Whether the scene is the body.
+    pub(super) fn takes_scene(&self) -> bool {
+        self.body == Body::Scene
+    }
+
     /// Whether the file of heights is the body.
     pub(super) fn takes_file(&self) -> bool {
         self.body == Body::File
     }
 
-    /// The setup that the knobs stand for beside a file of heights, if there is one.
+    /// The setup that the knobs stand for beside heights or a scene that they do not hold.
     ///
     /// # Errors
     /// The errors of [`Knobs::setup`].
-    pub fn setup_with(&self, file: Option<&HeightFile>) -> Result<Setup, Refusal> {
+    pub fn setup_with(&self, source: Option<&Source>) -> Result<Setup, Refusal> {
         self.check()?;
-        let (surface, cell) = self.surface(file)?;
-        let grid = surface.grid(&cell)?;
+        let pressed = self.pressed(source)?;
+        let grid = pressed.surface.grid(&pressed.grid)?;
         let setup = Setup {
-            solid: Some(self.solid(grid.longest_wavelength())),
-            law: if self.hardness > 0.0 { Law::Hardness(self.hardness * MODULUS) } else { Law::HardWall },
+            load: Load::ReducedPressure(self.load),
             solver: self.solver,
             stop: self.stop,
             record: Record { what: self.parts(grid.is_line()), theme: self.theme, ..Record::default() },
-            ..Setup::new(surface, cell, Load::ReducedPressure(self.load))
+            ..pressed
         };
         setup.check()?;
         Ok(setup)
+    }
+
+    /// Surface, cell, solid and law: those of the scene, or those that the knobs make.
+    fn pressed(&self, source: Option<&Source>) -> Result<Setup, Refusal> {
+        if self.body == Body::Scene {
+            return match source {
+                Some(Source::Scene(scene)) if self.scene.as_ref() == Some(&scene.mark) => Ok(scene.setup.clone()),
+                _ => Err(Refusal(
+                    "the scene of this state is not here: start asperity explore with its setup file".into(),
+                )),
+            };
+        }
+        let (surface, cell) = self.surface(source)?;
+        let grid = surface.grid(&cell)?;
+        Ok(Setup {
+            solid: Some(self.solid(grid.longest_wavelength())),
+            law: if self.hardness > 0.0 { Law::Hardness(self.hardness * MODULUS) } else { Law::HardWall },
+            ..Setup::new(surface, cell, Load::ReducedPressure(self.load))
+        })
     }
 
     /// The setup of the surface beside, if there is one, under the load of the knobs: a solve presses it as hard as the first one.
     ///
     /// # Errors
     /// The errors of [`Knobs::setup`], for a line beside a surface, and for a surface that has another one beside it.
-    pub fn beside_with(&self, file: Option<&HeightFile>) -> Result<Option<Setup>, Refusal> {
+    pub fn beside_with(&self, source: Option<&Source>) -> Result<Option<Setup>, Refusal> {
         let Some(beside) = &self.beside else { return Ok(None) };
         let refuse = |sentence: &str| Err(Refusal(sentence.into()));
         if beside.beside.is_some() {
@@ -196,7 +254,7 @@ impl Knobs {
         }
         let Self { load, hardness, layer, solver, stop, record, theme, .. } = self.clone();
         let other = Self { load, hardness, layer, solver, stop, record, theme, ..Self::clone(beside) };
-        let (first, second) = (self.setup_with(file)?, other.setup_with(file)?);
+        let (first, second) = (self.setup_with(source)?, other.setup_with(source)?);
         let is_line = |setup: &Setup| Ok::<_, Refusal>(setup.surface.grid(&setup.grid)?.is_line());
         if is_line(&first)? != is_line(&second)? {
             return refuse("a line cannot be pressed beside a surface: choose two lines or two surfaces");
@@ -205,10 +263,12 @@ impl Knobs {
     }
 
     /// The surface and its cell.
-    fn surface(&self, file: Option<&HeightFile>) -> Result<(Recipe, Cell), Refusal> {
+    fn surface(&self, source: Option<&Source>) -> Result<(Recipe, Cell), Refusal> {
         if self.body == Body::File {
-            let none = "there is no file of heights: drop one on the page, or open it";
-            return self.heights.surface(file.ok_or_else(|| Refusal(none.into()))?);
+            let Some(Source::Heights(file)) = source else {
+                return Err(Refusal("there is no file of heights: drop one on the page, or open it".into()));
+            };
+            return self.heights.surface(file);
         }
         let spectrum = self.spectrum();
         let seed = spectrum.map(|_| self.seed.into());
@@ -236,7 +296,7 @@ impl Knobs {
             Domain::Surface => MOST_POINTS[1].isqrt(),
         };
         let (low, high) = REDUCED_PRESSURES.into_inner();
-        Err(Refusal(if self.points > most && self.body != Body::File {
+        Err(Refusal(if self.points > most && !matches!(self.body, Body::File | Body::Scene) {
             format!("{} points are too many here: give at most {most}", self.points)
         } else if self.stop.max_iterations() > MOST_STEPS {
             format!("{} steps are too many here: give at most {MOST_STEPS}", self.stop.max_iterations())
@@ -271,7 +331,7 @@ impl Knobs {
                 let coefficient = half * half / (2.0 * RADIUS) / half.powf(self.exponent);
                 Indenter::PowerLaw { coefficient, exponent: self.exponent }
             }
-            (Body::Flat | Body::File, _) => return None,
+            (Body::Flat | Body::File | Body::Scene, _) => return None,
         })
     }
 

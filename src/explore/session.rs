@@ -7,6 +7,7 @@ use super::knobs::Knobs;
 use super::reel::{Ended, Reel, Solved, Told};
 use super::refusal::Refusal;
 use super::report::{Numbers, Report, SweepReport};
+use super::source::{SceneFile, Source};
 use super::step_numbers::StepNumbers;
 use crate::contact::Contact;
 use crate::record::Ghost;
@@ -22,6 +23,13 @@ const RECORDINGS: usize = 6;
 
 /// A file of heights, and what the page was told of it last.
 pub type Heights = (HeightFile, Description);
+
+/// What a session begins with, if there is any: a file of heights, and a scene.
+#[derive(Clone, Default)]
+pub struct Stock {
+    pub heights: Option<Heights>,
+    pub scene: Option<Arc<SceneFile>>,
+}
 
 /// The orders of the page, one at a time, and what comes of them; a new order ends the one before.
 pub struct Session {
@@ -42,6 +50,7 @@ struct State {
     /// The latest recordings, the newest last.
     recordings: VecDeque<Reel>,
     heights: Option<Heights>,
+    scene: Option<Arc<SceneFile>>,
 }
 
 impl State {
@@ -97,17 +106,17 @@ pub struct Turn<'a> {
 }
 
 impl Session {
-    /// A session with a file of heights, if there is one, whose orders are numbered on from `after`.
-    pub(super) fn new(heights: Option<Heights>, after: u64) -> Self {
-        let state = State { heights, generation: after, ..State::default() };
+    /// A session with what it begins with, whose orders are numbered on from `after`.
+    pub(super) fn new(Stock { heights, scene }: Stock, after: u64) -> Self {
+        let state = State { heights, scene, generation: after, ..State::default() };
         Self { state: Mutex::new(state), hand: Mutex::default(), changed: Condvar::new() }
     }
 
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
     /// Knobs that stand for nothing are refused; what runs then goes on.
     pub(super) fn order(&self, kind: Kind, knobs: Knobs) -> Result<u64, Refusal> {
-        let file = self.file_of(&knobs)?;
-        let (setup, beside) = (knobs.setup_with(file.as_ref())?, knobs.beside_with(file.as_ref())?);
+        let source = self.source_of(&knobs)?;
+        let (setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
         Ok(self.change(|state| {
             state.generation += 1;
             state.order = Some(Order { kind, knobs, setup, beside });
@@ -116,19 +125,22 @@ impl Session {
         }))
     }
 
-    /// The file of heights that knobs are for, if there is one.
-    fn file_of(&self, knobs: &Knobs) -> Result<Option<HeightFile>, Refusal> {
-        let heights = self.lock().heights.clone();
-        if let Some((_, description)) = heights.as_ref().filter(|_| knobs.takes_file()) {
+    /// The file of heights, or the scene, that knobs are for, if it is here.
+    fn source_of(&self, knobs: &Knobs) -> Result<Option<Source>, Refusal> {
+        let state = self.lock();
+        if knobs.takes_scene() {
+            return Ok(state.scene.clone().map(Source::Scene));
+        }
+        if let Some((_, description)) = state.heights.as_ref().filter(|_| knobs.takes_file()) {
             description.check(&knobs.heights)?;
         }
-        Ok(heights.map(|(file, _)| file))
+        Ok(state.heights.as_ref().map(|(file, _)| Source::Heights(file.clone())))
     }
 
     /// Solves the contact under the hand, while what runs goes on.
     pub(super) fn hold(&self, hold: &Hold) -> Result<Held, Refusal> {
-        let file = self.file_of(hold.knobs())?;
-        hold.solve(file.as_ref(), &mut self.hand.lock().unwrap_or_else(PoisonError::into_inner))
+        let source = self.source_of(hold.knobs())?;
+        hold.solve(source.as_ref(), &mut self.hand.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
     /// Takes a file of heights in the place of the one before, and describes it with the steps that it needs.

@@ -3,7 +3,8 @@
 use super::description::Description;
 use super::height_knobs::HeightKnobs;
 use super::refusal::Refusal;
-use super::session::{Heights, Session};
+use super::session::{Session, Stock};
+use super::source::SceneFile;
 use crate::surface::HeightFile;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -18,8 +19,8 @@ const IDLE: Duration = Duration::from_secs(60);
 /// The sessions of a server.
 #[derive(Default)]
 pub struct Sessions {
-    /// The file of heights with which every session begins.
-    heights: Option<Heights>,
+    /// What every session begins with.
+    stock: Stock,
     open: Mutex<Vec<Open>>,
 }
 
@@ -39,7 +40,14 @@ impl Sessions {
     /// For a file that cannot be read.
     pub fn with_heights(file: HeightFile) -> Result<Self, Refusal> {
         let description = Description::of(&file, HeightKnobs::default())?;
-        Ok(Self { heights: Some((file, description)), open: Mutex::default() })
+        let stock = Stock { heights: Some((file, description)), scene: None };
+        Ok(Self { stock, open: Mutex::default() })
+    }
+
+    /// No session yet; all that come have a scene.
+    pub fn with_scene(scene: SceneFile) -> Self {
+        let stock = Stock { heights: None, scene: Some(Arc::new(scene)) };
+        Self { stock, open: Mutex::default() }
     }
 
     /// Begins a session, whose runs are numbered on from `after`, and returns its name. If there is no room for it, the one that was
@@ -56,7 +64,7 @@ impl Sessions {
             open.remove(longest.ok_or_else(all_live)?).session.close();
         }
         let name = unguessable();
-        let (session, solver) = Session::start(self.heights.clone(), after.into());
+        let (session, solver) = Session::start(self.stock.clone(), after.into());
         open.push(Open { name: name.clone(), session, solver, asked: Some(Instant::now()) });
         Ok(name)
     }

@@ -1,16 +1,16 @@
 //! The solver thread of a session.
 
-use super::session::{Heights, Kind, Order, Session};
+use super::session::{Kind, Order, Session, Stock};
 use super::{solve, sweep};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::thread::JoinHandle;
 
 impl Session {
-    /// A session with its solver thread, which ends after [`Session::close`]. It begins with a file of heights, if there is one, and its
-    /// runs are numbered on from `after`.
-    pub fn start(heights: Option<Heights>, after: u64) -> (Arc<Self>, JoinHandle<()>) {
-        let session = Arc::new(Self::new(heights, after));
+    /// A session with its solver thread, which ends after [`Session::close`]. Its runs are numbered on from
+    /// `after`.
+    pub fn start(stock: Stock, after: u64) -> (Arc<Self>, JoinHandle<()>) {
+        let session = Arc::new(Self::new(stock, after));
         let worker = Arc::clone(&session);
         (session, std::thread::spawn(move || work(&worker)))
     }

@@ -37,8 +37,9 @@ fn tabs_do_not_mix(explorer: &Explorer, page: &mut Page) -> String {
 /// A tab that is opened anew has its runs, and a tab that is a copy of it does not.
 fn a_tab_finds_its_runs_again(explorer: &Explorer, page: &mut Page) {
     let (session, before) = (page.text("session"), loads(page));
+    page.value("window.isOld = true");
     page.chromium.page("Page.reload", json!({}));
-    page.until("document.readyState === 'complete' && document.body.dataset.server === 'there'", 60);
+    page.until("!window.isOld && document.readyState === 'complete' && document.body.dataset.server === 'there'", 60);
     assert_eq!((page.text("session"), loads(page)), (session.clone(), before));
     let address = format!("{}{OPTIONS}&copy", explorer.origin());
     page.chromium.browser("Target.setDiscoverTargets", json!({"discover": true}));
@@ -53,8 +54,9 @@ fn a_tab_finds_its_runs_again(explorer: &Explorer, page: &mut Page) {
 
 /// With all sessions taken the next tab says so, and begins as soon as another one is closed.
 fn a_tab_too_many_waits(explorer: &Explorer, page: &mut Page) {
-    let taken = "Promise.all([1, 2].map(() => answered(fetch('api/session', sent('0'))))).then((all) => all.length)";
-    assert_eq!(page.value(taken), 2);
+    let take =
+        "(async () => { for (;;) await answered(fetch('api/session', sent('0'))); })().catch((error) => error.status)";
+    assert_eq!(page.value(take), 503);
     let before = open_tab(explorer, page);
     page.until("document.body.dataset.server === 'full'", 60);
     assert!(page.text(FAULT).starts_with("4 tabs are open here"), "{}", page.text(FAULT));

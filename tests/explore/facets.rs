@@ -24,7 +24,7 @@ fn the_numbers_of_every_step_are_told() {
 #[test]
 fn the_steps_of_long_runs_are_thinned() {
     let page = Page::open();
-    let slow = json!({"solver": {"method": "gfmd"}, "points": 64, "cutoff": 16, "stop": stop(1e-15, 9001)});
+    let slow = json!({"solver": {"method": "gfmd", "time-step": 0.05, "damping": 10}, "points": 256, "cutoff": 64, "stop": stop(1e-15, 9001)});
     page.solve(&with(slow));
     let steps = page.get("/api/run/run-1/steps").json();
     let iterations: Vec<f64> = steps["iterations"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect();
