@@ -56,6 +56,9 @@ const isDeep = () => byId("fringes").checked;
 /** Whether points of the profile can be dragged: those of lines that the knobs make. */
 const canBend = () => !solved && knobs.domain === "line" && isMade(knobs);
 
+/** Whether the rigid surface can be pressed: not where the boundary is free, nor where all is solved beforehand. */
+const canPress = () => section.is_pressed_by_gap && !solved;
+
 function takeGrip(kind, event) {
   if (!section) return;
   const at = frame(byId("section"));
@@ -67,6 +70,7 @@ function takeGrip(kind, event) {
 /** Moves the rigid surface, or the point that is held, by pixels upwards from where it was taken. */
 function moveGrip(up) {
   grip.moved = Math.max(grip.moved, Math.abs(up));
+  if (grip.kind === "look") return;
   const by = up / grip.perHeight;
   if (grip.kind === "press") press(grip.begun + by); else bend(grip.bump, grip.height + by / section.length);
 }
@@ -111,7 +115,9 @@ function takePoint(share, event) {
 /** Lets go: what the hand found is solved as a run, and recorded. */
 function letGo() {
   if (!grip) return;
+  const { kind, run } = grip;
   grip = null;
+  if (kind === "look") { sectionRun = run; return; }
   wantedHold = null;
   knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
   setMoment(null);
@@ -134,12 +140,12 @@ function under(event) {
 }
 
 function pointerDown(event) {
-  if (!section || event.button || solved) return;
+  if (!section || event.button) return;
   event.preventDefault();
   byId("section").setPointerCapture(event.pointerId);
   const { share, y, profile } = under(event);
   if (canBend() && Math.abs(y - profile) < BUMP.near) takePoint(share, event);
-  else takeGrip("press", event);
+  else takeGrip(canPress() ? "press" : "look", event);
 }
 
 function pointerMove(event) {
@@ -151,7 +157,7 @@ function pointerMove(event) {
 
 /** A press without a movement picks the patch below it. */
 function pointerUp(event) {
-  const isClick = solved || (grip && grip.moved <= STILL);
+  const isClick = grip && grip.moved <= STILL;
   if (isClick) {
     sectionRun = grip.run;
     grip = null;
@@ -192,7 +198,7 @@ function placeHandles() {
   const clip = (y) => `${Math.min(at.ground, Math.max(at.top, y))}px`;
   byId("press").style.top = clip(at.y(mean));
   Object.assign(byId("bend").style, { left: `${100 * handle}%`, top: clip(at.y(profile)) });
-  byId("press").hidden = solved !== null;
+  byId("press").hidden = !canPress();
   byId("bend").hidden = !canBend();
   byId("unbend").hidden = !knobs.bumps.length;
   byId("press").setAttribute("aria-valuenow", figure(section.mean_gap / section.highest, 3));

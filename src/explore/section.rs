@@ -28,6 +28,8 @@ pub struct Section {
     pub solid: Vec<f32>,
     /// Pressure.
     pub pressure: Vec<f32>,
+    /// Whether it is pressed by its mean gap: not where the boundary is free.
+    pub is_pressed_by_gap: bool,
     /// Mean gap.
     pub mean_gap: f64,
     /// The highest peak above the mean of the rigid surface: a larger mean gap than that is no contact.
@@ -68,6 +70,7 @@ impl Section {
             rigid: of(&|node| gap[node] + solid[node]),
             solid: of(&|node| solid[node]),
             pressure: of(&|node| pressure[node] / modulus),
+            is_pressed_by_gap: grid.is_periodic(),
             mean_gap: contact.mean_gap(),
             highest: problem.highest(),
             shear: is_deep.then(|| Shear::below(contact, row)).flatten(),
