@@ -60,6 +60,19 @@ function takeTheme() {
   knobs.theme = document.documentElement.dataset.theme;
 }
 
+/** Paper is light whatever the screen is: the picture is drawn for it, and as before after it. */
+function printed() {
+  const { dataset } = document.documentElement;
+  const screen = dataset.theme;
+  const draw = (theme, isPaper) => {
+    dataset.theme = theme;
+    document.body.toggleAttribute("data-paper", isPaper);
+    drawSections();
+  };
+  draw("light", true);
+  window.addEventListener("afterprint", () => draw(screen, false), { once: true });
+}
+
 async function begin() {
   const wished = new URLSearchParams(location.search).get("theme") || localStorage.getItem("theme");
   paint(wished === "light" || wished === "dark" ? wished : askSystem("(prefers-color-scheme: light)").matches ? "light" : "dark");
@@ -100,6 +113,7 @@ async function begin() {
   byId("duration").addEventListener("input", showDuration);
   showDuration();
   window.addEventListener("resize", charts);
+  window.addEventListener("beforeprint", printed);
   if (before.run || before.sweep) heard(before);
   listen();
   window.addEventListener("hashchange", () => openAddress(async () => {}));

@@ -33,7 +33,9 @@ async function hold(wish) {
 /** Shows the section of knobs that nobody turns: a load of a sweep. */
 async function holdQuietly(its) {
   const shown = await post("hold", { knobs: its, "mean-gap": null, "is-deep": isDeep() }).catch((error) => fault(error.message));
-  if (shown && moment && !grip) showSection(shown.section, shown.beside);
+  if (!shown || !moment || grip) return;
+  sectionRun = null;
+  showSection(shown.section, shown.beside);
 }
 
 function showHeld({ section: held, beside: heldBeside, numbers: told }, order) {
@@ -54,16 +56,21 @@ const isDeep = () => byId("fringes").checked;
 /** Whether points of the profile can be dragged: those of lines that the knobs make. */
 const canBend = () => !solved && knobs.domain === "line" && isMade(knobs);
 
+/** Whether the rigid surface can be pressed: not where the boundary is free, nor where all is solved beforehand. */
+const canPress = () => section.is_pressed_by_gap && !solved;
+
 function takeGrip(kind, event) {
   if (!section) return;
   const at = frame(byId("section"));
-  grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, moved: 0, perHeight: at.perHeight };
+  grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, moved: 0, perHeight: at.perHeight, run: sectionRun };
+  sectionRun = null;
   stopPlaying();
 }
 
 /** Moves the rigid surface, or the point that is held, by pixels upwards from where it was taken. */
 function moveGrip(up) {
   grip.moved = Math.max(grip.moved, Math.abs(up));
+  if (grip.kind === "look") return;
   const by = up / grip.perHeight;
   if (grip.kind === "press") press(grip.begun + by); else bend(grip.bump, grip.height + by / section.length);
 }
@@ -108,7 +115,9 @@ function takePoint(share, event) {
 /** Lets go: what the hand found is solved as a run, and recorded. */
 function letGo() {
   if (!grip) return;
+  const { kind, run } = grip;
   grip = null;
+  if (kind === "look") { sectionRun = run; return; }
   wantedHold = null;
   knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
   setMoment(null);
@@ -131,12 +140,12 @@ function under(event) {
 }
 
 function pointerDown(event) {
-  if (!section || event.button || solved) return;
+  if (!section || event.button) return;
   event.preventDefault();
   byId("section").setPointerCapture(event.pointerId);
   const { share, y, profile } = under(event);
   if (canBend() && Math.abs(y - profile) < BUMP.near) takePoint(share, event);
-  else takeGrip("press", event);
+  else takeGrip(canPress() ? "press" : "look", event);
 }
 
 function pointerMove(event) {
@@ -148,8 +157,9 @@ function pointerMove(event) {
 
 /** A press without a movement picks the patch below it. */
 function pointerUp(event) {
-  const isClick = solved || (grip && grip.moved <= STILL);
+  const isClick = grip && grip.moved <= STILL;
   if (isClick) {
+    sectionRun = grip.run;
     grip = null;
     knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
     pickAt(under(event).share);
@@ -188,7 +198,7 @@ function placeHandles() {
   const clip = (y) => `${Math.min(at.ground, Math.max(at.top, y))}px`;
   byId("press").style.top = clip(at.y(mean));
   Object.assign(byId("bend").style, { left: `${100 * handle}%`, top: clip(at.y(profile)) });
-  byId("press").hidden = solved !== null;
+  byId("press").hidden = !canPress();
   byId("bend").hidden = !canBend();
   byId("unbend").hidden = !knobs.bumps.length;
   byId("press").setAttribute("aria-valuenow", figure(section.mean_gap / section.highest, 3));
@@ -219,6 +229,6 @@ function beginHand() {
     made.addEventListener("pointercancel", letGo);
   }
   byId("unbend").addEventListener("click", unbend);
-  byId("fringes").addEventListener("change", () => showSectionOf(shownOrLatest()));
+  byId("fringes").addEventListener("change", () => { sectionRun = null; showSectionOf(shownOrLatest()); });
   new ResizeObserver(() => { drawSections(); placeHandles(); drawPatch(); }).observe(canvas);
 }

@@ -42,12 +42,13 @@ async function momentOfStep(run, step) {
   setMoment(numbers && { name: say("moment.step", { step: steps[at] }), numbers });
 }
 
+/** The run whose section is shown; none while it is that of something else. */
 let sectionRun = null;
 
-/** Shows the section of a run that has ended, unless a hand holds another. */
+/** Shows the section of a run that has ended, if it is not shown, unless a hand holds another. */
 async function showSectionOf(run) {
-  if (!run || !run.ended || isSweep(run)) return;
-  if (sectionRun !== run.id) choosePatch(null);
+  if (!run || !run.ended || isSweep(run) || run.id === sectionRun) return;
+  if (chosen && chosen.run !== run.id) choosePatch(null);
   sectionRun = run.id;
   const its = await Promise.all([facet(run, "section"), facet(run, "beside")]).catch((error) => fault(error.message));
   if (!its || grip || sectionRun !== run.id) return;
@@ -70,8 +71,8 @@ function choosePatch(patch) {
 
 /** Chooses the patch at a share of the length of the section, or the nearest one. */
 async function pickAt(share) {
-  const run = runOf(sectionRun);
-  if (!run) return;
+  const run = shownOrLatest();
+  if (run?.id !== sectionRun) return;
   const table = await facet(run, "patches");
   const [rows, columns] = table.shape;
   const row = section.y === null ? 0 : Math.min(rows - 1, Math.floor(section.y / table.size[0] * rows));
@@ -87,7 +88,7 @@ function pickNear(table, row, column) {
     const away = Math.hypot(Math.floor(i / columns) - row, i % columns - column);
     if (away < best[0]) best = [away, number];
   });
-  choosePatch(best[1] ? { number: best[1], size: table.size, ...table.patches[best[1] - 1] } : null);
+  choosePatch(best[1] ? { run: sectionRun, number: best[1], size: table.size, ...table.patches[best[1] - 1] } : null);
 }
 
 /** Pixels of the longer side of an image of a surface, the width of the canvas of a line, and the length of a relief. */

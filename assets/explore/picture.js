@@ -17,7 +17,7 @@ let axes = null;
 function axesOf(sections) {
   const most = (of) => Math.max(...sections.flatMap(of));
   return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most(({ pressure }) => pressure) || 1,
-    shear: most(({ shear }) => shear?.values ?? [0]) || 1 };
+    shear: most(({ shear }) => [shear?.highest ?? 0]) || 1 };
 }
 
 /** Shows a section, and the one beside if there is one, with axes of their own unless a hand holds them. */
@@ -109,11 +109,11 @@ function paintSection(to, at, shown) {
 }
 
 /** The stress below each place of the surface, to scale, as the fringes that crossed polarisers show. */
-function paintShear(to, at, { solid, length, shear: { depth, columns, values } }) {
+function paintShear(to, at, { solid, length, shear: { depth, columns, highest, values } }) {
   const rows = values.length / columns;
   const image = new ImageData(columns, rows);
   values.forEach((value, i) => {
-    const light = Math.sin(Math.PI * ORDERS * value / axes.shear) ** 2;
+    const light = Math.sin(Math.PI * ORDERS * value / 255 * highest / axes.shear) ** 2;
     image.data.set([86, 180, 233, 215 * light], 4 * i);
   });
   const source = element("canvas", { width: columns, height: rows });

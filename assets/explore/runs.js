@@ -273,7 +273,7 @@ function numbers() {
   const status = run.numbers ? run.numbers.status : "begun";
   if (!shown || shown === run) titleRun(run);
   byId("this").textContent = moment ? moment.name : say("numbers.this");
-  byId("rival").textContent = say(run.beside ? "numbers.beside" : pinned ? "numbers.pinned" : "numbers.before");
+  byId("rival").textContent = run.beside ? say("numbers.beside") : pinned ? say("numbers.pinned") : say("numbers.before");
   byId("beside").setAttribute("aria-pressed", String(Boolean(knobs.beside)));
   showSectionOf(run);
   warn(run);

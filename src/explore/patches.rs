@@ -10,12 +10,12 @@ use std::ops::Range;
 
 /// The most patches that are told of, the largest first, and those of them that are drawn.
 const MOST: usize = 4000;
-const DRAWN: usize = 200;
+const DRAWN: usize = 100;
 /// The most columns of the map of a line, and rows and columns of that of a surface.
 const LINE_COLUMNS: usize = 1024;
 const SURFACE_COLUMNS: usize = 160;
 /// The most points of a drawn patch.
-const POINTS: usize = 65;
+const POINTS: usize = 49;
 
 /// All patches of a contact, and where they are.
 #[derive(Serialize)]
@@ -71,11 +71,11 @@ pub struct Twin {
 #[derive(Serialize)]
 pub struct PatchProfile {
     /// Places, from that of the largest pressure on.
-    pub x: Vec<f64>,
+    pub x: Vec<f32>,
     /// Heights of the rigid surface above that place.
-    pub height: Vec<f64>,
+    pub height: Vec<f32>,
     /// Pressures.
-    pub pressure: Vec<f64>,
+    pub pressure: Vec<f32>,
 }
 
 impl PatchTable {
@@ -141,9 +141,9 @@ impl PatchProfile {
         let [mut x, mut height, mut of_pressure] = [const { Vec::new() }; 3];
         for place in places {
             let node = grid.neighbour(patch.peak, [0, place]);
-            x.push(place as f64 * dx);
-            height.push(heights[node] - heights[patch.peak]);
-            of_pressure.push(pressure[node] / modulus);
+            x.push((place as f64 * dx) as f32);
+            height.push((heights[node] - heights[patch.peak]) as f32);
+            of_pressure.push((pressure[node] / modulus) as f32);
         }
         Self { x, height, pressure: of_pressure }
     }

@@ -28,6 +28,8 @@ pub struct Section {
     pub solid: Vec<f32>,
     /// Pressure.
     pub pressure: Vec<f32>,
+    /// Whether it is pressed by its mean gap: not where the boundary is free.
+    pub is_pressed_by_gap: bool,
     /// Mean gap.
     pub mean_gap: f64,
     /// The highest peak above the mean of the rigid surface: a larger mean gap than that is no contact.
@@ -43,8 +45,10 @@ pub struct Shear {
     pub depth: f64,
     /// Columns of a row.
     pub columns: usize,
-    /// Its values over the contact modulus, row by row from the surface on.
-    pub values: Vec<f32>,
+    /// The highest value over the contact modulus.
+    pub highest: f64,
+    /// All values in 255ths of the highest one, row by row from the surface on.
+    pub values: Vec<u8>,
 }
 
 impl Section {
@@ -66,6 +70,7 @@ impl Section {
             rigid: of(&|node| gap[node] + solid[node]),
             solid: of(&|node| solid[node]),
             pressure: of(&|node| pressure[node] / modulus),
+            is_pressed_by_gap: grid.is_periodic(),
             mean_gap: contact.mean_gap(),
             highest: problem.highest(),
             shear: is_deep.then(|| Shear::below(contact, row)).flatten(),
@@ -82,11 +87,13 @@ impl Shear {
         let stress = contact.stress(row, POISSON, &depths).ok()?.tau_max();
         let ranges: Vec<Range<usize>> = columns(grid.shape()[1], STRESS_COLUMNS).collect();
         let modulus = contact.problem.contact_modulus();
-        let highest = |values: ArrayView1<'_, f64>, nodes: &Range<usize>| {
-            nodes.clone().map(|node| values[node] / modulus).fold(0.0, f64::max) as f32
+        let highest = stress.iter().copied().fold(0.0, f64::max);
+        let most = |row: ArrayView1<'_, f64>, nodes: &Range<usize>| {
+            let value = nodes.clone().map(|node| row[node]).fold(0.0, f64::max);
+            (255.0 * value / highest).round() as u8
         };
-        let values = stress.rows().into_iter().flat_map(|row| ranges.iter().map(move |nodes| highest(row, nodes)));
-        Some(Self { depth, columns: ranges.len(), values: values.collect() })
+        let values = stress.rows().into_iter().flat_map(|row| ranges.iter().map(move |nodes| most(row, nodes)));
+        Some(Self { depth, columns: ranges.len(), highest: highest / modulus, values: values.collect() })
     }
 }
 

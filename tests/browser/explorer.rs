@@ -69,9 +69,14 @@ impl Drop for Explorer {
 
 /// The page with its viewer, at the end of its first run.
 pub fn opened(program: &Path) -> (Explorer, Page) {
+    opened_at(program, "")
+}
+
+/// The page with its viewer, at the end of its first run, with more in its address.
+pub fn opened_at(program: &Path, more: &str) -> (Explorer, Page) {
     let mut explorer = Explorer::start();
     let mut page = Page { chromium: Chromium::start(program) };
-    page.open(&format!("{}/?renderer=webgl&theme=dark", explorer.origin()));
+    page.follow(&format!("{}/?renderer=webgl&theme=dark{more}", explorer.origin()));
     page.until("document.body.dataset.viewer === 'started'", 120);
     rested(&mut page);
     explorer.session = page.text("session");

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use std::io::Write;
 
 /// Texts whose contrast with the ground behind them is below 4.5 (WCAG 2.1, 1.4.3), with their contrast.
-const PALE: &str = "(() => { \
+pub const PALE: &str = "(() => { \
     const pen = document.createElement('canvas').getContext('2d', { willReadFrequently: true }); \
     const rgba = (css) => { pen.clearRect(0, 0, 1, 1); pen.fillStyle = css; pen.fillRect(0, 0, 1, 1); return [...pen.getImageData(0, 0, 1, 1).data]; }; \
     const bright = ([r, g, b]) => [0.2126, 0.7152, 0.0722].reduce((sum, share, i) => { \
@@ -21,7 +21,7 @@ const PALE: &str = "(() => { \
       return [`${it.tagName} ${it.textContent.trim().slice(0, 30)}`, (high + 0.05) / (low + 0.05)]; }).filter(([, contrast]) => contrast < 4.5); })()";
 
 /// Elements that stick out of the window or, as texts of charts, out of their chart; and controls that lie on one another.
-const CUT: &str = "(() => { \
+pub const CUT: &str = "(() => { \
     const box = (it) => it.getBoundingClientRect(); const named = (it) => `${it.tagName} ${it.id} ${it.textContent.trim().slice(0, 30)}`; \
     const isIn = (a, b) => a.left >= b.left - 1 && a.right <= b.right + 1 && a.top >= b.top - 1 && a.bottom <= b.bottom + 1; \
     const all = [...document.querySelectorAll('header *, #player *, #lesson-card *, #numbers td, #numbers th, #results figure')].filter((it) => it.checkVisibility() && it.tagName !== 'OPTION'); \
@@ -32,7 +32,7 @@ const CUT: &str = "(() => { \
     return [...out.map(named), ...texts.map(named), ...on]; })()";
 
 /// Loads the checker of accessibility that `AXE` names, the file `axe.min.js` of the package `axe-core`; without it says so.
-fn load_axe(page: &mut Page) -> bool {
+pub fn load_axe(page: &mut Page) -> bool {
     let Some(file) = std::env::var_os("AXE") else {
         writeln!(std::io::stderr(), "skipped: AXE names no axe.min.js to check the page with").ok();
         return false;
@@ -42,7 +42,7 @@ fn load_axe(page: &mut Page) -> bool {
 }
 
 /// What axe-core finds that is serious or worse.
-const SERIOUS: &str = "axe.run(document).then(({ violations }) => violations \
+pub const SERIOUS: &str = "axe.run(document).then(({ violations }) => violations \
     .filter(({ impact }) => ['serious', 'critical'].includes(impact)) \
     .map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(' ')).join(', ')}`))";
 

@@ -41,6 +41,12 @@ impl Page {
         self.until(&format!("location.href === {} && document.readyState === 'complete'", json!(address)), 30);
     }
 
+    /// Follows a link, to a page that may then write its address anew.
+    pub fn follow(&mut self, address: &str) {
+        self.chromium.page("Page.navigate", json!({"url": address}));
+        self.until("document.readyState === 'complete' && typeof byId === 'function'", 60);
+    }
+
     /// The value of an expression in the page, awaited.
     pub fn value(&mut self, expression: &str) -> Value {
         let asked = json!({"expression": expression, "returnByValue": true, "awaitPromise": true});
@@ -114,6 +120,14 @@ impl Page {
         self.value(&format!("document.getElementById('{id}').focus(); document.getElementById('{id}').select()"));
         self.chromium.page("Input.insertText", json!({"text": value}));
         self.press("Enter");
+    }
+
+    /// Taps the middle of an element with a finger.
+    pub fn tap(&mut self, id: &str) {
+        let [x, y, width, height] = self.place(id);
+        let point = json!([{"x": x + width / 2.0, "y": y + height / 2.0}]);
+        self.chromium.page("Input.dispatchTouchEvent", json!({"type": "touchStart", "touchPoints": point}));
+        self.chromium.page("Input.dispatchTouchEvent", json!({"type": "touchEnd", "touchPoints": []}));
     }
 
     /// Moves the pointer to a place, in pixels of the page.

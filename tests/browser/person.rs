@@ -196,30 +196,6 @@ fn tables_and_charts_are_saved(points: &[Value], page: &mut Page) {
     assert!(blue > 100, "{blue} pixels have the colour of the computed curve");
 }
 
-fn lessons_lead_to_their_end(page: &mut Page) {
-    let mut told = HashSet::new();
-    for (letter, steps) in [("h", 5), ("b", 3), ("w", 4)] {
-        page.press_at("lesson", letter);
-        for at in 0..steps {
-            page.until(&format!("document.body.dataset.lesson === '{at}'"), 10);
-            if page.value("document.body.dataset.asked") == "true" {
-                assert_eq!(page.value("document.getElementById('lesson-next').disabled"), true, "a guess comes first");
-                page.click("answer-1");
-            }
-            assert!(told.insert(page.text("document.getElementById('lesson-text').innerText")));
-            let is_last = page.value("document.getElementById('lesson-next').disabled");
-            assert_eq!(is_last, at + 1 == steps);
-            if is_last == false {
-                rested(page);
-                page.click("lesson-next");
-            }
-        }
-        page.until("document.body.dataset.busy === 'false'", 120);
-        page.click("lesson-close");
-        assert_eq!(page.value("document.getElementById('lesson-card').hidden"), true);
-    }
-}
-
 /// Requests to elsewhere that the policy of the page did not block.
 fn outward(chromium: &Chromium, origin: &str) -> Vec<String> {
     let own = format!("{origin}/");
@@ -304,8 +280,6 @@ fn a_person_at_the_page() {
     done("what is saved opens");
     a_sweep_draws_its_curves(&explorer, &mut page);
     done("a sweep draws its curves, and its recording opens");
-    lessons_lead_to_their_end(&mut page);
-    done("lessons lead to their end");
     assert_eq!(page.value("document.getElementById('fault').hidden"), true);
     let errors = errors(&page.chromium);
     the_policy_blocks(&explorer, &mut page);

@@ -23,7 +23,7 @@ fn bumps_of_a_scene_repeat_from_its_command_and_its_text() {
         grid = { points = [64], size = ["160 um"] }
         solid = { contact-modulus = "1 GPa" }
         load = { reduced-pressure = 0.1 }
-        surface = { indenter = { shape = "cylinder", radius = "1 mm" }, bumps = ["40 um", "0.1 um", "5 um", 1e-4, -5e-8, 2e-6] }
+        surface = { indenter = { shape = "cylinder", radius = "1 mm" }, bumps = ["40 um", "100 nm", "5 um", 1e-4, -5e-8, 2e-6] }
     "#;
     let setup = Setup::from_toml(text).unwrap();
     let of = |[at, height, width]: [f64; 3]| Bump { at, height, width };
