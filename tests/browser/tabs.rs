@@ -43,9 +43,7 @@ fn a_tab_finds_its_runs_again(explorer: &Explorer, page: &mut Page) {
     page.until("!window.isOld && document.readyState === 'complete' && document.body.dataset.server === 'there'", 60);
     assert_eq!((page.text("session"), loads(page)), (session.clone(), before));
     let address = format!("{}{OPTIONS}&copy", explorer.origin());
-    page.chromium.browser("Target.setDiscoverTargets", json!({"discover": true}));
-    page.value(&format!("window.open('{address}') && true"));
-    let original = page.chromium.opened_tab(&address);
+    let original = page.chromium.open_copy(&address);
     page.until("document.readyState === 'complete' && document.body.dataset.server === 'there'", 60);
     assert_ne!(page.text("session"), session, "the copy of a tab has its session");
     rested(page);
