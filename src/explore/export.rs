@@ -23,6 +23,11 @@ const PATIENCE: Duration = Duration::from_millis(100);
 /// Bytes of a recording that are copied at once.
 const PIECE: u64 = 1 << 20;
 
+/// Fields are recorded of every so many steps, which makes recordings a third as large.
+const EVERY: usize = 3;
+/// Significant digits of the numbers in facets, which are drawn, or shown with fewer.
+const DIGITS: usize = 7;
+
 /// What becomes a run: a kind of order, and its knobs.
 type Wanted = (Kind, Knobs);
 
@@ -71,7 +76,7 @@ impl Export {
     pub fn write(&self, folder: &Path, goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<(), Failure> {
         check_folder(folder)?;
         let page = Page::new("explore")?;
-        let (session, solver) = Session::start(Stock::default(), 0);
+        let (session, solver) = Session::start(Stock { every: Some(EVERY), ..Stock::default() }, 0);
         let written = fill_folder(folder, |draft| {
             page.files().try_for_each(|(name, bytes)| write(draft.join(name), bytes))?;
             create_dir(draft.join("run"))?;
@@ -97,7 +102,8 @@ impl Export {
             copy(&reel.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
             runs.push(serde_json::to_value(reel.told())?);
             if let Some(solved) = reel.solved() {
-                let facets: Map<String, Value> = FACETS.iter().map(|it| (it.name.into(), (it.of)(&solved))).collect();
+                let facets: Map<String, Value> =
+                    FACETS.iter().map(|it| (it.name.into(), rounded((it.of)(&solved)))).collect();
                 let script = format!("SOLVED.facets[\"{id}\"] = {};\n", Value::Object(facets));
                 write(folder.join("run").join(format!("{id}.js")), script)?;
             }
@@ -137,6 +143,19 @@ fn solve(
             return Err("the export was interrupted: nothing is written".into());
         }
         revision = report.revision;
+    }
+}
+
+/// JSON whose numbers have few digits.
+fn rounded(value: Value) -> Value {
+    match value {
+        Value::Array(values) => values.into_iter().map(rounded).collect(),
+        Value::Object(map) => map.into_iter().map(|(key, value)| (key, rounded(value))).collect(),
+        Value::Number(number) if number.is_f64() => {
+            let digits = format!("{:.*e}", DIGITS - 1, number.as_f64().unwrap_or_default());
+            digits.parse::<f64>().map_or(Value::Null, Value::from)
+        }
+        value => value,
     }
 }
 

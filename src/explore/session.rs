@@ -11,7 +11,7 @@ use super::source::{SceneFile, Source};
 use super::step_numbers::StepNumbers;
 use crate::contact::Contact;
 use crate::record::Ghost;
-use crate::setup::Setup;
+use crate::setup::{Method, Setup};
 use crate::surface::{Field, HeightFile};
 use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -29,6 +29,8 @@ pub type Heights = (HeightFile, Description);
 pub struct Stock {
     pub heights: Option<Heights>,
     pub scene: Option<Arc<SceneFile>>,
+    /// Fields are recorded of every so many steps, where steps are few, instead of almost all of them.
+    pub every: Option<usize>,
 }
 
 /// The orders of the page, one at a time, and what comes of them; a new order ends the one before.
@@ -51,6 +53,7 @@ struct State {
     recordings: VecDeque<Reel>,
     heights: Option<Heights>,
     scene: Option<Arc<SceneFile>>,
+    every: Option<usize>,
 }
 
 impl State {
@@ -107,8 +110,8 @@ pub struct Turn<'a> {
 
 impl Session {
     /// A session with what it begins with, whose orders are numbered on from `after`.
-    pub(super) fn new(Stock { heights, scene }: Stock, after: u64) -> Self {
-        let state = State { heights, scene, generation: after, ..State::default() };
+    pub(super) fn new(Stock { heights, scene, every }: Stock, after: u64) -> Self {
+        let state = State { heights, scene, every, generation: after, ..State::default() };
         Self { state: Mutex::new(state), hand: Mutex::default(), changed: Condvar::new() }
     }
 
@@ -116,8 +119,9 @@ impl Session {
     /// Knobs that stand for nothing are refused; what runs then goes on.
     pub(super) fn order(&self, kind: Kind, knobs: Knobs) -> Result<u64, Refusal> {
         let source = self.source_of(&knobs)?;
-        let (setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
+        let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
         Ok(self.change(|state| {
+            setup.record.every = state.every.filter(|_| !matches!(setup.solver, Method::Gfmd(_)));
             state.generation += 1;
             state.order = Some(Order { kind, knobs, setup, beside });
             state.report.busy = true;

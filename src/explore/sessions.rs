@@ -40,13 +40,13 @@ impl Sessions {
     /// For a file that cannot be read.
     pub fn with_heights(file: HeightFile) -> Result<Self, Refusal> {
         let description = Description::of(&file, HeightKnobs::default())?;
-        let stock = Stock { heights: Some((file, description)), scene: None };
+        let stock = Stock { heights: Some((file, description)), ..Stock::default() };
         Ok(Self { stock, open: Mutex::default() })
     }
 
     /// No session yet; all that come have a scene.
     pub fn with_scene(scene: SceneFile) -> Self {
-        let stock = Stock { heights: None, scene: Some(Arc::new(scene)) };
+        let stock = Stock { scene: Some(Arc::new(scene)), ..Stock::default() };
         Self { stock, open: Mutex::default() }
     }
 

@@ -133,11 +133,13 @@ impl Chromium {
         self.attach_to(&target)
     }
 
-    /// Makes the page that a page opened with `window.open` the page, and returns the one that was it before.
-    pub fn opened_tab(&mut self, address: &str) -> String {
-        let told = self.told("Target.targetCreated", |event| {
-            event["targetInfo"]["type"] == "page" && event["targetInfo"]["url"] == address
-        });
+    /// Has the page open another one, as a person who copies a tab does, which is then the page; returns the one before.
+    pub fn open_copy(&mut self, address: &str) -> String {
+        self.browser("Target.setDiscoverTargets", json!({"discover": true}));
+        let open = format!("window.open({}) !== null", json!(address));
+        let opened = self.page("Runtime.evaluate", json!({"expression": open, "userGesture": true}));
+        assert_eq!(opened["result"]["value"], true, "no window was opened");
+        let told = self.told("Target.targetCreated", |event| event["targetInfo"]["openerId"].is_string());
         self.attach_to(&told["targetInfo"]["targetId"])
     }
 

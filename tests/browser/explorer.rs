@@ -86,7 +86,7 @@ pub fn opened_at(program: &Path, more: &str) -> (Explorer, Page) {
 /// Waits until nothing is solved, and page and viewer show the run that the controls ask for.
 pub fn rested(page: &mut Page) {
     page.until(
-        "ask('state').then(({ busy, revision, run }) => { \
+        "session && ask('state').then(({ busy, revision, run }) => { \
            const seen = document.body.dataset; \
            return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) \
              && (seen.shown || '').split(' ')[0] === run.id \

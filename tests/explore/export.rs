@@ -66,7 +66,7 @@ fn all_that_lessons_show_is_solved_beforehand() {
         let facets = std::fs::read_to_string(site.join("run").join(format!("{id}.js")));
         let has = |name: &str| facets.as_ref().is_ok_and(|script| script.contains(&format!("\"{name}\":")));
         assert_eq!([has("iterations"), has("section"), has("patches")], [!is_sweep; 3], "{id}");
-        assert_eq!(is_sweep || run["numbers"]["status"] == "converged", true, "{id}");
+        assert!(is_sweep || run["numbers"]["status"] == "converged", "{id}");
     }
     assert_eq!(names(&site.join("run")).len(), runs.len() + loads.len());
     assert_eq!(solved["start"], solved["lessons"][0]["steps"][0]["knobs"]);

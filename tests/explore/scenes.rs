@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// Heights from a file on a cell with free boundaries, pressed by a force, and an indenter of its own on a layer: as flags of `solve`.
 const SCENES: [&str; 2] = [
     "--height heights.npy --detrend plane --size 1mm,1mm --boundary free --young 210GPa --poisson 0.3 --force 2N",
-    "--indenter sphere --radius 3mm --hurst 0.7 --rolloff-wavelength 40um --short-cutoff 10um --rms-gradient 0.01 --seed 7 --points 32,48 \
+    "--indenter sphere --radius 3mm --hurst 0.7 --rolloff 40um --short-cutoff 10um --rms-gradient 0.01 --seed 7 --points 32,48 \
      --size 120um,180um --young 3GPa --poisson 0.4 --layer 20um --base sliding --pressure 1MPa --solver polonsky-keer",
 ];
 
