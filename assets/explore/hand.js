@@ -28,6 +28,7 @@ async function hold(wish) {
       (error) => fault(error.message));
   }
   holding = false;
+  if (grip?.isLeft) drop();
 }
 
 /** Shows the section of knobs that nobody turns: a load of a sweep. */
@@ -112,13 +113,16 @@ function takePoint(share, event) {
   grip.height = -knobs.bumps[grip.bump][1];
 }
 
-/** Lets go: what the hand found is solved as a run, and recorded. */
+/** Lets go, as soon as the last wish of the hand is solved. */
 function letGo() {
   if (!grip) return;
-  const { kind, run } = grip;
+  if (grip.kind === "look") { sectionRun = grip.run; grip = null; return; }
+  if (holding) grip.isLeft = true; else drop();
+}
+
+/** What the hand found is solved as a run, and recorded. */
+function drop() {
   grip = null;
-  if (kind === "look") { sectionRun = run; return; }
-  wantedHold = null;
   knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
   setMoment(null);
   changed();
