@@ -133,12 +133,12 @@ function drawPatch() {
   const { twin, profile } = chosen;
   const isLine = section.y === null;
   const share = (part) => `${figure(100 * part, 3)} %`;
-  const rows = [[say("patch.width"), patchWidth(), twin && 2 * twin.half_width, micrometres], [say("patch.area"), !isLine && chosen.area, twin?.area, squareMicrometres],
-    [say("patch.load"), chosen.share, twin && chosen.share, share], [say("patch.pressure"), chosen.max_pressure, twin?.max_pressure],
-    [say("patch.kappa-r"), chosen.kappa_r, twin?.kappa_r], [say("patch.radius"), 1 / chosen.curvature, twin && 1 / chosen.curvature, micrometres]];
+  const rows = [["width", patchWidth(), twin && 2 * twin.half_width, micrometres], ["area", !isLine && chosen.area, twin?.area, squareMicrometres],
+    ["load", chosen.share, twin && chosen.share, share], ["pressure", chosen.max_pressure, twin?.max_pressure],
+    ["kappa-r", chosen.kappa_r, twin?.kappa_r], ["radius", 1 / chosen.curvature, twin && 1 / chosen.curvature, micrometres]];
   byId("patch-name").textContent = say("patch.name", { number: chosen.number, nodes: chosen.nodes });
   const cells = ([name, its, of, words = (value) => figure(value, 3)]) =>
-    element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, words(its)), element("td", {}, twin ? words(of) : "–"));
+    element("tr", {}, element("th", { scope: "row" }, say(`patch.${name}`)), element("td", {}, words(its)), element("td", {}, twin ? words(of) : "–"));
   byId("patch-numbers").tBodies[0].replaceChildren(...rows.filter(([, its]) => its !== false).map(cells));
   byId("patch-note").textContent = twin ? "" : say("patch.hollow");
   if (profile) drawTwin(profile, twin); else byId("patch-picture").replaceChildren();
