@@ -33,6 +33,7 @@ fn guess(page: &mut Page, ask: &Value) -> String {
         }
     }
     page.until("document.body.dataset.asked === 'false'", 10);
+    assert_eq!(page.value("document.getElementById('lesson-ask').checkVisibility()"), false, "the question stays");
     page.text("document.getElementById('lesson-verdict').innerText")
 }
 

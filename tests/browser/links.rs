@@ -114,7 +114,7 @@ fn addresses_that_are_none_do_no_harm() {
         page.value(&format!(
             "(() => {{ const e = (it) => encodeURIComponent(JSON.stringify(it)); fault(''); location.hash = {address}; }})()"
         ));
-        page.until("!byId('fault').hidden", 20);
+        page.until("!byId('fault').hidden", 60);
         let said = page.text("byId('fault').innerText");
         assert!(said.starts_with("This address is none of the page: "), "{address}: {said}");
         assert!(said.contains(words) && said.len() < 1000, "{address}: {said}");
