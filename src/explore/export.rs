@@ -23,8 +23,8 @@ const PATIENCE: Duration = Duration::from_millis(100);
 /// Bytes of a recording that are copied at once.
 const PIECE: u64 = 1 << 20;
 
-/// Fields are recorded of every so many steps, which makes recordings a third as large.
-const EVERY: usize = 3;
+/// Fields are recorded of every so many steps, which makes the recordings of the lessons half as large.
+const EVERY: usize = 4;
 /// Significant digits of the numbers in facets, which are drawn, or shown with fewer.
 const DIGITS: usize = 7;
 
