@@ -59,6 +59,9 @@ fn a_person_who_reads_german() {
         drop_heights(&mut page);
         is_well(&mut page, has_axe, &format!("a German file, {theme}"));
         page.value("openLesson('hertz-and-rough')");
+        page.until("document.body.dataset.asked === 'true'", 10);
+        page.click("answer-2");
+        rested(&mut page);
         page.click("lesson-close");
         page.click("theme");
     }

@@ -144,7 +144,7 @@ impl Page {
     /// The picture of the viewer, once it stands still.
     pub fn settled(&mut self) -> Vec<[u8; 3]> {
         let deadline = Instant::now() + Duration::from_secs(60);
-        self.until("!isAwake() && (!current().ended || document.body.dataset.whole === current().id)", 60);
+        self.until("!isAwake() && (!current().ended || wholeRuns.has(current().id))", 60);
         let mut before = self.picture("canvas");
         while Instant::now() < deadline {
             let now = self.picture("canvas");
