@@ -13,11 +13,11 @@ function facet(run, name) {
 }
 
 
-/** Shows in the table where the viewer stands in the run or the sweep that it shows. */
+/** Shows in the table where the viewer stands in the run or the sweep that it shows, once a person went there. */
 async function showMoment() {
   const run = runOf(shownRun);
   const now = run && viewer?.get_time_for_timeline(run.id, timeline(run));
-  if (grip || now === null || now === undefined) return;
+  if (grip || visited !== shownRun || now === null || now === undefined) return;
   if (isSweep(run)) momentOfLoad(run.points.findLast(({ number }) => number <= now));
   else if (run.ended) await momentOfStep(run, Math.round(now));
 }

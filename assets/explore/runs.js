@@ -113,6 +113,7 @@ let next = null;
 /** Lets the viewer read a run as it grows. */
 function follow(run) {
   shownRun = run.id;
+  visited = null;
   clearTimeout(next);
   if (!viewer) return;
   next = setTimeout(() => {
@@ -211,6 +212,7 @@ const besideOf = ({ beside: _, ...its }) => its;
 function showRun(id) {
   stopPlaying();
   moment = null;
+  visited = null;
   shownRun = id;
   byId("runs").value = id;
   const run = runOf(id);

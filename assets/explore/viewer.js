@@ -64,6 +64,7 @@ async function startViewer() {
   viewer = handle;
   document.body.dataset.viewer = "started";
   runs.slice(-1).forEach(follow);
+  for (const touch of ["pointerdown", "keydown"]) canvas.addEventListener(touch, () => { visited = shownRun; }, true);
   new ResizeObserver(wake).observe(canvas);
   new PerformanceObserver((loaded) => loaded.getEntries().forEach(noteWhole)).observe({ type: "resource" });
   setInterval(guardViewer, 1000);
@@ -131,8 +132,12 @@ function seek(share) {
   return true;
 }
 
+/** The recording in which a person went to a step or a load: all others move on by themselves as they are read. */
+let visited = null;
+
 /** Has the viewer stand at a step or a load of a recording. */
 function goTo(recording, line, at) {
+  visited = recording;
   viewer.set_playing(recording, false);
   viewer.set_active_timeline(recording, line);
   viewer.set_time_for_timeline(recording, line, at);

@@ -147,6 +147,7 @@ fn loads_are_picked(page: &mut Page) {
     let number = page.value("moment.numbers.number").as_u64().unwrap();
     page.press_at("chart-kappa", "ArrowRight");
     page.until(&format!("moment.numbers.number === {}", number + 1), 20);
+    page.value("byId('canvas').dispatchEvent(new PointerEvent('pointerdown'))");
     page.value(&format!("viewer.set_time_for_timeline(report.sweep.id, 'load', {}); wake()", number - 3));
     page.until(&format!("moment.numbers.number === {}", number - 3), 20);
     page.value("showRun(latest().id)");
