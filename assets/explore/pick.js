@@ -37,7 +37,7 @@ async function momentOfStep(run, step) {
   if (!columns || runOf(shownRun) !== run) return;
   const steps = columns.iterations;
   const at = steps.findLastIndex((it) => it <= step);
-  const isEnd = at < 0 || step >= steps.at(-1);
+  const isEnd = at < 0 || step >= Math.min(steps.at(-1), rangeOf(run)?.max ?? Infinity);
   const numbers = isEnd ? null : Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
   setMoment(numbers && { name: say("moment.step", { step: steps[at] }), numbers });
 }
