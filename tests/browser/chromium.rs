@@ -171,14 +171,24 @@ impl Chromium {
         self.call(&session, method, parameters)
     }
 
+    /// Calls a method of the page, which may be on its way to another one: that is then the error.
+    pub fn page_at_rest(&mut self, method: &str, parameters: Value) -> Result<Value, Value> {
+        let session = self.session.clone();
+        self.answer(&session, method, parameters)
+    }
+
     fn call(&mut self, session: &str, method: &str, parameters: Value) -> Value {
+        self.answer(session, method, parameters).unwrap_or_else(|error| panic!("{method}: {error}"))
+    }
+
+    fn answer(&mut self, session: &str, method: &str, parameters: Value) -> Result<Value, Value> {
         let id = self.send(session, method, parameters);
         let deadline = Instant::now() + PATIENCE;
         loop {
             let message = self.message(deadline).unwrap_or_else(|| panic!("no answer to {method}"));
             if message["id"] == id {
-                assert!(message["error"].is_null(), "{method}: {}", message["error"]);
-                return message["result"].clone();
+                let error = message["error"].clone();
+                return if error.is_null() { Ok(message["result"].clone()) } else { Err(error) };
             }
         }
     }

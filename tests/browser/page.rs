@@ -63,13 +63,22 @@ impl Page {
     /// Waits until a condition holds.
     pub fn until(&mut self, condition: &str, seconds: u64) {
         let deadline = Instant::now() + Duration::from_secs(seconds);
-        while self.value(&format!("(async () => Boolean(await ({condition})))()")) != true {
+        while !self.is_so(condition) {
             if Instant::now() > deadline {
                 let seen = self.value(SEEN);
                 panic!("after {seconds} s it is not so: {condition}\n{seen:#}");
             }
             std::thread::sleep(Duration::from_millis(20));
         }
+    }
+
+    /// Whether a condition holds; it does not in a page that is left for another one.
+    fn is_so(&mut self, condition: &str) -> bool {
+        let expression = format!("(async () => Boolean(await ({condition})))()");
+        let asked = json!({"expression": expression, "returnByValue": true, "awaitPromise": true});
+        let Ok(answer) = self.chromium.page_at_rest("Runtime.evaluate", asked) else { return false };
+        assert!(answer["exceptionDetails"].is_null(), "{condition}: {}", answer["exceptionDetails"]);
+        answer["result"]["value"] == true
     }
 
     /// Presses a key that has a name, or a letter, where the focus is.
