@@ -56,7 +56,7 @@ function drawSection(canvas, shown) {
   const scale = window.devicePixelRatio || 1;
   canvas.width = Math.round(box.width * scale);
   canvas.height = Math.round(box.height * scale);
-  const to = canvas.getContext("2d");
+  const to = canvas.getContext("2d", { willReadFrequently: true });
   to.scale(scale, scale);
   paintSection(to, frame(canvas), shown);
   canvas.ariaLabel = inWords(shown);
@@ -117,7 +117,7 @@ function paintShear(to, at, { solid, length, shear: { depth, columns, highest, v
     image.data.set([86, 180, 233, 215 * light], 4 * i);
   });
   const source = element("canvas", { width: columns, height: rows });
-  source.getContext("2d").putImageData(image, 0, 0);
+  source.getContext("2d", { willReadFrequently: true }).putImageData(image, 0, 0);
   const high = depth / length * at.w;
   for (let i = 0; i < columns; i++) {
     const y = at.y(solid[Math.floor((i + 0.5) / columns * solid.length)]);
