@@ -20,10 +20,10 @@ fn a_bump_goes_on_across_the_period() {
 #[test]
 fn bumps_of_a_scene_repeat_from_its_command_and_its_text() {
     let text = r#"
-        grid = { points = [64], size = ["160 um"] }
-        solid = { contact-modulus = "1 GPa" }
+        grid = { points = [64], size = [1.6e-4] }
+        solid = { contact-modulus = 1e9 }
         load = { reduced-pressure = 0.1 }
-        surface = { indenter = { shape = "cylinder", radius = "1 mm" }, bumps = ["40 um", "100 nm", "5 um", 1e-4, -5e-8, 2e-6] }
+        surface = { indenter = { shape = "cylinder", radius = 1e-3 }, bumps = [4e-5, 1e-7, 5e-6, 1e-4, -5e-8, 2e-6] }
     "#;
     let setup = Setup::from_toml(text).unwrap();
     let of = |[at, height, width]: [f64; 3]| Bump { at, height, width };
