@@ -216,7 +216,8 @@ function showRun(id) {
   shownRun = id;
   byId("runs").value = id;
   const run = runOf(id);
-  if (viewer && run.followed) viewer.set_active_recording_id(id);
+  clearTimeout(next);
+  if (viewer && run.followed) { viewer.set_active_recording_id(id); watchFirst(run, performance.now()); }
   else follow(run);
   numbers();
   offerSaves();

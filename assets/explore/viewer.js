@@ -26,12 +26,20 @@ function draw() {
   awake.isDrawing = false;
   if (!viewer || viewer.has_panicked()) { Object.assign(awake, { until: 0, frames: 0 }); return; }
   viewer.close_channel("wake");
+  keepShown();
   awake.frames -= 1;
   const seen = read();
   if (seen !== awake.seen) { awake.seen = seen; stayAwake(); }
   if (!isAwake() && !isReading()) return;
   awake.isDrawing = true;
   requestAnimationFrame(draw);
+}
+
+/** The viewer turns to every recording that it begins to read: back to the one that is shown, if another one was begun before. */
+function keepShown() {
+  const run = runOf(shownRun);
+  const isThere = run?.followed && viewer.get_timeline_time_range(run.id, timeline(run));
+  if (isThere && viewer.get_active_recording_id() !== run.id) viewer.set_active_recording_id(run.id);
 }
 
 /** Whether the run that is shown has ended and the viewer has not read all of it. */
