@@ -13,15 +13,29 @@ async function changed() {
   asked = performance.now();
   do {
     waiting = false;
-    await post("solve", knobs).then(() => fault(""), (error) => fault(error.message));
+    const before = faults;
+    await post("solve", knobs).then(() => settleFault(before), (error) => fault(error.message));
   } while (waiting);
   posting = false;
 }
 
-const sweep = () => post("sweep", knobs).then(() => fault(""), (error) => fault(error.message));
+async function sweep() {
+  const before = faults;
+  await post("sweep", knobs).then(() => settleFault(before), (error) => fault(error.message));
+}
+
 const cancel = () => post("cancel", {}).catch((error) => fault(error.message));
 
+/** How many sentences there were. */
+let faults = 0;
+
+/** Takes the sentence off, unless one came since there were so many. */
+function settleFault(before) {
+  if (faults === before) fault("");
+}
+
 function fault(sentence) {
+  if (sentence) faults += 1;
   byId("fault").textContent = sentence;
   byId("fault").hidden = !sentence;
 }
