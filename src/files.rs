@@ -79,12 +79,13 @@ pub fn write_csv<T: Serialize>(path: &Path, rows: impl IntoIterator<Item = T>) -
     })
 }
 
-/// Checks that a folder can be made at `path`: that nothing is there but an empty folder, and that one can be made beside it.
-///
-/// # Errors
-/// [`FileError::Target`] if not.
-pub fn check_folder(path: &Path) -> Result<(), FileError> {
+/// Checks that a folder can be made at `path`: that it has a name, that nothing is there but an empty folder, and that one can be made
+/// beside it.
+fn check_folder(path: &Path) -> Result<(), FileError> {
     let unfit = |reason: &str| Err(FileError::Target { path: path.into(), reason: reason.into() });
+    if path.file_name().is_none() {
+        return unfit("it is no name of a folder, give that of a new one");
+    }
     match std::fs::read_dir(path).map(|mut entries| entries.next().is_none()) {
         Ok(true) => Ok(()),
         Ok(false) => unfit("it is not empty, give a new folder"),
@@ -96,7 +97,7 @@ pub fn check_folder(path: &Path) -> Result<(), FileError> {
 /// Makes the folder `path` whole or not at all: `fill` fills a draft beside it, which is then renamed.
 ///
 /// # Errors
-/// Those of [`check_folder`], those of `fill`, and [`FileError::Write`] for the rest. None leaves anything behind.
+/// [`FileError::Target`] for a folder that is there and not empty, or cannot be made; the errors of `fill`, and [`FileError::Write`] for the rest. None leaves anything behind.
 ///
 /// ```
 /// use asperity::files::fill_folder;

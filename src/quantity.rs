@@ -39,7 +39,7 @@ pub fn force<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(Quantity { kind: "a force", example: "\"1 N\" or \"1 N/m\"", parse: units::force })
 }
 
-/// A length among others.
+/// A length in a list of them, read as [`length`] reads one.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(transparent)]
 pub struct Length(#[serde(deserialize_with = "length")] pub f64);

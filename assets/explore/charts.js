@@ -84,6 +84,9 @@ function charts() {
     curve("κ_r", "second", (p) => p.kappa_r_resolved), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")], note);
   for (const target of [byId("chart-area"), byId("chart-kappa")]) {
     target.tabIndex = points.length ? 0 : -1;
+    target.ariaValueMin = 0;
+    target.ariaValueMax = Math.max(1, points.length - 1);
+    target.ariaValueNow = Math.max(0, points.findLastIndex((point) => point.reduced_pressure <= (moment?.numbers.reduced_pressure ?? knobs.load)));
     target.setAttribute("aria-valuetext", moment ? moment.name : say("moment.load", { load: figure(knobs.load, 4) }));
   }
   Object.assign(document.body.dataset, { sweep: shown ? (shown.ended ? "ended" : points.length) : "none", stale: isStale });

@@ -3,53 +3,52 @@
 
 /** The least gap that a hand leaves, over the highest peak: at none everything touches. */
 const CLOSEST = 0.02;
-/** Standard deviation of a bump over the length of the cell, the most of them, and how near to the profile a hand takes it, in pixels. */
-const BUMP = { width: 0.015, most: 32, near: 14 };
+/** Standard deviation of a bump over the length of the cell, and in spacings at least, the most bumps, and how near to the profile a hand
+ * takes it, in pixels. */
+const BUMP = { width: 0.015, spacings: 2, most: 32, near: 14 };
 /** Pixels beyond which a press is no click. */
 const STILL = 4;
 
 /** What the hand holds: where it began, the state then, and the gap or the bump since. */
 let grip = null;
 let holding = false;
-let wantedHold = null;
-const heldTimes = [];
+let wished = null;
+/** How many contacts were solved under the hand. */
+let heldCount = 0;
 
-/** Asks for the contact under the hand; while one request is under way, only the latest wish waits. */
-async function hold(wish) {
-  wantedHold = wish;
+/** Asks for a contact that is solved at once, and calls with it; while one request is under way, only the latest wish waits. */
+async function hold(order, done) {
+  wished = { order, done };
   if (holding) return;
   holding = true;
-  while (wantedHold) {
-    const asked = performance.now();
-    const order = wantedHold;
-    wantedHold = null;
-    await post("hold", order).then(
-      (held) => { heldTimes.push(performance.now() - asked); document.body.dataset.held = heldTimes.length; showHeld(held, order); },
-      (error) => fault(error.message));
+  while (wished) {
+    const { order: sent, done: show } = wished;
+    wished = null;
+    await post("hold", sent).then(show, (error) => fault(error.message));
   }
   holding = false;
   if (grip?.isLeft) drop();
 }
 
-/** Shows the section of knobs that nobody turns: a load of a sweep. */
-async function holdQuietly(its) {
-  const shown = await post("hold", { knobs: its, "mean-gap": null, "is-deep": isDeep() }).catch((error) => fault(error.message));
-  if (!shown || !moment || grip) return;
-  sectionRun = null;
-  showSection(shown.section, shown.beside);
-}
+/** Asks for what the hand holds: the gap, or the load of the knobs. */
+const holdGrip = () => hold({ knobs, "mean-gap": grip.gap, "is-deep": isDeep() }, showHeld);
 
-function showHeld({ section: held, beside: heldBeside, numbers: told }, order) {
+/** The section that a hand got, and the one beside, with the stress below each. */
+const deepened = ({ section, shear, beside, shear_beside: shearBeside }) => [{ ...section, shear }, beside && { ...beside, shear: shearBeside }];
+
+/** A name of numbers, with how their solve ended where it did not converge. */
+const named = (name, { status }) => ["converged", undefined].includes(status) ? name : `${name}: ${statusOf({ numbers: { status } })}`;
+
+function showHeld(contact) {
+  document.body.dataset.held = ++heldCount;
   fault("");
   if (!grip) return;
-  if (order["mean-gap"] !== null) knobs.load = Number(Math.min(1e3, Math.max(1e-5, told.reduced_pressure)).toPrecision(4));
+  const { numbers: told } = contact;
+  if (grip.gap !== null) knobs.load = Number(Math.min(1e3, Math.max(1e-5, told.reduced_pressure)).toPrecision(4));
   show();
-  setMoment({ name: say("moment.hand"), numbers: told });
-  showSection(held, heldBeside, true);
+  setMoment({ name: named(say("moment.hand"), told), numbers: told });
+  showSection(...deepened(contact), true);
 }
-
-/** What there is to solve for the hand: the gap that it holds, or the load of the knobs. */
-const held = () => ({ knobs, "mean-gap": grip?.gap ?? null, "is-deep": isDeep() });
 
 /** Whether the stress below is shown in the picture. */
 const isDeep = () => byId("fringes").checked;
@@ -79,12 +78,12 @@ function moveGrip(up) {
 /** Presses to a mean gap. Where nothing touches there is nothing to solve. */
 function press(gap) {
   grip.gap = Math.max(CLOSEST * section.highest, gap);
-  if (grip.gap >= section.highest * (1 - 1e-6)) lift(grip.gap); else hold(held());
+  if (grip.gap >= section.highest * (1 - 1e-6)) lift(grip.gap); else holdGrip();
 }
 
 /** Shows the rigid surface above a solid that it does not touch. */
 function lift(gap) {
-  wantedHold = null;
+  wished = null;
   const by = gap - section.mean_gap;
   const flat = section.solid.map(() => 0);
   const rigid = section.rigid.map((height) => height + by);
@@ -96,7 +95,7 @@ function lift(gap) {
 /** Gives a bump its height, over the length of the cell; the rigid surface points down. */
 function bend(bump, height) {
   if (knobs.bumps[bump]) knobs.bumps[bump][1] = Number((-height).toPrecision(4));
-  hold(held());
+  holdGrip();
 }
 
 /** The bump at a share of the length: the nearest one, or a new one. */
@@ -104,7 +103,7 @@ function bumpAt(share) {
   const near = knobs.bumps.findIndex(([x]) => Math.abs(x - share) < BUMP.width);
   if (near >= 0) return near;
   if (knobs.bumps.length >= BUMP.most) return knobs.bumps.length - 1;
-  return knobs.bumps.push([Number(share.toPrecision(4)), 0, BUMP.width]) - 1;
+  return knobs.bumps.push([Number(share.toPrecision(4)), 0, Math.max(BUMP.width, BUMP.spacings / knobs.points)]) - 1;
 }
 
 function takePoint(share, event) {

@@ -1,17 +1,21 @@
 "use strict";
 // Picking: a patch of a contact, a step of a curve, a load of a sweep.
 
-/** Sections and patches of runs that have ended, by their names. */
+/** Facets of runs that have ended, by their names, and how many of them are kept. */
 const facets = new Map();
+const MOST_FACETS = 36;
 
-/** A facet of a run, asked for once. */
+/** A facet of a run, asked for once; a server that has ended has none. */
 function facet(run, name) {
   const key = `${run.id}/${name}`;
-  if (!facets.has(key)) facets.set(key, ask(`run/${key}`));
-  for (const old of [...facets.keys()].slice(0, -3 * KEEP)) facets.delete(old);
+  if (!facets.has(key)) {
+    if (!isKept(run)) return Promise.reject(new Error(say("fault.lost", { run: run.id })));
+    facets.set(key, ask(`run/${key}`));
+    facets.get(key).catch(() => facets.delete(key));
+  }
+  for (const old of [...facets.keys()].slice(0, -MOST_FACETS)) facets.delete(old);
   return facets.get(key);
 }
-
 
 /** Shows in the table where the viewer stands in the run or the sweep that it shows, once a person went there. */
 async function showMoment() {
@@ -27,8 +31,13 @@ function momentOfLoad(point) {
   if (!point || moment?.numbers === point) return;
   setMoment({ name: say("moment.load", { load: figure(point.reduced_pressure, 3) }), numbers: point });
   charts();
-  const { sweep: { knobs: swept } } = report;
-  holdQuietly({ ...swept, load: Number(point.reduced_pressure.toPrecision(12)) });
+  if (solved) return;
+  const its = { ...report.sweep.knobs, load: Number(point.reduced_pressure.toPrecision(12)) };
+  hold({ knobs: its, "mean-gap": null, "is-deep": isDeep() }, (contact) => {
+    if (moment?.numbers !== point || grip) return;
+    sectionRun = null;
+    showSection(...deepened(contact));
+  });
 }
 
 /** The numbers of a step of a run; at its end those of the run. */
@@ -50,10 +59,11 @@ async function showSectionOf(run) {
   if (!run || !run.ended || isSweep(run) || run.id === sectionRun) return;
   if (chosen && chosen.run !== run.id) choosePatch(null);
   sectionRun = run.id;
-  const its = await Promise.all([facet(run, "section"), facet(run, "beside")]).catch((error) => fault(error.message));
+  const names = ["section", "beside", ...(isDeep() ? ["shear", "shear-beside"] : [])];
+  const its = await Promise.all(names.map((name) => facet(run, name))).catch((error) => fault(error.message));
   if (!its || grip || sectionRun !== run.id) return;
-  const [shown, shownBeside] = its.map((it) => it && (isDeep() ? it : { ...it, shear: null }));
-  showSection(shown, shownBeside);
+  const [shown, shownBeside, shear = null, shearBeside = null] = its;
+  showSection(...deepened({ section: shown, beside: shownBeside, shear, shear_beside: shearBeside }));
   run.steps = (await facet(run, "steps").catch(() => null))?.iterations;
   document.body.dataset.section = run.id;
 }
@@ -73,14 +83,16 @@ function choosePatch(patch) {
 async function pickAt(share) {
   const run = shownOrLatest();
   if (run?.id !== sectionRun) return;
-  const table = await facet(run, "patches");
+  const table = await facet(run, "patches").catch((error) => fault(error.message));
+  if (!table) return;
   const [rows, columns] = table.shape;
   const row = section.y === null ? 0 : Math.min(rows - 1, Math.floor(section.y / table.size[0] * rows));
-  pickNear(table, row, Math.floor(share * columns));
+  pickNear(run, table, row, Math.floor(share * columns));
 }
 
 /** Chooses the patch whose part of the map is nearest to a place. */
-function pickNear(table, row, column) {
+function pickNear(run, table, row, column) {
+  if (run.id !== sectionRun) return;
   const [, columns] = table.shape;
   let best = [Infinity, 0];
   table.map.forEach((number, i) => {
@@ -88,7 +100,8 @@ function pickNear(table, row, column) {
     const away = Math.hypot(Math.floor(i / columns) - row, i % columns - column);
     if (away < best[0]) best = [away, number];
   });
-  choosePatch(best[1] ? { run: sectionRun, number: best[1], size: table.size, ...table.patches[best[1] - 1] } : null);
+  const { count, fewest_nodes: fewest, is_hertzian: isHertzian, patches } = table;
+  choosePatch(best[1] ? { run: run.id, number: best[1], count, fewest, isHertzian, ...patches[best[1] - 1] } : null);
 }
 
 /** Pixels of the longer side of an image of a surface, the width of the canvas of a line, and the length of a relief. */
@@ -97,11 +110,12 @@ const VIEW = { image: 512, line: 1000, relief: 10 };
 /** Chooses the patch that was picked in the viewer, in a profile, an image or a relief. */
 async function heardPick(recording, items) {
   const run = runOf(recording);
-  const item = items.find((it) => it.position && !it.entity_path?.startsWith("/beside"));
+  const item = items.find((it) => it.position && it.entity_path && !it.entity_path.startsWith("/beside"));
   if (!run || !item || isSweep(run) || !run.ended) return;
-  const table = await facet(run, "patches");
+  const table = await facet(run, "patches").catch((error) => fault(error.message));
+  if (!table) return;
   const share = item.entity_path.includes("/relief/") ? onRelief(item.position, table) : onImage(item.position, table);
-  pickNear(table, ...share.map((it, axis) => Math.floor(it * table.shape[axis])));
+  pickNear(run, table, ...share.map((it, axis) => Math.floor(it * table.shape[axis])));
 }
 
 function onRelief([x, y], { size }) {
@@ -136,11 +150,12 @@ function drawPatch() {
   const rows = [["width", patchWidth(), twin && 2 * twin.half_width, micrometres], ["area", !isLine && chosen.area, twin?.area, squareMicrometres],
     ["load", chosen.share, twin && chosen.share, share], ["pressure", chosen.max_pressure, twin?.max_pressure],
     ["kappa-r", chosen.kappa_r, twin?.kappa_r], ["radius", 1 / chosen.curvature, twin && 1 / chosen.curvature, micrometres]];
-  byId("patch-name").textContent = say("patch.name", { number: chosen.number, nodes: chosen.nodes });
+  byId("patch-name").textContent = say("patch.name", { number: chosen.number, count: chosen.count, nodes: chosen.nodes });
   const cells = ([name, its, of, words = (value) => figure(value, 3)]) =>
     element("tr", {}, element("th", { scope: "row" }, say(`patch.${name}`)), element("td", {}, words(its)), element("td", {}, twin ? words(of) : "–"));
   byId("patch-numbers").tBodies[0].replaceChildren(...rows.filter(([, its]) => its !== false).map(cells));
-  byId("patch-note").textContent = twin ? "" : say("patch.hollow");
+  const notes = [chosen.nodes < chosen.fewest && say("patch.small", { fewest: chosen.fewest }), !twin && say("patch.hollow"), twin && !chosen.isHertzian && say("patch.solid"), say("patch.counted")];
+  byId("patch-note").textContent = notes.filter(Boolean).join(" ");
   if (profile) drawTwin(profile, twin); else byId("patch-picture").replaceChildren();
 }
 

@@ -105,6 +105,7 @@ function paintSection(to, at, shown) {
   to.fill(filled(pressure, at.pressure, at.top));
   to.fillStyle = colour.soft;
   to.font = "12px system-ui, sans-serif";
+  if (isDeep() && !shear && Math.max(...pressure) > 0) to.fillText(say("fringes.unknown"), 6, at.h - 30);
   to.fillText(say("section.scale", { pressure: figure(axes.pressure, 3) }), 6, 14);
 }
 

@@ -215,9 +215,8 @@ function showPin(id) {
 function putBeside() {
   const run = shownOrLatest();
   const other = run && rival(run);
-  if (knobs.beside) delete knobs.beside;
-  else if (other) knobs.beside = besideOf(other.knobs);
-  else fault(say("beside.none"));
+  if (!knobs.beside && !other) { fault(say("beside.none")); return; }
+  if (knobs.beside) delete knobs.beside; else knobs.beside = besideOf(other.knobs);
   changed();
 }
 
@@ -290,7 +289,7 @@ function numbers() {
   const status = run.numbers ? run.numbers.status : "begun";
   if (!shown || shown === run) titleRun(run);
   byId("this").textContent = moment ? moment.name : say("numbers.this");
-  byId("rival").textContent = run.beside ? say("numbers.beside") : pinned ? say("numbers.pinned") : say("numbers.before");
+  byId("rival").textContent = run.beside ? named(say("numbers.beside"), run.beside.numbers ?? {}) : pinned ? say("numbers.pinned") : say("numbers.before");
   byId("beside").setAttribute("aria-pressed", String(Boolean(knobs.beside)));
   showSectionOf(run);
   warn(run);

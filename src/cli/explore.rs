@@ -1,11 +1,13 @@
 //! `asperity explore`: turn a knob, watch the contact relax.
 
+use super::caution::tell;
 use super::flags::{Scene, Whole};
 use super::interrupt::interrupted;
 use super::outcome::{Outcome, Usage, usage};
 use anyhow::{Result, anyhow};
 use asperity::error::{Failure, FileError};
 use asperity::explore::{Explorer, Export, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, Start};
+use asperity::setup::Setup;
 use asperity::surface::HeightFile;
 use clap::{Args, ValueEnum};
 use std::io::{Write, stderr, stdout};
@@ -88,7 +90,7 @@ impl Explore {
     }
 }
 
-/// What the page starts with.
+/// The state that the page starts with.
 #[derive(Clone)]
 enum Begin {
     /// A state of the knobs.
@@ -97,7 +99,7 @@ enum Begin {
     Scene(PathBuf),
 }
 
-/// What an argument means.
+/// Reads a state to start with: a name of one of the page's own, or else the path of a scene.
 fn begin(text: &str) -> Result<Begin, String> {
     let path = Path::new(text);
     match Start::from_str(text, false) {
@@ -121,7 +123,16 @@ fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
     setup.problem()?;
     let scene = SceneFile::of(setup).map_err(refused)?;
     let knobs = Knobs::of_scene(&scene).map_err(refused)?;
+    tell(&left_out(&scene.setup));
     Ok((Sessions::with_scene(scene), knobs))
+}
+
+/// Warnings about what the page does not take from a setup, a sentence each.
+fn left_out(setup: &Setup) -> Vec<String> {
+    let load = (!setup.load.is_pressure())
+        .then(|| format!("the page presses by p*, so that it starts with another load than {}", setup.load));
+    let friction = setup.friction.is_some().then(|| "the page leaves friction and the tangential load out".to_owned());
+    load.into_iter().chain(friction).collect()
 }
 
 /// Writes lessons as a site, and says on standard error how far that is.

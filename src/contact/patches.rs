@@ -98,7 +98,8 @@ impl Patch {
         Self::with_nodes(problem, pressure).into_iter().map(|(patch, _)| patch).collect()
     }
 
-    /// The same with the nodes of each, as runs along rows, by their numbers on the grid.
+    /// The patches of nodes with `pressure > 0` (row by row), the largest first, each with its nodes as runs along rows, by their numbers on
+    /// the grid.
     pub fn with_nodes(problem: &Problem, pressure: &[f64]) -> Vec<(Self, Vec<Range<usize>>)> {
         let (surface, grid) = (problem.surface(), problem.surface().grid());
         let [dy, dx] = grid.spacing();

@@ -33,6 +33,11 @@ pub struct Resolution {
 }
 
 impl Resolution {
+    /// The fewest nodes of a patch whose pressure is not that of single nodes: 4 on lines, 12 on surfaces.
+    pub fn fewest_nodes(grid: &Grid) -> usize {
+        FEWEST_NODES[usize::from(!grid.is_line())]
+    }
+
     /// The resolution of a contact on `grid`, with what the next coarser grid had of it, if that is known.
     pub fn of(
         grid: &Grid,
@@ -41,7 +46,7 @@ impl Resolution {
         patches: &Patches,
         coarser: Option<&Resolved>,
     ) -> Self {
-        let fewest = FEWEST_NODES[usize::from(!grid.is_line())];
+        let fewest = Self::fewest_nodes(grid);
         let small: usize = patches.sizes().iter().filter(|nodes| **nodes < fewest).sum();
         let nodes = measures.contact_nodes as f64;
         let error = |value: f64, corrected: f64, coarser: Option<f64>| {

@@ -7,7 +7,7 @@ use super::page::Page;
 use super::refusal::Refusal;
 use super::session::{Kind, Session, Stock};
 use crate::contact::{Failure, OBSERVABLES};
-use crate::files::{check_folder, fill_folder};
+use crate::files::fill_folder;
 use crate::record::Output;
 use serde_json::{Map, Value, json};
 use std::fs::{File, create_dir, write};
@@ -28,7 +28,7 @@ const EVERY: usize = 4;
 /// Significant digits of the numbers in facets, which are drawn, or shown with fewer.
 const DIGITS: usize = 7;
 
-/// What becomes a run: a kind of order, and its knobs.
+/// A run of the site: whether the load is swept, and the state of the knobs.
 type Wanted = (Kind, Knobs);
 
 /// Lessons that are to become a site.
@@ -74,7 +74,6 @@ impl Export {
     /// # Errors
     /// For a folder that cannot be had, a run that cannot be solved, and the wish not to go on.
     pub fn write(&self, folder: &Path, goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<(), Failure> {
-        check_folder(folder)?;
         let page = Page::new("explore")?;
         let (session, solver) = Session::start(Stock { every: Some(EVERY), ..Stock::default() }, 0);
         let written = fill_folder(folder, |draft| {
@@ -115,7 +114,7 @@ impl Export {
 
 /// The runs of a step: all states that can be turned to, and the sweep if the load is swept.
 fn of_step(step: &LessonStep) -> Vec<Wanted> {
-    let states = step.states().into_iter().map(|knobs| (Kind::Solve, knobs));
+    let states = step.states().iter().map(|knobs| (Kind::Solve, knobs.clone()));
     states.chain(step.sweep.then(|| (Kind::Sweep, step.knobs.clone()))).collect()
 }
 

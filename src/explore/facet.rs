@@ -2,7 +2,7 @@
 
 use super::patches::PatchTable;
 use super::reel::Solved;
-use super::section::Section;
+use super::section::{Section, Shear};
 use serde_json::{Value, json};
 
 /// Something to be told of a run.
@@ -14,9 +14,11 @@ pub struct Facet {
 }
 
 /// The facets of a run.
-pub const FACETS: [Facet; 4] = [
-    Facet { name: "section", of: |solved| json!(Section::of(&solved.contact, true)) },
-    Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(|it| Section::of(it, true))) },
+pub const FACETS: [Facet; 6] = [
+    Facet { name: "section", of: |solved| json!(Section::of(&solved.contact)) },
+    Facet { name: "shear", of: |solved| json!(Shear::below(&solved.contact)) },
+    Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(Section::of)) },
+    Facet { name: "shear-beside", of: |solved| json!(solved.beside.as_ref().and_then(Shear::below)) },
     Facet { name: "patches", of: |solved| json!(PatchTable::of(&solved.contact)) },
     Facet { name: "steps", of: |solved| json!(solved.steps) },
 ];

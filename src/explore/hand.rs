@@ -3,7 +3,7 @@
 use super::knobs::Knobs;
 use super::refusal::Refusal;
 use super::report::Numbers;
-use super::section::Section;
+use super::section::{Section, Shear};
 use super::source::Source;
 use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
 use crate::setup::Setup;
@@ -30,13 +30,17 @@ pub struct Hold {
 #[derive(Serialize)]
 pub struct Held {
     section: Section,
+    /// The stress below it, where it is asked for and known.
+    shear: Option<Shear>,
     /// The surface beside, under the same mean pressure.
     beside: Option<Section>,
+    /// The stress below that.
+    shear_beside: Option<Shear>,
     numbers: Numbers,
 }
 
 impl Hold {
-    /// Whether a file of heights is held.
+    /// The state of the knobs.
     pub(super) fn knobs(&self) -> &Knobs {
         &self.knobs
     }
@@ -56,10 +60,17 @@ impl Hold {
         let contact = solve(&problem, &setup, first)?;
         let beside = self.knobs.beside_with(source)?.map(|beside| {
             let problem = beside.problem()?.with_load(Load::MeanPressure(contact.mean_pressure()))?;
-            Ok::<_, Refusal>(Section::of(&solve(&problem, &beside, second)?, self.is_deep))
+            solve(&problem, &beside, second)
         });
-        let section = Section::of(&contact, self.is_deep);
-        Ok(Held { section, beside: beside.transpose()?, numbers: Numbers::of_contact(&contact) })
+        let beside = beside.transpose()?;
+        let shear = |contact: &Contact| self.is_deep.then(|| Shear::below(contact)).flatten();
+        Ok(Held {
+            section: Section::of(&contact),
+            shear: shear(&contact),
+            shear_beside: beside.as_ref().and_then(shear),
+            beside: beside.as_ref().map(Section::of),
+            numbers: Numbers::of_contact(&contact),
+        })
     }
 }
 

@@ -49,15 +49,18 @@ pub struct LessonStep {
     pub text: Words,
     /// The state of the knobs.
     pub knobs: Knobs,
-    /// What else a class may turn knobs to from there.
-    turn: Turns,
+    /// All states of the knobs that a class may turn to: that of the step first, then every choice of one of the values of each knob that may
+    /// be turned, its own among them.
+    #[serde(skip)]
+    states: Vec<Knobs>,
     /// Whether the load is swept.
     pub sweep: bool,
     /// What is asked before anything is shown.
     pub ask: Option<Question>,
 }
 
-/// A lesson as it is written: the knobs of a step are laid over those of the lesson, and these over those that the page starts with; what a class may turn to goes the same way.
+/// A lesson as it is written: the knobs of a step are laid over those of the lesson, and these over those that the page starts with. The
+/// values that a class may turn knobs to go the same way.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct Draft {
@@ -156,14 +159,14 @@ impl LessonStep {
         text.check()?;
         ask.iter().try_for_each(|ask| ask.check(sweep))?;
         let turn: Turns = turns.clone().into_iter().chain(turn).collect();
-        turned(&knobs, &turn)?.iter().try_for_each(|knobs| knobs.setup().map(|_| ()).map_err(of_turn))?;
-        Ok(Self { text, knobs, turn, sweep, ask })
+        let states = turned(&knobs, &turn)?;
+        states.iter().try_for_each(|knobs| knobs.setup().map(|_| ()).map_err(of_turn))?;
+        Ok(Self { text, knobs, states, sweep, ask })
     }
 
-    /// All states of the knobs that a class may turn to from this step: its own first, then every choice of one of the values of each knob
-    /// that may be turned, its own among them.
-    pub fn states(&self) -> Vec<Knobs> {
-        turned(&self.knobs, &self.turn).unwrap_or_else(|_| vec![self.knobs.clone()])
+    /// All states of the knobs that a class may turn to from this step, its own first.
+    pub fn states(&self) -> &[Knobs] {
+        &self.states
     }
 }
 

@@ -19,7 +19,7 @@ macro_rules! file {
     };
 }
 
-/// What the page says, in each of its languages.
+/// The script with all sentences of the page in all of its languages.
 const TEXTS: &str = concat!(
     "const TEXTS = {\n\"en\": ",
     include_str!("../../assets/explore/texts/en.json"),

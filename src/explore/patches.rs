@@ -1,7 +1,7 @@
 //! The patches of a contact, for the page: each beside its Hertz twin.
 
 use super::section::columns;
-use crate::contact::{Contact, Patch, Problem};
+use crate::contact::{Contact, Law, Patch, Problem, Resolution};
 use crate::grid::Grid;
 use crate::theory::hertz;
 use serde::Serialize;
@@ -20,10 +20,17 @@ const POINTS: usize = 49;
 /// All patches of a contact, and where they are.
 #[derive(Serialize)]
 pub struct PatchTable {
-    /// The largest first.
+    /// The largest ones, these first.
     pub patches: Vec<PatchRow>,
-    /// Rows and columns of the grid, and of the map.
+    /// How many there are.
+    pub count: usize,
+    /// The fewest nodes of a patch whose numbers mean something.
+    pub fewest_nodes: usize,
+    /// Whether they lie on an elastic half-space, as their twins do.
+    pub is_hertzian: bool,
+    /// Rows and columns of the grid.
     pub grid: [usize; 2],
+    /// Rows and columns of the map.
     pub shape: [usize; 2],
     /// Lengths of the cell along both.
     pub size: [f64; 2],
@@ -40,7 +47,7 @@ pub struct PatchRow {
     pub place: [f64; 2],
     /// Area, or length of a line, of its nodes.
     pub area: f64,
-    /// Its share of the load.
+    /// The share of the whole load that it carries.
     pub share: f64,
     /// Largest pressure.
     pub max_pressure: f64,
@@ -50,7 +57,7 @@ pub struct PatchRow {
     pub curvature: f64,
     /// The parabola of the same load and curvature; none for a patch that is hollow.
     pub twin: Option<Twin>,
-    /// What it looks like; of the largest ones.
+    /// Heights and pressures along it; left out of the smaller patches.
     pub profile: Option<PatchProfile>,
 }
 
@@ -87,6 +94,7 @@ impl PatchTable {
         let most = if grid.is_line() { LINE_COLUMNS } else { SURFACE_COLUMNS };
         let shape = [ny.min(most), nx.min(most)];
         let mut all = Patch::with_nodes(problem, pressure);
+        let count = all.len();
         all.truncate(MOST);
         let mut map = vec![0; shape[0] * shape[1]];
         // smaller patches are not hidden by larger ones
@@ -100,7 +108,16 @@ impl PatchTable {
             profile: (number < DRAWN).then(|| PatchProfile::of(problem, pressure, patch, runs)),
             ..PatchRow::of(problem, pressure, patch, whole)
         };
-        Self { patches: all.iter().enumerate().map(row).collect(), grid: grid.shape(), shape, size: grid.size(), map }
+        Self {
+            patches: all.iter().enumerate().map(row).collect(),
+            count,
+            fewest_nodes: Resolution::fewest_nodes(grid),
+            is_hertzian: problem.solid().is_half_space() && problem.law() == Law::HardWall,
+            grid: grid.shape(),
+            shape,
+            size: grid.size(),
+            map,
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! What a lesson asks before it shows.
+//! Questions of lessons, to which one guesses the answer.
 
 use super::refusal::Refusal;
 use super::words::Words;

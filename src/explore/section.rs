@@ -34,11 +34,9 @@ pub struct Section {
     pub mean_gap: f64,
     /// The highest peak above the mean of the rigid surface: a larger mean gap than that is no contact.
     pub highest: f64,
-    /// The largest shear stress below, where it is known and was asked for.
-    pub shear: Option<Shear>,
 }
 
-/// The largest shear stress in a solid below a section.
+/// The largest shear stress in a solid below a section, in plane strain or below the row of a surface.
 #[derive(Clone, Serialize)]
 pub struct Shear {
     /// How deep its last row is.
@@ -52,8 +50,8 @@ pub struct Shear {
 }
 
 impl Section {
-    /// The section of a contact, with the stress below if `is_deep`.
-    pub fn of(contact: &Contact, is_deep: bool) -> Self {
+    /// The section of a contact.
+    pub fn of(contact: &Contact) -> Self {
         let (problem, row) = (&contact.problem, contact.highest_row());
         let grid = problem.surface().grid();
         let (pressure, gap, solid) = (contact.pressure.row(row), contact.gap.row(row), contact.displacement.row(row));
@@ -73,14 +71,14 @@ impl Section {
             is_pressed_by_gap: grid.is_periodic(),
             mean_gap: contact.mean_gap(),
             highest: problem.highest(),
-            shear: is_deep.then(|| Shear::below(contact, row)).flatten(),
         }
     }
 }
 
 impl Shear {
-    /// The stress below a row of a contact; none where it is not known.
-    fn below(contact: &Contact, row: usize) -> Option<Self> {
+    /// The stress below the section of a contact; none where it is not known, in a layer and below a surface with a free boundary.
+    pub fn below(contact: &Contact) -> Option<Self> {
+        let row = contact.highest_row();
         let grid = contact.problem.surface().grid();
         let depth = DEPTH * grid.size()[1];
         let depths: Vec<f64> = (0..STRESS_ROWS).map(|i| depth * i as f64 / (STRESS_ROWS - 1) as f64).collect();

@@ -29,7 +29,7 @@ pub type Heights = (HeightFile, Description);
 pub struct Stock {
     pub heights: Option<Heights>,
     pub scene: Option<Arc<SceneFile>>,
-    /// Fields are recorded of every so many steps, where steps are few, instead of almost all of them.
+    /// Every how many steps fields are recorded, but with GFMD, whose steps are many; without it as in every recording.
     pub every: Option<usize>,
 }
 

@@ -30,7 +30,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         command: command(&setup),
         setup: setup.to_toml(),
         prepared: prepared(&setup, problem.surface())?,
-        warnings: setup.surface.warnings(problem.surface()),
+        warnings: warnings(&setup, &problem, beside.as_ref()),
         knobs,
         ended: false,
         numbers: None,
@@ -67,10 +67,17 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
 }
 
 /// A setup under the mean pressure of a problem, and the problem that it stands for.
-pub fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Failure> {
+fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Failure> {
     let setup = Setup { load: Load::MeanPressure(other.expected_mean_pressure()), ..setup };
     let problem = setup.problem()?;
     Ok((setup, problem))
+}
+
+/// Why the numbers may mean little, those of the surface beside among them.
+fn warnings(setup: &Setup, problem: &Problem, beside: Option<&(Setup, Problem)>) -> Vec<String> {
+    let of_beside = beside.map(|(setup, problem)| setup.surface.warnings(problem.surface())).unwrap_or_default();
+    let of_beside = of_beside.into_iter().map(|warning| format!("of the surface beside: {warning}"));
+    setup.surface.warnings(problem.surface()).into_iter().chain(of_beside).collect()
 }
 
 /// What each step of the preparation came to.

@@ -1,4 +1,4 @@
-//! What a lesson says, in one language or in some.
+//! Texts of lessons, in one language or in several.
 
 use super::refusal::Refusal;
 use serde::{Deserialize, Serialize};

@@ -9,7 +9,7 @@ use crate::surface::{
 };
 use serde::{Deserialize, Deserializer, Serialize};
 
-/// The recipe of a surface: a height file, an indenter, self-affine roughness, or the sum of those that are given.
+/// The recipe of a surface: a height file, an indenter, self-affine roughness, bumps, or the sum of those that are given.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Recipe {
@@ -154,7 +154,7 @@ impl Recipe {
     /// Checks that the surface can be made on a grid. None is made.
     ///
     /// # Errors
-    /// For no surface at all, a preparation without a height file, and an indenter or a spectrum that cannot be on this grid.
+    /// For no surface at all, a preparation without a height file, and an indenter, a spectrum or bumps that cannot be on this grid.
     pub fn check(&self, grid: &Grid) -> Result<(), SetupError> {
         if !self.is_measured() && self.indenter.is_none() && self.spectrum.is_none() && self.bumps.is_empty() {
             return Err(SetupError::NoSurface);

@@ -162,6 +162,10 @@ fn surfaces_stand_side_by_side(page: &mut Page) {
     page.click("beside");
     pictured(page);
     assert_eq!(page.value("document.getElementById('section-beside-box').hidden"), false);
+    page.click("fringes");
+    page.until("section.shear && beside.shear", 20);
+    page.click("fringes");
+    page.until("!section.shear", 20);
     let pressure = |page: &mut Page, of: &str| page.value(&format!("{of}.pressure.reduce((sum, p) => sum + p, 0)"));
     let [one, other] = ["section", "beside"].map(|of| pressure(page, of).as_f64().unwrap());
     assert!((one / other - 1.0).abs() < 0.2, "the sums over columns are {one} and {other}");

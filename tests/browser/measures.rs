@@ -72,6 +72,20 @@ fn memory(explorer: &Explorer, page: &mut Page) -> [f64; 3] {
     [resident(&explorer.id().to_string()), of("renderer"), of("GPU")]
 }
 
+/// The same, printed after so many deeds.
+fn told_memory(explorer: &Explorer, page: &mut Page, deeds: &str) -> [f64; 3] {
+    let memory = memory(explorer, page);
+    let [server, renderer, graphics] = memory.map(f64::round);
+    println!("{deeds}: server {server} MB, page {renderer} MB, graphics {graphics} MB");
+    memory
+}
+
+/// The server has settled after the second measurement.
+fn assert_settled(measured: &[[f64; 3]]) {
+    let (first, last) = (measured[1], measured[measured.len() - 1]);
+    assert!(last[0] < 1.2 * first[0] + 20.0, "the server has grown from {} to {} MB", first[0], last[0]);
+}
+
 /// The change of a knob that comes at place `at`: mixed controls, some of them slow to solve.
 fn knob(at: usize) -> String {
     match at % 10 {
@@ -105,19 +119,10 @@ fn soak() {
             let state = explorer.state();
             assert_eq!(page.text("shownRun"), state["run"]["id"].as_str().unwrap());
             assert_eq!(page.value("document.getElementById('fault').hidden"), true);
-            let memory = memory(&explorer, &mut page);
-            println!(
-                "{} knobs: server {:.0} MB, page {:.0} MB, graphics {:.0} MB",
-                at + 1,
-                memory[0],
-                memory[1],
-                memory[2]
-            );
-            measured.push(memory);
+            measured.push(told_memory(&explorer, &mut page, &format!("{} knobs", at + 1)));
         }
     }
-    let (first, last) = (measured[1], measured[measured.len() - 1]);
-    assert!(last[0] < 1.2 * first[0] + 20.0, "the server has grown from {} to {} MB", first[0], last[0]);
+    assert_settled(&measured);
 }
 
 /// Presses the contact to so many gaps one after the other, as fast as they are solved and drawn; tells contacts and frames a second.
@@ -179,12 +184,8 @@ fn soak_of_drags() {
         if at % 50 == 49 {
             rested(&mut page);
             assert_eq!(page.value("document.getElementById('fault').hidden"), true);
-            let memory = memory(&explorer, &mut page);
-            let [server, renderer, graphics] = memory.map(f64::round);
-            println!("{} drags: server {server} MB, page {renderer} MB, graphics {graphics} MB", at + 1);
-            measured.push(memory);
+            measured.push(told_memory(&explorer, &mut page, &format!("{} drags", at + 1)));
         }
     }
-    let (first, last) = (measured[1], measured[measured.len() - 1]);
-    assert!(last[0] < 1.2 * first[0] + 20.0, "the server has grown from {} to {} MB", first[0], last[0]);
+    assert_settled(&measured);
 }

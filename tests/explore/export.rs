@@ -83,6 +83,7 @@ fn nothing_is_written_over() {
         (&lessons, "it is not empty"),
         (&file, "it is no folder"),
         (&folder.path().join("none/site"), "there is no folder"),
+        (&lessons.join(".."), "it is no name of a folder"),
     ] {
         let output = export(&lessons, site).output().unwrap();
         let told = String::from_utf8(output.stderr).unwrap();

@@ -49,7 +49,7 @@ fn the_hand_finds_the_load_of_a_gap() {
 fn the_stress_below_is_that_of_hertz() {
     let page = Page::open();
     let held = hold(&page, &knobs(Start::HertzLine, json!({"load": 0.002})), None, true);
-    let shear = &held["section"]["shear"];
+    let shear = &held["shear"];
     let (values, columns) = (numbers(&shear["values"]), shear["columns"].as_u64().unwrap() as usize);
     let (at, most) = values.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).unwrap();
     let pressure = numbers(&held["section"]["pressure"]).into_iter().fold(0.0, f64::max);
