@@ -14,6 +14,8 @@ mod lessons;
 mod played;
 #[path = "explore/scenes.rs"]
 mod scenes;
+#[path = "explore/scripts.rs"]
+mod scripts;
 #[path = "explore/sessions.rs"]
 mod sessions;
 #[path = "explore/texts.rs"]

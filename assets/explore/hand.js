@@ -12,18 +12,18 @@ const STILL = 4;
 /** What the hand holds: where it began, the state then, and the gap or the bump since. */
 let grip = null;
 let holding = false;
-let wished = null;
+let upcoming = null;
 /** How many contacts were solved under the hand. */
 let heldCount = 0;
 
 /** Asks for a contact that is solved at once, and calls with it; while one request is under way, only the latest wish waits. */
 async function hold(order, done) {
-  wished = { order, done };
+  upcoming = { order, done };
   if (holding) return;
   holding = true;
-  while (wished) {
-    const { order: sent, done: show } = wished;
-    wished = null;
+  while (upcoming) {
+    const { order: sent, done: show } = upcoming;
+    upcoming = null;
     await post("hold", sent).then(show, (error) => fault(error.message));
   }
   holding = false;
@@ -83,7 +83,7 @@ function press(gap) {
 
 /** Shows the rigid surface above a solid that it does not touch. */
 function lift(gap) {
-  wished = null;
+  upcoming = null;
   const by = gap - section.mean_gap;
   const flat = section.solid.map(() => 0);
   const rigid = section.rigid.map((height) => height + by);

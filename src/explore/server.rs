@@ -4,15 +4,17 @@ use super::guard;
 use super::policy::IN_HEADER;
 use super::site::{Intake, Reply, Request, Site};
 use axum::Router;
-use axum::body::{Body, to_bytes};
+use axum::body::{Body, HttpBody, to_bytes};
 use axum::extract::{Request as Incoming, State};
 use axum::http::header::{
     CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue, REFERRER_POLICY,
     X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::{Method, Response, StatusCode};
+use std::future::poll_fn;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
+use std::pin::Pin;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -132,6 +134,7 @@ async fn answer<S: Site>(State((site, port, taken)): State<Served<S>>, request: 
     }
     let delivery = (most > Intake::JSON.most).then(|| Delivery::begin(&taken));
     if let Some(None) = delivery {
+        tokio::time::timeout(PATIENCE, pass(body, most)).await.ok();
         return response(Reply::Error(503, "another file is on its way: wait for its end, and send it again".into()));
     }
     let body = match tokio::time::timeout(PATIENCE, to_bytes(body, most)).await {
@@ -146,6 +149,18 @@ async fn answer<S: Site>(State((site, port, taken)): State<Served<S>>, request: 
     };
     let replied = tokio::task::spawn_blocking(reply).await;
     response(replied.unwrap_or_else(|_| Reply::Error(500, "the request could not be answered".into())))
+}
+
+/// Reads a body and forgets it, at most so many bytes: a sender who is refused before all is sent would see a broken connection in place
+/// of the answer.
+async fn pass(mut body: Body, most: usize) {
+    let mut left = most;
+    while let Some(Ok(frame)) = poll_fn(|context| Pin::new(&mut body).poll_frame(context)).await {
+        match left.checked_sub(frame.data_ref().map_or(0, |data| data.len())) {
+            Some(rest) => left = rest,
+            None => return,
+        }
+    }
 }
 
 fn too_large(most: usize) -> Reply {

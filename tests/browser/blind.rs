@@ -1,15 +1,9 @@
 //! A browser that cannot draw the viewer: the page goes on without it.
 
-use crate::chromium::{Chromium, installed};
-use crate::explorer::Explorer;
+use crate::chromium::installed;
+use crate::explorer::{rested, sketched};
 use crate::page::Page;
 use serde_json::Value;
-
-/// Waits until nothing is solved, and the page shows what the controls ask for by itself.
-fn pictured(page: &mut Page) {
-    page.until("!report.busy && report.run?.ended && words(report.run.knobs) === words(knobs)", 60);
-    page.until("document.body.dataset.section === latest().id", 60);
-}
 
 fn the_picture_takes_the_place_of_the_viewer(page: &mut Page) {
     let note = page.text("document.getElementById('viewer-note').innerText");
@@ -26,12 +20,12 @@ fn controls_and_hand_work(page: &mut Page) {
     let area = "latest().numbers.relative_area_resolved";
     let before = page.value(area).as_f64().unwrap();
     page.press_at("control-load", "ArrowRight");
-    pictured(page);
+    rested(page);
     let after = page.value(area).as_f64().unwrap();
     assert!(after > before, "{before} to {after}");
     page.press_at("press", "ArrowDown");
     page.until("grip === null", 20);
-    pictured(page);
+    rested(page);
     assert!(page.value(area).as_f64().unwrap() > after);
 }
 
@@ -51,12 +45,9 @@ fn steps_are_scrubbed(page: &mut Page) {
 #[test]
 fn a_page_without_a_viewer() {
     let Some(program) = installed() else { return };
-    let explorer = Explorer::start();
-    let mut page = Page { chromium: Chromium::without_graphics(&program) };
+    let (_explorer, mut page) = sketched(&program, "");
     page.resize([1280, 900]);
-    page.open(&format!("{}/?theme=dark", explorer.origin()));
-    page.until("document.body.dataset.viewer === 'failed'", 120);
-    pictured(&mut page);
+    assert_eq!(page.text("document.body.dataset.viewer"), "failed");
     the_picture_takes_the_place_of_the_viewer(&mut page);
     controls_and_hand_work(&mut page);
     steps_are_scrubbed(&mut page);

@@ -1,7 +1,7 @@
 //! People of all kinds: who reads German, who has a finger for a pointer, who has it on paper.
 
 use crate::chromium::installed;
-use crate::explorer::{opened, opened_at, rested};
+use crate::explorer::{rested, sketched};
 use crate::eyes::{CUT, PALE, SERIOUS, load_axe};
 use crate::page::Page;
 use base64::prelude::{BASE64_STANDARD, Engine};
@@ -33,7 +33,7 @@ fn drop_heights(page: &mut Page) {
 #[test]
 fn a_person_who_reads_german() {
     let Some(program) = installed() else { return };
-    let (_explorer, mut page) = opened_at(&program, "&language=de");
+    let (_explorer, mut page) = sketched(&program, "&language=de");
     assert_eq!(page.text("document.documentElement.lang"), "de");
     for (id, words) in
         [("sweep", "Last steigern"), ("play", "Start"), ("pin", "Anheften"), ("copy-link", "Link kopieren")]
@@ -81,7 +81,7 @@ fn languages_change(page: &mut Page) {
         "document.readyState === 'complete' && document.documentElement.lang === 'en' && typeof byId === 'function'",
         60,
     );
-    page.until("document.body.dataset.viewer === 'started'", 120);
+    page.until("document.body.dataset.viewer", 120);
     rested(page);
     assert_eq!(page.text("byId('sweep').innerText"), "Sweep the load");
     assert_eq!(page.value("[knobs.load, latest().numbers.kappa_r_resolved]"), json!([0.02, before]));
@@ -96,7 +96,7 @@ const SMALL: &str = "[...document.querySelectorAll('button, select, input:not([t
 #[test]
 fn a_person_with_a_finger() {
     let Some(program) = installed() else { return };
-    let (_explorer, mut page) = opened(&program);
+    let (_explorer, mut page) = sketched(&program, "");
     page.chromium.page("Emulation.setTouchEmulationEnabled", json!({"enabled": true, "maxTouchPoints": 1}));
     page.until("matchMedia('(pointer: coarse)').matches", 10);
     page.resize([1024, 768]);
@@ -123,7 +123,7 @@ fn a_person_with_a_finger() {
 #[test]
 fn a_person_with_a_sheet_of_paper() {
     let Some(program) = installed() else { return };
-    let (_explorer, mut page) = opened(&program);
+    let (_explorer, mut page) = sketched(&program, "");
     page.value("openLesson('hertz-and-rough', 4)");
     page.until("document.body.dataset.asked === 'true'", 10);
     page.click("answer-1");

@@ -69,27 +69,32 @@ impl Drop for Explorer {
 
 /// The page with its viewer, at the end of its first run.
 pub fn opened(program: &Path) -> (Explorer, Page) {
-    opened_at(program, "")
+    opened_in(Chromium::start(program), "")
 }
 
-/// The page with its viewer, at the end of its first run, with more in its address.
-pub fn opened_at(program: &Path, more: &str) -> (Explorer, Page) {
+/// The page without a viewer, at the end of its first run, with more in its address: for what the viewer has no part in, sooner.
+pub fn sketched(program: &Path, more: &str) -> (Explorer, Page) {
+    opened_in(Chromium::without_graphics(program), more)
+}
+
+fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
     let mut explorer = Explorer::start();
-    let mut page = Page { chromium: Chromium::start(program) };
+    let mut page = Page { chromium };
     page.follow(&format!("{}/?renderer=webgl&theme=dark{more}", explorer.origin()));
-    page.until("document.body.dataset.viewer === 'started'", 120);
+    page.until("document.body.dataset.viewer", 120);
     rested(&mut page);
     explorer.session = page.text("session");
     (explorer, page)
 }
 
-/// Waits until nothing is solved, and page and viewer show the run that the controls ask for.
+/// Waits until nothing is held or solved, and page and viewer, or the page's own picture where there is none, show the run that the
+/// controls ask for.
 pub fn rested(page: &mut Page) {
     page.until(
-        "session && ask('state').then(({ busy, revision, run }) => { \
+        "session && !grip && !holding && ask('state').then(({ busy, revision, run }) => { \
            const seen = document.body.dataset; \
-           return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) \
-             && (seen.shown || '').split(' ')[0] === run.id \
+           const shown = seen.viewer === 'started' ? (seen.shown || '').split(' ')[0] : seen.section; \
+           return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) && shown === run.id \
              && JSON.stringify(knobs) === JSON.stringify(run.knobs); })",
         120,
     );

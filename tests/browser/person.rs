@@ -214,11 +214,11 @@ fn outward(chromium: &Chromium, origin: &str) -> Vec<String> {
 /// Page and workers talk to their own server only, and could not do otherwise.
 fn the_policy_blocks(explorer: &Explorer, page: &mut Page) {
     let own = format!("{}/session/{}/run/", explorer.origin(), explorer.session);
-    let runs = page
-        .chromium
-        .events("Network.requestWillBeSent")
-        .filter(|event| event["request"]["url"].as_str().unwrap().starts_with(&own));
-    assert!(runs.count() > 10, "the log of requests lacks those of the viewer");
+    let urls = page.chromium.events("Network.requestWillBeSent").map(|event| event["request"]["url"].as_str().unwrap());
+    let read: HashSet<&str> = urls.filter_map(|url| url.strip_prefix(&own)?.split(".rrd").next()).collect();
+    for run in [&run(explorer), &explorer.state()["sweep"]].map(|it| it["id"].as_str().unwrap()) {
+        assert!(read.contains(run), "the log of requests lacks those of the viewer for {run}: {read:?}");
+    }
     println!("The policy blocked {} requests of the viewer.", blocked(&page.chromium));
     let fetch = "fetch('http://elsewhere.test/').then(() => 'sent', () => 'refused')";
     assert_eq!(page.text(fetch), "refused");

@@ -1,7 +1,7 @@
 //! Several tabs on one server, and a server that goes and comes back.
 
 use crate::chromium::installed;
-use crate::explorer::{Explorer, opened, rested};
+use crate::explorer::{Explorer, opened, rested, sketched};
 use crate::page::Page;
 use serde_json::json;
 
@@ -71,7 +71,7 @@ fn a_tab_too_many_waits(explorer: &Explorer, page: &mut Page) {
 #[test]
 fn every_tab_has_a_session_of_its_own() {
     let Some(program) = installed() else { return };
-    let (explorer, mut page) = opened(&program);
+    let (explorer, mut page) = sketched(&program, "");
     tabs_do_not_mix(&explorer, &mut page);
     a_tab_finds_its_runs_again(&explorer, &mut page);
     a_tab_too_many_waits(&explorer, &mut page);

@@ -299,6 +299,8 @@ fn a_file_is_bounded_and_one_comes_at_a_time() {
         }
     };
     until(503);
+    let large = "1 2\n".repeat(1 << 20);
+    assert_eq!(page.drop_file("large.txt", large.as_bytes()).status, 503, "what is refused is read to its end");
     assert_eq!(page.get("/api/state").status, 200);
     drop(begun);
     until(200);

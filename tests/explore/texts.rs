@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 type Texts = BTreeMap<String, String>;
 
 /// Scripts and the page, by name.
-fn sources() -> Vec<(String, String)> {
+pub fn sources() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/explore");
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let sources = files.filter(|path| path.extension().is_some_and(|it| it == "js" || it == "html"));
