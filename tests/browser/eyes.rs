@@ -1,7 +1,8 @@
 //! A person who looks: curves on their axes, contrast, room for everything, and what belongs to another surface.
 
 use crate::chromium::installed;
-use crate::explorer::{opened, rested};
+use crate::explorer::{opened, rested, sketched};
+use crate::heights::{drop_on, map};
 use crate::page::Page;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -61,11 +62,11 @@ fn curves_stand_on_their_axes(page: &mut Page, when: &str) {
 fn sweep(page: &mut Page) {
     page.click("sweep");
     page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
-    page.until("(document.body.dataset.shown || '').startsWith('sweep-')", 60);
 }
 
 fn axes_follow_data_layout_and_size(page: &mut Page) {
     sweep(page);
+    page.until("(document.body.dataset.shown || '').startsWith('sweep-')", 60);
     curves_stand_on_their_axes(page, "after a sweep");
     page.press_at("lesson", "h");
     page.until("document.body.dataset.lesson === '0'", 10);
@@ -105,6 +106,15 @@ fn all_is_read_and_nothing_is_cut(page: &mut Page) {
     page.click("lesson-close");
 }
 
+/// The page takes what is dropped on the viewer, and the viewer shows its contact.
+fn a_file_dropped_on_the_viewer_is_seen_in_it(page: &mut Page) {
+    let before = page.settled();
+    drop_on(page, "canvas", "map.txt", &map());
+    page.until("knobs.body === 'file'", 60);
+    rested(page);
+    page.until_redrawn(&before, 0.1);
+}
+
 /// A sweep that has one load yet is drawn, though its axis has no length.
 fn the_first_load_of_a_sweep_is_drawn(page: &mut Page) {
     let drawn = "(() => { const { sweep } = report; \
@@ -116,9 +126,6 @@ fn the_first_load_of_a_sweep_is_drawn(page: &mut Page) {
 
 /// A sweep of another surface is grey and says so, and is drawn as before when its surface is back.
 fn stale_curves_say_so(page: &mut Page) {
-    page.value("document.getElementById('control-body').focus()");
-    page.press("Home");
-    rested(page);
     sweep(page);
     let note = "[...document.querySelectorAll('#chart-kappa .note')].map((it) => it.textContent).join(', ')";
     assert_eq!(page.text(note), "");
@@ -154,7 +161,7 @@ fn a_pin_keeps_its_numbers(page: &mut Page) {
     let address = page.text("location.href");
     page.open("about:blank");
     page.open(&address);
-    page.until("document.body.dataset.viewer === 'started' && pinned !== null", 120);
+    page.until("pinned !== null", 60);
     rested(page);
     assert_eq!((page.text("pinned"), page.text(rival)), (pin, kappa));
     assert_eq!(page.text("document.getElementById('rival').innerText"), "pinned");
@@ -177,6 +184,13 @@ fn a_person_who_looks() {
     let (_explorer, mut page) = opened(&program);
     axes_follow_data_layout_and_size(&mut page);
     all_is_read_and_nothing_is_cut(&mut page);
+    a_file_dropped_on_the_viewer_is_seen_in_it(&mut page);
+}
+
+#[test]
+fn a_person_who_compares() {
+    let Some(program) = installed() else { return };
+    let (_explorer, mut page) = sketched(&program, "");
     stale_curves_say_so(&mut page);
     a_pin_keeps_its_numbers(&mut page);
     words_are_explained(&mut page);

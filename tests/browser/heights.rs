@@ -2,13 +2,13 @@
 
 use crate::chromium::installed;
 use crate::downloads::save;
-use crate::explorer::{opened, rested};
-use crate::page::Page;
+use crate::explorer::{rested, sketched};
+use crate::page::{Page, difference};
 use asperity::setup::Setup;
 use serde_json::{Value, json};
 
 /// A tilted map of two waves in text that says its size, and where it has a void.
-fn map() -> String {
+pub fn map() -> String {
     let mut text = "# Channel: Topography\n# Width: 6.4 µm\n# Height: 4.8 µm\n# Value units: nm\n".to_owned();
     for y in 0..48 {
         let wave = |x: usize| 30.0 * (0.3 * x as f64).sin() * (0.4 * y as f64).cos() + 5.0 * x as f64;
@@ -19,7 +19,7 @@ fn map() -> String {
 }
 
 /// Drops a file on an element, as a browser tells a page of it.
-fn drop_on(page: &mut Page, id: &str, name: &str, text: &str) {
+pub fn drop_on(page: &mut Page, id: &str, name: &str, text: &str) {
     page.value(&format!(
         "(() => {{ const dataTransfer = new DataTransfer(); dataTransfer.items.add(new File([{}], {})); \
          for (const kind of ['dragenter', 'dragover', 'drop']) document.getElementById('{id}') \
@@ -33,10 +33,10 @@ fn fault(page: &mut Page) -> String {
     page.text("document.getElementById('fault').innerText")
 }
 
-/// A file that is dropped on the viewer is described, prepared and solved, and its contact is seen.
+/// A file that is dropped is described, prepared and solved, and its contact is seen.
 fn a_dropped_file_is_pressed(page: &mut Page) {
-    let before = page.settled();
-    drop_on(page, "canvas", "<img src=x onerror=document.title='run'>.txt", &map());
+    let before = page.picture("section");
+    drop_on(page, "section", "<img src=x onerror=document.title='run'>.txt", &map());
     page.until("knobs.body === 'file' && description.name.startsWith('<img')", 60);
     rested(page);
     let told = page.text("document.getElementById('heights').innerText");
@@ -53,7 +53,8 @@ fn a_dropped_file_is_pressed(page: &mut Page) {
     assert_eq!(page.value("document.querySelectorAll('img').length"), 0, "the name of a file became part of the page");
     assert_eq!(page.text("document.body.dataset.status"), "converged");
     assert_eq!(page.value("document.body.hasAttribute('data-drop')"), false);
-    page.until_redrawn(&before, 0.1);
+    let changed = difference(&before, &page.picture("section"));
+    assert!(changed > 0.05, "{changed} of the picture has changed");
 }
 
 /// Turning a step takes over from the choice; what it does to the heights is warned of.
@@ -112,7 +113,7 @@ fn a_file_is_opened_by_the_keyboard(page: &mut Page) {
 #[test]
 fn a_person_with_a_file() {
     let Some(program) = installed() else { return };
-    let (_explorer, mut page) = opened(&program);
+    let (_explorer, mut page) = sketched(&program, "");
     a_dropped_file_is_pressed(&mut page);
     steps_are_taken_by_hand(&mut page);
     what_is_no_file_of_heights_is_refused(&mut page);
