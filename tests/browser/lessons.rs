@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 /// Keeps a picture of the page in the folder that `SHOTS` names, if it does.
 fn keep(page: &mut Page, name: &str) {
     let Some(folder) = std::env::var_os("SHOTS") else { return };
+    page.settled();
     let shot = page.chromium.page("Page.captureScreenshot", json!({"format": "png"}));
     let png = BASE64_STANDARD.decode(shot["data"].as_str().unwrap()).unwrap();
     std::fs::write(std::path::Path::new(&folder).join(format!("{name}.png")), png).unwrap();
@@ -111,6 +112,7 @@ fn a_person_in_a_lesson() {
 fn a_person_in_all_lessons() {
     let Some(program) = installed() else { return };
     let (explorer, mut page) = opened(&program);
+    page.resize([1440, 900]);
     let lessons = page.value("lessons");
     for lesson in lessons.as_array().unwrap() {
         play(&explorer, &mut page, lesson);
