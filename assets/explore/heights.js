@@ -48,6 +48,8 @@ function heightRow(control) {
   const tip = say(`heights.${control.id}.tip`);
   const input = control.kind === "select" ? element("select", { id })
     : element("input", { id, type: "text", placeholder: control.example, spellcheck: false });
+  input.addEventListener("input", () => { input.dataset.typed = "true"; });
+  for (const end of ["change", "blur"]) input.addEventListener(end, () => delete input.dataset.typed);
   input.addEventListener("change", () => takeStep(control, input.value.trim()));
   const line = element("div", { class: "row wide", id: `row-${id}`, title: tip }, element("label", { for: id }, heightLabel(control)), input);
   explain(line, tip);
@@ -98,7 +100,7 @@ function takeDescription(told) {
   if (told.fault) fault(told.fault); else changed();
 }
 
-/** Shows the file and its knobs where it is the body. */
+/** Shows the file and its knobs where it is the body, but for a field that is being typed into. */
 function showHeights() {
   const isShown = knobs.body === "file" && description !== null;
   byId("group-file").hidden = !isShown;
@@ -108,7 +110,7 @@ function showHeights() {
     byId(`row-heights-${control.id}`).hidden = control.shown ? !control.shown(description) : false;
     if (control.kind === "select") input.replaceChildren(...heightOptions(control).map(([value, label]) => element("option", { value }, label)));
     const value = holder(control, knobs.heights)[control.id];
-    input.value = String(value ?? (control.id === "channel" ? description.channel : ""));
+    if (!input.dataset.typed) input.value = String(value ?? (control.id === "channel" ? description.channel : ""));
   }
   showDescription();
 }

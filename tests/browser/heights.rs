@@ -85,6 +85,18 @@ fn steps_are_taken_by_hand(page: &mut Page) {
     assert!(setup.surface.height.unwrap().path().to_str().unwrap().starts_with("<img"));
 }
 
+/// News of a run that come while somebody types leave the field alone.
+fn news_do_not_interrupt(page: &mut Page) {
+    page.value("byId('heights-low-pass').focus(); byId('heights-low-pass').select()");
+    page.chromium.page("Input.insertText", json!({"text": "300 n"}));
+    page.value("showHeights()");
+    assert_eq!(page.text("byId('heights-low-pass').value"), "300 n");
+    page.press("m");
+    page.press("Enter");
+    page.until("knobs.heights.prepare['low-pass'] === 3e-7", 60);
+    rested(page);
+}
+
 /// What cannot be read is refused in one sentence, and the file before stays.
 fn what_is_no_file_of_heights_is_refused(page: &mut Page) {
     drop_on(page, "controls", "prose.txt", "<b>no numbers</b> at all");
@@ -116,6 +128,7 @@ fn a_person_with_a_file() {
     let (_explorer, mut page) = sketched(&program, "");
     a_dropped_file_is_pressed(&mut page);
     steps_are_taken_by_hand(&mut page);
+    news_do_not_interrupt(&mut page);
     what_is_no_file_of_heights_is_refused(&mut page);
     a_file_is_opened_by_the_keyboard(&mut page);
 }
