@@ -5,6 +5,8 @@ mod below;
 mod command;
 #[path = "cli/load_curves.rs"]
 mod load_curves;
+#[path = "cli/manners.rs"]
+mod manners;
 #[path = "cli/measured.rs"]
 mod measured;
 #[path = "cli/refine.rs"]

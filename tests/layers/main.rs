@@ -39,6 +39,8 @@ const PLACES: &[(&str, &[&str])] = &[
     ("anyhow", &["cli/", "main.rs"]),
     ("axum", &["explore/"]),
     ("clap", &["cli/", "main.rs"]),
+    ("clap_complete", &["cli/completions.rs"]),
+    ("clap_mangen", &["cli/man.rs"]),
     ("colorgrad", &["record/"]),
     ("csv", &["files.rs", "study/", "paper/"]),
     ("dejavu", &["plot/"]),
