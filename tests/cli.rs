@@ -11,6 +11,8 @@ mod manners;
 mod measured;
 #[path = "cli/refine.rs"]
 mod refine;
+#[path = "cli/studies.rs"]
+mod studies;
 #[path = "cli/warnings.rs"]
 mod warnings;
 

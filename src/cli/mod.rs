@@ -37,6 +37,10 @@ mod slip;
 mod solve;
 mod stability;
 mod stress;
+mod study;
+#[cfg(feature = "record")]
+mod study_row;
+mod study_table;
 mod subject;
 mod surface;
 mod survey;
@@ -104,6 +108,10 @@ enum Command {
     ///
     /// All pages come one after the other on standard output, or one for each command in a new folder.
     Man(man::Man),
+    /// Put the tables of the shares of a study together
+    ///
+    /// The tables must hold each row of the study once, and no others. What comes out is that of one machine to the last bit.
+    Merge(study::Merge),
     /// Make the tables and figures of van Dokkum et al. (2018) again
     ///
     /// The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018). Each figure comes as a CSV of every
@@ -116,6 +124,11 @@ enum Command {
     Solve(Box<solve::Solve>),
     /// Solve stiff and extreme cases and check the results
     Stability(stability::Stability),
+    /// Solve a study: a scene with lists in it, on one machine or on many
+    ///
+    /// Each choice from the lists is a realisation, which is solved under all loads one after the other. Started again after it was killed, a study goes
+    /// on where it was. The numbers are the same to the last bit on any number of threads and however the study is cut into shares.
+    Study(Box<study::Study>),
     /// Make a surface, or describe one
     Surface(Box<surface::Describe>),
     /// Open a recording in the browser, or several over each other
@@ -141,9 +154,11 @@ pub fn run() -> anyhow::Result<Outcome> {
         Command::Explore(explore) => explore.run(),
         Command::Inspect(inspect) => inspect.run(),
         Command::Man(man) => man.run(Cli::command()),
+        Command::Merge(merge) => merge.run(),
         Command::Paper(paper) => paper.run(),
         Command::Solve(solve) => solve.run(),
         Command::Stability(stability) => stability.run(),
+        Command::Study(study) => study.run(),
         Command::Surface(describe) => describe.run(),
         #[cfg(feature = "explore")]
         Command::View(view) => view.run(),

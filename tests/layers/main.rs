@@ -51,6 +51,7 @@ const PLACES: &[(&str, &[&str])] = &[
     ("libm", &["theory/", "contact/forecast.rs", "paper/fit.rs"]),
     ("nalgebra", &["paper/fit.rs"]),
     ("ndarray_npy", &["surface/", "contact/archive.rs"]),
+    ("parquet", &["study/parquet.rs"]),
     ("procfs", &["setup/cost.rs", "lab/"]),
     ("rand", &["surface/synthesis.rs", "lab/stability/"]),
     ("rand_distr", &["surface/synthesis.rs"]),
