@@ -5,12 +5,12 @@ use crate::contact::Load;
 use crate::error::SetupError;
 use crate::setup::{Cost, Method};
 
-/// Seconds of a transform of a line on one core, over nodes and their binary logarithm, with all that is done between two of
-/// them: of multilevel solves of rough lines of 2^12 to 2^20 nodes and surfaces of 2^16 to 2^22 on a machine of 2023.
-const SECONDS: f64 = 1.3e-9;
+/// Seconds of a transform on one core, over nodes and their binary logarithm, with all that is done between two of them. Measured,
+/// as are the numbers of transforms, on rough lines of 2^10 to 2^20 nodes and surfaces of 2^14 to 2^20.
+const SECONDS: f64 = 0.8e-9;
 
-/// What a realisation takes: seconds of one core and bytes of memory. The seconds are a model, which is the same on all machines; a
-/// single one is off by a factor of two or so either way.
+/// What a realisation takes: seconds of one core and bytes of memory. The seconds are a model, which is the same on all machines, so
+/// that all cut a study alike: those of GFMD may be off by a factor of four, the others by two.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expense {
     /// Seconds of one core.
@@ -32,14 +32,22 @@ impl Expense {
         let cost = setup.cost(false, 0)?;
         let nodes = cost.grid.len() as f64;
         let side = nodes.powf(if cost.grid.is_line() { 1.0 } else { 0.5 });
-        let transforms = |_: &Load| match setup.solver {
+        let transforms = |load: &Load| match setup.solver {
             Method::Multilevel {} => 100.0,
-            // conjugate gradients and motions take longer the finer the grid is, as the square root of the nodes along a side
-            Method::PolonskyKeer {} => 3.0 * 6.0 * side.sqrt(),
-            Method::Gfmd(_) => 2.0 * 30.0 * side.sqrt(),
+            Method::PolonskyKeer {} => 30.0 * side.powf(0.28),
+            Method::Gfmd(_) => 20.0 * side.sqrt() * lightness(load),
         };
         let seconds = SECONDS * nodes * nodes.log2() * loads.iter().map(transforms).sum::<f64>();
         // the pressure of the load before included
         Ok(Self { seconds, bytes: cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes })
     }
+}
+
+/// How much longer a motion takes under a light load than under a heavy one, where the load tells.
+fn lightness(load: &Load) -> f64 {
+    let reduced_pressure = match load {
+        Load::ReducedPressure(pressure) => pressure.clamp(1e-4, 1.0),
+        _ => 1e-2,
+    };
+    reduced_pressure.powf(-0.4)
 }

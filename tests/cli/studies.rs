@@ -170,7 +170,7 @@ fn wrong_studies_are_refused_with_line_and_value() {
         ("--shard 0/4", "is no share: give its number and how many there are"),
         ("--shard 5/4", "is no share"),
         ("--memory 3XB", "give a positive number with kB, MB, GB or TB"),
-        ("--memory 1kB", "of memory and may have 1 kB"),
+        ("--memory 1kB", "of memory and may have 1.0 kB"),
         ("--out study.npz", "study.npz"),
     ] {
         let output = folder.run(&format!("study study.toml {flags}"));
