@@ -55,7 +55,7 @@ impl<'a> Identity<'a> {
             points.iter().zip(loads).enumerate().all(|(i, (point, load))| is_under(point, i, load))
         };
         let found = points.windows(loads.len().max(1)).find(|points| !loads.is_empty() && is_it(points))?;
-        Some(found.iter().map(|point| Point::clone(point)).collect())
+        Some(found.iter().copied().cloned().collect())
     }
 
     /// Solves the realisation, and shows each point with its contact.
