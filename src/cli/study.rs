@@ -83,6 +83,7 @@ impl Study {
         let table = Table::new(self.table()?);
         plan.check()?;
         if self.fresh {
+            table.read()?; // what is no table of a study is not ours to replace
             table.clear()?;
         }
         let bar = bar(&plan, campaign.shard)?;

@@ -178,7 +178,10 @@ fn wrong_studies_are_refused_with_line_and_value() {
         assert!(text(&output.stderr).contains(expected), "{flags}: {}", text(&output.stderr));
     }
     std::fs::write(folder.join("study.csv"), "a,b\n1,2\n").unwrap();
-    assert!(refused(&folder, "study study.toml").contains("something else than the points of a study"));
+    for line in ["study study.toml", "study study.toml --fresh"] {
+        assert!(refused(&folder, line).contains("something else than the points of a study"));
+        assert_eq!(bytes(&folder, "study.csv"), b"a,b\n1,2\n");
+    }
 }
 
 #[test]
