@@ -13,10 +13,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let line = |hurst, seed| {
         Setup::new(Recipe::rough(spectrum(hurst), seed), Cell::line(1 << 14, 160e-6), Load::ReducedPressure(0.01))
     };
+    let loads = Realisation::reduced_pressures(&[0.01, 0.03, 0.1]);
     let realisation =
-        |hurst, seed| Realisation { name: "my line".into(), setup: line(hurst, seed), loads: vec![0.01, 0.03, 0.1] };
+        |hurst, seed| Realisation { name: "my line".into(), setup: line(hurst, seed), loads: loads.clone() };
     let realisations = hurst.into_iter().flat_map(|hurst| (1..=8).map(move |seed| realisation(hurst, seed))).collect();
-    let sweep = Sweep { realisations, workers: 2 };
+    let sweep = Sweep { realisations, workers: 2, memory: None };
     let table = Table::new(std::env::temp_dir().join("asperity_own_study.csv"));
     println!("{} of {} points are in {}", sweep.points_in(&table)?, sweep.points(), table.path().display());
     let points = sweep.run(&table, &|_| ())?;

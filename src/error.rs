@@ -8,8 +8,10 @@
 
 mod input;
 mod preparation;
+mod study;
 
 pub use preparation::PreparationError;
+pub use study::StudyError;
 
 use crate::quantity::bytes_in_words;
 use std::error::Error;
@@ -386,31 +388,6 @@ pub enum SetupError {
         free.map_or("more than the system grants".into(), |free| format!("and {} are free", bytes_in_words(free)))
     )]
     Memory { shape: [usize; 2], what: String, needed: f64, free: Option<f64> },
-}
-
-/// A study that cannot be made.
-#[derive(Debug, thiserror::Error)]
-pub enum StudyError {
-    #[error(transparent)]
-    Setup(#[from] SetupError),
-    #[error(transparent)]
-    Solve(#[from] SolveError),
-    #[error(transparent)]
-    File(#[from] FileError),
-    /// A load that is no pressure, on a surface that has yielded.
-    #[error(
-        "the {load} is no load of a surface that has yielded under one before: give pressures, or take the hardness away"
-    )]
-    Unload { load: &'static str },
-    /// A list of loads, grids or surfaces that is empty or out of order.
-    #[error("the {what} are {values}: give at least one, in ascending order, each once")]
-    List { what: &'static str, values: String },
-    /// A table that would be lost.
-    #[error(
-        "{} holds {points} points of other setups, loads or versions: write elsewhere, or start afresh to replace it",
-        path.display()
-    )]
-    OtherStudy { path: PathBuf, points: usize },
 }
 
 /// A file that cannot be read or written.

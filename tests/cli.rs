@@ -5,10 +5,14 @@ mod below;
 mod command;
 #[path = "cli/load_curves.rs"]
 mod load_curves;
+#[path = "cli/manners.rs"]
+mod manners;
 #[path = "cli/measured.rs"]
 mod measured;
 #[path = "cli/refine.rs"]
 mod refine;
+#[path = "cli/studies.rs"]
+mod studies;
 #[path = "cli/warnings.rs"]
 mod warnings;
 

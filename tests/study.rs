@@ -1,5 +1,8 @@
 //! Sweeps and their tables: the same numbers however they are solved, stopped and gone on with.
 
+#[path = "study/plan.rs"]
+mod plan;
+
 use asperity::Stop;
 use asperity::contact::{Dynamics, Gfmd, Load, Masses};
 use asperity::error::StudyError;
@@ -14,13 +17,13 @@ use std::sync::Mutex;
 fn line(hurst: f64, seed: u64, loads: &[f64]) -> Realisation {
     let spectrum = Spectrum { hurst, rolloff_wavelength: 0.125, short_cutoff: 0.004, rms_gradient: 1e-3 };
     let setup = Setup::new(Recipe::rough(spectrum, seed), Size::line(2048, 1.0), Load::ReducedPressure(1.0));
-    Realisation { name: "rough line".into(), setup, loads: loads.to_vec() }
+    Realisation { name: "rough line".into(), setup, loads: Realisation::reduced_pressures(loads) }
 }
 
 fn sweep(workers: usize) -> Sweep {
     let loads = [0.003, 0.004, 0.02, 0.1];
     let realisations = (1..=3).flat_map(|seed| [0.3, 0.8].map(|hurst| line(hurst, seed, &loads))).collect();
-    Sweep { realisations, workers }
+    Sweep { realisations, workers, memory: None }
 }
 
 /// The sweep with each of its setups changed.
@@ -149,8 +152,13 @@ fn rough_sphere() -> Setup {
 /// The points of one setup that a table holds for another.
 fn points_for(other: &Setup, solved: &Setup, folder: &Path) -> usize {
     let sweep = |setup: &Setup| Sweep {
-        realisations: vec![Realisation { name: "one name".into(), setup: setup.clone(), loads: vec![0.1, 0.2] }],
+        realisations: vec![Realisation {
+            name: "one name".into(),
+            setup: setup.clone(),
+            loads: Realisation::reduced_pressures(&[0.1, 0.2]),
+        }],
         workers: 1,
+        memory: None,
     };
     let table = Table::new(folder.join("x.csv"));
     sweep(solved).run(&table, &|_| ()).unwrap();

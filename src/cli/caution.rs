@@ -1,5 +1,6 @@
 //! Warnings about loads for which the numbers of a contact mean little.
 
+use super::manners::remark;
 use super::outcome::usage;
 use anyhow::Result;
 use asperity::contact::{Contact, Observables};
@@ -79,6 +80,6 @@ pub fn heed(warnings: &[String], is_strict: bool) -> Result<()> {
 /// Says why steps of the preparation were chosen, on standard error.
 pub fn note(reasons: &[String]) {
     for reason in reasons {
-        writeln!(stderr(), "chosen: {reason}").ok();
+        remark(format_args!("chosen: {reason}"));
     }
 }

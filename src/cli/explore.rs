@@ -3,14 +3,14 @@
 use super::caution::tell;
 use super::flags::{Scene, Whole};
 use super::interrupt::interrupted;
-use super::outcome::{Outcome, Usage, usage};
-use anyhow::{Result, anyhow};
-use asperity::error::{Failure, FileError};
+use super::manners::remark;
+use super::outcome::{Outcome, Usage, untold, usage};
+use anyhow::Result;
 use asperity::explore::{Explorer, Export, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, Start};
 use asperity::setup::Setup;
 use asperity::surface::HeightFile;
 use clap::{Args, ValueEnum};
-use std::io::{Write, stderr, stdout};
+use std::io::{Write, stdout};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -146,18 +146,13 @@ fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<Outcome> {
     let mut goes_on = |done: usize| {
         if shown != Some(done) {
             shown = Some(done);
-            writeln!(stderr(), "solving {} of {}", done + 1, export.runs()).ok(); // progress is no reason to fail
+            remark(format_args!("solving {} of {}", done + 1, export.runs()));
         }
         if interrupted.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     export.write(folder, &mut goes_on).map_err(untold)?;
     writeln!(stdout(), "{}: {} runs; put it on any web server", folder.display(), export.runs())?;
     Ok(Outcome::Done)
-}
-
-/// A failure with what it is, where that decides how the command ends.
-fn untold(failure: Failure) -> anyhow::Error {
-    failure.downcast::<FileError>().map_or_else(|other| anyhow!(other), |file| anyhow::Error::new(*file))
 }
 
 impl PageArgs {

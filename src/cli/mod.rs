@@ -7,6 +7,7 @@ mod certify;
 mod choice;
 #[cfg(feature = "record")]
 mod compare;
+mod completions;
 #[cfg(feature = "record")]
 mod demo;
 mod density;
@@ -21,6 +22,8 @@ mod iteration;
 mod load_curve;
 #[cfg(feature = "record")]
 mod load_recording;
+mod man;
+mod manners;
 mod nodes;
 mod outcome;
 mod output;
@@ -34,6 +37,10 @@ mod slip;
 mod solve;
 mod stability;
 mod stress;
+mod study;
+#[cfg(feature = "record")]
+mod study_row;
+mod study_table;
 mod subject;
 mod surface;
 mod survey;
@@ -42,7 +49,7 @@ mod verdict;
 mod view;
 mod wrote;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 pub use outcome::{Outcome, exit_code, remedy};
 
@@ -50,11 +57,22 @@ pub use outcome::{Outcome, exit_code, remedy};
 ///
 /// Exit codes: 0 converged, 2 bad input, 3 not converged (outputs are written all the same), 1 any other failure.
 #[derive(Parser)]
-#[command(version, max_term_width = 110)]
+#[command(version, long_version = BUILD, max_term_width = 110)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    #[command(flatten)]
+    manners: manners::Manners,
 }
+
+/// What the program is built from.
+const BUILD: &str = concat!(
+    env!("CARGO_PKG_VERSION"),
+    "\ncommit: ",
+    env!("ASPERITY_COMMIT"),
+    "\nfeatures: ",
+    env!("ASPERITY_FEATURES")
+);
 
 #[derive(Subcommand)]
 enum Command {
@@ -74,6 +92,8 @@ enum Command {
     /// apart, and each recording as it was in a tab of its own.
     #[cfg(feature = "record")]
     Compare(compare::Compare),
+    /// Write what a shell needs to complete commands and flags
+    Completions(completions::Completions),
     /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
     #[cfg(feature = "record")]
     Demo(demo::Demo),
@@ -84,6 +104,14 @@ enum Command {
     ///
     /// Every step is certified and recorded like those of our own solvers, and compared with the solution.
     Inspect(Box<inspect::Inspect>),
+    /// Write the manual
+    ///
+    /// All pages come one after the other on standard output, or one for each command in a new folder.
+    Man(man::Man),
+    /// Put the tables of the shares of a study together
+    ///
+    /// The tables must hold each row of the study once, and no others. What comes out is that of one machine to the last bit.
+    Merge(study::Merge),
     /// Make the tables and figures of van Dokkum et al. (2018) again
     ///
     /// The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018). Each figure comes as a CSV of every
@@ -96,6 +124,11 @@ enum Command {
     Solve(Box<solve::Solve>),
     /// Solve stiff and extreme cases and check the results
     Stability(stability::Stability),
+    /// Solve a study: a scene with lists in it, on one machine or on many
+    ///
+    /// Each choice from the lists is a realisation, which is solved under all loads one after the other. Started again after it was killed, a study goes
+    /// on where it was. The numbers are the same to the last bit on any number of threads and however the study is cut into shares.
+    Study(Box<study::Study>),
     /// Make a surface, or describe one
     Surface(Box<surface::Describe>),
     /// Open a recording in the browser, or several over each other
@@ -106,20 +139,26 @@ enum Command {
 
 /// Parses the command line and runs the command.
 pub fn run() -> anyhow::Result<Outcome> {
-    match Cli::parse().command {
+    let Cli { command, manners } = Cli::parse();
+    manners.keep()?;
+    match command {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),
         Command::Certify(certify) => certify.run(),
         #[cfg(feature = "record")]
         Command::Compare(compare) => compare.run(),
+        Command::Completions(completions) => completions.run(Cli::command()),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
         #[cfg(feature = "explore")]
         Command::Explore(explore) => explore.run(),
         Command::Inspect(inspect) => inspect.run(),
+        Command::Man(man) => man.run(Cli::command()),
+        Command::Merge(merge) => merge.run(),
         Command::Paper(paper) => paper.run(),
         Command::Solve(solve) => solve.run(),
         Command::Stability(stability) => stability.run(),
+        Command::Study(study) => study.run(),
         Command::Surface(describe) => describe.run(),
         #[cfg(feature = "explore")]
         Command::View(view) => view.run(),
@@ -129,7 +168,6 @@ pub fn run() -> anyhow::Result<Outcome> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn every_command_has_examples_that_are_understood() {

@@ -1,10 +1,10 @@
 //! How commands end.
 
-use anyhow::Result;
+use anyhow::{Result, anyhow};
 use asperity::contact::Contact;
 use asperity::error::{
-    ClaimError, FileError, GridError, ProblemError, SettingError, SetupError, SlipError, SolidError, SolveError,
-    StepsError, StudyError, SurfaceError,
+    ClaimError, Failure, FileError, GridError, ProblemError, SettingError, SetupError, SlipError, SolidError,
+    SolveError, StepsError, StudyError, SurfaceError,
 };
 use std::io::{Write, stderr};
 use std::process::ExitCode;
@@ -37,6 +37,11 @@ pub fn settle(contact: &Contact) -> Result<Outcome> {
             Ok(Outcome::NotConverged)
         }
     }
+}
+
+/// A failure with what it is, where that decides how the command ends.
+pub fn untold(failure: Failure) -> anyhow::Error {
+    failure.downcast::<FileError>().map_or_else(|other| anyhow!(other), |file| anyhow::Error::new(*file))
 }
 
 /// Options that do not go together, in one sentence.

@@ -1,5 +1,6 @@
 //! A progress bar for people at a terminal.
 
+use super::manners::is_quiet;
 use asperity::contact::{Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
@@ -32,9 +33,10 @@ pub fn bar(title: &str) -> Box<dyn Observer> {
     Box::new(Progress::new(title))
 }
 
-/// A bar without a length on standard error, if that is a terminal.
+/// A bar without a length on standard error, if that is a terminal and something may be said.
 pub fn blank(template: &str) -> ProgressBar {
-    let bar = if std::io::stderr().is_terminal() { ProgressBar::no_length() } else { ProgressBar::hidden() };
+    let is_shown = std::io::stderr().is_terminal() && !is_quiet();
+    let bar = if is_shown { ProgressBar::no_length() } else { ProgressBar::hidden() };
     match ProgressStyle::with_template(template) {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,

@@ -1,11 +1,11 @@
 //! The last words of a command: the files that it wrote, and how each is opened.
 
-use std::io::{Write, stderr};
+use super::manners::remark;
 use std::path::Path;
 
 /// Says on standard error that a file was written, and how it is opened.
 pub fn wrote(path: &Path) {
-    writeln!(stderr(), "wrote {}: {}", path.display(), opened(path)).ok();
+    remark(format_args!("wrote {}: {}", path.display(), opened(path)));
 }
 
 /// The way to open a file by its ending.

@@ -17,6 +17,9 @@ pub struct Observable {
     pub symbol: &'static str,
     /// The unit: `length`, `pressure`, their product `pressure length` or quotient `pressure/length`, or `1` for a pure number.
     pub unit: &'static str,
+    /// Whether it is a whole number.
+    #[serde(skip)]
+    pub is_whole: bool,
     /// Whether the number is drawn step by step: it changes while a contact is solved, and a step knows it.
     pub is_traced: bool,
     /// One sentence.
@@ -82,6 +85,7 @@ macro_rules! observables {
             name: stringify!($name),
             symbol: $symbol,
             unit: $unit,
+            is_whole: !matches!(stringify!($type).as_bytes(), b"f64"),
             is_traced: $is_traced,
             sentence: $sentence,
             value: |state| {
@@ -100,6 +104,11 @@ macro_rules! observables {
                         of(&state)
                     },)+
                 }
+            }
+
+            /// The numbers, in the order of [`OBSERVABLES`].
+            pub fn numbers(&self) -> [f64; OBSERVABLES.len()] {
+                [$(self.$name as f64,)+]
             }
         }
     };

@@ -21,6 +21,20 @@ pub enum Status {
     ObserverFailed,
 }
 
+impl Status {
+    /// The name of the status in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::IterationCap => "iteration-cap",
+            Self::Stalled => "stalled",
+            Self::Ended => "ended",
+            Self::StoppedByObserver => "stopped-by-observer",
+            Self::ObserverFailed => "observer-failed",
+        }
+    }
+}
+
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

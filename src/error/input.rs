@@ -59,7 +59,7 @@ impl StudyError {
     /// Whether another study would do.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::Setup(error) => error.is_input(),
+            Self::Setup(error) | Self::Row { source: error, .. } => error.is_input(),
             Self::Solve(error) => error.is_input(),
             Self::File(error) => error.is_input(),
             _ => true,

@@ -156,7 +156,7 @@ impl Paper {
         }
         let fit = available_bytes().map_or(1.0, |free| MEMORY * free / bytes);
         let workers = self.workers.unwrap_or((fit as usize).clamp(1, rayon::current_num_threads()));
-        Ok(Sweep { realisations, workers })
+        Ok(Sweep { realisations, workers, memory: None })
     }
 
     /// Realisations of an item, solved to its certificate.

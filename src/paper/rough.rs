@@ -69,7 +69,7 @@ impl Rough {
                 all.extend(self.seeds_on(grid).iter().map(|&seed| Realisation {
                     name: name.into(),
                     setup: Setup::new(Recipe::rough(spectrum, seed), cell(points), Load::ReducedPressure(heaviest)),
-                    loads: self.loads.clone(),
+                    loads: Realisation::reduced_pressures(&self.loads),
                 }));
             }
         }

@@ -19,7 +19,11 @@ pub const PERIOD: f64 = 4.0;
 /// An indenter under rising reduced pressures.
 pub fn realisation(name: &str, indenter: Indenter, cell: Cell, loads: Vec<f64>) -> Realisation {
     let heaviest = Load::ReducedPressure(loads.last().copied().unwrap_or(f64::NAN));
-    Realisation { name: name.into(), setup: Setup::new(Recipe::indenter(indenter), cell, heaviest), loads }
+    Realisation {
+        name: name.into(),
+        setup: Setup::new(Recipe::indenter(indenter), cell, heaviest),
+        loads: Realisation::reduced_pressures(&loads),
+    }
 }
 
 /// A cylinder on a line of `points`, loaded to the contact half-widths `widths`, over the period.

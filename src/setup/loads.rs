@@ -5,6 +5,9 @@ use crate::contact::Load;
 use crate::error::{ProblemError, SetupError};
 use serde::Deserialize;
 
+/// Loads of a range at the most.
+const MOST_LOADS: u32 = 100_000;
+
 impl Table {
     /// Takes a list of loads out of the section `load` and leaves the first of them there; none where there is a single load or
     /// none. A list such as `[1e5, "1 MPa"]` holds loads, and ranges such as `"1e-3..1e-1:13"`, of 13 loads that are evenly
@@ -60,6 +63,10 @@ fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
     };
     let (last, count) = rest.rsplit_once(':').ok_or_else(wrong)?;
     let count: u32 = count.trim().parse().ok().filter(|count| *count > 1).ok_or_else(wrong)?;
+    if count > MOST_LOADS {
+        let text = word.as_str().unwrap_or_default();
+        return Err(wrong_load(format!("`{text}` holds too many loads: give at most {MOST_LOADS}")));
+    }
     let end = |end: &str| if end.is_empty() { Err(wrong()) } else { load(kind, super::command::value(end)) };
     let (first, last) = (end(first.trim())?, end(last.trim())?);
     let ratio = last.value() / first.value();

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! A scene may hold a list of loads, `load.reduced-pressure = [1e-3, 1e-2]` or `"1e-3..1e-1:13"`: [`Table::take_loads`] takes it out
-//! for [`crate::study::LoadCurve`], and what is left is a setup under the first one.
+//! for [`crate::study::LoadCurve`], and what is left is a setup under the first one. [`Table::take_axes`] takes all other lists out, for
+//! [`crate::study::Plan`].
 //!
 //! A setup is read from TOML, or from JSON with the feature `units`. Lengths and pressures are numbers in any consistent set of
 //! units or, with that feature, texts such as `"160 um"` and `"1 GPa"`, which become metres and pascals. A setup that is written
@@ -31,12 +32,14 @@
 //! ```
 
 mod auto;
+mod axis;
 mod caution;
 mod cell;
 mod chosen;
 mod command;
 mod cost;
 mod flag;
+mod line;
 mod loads;
 mod method;
 mod one_or_more;
@@ -48,6 +51,7 @@ mod theme;
 mod words;
 
 pub use auto::Auto;
+pub use axis::{Axis, Scalar};
 pub use cell::{Boundary, Cell};
 pub use command::{command, lay};
 pub use cost::{Cost, available_bytes};

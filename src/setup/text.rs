@@ -46,10 +46,11 @@ impl Table {
     /// [`FileError::Read`] for one that cannot be read, [`SetupError::Text`] for one that holds no setup.
     pub fn read(path: &Path) -> Result<Self, SetupError> {
         match read_text(path, "setup") {
-            Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| at(path, error))?.with_heights_of(path)),
+            Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| error.in_file(path))?.with_heights_of(path)),
             Ok(None) => Self::read_scene(path),
             Err(FileError::Format { reason, .. }) => {
-                Err(at(path, SetupError::Text { place: String::new(), reason: format!("no setup is in it: {reason}") }))
+                let reason = format!("no setup is in it: {reason}");
+                Err(SetupError::Text { place: String::new(), reason }.in_file(path))
             }
             Err(error) => Err(error.into()),
         }
@@ -62,10 +63,17 @@ impl Table {
             true => Self::from_json(&text),
             _ => Self::from_toml(&text),
         };
-        let mut table = table.map_err(|error| at(path, error))?;
+        let mut table = table.map_err(|error| error.in_file(path))?;
         for key in ["height", "against"] {
-            if let Some(toml::Value::String(file)) = table.0.get_mut("surface").and_then(|it| it.get_mut(key)) {
-                *file = path.with_file_name(&*file).to_string_lossy().into_owned();
+            let files = table.0.get_mut("surface").and_then(|it| it.get_mut(key));
+            let files = files.map_or(&mut [][..], |it| match it {
+                toml::Value::Array(files) => files,
+                one => std::slice::from_mut(one),
+            });
+            for file in files {
+                if let toml::Value::String(file) = file {
+                    *file = path.with_file_name(&*file).to_string_lossy().into_owned();
+                }
             }
         }
         Ok(table)
@@ -120,6 +128,11 @@ impl Table {
                 table.and_then(|table| table.remove(last))
             }
         };
+    }
+
+    /// The sections with what is in them, by their names.
+    pub(super) fn sections(&self) -> impl Iterator<Item = (&String, &toml::Value)> {
+        self.0.iter()
     }
 
     /// The value at a path of keys.
@@ -205,16 +218,6 @@ pub(super) fn wrong_load(reason: String) -> SetupError {
 fn keys(text: &str) -> String {
     let keys = text.lines().find_map(|line| line.trim().strip_prefix("in `")?.strip_suffix('`'));
     keys.unwrap_or_default().into()
-}
-
-/// The error with the file in front.
-fn at(path: &Path, error: SetupError) -> SetupError {
-    match error {
-        SetupError::Text { place, reason } => {
-            SetupError::Text { place: format!("{}: {place}", path.display()), reason }
-        }
-        other => other,
-    }
 }
 
 fn one_line(message: &str) -> String {

@@ -64,7 +64,7 @@ fn words<'a>(table: &Table, flags: impl Iterator<Item = &'a Flag>) -> String {
 }
 
 /// A value as people write it.
-fn plain(value: &toml::Value) -> String {
+pub(super) fn plain(value: &toml::Value) -> String {
     match value {
         toml::Value::String(text) => text.clone(),
         toml::Value::Float(number) if number.abs() >= 1e5 => format!("{number:e}"),

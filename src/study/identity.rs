@@ -2,8 +2,9 @@
 
 use super::point::Point;
 use super::realisation::Realisation;
-use crate::contact::{Contact, Observables};
+use crate::contact::{Contact, Load, Observables};
 use crate::error::StudyError;
+use crate::setup::fnv1a;
 
 /// Version of the program.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -11,8 +12,16 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// The identity of a realisation: by its name, its setup and the version of the program, tables know its points.
 pub(super) struct Identity<'a> {
     realisation: &'a Realisation,
-    /// Fingerprint of the setup.
+    /// Fingerprint of the setup, and of its loads where they are no reduced pressures, which points do not tell.
     setup: String,
+}
+
+/// What the points of a realisation share: its name, the fingerprint of its setup and the version of the program.
+pub(super) type Key = [String; 3];
+
+/// What the realisation of a point is known by.
+pub(super) fn key_of(point: &Point) -> Key {
+    [&point.name, &point.setup, &point.version].map(String::clone)
 }
 
 impl<'a> Identity<'a> {
@@ -21,24 +30,32 @@ impl<'a> Identity<'a> {
     /// # Errors
     /// For a height file that cannot be read.
     pub fn of(realisation: &'a Realisation) -> Result<Self, StudyError> {
-        Ok(Self { realisation, setup: realisation.setup.fingerprint()? })
+        let setup = realisation.setup.fingerprint()?;
+        let is_told = realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
+        let with_loads =
+            || format!("{:016x}", fnv1a([setup.as_bytes(), format!("{:?}", realisation.loads).as_bytes()]));
+        Ok(Self { realisation, setup: if is_told { setup } else { with_loads() } })
     }
 
-    /// Whether a point is one of the realisation.
+    /// What the realisation is known by.
+    pub fn key(&self) -> Key {
+        [self.realisation.name.clone(), self.setup.clone(), VERSION.into()]
+    }
+
+    /// Whether a point with the key of the realisation is under one of its loads.
     pub fn includes(&self, point: &Point) -> bool {
-        let Realisation { name, loads, .. } = self.realisation;
-        (name, &self.setup, VERSION) == (&point.name, &point.setup, &point.version)
-            && loads.contains(&point.observables.reduced_pressure)
+        let mut loads = self.realisation.loads.iter().enumerate();
+        loads.any(|(number, load)| is_under(point, number, load))
     }
 
-    /// The points of the realisation among those of a table, if they are all there, one after the other.
-    pub fn find(&self, points: &[Point]) -> Option<Vec<Point>> {
+    /// The points of the realisation among those with its key, if they are all there, one after the other.
+    pub fn find(&self, points: &[&Point]) -> Option<Vec<Point>> {
         let loads = &self.realisation.loads;
-        let is_it = |points: &&[Point]| {
-            let found = points.iter().map(|point| point.observables.reduced_pressure);
-            found.eq(loads.iter().copied()) && points.iter().all(|point| self.includes(point))
+        let is_it = |points: &&[&Point]| {
+            points.iter().zip(loads).enumerate().all(|(i, (point, load))| is_under(point, i, load))
         };
-        points.windows(loads.len().max(1)).find(is_it).map(<[Point]>::to_vec)
+        let found = points.windows(loads.len().max(1)).find(|points| !loads.is_empty() && is_it(points))?;
+        Some(found.iter().copied().cloned().collect())
     }
 
     /// Solves the realisation, and shows each point with its contact.
@@ -77,5 +94,13 @@ impl<'a> Identity<'a> {
             observables: Observables::of(contact),
             seconds: contact.work.seconds,
         }
+    }
+}
+
+/// Whether a point is under a load, which is that of some number, from 0, where the point does not tell its value.
+fn is_under(point: &Point, number: usize, load: &Load) -> bool {
+    match load {
+        Load::ReducedPressure(value) => point.observables.reduced_pressure == *value,
+        _ => point.load == number + 1,
     }
 }

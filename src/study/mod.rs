@@ -4,26 +4,43 @@
 //! LoadCurve { setup, loads } --> Contacts
 //! Refinement { setup, tolerance } --> Settled { setup, contact }
 //! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Estimate, Limit
+//! Plan, a setup with lists --> Realisations, in one Sweep or in Shards on many machines --> Table, columns, Parquet, figure
 //! ```
 
+mod campaign;
+mod column;
+#[cfg(feature = "figures")]
+mod drawing;
 mod estimate;
+mod expense;
 mod flattened;
 mod identity;
+mod known;
 mod limit;
 mod load_curve;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod plan;
 mod point;
+mod queue;
 mod realisation;
 mod refinement;
+mod shard;
 mod spread;
 mod sweep;
 mod table;
 
+pub use campaign::Campaign;
+pub use column::{Column, Values};
 pub use estimate::Estimate;
+pub use expense::Expense;
 pub use limit::{GridValues, Limit};
 pub use load_curve::LoadCurve;
+pub use plan::{Plan, Row};
 pub use point::Point;
 pub use realisation::Realisation;
 pub use refinement::{Refinement, Settled};
+pub use shard::Shard;
 pub use spread::Spread;
 pub use sweep::Sweep;
 pub use table::Table;

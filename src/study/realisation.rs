@@ -13,8 +13,8 @@ pub struct Realisation {
     pub name: String,
     /// The contact, but for its load.
     pub setup: Setup,
-    /// Reduced pressures `p* = <p>/(gbar E*)` instead of its load, each but the first started from the contact before.
-    pub loads: Vec<f64>,
+    /// Loads instead of its own, each but the first started from the contact before.
+    pub loads: Vec<Load>,
 }
 
 impl Realisation {
@@ -24,8 +24,7 @@ impl Realisation {
     /// For surfaces and loads that cannot be, and those of `each`. What did not converge is shown all the same.
     pub fn press<E: From<StudyError>>(&self, mut each: impl FnMut(&Contact) -> Result<(), E>) -> Result<(), E> {
         let Some(&first) = self.loads.first() else { return Ok(()) };
-        let loads = self.loads.iter().copied().map(Load::ReducedPressure).collect();
-        let curve = LoadCurve { setup: self.under(first), loads };
+        let curve = LoadCurve { setup: self.under(first), loads: self.loads.clone() };
         let problem = curve.setup.problem().map_err(StudyError::from)?;
         curve.press(&problem, |_| (), |_, contact| each(contact))
     }
@@ -35,15 +34,21 @@ impl Realisation {
     /// # Errors
     /// The errors of [`Setup::check`], and for a load that is not positive.
     pub fn check(&self) -> Result<Grid, SetupError> {
-        let is_wrong = |load: &&f64| !(load.is_finite() && **load > 0.0);
-        match self.loads.iter().find(is_wrong) {
-            Some(&value) => Err(ProblemError::NotPositive { name: "reduced pressure", value }.into()),
-            None => self.under(1.0).check(),
+        let is_wrong = |load: &&Load| !(load.value().is_finite() && load.value() > 0.0);
+        match (self.loads.iter().find(is_wrong), self.loads.first()) {
+            (Some(load), _) => Err(ProblemError::NotPositive { name: load.name(), value: load.value() }.into()),
+            (_, Some(&first)) => self.under(first).check(),
+            (_, None) => self.setup.check(),
         }
     }
 
-    /// The setup under a reduced pressure.
-    pub fn under(&self, reduced_pressure: f64) -> Setup {
-        Setup { load: Load::ReducedPressure(reduced_pressure), ..self.setup.clone() }
+    /// The setup under a load.
+    pub fn under(&self, load: Load) -> Setup {
+        Setup { load, ..self.setup.clone() }
+    }
+
+    /// Loads that are reduced pressures `p* = <p>/(gbar E*)`.
+    pub fn reduced_pressures(values: &[f64]) -> Vec<Load> {
+        values.iter().copied().map(Load::ReducedPressure).collect()
     }
 }

@@ -1,13 +1,15 @@
 //! Surfaces under rising loads, several at a time.
 
+use super::expense::Expense;
 use super::identity::Identity;
+use super::known::Known;
 use super::point::Point;
+use super::queue::Queue;
 use super::realisation::Realisation;
 use super::table::Table;
 use crate::contact::Contact;
 use crate::error::StudyError;
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// Realisations, each solved under its loads, every load started from the contact of the one before.
@@ -23,9 +25,9 @@ use std::sync::{Mutex, PoisonError};
 ///
 /// let recipe = Recipe::indenter(Indenter::Cylinder { radius: 1.0 });
 /// let setup = Setup::new(recipe, Cell::line(8192, 4.0), Load::ReducedPressure(1e-3));
-/// let cylinder = Realisation { name: "cylinder".into(), setup, loads: vec![1e-3, 2e-3] };
+/// let cylinder = Realisation { name: "cylinder".into(), setup, loads: Realisation::reduced_pressures(&[1e-3, 2e-3]) };
 /// let folder = tempfile::tempdir()?;
-/// let sweep = Sweep { realisations: vec![cylinder], workers: 1 };
+/// let sweep = Sweep { realisations: vec![cylinder], workers: 1, memory: None };
 /// let points = sweep.run(&Table::new(folder.path().join("cylinder.csv")), &|_| ())?;
 /// assert!((points[1].observables.kappa_r_resolved / 1.47 - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -36,6 +38,8 @@ pub struct Sweep {
     pub realisations: Vec<Realisation>,
     /// Realisations solved at a time, each in its thread.
     pub workers: usize,
+    /// Bytes that these may take together, if that is bounded; one that needs more is solved alone.
+    pub memory: Option<f64>,
 }
 
 impl Sweep {
@@ -46,16 +50,31 @@ impl Sweep {
     /// For surfaces and loads that cannot be, files that cannot be read or written, and a table of another study, which would
     /// be lost.
     pub fn run(&self, table: &Table, watch: &(dyn Fn(&Point) + Sync)) -> Result<Vec<Point>, StudyError> {
-        self.check()?;
-        let identities = self.identities()?;
-        let there = self.there(&identities, table)?;
-        let known = identities.iter().map(|identity| identity.find(&there)).collect();
-        let solved = self.solve(&identities, known, table, watch)?;
-        let points: Vec<Point> = solved.into_iter().flatten().collect();
-        if points != there {
+        let (points, is_new) = self.solved(table, watch)?;
+        if is_new {
             table.finish(&points)?;
         }
         Ok(points)
+    }
+
+    /// Solves what `table` does not hold yet, and returns all points, realisation by realisation, and whether the table is to
+    /// be written anew with them.
+    ///
+    /// # Errors
+    /// The errors of [`Sweep::run`].
+    pub(super) fn solved(
+        &self,
+        table: &Table,
+        watch: &(dyn Fn(&Point) + Sync),
+    ) -> Result<(Vec<Point>, bool), StudyError> {
+        self.check()?;
+        let identities = self.identities()?;
+        let there = Self::there(&identities, table)?;
+        let known = Known::of(&there).find_all(&identities);
+        let solved = self.solve(&identities, known, table, watch)?;
+        let points: Vec<Point> = solved.into_iter().flatten().collect();
+        let is_new = points != there;
+        Ok((points, is_new))
     }
 
     /// Refuses surfaces and loads that cannot be, before anything is solved.
@@ -80,7 +99,7 @@ impl Sweep {
     /// # Errors
     /// [`StudyError::OtherStudy`] for one with points of another study, [`StudyError::File`] for one that cannot be read.
     pub fn check_table(&self, table: &Table) -> Result<(), StudyError> {
-        self.there(&self.identities()?, table).map(drop)
+        Self::there(&self.identities()?, table).map(drop)
     }
 
     /// How many points of the sweep `table` holds.
@@ -89,7 +108,7 @@ impl Sweep {
     /// The errors of [`Table::read`], and for a height file that cannot be read.
     pub fn points_in(&self, table: &Table) -> Result<usize, StudyError> {
         let there = table.read()?;
-        Ok(self.identities()?.iter().filter_map(|identity| identity.find(&there)).map(|points| points.len()).sum())
+        Ok(Known::of(&there).find_all(&self.identities()?).iter().flatten().map(Vec::len).sum())
     }
 
     /// The identities of the realisations.
@@ -98,10 +117,9 @@ impl Sweep {
     }
 
     /// The points of `table`, if all belong to the sweep.
-    fn there(&self, identities: &[Identity<'_>], table: &Table) -> Result<Vec<Point>, StudyError> {
+    fn there(identities: &[Identity<'_>], table: &Table) -> Result<Vec<Point>, StudyError> {
         let there = table.read()?;
-        let is_other = |point: &&Point| !identities.iter().any(|identity| identity.includes(point));
-        match there.iter().filter(is_other).count() {
+        match Known::of(&there).foreign(identities) {
             0 => Ok(there),
             points => Err(StudyError::OtherStudy { path: table.path().into(), points }),
         }
@@ -159,25 +177,22 @@ impl Sweep {
         })
     }
 
-    /// Does a task for each realisation, by its number, `workers` at a time, first come first served; the results are in order.
-    /// After a failure none is begun.
+    /// Does a task for each realisation, by its number, `workers` at a time as far as memory goes, those with the most work first;
+    /// the results are in order. After a failure none is begun.
     fn in_parallel<T: Send>(&self, task: impl Fn(usize) -> Result<T, StudyError> + Sync) -> Result<Vec<T>, StudyError> {
-        let (next, failed) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let expenses = self.realisations.iter().map(Expense::of).collect::<Result<Vec<_>, _>>()?;
+        let tasks: Vec<(f64, f64)> = expenses.iter().map(|it| (it.seconds, it.bytes)).collect();
+        let queue = Queue::new(&tasks, self.memory.unwrap_or(f64::INFINITY));
         let done: Mutex<BTreeMap<usize, T>> = Mutex::default();
         let work = || -> Result<(), StudyError> {
-            while !failed.load(Ordering::Relaxed) {
-                let i = next.fetch_add(1, Ordering::Relaxed);
-                if i >= self.realisations.len() {
-                    break;
-                }
-                let result = task(i)?;
-                done.lock().unwrap_or_else(PoisonError::into_inner).insert(i, result);
+            while let Some(taken) = queue.take() {
+                let result = task(taken.number).inspect_err(|_| queue.close())?;
+                done.lock().unwrap_or_else(PoisonError::into_inner).insert(taken.number, result);
             }
             Ok(())
         };
-        let guarded = || work().inspect_err(|_| failed.store(true, Ordering::Relaxed));
         std::thread::scope(|scope| {
-            let workers: Vec<_> = (0..self.workers.max(1)).map(|_| scope.spawn(guarded)).collect();
+            let workers: Vec<_> = (0..self.workers.max(1)).map(|_| scope.spawn(work)).collect();
             workers
                 .into_iter()
                 .try_for_each(|worker| worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))

@@ -94,6 +94,14 @@ impl Table {
     /// [`FileError::Target`] or [`FileError::Write`].
     pub fn finish(&self, points: &[Point]) -> Result<(), FileError> {
         write_csv(&self.path, points.iter().map(|point| (point, point.observables)))?;
+        self.settle(points)
+    }
+
+    /// Writes the seconds of the points of the finished table, and removes the unfinished one.
+    ///
+    /// # Errors
+    /// [`FileError::Target`] or [`FileError::Write`].
+    pub(super) fn settle(&self, points: &[Point]) -> Result<(), FileError> {
         write_csv(&self.seconds_path(), points.iter().map(Seconds::of))?;
         remove(self.unfinished_path())
     }

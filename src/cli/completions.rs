@@ -1,0 +1,30 @@
+//! `asperity completions`: what a shell needs to complete commands and flags.
+
+use super::outcome::Outcome;
+use anyhow::Result;
+use clap::{Args, Command};
+use clap_complete::{Shell, generate};
+use std::io::{Write, stdout};
+
+const EXAMPLES: &str = "\
+Examples:
+  asperity completions bash > ~/.local/share/bash-completion/completions/asperity
+  asperity completions zsh > ~/.zfunc/_asperity
+  asperity completions fish > ~/.config/fish/completions/asperity.fish";
+
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Completions {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    shell: Shell,
+}
+
+impl Completions {
+    pub fn run(&self, mut command: Command) -> Result<Outcome> {
+        let mut script = Vec::new();
+        generate(self.shell, &mut command, "asperity", &mut script);
+        stdout().write_all(&script)?;
+        Ok(Outcome::Done)
+    }
+}

@@ -1,0 +1,48 @@
+//! `asperity man`: the manual.
+
+use super::outcome::{Outcome, untold};
+use super::wrote::wrote;
+use anyhow::Result;
+use asperity::files::fill_folder;
+use clap::{Args, Command};
+use clap_mangen::{Man as Page, generate_to};
+use std::io::{Write, stdout};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  asperity man | man -l -
+  asperity man --out man1";
+
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Man {
+    /// New folder for one page per command, instead of all pages on standard output
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+impl Man {
+    pub fn run(&self, command: Command) -> Result<Outcome> {
+        match &self.out {
+            Some(folder) => {
+                let filled = fill_folder(folder, |draft| Ok(generate_to(command, draft)?));
+                filled.map_err(untold)?;
+                wrote(folder);
+            }
+            None => stdout().write_all(&pages(command)?)?,
+        }
+        Ok(Outcome::Done)
+    }
+}
+
+/// The pages of all commands, one after the other.
+fn pages(command: Command) -> Result<Vec<u8>> {
+    let mut command = command.disable_help_subcommand(true);
+    command.build();
+    let mut pages = Vec::new();
+    for command in std::iter::once(&command).chain(command.get_subcommands()) {
+        Page::new(command.clone()).render(&mut pages)?;
+    }
+    Ok(pages)
+}

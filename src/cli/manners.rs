@@ -1,0 +1,57 @@
+//! What all commands share: how much they say, and how many threads they take.
+
+use super::outcome::usage;
+use anyhow::Result;
+use clap::Args;
+use rayon::ThreadPoolBuilder;
+use std::fmt::Display;
+use std::io::{Write, stderr};
+use std::num::NonZeroUsize;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Threads at the most: more than any machine has, fewer than a system refuses.
+const MOST_THREADS: usize = 1024;
+
+/// Whether only results, warnings and errors are said. It holds for the whole process, as a bar is drawn from any depth.
+static IS_QUIET: AtomicBool = AtomicBool::new(false);
+
+#[derive(Args)]
+#[command(next_help_heading = "All commands")]
+pub struct Manners {
+    /// Show no progress and say no remarks, only results, warnings and errors
+    #[arg(long, short, global = true)]
+    quiet: bool,
+    /// Threads that solve; the numbers are the same with any [default: as many as the machine has]
+    #[arg(long, value_name = "N", global = true, value_parser = threads)]
+    threads: Option<NonZeroUsize>,
+}
+
+impl Manners {
+    /// Keeps them from now on.
+    pub fn keep(&self) -> Result<()> {
+        IS_QUIET.store(self.quiet, Ordering::Relaxed);
+        let Some(threads) = self.threads else { return Ok(()) };
+        match ThreadPoolBuilder::new().num_threads(threads.get()).build_global() {
+            Ok(()) => Ok(()),
+            Err(error) => usage(format!("{threads} threads cannot be started, give fewer: {error}")),
+        }
+    }
+}
+
+/// Whether only results, warnings and errors are said.
+pub fn is_quiet() -> bool {
+    IS_QUIET.load(Ordering::Relaxed)
+}
+
+/// Says something on standard error that one can do without.
+pub fn remark(words: impl Display) {
+    if !is_quiet() {
+        writeln!(stderr(), "{words}").ok();
+    }
+}
+
+/// A number of threads that can be started.
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let threads = text.parse().ok().filter(|threads: &NonZeroUsize| threads.get() <= MOST_THREADS);
+    threads.ok_or_else(|| format!("give a whole number from 1 to {MOST_THREADS}"))
+}

@@ -1,0 +1,203 @@
+//! `asperity study`: a setup with lists, solved row by row on one machine or on many.
+
+use super::choice::{bytes, count};
+use super::outcome::{Outcome, Usage, usage};
+use super::progress::blank;
+#[cfg(feature = "record")]
+use super::study_row;
+use super::study_table::{write_expenses, write_means};
+use super::wrote::wrote;
+use anyhow::Result;
+use asperity::files::{check_named, check_target};
+use asperity::plot::{write_png, write_svg};
+use asperity::setup::available_bytes;
+use asperity::study::{Campaign, Plan, Point, Shard, Table};
+use clap::Args;
+use indicatif::ProgressBar;
+use std::io::stdout;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// The share of the free memory that a study may fill.
+const MEMORY: f64 = 0.8;
+
+const EXAMPLES: &str = "\
+A study is a scene in which any value may be a list, and a seed a range such as \"1-100\":
+
+  surface = { spectrum = { hurst = [0.2, 0.5, 0.8], rolloff-wavelength = 20e-6, short-cutoff = 1e-6, rms-gradient = 0.1 }, seed = \"1-20\" }
+  grid = { points = [[2048], [4096]], size = 160e-6 }
+  load = { reduced-pressure = \"1e-3..1e-1:5\" }
+
+Examples:
+  asperity study study.toml
+  asperity study study.toml --shard 3/100
+  asperity study study.toml --record-row 7 --record row.rrd";
+
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Study {
+    /// The study
+    #[arg(value_name = "STUDY.toml")]
+    study: PathBuf,
+    /// Table of all rows; beside it come NAME.parquet, NAME.svg and NAME.png [default: that of the study, in this folder]
+    #[arg(long, value_name = "FILE.csv")]
+    out: Option<PathBuf>,
+    /// Solve one of several shares into a table of its own, such as NAME.3-of-100.csv
+    #[arg(long, value_name = "N/COUNT")]
+    shard: Option<Shard>,
+    /// Realisations solved at a time [default: as many as there are threads]
+    #[arg(long, value_name = "N", value_parser = count)]
+    workers: Option<NonZeroUsize>,
+    /// Memory that they may take together, such as 8GB [default: four fifths of what is free]
+    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    memory: Option<f64>,
+    /// Solve all rows again, and replace those that are there
+    #[arg(long)]
+    fresh: bool,
+    /// Say how many rows there are and what they take in time and memory, and solve none
+    #[arg(long)]
+    dry_run: bool,
+    /// Record the steps of one row, by its number, instead of solving the study
+    #[cfg(feature = "record")]
+    #[arg(long, value_name = "ROW", requires = "record", conflicts_with_all = ["shard", "out", "dry_run", "fresh"])]
+    record_row: Option<usize>,
+    /// The recording of that row
+    #[cfg(feature = "record")]
+    #[arg(long, value_name = "FILE.rrd", requires = "record_row")]
+    record: Option<PathBuf>,
+}
+
+impl Study {
+    pub fn run(&self) -> Result<Outcome> {
+        let plan = Plan::read(&self.study)?;
+        #[cfg(feature = "record")]
+        if let (Some(row), Some(path)) = (self.record_row, &self.record) {
+            return study_row::record(&plan, row, path);
+        }
+        let campaign = self.campaign();
+        if self.dry_run {
+            write_expenses(&plan, &campaign, &mut stdout())?;
+            return Ok(Outcome::Done);
+        }
+        let table = Table::new(self.table()?);
+        plan.check()?;
+        if self.fresh {
+            table.read()?; // what is no table of a study is not ours to replace
+            table.clear()?;
+        }
+        let bar = bar(&plan, campaign.shard)?;
+        let points = plan.run(&campaign, &table, &|_| bar.inc(1))?;
+        bar.finish_and_clear();
+        if campaign.shard == Shard::WHOLE {
+            write_all(&plan, table.path(), &points)?;
+        }
+        wrote(table.path());
+        settled(&points)
+    }
+
+    /// How the study is solved.
+    fn campaign(&self) -> Campaign {
+        Campaign {
+            shard: self.shard.unwrap_or(Shard::WHOLE),
+            workers: self.workers.map_or_else(rayon::current_num_threads, NonZeroUsize::get),
+            memory: self.memory.or_else(|| available_bytes().map(|free| MEMORY * free)),
+        }
+    }
+
+    /// The path of the table.
+    fn table(&self) -> Result<PathBuf> {
+        let whole = table_of(&self.study, self.out.as_deref())?;
+        Ok(match self.shard {
+            Some(shard) => whole.with_extension(format!("{}-of-{}.csv", shard.number(), shard.count())),
+            None => whole,
+        })
+    }
+}
+
+/// The table of a whole study: the one that is given, or else the one of its name in this folder.
+pub fn table_of(study: &Path, given: Option<&Path>) -> Result<PathBuf> {
+    let path = match (given, study.file_name()) {
+        (Some(path), _) => path.to_path_buf(),
+        (None, Some(name)) => Path::new(name).with_extension("csv"),
+        (None, None) => return usage(format!("{} is no name of a study: give a file", study.display())),
+    };
+    check_named(&path, &["csv"])?;
+    check_target(&path)?;
+    Ok(path)
+}
+
+/// Writes all of a whole study but its table, and prints what is found.
+pub fn write_all(plan: &Plan, table: &Path, points: &[Point]) -> Result<()> {
+    let share: Vec<usize> = (0..plan.realisations()).collect();
+    let parquet = table.with_extension("parquet");
+    plan.write_parquet(&parquet, &share, points)?;
+    let title = table.file_stem().unwrap_or_default().to_string_lossy();
+    let figure = plan.figure(&title, points);
+    let [svg, png] = ["svg", "png"].map(|ending| table.with_extension(ending));
+    write_svg(&svg, &figure)?;
+    write_png(&png, &figure)?;
+    write_means(plan, points, &mut stdout())?;
+    [parquet, svg, png].iter().for_each(|path| wrote(path));
+    Ok(())
+}
+
+/// Says how many rows did not converge, if any.
+pub fn settled(points: &[Point]) -> Result<Outcome> {
+    match points.iter().filter(|point| !point.is_converged()).count() {
+        0 => Ok(Outcome::Done),
+        rows => {
+            super::caution::tell(&[format!("{rows} of {} rows did not converge: see their status", points.len())]);
+            Ok(Outcome::NotConverged)
+        }
+    }
+}
+
+/// A bar of the rows of a share.
+fn bar(plan: &Plan, shard: Shard) -> Result<ProgressBar> {
+    let bar = blank("{prefix} [{wide_bar}] {pos} of {len} rows ({eta} left)");
+    bar.set_length((plan.share(shard)?.len() * plan.loads().len()) as u64);
+    bar.set_prefix(if shard == Shard::WHOLE { "study".into() } else { format!("share {shard}") });
+    bar.enable_steady_tick(Duration::from_millis(200));
+    Ok(bar)
+}
+
+const MERGE_EXAMPLES: &str = "\
+Examples:
+  asperity merge study.toml study.1-of-2.csv study.2-of-2.csv
+  asperity merge study.toml study.1-of-2.csv study.2-of-2.csv --out all.csv";
+
+#[derive(Args)]
+#[command(after_help = MERGE_EXAMPLES)]
+pub struct Merge {
+    /// The study
+    #[arg(value_name = "STUDY.toml")]
+    study: PathBuf,
+    /// Tables of its shares
+    #[arg(value_name = "SHARE.csv", required = true)]
+    shares: Vec<PathBuf>,
+    /// Table of all rows; beside it come NAME.parquet, NAME.svg and NAME.png [default: that of the study, in this folder]
+    #[arg(long, value_name = "FILE.csv")]
+    out: Option<PathBuf>,
+}
+
+impl Merge {
+    pub fn run(&self) -> Result<Outcome> {
+        let plan = Plan::read(&self.study)?;
+        let path = table_of(&self.study, self.out.as_deref())?;
+        if let Some(share) =
+            self.shares.iter().find(|share| !share.is_file() && !share.with_extension("unfinished").is_file())
+        {
+            return Err(
+                Usage(format!("there is no table {}: solve that share, or leave it out", share.display())).into()
+            );
+        }
+        let tables: Vec<Table> = self.shares.iter().map(Table::new).collect();
+        let points = plan.merge(&tables)?;
+        let all: Vec<usize> = (0..plan.realisations()).collect();
+        plan.finish(&Table::new(&path), &all, &points)?;
+        write_all(&plan, &path, &points)?;
+        wrote(&path);
+        settled(&points)
+    }
+}

@@ -1,0 +1,93 @@
+//! What is printed of a study: what it takes, and the means that are found.
+
+use anyhow::Result;
+use asperity::contact::Observables;
+use asperity::quantity::bytes_in_words;
+use asperity::study::{Campaign, Plan, Point, Spread};
+use indicatif::HumanDuration;
+use std::io::Write;
+use std::time::Duration;
+
+/// Lines at the most; the rest is in the table.
+const LINES: usize = 40;
+
+/// Writes what the rows of a share take, those that take longest first.
+pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) -> Result<()> {
+    let (share, mut groups) = (plan.share(campaign.shard)?, plan.expenses()?);
+    let (loads, seeds) = (plan.loads().len(), plan.seeds());
+    let before = |end: usize| share.partition_point(|it| *it < end);
+    let in_group = |first: usize| before(first + seeds) - before(first);
+    let memory = campaign.memory.unwrap_or(f64::INFINITY);
+    let seconds: f64 = groups.iter().map(|(first, it)| it.seconds * in_group(*first) as f64).sum();
+    let longest = groups.iter().map(|(_, it)| it.seconds).fold(0.0, f64::max);
+    let most = groups.iter().map(|(_, it)| it.bytes).fold(0.0, f64::max);
+    let at_a_time = (memory / most).floor().clamp(1.0, campaign.workers as f64);
+    writeln!(out, "Nothing is solved: this is what share {} of the study would take.", campaign.shard)?;
+    writeln!(out, "  rows          {} of {}", share.len() * loads, plan.rows())?;
+    writeln!(
+        out,
+        "  realisations  {} of {}, each under {loads} loads one after the other",
+        share.len(),
+        plan.realisations()
+    )?;
+    writeln!(out, "  work          about {} of one core", in_words(seconds))?;
+    writeln!(out, "  time          about {}, {at_a_time} at a time", in_words((seconds / at_a_time).max(longest)))?;
+    writeln!(out, "  memory        about {}", bytes_in_words(at_a_time * most))?;
+    if most > memory {
+        writeln!(
+            out,
+            "  too large     a realisation needs {} and may have {}",
+            bytes_in_words(most),
+            bytes_in_words(memory)
+        )?;
+    }
+    writeln!(out, "\n{:>12} {:>10} {:>10}  first row", "realisations", "each", "memory")?;
+    groups.sort_by(|(_, a), (_, b)| b.seconds.total_cmp(&a.seconds));
+    groups.retain(|(first, _)| in_group(*first) > 0);
+    for (first, it) in groups.iter().take(LINES) {
+        let (count, each, memory) = (in_group(*first), format!("{:.2e} s", it.seconds), bytes_in_words(it.bytes));
+        writeln!(out, "{count:>12} {each:>10} {memory:>10}  {}: {}", 1 + first * loads, plan.words_but_seed(*first))?;
+    }
+    write_rest(groups.len(), "choices from the lists", out)
+}
+
+/// Writes the means over the seeds under each load of what converged, by what is chosen from the lists.
+pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Result<()> {
+    let (loads, seeds) = (plan.loads().len(), plan.seeds());
+    writeln!(out, "{} rows, means over {seeds} seeds and the scatter of one, resolved", points.len())?;
+    writeln!(out, "\n{:>11} {:>9} {:>9} {:>8} {:>8}", "p*", "area", "scatter", "kappa_r", "scatter")?;
+    let groups = points.chunks(loads * seeds).enumerate();
+    let rows = groups.flat_map(|(group, points)| (0..loads).map(move |load| (group, load, points)));
+    for (group, load, points) in rows.take(LINES) {
+        let found = || points.iter().skip(load).step_by(loads).filter(|it| it.is_converged()).map(|it| &it.observables);
+        let spread = |of: fn(&Observables) -> f64| Spread::of(found().map(of));
+        let [area, kappa] = [spread(|it| it.relative_area_resolved), spread(|it| it.kappa_r_resolved)];
+        writeln!(
+            out,
+            "{:>11.4e} {:>9.6} {:>9.6} {:>8.4} {:>8.4}  {}",
+            spread(|it| it.reduced_pressure).mean,
+            area.mean,
+            area.deviation,
+            kappa.mean,
+            kappa.deviation,
+            plan.words_but_seed(group * seeds)
+        )?;
+    }
+    write_rest(plan.rows() / seeds, "lines", out)
+}
+
+fn write_rest(count: usize, what: &str, out: &mut impl Write) -> Result<()> {
+    if count > LINES {
+        writeln!(out, "and {} more {what}", count - LINES)?;
+    }
+    Ok(())
+}
+
+/// Seconds as people say them.
+fn in_words(seconds: f64) -> String {
+    match Duration::try_from_secs_f64(seconds) {
+        Ok(duration) if seconds >= 1.0 => HumanDuration(duration).to_string(),
+        Ok(_) => format!("{seconds:.1e} seconds"),
+        Err(_) => format!("{seconds:.1e} seconds"),
+    }
+}

@@ -1,0 +1,162 @@
+//! Studies solved and put together: shares of rows, and their tables.
+
+use super::column::Column;
+use super::identity::Identity;
+use super::known::Known;
+use super::plan::{Plan, Row};
+use super::point::Point;
+use super::shard::Shard;
+use super::sweep::Sweep;
+use super::table::Table;
+use crate::error::{FileError, StudyError};
+use crate::files::write_beside;
+use std::io;
+use std::path::Path;
+
+/// Rows that are made into columns at a time.
+pub(super) const ROWS: usize = 1 << 14;
+
+/// How a study is solved, which changes none of its numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Campaign {
+    /// The share that is solved.
+    pub shard: Shard,
+    /// Realisations solved at a time, each in its thread.
+    pub workers: usize,
+    /// Bytes that these may take together, if that is bounded; one that needs more is refused.
+    pub memory: Option<f64>,
+}
+
+impl Plan {
+    /// Solves one realisation under all loads. This is all that a worker on another machine need do: the points of all
+    /// realisations, one after the other, are those of [`Plan::run`].
+    ///
+    /// # Errors
+    /// The errors of [`super::Realisation::press`].
+    pub fn solve(&self, realisation: usize) -> Result<Vec<Point>, StudyError> {
+        let realisation = self.realisation(realisation)?;
+        let mut points = Vec::new();
+        Identity::of(&realisation)?.press(|point, _| points.push(point))?;
+        Ok(points)
+    }
+
+    /// Solves those rows of a share that `table` does not hold yet, largest first, writes the finished table and returns its points
+    /// in the order of their rows. `watch` sees each point as it is solved.
+    ///
+    /// # Errors
+    /// The errors of [`Sweep::run`], and for a realisation that needs more memory than is allowed.
+    pub fn run(
+        &self,
+        campaign: &Campaign,
+        table: &Table,
+        watch: &(dyn Fn(&Point) + Sync),
+    ) -> Result<Vec<Point>, StudyError> {
+        let share = self.share(campaign.shard)?;
+        let sweep = self.sweep(campaign, &share)?;
+        let (points, is_new) = sweep.solved(table, watch)?;
+        if is_new || !table.path().exists() {
+            self.finish(table, &share, &points)?;
+        }
+        Ok(points)
+    }
+
+    /// The realisations of a share as a sweep.
+    ///
+    /// # Errors
+    /// The errors of [`Plan::realisation`], and [`StudyError::Memory`].
+    pub fn sweep(&self, campaign: &Campaign, share: &[usize]) -> Result<Sweep, StudyError> {
+        self.check_memory(campaign)?;
+        let realisations = share.iter().map(|&i| self.realisation(i)).collect::<Result<_, _>>()?;
+        Ok(Sweep { realisations, workers: campaign.workers, memory: campaign.memory })
+    }
+
+    /// Refuses realisations that need more memory than is allowed.
+    fn check_memory(&self, campaign: &Campaign) -> Result<(), StudyError> {
+        let Some(memory) = campaign.memory else { return Ok(()) };
+        let expenses = self.expenses()?;
+        match expenses.iter().find(|(_, expense)| expense.bytes > memory) {
+            Some(&(i, expense)) => {
+                Err(StudyError::Memory { values: self.words_but_seed(i), needed: expense.bytes, memory })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Puts the tables of shares together, and returns the points of all rows in their order.
+    ///
+    /// # Errors
+    /// [`StudyError::OtherStudy`] for a table with points of another study, [`StudyError::Overlap`] for a row that is there twice,
+    /// [`StudyError::Missing`] for rows that are in no table, and the errors of [`Table::read`].
+    pub fn merge(&self, tables: &[Table]) -> Result<Vec<Point>, StudyError> {
+        let realisations = (0..self.realisations()).map(|i| self.realisation(i)).collect::<Result<Vec<_>, _>>()?;
+        let identities = realisations.iter().map(Identity::of).collect::<Result<Vec<_>, _>>()?;
+        let mut merged: Vec<Option<Vec<Point>>> = vec![None; identities.len()];
+        let mut origin = vec![0; identities.len()];
+        for (number, table) in tables.iter().enumerate() {
+            let points = table.read()?;
+            let known = Known::of(&points);
+            let foreign = known.foreign(&identities);
+            if foreign > 0 {
+                return Err(StudyError::OtherStudy { path: table.path().into(), points: foreign });
+            }
+            for (i, found) in known.find_all(&identities).into_iter().enumerate() {
+                let Some(found) = found else { continue };
+                let is_twice = known.with_key_of(&identities[i]).len() > found.len();
+                if merged[i].is_some() || is_twice {
+                    let other = if is_twice { number } else { origin[i] };
+                    let [path, other] = [number, other].map(|it| tables[it].path().to_path_buf());
+                    return Err(StudyError::Overlap { row: 1 + i * self.loads().len(), path, other });
+                }
+                (merged[i], origin[i]) = (Some(found), number);
+            }
+        }
+        let mut missing = merged.iter().enumerate().filter(|(_, it)| it.is_none()).map(|(i, _)| i);
+        match missing.next() {
+            Some(first) => Err(StudyError::Missing {
+                rows: (1 + missing.count()) * self.loads().len(),
+                first: 1 + first * self.loads().len(),
+                of: self.rows(),
+            }),
+            None => Ok(merged.into_iter().flatten().flatten().collect()),
+        }
+    }
+
+    /// Writes the finished table of a share: its `points`, each with what its row was made of, see [`Plan::columns`].
+    ///
+    /// # Errors
+    /// [`FileError::Target`] or [`FileError::Write`].
+    pub fn finish(&self, table: &Table, share: &[usize], points: &[Point]) -> Result<(), StudyError> {
+        self.write_csv(table.path(), share, points)?;
+        Ok(table.settle(points)?)
+    }
+
+    fn write_csv(&self, path: &Path, share: &[usize], points: &[Point]) -> Result<(), FileError> {
+        write_beside(path, |file| {
+            let mut csv = csv::Writer::from_writer(file);
+            self.in_columns(share, points, |columns, is_first| {
+                if is_first {
+                    csv.write_record(columns.iter().map(|column| &column.name))?;
+                }
+                let rows = columns.first().map_or(0, |column| column.values.len());
+                (0..rows).try_for_each(|i| csv.write_record(columns.iter().map(|column| column.values.word(i))))?;
+                Ok(())
+            })?;
+            csv.flush()
+        })
+    }
+
+    /// Makes the rows of a share into columns, some thousand at a time. `each` is told whether they are the first.
+    pub(super) fn in_columns(
+        &self,
+        share: &[usize],
+        points: &[Point],
+        mut each: impl FnMut(&[Column], bool) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let rows: Vec<Row> = self.rows_of(share).collect();
+        let chunks = rows.chunks(ROWS).zip(points.chunks(ROWS));
+        chunks.enumerate().try_for_each(|(i, (rows, points))| {
+            let columns = self.columns(rows, points).map_err(io::Error::other)?;
+            each(&columns, i == 0)
+        })
+    }
+}

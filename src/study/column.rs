@@ -1,0 +1,157 @@
+//! Rows of a study as columns, from which tables are written.
+
+use super::plan::{Plan, Row};
+use super::point::Point;
+use crate::contact::{Load, OBSERVABLES};
+use crate::error::StudyError;
+use crate::setup::{Axis, Scalar, Setup, Table};
+
+/// A column of a table: a name, and a value for each row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Name of the column.
+    pub name: String,
+    /// The values, row by row.
+    pub values: Values,
+}
+
+/// The values of a column, all of one kind.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values {
+    /// Whole numbers, where there are any.
+    Whole(Vec<Option<u64>>),
+    /// Numbers, where there are any.
+    Number(Vec<Option<f64>>),
+    /// Texts.
+    Text(Vec<String>),
+}
+
+impl Values {
+    /// How many there are.
+    #[allow(clippy::len_without_is_empty, reason = "columns are asked for rows, not for none")]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Whole(values) => values.len(),
+            Self::Number(values) => values.len(),
+            Self::Text(values) => values.len(),
+        }
+    }
+
+    /// Value number `i`, from 0, as a table of texts holds it.
+    pub fn word(&self, i: usize) -> String {
+        match self {
+            Self::Whole(values) => values[i].map_or(String::new(), |value| value.to_string()),
+            Self::Number(values) => values[i].map_or(String::new(), |value| format!("{value:?}")),
+            Self::Text(values) => values[i].clone(),
+        }
+    }
+}
+
+/// A row with all that makes its values.
+struct Told<'a> {
+    row: Row,
+    point: &'a Point,
+    /// The setup of the row, under its load.
+    setup: Table,
+}
+
+impl Plan {
+    /// The columns of some rows, of which `points` came out: the number of the row, what is chosen from the lists, the load, all that a
+    /// [`Point`] holds, and as `scene` the setup of the row in TOML. The seconds, which are never the same twice, are left out.
+    ///
+    /// # Errors
+    /// The errors of [`Plan::realisation`].
+    pub fn columns(&self, rows: &[Row], points: &[Point]) -> Result<Vec<Column>, StudyError> {
+        let mut told: Vec<Told<'_>> = Vec::with_capacity(rows.len());
+        let mut last: Option<(usize, Setup)> = None;
+        for (&row, point) in rows.iter().zip(points) {
+            let setup = match last.take() {
+                Some((realisation, setup)) if realisation == row.realisation => setup,
+                _ => self.realisation(row.realisation)?.setup.with_full_path(),
+            };
+            let setup = Setup { load: self.loads()[row.load], ..setup };
+            told.push(Told { row, point, setup: setup.to_table() });
+            last = Some((row.realisation, setup));
+        }
+        let first = self.realisation(0)?.setup.to_table();
+        let whole = |name: &str, of: &dyn Fn(&Told<'_>) -> Option<u64>| {
+            column(name, Values::Whole(told.iter().map(of).collect()))
+        };
+        let number = |name: &str, of: &dyn Fn(&Told<'_>) -> Option<f64>| {
+            column(name, Values::Number(told.iter().map(of).collect()))
+        };
+        let text =
+            |name: &str, of: &dyn Fn(&Told<'_>) -> String| column(name, Values::Text(told.iter().map(of).collect()));
+        let mut columns = vec![whole("row", &|it| Some(it.row.number as u64))];
+        columns.extend(self.axes().iter().map(|axis| chosen(axis, &first, &told)));
+        columns.push(number(&self.load_name(), &|it| Some(self.loads()[it.row.load].value())));
+        columns.extend([
+            text("name", &|it| it.point.name.clone()),
+            whole("ny", &|it| Some(it.point.ny as u64)),
+            whole("nx", &|it| Some(it.point.nx as u64)),
+            number("length", &|it| Some(it.point.length)),
+            number("hurst", &|it| it.point.hurst),
+            number("rolloff_wavelength", &|it| it.point.rolloff_wavelength),
+            number("short_cutoff", &|it| it.point.short_cutoff),
+            whole("seed", &|it| it.point.seed),
+            whole("load", &|it| Some(it.point.load as u64)),
+            number("tolerance", &|it| Some(it.point.tolerance)),
+            text("status", &|it| it.point.status.name().into()),
+            text("setup", &|it| it.point.setup.clone()),
+            text("version", &|it| it.point.version.clone()),
+        ]);
+        let numbers: Vec<_> = told.iter().map(|it| it.point.observables.numbers()).collect();
+        columns.extend(OBSERVABLES.iter().enumerate().map(|(i, it)| {
+            let values = numbers.iter().map(|numbers| numbers[i]);
+            match it.is_whole {
+                true => column(it.name, Values::Whole(values.map(|value| Some(value as u64)).collect())),
+                false => column(it.name, Values::Number(values.map(Some).collect())),
+            }
+        }));
+        columns.push(text("scene", &|it| it.setup.to_toml()));
+        Ok(columns)
+    }
+
+    /// The keys of the loads, such as `load.reduced-pressure`.
+    pub(super) fn load_name(&self) -> String {
+        format!("load.{}", self.loads().first().map_or("", Load::name).replace(' ', "-"))
+    }
+}
+
+fn column(name: &str, values: Values) -> Column {
+    Column { name: name.into(), values }
+}
+
+/// The column of a list: what the setups of the rows hold there, of the kind that the `first` setup of the study has.
+fn chosen(axis: &Axis, first: &Table, told: &[Told<'_>]) -> Column {
+    let scalars = || told.iter().map(|it| it.setup.scalar(axis.path()));
+    let values = match first.scalar(axis.path()) {
+        Some(Scalar::Whole(_)) => Values::Whole(scalars().map(|it| it.and_then(whole)).collect()),
+        Some(Scalar::Number(_)) => Values::Number(scalars().map(|it| it.and_then(number)).collect()),
+        _ => Values::Text(scalars().map(|it| it.map_or(String::new(), word)).collect()),
+    };
+    column(axis.path(), values)
+}
+
+fn whole(scalar: Scalar) -> Option<u64> {
+    match scalar {
+        Scalar::Whole(whole) => Some(whole),
+        _ => None,
+    }
+}
+
+fn number(scalar: Scalar) -> Option<f64> {
+    match scalar {
+        Scalar::Whole(whole) => Some(whole as f64),
+        Scalar::Number(number) => Some(number),
+        Scalar::Text(_) => None,
+    }
+}
+
+fn word(scalar: Scalar) -> String {
+    match scalar {
+        Scalar::Whole(whole) => whole.to_string(),
+        Scalar::Number(number) => format!("{number:?}"),
+        Scalar::Text(text) => text,
+    }
+}

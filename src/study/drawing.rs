@@ -1,0 +1,88 @@
+//! The figure of a study: area and `kappa_r` against the load, by what varies.
+
+use super::plan::Plan;
+use super::point::Point;
+use super::spread::Spread;
+use crate::contact::Observables;
+use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
+use std::collections::BTreeMap;
+
+/// Curves at the most; more cannot be told apart.
+const MOST: usize = 12;
+const COLOURS: [Colour; 6] =
+    [Colour::BLUE, Colour::VERMILION, Colour::GREEN, Colour::PURPLE, Colour::ORANGE, Colour::SKY];
+const SYMBOLS: [Symbol; 2] = [Symbol::Circle, Symbol::Square];
+
+/// What a panel shows: its title, and the number that is drawn.
+type Shown = (&'static str, fn(&Observables) -> f64);
+
+const AREA: Shown = ("relative contact area", |it| it.relative_area_resolved);
+const KAPPA: Shown = ("κ_r", |it| it.kappa_r_resolved);
+
+/// The mean over the seeds of what is drawn, and its scatter, under one load of one choice from the lists.
+struct Mean {
+    reduced_pressure: f64,
+    values: [Spread; 2],
+}
+
+impl Plan {
+    /// The figure of all `points` of the study: area and `kappa_r` against the reduced pressure, a curve for each choice from the
+    /// lists but the seeds, over which the mean is taken, with the scatter of single realisations as bars. What did not
+    /// converge is left out, and of many curves the first twelve are drawn.
+    pub fn figure(&self, title: &str, points: &[Point]) -> Figure {
+        let curves: Vec<(String, Vec<Mean>)> = self.curves(points).into_iter().collect();
+        let dots: Vec<&Mean> = curves.iter().flat_map(|(_, means)| means).collect();
+        let pressures = ends(dots.iter().map(|it| it.reduced_pressure));
+        let panel = |number: usize, (name, _): Shown| {
+            let values = ends(dots.iter().map(|it| it.values[number].mean));
+            let x = Axis::log("p*", [pressures[0] / 1.3, pressures[1] * 1.3]);
+            let y = if number == 0 {
+                Axis::log("a_rel", [values[0] / 1.5, values[1] * 1.5])
+            } else {
+                let margin = (0.15 * (values[1] - values[0])).max(0.02 * values[1]);
+                Axis::linear("κ_r", [values[0] - margin, values[1] + margin])
+            };
+            let mut panel = Panel::new(name, x, y);
+            for (i, (label, means)) in curves.iter().enumerate() {
+                let dot = |it: &Mean| Dot {
+                    x: it.reduced_pressure,
+                    y: it.values[number].mean,
+                    spread: it.values[number].deviation,
+                };
+                let symbol = SYMBOLS[i / COLOURS.len() % SYMBOLS.len()];
+                let mark = Mark::Joined { symbol, filled: true };
+                panel.add(label.clone(), COLOURS[i % COLOURS.len()], mark, means.iter().map(dot));
+            }
+            panel
+        };
+        Figure { title: title.into(), panels: vec![panel(0, AREA), panel(1, KAPPA)] }
+    }
+
+    /// The means over the seeds under each load, by what is chosen from the lists, in the order of the rows.
+    fn curves(&self, points: &[Point]) -> Vec<(String, Vec<Mean>)> {
+        let (loads, seeds) = (self.loads().len(), self.seeds());
+        let groups = points.chunks(loads * seeds).take(MOST).enumerate();
+        let curve = |(group, points): (usize, &[Point])| {
+            let mut by_load: BTreeMap<usize, Vec<&Observables>> = BTreeMap::new();
+            for point in points.iter().filter(|point| point.is_converged()) {
+                by_load.entry(point.load).or_default().push(&point.observables);
+            }
+            let means = by_load.values().map(|found| {
+                let spread = |of: fn(&Observables) -> f64| Spread::of(found.iter().map(|it| of(it)));
+                Mean {
+                    reduced_pressure: spread(|it| it.reduced_pressure).mean,
+                    values: [spread(AREA.1), spread(KAPPA.1)],
+                }
+            });
+            (self.words_but_seed(group * seeds), means.collect())
+        };
+        groups.map(curve).collect()
+    }
+}
+
+/// The least and the largest of what is positive and finite; 1 where there is none.
+fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let ends = values.filter(|value| value.is_finite() && *value > 0.0);
+    let [low, high] = ends.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], value| [low.min(value), high.max(value)]);
+    if low <= high { [low, high] } else { [1.0, 1.0] }
+}

@@ -1,0 +1,53 @@
+//! What a realisation takes, said before it is solved.
+
+use super::realisation::Realisation;
+use crate::contact::Load;
+use crate::error::SetupError;
+use crate::setup::{Cost, Method};
+
+/// Seconds of a transform on one core, over nodes and their binary logarithm, with all that is done between two of them. Measured,
+/// as are the numbers of transforms, on rough lines of 2^10 to 2^20 nodes and surfaces of 2^14 to 2^20.
+const SECONDS: f64 = 0.8e-9;
+
+/// What a realisation takes: seconds of one core and bytes of memory. The seconds are a model, which is the same on all machines, so
+/// that all cut a study alike: those of GFMD may be off by a factor of four, the others by two.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Expense {
+    /// Seconds of one core.
+    pub seconds: f64,
+    /// Bytes at the peak.
+    pub bytes: f64,
+}
+
+impl Expense {
+    /// The expense of a realisation.
+    ///
+    /// # Errors
+    /// The errors of [`Realisation::check`].
+    pub fn of(realisation: &Realisation) -> Result<Self, SetupError> {
+        realisation.check()?;
+        let loads = &realisation.loads;
+        let heaviest = loads.iter().copied().max_by(|a, b| a.value().total_cmp(&b.value()));
+        let setup = realisation.under(heaviest.unwrap_or(realisation.setup.load));
+        let cost = setup.cost(false, 0)?;
+        let nodes = cost.grid.len() as f64;
+        let side = nodes.powf(if cost.grid.is_line() { 1.0 } else { 0.5 });
+        let transforms = |load: &Load| match setup.solver {
+            Method::Multilevel {} => 100.0,
+            Method::PolonskyKeer {} => 30.0 * side.powf(0.28),
+            Method::Gfmd(_) => 20.0 * side.sqrt() * lightness(load),
+        };
+        let seconds = SECONDS * nodes * nodes.log2() * loads.iter().map(transforms).sum::<f64>();
+        // the pressure of the load before included
+        Ok(Self { seconds, bytes: cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes })
+    }
+}
+
+/// How much longer a motion takes under a light load than under a heavy one, where the load tells.
+fn lightness(load: &Load) -> f64 {
+    let reduced_pressure = match load {
+        Load::ReducedPressure(pressure) => pressure.clamp(1e-4, 1.0),
+        _ => 1e-2,
+    };
+    reduced_pressure.powf(-0.4)
+}

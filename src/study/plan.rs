@@ -1,0 +1,242 @@
+//! A setup with lists in it: a study.
+
+use super::expense::Expense;
+use super::realisation::Realisation;
+use super::shard::Shard;
+use crate::contact::Load;
+use crate::error::{SetupError, StudyError};
+use crate::setup::{Axis, Setup, Table};
+use std::path::Path;
+
+/// Name of the realisations in tables.
+const NAME: &str = "study";
+
+/// A setup with lists in it, which stands for many: one realisation for each choice of a value from every list, each solved under
+/// all loads.
+///
+/// The rows of the study are numbered from 1. The loads run fastest, then the seeds, then the other lists, the last of them in the
+/// order of [`crate::setup::FLAGS`] first. What comes out of a row depends on its realisation alone: not on the share in which it is solved, nor on
+/// what is solved beside it.
+///
+/// ```
+/// use asperity::study::{Plan, Shard};
+/// let plan = Plan::from_toml(
+///     r#"
+///     surface = { spectrum = { hurst = [0.3, 0.8], rolloff-wavelength = 0.25, short-cutoff = 0.02, rms-gradient = 0.1 }, seed = "1-3" }
+///     grid = { points = 256, size = 1.0 }
+///     load = { reduced-pressure = [0.01, 0.1] }
+///     "#,
+/// )?;
+/// assert_eq!((plan.rows(), plan.realisations()), (12, 6));
+/// let row = plan.row(9)?;
+/// assert_eq!((plan.words(row.realisation), row.load), ("hurst 0.8, seed 2".into(), 0));
+/// let points = plan.solve(row.realisation)?;
+/// assert!(points[1].observables.relative_area > points[0].observables.relative_area);
+/// let shares = ["1/2", "2/2"].map(|shard| plan.share(shard.parse().unwrap()));
+/// assert_eq!(shares[0].as_ref().unwrap().len() + shares[1].as_ref().unwrap().len(), 6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// The first of the setups.
+    table: Table,
+    /// The lists but that of the loads.
+    axes: Vec<Axis>,
+    loads: Vec<Load>,
+    realisations: usize,
+    /// The text that it was read from, to name lines of.
+    text: String,
+}
+
+/// A row of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Row {
+    /// Number of the row, from 1.
+    pub number: usize,
+    /// Number of its realisation, from 0.
+    pub realisation: usize,
+    /// Number of its load in the realisation, from 0.
+    pub load: usize,
+}
+
+impl Plan {
+    /// Rows at the most.
+    pub const MOST_ROWS: usize = 10_000_000;
+
+    /// The study that a TOML text describes.
+    ///
+    /// # Errors
+    /// For a text that is no setup with lists, with the line, and for more than [`Plan::MOST_ROWS`] rows.
+    pub fn from_toml(text: &str) -> Result<Self, StudyError> {
+        Self::of(Table::from_toml(text)?, text)
+    }
+
+    /// The study in a file. A height file is found beside it.
+    ///
+    /// # Errors
+    /// The errors of [`Table::read`] and [`Plan::from_toml`].
+    pub fn read(path: &Path) -> Result<Self, StudyError> {
+        let table = Table::read(path)?;
+        let text = std::fs::read_to_string(path).unwrap_or_default(); // results carry theirs in other forms
+        Self::of(table, &text).map_err(|error| match error {
+            StudyError::Setup(error) => error.in_file(path).into(),
+            other => other,
+        })
+    }
+
+    fn of(mut table: Table, text: &str) -> Result<Self, StudyError> {
+        let located = |error: SetupError| error.in_text(text);
+        let loads = table.take_loads().map_err(located)?;
+        let axes = table.take_axes().map_err(located)?;
+        let first = table.clone().setup().map_err(located)?;
+        let loads = loads.unwrap_or_else(|| vec![first.load]);
+        let rows = axes.iter().fold(loads.len() as u128, |rows, axis| rows.saturating_mul(axis.len().into()));
+        if rows > Self::MOST_ROWS as u128 {
+            return Err(StudyError::TooManyRows { rows, most: Self::MOST_ROWS });
+        }
+        axes.iter().try_for_each(|axis| axis.check_varied()).map_err(located)?;
+        Ok(Self { table, axes, realisations: rows as usize / loads.len(), loads, text: text.into() })
+    }
+
+    /// The lists but that of the loads, the last of which runs fastest.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// The loads, under which each realisation is solved one after the other.
+    pub fn loads(&self) -> &[Load] {
+        &self.loads
+    }
+
+    /// How many realisations there are.
+    pub fn realisations(&self) -> usize {
+        self.realisations
+    }
+
+    /// How many rows there are.
+    pub fn rows(&self) -> usize {
+        self.realisations * self.loads.len()
+    }
+
+    /// The row of a number, from 1.
+    ///
+    /// # Errors
+    /// [`StudyError::NoRow`] for a number beyond the last row, and for 0.
+    pub fn row(&self, number: usize) -> Result<Row, StudyError> {
+        let rows = self.rows();
+        match number {
+            0 => Err(StudyError::NoRow { number, rows }),
+            _ if number > rows => Err(StudyError::NoRow { number, rows }),
+            _ => {
+                Ok(Row { number, realisation: (number - 1) / self.loads.len(), load: (number - 1) % self.loads.len() })
+            }
+        }
+    }
+
+    /// The rows of some realisations, in their order.
+    pub fn rows_of<'a>(&'a self, realisations: &'a [usize]) -> impl Iterator<Item = Row> + 'a {
+        let loads = self.loads.len();
+        let row = move |realisation, load| Row { number: 1 + realisation * loads + load, realisation, load };
+        realisations.iter().flat_map(move |&realisation| (0..loads).map(move |load| row(realisation, load)))
+    }
+
+    /// Realisation number `i`, from 0.
+    ///
+    /// # Errors
+    /// [`StudyError::Row`] for values that make no setup.
+    pub fn realisation(&self, i: usize) -> Result<Realisation, StudyError> {
+        let mut table = self.table.clone();
+        self.places(i).zip(&self.axes).for_each(|(place, axis)| table.lay_axis(axis, place));
+        let setup = table.setup().map_err(|error| self.in_row(i, error.in_text(&self.text)))?;
+        Ok(Realisation { name: NAME.into(), setup, loads: self.loads.clone() })
+    }
+
+    /// What is chosen from the lists for realisation number `i`, in words.
+    pub fn words(&self, i: usize) -> String {
+        self.words_of(i, |_| true)
+    }
+
+    /// What is chosen from the lists but that of the seeds, in words: the same for realisations that are averaged over.
+    pub fn words_but_seed(&self, i: usize) -> String {
+        self.words_of(i, |axis| axis.path() != Axis::SEED)
+    }
+
+    fn words_of(&self, i: usize, is_told: impl Fn(&Axis) -> bool) -> String {
+        let chosen = self.places(i).zip(&self.axes).filter(|(_, axis)| is_told(axis));
+        chosen.map(|(place, axis)| format!("{} {}", axis.name(), axis.word(place))).collect::<Vec<_>>().join(", ")
+    }
+
+    /// Checks all that can be checked before a surface is made: all that differs but the seeds.
+    ///
+    /// # Errors
+    /// [`StudyError::Row`].
+    pub fn check(&self) -> Result<(), StudyError> {
+        self.firsts().try_for_each(|i| {
+            let checked = self.realisation(i)?.check();
+            checked.map(drop).map_err(|error| self.in_row(i, error))
+        })
+    }
+
+    /// What the realisations of a group, which differ by their seeds only, take, by the number of the first of them.
+    ///
+    /// # Errors
+    /// [`StudyError::Row`].
+    pub fn expenses(&self) -> Result<Vec<(usize, Expense)>, StudyError> {
+        let of = |i| Ok((i, Expense::of(&self.realisation(i)?).map_err(|error| self.in_row(i, error))?));
+        self.firsts().map(of).collect()
+    }
+
+    /// How many realisations differ by their seeds only.
+    pub fn seeds(&self) -> usize {
+        self.axes.last().filter(|axis| axis.path() == Axis::SEED).map_or(1, |axis| axis.len() as usize)
+    }
+
+    /// The numbers of the realisations of a share, in their order. The realisations are dealt to the shares in turn, those that take
+    /// longest first.
+    ///
+    /// # Errors
+    /// [`StudyError::Row`].
+    pub fn share(&self, shard: Shard) -> Result<Vec<usize>, StudyError> {
+        if shard == Shard::WHOLE {
+            return Ok((0..self.realisations).collect());
+        }
+        let mut groups = self.expenses()?;
+        groups.sort_by(|(_, a), (_, b)| b.seconds.total_cmp(&a.seconds));
+        let dealt = groups.iter().flat_map(|(first, _)| *first..first + self.seeds());
+        let mut share: Vec<usize> = dealt.enumerate().filter(|(i, _)| shard.holds(*i)).map(|(_, it)| it).collect();
+        share.sort_unstable();
+        Ok(share)
+    }
+
+    /// The setup of a row, under its load.
+    ///
+    /// # Errors
+    /// The errors of [`Plan::realisation`].
+    pub fn setup(&self, row: Row) -> Result<Setup, StudyError> {
+        Ok(Setup { load: self.loads[row.load], ..self.realisation(row.realisation)?.setup })
+    }
+
+    /// The first realisation of each group that differs by its seeds only.
+    fn firsts(&self) -> impl Iterator<Item = usize> {
+        (0..self.realisations).step_by(self.seeds())
+    }
+
+    /// The places in the lists from which realisation number `i` takes its values.
+    fn places(&self, i: usize) -> impl Iterator<Item = u64> {
+        let mut rest = i as u64;
+        let mut places: Vec<u64> = Vec::with_capacity(self.axes.len());
+        for axis in self.axes.iter().rev() {
+            places.push(rest % axis.len());
+            rest /= axis.len();
+        }
+        places.into_iter().rev()
+    }
+
+    /// An error of a realisation, with its first row.
+    pub(super) fn in_row(&self, i: usize, source: SetupError) -> StudyError {
+        match self.axes.as_slice() {
+            [] => source.into(),
+            _ => StudyError::Row { row: 1 + i * self.loads.len(), values: self.words(i), source },
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! Studies at the command line: on one machine, as a job array, killed and gone on with, and one row of them recorded.
+
+use super::*;
+use std::path::Path;
+use std::process::{Command as Process, Stdio};
+use std::time::{Duration, Instant};
+
+const STUDY: &str = r#"
+surface = { spectrum = { hurst = [0.3, 0.8], rolloff-wavelength = 0.125, short-cutoff = 0.004, rms-gradient = 0.1 }, seed = "1-3" }
+grid = { points = [[1024], [2048]], size = 1.0 }
+load = { reduced-pressure = [0.01, 0.1] }
+"#;
+
+fn folder_with(study: &str) -> Folder {
+    let folder = Folder::new();
+    std::fs::write(folder.join("study.toml"), study).unwrap();
+    folder
+}
+
+fn bytes(folder: &Folder, name: &str) -> Vec<u8> {
+    std::fs::read(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// Runs a line that must do well.
+fn done(folder: &Folder, line: &str) -> Output {
+    let output = folder.run(line);
+    assert!(output.status.success(), "{line}: {}", text(&output.stderr));
+    output
+}
+
+/// The sentence of a line that must be refused.
+fn refused(folder: &Folder, line: &str) -> String {
+    let output = folder.run(line);
+    let said = text(&output.stderr).to_owned();
+    assert_eq!(output.status.code(), Some(2), "{line}: {said}");
+    assert!(said.starts_with("error: ") && said.trim_end().lines().count() == 1, "{said}");
+    said
+}
+
+/// The rows of a table by the names of the columns.
+fn rows(path: &Path) -> Vec<std::collections::HashMap<String, String>> {
+    csv::Reader::from_path(path).unwrap().into_deserialize().map(Result::unwrap).collect()
+}
+
+#[test]
+fn a_study_is_a_table_a_figure_and_the_setup_of_each_row() {
+    let folder = folder_with(STUDY);
+    let output = done(&folder, "study study.toml");
+    assert!(text(&output.stdout).starts_with("24 rows, means over 3 seeds"), "{}", text(&output.stdout));
+    let table = rows(&folder.join("study.csv"));
+    assert_eq!(table.len(), 24);
+    for name in ["study.parquet", "study.svg", "study.png"] {
+        assert!(bytes(&folder, name).len() > 1000, "{name}");
+    }
+    assert!(bytes(&folder, "study.parquet").starts_with(b"PAR1") && bytes(&folder, "study.parquet").ends_with(b"PAR1"));
+    // a row is what the scene in it gives, solved from nothing: to the certificate, not to the bit
+    let row = &table[16];
+    assert_eq!(
+        [&row["row"], &row["surface.spectrum.hurst"], &row["surface.seed"], &row["grid.points"]],
+        ["17", "0.8", "3", "1024"]
+    );
+    std::fs::write(folder.join("row.toml"), &row["scene"]).unwrap();
+    let (alone, _) = solve(&folder, "row.toml");
+    assert_close(number(&alone, "kappa_r"), row["kappa_r"].parse().unwrap(), 1e-9, "kappa_r of row 17");
+    assert_close(number(&alone, "reduced_pressure"), row["load.reduced-pressure"].parse().unwrap(), 1e-12, "its load");
+}
+
+#[test]
+fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
+    let folder = folder_with(STUDY);
+    done(&folder, "study study.toml --out whole.csv --workers 3 --memory 1GB");
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/study.slurm");
+    let program = Path::new(env!("CARGO_BIN_EXE_asperity")).parent().unwrap();
+    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
+    let shares: Vec<String> = (1..=5).map(|share| format!("study.{share}-of-5.csv")).collect();
+    for share in (1..=5).rev() {
+        let mut bash = Command::new("bash");
+        bash.arg(&script).arg("study.toml").env("PATH", &path).env("SLURM_ARRAY_TASK_COUNT", "5");
+        let output =
+            folder.finish(bash.env("SLURM_ARRAY_TASK_ID", share.to_string()).env("SLURM_MEM_PER_NODE", "2048"));
+        assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
+    }
+    let mut count: Vec<usize> = shares.iter().map(|share| rows(&folder.join(share)).len()).collect();
+    count.sort_unstable();
+    assert_eq!(count, [4, 4, 4, 6, 6]);
+    done(&folder, &format!("merge study.toml {}", shares.join(" ")));
+    assert!(bytes(&folder, "study.csv") == bytes(&folder, "whole.csv"));
+    assert!(bytes(&folder, "study.parquet") == bytes(&folder, "whole.parquet"));
+    let before = std::fs::metadata(folder.join("study.csv")).unwrap().len();
+    assert!(done(&folder, "study study.toml").status.success() && before > 0);
+    // what is missing, twice there or of another study
+    let missing = refused(&folder, &format!("merge study.toml {} --out no.csv", shares[1..].join(" ")));
+    assert!(missing.contains(" of 24 rows are in none of the tables, the first is row "), "{missing}");
+    let twice = refused(&folder, &format!("merge study.toml {} study.csv --out no.csv", shares.join(" ")));
+    assert!(twice.contains(" is in study.") && twice.contains(" and again in study.csv: give"), "{twice}");
+    std::fs::write(folder.join("other.toml"), STUDY.replace("0.8", "0.7")).unwrap();
+    let foreign = refused(&folder, &format!("merge other.toml {} --out no.csv", shares.join(" ")));
+    assert!(foreign.contains("points of other setups, loads or versions"), "{foreign}");
+    let absent = refused(&folder, "merge study.toml study.9-of-9.csv --out no.csv");
+    assert!(absent.contains("there is no table study.9-of-9.csv"), "{absent}");
+    assert!(!folder.join("no.csv").exists());
+}
+
+#[test]
+fn a_study_that_was_killed_goes_on_where_it_was() {
+    let study = STUDY.replace("1-3", "1-40").replace("[[1024], [2048]]", "8192");
+    let folder = folder_with(&study);
+    let mut child = Process::new(env!("CARGO_BIN_EXE_asperity"))
+        .args(["study", "study.toml", "--threads", "2"])
+        .current_dir(folder.join(""))
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let begun = Instant::now();
+    let unfinished = folder.join("study.unfinished");
+    let lines = || std::fs::read_to_string(&unfinished).map_or(0, |text| text.lines().count());
+    while lines() < 12 {
+        assert!(begun.elapsed() < Duration::from_secs(60) && child.try_wait().unwrap().is_none());
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let kept = lines();
+    assert!((12..160).contains(&kept) && !folder.join("study.csv").exists());
+    let before = std::fs::read_to_string(&unfinished).unwrap();
+    done(&folder, "study study.toml");
+    done(&folder, "study study.toml --out whole.csv");
+    assert!(bytes(&folder, "study.csv") == bytes(&folder, "whole.csv") && !unfinished.exists());
+    // the seconds of what was there before are those of then
+    let seconds = std::fs::read_to_string(folder.join("study.seconds.csv")).unwrap();
+    let first = before.lines().next().unwrap().rsplit(',').next().unwrap();
+    assert!(seconds.lines().any(|line| line.ends_with(first)), "{first}");
+}
+
+#[test]
+fn wrong_studies_are_refused_with_line_and_value() {
+    let wrong = |from: &str, to: &str| {
+        assert!(STUDY.contains(from));
+        let folder = folder_with(&STUDY.replace(from, to));
+        let said = refused(&folder, "study study.toml");
+        assert!(!folder.join("study.csv").exists());
+        said
+    };
+    let cases = [
+        ("\"1-3\"", "\"9-3\"", "study.toml: line 2, surface.seed: `9-3` is no range: write the first and the last"),
+        ("\"1-3\"", "[1, \"2-x\"]", "line 2, surface.seed: `2-x` is no range"),
+        ("\"1-3\"", "[4, \"2-6\"]", "line 2, surface.seed: 4 is there twice"),
+        ("\"1-3\"", "[]", "line 2, surface.seed: the list is empty"),
+        ("\"1-3\"", "\"1-1000000000000\"", "the lists make 8000000000000 rows, and a study has at most 10000000"),
+        ("\"1-3\"", "\"0-18446744073709551615\"", " rows, and a study has at most 10000000"),
+        ("[0.3, 0.8]", "[0.3, 1.8]", "row 13 (hurst 1.8, points 1024, seed 1): the Hurst exponent is 1.8"),
+        ("[0.3, 0.8]", "[0.3, \"rough\"]", "line 2, surface.spectrum.hurst: invalid type: text \"rough\""),
+        ("[0.01, 0.1]", "[0.01, -0.1]", "reduced pressure is -0.1"),
+        ("[0.01, 0.1]", "\"1e-3..1e-1:4000000000\"", "line 4, load: `1e-3..1e-1:4000000000` holds too many loads"),
+        ("size = 1.0", "size = 1.0, pionts = [1, 2]", "grid: unknown field `pionts`"),
+        ("[[1024], [2048]]", "[[1024], [2]]", "2 points along x are too few"),
+        (
+            "load =",
+            "record.theme = [\"dark\", \"light\"]\nload =",
+            "line 4, record.theme: it changes no number of a study",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        let said = wrong(from, to);
+        assert!(said.contains(expected), "{to}: {said}");
+    }
+    let folder = folder_with(STUDY);
+    for (flags, expected) in [
+        ("--shard 0/4", "is no share: give its number and how many there are"),
+        ("--shard 5/4", "is no share"),
+        ("--memory 3XB", "give a positive number with kB, MB, GB or TB"),
+        ("--memory 1kB", "of memory and may have 1.0 kB"),
+        ("--out study.npz", "study.npz"),
+    ] {
+        let output = folder.run(&format!("study study.toml {flags}"));
+        assert_eq!(output.status.code(), Some(2), "{flags}");
+        assert!(text(&output.stderr).contains(expected), "{flags}: {}", text(&output.stderr));
+    }
+    std::fs::write(folder.join("study.csv"), "a,b\n1,2\n").unwrap();
+    for line in ["study study.toml", "study study.toml --fresh"] {
+        assert!(refused(&folder, line).contains("something else than the points of a study"));
+        assert_eq!(bytes(&folder, "study.csv"), b"a,b\n1,2\n");
+    }
+}
+
+#[test]
+fn a_dry_run_says_what_each_choice_takes_largest_first() {
+    let folder = folder_with(STUDY);
+    let output = done(&folder, "study study.toml --dry-run --shard 1/2 --workers 2 --memory 1GB");
+    let said = text(&output.stdout);
+    assert!(said.contains("rows          12 of 24") && said.contains("realisations  6 of 12"), "{said}");
+    let (first, last) = (said.find("points 2048").unwrap(), said.rfind("points 1024").unwrap());
+    assert!(first < last, "{said}");
+    assert_eq!(std::fs::read_dir(folder.join("")).unwrap().count(), 1);
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn a_row_is_recorded_as_the_study_solved_it() {
+    let folder = folder_with(STUDY);
+    done(&folder, "study study.toml --record-row 14 --record row.rrd");
+    let carried = done(&folder, "solve --setup-of row.rrd --dry-run --save-setup x.toml");
+    assert!(text(&carried.stdout).contains("points      1024"));
+    assert!(!folder.join("study.csv").exists());
+    let none = refused(&folder, "study study.toml --record-row 25 --record no.rrd");
+    assert!(none.contains("there is no row 25: give a number from 1 to 24"), "{none}");
+}
