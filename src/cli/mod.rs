@@ -1,4 +1,4 @@
-//! One file per command.
+//! The command line, one file per command.
 
 mod accuracy;
 mod bench;
@@ -43,8 +43,9 @@ mod view;
 mod wrote;
 
 use clap::{Parser, Subcommand};
-
-pub use outcome::{Outcome, exit_code, remedy};
+use outcome::{Outcome, exit_code, remedy};
+use std::ffi::OsString;
+use std::io::{Write, stderr};
 
 /// Rough contact: press a rigid surface on an elastic half-space and watch it relax.
 ///
@@ -104,9 +105,20 @@ enum Command {
     View(view::View),
 }
 
-/// Parses the command line and runs the command.
-pub fn run() -> anyhow::Result<Outcome> {
-    match Cli::parse().command {
+/// Runs the command that some words ask for, of which the first is the name of the program, and returns its exit code. Help, and words
+/// that are not understood, end the process.
+pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
+    match carry_out(Cli::parse_from(words).command) {
+        Ok(outcome) => outcome.exit_code(),
+        Err(error) => {
+            writeln!(stderr(), "error: {error}{}", remedy(&error)).ok();
+            exit_code(&error)
+        }
+    }
+}
+
+fn carry_out(command: Command) -> anyhow::Result<Outcome> {
+    match command {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),
         Command::Certify(certify) => certify.run(),
