@@ -4,7 +4,7 @@ use asperity::contact;
 use pyo3::prelude::*;
 
 /// Error bounds of a pressure, all of them dimensionless. As a number it is `eta`.
-#[pyclass(frozen, get_all, module = "asperity", skip_from_py_object)]
+#[pyclass(frozen, get_all, module = "asperity")]
 #[derive(Clone, Copy)]
 pub struct Certificate {
     /// Bound of the error in energy, over load times rms height.
@@ -63,7 +63,7 @@ impl From<contact::Certificate> for Certificate {
 }
 
 /// What a solver has done.
-#[pyclass(frozen, get_all, module = "asperity", skip_from_py_object)]
+#[pyclass(frozen, get_all, module = "asperity")]
 #[derive(Clone, Copy)]
 pub struct Work {
     /// Relaxation steps.
@@ -78,7 +78,7 @@ pub struct Work {
 impl Work {
     fn __repr__(&self) -> String {
         let Self { iterations, transforms, seconds } = self;
-        format!("Work(iterations={iterations}, transforms={transforms}, seconds={seconds:.3g})")
+        format!("Work(iterations={iterations}, transforms={transforms}, seconds={seconds:.3})")
     }
 }
 

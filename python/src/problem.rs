@@ -89,7 +89,7 @@ impl Problem {
     /// shows it in the installed viewer. With diagnose the problem is solved twice, and the contact says what held the solver up.
     #[pyo3(signature = (**wishes), text_signature = "($self, *, solver='multilevel', tolerance=1e-8, pressure_tolerance=None, max_iterations=100000, start=None, callback=None, record=None, recording=None, live=False, diagnose=False)")]
     pub fn solve(&self, py: Python<'_>, wishes: Option<&Bound<'_, PyDict>>) -> PyResult<Contact> {
-        let (wishes, setup) = Wishes::of(wishes, &self.setup, self.problem.surface().grid().shape())?;
+        let (wishes, setup) = Wishes::of(wishes, &self.setup, self.problem.surface().grid())?;
         wishes.solve(py, &self.problem, setup, self.rank)
     }
 

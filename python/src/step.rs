@@ -125,7 +125,7 @@ impl Step {
     /// Mean gap, a length.
     #[getter]
     fn mean_gap(&self, py: Python<'_>) -> PyResult<f64> {
-        self.ask(py, contact::Step::mean_gap)
+        self.ask(py, |step| step.mean_gap())
     }
 
     /// Number of contact patches.

@@ -6,9 +6,10 @@ use crate::refusal::{AsperityWarning, Fault, refused};
 use crate::step::Step;
 use crate::value::{Sections, section, sections_of, setup, value};
 use crate::watch::{Shown, Watch, watched};
-use asperity::contact::{Solver, Status};
+use asperity::contact::Status;
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::files::check_named;
+use asperity::grid::Grid;
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::{Cost, Part, Setup};
 use asperity::surface::Field;
@@ -34,12 +35,15 @@ pub struct Wishes {
 
 impl Wishes {
     /// The wishes of some keywords, and the setup with the solver and the stop that they name.
-    pub fn of(keys: Option<&Bound<'_, PyDict>>, of: &Setup, shape: [usize; 2]) -> PyResult<(Self, Setup)> {
+    pub fn of(keys: Option<&Bound<'_, PyDict>>, of: &Setup, grid: &Grid) -> PyResult<(Self, Setup)> {
         let (mut wishes, mut sections) = (Self::default(), sections_of(of));
         for (key, it) in keys.into_iter().flatten().filter(|(_, it)| !it.is_none()) {
-            wishes.take(&key.extract::<String>()?, &it, &mut sections, shape)?;
+            wishes.take(&key.extract::<String>()?, &it, &mut sections, grid.shape())?;
         }
-        Ok((wishes, setup(&sections)?))
+        let setup = setup(&sections)?;
+        setup.solver.check().and_then(|()| setup.stop.check()).map_err(refused)?;
+        setup.record.check(grid).map_err(refused)?;
+        Ok((wishes, setup))
     }
 
     fn take(&mut self, key: &str, it: &Bound<'_, PyAny>, into: &mut Sections, shape: [usize; 2]) -> PyResult<()> {

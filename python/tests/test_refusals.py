@@ -19,7 +19,7 @@ HEIGHT = 0.01 * np.cos(2 * np.pi * np.arange(64) / 64)
         ({}, "no load is given"),
         ({"mean_pressure": 0.1}, "(solid)"),
         ({"reduced_pressure": -1.0}, "-1"),
-        ({"reduced_pressure": float("nan")}, "load"),
+        ({"reduced_pressure": float("nan")}, "finite"),
         ({"reduced_pressure": 0.1, "mean_gap": 0.01}, "give one of them"),
         ({"reduced_pressure": 0.1, "solver": "multigrid"}, "multilevel"),
         ({"reduced_pressure": 0.1, "tolerance": 0.0}, "tolerance"),
@@ -40,7 +40,7 @@ def test_each_refusal_is_one_sentence_with_what_to_do(keys: dict[str, Any], sent
 @pytest.mark.parametrize(
     ("height", "size", "sentence"),
     [
-        (np.zeros(64), 1.0, "equal"),
+        (np.zeros(64), 1.0, "flat"),
         (np.zeros((2, 2, 2)), 1.0, "neither a line nor a surface"),
         (np.array([0.0, 1.0, np.nan, 2.0]), 1.0, "NaN"),
         (HEIGHT, -1.0, "-1"),

@@ -213,4 +213,4 @@ def _surface(height: Any, size: Any, boundary: Any, datum: Any) -> Surface:
 def _mean(field: ArrayLike) -> float:
     import numpy as np
 
-    return float(np.mean(field))
+    return float(np.mean(np.asarray(field, dtype=float)))
