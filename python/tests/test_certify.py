@@ -7,7 +7,7 @@ import asperity as asp
 
 HEIGHT = 0.01 * np.cos(2 * np.pi * np.arange(1024) / 1024)
 SINE = asp.theory.Westergaard(0.01, 1.0)
-MEAN = 0.3 * SINE.full_pressure
+MEAN = 0.31 * SINE.full_pressure
 X = np.where(np.arange(1024) < 512, np.arange(1024), np.arange(1024) - 1024) / 1024
 EXACT = SINE.pressure(MEAN, X)
 

@@ -37,7 +37,7 @@ def test_a_loop_is_certified_compared_and_recorded(tmp_path: Path) -> None:
     assert list(told["step"]) == list(range(60))
     assert (np.diff(told["seconds"]) >= 0).all() and told["seconds"][-1] > 0
     assert told["certificate"][-1] < 0.2 * told["certificate"][0]
-    assert told["pressure_error"][-1] < 0.3 * told["pressure_error"][0]
+    assert told["pressure_error"][-1] < 0.5 * told["pressure_error"][0]
     assert recorder.contact.solver == "descent" and not recorder.contact.converged
     assert recorder.diagnosis
     assert path.read_bytes()[:3] == b"RRF" and path.stat().st_size > 10_000

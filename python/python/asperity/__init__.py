@@ -19,7 +19,6 @@ less the heights plus a datum. Wavenumbers are 2 pi / wavelength. Any consistent
 from __future__ import annotations
 
 from importlib import import_module
-from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, Callable, Literal, Mapping, Sequence, Union
 
 from asperity import theory
@@ -82,7 +81,7 @@ def __getattr__(name: str) -> Any:
     if name == "show":
         return import_module("asperity.notebook").show
     if name == "__version__":
-        return version("asperity")
+        return import_module("importlib.metadata").version("asperity")
     raise AttributeError(f"module 'asperity' has no attribute {name!r}")
 
 

@@ -22,17 +22,19 @@ def show(what: Contact | os.PathLike[str] | str, *, width: int = 1000, height: i
     path = os.fspath(what)
     if not has_viewer():
         return path
-    import rerun as rr
+    # the viewer comes from its package and not from the network, unless that is said otherwise
+    os.environ.setdefault("RERUN_NOTEBOOK_ASSET", "serve-local")
+    from rerun_notebook import Viewer
 
-    recording = rr.RecordingStream(os.path.basename(path))
-    viewer = rr.notebook.Viewer(width=width, height=height, recording=recording)
-    recording.log_file_from_path(path)
+    viewer = Viewer(width=width, height=height)
+    with open(path, "rb") as recording:
+        viewer.send_rrd(recording.read())
     return viewer
 
 
 def has_viewer() -> bool:
     """Whether the viewer can be shown inside a notebook."""
-    return find_spec("rerun") is not None and find_spec("rerun_notebook") is not None
+    return find_spec("rerun_notebook") is not None
 
 
 def picture(contact: Contact) -> Any:
