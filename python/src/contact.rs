@@ -15,6 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// A contact that was solved, or the best that was found.
 ///
@@ -22,6 +23,8 @@ use std::path::PathBuf;
 #[pyclass(frozen, module = "asperity")]
 pub struct Contact {
     pub contact: asperity::Contact,
+    /// The surface of its problem.
+    pub pressed: Arc<asperity::Surface>,
     pub setup: setup::Setup,
     pub rank: usize,
     pub diagnosis: Option<Findings>,
@@ -127,7 +130,8 @@ impl Contact {
     /// The problem that it solves.
     #[getter]
     fn problem(&self) -> Problem {
-        Problem { problem: self.contact.problem.clone(), setup: self.setup.clone(), rank: self.rank }
+        let (problem, pressed) = (self.contact.problem.clone(), self.pressed.clone());
+        Problem { problem, pressed, setup: self.setup.clone(), rank: self.rank }
     }
 
     /// What held the solver up, in words, if it was asked to say so; else None.

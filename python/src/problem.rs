@@ -28,6 +28,8 @@ const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "forc
 #[pyclass(frozen, module = "asperity")]
 pub struct Problem {
     pub problem: asperity::Problem,
+    /// The surface of the problem.
+    pub pressed: Arc<asperity::Surface>,
     pub setup: setup::Setup,
     pub rank: usize,
 }
@@ -36,7 +38,7 @@ impl Problem {
     /// The problem of a surface and a setup that describes the rest.
     pub fn made(py: Python<'_>, surface: &Arc<asperity::Surface>, setup: setup::Setup, rank: usize) -> PyResult<Self> {
         let problem = py.detach(|| setup.problem_of(surface.clone())).map_err(refused)?;
-        Ok(Self { problem, setup, rank })
+        Ok(Self { problem, pressed: surface.clone(), setup, rank })
     }
 }
 
@@ -78,7 +80,7 @@ impl Problem {
         over.insert("load".into(), Value::Object(load.map(sections).transpose()?.unwrap_or_default()));
         let setup = setup(&over)?;
         let problem = self.problem.clone().with_load(setup.load).map_err(refused)?;
-        Ok(Self { problem, setup, rank: self.rank })
+        Ok(Self { problem, pressed: self.pressed.clone(), setup, rank: self.rank })
     }
 
     /// Solves the problem; the contact comes back whether the run converged or not, with a warning if it did not.
@@ -90,7 +92,7 @@ impl Problem {
     #[pyo3(signature = (**wishes), text_signature = "($self, *, solver='multilevel', tolerance=1e-8, pressure_tolerance=None, max_iterations=100000, start=None, callback=None, record=None, recording=None, live=False, diagnose=False)")]
     pub fn solve(&self, py: Python<'_>, wishes: Option<&Bound<'_, PyDict>>) -> PyResult<Contact> {
         let (wishes, setup) = Wishes::of(wishes, &self.setup, self.problem.surface().grid())?;
-        wishes.solve(py, &self.problem, setup, self.rank)
+        wishes.solve(py, self, setup)
     }
 
     /// Certifies somebody's result, one of pressure (positive in compression), gap or displacement (lengths).
@@ -115,7 +117,7 @@ impl Problem {
     fn surface(&self) -> Surface {
         let mut sections = sections_of(&self.setup);
         sections.retain(|key, _| key == "surface" || key == "grid");
-        Surface { surface: self.problem.surface().clone().into(), sections, rank: self.rank }
+        Surface { surface: self.pressed.clone(), sections, rank: self.rank }
     }
 
     /// The setup that describes it; heights that were given as an array are called array.npy there.

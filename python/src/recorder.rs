@@ -43,6 +43,7 @@ pub struct Recorder {
 /// What is recorded, and how.
 struct Job {
     problem: asperity::Problem,
+    pressed: Arc<asperity::Surface>,
     setup: Setup,
     rank: usize,
     name: String,
@@ -56,7 +57,7 @@ struct Job {
 #[derive(Default)]
 struct State {
     at_work: Option<AtWork>,
-    done: Option<Done>,
+    told: Option<Told>,
 }
 
 /// A recorder that takes steps.
@@ -68,11 +69,18 @@ struct AtWork {
     own: Duration,
 }
 
-/// What came out.
+/// What comes out of a recorder.
 struct Done {
     contact: asperity::Contact,
     distances: Vec<Distance>,
     findings: Findings,
+}
+
+/// What came out, for Python.
+struct Told {
+    contact: Py<Contact>,
+    distances: Vec<Distance>,
+    findings: String,
 }
 
 impl Job {
@@ -130,14 +138,18 @@ impl Recorder {
         let Some(AtWork { frames, thread, .. }) = self.state().at_work.take() else { return Ok(()) };
         drop(frames);
         let done = py.detach(|| thread.join()).unwrap_or_else(|panic| resume_unwind(panic));
-        self.state().done = Some(done.map_err(refused)?);
+        let Done { contact, distances, findings } = done.map_err(refused)?;
+        let Job { pressed, setup, rank, .. } = &*self.job;
+        let (pressed, setup, told) = (pressed.clone(), setup.clone(), findings.to_string());
+        let contact = Contact { contact, pressed, setup, rank: *rank, diagnosis: Some(findings) };
+        self.state().told = Some(Told { contact: Py::new(py, contact)?, distances, findings: told });
         Ok(())
     }
 
     /// Something of what came out.
-    fn done<T>(&self, of: impl FnOnce(&Done) -> PyResult<T>) -> PyResult<T> {
-        match &self.state().done {
-            Some(done) => of(done),
+    fn told<T>(&self, of: impl FnOnce(&Told) -> PyResult<T>) -> PyResult<T> {
+        match &self.state().told {
+            Some(told) => of(told),
             None => refuse("the recorder is not done: ask it after its `with` block"),
         }
     }
@@ -167,6 +179,7 @@ impl Recorder {
         }
         let job = Job {
             problem: problem.problem.clone(),
+            pressed: problem.pressed.clone(),
             setup: setup(&sections)?,
             rank: problem.rank,
             name: name.into(),
@@ -190,7 +203,7 @@ impl Recorder {
         let (frames, given) = sync_channel(WAITING);
         let thread = thread::spawn(move || job.carry_out(reference, given.into_iter()));
         let at_work = AtWork { frames, thread, since: Instant::now(), own: Duration::ZERO };
-        *slf.get().state() = State { at_work: Some(at_work), done: None };
+        *slf.get().state() = State { at_work: Some(at_work), told: None };
         Ok(slf)
     }
 
@@ -229,16 +242,8 @@ impl Recorder {
 
     /// The contact of the last step, with tension clipped and the load restored.
     #[getter]
-    fn contact(&self) -> PyResult<Contact> {
-        let Job { setup, rank, .. } = &*self.job;
-        self.done(|done| {
-            Ok(Contact {
-                contact: done.contact.clone(),
-                setup: setup.clone(),
-                rank: *rank,
-                diagnosis: Some(done.findings.clone()),
-            })
-        })
+    fn contact(&self, py: Python<'_>) -> PyResult<Py<Contact>> {
+        self.told(|told| Ok(told.contact.clone_ref(py)))
     }
 
     /// How far each step is from the solution, as arrays by name: step, seconds, certificate (eta), pressure_error (relative, by root mean
@@ -252,9 +257,9 @@ impl Recorder {
             ("pressure_error", |it| it.pressure_error),
             ("energy_error", |it| it.energy_error),
         ];
-        self.done(|done| {
+        self.told(|told| {
             let table = PyDict::new(py);
-            let column = |of: fn(&Distance) -> f64| list(py, done.distances.iter().map(of).collect());
+            let column = |of: fn(&Distance) -> f64| list(py, told.distances.iter().map(of).collect());
             columns.into_iter().try_for_each(|(name, of)| table.set_item(name, column(of)))?;
             Ok(table)
         })
@@ -263,6 +268,6 @@ impl Recorder {
     /// What held the solver up, in words: slow wavelengths, nodes that flip, plateaus, contacts that come back.
     #[getter]
     fn diagnosis(&self) -> PyResult<String> {
-        self.done(|done| Ok(done.findings.to_string()))
+        self.told(|told| Ok(told.findings.clone()))
     }
 }

@@ -28,7 +28,7 @@ impl Verdict {
         let grid = *problem.problem.surface().grid();
         let field = rows_on(field, grid.shape(), quantity)?;
         let judged = || -> Result<_, Fault> {
-            let Problem { problem, setup, .. } = problem;
+            let Problem { problem, pressed, setup, .. } = problem;
             let frame = Frame { values: field.iter().copied().collect(), seconds: None };
             let replay = Replay::new("the result given", kind, [Ok(frame)].into_iter());
             let contact = replay.solve(problem, &setup.stop, &mut ())?;
@@ -38,7 +38,7 @@ impl Verdict {
                 return Ok((contact.certificate, contact, None, holds, Vec::new()));
             }
             let modulus = ContactModulus(problem.contact_modulus());
-            let claim = Claim::new(problem.surface().clone(), modulus, Some(problem.load()), kind, &field)?;
+            let claim = Claim::new(pressed.clone(), modulus, Some(problem.load()), kind, &field)?;
             let assessment = Assessment::of(&claim, &contact)?;
             let holds = assessment.holds(&contact, &setup.stop);
             let poisson: Vec<f64> = setup.solid.as_ref().and_then(Solid::poisson).into_iter().collect();
@@ -47,7 +47,8 @@ impl Verdict {
             Ok((assessment.given, contact, Some(assessment), holds, findings))
         };
         let (certificate, contact, assessment, holds, findings) = py.detach(judged).map_err(refused)?;
-        let contact = Contact { contact, setup: problem.setup.clone(), rank: problem.rank, diagnosis: None };
+        let Problem { pressed, setup, rank, .. } = problem;
+        let contact = Contact { contact, pressed: pressed.clone(), setup: setup.clone(), rank: *rank, diagnosis: None };
         Ok(Self { holds, contact: Py::new(py, contact)?, certificate: certificate.into(), findings, assessment })
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::contact::Contact;
 use crate::field::rows_on;
+use crate::problem::Problem;
 use crate::refusal::{AsperityWarning, Fault, refused};
 use crate::step::Step;
 use crate::value::{Sections, section, sections_of, setup, value};
@@ -70,18 +71,19 @@ impl Wishes {
     }
 
     /// Solves a problem as wished.
-    pub fn solve(&self, py: Python<'_>, problem: &asperity::Problem, setup: Setup, rank: usize) -> PyResult<Contact> {
+    pub fn solve(&self, py: Python<'_>, of: &Problem, setup: Setup) -> PyResult<Contact> {
+        let Problem { problem, pressed, rank, .. } = of;
         if let Some(path) = &self.record {
             check_named(path, &["rrd"]).map_err(refused)?;
         }
         let grid = problem.surface().grid();
         let fields = setup.solver.fields(grid, 0.0).max(3.0) + FIELDS;
         Cost::of_fields(grid, fields).check(setup.solver.name()).map_err(refused)?;
-        let see = |py: Python<'_>, shown: &Shown| self.see(py, shown, rank);
+        let see = |py: Python<'_>, shown: &Shown| self.see(py, shown, *rank);
         let see: Option<&(dyn Fn(Python<'_>, &Shown) -> PyResult<bool> + Sync)> =
             if self.callback.is_some() { Some(&see) } else { None };
         let (contact, diagnosis) = watched(py, see, |watch| self.run(problem, &setup, watch))?.map_err(refused)?;
-        let contact = Contact { contact, setup, rank, diagnosis };
+        let contact = Contact { contact, pressed: pressed.clone(), setup, rank: *rank, diagnosis };
         contact.tell(py)?;
         Ok(contact)
     }
@@ -132,9 +134,16 @@ impl Contact {
             Some(fault) if self.contact.failure.is_some() => Err(refused(fault)),
             Some(fault) if self.contact.status != Status::StoppedByObserver => {
                 let sentence = CString::new(fault.to_string())?;
-                PyErr::warn(py, &py.get_type::<AsperityWarning>(), &sentence, 1)
+                PyErr::warn(py, &py.get_type::<AsperityWarning>(), &sentence, level(py)?)
             }
             _ => Ok(()),
         }
     }
+}
+
+/// The level of the stack at which the code stands that called: above the package, whose functions call these.
+fn level(py: Python<'_>) -> PyResult<i32> {
+    let frame = py.import("sys")?.call_method1("_getframe", (0,))?;
+    let module = frame.getattr("f_globals")?.get_item("__name__")?;
+    Ok(if module.extract::<String>()? == "asperity" { 2 } else { 1 })
 }

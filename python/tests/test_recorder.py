@@ -90,6 +90,12 @@ def test_places_where_nothing_can_be_written_are_refused(tmp_path: Path) -> None
                 recorder.step(pressure)
 
 
+def test_a_viewer_that_is_not_there_is_missed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(asp.AsperityError, match="viewer"):
+        problem().solve(live=True)
+
+
 def test_our_own_solvers_are_recorded_with_their_setup(tmp_path: Path) -> None:
     path = tmp_path / "ours.rrd"
     surface = asp.Surface.rough(512, 1.0, hurst=0.8, rolloff_wavelength=0.25, short_cutoff=0.02, rms_gradient=0.1)

@@ -63,8 +63,11 @@ def test_a_keyword_that_is_none_is_a_type_error() -> None:
 
 
 def test_a_run_that_does_not_converge_comes_back_with_a_warning() -> None:
-    with pytest.warns(asp.AsperityWarning, match="iteration cap"):
+    with pytest.warns(asp.AsperityWarning, match="iteration cap") as told:
         contact = asp.solve(HEIGHT, 1.0, reduced_pressure=0.1, solver="polonsky-keer", max_iterations=2)
+        contact.problem.solve(solver="polonsky-keer", max_iterations=2)
+    # the line that is told is this one, and not one of the package, where the next would be taken for the same
+    assert [warning.filename for warning in told] == [__file__, __file__]
     assert not contact.converged and contact.certificate.eta > 1e-8
     with warnings.catch_warnings():
         warnings.simplefilter("error")

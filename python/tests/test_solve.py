@@ -78,6 +78,7 @@ def test_fields_share_the_memory_of_the_contact_and_outlive_its_name() -> None:
     one, other = contact.pressure, contact.pressure
     assert one.ctypes.data == other.ctypes.data and one.base is not None
     assert not one.flags.writeable and not one.flags.owndata
+    assert contact.problem.surface.height.ctypes.data == contact.height.ctypes.data
     with pytest.raises(ValueError):
         one[0] = 1.0
     with pytest.raises(ValueError):
