@@ -24,7 +24,12 @@ pub type Fault = Box<dyn Error + Send + Sync>;
 /// The exception with the sentence of an error, and the keyword by which one gives what is missing.
 pub fn refused(error: impl Into<Fault>) -> PyErr {
     let error = error.into();
-    AsperityError::new_err(format!("{error}{}", remedy(&error)))
+    AsperityError::new_err(format!("{}{}", without_flags(&error.to_string()), remedy(&error)))
+}
+
+/// A sentence without the flags of the command line at its end, such as " (--size)".
+fn without_flags(sentence: &str) -> &str {
+    sentence.split_once(" (--").map_or(sentence, |(sentence, _)| sentence)
 }
 
 /// An exception with a sentence of its own.

@@ -3,6 +3,7 @@
 use crate::field::{Given, list, rows, shared};
 use crate::refusal::refused;
 use crate::value::{Sections, python, section, sections, table};
+use asperity::setup::Cost;
 use asperity::surface::{PowerSpectrum, Roughness};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
@@ -12,6 +13,9 @@ use std::sync::Arc;
 
 /// The name that stands for an array in the setup of a surface that was given as one.
 pub const ARRAY: &str = "array.npy";
+
+/// Fields that are held while a surface is made.
+const FIELDS: f64 = 4.0;
 
 /// Keys that say where a surface lies; all others say what it is.
 const OF_GRID: [&str; 5] = ["points", "size", "boundary", "datum", "refine"];
@@ -35,7 +39,9 @@ impl Surface {
     fn made(py: Python<'_>, sections: Sections) -> PyResult<Self> {
         let (recipe, cell) = table(&sections)?.surface().map_err(refused)?;
         let rank = recipe.rank(&cell).map_err(refused)?;
-        let surface = py.detach(|| recipe.surface(recipe.grid(&cell)?)).map_err(refused)?;
+        let grid = recipe.grid(&cell).map_err(refused)?;
+        Cost::of_fields(&grid, FIELDS).check("a surface").map_err(refused)?;
+        let surface = py.detach(|| recipe.surface(grid)).map_err(refused)?;
         Ok(Self { surface: surface.into(), sections, rank })
     }
 

@@ -43,7 +43,7 @@ impl Verdict {
             let holds = assessment.holds(&contact, &setup.stop);
             let poisson: Vec<f64> = setup.solid.as_ref().and_then(Solid::poisson).into_iter().collect();
             let mistakes = if holds { Vec::new() } else { claim.mistakes(&poisson) };
-            let findings = mistakes.into_iter().map(|mistake| mistake.sentence).collect();
+            let findings = mistakes.into_iter().map(|mistake| mistake.sentence.replace("by --", "as ")).collect();
             Ok((assessment.given, contact, Some(assessment), holds, findings))
         };
         let (certificate, contact, assessment, holds, findings) = py.detach(judged).map_err(refused)?;

@@ -34,6 +34,12 @@ def test_everyday_mistakes_are_recognised(pressure: np.ndarray, word: str) -> No
     assert not verdict and any(word in sentence for sentence in verdict.findings), verdict.findings
 
 
+def test_a_displacement_for_a_gap_is_told_by_its_keyword() -> None:
+    contact = asp.solve(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN)
+    verdict = asp.certify(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN, gap=contact.displacement)
+    assert any("give it as displacement" in sentence for sentence in verdict.findings), verdict.findings
+
+
 def test_one_result_is_given_at_a_time() -> None:
     with pytest.raises(asp.AsperityError, match="one result"):
         asp.certify(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN)

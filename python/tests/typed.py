@@ -1,6 +1,6 @@
 """What a type checker must understand; it is never run."""
 
-from typing import assert_type
+from typing_extensions import assert_type
 
 import numpy as np
 from numpy.typing import NDArray
