@@ -45,12 +45,14 @@ def picture(contact: Contact) -> Any:
     figure = Figure(figsize=(9, 4), layout="constrained")
     above, below = figure.subplots(1, 2)
     if contact.pressure.ndim == 1:
+        seen = _beside(contact)
+        x, rigid = surface.x[seen], contact.height[seen]
         # the solid's surface is the rigid one raised by the gap
-        above.plot(surface.x, contact.height + contact.gap, label="solid")
-        above.plot(surface.x, contact.height, label="rigid surface")
+        above.plot(x, rigid + contact.gap[seen], label="solid")
+        above.plot(x, rigid, label="rigid surface")
         above.set(xlabel="x", ylabel="height", title="surfaces")
         above.legend()
-        below.plot(surface.x, contact.pressure)
+        below.plot(x, contact.pressure[seen])
         below.set(xlabel="x", ylabel="pressure", title="pressure")
         return figure
     extent = (0.0, surface.size[1], surface.size[0], 0.0)
@@ -59,3 +61,13 @@ def picture(contact: Contact) -> Any:
         axes.set(xlabel="x", ylabel="y", title=name)
         figure.colorbar(image, ax=axes)
     return figure
+
+
+def _beside(contact: Contact) -> slice:
+    """The nodes of a line in contact and between, with as many on either side; all of them where nothing touches."""
+    touching = np.flatnonzero(contact.pressure)
+    if touching.size == 0:
+        return slice(None)
+    first, last = int(touching[0]), int(touching[-1])
+    width = last - first + 1
+    return slice(max(first - width, 0), last + width + 1)
