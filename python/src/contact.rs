@@ -30,6 +30,9 @@ pub struct Contact {
     pub diagnosis: Option<Findings>,
 }
 
+/// A number of each patch.
+type Column = fn(&Patch) -> f64;
+
 /// Two arrays: ends of bins or wavenumbers, and densities.
 type Pair<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
@@ -177,7 +180,7 @@ impl Contact {
         let table = PyDict::new(py);
         table.set_item("nodes", PyArray1::from_iter(py, patches.iter().map(|it| it.nodes as i64)))?;
         table.set_item("peak", PyArray1::from_iter(py, patches.iter().map(|it| it.peak as i64)))?;
-        let columns: [(&str, fn(&Patch) -> f64); 4] = [
+        let columns: [(&str, Column); 4] = [
             ("area", |it| it.area),
             ("load", |it| it.load),
             ("kappa_r", |it| it.kappa_r),

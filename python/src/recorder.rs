@@ -40,6 +40,9 @@ pub struct Recorder {
     state: Mutex<State>,
 }
 
+/// A number of each step.
+type Column = fn(&Distance) -> f64;
+
 /// What is recorded, and how.
 struct Job {
     problem: asperity::Problem,
@@ -250,7 +253,7 @@ impl Recorder {
     /// squares) and energy_error (relative, in the energy norm). They are empty without a reference.
     #[getter]
     fn distances<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let columns: [(&str, fn(&Distance) -> f64); 5] = [
+        let columns: [(&str, Column); 5] = [
             ("step", |it| it.step as f64),
             ("seconds", |it| it.seconds),
             ("certificate", |it| it.certificate),
@@ -259,7 +262,7 @@ impl Recorder {
         ];
         self.told(|told| {
             let table = PyDict::new(py);
-            let column = |of: fn(&Distance) -> f64| list(py, told.distances.iter().map(of).collect());
+            let column = |of: Column| list(py, told.distances.iter().map(of).collect());
             columns.into_iter().try_for_each(|(name, of)| table.set_item(name, column(of)))?;
             Ok(table)
         })

@@ -26,6 +26,9 @@ enum Word {
     Seen(bool),
 }
 
+/// What looks at a step, and says whether to go on.
+pub type Look<'a> = dyn Fn(Python<'_>, &Shown) -> PyResult<bool> + Sync + 'a;
+
 /// A step that is shown: it can be asked until it is over.
 #[derive(Clone)]
 pub struct Shown(Sender<Word>);
@@ -82,7 +85,7 @@ impl Observer for Watch {
 /// raised.
 pub fn watched<T: Send>(
     py: Python<'_>,
-    see: Option<&(dyn Fn(Python<'_>, &Shown) -> PyResult<bool> + Sync)>,
+    see: Option<&Look<'_>>,
     work: impl FnOnce(&mut Watch) -> T + Send,
 ) -> PyResult<T> {
     let is_over = Arc::new(AtomicBool::new(false));
@@ -100,11 +103,7 @@ pub fn watched<T: Send>(
 }
 
 /// Sees all steps to the end of the run, and returns what was raised first.
-fn look_on(
-    steps: &Receiver<Shown>,
-    is_over: &AtomicBool,
-    see: Option<&(dyn Fn(Python<'_>, &Shown) -> PyResult<bool> + Sync)>,
-) -> Option<PyErr> {
+fn look_on(steps: &Receiver<Shown>, is_over: &AtomicBool, see: Option<&Look<'_>>) -> Option<PyErr> {
     let mut raised = None;
     loop {
         let goes_on = match (steps.recv_timeout(PATIENCE), see) {

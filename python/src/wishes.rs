@@ -6,7 +6,7 @@ use crate::problem::Problem;
 use crate::refusal::{AsperityWarning, Fault, refused};
 use crate::step::Step;
 use crate::value::{Sections, section, sections_of, setup, value};
-use crate::watch::{Shown, Watch, watched};
+use crate::watch::{Look, Shown, Watch, watched};
 use asperity::contact::Status;
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::files::check_named;
@@ -80,8 +80,7 @@ impl Wishes {
         let fields = setup.solver.fields(grid, 0.0).max(3.0) + FIELDS;
         Cost::of_fields(grid, fields).check(setup.solver.name()).map_err(refused)?;
         let see = |py: Python<'_>, shown: &Shown| self.see(py, shown, *rank);
-        let see: Option<&(dyn Fn(Python<'_>, &Shown) -> PyResult<bool> + Sync)> =
-            if self.callback.is_some() { Some(&see) } else { None };
+        let see: Option<&Look<'_>> = if self.callback.is_some() { Some(&see) } else { None };
         let (contact, diagnosis) = watched(py, see, |watch| self.run(problem, &setup, watch))?.map_err(refused)?;
         let contact = Contact { contact, pressed: pressed.clone(), setup, rank: *rank, diagnosis };
         contact.tell(py)?;
