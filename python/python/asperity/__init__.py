@@ -19,7 +19,6 @@ less the heights plus a datum. Wavenumbers are 2 pi / wavelength. Any consistent
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Callable, Literal, Mapping, Sequence, Union
 
 from asperity import theory
 from asperity._asperity import (
@@ -37,8 +36,11 @@ from asperity._asperity import (
     observables,
 )
 
+# type checkers take this name for true; to import `typing` would take as long as all the rest
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
+    from typing import Any, Callable, Literal, Mapping, Sequence, Union
 
     import numpy as np
     from numpy.typing import ArrayLike
