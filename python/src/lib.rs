@@ -13,6 +13,7 @@ mod certificate;
 mod contact;
 mod field;
 mod problem;
+mod process;
 mod recorder;
 mod refusal;
 mod setup;

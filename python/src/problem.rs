@@ -2,6 +2,7 @@
 
 use crate::contact::Contact;
 use crate::field::Given;
+use crate::process;
 use crate::refusal::{refuse, refused};
 use crate::setup::Setup;
 use crate::surface::Surface;
@@ -37,6 +38,7 @@ pub struct Problem {
 impl Problem {
     /// The problem of a surface and a setup that describes the rest.
     pub fn made(py: Python<'_>, surface: &Arc<asperity::Surface>, setup: setup::Setup, rank: usize) -> PyResult<Self> {
+        process::check()?;
         let problem = py.detach(|| setup.problem_of(surface.clone())).map_err(refused)?;
         Ok(Self { problem, pressed: surface.clone(), setup, rank })
     }

@@ -3,6 +3,7 @@
 use crate::contact::Contact;
 use crate::field::{Given, list, rows_on};
 use crate::problem::Problem;
+use crate::process;
 use crate::refusal::{Fault, refuse, refused};
 use crate::value::{section, sections_of, setup, value};
 use crate::watch::watched;
@@ -195,6 +196,7 @@ impl Recorder {
     }
 
     fn __enter__(slf: Bound<'_, Self>) -> PyResult<Bound<'_, Self>> {
+        process::check()?;
         let (py, job) = (slf.py(), slf.get().job.clone());
         let reference = match job.is_compared {
             true => {

@@ -1,6 +1,7 @@
 //! Rigid surfaces.
 
 use crate::field::{Given, list, rows, shared};
+use crate::process;
 use crate::refusal::refused;
 use crate::value::{Sections, python, section, sections, table};
 use asperity::setup::Cost;
@@ -41,6 +42,7 @@ impl Surface {
         let rank = recipe.rank(&cell).map_err(refused)?;
         let grid = recipe.grid(&cell).map_err(refused)?;
         Cost::of_fields(&grid, FIELDS).check("a surface").map_err(refused)?;
+        process::check()?;
         let surface = py.detach(|| recipe.surface(grid)).map_err(refused)?;
         Ok(Self { surface: surface.into(), sections, rank })
     }
@@ -90,6 +92,7 @@ impl Surface {
         section(&mut sized, "grid").insert("points".into(), json!(shape));
         let (_, cell) = table(&sized)?.surface().map_err(refused)?;
         let grid_of = cell.grid().map_err(refused)?;
+        process::check()?;
         let surface = height.py().detach(|| asperity::Surface::new(grid_of, field)).map_err(refused)?;
         Ok(Self { surface: surface.into(), sections: Self::of_array(grid), rank })
     }

@@ -3,6 +3,7 @@
 //! The thread that called waits for steps to show and for Ctrl-C, without the lock of the interpreter. A step stays where the solver
 //! is: what Python asks of it goes there as a [`Question`], so that nothing is computed or copied that nobody asks for.
 
+use crate::process;
 use asperity::contact::{Observer, Step, Wish};
 use pyo3::prelude::*;
 use std::ops::ControlFlow;
@@ -88,6 +89,7 @@ pub fn watched<T: Send>(
     see: Option<&Look<'_>>,
     work: impl FnOnce(&mut Watch) -> T + Send,
 ) -> PyResult<T> {
+    process::check()?;
     let is_over = Arc::new(AtomicBool::new(false));
     let (shown, steps) = sync_channel(0);
     let mut watch = Watch { is_over: is_over.clone(), shown, is_shown: see.is_some() };

@@ -1,10 +1,12 @@
 """Callbacks, Ctrl-C, and the lock of the interpreter."""
 
+import os
 import signal
 import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -112,6 +114,30 @@ except KeyboardInterrupt:
         run.send_signal(signal.SIGINT)
         out, _ = run.communicate(timeout=60)
     assert (run.returncode, out) == (7, "interrupted\n")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not fork")
+def test_a_forked_process_says_that_it_cannot_solve_and_a_spawned_one_solves(tmp_path: Path) -> None:
+    code = """
+import asperity as asp, multiprocessing, sys
+def solve(seed):
+    surface = asp.Surface.rough(512, 1.0, hurst=0.8, rolloff_wavelength=0.25, short_cutoff=0.02, rms_gradient=0.1, seed=seed)
+    return asp.solve(surface, reduced_pressure=0.1).mean_gap
+if __name__ == "__main__":
+    here = solve(1)
+    try:
+        with multiprocessing.get_context(sys.argv[1]).Pool(1) as pool:
+            print(pool.map(solve, [1]) == [here])
+    except asp.AsperityError as refusal:
+        print(refusal)
+"""
+    script = tmp_path / "workers.py"
+    script.write_text(code)
+    said = [
+        subprocess.run([sys.executable, script, way], capture_output=True, text=True, timeout=60).stdout
+        for way in ("fork", "spawn")
+    ]
+    assert "start workers by spawn" in said[0] and said[1] == "True\n"
 
 
 def test_a_run_can_be_diagnosed() -> None:
