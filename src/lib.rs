@@ -72,9 +72,11 @@
 //! | 7     | `lab`        | accuracy, stability and speed: experiments on the solvers themselves              | `figures` |
 //! | 7     | `paper`      | the tables and figures of van Dokkum et al. (2018), with verdicts                 | `figures` |
 //! | 7     | `explore`    | a page with controls and a live viewer                                            | `explore` |
+//! | 8     | `cli`        | the command line                                                                  | `cli`     |
 //!
 //! Without features the crate is the numerics, with few dependencies. `units` adds lengths and pressures with units and scenes in
-//! JSON, `instruments` the formats of measuring instruments that are packed; `cli` adds the command line, the layer above all of these.
+//! JSON, `instruments` the formats of measuring instruments that are packed. The folder `python` holds a package for Python, a crate of
+//! its own above all of these.
 //!
 //! A solver outside the crate can do all that those of the crate do: `examples/minimal_polonsky_keer.rs` builds every
 //! [`contact::Step`], leaves the bookkeeping to a [`contact::Run`], and is watched, certified and recorded.
@@ -94,7 +96,13 @@
 //!   error of one that is not converged.
 //! - Random surfaces come from ChaCha8 and are the same on every machine.
 
+// the command line names the crate as everybody does who uses it
+#[cfg(feature = "cli")]
+extern crate self as asperity;
+
 mod chunks;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod contact;
 pub mod diagnosis;
 pub mod elastic;

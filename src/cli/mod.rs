@@ -1,4 +1,4 @@
-//! One file per command.
+//! The command line, one file per command.
 
 mod accuracy;
 mod bench;
@@ -50,8 +50,9 @@ mod view;
 mod wrote;
 
 use clap::{CommandFactory, Parser, Subcommand};
-
-pub use outcome::{Outcome, exit_code, remedy};
+use outcome::{Outcome, exit_code, remedy};
+use std::ffi::OsString;
+use std::io::{Write, stderr};
 
 /// Rough contact: press a rigid surface on an elastic half-space and watch it relax.
 ///
@@ -137,9 +138,19 @@ enum Command {
     View(view::View),
 }
 
-/// Parses the command line and runs the command.
-pub fn run() -> anyhow::Result<Outcome> {
-    let Cli { command, manners } = Cli::parse();
+/// Runs the command that some words ask for, of which the first is the name of the program, and returns its exit code. Help, and words
+/// that are not understood, end the process.
+pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
+    match carry_out(Cli::parse_from(words)) {
+        Ok(outcome) => outcome.exit_code(),
+        Err(error) => {
+            writeln!(stderr(), "error: {error}{}", remedy(&error)).ok();
+            exit_code(&error)
+        }
+    }
+}
+
+fn carry_out(Cli { command, manners }: Cli) -> anyhow::Result<Outcome> {
     manners.keep()?;
     match command {
         Command::Accuracy(accuracy) => accuracy.run(),

@@ -7,7 +7,6 @@ use asperity::error::{
     SolveError, StepsError, StudyError, SurfaceError,
 };
 use std::io::{Write, stderr};
-use std::process::ExitCode;
 
 /// How a command ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -18,11 +17,12 @@ pub enum Outcome {
     NotConverged,
 }
 
-impl From<Outcome> for ExitCode {
-    fn from(outcome: Outcome) -> Self {
-        match outcome {
-            Outcome::Done => Self::SUCCESS,
-            Outcome::NotConverged => Self::from(3),
+impl Outcome {
+    /// 0 if all is well, 3 if a solver did not converge.
+    pub fn exit_code(self) -> u8 {
+        match self {
+            Self::Done => 0,
+            Self::NotConverged => 3,
         }
     }
 }
@@ -72,7 +72,7 @@ pub fn remedy(error: &anyhow::Error) -> &'static str {
 }
 
 /// 2 for what the person at the keyboard can mend, 1 for the rest.
-pub fn exit_code(error: &anyhow::Error) -> ExitCode {
+pub fn exit_code(error: &anyhow::Error) -> u8 {
     let is_input = error.is::<Usage>()
         || error.is::<GridError>()
         || error.is::<SurfaceError>()
@@ -86,5 +86,5 @@ pub fn exit_code(error: &anyhow::Error) -> ExitCode {
         || error.downcast_ref().is_some_and(FileError::is_input)
         || error.downcast_ref().is_some_and(StepsError::is_input)
         || error.downcast_ref().is_some_and(StudyError::is_input);
-    ExitCode::from(if is_input { 2 } else { 1 })
+    if is_input { 2 } else { 1 }
 }

@@ -165,11 +165,17 @@ impl Setup {
     pub fn check(&self) -> Result<Grid, SetupError> {
         let grid = self.surface.grid(&self.grid)?;
         self.surface.check(&grid)?;
+        self.check_on(&grid)?;
+        Ok(grid)
+    }
+
+    /// Checks all but the surface, on a grid.
+    fn check_on(&self, grid: &Grid) -> Result<(), SetupError> {
         self.solver.check()?;
         self.stop.check()?;
-        self.record.check(&grid)?;
+        self.record.check(grid)?;
         if self.record.what.iter().any(|part| matches!(part, Part::Stress | Part::Fringes)) {
-            self.check_stress(&grid)?;
+            self.check_stress(grid)?;
         }
         self.elastic()?;
         self.check_friction()?;
@@ -182,7 +188,7 @@ impl Setup {
         if !(self.law.is_hard_wall() || self.solver.takes_hardness()) {
             return Err(SolveError::NeedsHardWall { solver: self.solver.name().into() }.into());
         }
-        Ok(grid)
+        Ok(())
     }
 
     /// Refuses the stress inside a solid in which it is not known.
@@ -213,8 +219,17 @@ impl Setup {
     /// # Errors
     /// The errors of [`Setup::surface`], of [`Problem::new`] and of [`Problem::with_law`].
     pub fn problem(&self) -> Result<Problem, SetupError> {
-        let problem = Problem::new(self.surface()?, self.elastic()?, self.load)?;
-        Ok(problem.with_law(self.law)?)
+        self.problem_of(self.surface()?)
+    }
+
+    /// The problem of heights that are at hand, in the place of those that the recipe makes.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::check`] that do not concern the surface, of [`Problem::new`] and of [`Problem::with_law`].
+    pub fn problem_of(&self, surface: impl Into<Arc<Surface>>) -> Result<Problem, SetupError> {
+        let surface = surface.into();
+        self.check_on(surface.grid())?;
+        Ok(Problem::new(surface, self.elastic()?, self.load)?.with_law(self.law)?)
     }
 
     /// The exact solution under a mean pressure, where the surface is an indenter that has one and nothing

@@ -1,0 +1,73 @@
+"""Contacts and recordings in notebooks: the Rerun viewer where it is installed, and a picture everywhere."""
+
+from __future__ import annotations
+
+import os
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+
+from asperity._asperity import Contact
+
+
+def show(what: Contact | os.PathLike[str] | str, *, width: int = 1000, height: int = 700) -> Any:
+    """Shows a recording in the viewer inside a notebook, or a picture of a contact.
+
+    what: the file of a recording (.rrd), or a contact. Without the package `rerun-notebook` a recording cannot be shown: its path comes
+    back, to be opened by `asperity view` or any Rerun viewer.
+    """
+    if isinstance(what, Contact):
+        return picture(what)
+    path = os.fspath(what)
+    if not has_viewer():
+        return path
+    # the viewer comes from its package and not from the network, unless that is said otherwise
+    os.environ.setdefault("RERUN_NOTEBOOK_ASSET", "serve-local")
+    from rerun_notebook import Viewer
+
+    viewer = Viewer(width=width, height=height)
+    with open(path, "rb") as recording:
+        viewer.send_rrd(recording.read())
+    return viewer
+
+
+def has_viewer() -> bool:
+    """Whether the viewer can be shown inside a notebook."""
+    return find_spec("rerun_notebook") is not None
+
+
+def picture(contact: Contact) -> Any:
+    """A figure of a contact by matplotlib: surfaces and pressure of a line, images of pressure and gap of a surface."""
+    from matplotlib.figure import Figure
+
+    surface = contact.problem.surface
+    figure = Figure(figsize=(9, 4), layout="constrained")
+    above, below = figure.subplots(1, 2)
+    if contact.pressure.ndim == 1:
+        seen = _beside(contact)
+        x, rigid = surface.x[seen], contact.height[seen]
+        # the solid's surface is the rigid one raised by the gap
+        above.plot(x, rigid + contact.gap[seen], label="solid")
+        above.plot(x, rigid, label="rigid surface")
+        above.set(xlabel="x", ylabel="height", title="surfaces")
+        above.legend()
+        below.plot(x, contact.pressure[seen])
+        below.set(xlabel="x", ylabel="pressure", title="pressure")
+        return figure
+    extent = (0.0, surface.size[1], surface.size[0], 0.0)
+    for axes, field, name in ((above, contact.pressure, "pressure"), (below, contact.gap, "gap")):
+        image = axes.imshow(np.asarray(field), extent=extent)
+        axes.set(xlabel="x", ylabel="y", title=name)
+        figure.colorbar(image, ax=axes)
+    return figure
+
+
+def _beside(contact: Contact) -> slice:
+    """The nodes of a line in contact and between, with as many on either side; all of them where nothing touches."""
+    touching = np.flatnonzero(contact.pressure)
+    if touching.size == 0:
+        return slice(None)
+    first, last = int(touching[0]), int(touching[-1])
+    width = last - first + 1
+    return slice(max(first - width, 0), last + width + 1)

@@ -1,0 +1,153 @@
+//! A step of a solver, for callbacks.
+
+use crate::certificate::Certificate;
+use crate::field::taken;
+use crate::refusal::refuse;
+use crate::watch::Shown;
+use asperity::contact::{self, OBSERVABLES, Phase, State};
+use numpy::PyArrayDyn;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// A relaxation step of a solver, to be looked at while the callback runs that gets it. What is not asked for is not computed; fields
+/// are copied when they are asked for, and are yours.
+#[pyclass(frozen, module = "asperity")]
+pub struct Step {
+    shown: Shown,
+    rank: usize,
+    index: usize,
+    phase: Phase,
+    seconds: f64,
+    transforms: u64,
+    certificate: Option<contact::Certificate>,
+}
+
+impl Step {
+    /// The step that is shown; none if it is over.
+    pub fn of(shown: &Shown, rank: usize) -> Option<Self> {
+        let numbers = |step: &contact::Step<'_>| {
+            (step.index(), step.phase(), step.seconds(), step.transforms(), step.certificate().copied())
+        };
+        let (index, phase, seconds, transforms, certificate) = shown.ask(numbers)?;
+        Some(Self { shown: shown.clone(), rank, index, phase, seconds, transforms, certificate })
+    }
+
+    fn ask<T: Send + 'static>(
+        &self,
+        py: Python<'_>,
+        of: impl FnOnce(&contact::Step<'_>) -> T + Send + 'static,
+    ) -> PyResult<T> {
+        match py.detach(|| self.shown.ask(of)) {
+            Some(answer) => Ok(answer),
+            None => refuse("the step is over: take from it what you need while the callback runs"),
+        }
+    }
+
+    /// A field of the step.
+    fn field<'py>(
+        &self,
+        py: Python<'py>,
+        of: fn(&contact::Step<'_>) -> Vec<f64>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let (values, shape) = self.ask(py, move |step| (of(step), step.problem().surface().grid().shape()))?;
+        Ok(taken(py, values, shape, self.rank))
+    }
+}
+
+#[pymethods]
+impl Step {
+    /// Number of the step, from 0, the state at the start.
+    #[getter]
+    fn iteration(&self) -> usize {
+        self.index
+    }
+
+    /// Grid level: 0 is the finest, each further one has half as many points along a side.
+    #[getter]
+    fn level(&self) -> usize {
+        self.phase.level
+    }
+
+    /// Seconds so far, without those spent in callbacks.
+    #[getter]
+    fn seconds(&self) -> f64 {
+        self.seconds
+    }
+
+    /// Fourier transforms so far.
+    #[getter]
+    fn transforms(&self) -> u64 {
+        self.transforms
+    }
+
+    /// Error bounds of this very pressure, None where the solver does not know them without further work.
+    #[getter]
+    fn certificate(&self) -> Option<Certificate> {
+        self.certificate.map(Certificate::from)
+    }
+
+    /// The certificate `eta`, a bound of the error in energy over load times rms height; NaN where it is not known.
+    #[getter]
+    fn error(&self) -> f64 {
+        self.certificate.map_or(f64::NAN, |certificate| certificate.eta)
+    }
+
+    /// Pressure, shape (n) or (ny, nx) of the grid of this level.
+    #[getter]
+    fn pressure<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        self.field(py, |step| step.pressure().to_vec())
+    }
+
+    /// Displacement of the solid's surface into the solid, a length; its datum is free.
+    #[getter]
+    fn displacement<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        self.field(py, |step| step.displacement().to_vec())
+    }
+
+    /// Gap between the surfaces, a length, negative where they still penetrate.
+    #[getter]
+    fn gap<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        self.field(py, |step| step.gap().to_vec())
+    }
+
+    /// Relative contact area, the share of nodes in contact.
+    #[getter]
+    fn relative_area(&self, py: Python<'_>) -> PyResult<f64> {
+        self.ask(py, |step| step.measures().relative_area)
+    }
+
+    /// Relative contact area over the reduced pressure with the rms gradient of the nodes in contact.
+    #[getter]
+    fn kappa_r(&self, py: Python<'_>) -> PyResult<f64> {
+        self.ask(py, |step| step.measures().kappa_r)
+    }
+
+    /// Mean gap, a length.
+    #[getter]
+    fn mean_gap(&self, py: Python<'_>) -> PyResult<f64> {
+        self.ask(py, |step| step.mean_gap())
+    }
+
+    /// Number of contact patches.
+    #[getter]
+    fn patches(&self, py: Python<'_>) -> PyResult<usize> {
+        self.ask(py, |step| step.patches().count())
+    }
+
+    /// All observables that change from step to step, by their names.
+    #[getter]
+    fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let numbers = |step: &contact::Step<'_>| {
+            let state = State::from(step);
+            let traced = OBSERVABLES.iter().filter(|row| row.is_traced);
+            traced.map(|row| (row.name, (row.value)(&state))).collect::<Vec<_>>()
+        };
+        let measures = PyDict::new(py);
+        self.ask(py, numbers)?.into_iter().try_for_each(|(name, number)| measures.set_item(name, number))?;
+        Ok(measures)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Step(iteration={}, level={}, error={:.2e})", self.index, self.phase.level, self.error())
+    }
+}

@@ -1,0 +1,44 @@
+"""The same contacts by other codes, where they are installed."""
+
+import numpy as np
+import pytest
+
+import asperity as asp
+
+N, MEAN = 64, 0.02
+ROUGH = dict(hurst=0.8, rolloff_wavelength=0.5, short_cutoff=0.1, rms_gradient=0.1, seed=4)
+
+
+def surface() -> asp.Surface:
+    return asp.Surface.rough((N, N), 1.0, **ROUGH)
+
+
+def test_tamaas_finds_the_same_pressure_and_is_certified() -> None:
+    tamaas = pytest.importorskip("tamaas")
+    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, [1.0, 1.0], [N, N])
+    model.E, model.nu = 1.0, 0.0
+    heights = np.array(surface().height)
+    solver = tamaas.PolonskyKeerRey(model, heights, 1e-12)
+    solver.solve(MEAN)
+    theirs = np.array(model.traction)
+    ours = asp.solve(surface(), solid=1.0, mean_pressure=MEAN, tolerance=1e-12)
+    assert np.abs(theirs - ours.pressure).max() < 1e-3 * ours.pressure.max()
+    verdict = ours.problem.certify(pressure=theirs)
+    assert verdict.certificate.eta < 1e-6, verdict
+
+
+def test_contact_mechanics_finds_the_same_pressure_and_is_certified() -> None:
+    contact_mechanics = pytest.importorskip("ContactMechanics")
+    topography = pytest.importorskip("SurfaceTopography")
+    heights = np.array(surface().height)
+    system = contact_mechanics.make_system(
+        interface="hardwall",
+        substrate=contact_mechanics.PeriodicFFTElasticHalfSpace((N, N), 1.0, (1.0, 1.0)),
+        surface=topography.Topography(heights, (1.0, 1.0)),
+    )
+    result = system.minimize_proxy(external_force=MEAN, pentol=1e-12, maxiter=5000)
+    assert result.success, result.message
+    theirs = np.array(result.jac) * N * N  # forces of nodes
+    ours = asp.solve(surface(), solid=1.0, mean_pressure=MEAN, tolerance=1e-12)
+    assert np.abs(theirs - ours.pressure).max() < 1e-3 * ours.pressure.max()
+    assert ours.problem.certify(pressure=theirs).certificate.eta < 1e-5

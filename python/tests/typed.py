@@ -1,0 +1,19 @@
+"""What a type checker must understand; it is never run."""
+
+from typing_extensions import assert_type
+
+import numpy as np
+from numpy.typing import NDArray
+
+import asperity as asp
+
+surface = asp.Surface.rough((64, 64), "1 mm", hurst=0.8, rolloff_wavelength=2e-4, short_cutoff=1e-4, rms_gradient=0.1)
+contact = asp.solve(surface, solid={"young": "210 GPa", "poisson": 0.3}, mean_pressure="1 MPa", callback=lambda step: step.error > 1e-3)
+assert_type(contact.pressure, NDArray[np.float64])
+assert_type(contact.measures["kappa_r"], float)
+assert_type(asp.theory.sphere(1.0).load(0.1), float)
+assert_type(asp.theory.sphere(1.0).load(contact.pressure), NDArray[np.float64])
+with asp.Recorder(contact.problem, "mine.rrd") as recorder:
+    recorder.step(contact.pressure, seconds=1.0)
+assert_type(recorder.contact, asp.Contact)
+assert_type(asp.certify(contact.height, 1.0, gap=contact.gap).holds, bool)
