@@ -97,7 +97,8 @@ fn check_folder(path: &Path) -> Result<(), FileError> {
 /// Makes the folder `path` whole or not at all: `fill` fills a draft beside it, which is then renamed.
 ///
 /// # Errors
-/// [`FileError::Target`] for a folder that is there and not empty, or cannot be made; the errors of `fill`, and [`FileError::Write`] for the rest. None leaves anything behind.
+/// [`FileError::Target`] for a folder that is there and not empty, or cannot be made; the errors of `fill`, and [`FileError::Write`]
+/// for the rest. None leaves anything behind.
 ///
 /// ```
 /// use asperity::files::fill_folder;

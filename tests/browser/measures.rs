@@ -72,7 +72,7 @@ fn memory(explorer: &Explorer, page: &mut Page) -> [f64; 3] {
     [resident(&explorer.id().to_string()), of("renderer"), of("GPU")]
 }
 
-/// The same, printed after so many deeds.
+/// Memory of the server, the page and its graphics in megabytes, printed with what was done until then.
 fn told_memory(explorer: &Explorer, page: &mut Page, deeds: &str) -> [f64; 3] {
     let memory = memory(explorer, page);
     let [server, renderer, graphics] = memory.map(f64::round);
@@ -80,7 +80,7 @@ fn told_memory(explorer: &Explorer, page: &mut Page, deeds: &str) -> [f64; 3] {
     memory
 }
 
-/// The server has settled after the second measurement.
+/// Asserts that the memory of the server has grown by no more than a fifth and 20 MB since the second measurement.
 fn assert_settled(measured: &[[f64; 3]]) {
     let (first, last) = (measured[1], measured[measured.len() - 1]);
     assert!(last[0] < 1.2 * first[0] + 20.0, "the server has grown from {} to {} MB", first[0], last[0]);

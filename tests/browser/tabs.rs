@@ -92,8 +92,9 @@ fn a_server_that_comes_back_is_found() {
     page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
     let shown = "[document.getElementById('numbers').innerText, document.querySelectorAll('#results polyline').length]";
     let before = page.value(shown);
-    let read = "['run-2', 'run-3'].every((id) => viewer.get_timeline_time_range(id, 'step')) && viewer.get_timeline_time_range('sweep-4', 'load') !== null";
+    let read = "['run-1', 'run-2', 'run-3'].every((id) => viewer.get_timeline_time_range(id, 'step')) && viewer.get_timeline_time_range('sweep-4', 'load') !== null";
     page.until(read, 60);
+    page.until("runs.length === 4 && runs.every((run) => run.ended && run.followed)", 60);
     let port = explorer.kill();
     page.until("document.body.dataset.server === 'gone'", 60);
     assert!(page.text(FAULT).starts_with("The server has ended: start asperity explore again"), "{}", page.text(FAULT));
