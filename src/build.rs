@@ -9,7 +9,7 @@ use std::process::Command;
 fn main() {
     println!("cargo::rustc-env=ASPERITY_COMMIT={}", commit());
     println!("cargo::rustc-env=ASPERITY_FEATURES={}", features());
-    for path in ["build.rs", "Cargo.toml", ".cargo_vcs_info.json"].into_iter().filter(|path| Path::new(path).exists()) {
+    for path in ["Cargo.toml", ".cargo_vcs_info.json"].into_iter().filter(|path| Path::new(path).exists()) {
         println!("cargo::rerun-if-changed={path}");
     }
     let entries = std::fs::read_dir("src").into_iter().flatten().flatten().map(|entry| entry.path());
