@@ -1,5 +1,7 @@
 //! Sweeps and their tables: the same numbers however they are solved, stopped and gone on with.
 
+#[path = "study/ledger.rs"]
+mod ledger;
 #[path = "study/plan.rs"]
 mod plan;
 

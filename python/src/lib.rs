@@ -5,6 +5,8 @@
 //!    ^           ^              |
 //!    +-- Setup --+              v
 //!                            Contact            Recorder <--(pressure)-- a loop of one's own
+//!
+//! Study --(batches)--> workers --(rows as text)--> Ledger --> Table
 //! ```
 //!
 //! Everything is described by sections and keys of a setup, see [`value`]; nothing is computed here that the library does not compute.
@@ -12,13 +14,17 @@
 mod certificate;
 mod contact;
 mod field;
+mod halt;
+mod ledger;
 mod problem;
 mod process;
 mod recorder;
 mod refusal;
 mod setup;
 mod step;
+mod study;
 mod surface;
+mod table;
 mod theory;
 mod value;
 mod verdict;
@@ -34,6 +40,18 @@ fn main(py: Python<'_>, words: Vec<String>) -> u8 {
     py.detach(|| asperity::cli::run(words.map(Into::into)))
 }
 
+/// How many threads this machine has for this process.
+#[pyfunction]
+fn threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// How many bytes of memory are free, if the system tells.
+#[pyfunction]
+fn free_memory() -> Option<f64> {
+    asperity::setup::available_bytes()
+}
+
 /// What the measures of a contact are: by name, the symbol, the unit and one sentence.
 #[pyfunction]
 fn observables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
@@ -43,11 +61,15 @@ fn observables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
 #[pymodule]
 mod _asperity {
     #[pymodule_export]
-    use super::{main, observables};
+    use super::{free_memory, main, observables, threads};
     #[pymodule_export]
     use crate::certificate::{Certificate, Work};
     #[pymodule_export]
     use crate::contact::Contact;
+    #[pymodule_export]
+    use crate::halt::Halt;
+    #[pymodule_export]
+    use crate::ledger::{Batch, Ledger};
     #[pymodule_export]
     use crate::problem::Problem;
     #[pymodule_export]
@@ -59,7 +81,11 @@ mod _asperity {
     #[pymodule_export]
     use crate::step::Step;
     #[pymodule_export]
+    use crate::study::Study;
+    #[pymodule_export]
     use crate::surface::Surface;
+    #[pymodule_export]
+    use crate::table::Table;
     #[pymodule_export]
     use crate::theory::{
         PowerLaw, Westergaard, counting_excess, cylinder, exact, greenwood_williamson, persson_pressure_density,

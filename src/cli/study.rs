@@ -9,7 +9,6 @@ use super::study_table::{write_expenses, write_means};
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::{check_named, check_target};
-use asperity::plot::{write_png, write_svg};
 use asperity::setup::available_bytes;
 use asperity::study::{Campaign, Plan, Point, Shard, Table};
 use clap::Args;
@@ -129,16 +128,9 @@ pub fn table_of(study: &Path, given: Option<&Path>) -> Result<PathBuf> {
 
 /// Writes all of a whole study but its table, and prints what is found.
 pub fn write_all(plan: &Plan, table: &Path, points: &[Point]) -> Result<()> {
-    let share: Vec<usize> = (0..plan.realisations()).collect();
-    let parquet = table.with_extension("parquet");
-    plan.write_parquet(&parquet, &share, points)?;
-    let title = table.file_stem().unwrap_or_default().to_string_lossy();
-    let figure = plan.figure(&title, points);
-    let [svg, png] = ["svg", "png"].map(|ending| table.with_extension(ending));
-    write_svg(&svg, &figure)?;
-    write_png(&png, &figure)?;
+    let views = plan.write_views(table, points)?;
     write_means(plan, points, &mut stdout())?;
-    [parquet, svg, png].iter().for_each(|path| wrote(path));
+    views.iter().for_each(|path| wrote(path));
     Ok(())
 }
 

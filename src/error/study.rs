@@ -36,6 +36,12 @@ pub enum StudyError {
         bytes_in_words(*needed), bytes_in_words(*memory)
     )]
     Memory { values: String, needed: f64, memory: f64 },
+    /// Points of something else than what was to be solved.
+    #[error(
+        "{points} points of {version} came for {values}, and are of other heights, loads or another version: install the same version and \
+         put the same height files everywhere"
+    )]
+    OtherPoints { values: String, points: usize, version: String },
     /// Rows that no table holds.
     #[error(
         "{rows} of {of} rows are in none of the tables, the first is row {first}: solve them, or give the other tables as well"

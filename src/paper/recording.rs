@@ -31,11 +31,14 @@ pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation
     }
     for (scene, contact) in contacts.iter().enumerate() {
         let mut load = 0;
-        contact.press(|contact| {
-            recording.contact(scene, load, contact)?;
-            load += 1;
-            Ok::<(), StudyError>(())
-        })?;
+        contact.press(
+            |_| (),
+            |contact| {
+                recording.contact(scene, load, contact)?;
+                load += 1;
+                Ok::<(), StudyError>(())
+            },
+        )?;
     }
     Ok(recording.finish()?)
 }

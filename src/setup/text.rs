@@ -63,9 +63,13 @@ impl Table {
             true => Self::from_json(&text),
             _ => Self::from_toml(&text),
         };
-        let mut table = table.map_err(|error| error.in_file(path))?;
+        Ok(table.map_err(|error| error.in_file(path))?.beside(path))
+    }
+
+    /// The sections and keys with the height files that lie in the folder of the file `path`.
+    pub fn beside(mut self, path: &Path) -> Self {
         for key in ["height", "against"] {
-            let files = table.0.get_mut("surface").and_then(|it| it.get_mut(key));
+            let files = self.0.get_mut("surface").and_then(|it| it.get_mut(key));
             let files = files.map_or(&mut [][..], |it| match it {
                 toml::Value::Array(files) => files,
                 one => std::slice::from_mut(one),
@@ -76,7 +80,7 @@ impl Table {
                 }
             }
         }
-        Ok(table)
+        self
     }
 
     /// The setup whose surface, if it was made with a height file, is the one that a result holds.

@@ -8,6 +8,7 @@ use super::point::Point;
 use super::shard::Shard;
 use super::sweep::Sweep;
 use super::table::Table;
+use crate::contact::Observer;
 use crate::error::{FileError, StudyError};
 use crate::files::write_beside;
 use std::io;
@@ -28,15 +29,19 @@ pub struct Campaign {
 }
 
 impl Plan {
-    /// Solves one realisation under all loads. This is all that a worker on another machine need do: the points of all
-    /// realisations, one after the other, are those of [`Plan::run`].
+    /// Solves one realisation under all loads, `watch`ed under each of them. This is all that a worker on another machine need do: the
+    /// points of all realisations, one after the other, are those of [`Plan::run`]; a [`super::Ledger`] puts them together.
     ///
     /// # Errors
     /// The errors of [`super::Realisation::press`].
-    pub fn solve(&self, realisation: usize) -> Result<Vec<Point>, StudyError> {
+    pub fn solve<O: Observer>(
+        &self,
+        realisation: usize,
+        watch: impl FnMut(usize) -> O,
+    ) -> Result<Vec<Point>, StudyError> {
         let realisation = self.realisation(realisation)?;
         let mut points = Vec::new();
-        Identity::of(&realisation)?.press(|point, _| points.push(point))?;
+        Identity::of(&realisation)?.press(watch, |point, _| points.push(point))?;
         Ok(points)
     }
 
@@ -66,7 +71,7 @@ impl Plan {
     /// The errors of [`Plan::realisation`], and [`StudyError::Memory`].
     pub fn sweep(&self, campaign: &Campaign, share: &[usize]) -> Result<Sweep, StudyError> {
         self.check_memory(campaign)?;
-        let realisations = share.iter().map(|&i| self.realisation(i)).collect::<Result<_, _>>()?;
+        let realisations = self.realisations_of(share)?;
         Ok(Sweep { realisations, workers: campaign.workers, memory: campaign.memory })
     }
 
@@ -88,7 +93,8 @@ impl Plan {
     /// [`StudyError::OtherStudy`] for a table with points of another study, [`StudyError::Overlap`] for a row that is there twice,
     /// [`StudyError::Missing`] for rows that are in no table, and the errors of [`Table::read`].
     pub fn merge(&self, tables: &[Table]) -> Result<Vec<Point>, StudyError> {
-        let realisations = (0..self.realisations()).map(|i| self.realisation(i)).collect::<Result<Vec<_>, _>>()?;
+        let all: Vec<usize> = (0..self.realisations()).collect();
+        let realisations = self.realisations_of(&all)?;
         let identities = realisations.iter().map(Identity::of).collect::<Result<Vec<_>, _>>()?;
         let mut merged: Vec<Option<Vec<Point>>> = vec![None; identities.len()];
         let mut origin = vec![0; identities.len()];
@@ -110,14 +116,22 @@ impl Plan {
                 (merged[i], origin[i]) = (Some(found), number);
             }
         }
-        let mut missing = merged.iter().enumerate().filter(|(_, it)| it.is_none()).map(|(i, _)| i);
+        self.put_together(merged)
+    }
+
+    /// The points of all realisations in their order.
+    ///
+    /// # Errors
+    /// [`StudyError::Missing`] where some are not there.
+    pub(super) fn put_together(&self, points: Vec<Option<Vec<Point>>>) -> Result<Vec<Point>, StudyError> {
+        let mut missing = points.iter().enumerate().filter(|(_, it)| it.is_none()).map(|(i, _)| i);
         match missing.next() {
             Some(first) => Err(StudyError::Missing {
                 rows: (1 + missing.count()) * self.loads().len(),
                 first: 1 + first * self.loads().len(),
                 of: self.rows(),
             }),
-            None => Ok(merged.into_iter().flatten().flatten().collect()),
+            None => Ok(points.into_iter().flatten().flatten().collect()),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::point::Point;
 use super::realisation::Realisation;
-use crate::contact::{Contact, Load, Observables};
+use crate::contact::{Contact, Load, Observables, Observer};
 use crate::error::StudyError;
 use crate::setup::fnv1a;
 
@@ -58,13 +58,17 @@ impl<'a> Identity<'a> {
         Some(found.iter().copied().cloned().collect())
     }
 
-    /// Solves the realisation, and shows each point with its contact.
+    /// Solves the realisation, `watch`ed under each load, and shows each point with its contact.
     ///
     /// # Errors
     /// The errors of [`Realisation::press`].
-    pub fn press(&self, mut each: impl FnMut(Point, &Contact)) -> Result<(), StudyError> {
+    pub fn press<O: Observer>(
+        &self,
+        watch: impl FnMut(usize) -> O,
+        mut each: impl FnMut(Point, &Contact),
+    ) -> Result<(), StudyError> {
         let mut load = 0;
-        self.realisation.press(|contact| {
+        self.realisation.press(watch, |contact| {
             load += 1;
             each(self.point(load, contact), contact);
             Ok::<(), StudyError>(())

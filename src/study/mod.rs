@@ -5,6 +5,7 @@
 //! Refinement { setup, tolerance } --> Settled { setup, contact }
 //! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Estimate, Limit
 //! Plan, a setup with lists --> Realisations, in one Sweep or in Shards on many machines --> Table, columns, Parquet, figure
+//!                              in Batches by workers elsewhere --> Ledger --> the same
 //! ```
 
 mod campaign;
@@ -16,6 +17,7 @@ mod expense;
 mod flattened;
 mod identity;
 mod known;
+mod ledger;
 mod limit;
 mod load_curve;
 #[cfg(feature = "parquet")]
@@ -29,11 +31,14 @@ mod shard;
 mod spread;
 mod sweep;
 mod table;
+#[cfg(all(feature = "figures", feature = "parquet"))]
+mod views;
 
 pub use campaign::Campaign;
 pub use column::{Column, Values};
 pub use estimate::Estimate;
 pub use expense::Expense;
+pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
 pub use load_curve::LoadCurve;
 pub use plan::{Plan, Row};

@@ -46,7 +46,7 @@ fn schema(columns: &[Column]) -> Result<TypePtr> {
 
 fn field(column: &Column) -> Result<TypePtr> {
     let (physical, logical, repetition) = match column.values {
-        Values::Whole(_) => (Physical::INT64, None, Repetition::OPTIONAL),
+        Values::Whole(_) => (Physical::INT64, Some(LogicalType::integer(64, false)), Repetition::OPTIONAL),
         Values::Number(_) => (Physical::DOUBLE, None, Repetition::OPTIONAL),
         Values::Text(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String), Repetition::REQUIRED),
     };

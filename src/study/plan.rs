@@ -30,7 +30,7 @@ const NAME: &str = "study";
 /// assert_eq!((plan.rows(), plan.realisations()), (12, 6));
 /// let row = plan.row(9)?;
 /// assert_eq!((plan.words(row.realisation), row.load), ("hurst 0.8, seed 2".into(), 0));
-/// let points = plan.solve(row.realisation)?;
+/// let points = plan.solve(row.realisation, |_| ())?;
 /// assert!(points[1].observables.relative_area > points[0].observables.relative_area);
 /// let shares = ["1/2", "2/2"].map(|shard| plan.share(shard.parse().unwrap()));
 /// assert_eq!(shares[0].as_ref().unwrap().len() + shares[1].as_ref().unwrap().len(), 6);
@@ -69,6 +69,14 @@ impl Plan {
     /// For a text that is no setup with lists, with the line, and for more than [`Plan::MOST_ROWS`] rows.
     pub fn from_toml(text: &str) -> Result<Self, StudyError> {
         Self::of(Table::from_toml(text)?, text)
+    }
+
+    /// The study that some sections and keys make, with lists among their values.
+    ///
+    /// # Errors
+    /// The errors of [`Plan::from_toml`].
+    pub fn from_table(table: Table) -> Result<Self, StudyError> {
+        Self::of(table, "")
     }
 
     /// The study in a file. A height file is found beside it.
@@ -149,6 +157,14 @@ impl Plan {
         self.places(i).zip(&self.axes).for_each(|(place, axis)| table.lay_axis(axis, place));
         let setup = table.setup().map_err(|error| self.in_row(i, error.in_text(&self.text)))?;
         Ok(Realisation { name: NAME.into(), setup, loads: self.loads.clone() })
+    }
+
+    /// The realisations of some numbers.
+    ///
+    /// # Errors
+    /// The errors of [`Plan::realisation`].
+    pub fn realisations_of(&self, numbers: &[usize]) -> Result<Vec<Realisation>, StudyError> {
+        numbers.iter().map(|&i| self.realisation(i)).collect()
     }
 
     /// What is chosen from the lists for realisation number `i`, in words.

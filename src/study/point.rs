@@ -44,6 +44,21 @@ pub struct Point {
 }
 
 impl Point {
+    /// Points as lines of comma-separated values without a head, all numbers to the last bit.
+    pub fn to_lines(points: &[Self]) -> String {
+        let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+        let written = points.iter().try_for_each(|it| csv.serialize((it, it.observables, it.seconds)));
+        let text = written.ok().and_then(|()| String::from_utf8(csv.into_inner().ok()?).ok());
+        text.expect("numbers and texts have a form in lines")
+    }
+
+    /// The points in such lines, as far as these are whole.
+    pub fn from_lines(text: &[u8]) -> Vec<Self> {
+        let csv = csv::ReaderBuilder::new().has_headers(false).from_reader(text);
+        let whole = csv.into_deserialize::<(Self, Observables, f64)>().flatten();
+        whole.map(|(point, observables, seconds)| Self { observables, seconds, ..point }).collect()
+    }
+
     /// Whether the certificate met the tolerance; what did not is kept in tables and left out of averages.
     pub fn is_converged(&self) -> bool {
         self.status == Status::Converged

@@ -1,7 +1,7 @@
 //! A setup and the loads it is solved under.
 
 use super::load_curve::LoadCurve;
-use crate::contact::{Contact, Load};
+use crate::contact::{Contact, Load, Observer};
 use crate::error::{ProblemError, SetupError, StudyError};
 use crate::grid::Grid;
 use crate::setup::Setup;
@@ -18,15 +18,20 @@ pub struct Realisation {
 }
 
 impl Realisation {
-    /// Solves the setup under its loads, each from the contact before, and shows each contact to `each`, which may end that.
+    /// Solves the setup under its loads, each from the contact before and `watch`ed by an observer of its own, and shows each contact to
+    /// `each`, which may end that.
     ///
     /// # Errors
     /// For surfaces and loads that cannot be, and those of `each`. What did not converge is shown all the same.
-    pub fn press<E: From<StudyError>>(&self, mut each: impl FnMut(&Contact) -> Result<(), E>) -> Result<(), E> {
+    pub fn press<O: Observer, E: From<StudyError>>(
+        &self,
+        watch: impl FnMut(usize) -> O,
+        mut each: impl FnMut(&Contact) -> Result<(), E>,
+    ) -> Result<(), E> {
         let Some(&first) = self.loads.first() else { return Ok(()) };
         let curve = LoadCurve { setup: self.under(first), loads: self.loads.clone() };
         let problem = curve.setup.problem().map_err(StudyError::from)?;
-        curve.press(&problem, |_| (), |_, contact| each(contact))
+        curve.press(&problem, watch, |_, contact| each(contact))
     }
 
     /// Checks all that can be checked before a surface is made, and returns the grid.

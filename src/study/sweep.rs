@@ -117,7 +117,7 @@ impl Sweep {
     }
 
     /// The points of `table`, if all belong to the sweep.
-    fn there(identities: &[Identity<'_>], table: &Table) -> Result<Vec<Point>, StudyError> {
+    pub(super) fn there(identities: &[Identity<'_>], table: &Table) -> Result<Vec<Point>, StudyError> {
         let there = table.read()?;
         match Known::of(&there).foreign(identities) {
             0 => Ok(there),
@@ -148,7 +148,7 @@ impl Sweep {
         let identities = self.identities()?;
         self.in_parallel(|i| {
             let mut seen = Vec::new();
-            identities[i].press(|point, contact| seen.push(see(&point, contact)))?;
+            identities[i].press(|_| (), |point, contact| seen.push(see(&point, contact)))?;
             Ok(seen)
         })
     }
@@ -167,10 +167,13 @@ impl Sweep {
                 return Ok(points.clone());
             }
             let mut points = Vec::new();
-            identities[i].press(|point, _| {
-                watch(&point);
-                points.push(point);
-            })?;
+            identities[i].press(
+                |_| (),
+                |point, _| {
+                    watch(&point);
+                    points.push(point);
+                },
+            )?;
             let _one_at_a_time = appended.lock().unwrap_or_else(PoisonError::into_inner);
             table.append(&points)?;
             Ok(points)

@@ -1,7 +1,6 @@
 //! A table of points on disk, which grows while a study runs.
 
 use super::point::Point;
-use crate::contact::Observables;
 use crate::error::FileError;
 use crate::files::{check_target, write_csv};
 use csv::StringRecord;
@@ -64,9 +63,7 @@ impl Table {
             let observables = record.deserialize(Some(names))?;
             Ok(Point { observables, seconds: seconds.next().unwrap_or(f64::NAN), ..record.deserialize(Some(names))? })
         })?;
-        let unfinished = reader(&self.unfinished_path(), false)?.into_deserialize::<(Point, Observables, f64)>();
-        let whole = unfinished.flatten().map(|(point, observables, seconds)| Point { observables, seconds, ..point });
-        points.extend(whole);
+        points.extend(Point::from_lines(&bytes(&self.unfinished_path())?));
         Ok(points)
     }
 
@@ -77,15 +74,9 @@ impl Table {
     pub fn append(&self, points: &[Point]) -> Result<(), FileError> {
         let path = self.unfinished_path();
         check_target(&path)?;
-        let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         let failed = |source| FileError::Write { path: path.clone(), source };
-        for point in points {
-            csv.serialize((point, point.observables, point.seconds))
-                .map_err(|error| failed(io::Error::other(error)))?;
-        }
-        let text = csv.into_inner().map_err(|error| failed(error.into_error()))?;
         let mut file = OpenOptions::new().create(true).append(true).open(&path).map_err(failed)?;
-        file.write_all(&text).and_then(|()| file.sync_data()).map_err(failed)
+        file.write_all(Point::to_lines(points).as_bytes()).and_then(|()| file.sync_data()).map_err(failed)
     }
 
     /// Writes the finished table and removes the unfinished one.
@@ -131,13 +122,12 @@ fn remove(path: PathBuf) -> Result<(), FileError> {
     }
 }
 
-/// The records of a file; none if it is missing.
-fn reader(path: &Path, has_headers: bool) -> Result<csv::Reader<io::Cursor<Vec<u8>>>, FileError> {
-    let text = match std::fs::read(path) {
-        Err(source) if source.kind() == io::ErrorKind::NotFound => Vec::new(),
-        other => other.map_err(|source| FileError::Read { path: path.into(), source })?,
-    };
-    Ok(csv::ReaderBuilder::new().has_headers(has_headers).from_reader(io::Cursor::new(text)))
+/// The bytes of a file; none if it is missing.
+fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+    match std::fs::read(path) {
+        Err(source) if source.kind() == io::ErrorKind::NotFound => Ok(Vec::new()),
+        other => other.map_err(|source| FileError::Read { path: path.into(), source }),
+    }
 }
 
 /// The records of a table that is whole, each read by `read` under the names of the columns.
@@ -147,7 +137,8 @@ fn finished<T>(
 ) -> Result<Vec<T>, FileError> {
     let reason = "it holds something else than the points of a study: write elsewhere, or remove it";
     let refuse = |_| FileError::Target { path: path.into(), reason: reason.into() };
-    let mut csv = reader(path, true)?;
+    let text = bytes(path)?;
+    let mut csv = csv::Reader::from_reader(text.as_slice());
     let names = csv.headers().map_err(refuse)?.clone();
     csv.records().map(|record| read(&record?, &names)).collect::<csv::Result<_>>().map_err(refuse)
 }

@@ -74,7 +74,7 @@ fn however_a_study_is_cut_the_bits_are_the_same() {
     let whole = plan.run(&ALONE, &table("whole.csv"), &|_| *watched.lock().unwrap() += 1).unwrap();
     assert_eq!((whole.len(), watched.into_inner().unwrap()), (96, 96));
     // one after the other, as a worker on another machine does it
-    let alone: Vec<Point> = (0..32).flat_map(|i| plan.solve(i).unwrap()).collect();
+    let alone: Vec<Point> = (0..32).flat_map(|i| plan.solve(i, |_| ()).unwrap()).collect();
     assert_eq!(words(&alone), words(&whole));
     let shards: Vec<Table> = (1..=3).map(|number| table(&format!("{number}.csv"))).collect();
     for (i, shard) in shards.iter().enumerate() {
@@ -114,7 +114,7 @@ fn too_much_memory_is_refused() {
 #[test]
 fn columns_hold_what_varies_and_the_setup_of_each_row() {
     let plan = plan();
-    let points = plan.solve(5).unwrap();
+    let points = plan.solve(5, |_| ()).unwrap();
     let rows: Vec<Row> = plan.rows_of(&[5]).collect();
     let columns = plan.columns(&rows, &points).unwrap();
     let column = |name: &str| &columns.iter().find(|column| column.name == name).unwrap().values;
@@ -146,7 +146,7 @@ fn lists_of_sections_and_of_height_files_are_lists_too() {
     let plan = Plan::read(&path).unwrap();
     assert_eq!(plan.rows(), 4);
     plan.check().unwrap();
-    let found: Vec<Point> = (0..4).flat_map(|i| plan.solve(i).unwrap()).collect();
+    let found: Vec<Point> = (0..4).flat_map(|i| plan.solve(i, |_| ()).unwrap()).collect();
     assert!(found.iter().all(Point::is_converged));
     let area = |i: usize| found[i].observables.relative_area_resolved;
     assert!(
@@ -165,7 +165,7 @@ fn parquet_holds_the_columns() {
     let (plan, folder) = (plan(), tempfile::tempdir().unwrap());
     let path = folder.path().join("study.parquet");
     let share = [3, 5];
-    let points: Vec<Point> = share.iter().flat_map(|&i| plan.solve(i).unwrap()).collect();
+    let points: Vec<Point> = share.iter().flat_map(|&i| plan.solve(i, |_| ()).unwrap()).collect();
     plan.write_parquet(&path, &share, &points).unwrap();
     let reader = SerializedFileReader::new(std::fs::File::open(&path).unwrap()).unwrap();
     let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();

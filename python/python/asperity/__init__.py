@@ -8,6 +8,7 @@
 
 - `solve` presses heights on a solid; the `Contact` has fields as numpy arrays, measures, and a `Certificate` that bounds its error.
 - `Surface`, `Problem` and `Setup` describe a contact, the last as text that repeats it to the last bit.
+- `study` solves a setup with lists, here or on the workers of Dask, and returns a `Table` for numpy, pandas and Arrow.
 - `certify` judges a result of any other code, and `Recorder` each step of a loop of your own.
 - `theory` has closed forms; `show` looks at contacts and recordings in a notebook.
 
@@ -26,11 +27,14 @@ from asperity._asperity import (
     AsperityWarning,
     Certificate,
     Contact,
+    Ledger,
     Problem,
     Recorder,
     Setup,
     Step,
+    Study,
     Surface,
+    Table,
     Verdict,
     Work,
     observables,
@@ -46,6 +50,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from asperity import notebook
+    from asperity.campaign import study
     from asperity.notebook import show
 
     Length = Union[float, str]
@@ -60,11 +65,14 @@ __all__ = [
     "AsperityWarning",
     "Certificate",
     "Contact",
+    "Ledger",
     "Problem",
     "Recorder",
     "Setup",
     "Step",
+    "Study",
     "Surface",
+    "Table",
     "Verdict",
     "Work",
     "certify",
@@ -72,6 +80,7 @@ __all__ = [
     "observables",
     "show",
     "solve",
+    "study",
     "theory",
 ]
 
@@ -82,6 +91,8 @@ def __getattr__(name: str) -> Any:
         return import_module("asperity.notebook")
     if name == "show":
         return import_module("asperity.notebook").show
+    if name == "study":
+        return import_module("asperity.campaign").study
     if name == "__version__":
         return import_module("importlib.metadata").version("asperity")
     raise AttributeError(f"module 'asperity' has no attribute {name!r}")

@@ -1,0 +1,24 @@
+//! What goes beside the table of a study.
+
+use super::plan::Plan;
+use super::point::Point;
+use crate::error::FileError;
+use crate::plot::{write_png, write_svg};
+use std::path::{Path, PathBuf};
+
+impl Plan {
+    /// Writes what goes beside the table of a whole study, NAME.parquet and the figure as NAME.svg and NAME.png, and returns these paths.
+    ///
+    /// # Errors
+    /// [`FileError::Target`] or [`FileError::Write`].
+    pub fn write_views(&self, table: &Path, points: &[Point]) -> Result<[PathBuf; 3], FileError> {
+        let paths = ["parquet", "svg", "png"].map(|ending| table.with_extension(ending));
+        let [parquet, svg, png] = &paths;
+        let all: Vec<usize> = (0..self.realisations()).collect();
+        self.write_parquet(parquet, &all, points)?;
+        let figure = self.figure(&table.file_stem().unwrap_or_default().to_string_lossy(), points);
+        write_svg(svg, &figure)?;
+        write_png(png, &figure)?;
+        Ok(paths)
+    }
+}
