@@ -66,7 +66,7 @@
 //! | 4     | [`diagnosis`] | what held a run up: nodes that flip, errors by wavelength, Ritz values, in words |           |
 //! | 4     | [`foreign`]  | results and iterations of other codes: certified, mistakes recognised, replayed   |           |
 //! | 4     | [`setup`]    | the one description of a contact to solve, and what it costs                      | (`units`) |
-//! | 5     | [`study`]    | load curves, and sweeps over surfaces and loads in tables that a killed run resumes |         |
+//! | 5     | [`study`]    | load curves, sweeps over surfaces and loads in tables that a killed run resumes, setups with lists for many machines | (`parquet`) |
 //! | 5     | `plot`       | figures as data, written as SVG and PNG                                           | `figures` |
 //! | 6     | `record`     | an observer that writes recordings for the Rerun viewer                           | `record`  |
 //! | 7     | `lab`        | accuracy, stability and speed: experiments on the solvers themselves              | `figures` |
@@ -75,7 +75,7 @@
 //! | 8     | `cli`        | the command line                                                                  | `cli`     |
 //!
 //! Without features the crate is the numerics, with few dependencies. `units` adds lengths and pressures with units and scenes in
-//! JSON, `instruments` the formats of measuring instruments that are packed. The folder `python` holds a package for Python, a crate of
+//! JSON, `instruments` the formats of measuring instruments that are packed, `parquet` that of tables. The folder `python` holds a package for Python, a crate of
 //! its own above all of these.
 //!
 //! A solver outside the crate can do all that those of the crate do: `examples/minimal_polonsky_keer.rs` builds every

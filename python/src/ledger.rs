@@ -69,11 +69,8 @@ impl Ledger {
             return refuse(format!("{} realisations come with {} texts of rows", realisations.len(), rows.len()));
         }
         py.detach(|| {
-            let mut ledger = self.ledger();
-            realisations.into_iter().zip(rows).try_for_each(|(realisation, lines)| {
-                self.plan.row(realisation.saturating_mul(self.plan.loads().len()).saturating_add(1))?;
-                ledger.enter(realisation, Point::from_lines(lines.as_bytes()))
-            })
+            let points = rows.iter().map(|lines| Point::from_lines(lines.as_bytes()));
+            self.ledger().enter(realisations.into_iter().zip(points).collect())
         })
         .map_err(refused)
     }

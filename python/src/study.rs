@@ -104,10 +104,7 @@ impl Study {
             return refuse("a realisation is solved on 0 threads: give at least one (threads)");
         }
         let halt = halt.cloned().unwrap_or_default();
-        let solve = |&it: &usize| {
-            self.plan.row(it.saturating_mul(self.plan.loads().len()).saturating_add(1))?;
-            self.plan.solve(it, |_| &halt)
-        };
+        let solve = |&it: &usize| self.plan.solve(self.plan.number(it)?, |_| &halt);
         let solved = py.detach(|| {
             // threads of its own, since those that all share are not in a process that was forked
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().map_err(refused)?;

@@ -190,7 +190,7 @@ def test_what_cannot_be_solved_is_refused_before_anything_is(tmp_path: Path) -> 
         ledger.enter([0], STUDY.solve([1]))
     with pytest.raises(asp.AsperityError, match="80 of 80 rows"):
         ledger.finish()
-    halt = asp._asperity.Halt()
+    halt = asp.Halt()
     halt.pull()
     with pytest.raises(asp.AsperityError, match="ended"):
         STUDY.solve([0], halt=halt)

@@ -28,9 +28,8 @@ const SECONDS: [f64; 2] = [0.25, 20.0];
 /// )?;
 /// let mut ledger = Ledger::new(plan.clone(), None)?;
 /// for batch in ledger.batches(1)? {
-///     for &realisation in &batch.realisations {
-///         ledger.enter(realisation, plan.solve(realisation, |_| ())?)?;
-///     }
+///     let solve = |&realisation: &usize| Ok((realisation, plan.solve(realisation, |_| ())?));
+///     ledger.enter(batch.realisations.iter().map(solve).collect::<Result<_, asperity::error::StudyError>>()?)?;
 /// }
 /// assert_eq!(ledger.finish()?.len(), 6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -101,22 +100,29 @@ impl Ledger {
         (first..first + self.plan.seeds()).filter(|&it| self.points[it].is_none()).collect()
     }
 
-    /// Enters the points of a realisation, which is known from now on.
+    /// Enters the points of some realisations, by their numbers, which are known from now on; all of them or, after an error, none.
     ///
     /// # Errors
-    /// [`StudyError::OtherPoints`] for points of another realisation or version of the program, and the errors of [`Table::append`].
-    pub fn enter(&mut self, number: usize, points: Vec<Point>) -> Result<(), StudyError> {
-        let realisation = self.plan.realisation(number)?;
+    /// [`StudyError::OtherPoints`] for points of another realisation or version of the program, [`StudyError::NoRow`] for a realisation that there
+    /// is not, and the errors of [`Table::append`].
+    pub fn enter(&mut self, solved: Vec<(usize, Vec<Point>)>) -> Result<(), StudyError> {
+        solved.iter().try_for_each(|(number, points)| self.check(*number, points))?;
+        if let Some(table) = &self.table {
+            table.append(solved.iter().flat_map(|(_, points)| points))?;
+        }
+        solved.into_iter().for_each(|(number, points)| self.points[number] = Some(points));
+        Ok(())
+    }
+
+    /// Refuses points that are not those of a realisation.
+    fn check(&self, number: usize, points: &[Point]) -> Result<(), StudyError> {
+        let realisation = self.plan.realisation(self.plan.number(number)?)?;
         let identity = Identity::of(&realisation)?;
         let found: Vec<&Point> = points.iter().filter(|point| key_of(point) == identity.key()).collect();
         if identity.find(&found).is_none_or(|it| it.len() != points.len()) {
             let version = points.first().map(|point| point.version.clone()).unwrap_or_default();
             return Err(StudyError::OtherPoints { values: self.plan.words(number), points: points.len(), version });
         }
-        if let Some(table) = &self.table {
-            table.append(&points)?;
-        }
-        self.points[number] = Some(points);
         Ok(())
     }
 

@@ -141,6 +141,15 @@ impl Plan {
         }
     }
 
+    /// The number of a realisation, from 0, if there is one of that number.
+    ///
+    /// # Errors
+    /// [`StudyError::NoRow`] with the row that it would begin with.
+    pub fn number(&self, realisation: usize) -> Result<usize, StudyError> {
+        let first = realisation.saturating_mul(self.loads.len()).saturating_add(1);
+        Ok(self.row(first)?.realisation)
+    }
+
     /// The rows of some realisations, in their order.
     pub fn rows_of<'a>(&'a self, realisations: &'a [usize]) -> impl Iterator<Item = Row> + 'a {
         let loads = self.loads.len();

@@ -45,9 +45,9 @@ pub struct Point {
 
 impl Point {
     /// Points as lines of comma-separated values without a head, all numbers to the last bit.
-    pub fn to_lines(points: &[Self]) -> String {
+    pub fn to_lines<'a>(points: impl IntoIterator<Item = &'a Self>) -> String {
         let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-        let written = points.iter().try_for_each(|it| csv.serialize((it, it.observables, it.seconds)));
+        let written = points.into_iter().try_for_each(|it| csv.serialize((it, it.observables, it.seconds)));
         let text = written.ok().and_then(|()| String::from_utf8(csv.into_inner().ok()?).ok());
         text.expect("numbers and texts have a form in lines")
     }

@@ -67,16 +67,17 @@ impl Table {
         Ok(points)
     }
 
-    /// Adds the points of a realisation to the unfinished table, so that a killed run need not repeat them.
+    /// Adds the points of realisations to the unfinished table, so that a killed run need not repeat them. What was added when the
+    /// machine itself lost its power may be lost.
     ///
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
-    pub fn append(&self, points: &[Point]) -> Result<(), FileError> {
+    pub fn append<'a>(&self, points: impl IntoIterator<Item = &'a Point>) -> Result<(), FileError> {
         let path = self.unfinished_path();
         check_target(&path)?;
         let failed = |source| FileError::Write { path: path.clone(), source };
         let mut file = OpenOptions::new().create(true).append(true).open(&path).map_err(failed)?;
-        file.write_all(Point::to_lines(points).as_bytes()).and_then(|()| file.sync_data()).map_err(failed)
+        file.write_all(Point::to_lines(points).as_bytes()).map_err(failed)
     }
 
     /// Writes the finished table and removes the unfinished one.

@@ -22,7 +22,7 @@ fn sent(plan: &Plan, realisation: usize) -> Vec<Point> {
 fn batches_hold_what_is_missing_once_and_the_longest_come_first() {
     let mut ledger = Ledger::new(plan(), None).unwrap();
     for known in [7, 12] {
-        ledger.enter(known, sent(&plan(), known)).unwrap();
+        ledger.enter(vec![(known, sent(&plan(), known))]).unwrap();
     }
     assert_eq!(ledger.known(), 4);
     for workers in [0, 1, 4, 1000] {
@@ -44,17 +44,15 @@ fn what_comes_in_any_order_is_the_study_of_one_machine_to_the_last_bit() {
     let alone = Campaign { shard: Shard::WHOLE, workers: 1, memory: None };
     plan.run(&alone, &table("whole.csv"), &|_| ()).unwrap();
     let mut ledger = Ledger::new(plan.clone(), Some(table("pieces.csv"))).unwrap();
-    for i in (6..20).rev() {
-        ledger.enter(i, sent(&plan, i)).unwrap();
+    for i in [19, 13, 6] {
+        ledger.enter((i..20.min(i + 7)).rev().map(|i| (i, sent(&plan, i))).collect()).unwrap();
     }
     assert!(matches!(ledger.finish(), Err(StudyError::Missing { rows: 12, first: 1, of: 40 })));
     // begun again, it knows what came before
     let mut ledger = Ledger::new(plan.clone(), Some(table("pieces.csv"))).unwrap();
     let missing: Vec<usize> = ledger.batches(1).unwrap().into_iter().flat_map(|it| it.realisations).collect();
     assert_eq!((ledger.known(), missing.len()), (28, 6));
-    for i in missing {
-        ledger.enter(i, sent(&plan, i)).unwrap();
-    }
+    ledger.enter(missing.into_iter().map(|i| (i, sent(&plan, i))).collect()).unwrap();
     ledger.finish().unwrap();
     let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
     assert!(read("pieces.csv") == read("whole.csv"));
@@ -68,8 +66,10 @@ fn points_of_something_else_are_refused() {
     let newer: Vec<Point> = right.iter().map(|point| Point { version: "99.0.0".into(), ..point.clone() }).collect();
     let twice = [right.clone(), right.clone()].concat();
     for wrong in [other, newer, twice, right[..1].to_vec(), Vec::new()] {
-        assert!(matches!(ledger.enter(3, wrong), Err(StudyError::OtherPoints { .. })));
+        let entered = ledger.enter(vec![(2, sent(&plan, 2)), (3, wrong)]);
+        assert!(matches!(entered, Err(StudyError::OtherPoints { .. })));
     }
     assert_eq!(ledger.known(), 0);
-    ledger.enter(3, right).unwrap();
+    assert!(matches!(ledger.enter(vec![(20, right.clone())]), Err(StudyError::NoRow { number: 41, rows: 40 })));
+    ledger.enter(vec![(3, right)]).unwrap();
 }

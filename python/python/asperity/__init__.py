@@ -25,8 +25,10 @@ from asperity import theory
 from asperity._asperity import (
     AsperityError,
     AsperityWarning,
+    Batch,
     Certificate,
     Contact,
+    Halt,
     Ledger,
     Problem,
     Recorder,
@@ -63,8 +65,10 @@ if TYPE_CHECKING:
 __all__ = [
     "AsperityError",
     "AsperityWarning",
+    "Batch",
     "Certificate",
     "Contact",
+    "Halt",
     "Ledger",
     "Problem",
     "Recorder",
