@@ -19,6 +19,7 @@ mod refusal;
 mod setup;
 mod step;
 mod surface;
+mod target;
 mod theory;
 mod value;
 mod verdict;

@@ -162,6 +162,7 @@ class Problem:
         record: Path | None = None,
         recording: Keys | None = None,
         live: bool = False,
+        stream: Callable[[bytes], object] | None = None,
         diagnose: bool = False,
     ) -> Contact: ...
     def certify(
@@ -223,6 +224,7 @@ class Setup:
         record: Path | None = None,
         recording: Keys | None = None,
         live: bool = False,
+        stream: Callable[[bytes], object] | None = None,
         diagnose: bool = False,
     ) -> Contact: ...
 
@@ -322,6 +324,7 @@ class Recorder:
         quantity: Literal["pressure", "gap", "displacement"] = "pressure",
         reference: bool = True,
         live: bool = False,
+        stream: Callable[[bytes], object] | None = None,
         recording: Keys | None = None,
     ) -> Recorder: ...
     def __enter__(self) -> Recorder: ...

@@ -22,14 +22,57 @@ def show(what: Contact | os.PathLike[str] | str, *, width: int = 1000, height: i
     path = os.fspath(what)
     if not has_viewer():
         return path
-    # the viewer comes from its package and not from the network, unless that is said otherwise
+    widget = _widget(width, height)
+    with open(path, "rb") as recording:
+        widget.send_rrd(recording.read())
+    return widget
+
+
+class Viewer:
+    """The viewer in the cell that makes it, and a recording that grows there: the `stream` of a `Recorder`, or of `solve`.
+
+        with asp.Recorder(problem, stream=asp.notebook.Viewer()) as recorder:
+            for pressure in my_iteration():
+                recorder.step(pressure)
+
+    It needs the package `rerun-notebook`. What comes before the browser has loaded the viewer waits for it.
+    """
+
+    def __init__(self, *, width: int = 1000, height: int = 700) -> None:
+        from IPython.display import display
+
+        self._widget = _widget(width, height)
+        self._is_ready = False
+        self._widget.on_msg(self._hear)
+        display(self._widget)
+
+    def __call__(self, piece: bytes) -> None:
+        """Shows a piece of the recording."""
+        self._widget.send_rrd(piece)
+        if not self._is_ready and _has_kernel():
+            # the word that the viewer is ready would wait for the end of the cell
+            from jupyter_ui_poll import ui_events
+
+            with ui_events() as poll:
+                poll(1)
+
+    def _hear(self, _widget: Any, word: Any, _buffers: Any) -> None:
+        self._is_ready |= word == "ready"
+
+
+def _widget(width: int, height: int) -> Any:
+    """The widget with the viewer, which comes from its package and not from the network, unless that is said otherwise."""
     os.environ.setdefault("RERUN_NOTEBOOK_ASSET", "serve-local")
     from rerun_notebook import Viewer
 
-    viewer = Viewer(width=width, height=height)
-    with open(path, "rb") as recording:
-        viewer.send_rrd(recording.read())
-    return viewer
+    return Viewer(width=width, height=height)
+
+
+def _has_kernel() -> bool:
+    """Whether this runs in a notebook."""
+    from IPython import get_ipython
+
+    return hasattr(get_ipython(), "kernel")
 
 
 def has_viewer() -> bool:
