@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from importlib.util import find_spec
+from time import monotonic
 from typing import Any
 
 import numpy as np
@@ -31,11 +32,13 @@ def show(what: Contact | os.PathLike[str] | str, *, width: int = 1000, height: i
 class Viewer:
     """The viewer in the cell that makes it, and a recording that grows there: the `stream` of a `Recorder`, or of `solve`.
 
-        with asp.Recorder(problem, stream=asp.notebook.Viewer()) as recorder:
+        viewer = await asp.notebook.Viewer().ready()
+        with asp.Recorder(problem, stream=viewer) as recorder:
             for pressure in my_iteration():
                 recorder.step(pressure)
 
-    It needs the package `rerun-notebook`. What comes before the browser has loaded the viewer waits for it.
+    It needs the package `rerun-notebook`. What comes before the browser has loaded the viewer waits, and while a cell runs the kernel does
+    not hear of the browser: without `ready` a recording may appear at the end of the cell only, as it does with kernels before ipykernel 7.4.
     """
 
     def __init__(self, *, width: int = 1000, height: int = 700) -> None:
@@ -49,12 +52,15 @@ class Viewer:
     def __call__(self, piece: bytes) -> None:
         """Shows a piece of the recording."""
         self._widget.send_rrd(piece)
-        if not self._is_ready and _has_kernel():
-            # the word that the viewer is ready would wait for the end of the cell
-            from jupyter_ui_poll import ui_events
 
-            with ui_events() as poll:
-                poll(1)
+    async def ready(self, patience: float = 10.0) -> Viewer:
+        """The viewer, once the browser has loaded it, or after so many seconds."""
+        from asyncio import sleep
+
+        end = monotonic() + patience
+        while not self._is_ready and monotonic() < end:
+            await sleep(0.05)
+        return self
 
     def _hear(self, _widget: Any, word: Any, _buffers: Any) -> None:
         self._is_ready |= word == "ready"
@@ -66,13 +72,6 @@ def _widget(width: int, height: int) -> Any:
     from rerun_notebook import Viewer
 
     return Viewer(width=width, height=height)
-
-
-def _has_kernel() -> bool:
-    """Whether this runs in a notebook."""
-    from IPython import get_ipython
-
-    return hasattr(get_ipython(), "kernel")
 
 
 def has_viewer() -> bool:

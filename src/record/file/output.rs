@@ -1,7 +1,6 @@
 //! The file behind a recording.
 
 use super::pace::Pace;
-use super::pieces::Pieces;
 use crate::error::FileError;
 use crate::files::check_target;
 use rerun::SpawnOptions;
@@ -62,13 +61,9 @@ impl Output {
         Self::seen(path, Box::new(start_viewer()?))
     }
 
-    /// Makes the file at `path`, if there is one, and `pieces` of what it gets.
-    pub(super) fn streamed(path: Option<&Path>, pieces: Pieces) -> Result<Self, FileError> {
+    /// Makes the file at `path`, if there is one; `viewer` gets each message as well.
+    pub(super) fn seen(path: Option<&Path>, viewer: Box<dyn LogSink>) -> Result<Self, FileError> {
         path.map_or(Ok(()), check_target)?;
-        Self::seen(path, Box::new(pieces))
-    }
-
-    fn seen(path: Option<&Path>, viewer: Box<dyn LogSink>) -> Result<Self, FileError> {
         let path = path.unwrap_or(Path::new(NOWHERE));
         Self::new(path, File::create(path), Pace::SHOWN, Some(viewer))
     }

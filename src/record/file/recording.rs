@@ -55,7 +55,7 @@ impl Recording {
         scenes: &[Scene<'_>],
         options: Options,
     ) -> Result<Self, FileError> {
-        Self::begin(Output::streamed(path, pieces)?, None, scenes, options)
+        Self::begin(Output::seen(path, Box::new(pieces))?, None, scenes, options)
     }
 
     /// Begins a recording under the name `id` in a temporary file, and returns the means to read it.
