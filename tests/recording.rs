@@ -31,6 +31,8 @@ mod layout;
 mod loads;
 #[path = "recording/numbers.rs"]
 mod numbers;
+#[path = "recording/pieces.rs"]
+mod pieces;
 #[path = "recording/properties.rs"]
 mod properties;
 #[path = "recording/survey.rs"]

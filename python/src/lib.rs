@@ -25,6 +25,7 @@ mod step;
 mod study;
 mod surface;
 mod table;
+mod target;
 mod theory;
 mod value;
 mod verdict;

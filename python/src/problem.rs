@@ -90,8 +90,8 @@ impl Problem {
     /// solver is "multilevel", "polonsky-keer" or "gfmd", or a dictionary with its method and settings; it stops at a certificate
     /// `eta <= tolerance` (1e-8), and with a pressure_tolerance at a bound of the relative error of the pressure as well. callback(step)
     /// sees every step and ends the run by returning False. start is a pressure to start from. record is the file of a recording, live
-    /// shows it in the installed viewer. With diagnose the problem is solved twice, and the contact says what held the solver up.
-    #[pyo3(signature = (**wishes), text_signature = "($self, *, solver='multilevel', tolerance=1e-8, pressure_tolerance=None, max_iterations=100000, start=None, callback=None, record=None, recording=None, live=False, diagnose=False)")]
+    /// shows it in the installed viewer, stream is a callable that takes it as bytes, piece by piece as it grows. With diagnose the problem is solved twice, and the contact says what held the solver up.
+    #[pyo3(signature = (**wishes), text_signature = "($self, *, solver='multilevel', tolerance=1e-8, pressure_tolerance=None, max_iterations=100000, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
     pub fn solve(&self, py: Python<'_>, wishes: Option<&Bound<'_, PyDict>>) -> PyResult<Contact> {
         let (wishes, setup) = Wishes::of(wishes, &self.setup, self.problem.surface().grid())?;
         wishes.solve(py, self, setup)

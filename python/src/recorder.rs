@@ -5,12 +5,12 @@ use crate::field::{Given, list, rows_on};
 use crate::problem::Problem;
 use crate::process;
 use crate::refusal::{Fault, refuse, refused};
+use crate::target::Target;
 use crate::value::{section, sections_of, setup, value};
-use crate::watch::watched;
+use crate::watch::{Sight, watched};
 use asperity::contact::{Multilevel, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
-use asperity::error::Failure;
-use asperity::files::check_named;
+use asperity::error::{Failure, FileError};
 use asperity::foreign::{Distance, Distances, Frame, Quantity, Replay};
 use asperity::record::{Options, Parts, Recording, Scene};
 use asperity::setup::Setup;
@@ -33,7 +33,8 @@ const WAITING: usize = 2;
 ///
 /// with Recorder(problem, "mine.rrd") as r: r.step(pressure) for each step of your loop. Seconds are those between the steps, without
 /// those of the recorder, unless they are given. quantity is "pressure", "gap" or "displacement"; without a path nothing is written, and
-/// the numbers remain; live shows the steps in the installed viewer. The solution to compare with is found first, by multilevel to 1e-12,
+/// the numbers remain; live shows the steps in the installed viewer; stream is a callable that takes the recording as bytes, piece by piece as
+/// it grows, such as asperity.notebook.Viewer(). The solution to compare with is found first, by multilevel to 1e-12,
 /// unless reference is False.
 #[pyclass(frozen, module = "asperity")]
 pub struct Recorder {
@@ -52,8 +53,7 @@ struct Job {
     rank: usize,
     name: String,
     quantity: Quantity,
-    path: Option<PathBuf>,
-    is_live: bool,
+    target: Target,
     is_compared: bool,
 }
 
@@ -114,10 +114,7 @@ impl Job {
         Ok(Done { contact, distances, findings: diagnosis.findings() })
     }
 
-    fn recording(&self, end: Option<Arc<Reference>>) -> Result<Option<Recording>, Fault> {
-        if self.path.is_none() && !self.is_live {
-            return Ok(None);
-        }
+    fn recording(&self, end: Option<Arc<Reference>>) -> Result<Option<Recording>, FileError> {
         let mut options = Options::from(&self.setup.record);
         if self.setup.record.what.is_empty() {
             options.what = Parts::OF_OTHERS;
@@ -125,10 +122,7 @@ impl Job {
         let title = format!("{}, {}", self.setup.surface.title(self.problem.surface().grid()), self.name);
         // no setup: it would name a solver that has not made this
         let scenes = [Scene { title, reference: end, ..Scene::new("contact", &self.problem) }];
-        Ok(Some(match &self.path {
-            Some(path) if !self.is_live => Recording::create(path, &scenes, options)?,
-            path => Recording::shown(path.as_deref(), &scenes, options)?,
-        }))
+        self.target.recording(&scenes, || options)
     }
 }
 
@@ -142,12 +136,13 @@ impl Recorder {
         let Some(AtWork { frames, thread, .. }) = self.state().at_work.take() else { return Ok(()) };
         drop(frames);
         let done = py.detach(|| thread.join()).unwrap_or_else(|panic| resume_unwind(panic));
+        let streamed = self.job.target.finish(py);
         let Done { contact, distances, findings } = done.map_err(refused)?;
         let Job { pressed, setup, rank, .. } = &*self.job;
         let (pressed, setup, told) = (pressed.clone(), setup.clone(), findings.to_string());
         let contact = Contact { contact, pressed, setup, rank: *rank, diagnosis: Some(findings) };
         self.state().told = Some(Told { contact: Py::new(py, contact)?, distances, findings: told });
-        Ok(())
+        streamed
     }
 
     /// Something of what came out.
@@ -162,7 +157,7 @@ impl Recorder {
 #[pymethods]
 impl Recorder {
     #[new]
-    #[pyo3(signature = (problem, path=None, *, name="mine", quantity="pressure", reference=true, live=false, recording=None))]
+    #[pyo3(signature = (problem, path=None, *, name="mine", quantity="pressure", reference=true, live=false, stream=None, recording=None))]
     #[allow(clippy::too_many_arguments, reason = "these are keywords")]
     fn new(
         problem: &Problem,
@@ -171,9 +166,12 @@ impl Recorder {
         quantity: &str,
         reference: bool,
         live: bool,
+        stream: Option<&Bound<'_, PyAny>>,
         recording: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        path.as_deref().map_or(Ok(()), |path| check_named(path, &["rrd"])).map_err(refused)?;
+        let mut target = Target::new(path, live);
+        stream.map_or(Ok(()), |stream| target.stream_to(stream))?;
+        target.check()?;
         let Some(quantity) = Quantity::named(quantity) else {
             return refuse(format!("there is no quantity {quantity:?}: give pressure, gap or displacement"));
         };
@@ -188,8 +186,7 @@ impl Recorder {
             rank: problem.rank,
             name: name.into(),
             quantity,
-            path,
-            is_live: live,
+            target,
             is_compared: reference,
         };
         Ok(Self { job: job.into(), state: Mutex::default() })
@@ -201,7 +198,7 @@ impl Recorder {
         let reference = match job.is_compared {
             true => {
                 let stop = Stop::new(REFERENCE, Stop::default().max_iterations()).map_err(refused)?;
-                Some(watched(py, None, |watch| Multilevel.solve(&job.problem, &stop, watch))?.map_err(refused)?)
+                Some(watched(py, Sight::NONE, |watch| Multilevel.solve(&job.problem, &stop, watch))?.map_err(refused)?)
             }
             false => None,
         };
@@ -229,9 +226,10 @@ impl Recorder {
         let frame = Frame { values: field.into_raw_vec_and_offset().0, seconds: Some(seconds.unwrap_or(clock)) };
         let sent = py.detach(|| frames.send(frame));
         drop(frames);
-        if sent.is_err() {
+        match sent {
+            Ok(()) => self.job.target.pass_on(py)?,
             // the thread has ended before its time, and says why
-            self.finish(py)?;
+            Err(_) => self.finish(py)?,
         }
         if let Some(at_work) = &mut self.state().at_work {
             at_work.own += began.elapsed();

@@ -96,7 +96,7 @@ impl Setup {
     }
 
     /// Solves it, by its own solver unless another is named; keywords are those of Problem.solve.
-    #[pyo3(signature = (**wishes), text_signature = "($self, *, solver=None, tolerance=None, pressure_tolerance=None, max_iterations=None, start=None, callback=None, record=None, recording=None, live=False, diagnose=False)")]
+    #[pyo3(signature = (**wishes), text_signature = "($self, *, solver=None, tolerance=None, pressure_tolerance=None, max_iterations=None, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
     fn solve(&self, py: Python<'_>, wishes: Option<&Bound<'_, PyDict>>) -> PyResult<Contact> {
         self.problem(py)?.solve(py, wishes)
     }

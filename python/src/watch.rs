@@ -30,6 +30,20 @@ enum Word {
 /// What looks at a step, and says whether to go on.
 pub type Look<'a> = dyn Fn(Python<'_>, &Shown) -> PyResult<bool> + Sync + 'a;
 
+/// What the thread that called does while the work goes on.
+#[derive(Clone, Copy)]
+pub struct Sight<'a> {
+    /// What looks at the steps.
+    pub see: Option<&'a Look<'a>>,
+    /// What is done between them, and every few hundredths of a second.
+    pub meanwhile: &'a (dyn Fn(Python<'_>) -> PyResult<()> + Sync),
+}
+
+impl Sight<'_> {
+    /// Nothing but Ctrl-C is looked for.
+    pub const NONE: Self = Self { see: None, meanwhile: &|_| Ok(()) };
+}
+
 /// A step that is shown: it can be asked until it is over.
 #[derive(Clone)]
 pub struct Shown(Sender<Word>);
@@ -82,21 +96,16 @@ impl Observer for Watch {
     }
 }
 
-/// Does some work on a thread of its own, and shows its steps to `see`, if it is there. What that raises, or Ctrl-C, ends the work and is
-/// raised.
-pub fn watched<T: Send>(
-    py: Python<'_>,
-    see: Option<&Look<'_>>,
-    work: impl FnOnce(&mut Watch) -> T + Send,
-) -> PyResult<T> {
+/// Does some work on a thread of its own, in sight of the one that called. What is raised there, or Ctrl-C, ends the work and is raised.
+pub fn watched<T: Send>(py: Python<'_>, sight: Sight<'_>, work: impl FnOnce(&mut Watch) -> T + Send) -> PyResult<T> {
     process::check()?;
     let is_over = Arc::new(AtomicBool::new(false));
     let (shown, steps) = sync_channel(0);
-    let mut watch = Watch { is_over: is_over.clone(), shown, is_shown: see.is_some() };
+    let mut watch = Watch { is_over: is_over.clone(), shown, is_shown: sight.see.is_some() };
     py.detach(|| {
         thread::scope(|scope| {
             let worker = scope.spawn(move || work(&mut watch));
-            let raised = look_on(&steps, &is_over, see);
+            let raised = look_on(&steps, &is_over, sight);
             drop(steps);
             let done = worker.join().unwrap_or_else(|panic| resume_unwind(panic));
             raised.map_or(Ok(done), Err)
@@ -105,16 +114,19 @@ pub fn watched<T: Send>(
 }
 
 /// Sees all steps to the end of the run, and returns what was raised first.
-fn look_on(steps: &Receiver<Shown>, is_over: &AtomicBool, see: Option<&Look<'_>>) -> Option<PyErr> {
+fn look_on(steps: &Receiver<Shown>, is_over: &AtomicBool, sight: Sight<'_>) -> Option<PyErr> {
     let mut raised = None;
     loop {
-        let goes_on = match (steps.recv_timeout(PATIENCE), see) {
+        let goes_on = match (steps.recv_timeout(PATIENCE), sight.see) {
             (Ok(step), Some(see)) => {
-                let goes_on = Python::attach(|py| see(py, &step));
+                let goes_on = Python::attach(|py| (sight.meanwhile)(py).and_then(|()| see(py, &step)));
                 step.0.send(Word::Seen(*goes_on.as_ref().unwrap_or(&false))).ok(); // the solver waits for it
                 goes_on
             }
-            (Err(RecvTimeoutError::Timeout), _) => Python::attach(|py| py.check_signals().map(|()| true)),
+            (Err(RecvTimeoutError::Timeout), _) => Python::attach(|py| {
+                py.check_signals()?;
+                (sight.meanwhile)(py).map(|()| true)
+            }),
             (Ok(_), None) | (Err(RecvTimeoutError::Disconnected), _) => return raised,
         };
         if let Err(error) = goes_on {

@@ -5,11 +5,11 @@ use crate::field::rows_on;
 use crate::problem::Problem;
 use crate::refusal::{AsperityWarning, Fault, refused};
 use crate::step::Step;
+use crate::target::Target;
 use crate::value::{Sections, section, sections_of, setup, value};
-use crate::watch::{Look, Shown, Watch, watched};
+use crate::watch::{Look, Shown, Sight, Watch, watched};
 use asperity::contact::Status;
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
-use asperity::files::check_named;
 use asperity::grid::Grid;
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::{Cost, Part, Setup};
@@ -18,7 +18,6 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ffi::CString;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Fields of a recording or a result that are held besides those of a solver.
@@ -28,8 +27,7 @@ const FIELDS: f64 = 4.0;
 #[derive(Default)]
 pub struct Wishes {
     callback: Option<Py<PyAny>>,
-    record: Option<PathBuf>,
-    is_live: bool,
+    target: Target,
     is_diagnosed: bool,
     start: Option<Field>,
 }
@@ -61,8 +59,9 @@ impl Wishes {
                 into.insert("record".into(), value(it, key)?);
             }
             "callback" => self.callback = Some(it.clone().unbind()),
-            "record" => self.record = Some(it.extract()?),
-            "live" => self.is_live = it.extract()?,
+            "record" => self.target.path = Some(it.extract()?),
+            "live" => self.target.is_live = it.extract()?,
+            "stream" => self.target.stream_to(it)?,
             "diagnose" => self.is_diagnosed = it.extract()?,
             "start" => self.start = Some(rows_on(&it.extract()?, shape, "pressure to start from")?),
             other => return Err(PyTypeError::new_err(format!("solve() got an unexpected keyword argument '{other}'"))),
@@ -73,15 +72,16 @@ impl Wishes {
     /// Solves a problem as wished.
     pub fn solve(&self, py: Python<'_>, of: &Problem, setup: Setup) -> PyResult<Contact> {
         let Problem { problem, pressed, rank, .. } = of;
-        if let Some(path) = &self.record {
-            check_named(path, &["rrd"]).map_err(refused)?;
-        }
+        self.target.check()?;
         let grid = problem.surface().grid();
         let fields = setup.solver.fields(grid, 0.0).max(3.0) + FIELDS;
         Cost::of_fields(grid, fields).check(setup.solver.name()).map_err(refused)?;
         let see = |py: Python<'_>, shown: &Shown| self.see(py, shown, *rank);
         let see: Option<&Look<'_>> = if self.callback.is_some() { Some(&see) } else { None };
-        let (contact, diagnosis) = watched(py, see, |watch| self.run(problem, &setup, watch))?.map_err(refused)?;
+        let meanwhile = |py: Python<'_>| self.target.pass_on(py);
+        let solved = watched(py, Sight { see, meanwhile: &meanwhile }, |watch| self.run(problem, &setup, watch));
+        self.target.finish(py)?;
+        let (contact, diagnosis) = solved?.map_err(refused)?;
         let contact = Contact { contact, pressed: pressed.clone(), setup, rank: *rank, diagnosis };
         contact.tell(py)?;
         Ok(contact)
@@ -102,19 +102,14 @@ impl Wishes {
         watch: &mut Watch,
     ) -> Result<(asperity::Contact, Option<Findings>), Fault> {
         let (solver, stop) = (setup.solver.solver(), &setup.stop);
-        let is_recorded = self.record.is_some() || self.is_live;
-        let needs_end = self.is_diagnosed || is_recorded && setup.record.what.contains(&Part::Waterfall);
+        let needs_end = self.is_diagnosed || self.target.is_any() && setup.record.what.contains(&Part::Waterfall);
         let end = match needs_end {
             true => Some(Arc::new(Reference::of(&solver.solve(problem, stop, &mut watch.quiet())?))),
             false => None,
         };
         let mut diagnosis = self.is_diagnosed.then(|| Diagnosis::new(problem, end.clone()));
         let scenes = [Scene { reference: end, ..Scene::of(setup, problem) }];
-        let recording = match &self.record {
-            Some(path) if !self.is_live => Some(Recording::create(path, &scenes, Options::from(&setup.record))?),
-            path if is_recorded => Some(Recording::shown(path.as_deref(), &scenes, Options::from(&setup.record))?),
-            _ => None,
-        };
+        let recording = self.target.recording(&scenes, || Options::from(&setup.record))?;
         let mut recorder = recording.as_ref().map(|recording| recording.recorder(0));
         let mut seen = (&mut recorder, &mut diagnosis, watch);
         let mut contact = solver.solve_from(self.start.as_ref(), problem, stop, &mut seen)?;

@@ -13,7 +13,7 @@ assert_type(contact.pressure, NDArray[np.float64])
 assert_type(contact.measures["kappa_r"], float)
 assert_type(asp.theory.sphere(1.0).load(0.1), float)
 assert_type(asp.theory.sphere(1.0).load(contact.pressure), NDArray[np.float64])
-with asp.Recorder(contact.problem, "mine.rrd") as recorder:
+with asp.Recorder(contact.problem, "mine.rrd", stream=asp.notebook.Viewer()) as recorder:
     recorder.step(contact.pressure, seconds=1.0)
 assert_type(recorder.contact, asp.Contact)
 assert_type(asp.certify(contact.height, 1.0, gap=contact.gap).holds, bool)

@@ -48,7 +48,7 @@ mod size;
 mod tape;
 
 pub use draw::{Curve, CurveKind, Ghost, LoadAxis};
-pub use file::{LoadRecording, Loads, Output, Recorder, Recording, compare, record_survey};
+pub use file::{LoadRecording, Loads, Output, Pieces, Recorder, Recording, compare, record_survey};
 pub use options::Options;
 pub use parts::Parts;
 pub use scene::Scene;

@@ -124,6 +124,7 @@ def solve(
     record: os.PathLike[str] | str | None = None,
     recording: Keys | None = None,
     live: bool = False,
+    stream: Callable[[bytes], object] | None = None,
     diagnose: bool = False,
 ) -> Contact:
     """Presses heights on an elastic solid, and returns the contact.
@@ -143,7 +144,8 @@ def solve(
     start: a pressure to start from, such as that under a neighbouring load.
     callback: called with every Step; the run ends when it returns False.
     record: a file .rrd that gets every step, for the Rerun viewer; recording: the keys of the section `record` of a scene; live: shows the
-        steps in the installed viewer.
+        steps in the installed viewer; stream: a callable that takes the recording as bytes, piece by piece as it grows, such as
+        `asperity.notebook.Viewer()`.
     diagnose: solves twice, and the contact says what held the solver up.
 
     Raises AsperityError for what makes no contact. Ctrl-C ends the run.
@@ -169,6 +171,7 @@ def solve(
         record=record,
         recording=recording,
         live=live,
+        stream=stream,
         diagnose=diagnose,
     )
 

@@ -164,6 +164,7 @@ class Problem:
         record: Path | None = None,
         recording: Keys | None = None,
         live: bool = False,
+        stream: Callable[[bytes], object] | None = None,
         diagnose: bool = False,
     ) -> Contact: ...
     def certify(
@@ -225,6 +226,7 @@ class Setup:
         record: Path | None = None,
         recording: Keys | None = None,
         live: bool = False,
+        stream: Callable[[bytes], object] | None = None,
         diagnose: bool = False,
     ) -> Contact: ...
 
@@ -388,6 +390,7 @@ class Recorder:
         quantity: Literal["pressure", "gap", "displacement"] = "pressure",
         reference: bool = True,
         live: bool = False,
+        stream: Callable[[bytes], object] | None = None,
         recording: Keys | None = None,
     ) -> Recorder: ...
     def __enter__(self) -> Recorder: ...

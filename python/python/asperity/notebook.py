@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from importlib.util import find_spec
+from time import monotonic
 from typing import Any
 
 import numpy as np
@@ -22,14 +23,55 @@ def show(what: Contact | os.PathLike[str] | str, *, width: int = 1000, height: i
     path = os.fspath(what)
     if not has_viewer():
         return path
-    # the viewer comes from its package and not from the network, unless that is said otherwise
+    widget = _widget(width, height)
+    with open(path, "rb") as recording:
+        widget.send_rrd(recording.read())
+    return widget
+
+
+class Viewer:
+    """The viewer in the cell that makes it, and a recording that grows there: the `stream` of a `Recorder`, or of `solve`.
+
+        viewer = await asp.notebook.Viewer().ready()
+        with asp.Recorder(problem, stream=viewer) as recorder:
+            for pressure in my_iteration():
+                recorder.step(pressure)
+
+    It needs the package `rerun-notebook`. What comes before the browser has loaded the viewer waits, and while a cell runs the kernel does
+    not hear of the browser: without `ready` a recording may appear at the end of the cell only, as it does with kernels before ipykernel 7.4.
+    """
+
+    def __init__(self, *, width: int = 1000, height: int = 700) -> None:
+        from IPython.display import display
+
+        self._widget = _widget(width, height)
+        self._is_ready = False
+        self._widget.on_msg(self._hear)
+        display(self._widget)
+
+    def __call__(self, piece: bytes) -> None:
+        """Shows a piece of the recording."""
+        self._widget.send_rrd(piece)
+
+    async def ready(self, patience: float = 10.0) -> Viewer:
+        """The viewer, once the browser has loaded it, or after so many seconds."""
+        from asyncio import sleep
+
+        end = monotonic() + patience
+        while not self._is_ready and monotonic() < end:
+            await sleep(0.05)
+        return self
+
+    def _hear(self, _widget: Any, word: Any, _buffers: Any) -> None:
+        self._is_ready |= word == "ready"
+
+
+def _widget(width: int, height: int) -> Any:
+    """The widget with the viewer, which comes from its package and not from the network, unless that is said otherwise."""
     os.environ.setdefault("RERUN_NOTEBOOK_ASSET", "serve-local")
     from rerun_notebook import Viewer
 
-    viewer = Viewer(width=width, height=height)
-    with open(path, "rb") as recording:
-        viewer.send_rrd(recording.read())
-    return viewer
+    return Viewer(width=width, height=height)
 
 
 def has_viewer() -> bool:

@@ -3,6 +3,8 @@
 mod comparison;
 mod loads;
 mod output;
+mod pace;
+mod pieces;
 mod recorder;
 mod recording;
 mod schedule;
@@ -14,6 +16,7 @@ mod worker;
 pub use comparison::compare;
 pub use loads::{LoadRecording, Loads};
 pub use output::Output;
+pub use pieces::Pieces;
 pub use recorder::Recorder;
 pub use recording::Recording;
 pub use schedule::Schedule;

@@ -1,10 +1,11 @@
 //! The file behind a recording.
 
+use super::pace::Pace;
 use crate::error::FileError;
 use crate::files::check_target;
 use rerun::SpawnOptions;
 use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
-use rerun::log::LogMsg;
+use rerun::log::{ChunkBatcherConfig, LogMsg};
 use rerun::sink::{GrpcSink, LogSink, SinkFlushError};
 use std::fs::File;
 use std::io::{self, Read, Seek};
@@ -24,6 +25,7 @@ const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
 #[derive(Clone)]
 pub struct Output {
     path: Arc<Path>,
+    pace: Pace,
     /// The first failure, apart from the rest so that nobody waits for a message on its way into the file.
     failure: Arc<OnceLock<io::Error>>,
     state: Arc<Mutex<State>>,
@@ -36,32 +38,42 @@ struct State {
     /// Bytes of whole messages in the file.
     written: u64,
     is_finished: bool,
-    /// A viewer that gets each message as well.
-    viewer: Option<GrpcSink>,
+    /// Who looks on, and gets each message as well.
+    viewer: Option<Box<dyn LogSink>>,
 }
 
 impl Output {
     /// Makes the file at `path`, or empties it.
     pub(super) fn create(path: &Path) -> Result<Self, FileError> {
         check_target(path)?;
-        Self::new(path, File::create(path), None)
+        Self::new(path, File::create(path), Pace::Filed, None)
     }
 
     /// A temporary file. It has no name where the system allows that, and goes with its last `Output`, or with the process.
     #[cfg(feature = "explore")]
     pub(super) fn temporary() -> Result<Self, FileError> {
-        Self::new(&std::env::temp_dir(), tempfile::tempfile(), None)
+        Self::new(&std::env::temp_dir(), tempfile::tempfile(), Pace::LIVE, None)
     }
 
     /// Makes the file at `path`, if there is one, and shows what it gets in the installed viewer, or in the one that runs.
     pub(super) fn shown(path: Option<&Path>) -> Result<Self, FileError> {
         path.map_or(Ok(()), check_target)?;
-        let viewer = start_viewer()?;
-        let path = path.unwrap_or(Path::new(NOWHERE));
-        Self::new(path, File::create(path), Some(viewer))
+        Self::seen(path, Box::new(start_viewer()?))
     }
 
-    fn new(path: &Path, file: io::Result<File>, viewer: Option<GrpcSink>) -> Result<Self, FileError> {
+    /// Makes the file at `path`, if there is one; `viewer` gets each message as well.
+    pub(super) fn seen(path: Option<&Path>, viewer: Box<dyn LogSink>) -> Result<Self, FileError> {
+        path.map_or(Ok(()), check_target)?;
+        let path = path.unwrap_or(Path::new(NOWHERE));
+        Self::new(path, File::create(path), Pace::SHOWN, Some(viewer))
+    }
+
+    fn new(
+        path: &Path,
+        file: io::Result<File>,
+        pace: Pace,
+        viewer: Option<Box<dyn LogSink>>,
+    ) -> Result<Self, FileError> {
         let begin = |file: File| {
             let (version, mut end) = (rerun::build_info().version, file.try_clone()?);
             let encoder = Encoder::new_eager(version, EncodingOptions::PROTOBUF_COMPRESSED, file).map_err(io_error)?;
@@ -70,7 +82,12 @@ impl Output {
         };
         let error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
         let state = file.and_then(begin).map_err(error)?;
-        Ok(Self { path: path.into(), failure: Arc::default(), state: Arc::new(Mutex::new(state)) })
+        Ok(Self { path: path.into(), pace, failure: Arc::default(), state: Arc::new(Mutex::new(state)) })
+    }
+
+    /// When what waits is written.
+    pub(super) fn pace(&self) -> Pace {
+        self.pace
     }
 
     /// Bytes that can be read so far and end with a whole message; none once nothing more will be written.
@@ -142,9 +159,13 @@ impl LogSink for Output {
     fn flush_blocking(&self, _: Duration) -> Result<(), SinkFlushError> {
         self.check().map_err(|failure| SinkFlushError::Failed { message: failure.to_string() })
     }
+
+    fn default_batcher_config(&self) -> ChunkBatcherConfig {
+        ChunkBatcherConfig { flush_tick: self.pace.tick(), ..ChunkBatcherConfig::DEFAULT }
+    }
 }
 
-fn io_error(failure: EncodeError) -> io::Error {
+pub(super) fn io_error(failure: EncodeError) -> io::Error {
     match failure {
         EncodeError::Write(failure) => failure,
         other => io::Error::other(other),

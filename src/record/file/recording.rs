@@ -1,6 +1,7 @@
 //! Recordings over the steps of solvers.
 
 use super::output::Output;
+use super::pieces::Pieces;
 use super::scribe::{Scribe, UNFINISHED};
 use super::task::Task;
 use crate::error::FileError;
@@ -14,7 +15,6 @@ use rerun::{RecordingStream, RecordingStreamResult};
 use std::io;
 use std::path::Path;
 use std::sync::Arc;
-use std::time::Duration;
 
 /// A recording on its way into a file, which can be opened at any moment.
 pub struct Recording {
@@ -22,8 +22,6 @@ pub struct Recording {
     output: Output,
     pub(super) stages: Arc<[Stage]>,
     pub(super) options: Options,
-    /// The last part of a run that is lost if it is killed.
-    flush_interval: Duration,
     /// The layout and all that does not change, on their way.
     statics: Option<Task>,
 }
@@ -45,6 +43,19 @@ impl Recording {
     /// [`FileError::NoViewer`] where there is no viewer, else the errors of [`Recording::create`].
     pub fn shown(path: Option<&Path>, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         Self::begin(Output::shown(path)?, None, scenes, options)
+    }
+
+    /// Begins a recording that others take in `pieces` as it grows. A file at `path` gets it as well, if there is one.
+    ///
+    /// # Errors
+    /// The errors of [`Recording::create`].
+    pub fn streamed(
+        path: Option<&Path>,
+        pieces: Pieces,
+        scenes: &[Scene<'_>],
+        options: Options,
+    ) -> Result<Self, FileError> {
+        Self::begin(Output::seen(path, Box::new(pieces))?, None, scenes, options)
     }
 
     /// Begins a recording under the name `id` in a temporary file, and returns the means to read it.
@@ -77,8 +88,7 @@ impl Recording {
     /// Begins a recording with no more than its name. One that has an identity comes soon after it is made.
     pub(super) fn open(output: Output, name: &Name, stages: Vec<Stage>, options: Options) -> Result<Self, FileError> {
         let stream = stream(output.clone(), name).map_err(|failure| output.error(io::Error::other(failure)))?;
-        let flush_interval = Duration::from_millis(if name.id.is_some() { 40 } else { 200 });
-        Ok(Self { stream, output, stages: stages.into(), options, flush_interval, statics: None })
+        Ok(Self { stream, output, stages: stages.into(), options, statics: None })
     }
 
     /// Writes what is left, and the index of the file.
@@ -108,7 +118,7 @@ impl Recording {
     /// What writes the solve of scene number `scene`.
     pub(super) fn scribe(&self, scene: usize) -> Scribe {
         let target = (self.stream.clone(), self.output.clone());
-        Scribe::new(target, (Arc::clone(&self.stages), scene), self.options.every, self.flush_interval)
+        Scribe::new(target, (Arc::clone(&self.stages), scene), self.options.every)
     }
 
     /// Waits until the layout and all that does not change are written.

@@ -1,6 +1,7 @@
 //! What is written of a solve, step by step.
 
 use super::output::Output;
+use super::pace::Waiting;
 use super::schedule::{Schedule, Thinning};
 use crate::contact::{Contact, Phase, Problem, Solver, Step, Stop, Work};
 use crate::record::description;
@@ -12,7 +13,6 @@ use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 use std::io;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 /// The result of a run until there is one.
 pub const UNFINISHED: &str = "still running, or ended by force";
@@ -35,20 +35,18 @@ pub struct Scribe {
     has_phases: bool,
     /// The latest state of a coarse grid, as long as it is not drawn.
     undrawn: Option<(Work, Phase, Fields<'static>)>,
-    flush_interval: Duration,
-    flushed: Instant,
+    waiting: Waiting,
     /// Rows on the run in the table of parameters.
     run: String,
 }
 
 impl Scribe {
     /// Writes into `stream` and its `output` what comes of scene number `scene` of `stages`: fields of each n-th step if
-    /// `every` is given. The last `flush_interval` of a run is lost if it is killed.
+    /// `every` is given.
     pub fn new(
         (stream, output): (RecordingStream, Output),
         (stages, scene): (Arc<[Stage]>, usize),
         every: Option<usize>,
-        flush_interval: Duration,
     ) -> Self {
         let stage = &stages[scene];
         Self {
@@ -58,8 +56,7 @@ impl Scribe {
             phase: Phase { level: 0, outer: 0, inner: 0 },
             has_phases: false,
             undrawn: None,
-            flush_interval,
-            flushed: Instant::now(),
+            waiting: Waiting::new(output.pace()),
             run: String::new(),
             stream,
             output,
@@ -81,11 +78,10 @@ impl Scribe {
         });
     }
 
-    /// Writes a step, and has it in the file soon.
+    /// Writes a step, and has it in the file soon, at the pace of the output.
     pub fn step(&mut self, step: &Step<'_>) {
         self.attempt(|scribe| scribe.record(step));
-        if self.flushed.elapsed() >= self.flush_interval {
-            self.flushed = Instant::now();
+        if self.waiting.add(step.problem().surface().grid().len()) {
             self.flush_traces();
             self.stream.flush_async().ok(); // a failure shows at the next flush
         }

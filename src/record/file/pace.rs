@@ -1,0 +1,84 @@
+//! When what waits is written.
+
+use rerun::log::ChunkBatcherConfig;
+use std::time::{Duration, Instant};
+
+/// Nodes of the steps that are written together at the most: a second of a solver. Each time some twenty entities get a head
+/// of 1.8 kB, so that to write more often makes files longer.
+const MOST: usize = 1 << 23;
+/// Nodes that a step counts for at the least, so that 1024 steps are written together at the most.
+const LEAST: usize = 1 << 13;
+/// Nodes of the steps that are written first.
+const FIRST: usize = 1 << 19;
+
+/// When what waits is written.
+#[derive(Clone, Copy)]
+pub enum Pace {
+    /// As steps come, however long they take, so that a file does not depend on how busy the machine is. A run that is killed
+    /// keeps half of its steps at the least, after the first few.
+    Filed,
+    /// As time passes, for those who look on.
+    Watched(Duration),
+}
+
+impl Pace {
+    /// The pace of a viewer that runs.
+    pub const SHOWN: Self = Self::Watched(Duration::from_millis(200));
+    /// The pace of the explorer, in which things are turned by hand.
+    #[cfg(feature = "explore")]
+    pub const LIVE: Self = Self::Watched(Duration::from_millis(40));
+
+    /// The time after which the SDK sends what it has gathered.
+    pub fn tick(self) -> Duration {
+        match self {
+            Self::Filed => Duration::MAX,
+            Self::Watched(_) => ChunkBatcherConfig::DEFAULT.flush_tick,
+        }
+    }
+}
+
+/// Steps that wait to be written.
+pub struct Waiting {
+    pace: Pace,
+    since: Instant,
+    /// Nodes of all steps so far, and those at which all is written next.
+    nodes: usize,
+    due: usize,
+}
+
+impl Waiting {
+    pub fn new(pace: Pace) -> Self {
+        Self { pace, since: Instant::now(), nodes: 0, due: FIRST }
+    }
+
+    /// Adds a step on so many nodes, and returns whether it is time to write what waits.
+    pub fn add(&mut self, nodes: usize) -> bool {
+        self.nodes += nodes.max(LEAST);
+        let is_due = match self.pace {
+            Pace::Filed => self.nodes >= self.due,
+            Pace::Watched(interval) => self.since.elapsed() >= interval,
+        };
+        if is_due {
+            self.due = self.nodes + self.nodes.min(MOST);
+            self.since = Instant::now();
+        }
+        is_due
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(nodes: usize, steps: usize) -> Vec<usize> {
+        let mut waiting = Waiting::new(Pace::Filed);
+        (1..=steps).filter(|_| waiting.add(nodes)).collect()
+    }
+
+    #[test]
+    fn a_killed_run_loses_half_of_its_steps_at_the_most_and_a_long_one_much_less() {
+        assert_eq!(written(512, 4000), [64, 128, 256, 512, 1024, 2048, 3072]);
+        assert_eq!(written(1 << 18, 100), [2, 4, 8, 16, 32, 64, 96]);
+        assert_eq!(written(1 << 24, 4), [1, 2, 3, 4]);
+    }
+}
