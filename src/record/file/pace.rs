@@ -10,12 +10,14 @@ const MOST: usize = 1 << 23;
 const LEAST: usize = 1 << 13;
 /// Nodes of the steps that are written first.
 const FIRST: usize = 1 << 19;
+/// The longest time that a step waits for the next ones, so that slow runs can be looked at and are not lost.
+const LONGEST: Duration = Duration::from_secs(10);
 
 /// When what waits is written.
 #[derive(Clone, Copy)]
 pub enum Pace {
-    /// As steps come, however long they take, so that a file does not depend on how busy the machine is. A run that is killed
-    /// keeps half of its steps at the least, after the first few.
+    /// As steps come, so that a file does not depend on how busy the machine is. A run that is killed keeps half of its steps at the
+    /// least, after the first few, and all but those of its last ten seconds where steps take long.
     Filed,
     /// As time passes, for those who look on.
     Watched(Duration),
@@ -55,7 +57,7 @@ impl Waiting {
     pub fn add(&mut self, nodes: usize) -> bool {
         self.nodes += nodes.max(LEAST);
         let is_due = match self.pace {
-            Pace::Filed => self.nodes >= self.due,
+            Pace::Filed => self.nodes >= self.due || self.since.elapsed() >= LONGEST,
             Pace::Watched(interval) => self.since.elapsed() >= interval,
         };
         if is_due {
