@@ -173,7 +173,7 @@ fn parquet_holds_the_columns() {
     let place = |name: &str| rows[0].get_column_iter().position(|(column, _)| column == name).unwrap();
     for (row, point) in rows.iter().zip(&points) {
         assert_eq!(row.get_double(place("kappa_r")).unwrap().to_bits(), point.observables.kappa_r.to_bits());
-        assert_eq!(row.get_long(place("iterations")).unwrap() as usize, point.observables.iterations);
+        assert_eq!(row.get_ulong(place("iterations")).unwrap() as usize, point.observables.iterations);
         assert_eq!(row.get_string(place("status")).unwrap(), "converged");
     }
     let scene = rows[4].get_string(place("scene")).unwrap();
