@@ -208,3 +208,10 @@ def test_batches_are_packed_by_memory_and_the_largest_come_first() -> None:
     assigned = [(places.index(place), batch.bytes) for place, batch in campaign._assign(waiting, places)]
     assert assigned == [(0, 6.0), (0, 4.0), (1, 1.0)] and [batch.bytes for batch in waiting] == [5.0]
     assert [place.free for place in places] == [0.0, 2.0]
+
+
+def test_rows_that_did_not_converge_are_told() -> None:
+    hasty = dict(surface={"spectrum": SPECTRUM, "seed": 1}, grid={"points": 256, "size": 1.0}, load={"reduced_pressure": 0.1})
+    with pytest.warns(asp.AsperityWarning, match="2 of 2 rows did not converge: see their status"):
+        table = asp.study(hasty | {"solver": {"method": "polonsky-keer"}, "stop": {"max_iterations": 2}})
+    assert "converged" not in table["status"]

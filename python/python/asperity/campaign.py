@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import time
+import warnings
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from typing import Any, Callable, Iterator, Mapping
 
-from asperity._asperity import AsperityError, Batch, Halt, Ledger, Study, Table, free_memory
+from asperity._asperity import AsperityError, AsperityWarning, Batch, Halt, Ledger, Study, Table, free_memory
 from asperity._asperity import threads as threads_here
 
 MEMORY = 0.8
@@ -43,7 +44,8 @@ def study(
         free, if it is not given.
     progress: called with the rows that are known and those that there are, whenever some come in.
 
-    Raises AsperityError for what makes no study, and for a realisation that no worker has the memory for. Ctrl-C ends it.
+    Raises AsperityError for what makes no study, and for a realisation that no worker has the memory for. Rows that did not converge are
+    kept, their status says so, and an AsperityWarning tells how many they are. Ctrl-C ends it.
     """
     if not isinstance(study, Study):
         study = Study(**study) if isinstance(study, Mapping) else Study.read(study)
@@ -56,7 +58,10 @@ def study(
         _carry_out(study, ledger, engine, {"threads": threads, **engine.keywords}, progress)
     finally:
         engine.close()
-    return ledger.finish()
+    table = ledger.finish()
+    if unsettled := sum(status != "converged" for status in table["status"]):
+        warnings.warn(f"{unsettled} of {len(table)} rows did not converge: see their status", AsperityWarning, stacklevel=2)
+    return table
 
 
 class _Place:

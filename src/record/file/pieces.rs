@@ -18,7 +18,7 @@ impl Pieces {
     /// The next piece; none if nothing has come.
     ///
     /// # Errors
-    /// What comes of a message that cannot be encoded.
+    /// The error of the encoder for a message that cannot be encoded.
     pub fn next_piece(&self) -> io::Result<Option<Vec<u8>>> {
         let messages = take(&mut *self.messages());
         (!messages.is_empty()).then(|| encoded(&messages)).transpose()
