@@ -3,6 +3,7 @@
 //! Each scene has a group of properties under the name of its root, and each property is written once, as readers of whole
 //! folders take any of several.
 
+use super::draw::TRANSFORMS;
 use super::scene::Scene;
 use crate::contact::{Contact, Load, OBSERVABLES, Problem, Solver, State, Stop};
 use rerun::components::{Scalar, Text};
@@ -54,9 +55,14 @@ pub fn of_contact(contact: &Contact) -> AnyValues {
         _ => false,
     };
     let observables = OBSERVABLES.iter().filter(|observable| !is_known(observable.name));
-    let observables = observables.map(|observable| (observable.name, (observable.value)(&state)));
+    let observables = observables.map(|observable| (property(observable.name), (observable.value)(&state)));
     let ended = with_texts([("status", contact.status.to_string().as_str())]);
-    with_numbers(ended, observables.chain([("seconds", contact.work.seconds)]))
+    with_numbers(ended, observables.chain([("solver_seconds", contact.work.seconds)]))
+}
+
+/// The name of the property of an observable: its own, but for the one that is also the name of a timeline.
+fn property(observable: &'static str) -> &'static str {
+    if observable == TRANSFORMS { "solver_transforms" } else { observable }
 }
 
 /// Sends properties of the scene under `root`.

@@ -189,7 +189,7 @@ fn patches_that_are_pointed_at_tell_their_own_numbers() {
         };
         let cell: f64 = problem.surface().grid().spacing()[1]
             * if problem.surface().grid().is_line() { 1.0 } else { problem.surface().grid().spacing()[0] };
-        let [nodes, loads, kappa_r] = ["nodes", "load", "kappa_r"].map(last);
+        let [nodes, loads, kappa_r] = ["patch_nodes", "patch_load", "patch_kappa_r"].map(last);
         assert_eq!(nodes.len(), contact.patches().count());
         assert_eq!(nodes.iter().sum::<f32>() as usize, contact.measures().contact_nodes);
         let load = f64::from(loads.iter().sum::<f32>());
