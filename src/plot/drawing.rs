@@ -12,6 +12,8 @@ use super::sheet::Sheet;
 const SIZE: [u32; 2] = [600, 480];
 /// Panels in a row, at most.
 const IN_A_ROW: usize = 2;
+/// The least width and height of a frame.
+const LEAST: f64 = 40.0;
 /// Height of the title of a figure.
 const HEAD: u32 = 40;
 /// Above the frame, for the title of a panel; without one half of it is free.
@@ -39,20 +41,27 @@ pub fn drawing(figure: &Figure) -> Sheet {
     for (i, panel) in figure.panels.iter().enumerate() {
         let [column, row] = [i % columns, i / columns].map(|i| i as u32);
         let corner = [column * SIZE[0], head + row * SIZE[1]];
-        draw_panel(&mut sheet, &frame_of(panel, corner.map(f64::from)), panel);
+        draw_panel(&mut sheet, &frame_in(panel, corner.map(f64::from), SIZE.map(f64::from)), panel);
     }
     sheet
 }
 
-/// The frame of a panel whose top left corner is at `[x, y]`.
-pub fn frame_of(panel: &Panel, [x, y]: [f64; 2]) -> Frame {
+/// Draws a panel alone, of a size, with its top left corner at `corner`.
+#[cfg(feature = "record")]
+pub fn drawing_of(panel: &Panel, corner: [f64; 2], size: [f64; 2]) -> Sheet {
+    let mut sheet = Sheet::default();
+    draw_panel(&mut sheet, &frame_in(panel, corner, size), panel);
+    sheet
+}
+
+/// The frame of a panel of a size whose top left corner is at `[x, y]`.
+pub fn frame_in(panel: &Panel, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> Frame {
     let [left, above] = [NAME + labels(&panel.y), if panel.title.is_empty() { 0.5 * ABOVE } else { ABOVE }];
-    let [width, height] = SIZE.map(f64::from);
     Frame {
         x: panel.x.clone(),
         y: panel.y.clone(),
         corner: [x + left, y + above],
-        size: [width - left - RIGHT, height - above - BELOW],
+        size: [(width - left - RIGHT).max(LEAST), (height - above - BELOW).max(LEAST)],
         text: LABEL,
     }
 }

@@ -2,6 +2,7 @@
 
 use super::axis::Axis;
 use super::colour::Colour;
+use super::font::width;
 use super::sheet::{Align, Sheet, rectangle};
 
 /// A box with two axes on a sheet.
@@ -28,7 +29,10 @@ pub enum Side {
 const LINE: f64 = 1.2;
 const TICK: f64 = 0.4;
 const MINOR_TICK: f64 = 0.23;
-const NAME: f64 = 1.13;
+/// Size of the name of an axis, over that of its labels.
+pub const NAME: f64 = 1.13;
+/// The least room between neighbouring labels, side by side and one above the other, over their size.
+const APART: [f64; 2] = [0.6, 0.25];
 
 impl Frame {
     /// Places of a point along both axes.
@@ -44,10 +48,10 @@ impl Frame {
 
     /// Draws pale lines across the box at the ticks that have labels.
     pub fn draw_grid(&self, sheet: &mut Sheet) {
-        for (place, _) in labels(&self.x) {
+        for (place, _) in self.labels(Side::Below) {
             sheet.line([0.0, 1.0].map(|y| self.position([place, y])).to_vec(), Colour::PALE, 1.0);
         }
-        for (place, _) in labels(&self.y) {
+        for (place, _) in self.labels(Side::Left) {
             sheet.line([0.0, 1.0].map(|x| self.position([x, place])).to_vec(), Colour::PALE, 1.0);
         }
     }
@@ -66,7 +70,7 @@ impl Frame {
         let tick =
             |place, length, width| (vec![self.beside(side, place, 0.0), self.beside(side, place, length)], width);
         let mut ticks = Vec::new();
-        for (place, label) in labels(axis) {
+        for (place, label) in self.labels(side) {
             sheet.words(&label, self.beside(side, place, distances[0]), self.text, align);
             ticks.push(tick(place, TICK, LINE));
         }
@@ -74,6 +78,27 @@ impl Frame {
         ticks.into_iter().for_each(|(points, width)| sheet.line(points, Colour::GREY, width));
         let name = self.beside(side, 0.5, distances[1]);
         sheet.fitted_words(&axis.name, name, NAME * self.text, room, side == Side::Left);
+    }
+
+    /// The places and labels along a side: those of all ticks, or of every second, third and so on, so that neighbours are apart.
+    pub fn labels(&self, side: Side) -> Vec<(f64, String)> {
+        let axis = if side == Side::Below { &self.x } else { &self.y };
+        let all: Vec<(f64, String)> =
+            axis.ticks().into_iter().map(|(value, label)| (edge(axis, value), label)).collect();
+        let length = |label: &str| if side == Side::Below { width(label, self.text) } else { self.text };
+        let (room, apart) = match side {
+            Side::Below => (self.size[0], APART[0] * self.text),
+            Side::Left => (self.size[1], APART[1] * self.text),
+        };
+        let is_legible = |stride: &usize| {
+            let shown: Vec<&(f64, String)> = all.iter().step_by(*stride).collect();
+            shown.windows(2).all(|pair| {
+                let between = (pair[1].0 - pair[0].0).abs() * room;
+                between >= 0.5 * (length(&pair[0].1) + length(&pair[1].1)) + apart
+            })
+        };
+        let stride = (1..all.len()).find(is_legible).unwrap_or(all.len().max(1));
+        all.into_iter().step_by(stride).collect()
     }
 
     /// The position at `place` along a side and `out` sizes of a label outside the box.
@@ -84,12 +109,32 @@ impl Frame {
     }
 }
 
-/// Places and labels of an axis.
-fn labels(axis: &Axis) -> impl Iterator<Item = (f64, String)> {
-    axis.ticks().into_iter().map(|(value, label)| (edge(axis, value), label))
-}
-
 /// The place of a tick, which rounding may have put outside.
 fn edge(axis: &Axis, value: f64) -> f64 {
     axis.place(value).clamp(0.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbouring_labels_never_overlap_however_small_the_box_is() {
+        let axes = [Axis::linear("x", [0.0, 0.012]), Axis::log("x", [1e-16, 3.0]), Axis::linear("x", [-8.0, 1234.0])];
+        for (axis, length) in axes.iter().flat_map(|axis| [20.0, 60.0, 150.0, 400.0, 1000.0].map(|it| (axis, it))) {
+            let frame =
+                Frame { x: axis.clone(), y: axis.clone(), corner: [0.0; 2], size: [length, length], text: 16.0 };
+            for side in [Side::Below, Side::Left] {
+                let labels = frame.labels(side);
+                assert!(!labels.is_empty());
+                for pair in labels.windows(2) {
+                    let half = |label: &str| 0.5 * if side == Side::Below { width(label, 16.0) } else { 16.0 };
+                    let between = (pair[1].0 - pair[0].0).abs() * length;
+                    assert!(between > half(&pair[0].1) + half(&pair[1].1), "{pair:?} on {length}");
+                }
+            }
+        }
+        let roomy = Frame { x: axes[0].clone(), y: axes[0].clone(), corner: [0.0; 2], size: [1000.0; 2], text: 16.0 };
+        assert_eq!(roomy.labels(Side::Below).len(), axes[0].ticks().len());
+    }
 }

@@ -8,7 +8,7 @@ use super::frame::Frame;
 use super::series::{draw_line, draw_symbol};
 use super::sheet::{Align, Element, Sheet, rectangle};
 
-const TEXT: f64 = 13.0;
+const TEXT: f64 = 14.0;
 /// Height of a line.
 const ROW: f64 = 20.0;
 /// Length of the piece of a series.

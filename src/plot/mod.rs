@@ -34,8 +34,8 @@ pub use svg::{write_png, write_svg};
 #[cfg(feature = "record")]
 pub(crate) use {
     clip::dashes,
-    drawing::{drawing, frame_of},
-    font::width,
-    frame::{Frame, Side},
+    drawing::{drawing_of, frame_in},
+    font::{outlines, width},
+    frame::{Frame, NAME, Side},
     sheet::{Align, Element, Sheet},
 };

@@ -3,7 +3,7 @@
 use super::colour::Colour;
 use super::drawing::drawing;
 use super::figure::Figure;
-use super::font::{self, FAMILY, escaped};
+use super::font::{self, BASELINE, FAMILY, escaped};
 use super::sheet::{Align, Element, Sheet};
 use crate::error::FileError;
 use crate::files::write_beside;
@@ -13,8 +13,6 @@ use std::path::Path;
 
 /// Pixels along a unit.
 const PIXELS: u32 = 2;
-/// From the middle of a line of words down to its baseline, over the size of the font.
-const BASELINE: f64 = 0.36;
 
 /// Writes a scalable figure, in units of about a pixel.
 ///

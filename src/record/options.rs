@@ -5,6 +5,9 @@ use super::parts::Parts;
 use crate::setup::{Record, Theme};
 use std::sync::Arc;
 
+/// The window of a viewer on a common screen.
+pub(super) const WINDOW: [f64; 2] = [1600.0, 1000.0];
+
 /// Parts and amount of what is recorded.
 #[derive(Debug, Clone)]
 pub struct Options {
@@ -19,12 +22,15 @@ pub struct Options {
     pub raster_at: Option<[usize; 2]>,
     /// Ground of the pictures, and with it all their colours.
     pub theme: Theme,
+    /// Width and height, in points, of the window of the viewer that the pictures are drawn for: each fills its pane there, and about
+    /// fills it in windows of other sizes.
+    pub window: [f64; 2],
     /// Curves of an earlier solve, drawn beside those of each scene.
     pub ghost: Option<Arc<Ghost>>,
 }
 
 impl Default for Options {
-    /// The usual parts, the automatic schedule, lengths in metres, a dark ground, no earlier solve.
+    /// The usual parts, the automatic schedule, lengths in metres, a dark ground, a window of 1600 x 1000 points, no earlier solve.
     fn default() -> Self {
         Self {
             what: Parts::USUAL,
@@ -32,6 +38,7 @@ impl Default for Options {
             length_unit: "m".into(),
             raster_at: None,
             theme: Theme::Dark,
+            window: WINDOW,
             ghost: None,
         }
     }
@@ -46,6 +53,7 @@ impl From<&Record> for Options {
             length_unit: length_unit.clone(),
             raster_at: *raster_at,
             theme: *theme,
+            window: WINDOW,
             ghost: None,
         }
     }

@@ -73,7 +73,7 @@ fn bytes(part: Part, grid: &Grid) -> f64 {
         (Part::Spectrum, _) => 2e3,
         (Part::Error, true) => 12.0 * points,
         (Part::Error, false) => 4.0 * pixels,
-        (Part::Stress | Part::Fringes, _) => (4 * CUT_PIXELS[0] * CUT_PIXELS[1]) as f64,
+        (Part::Stress | Part::Fringes, _) => (4 * CUT_PIXELS) as f64,
         (Part::Traces | Part::Raster | Part::Waterfall | Part::Energy | Part::Decisions | Part::Ritz, _) => 0.0,
     }
 }

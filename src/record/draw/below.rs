@@ -1,6 +1,6 @@
 //! The stress below the surface, in a vertical cut: the largest shear stress in colour, and as photoelastic fringes.
 
-use super::canvas::{BOX, TEXT};
+use super::canvas;
 use super::fields::Fields;
 use super::fringes::{light, per_order};
 use super::palette::{Map, Palette};
@@ -17,8 +17,11 @@ use crate::record::scene::Scene;
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
-/// Columns and rows of the pictures, whose pixels are square in space.
-pub const PIXELS: [usize; 2] = [256, 118];
+/// Columns of the pictures, whose pixels are square in space, and the fewest and the most rows: as many as the pane has room for.
+const COLUMNS: usize = 256;
+const ROWS: [usize; 2] = [64, 200];
+/// Pixels of a picture at the most.
+pub const MOST_PIXELS: usize = COLUMNS * ROWS[1];
 /// Blocks of the pressure for each column of a picture of a line, and on the whole line at the most.
 const FINER: usize = 2;
 const MOST: usize = 8192;
@@ -41,6 +44,10 @@ pub struct StressPicture {
     row: usize,
     /// First and last position.
     ends: [f64; 2],
+    /// The side of a pixel, and the unit of lengths.
+    pixel: f64,
+    length_unit: String,
+    /// The depth of each row.
     depth: Vec<f64>,
     colours: Option<Image>,
     fringes: Option<Image>,
@@ -59,8 +66,8 @@ impl StressPicture {
         let (grid, contact_modulus) = (*scene.problem.surface().grid(), scene.problem.contact_modulus());
         let whole = [0.0, grid.size()[1]];
         let ends = if grid.is_line() { Window::around(scene).ends(grid.spacing()[1]) } else { whole };
-        let pixel = (ends[1] - ends[0]) / PIXELS[0] as f64;
-        let (frame, palette) = (frame(ends, pixel, &options.length_unit), Palette::of(options.theme));
+        let pixel = (ends[1] - ends[0]) / COLUMNS as f64;
+        let (frame, palette) = (frame(ends, pixel, ROWS[0], &options.length_unit), Palette::of(options.theme));
         let highest = HERTZ * forecast.max_pressure;
         let common = if scene.exact.is_some() { highest } else { COMMON * highest };
         let image = |name: &str, scale, map| Image::new(format!("{root}/{name}"), &frame, palette, scale, map);
@@ -71,7 +78,9 @@ impl StressPicture {
             blocks,
             poisson: scene.setup.as_ref().and_then(|setup| setup.poisson()).unwrap_or(USUAL_POISSON),
             ends,
-            depth: (0..PIXELS[1]).map(|i| (i as f64 + 0.5) * pixel).collect(),
+            depth: depths(ROWS[0], pixel),
+            pixel,
+            length_unit: options.length_unit.clone(),
             colours: has(Part::Stress).then(|| image("stress", Ruler::shear(highest, contact_modulus), Map::inferno())),
             fringes: has(Part::Fringes).then(|| image("fringes", Ruler::new("light", "", [0.0, 1.0]), Map::grey())),
             per_order: per_order(common, contact_modulus),
@@ -91,6 +100,18 @@ impl StressPicture {
             .filter_map(|(title, image)| Some((title, image.as_ref()?)))
     }
 
+    /// Makes them as large as a pane of so many points allows, as deep as it has room for.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        let [width, height] = canvas::boxed(pane, canvas::SCALE_ROOM);
+        let rows = ((COLUMNS as f64 * height / width) as usize).clamp(ROWS[0], ROWS[1]);
+        self.depth = depths(rows, self.pixel);
+        let frame = frame(self.ends, self.pixel, rows, &self.length_unit);
+        for image in [&mut self.colours, &mut self.fringes].into_iter().flatten() {
+            image.frame = frame.clone();
+            image.fit(pane);
+        }
+    }
+
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         self.images().try_for_each(|(_, image)| image.log_static(to))
     }
@@ -101,7 +122,7 @@ impl StressPicture {
             image.log(to, tau.iter().copied())?;
         }
         let Some(image) = &self.fringes else { return Ok(()) };
-        image.log(to, light(&tau, PIXELS[0], self.per_order).into_iter())
+        image.log(to, light(&tau, COLUMNS, self.per_order).into_iter())
     }
 
     /// The largest shear stress in the picture of a state.
@@ -120,7 +141,7 @@ impl StressPicture {
         let grid = self.grid.with_shape(self.blocks.cells).expect("blocks are fewer than nodes and more than three");
         let stress = below(&grid, &pressure, self.row, self.poisson, &self.depth).expect("the ratio was checked");
         let tau = stress.tau_max();
-        let columns: Vec<(usize, usize, f64)> = (0..PIXELS[0]).map(|column| self.between(column)).collect();
+        let columns: Vec<(usize, usize, f64)> = (0..COLUMNS).map(|column| self.between(column)).collect();
         let pixels = tau.rows().into_iter().flat_map(|row| {
             columns.iter().map(move |&(left, right, share)| row[left] + share * (row[right] - row[left]))
         });
@@ -137,7 +158,7 @@ impl StressPicture {
     /// The blocks to the left and to the right of the middle of a column, and how far it is from the first to the second.
     fn between(&self, column: usize) -> (usize, usize, f64) {
         let [start, end] = self.ends;
-        let position = start + (column as f64 + 0.5) / PIXELS[0] as f64 * (end - start);
+        let position = start + (column as f64 + 0.5) / COLUMNS as f64 * (end - start);
         let (blocks, spacing) = (self.blocks.cells[1], self.grid.spacing()[1]);
         let per_node = blocks as f64 / self.blocks.shape[1] as f64;
         // a node is in the middle of what it stands for
@@ -147,12 +168,17 @@ impl StressPicture {
     }
 }
 
-/// The frame of the pictures, a unit for each pixel, with the proportions of those of a line.
-fn frame(ends: [f64; 2], pixel: f64, length_unit: &str) -> Frame {
-    let size = PIXELS.map(|n| n as f64);
+/// The frame of the pictures, a unit for each pixel.
+fn frame(ends: [f64; 2], pixel: f64, rows: usize, length_unit: &str) -> Frame {
+    let size = [COLUMNS, rows].map(|n| n as f64);
     let x = Ruler::new("x", length_unit, ends).axis;
     let y = Ruler::new("z", length_unit, [-size[1] * pixel, 0.0]).axis;
-    Frame { x, y, corner: [0.0, 0.0], size, text: TEXT / BOX[0] * size[0] }
+    canvas::image_frame(canvas::PANE, [x, y], size)
+}
+
+/// The depth of the middle of each row.
+fn depths(rows: usize, pixel: f64) -> Vec<f64> {
+    (0..rows).map(|row| (row as f64 + 0.5) * pixel).collect()
 }
 
 /// The blocks of the pressure: somewhat finer than the pixels of a line, all that can be afforded on a surface.

@@ -1,92 +1,121 @@
-//! Canvases: drawings on sheets as lines and words of the viewer, whose flat views have neither axes nor filled shapes.
+//! Canvases: drawings on sheets as lines of the viewer, whose flat views have neither axes nor filled shapes, and whose words stand
+//! on grey plates: the letters of axes and legends are lines, too.
+//!
+//! The layout knows how large the pane of each picture is. The canvas has the proportions of that pane, and its words have the same
+//! size in every pane. The box of a curve is [`WIDTH`] wide on every canvas, so that what stands at a share of its width has the same
+//! coordinate everywhere; its height, and the size of words, follow from the pane.
 
 use super::fill;
 use super::palette::{Palette, colour};
-use crate::plot::{Align, Axis, Colour, Element, Frame, Sheet, Side, dashes, width};
-use rerun::{Color, LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
+use crate::plot::{Align, Axis, Colour, Element, Frame, NAME, Sheet, Side, dashes, outlines, width};
+use rerun::components::Text;
+use rerun::{AnyValues, AsComponents, Color, LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
 
-/// Width and height of the box of a curve.
-pub const BOX: [f64; 2] = [1000.0, 460.0];
-/// Size of words beside a curve.
-pub const TEXT: f64 = 18.0;
-/// Room left, right, above and below the box of a frame, over the size of its words.
-const MARGINS: [f64; 4] = [4.8, 8.2, 3.1, 3.9];
-/// Room left and right over the width of the box, if that is more: the viewer's words do not shrink with a narrow pane.
-const SIDES: [f64; 2] = [0.13, 0.26];
-/// From the lower right corner of a box to the middle of the name of its x axis, over the size of its words: beside the numbers.
-const X_NAME: [f64; 2] = [4.3, 1.2];
-/// The same to the right over the width of the box, if that is more.
-const X_NAME_ASIDE: f64 = 0.15;
+/// Width of the box of a curve.
+pub const WIDTH: f64 = 1000.0;
+/// Size of words in points of the viewer, which can be read from afar.
+pub const TEXT: f64 = 16.0;
+/// Width and height of a pane whose size nobody has told.
+pub const PANE: [f64; 2] = [1040.0, 420.0];
+/// Least width and height of a box, in points of the viewer.
+const LEAST: f64 = 40.0;
+/// Room left, right, above and below the box of a frame, over the size of its words: for the axes, and for a caption above.
+const ROOM: [f64; 4] = [5.6, 1.6, 1.9, 3.6];
+/// Room to the right of a frame for a scale of colours, over the size of its words.
+pub const SCALE_ROOM: f64 = 7.4;
 /// Length of a dash, and of what is between dashes.
 const DASHES: [f64; 2] = [14.0, 9.0];
-/// From a box up to the words above it, over their size.
-const HEAD: f64 = 2.5;
-/// From the middle of words up to their position, over their size: the viewer hangs words below their positions.
-const RISE: f64 = 0.72;
+/// From a box up to the middle of the words above it, over their size.
+const HEAD: f64 = 0.95;
 /// Draw order of points that one points at, above the lines of a contact.
 pub const POINTS: f32 = 36.0;
 /// Distance of the lines that fill a shape.
 const PITCH: f32 = 1.0;
+/// Distance of the lines that fill a letter, over its size, and their radius.
+pub const LETTER: [f32; 2] = [0.045, 0.028];
 
 type Strip = (Vec<[f32; 2]>, Color, Radius);
 
-/// The part of the canvas that box, ticks and words of a frame take: left, right, top, bottom.
-pub fn bounds(frame: &Frame) -> [f64; 4] {
-    let ([x, y], [width, height]) = (frame.corner, frame.size);
-    let [left, right, above, below] = MARGINS.map(|margin| margin * frame.text);
-    let [left, right] = [left.max(SIDES[0] * width), right.max(SIDES[1] * width)];
-    [x - left, x + width + right, y - above, y + height + below]
+/// The frame of curves in a pane of a size, with `aside` free to the right, over the size of words.
+pub fn frame(pane: [f64; 2], [x, y]: [Axis; 2], aside: f64) -> Frame {
+    let [width, height] = boxed(pane, aside);
+    let unit = WIDTH / width;
+    Frame { x, y, corner: [0.0, 0.0], size: [WIDTH, unit * height], text: unit * TEXT }
 }
 
-/// The height of the words above a frame.
-pub fn head(frame: &Frame) -> f64 {
-    frame.corner[1] - HEAD * frame.text
+/// The frame of an image of `size` with a scale of colours beside it, as large as it can be in a pane of a size.
+pub fn image_frame(pane: [f64; 2], [x, y]: [Axis; 2], size: [f64; 2]) -> Frame {
+    let room = boxed(pane, SCALE_ROOM);
+    let unit = (0..2).map(|i| size[i] / room[i]).fold(0.0, f64::max);
+    Frame { x, y, corner: [0.0, 0.0], size, text: unit * TEXT }
+}
+
+/// Gives a frame of curves the proportions of a pane of a size, with `aside` free to the right.
+pub fn fit(frame: &mut Frame, pane: [f64; 2], aside: f64) {
+    *frame = self::frame(pane, [frame.x.clone(), frame.y.clone()], aside);
+}
+
+/// Makes the frame of an image as large as a pane of a size allows.
+pub fn fit_image(frame: &mut Frame, pane: [f64; 2]) {
+    *frame = image_frame(pane, [frame.x.clone(), frame.y.clone()], frame.size);
+}
+
+/// Width and height that are left for the box in a pane, with `aside` free to the right.
+pub fn boxed(pane: [f64; 2], aside: f64) -> [f64; 2] {
+    let [left, right, above, below] = ROOM.map(|room| room * TEXT);
+    [pane[0] - left - right - aside * TEXT, pane[1] - above - below].map(|length| length.max(LEAST))
+}
+
+/// The part of the canvas that box, ticks and words of a frame take, with `aside` to the right: left, right, top, bottom.
+pub fn bounds(frame: &Frame, aside: f64) -> [f64; 4] {
+    let ([x, y], [width, height]) = (frame.corner, frame.size);
+    let [left, right, above, below] = ROOM.map(|room| room * frame.text);
+    [x - left, x + width + right + aside * frame.text, y - above, y + height + below]
 }
 
 /// Words above the middle of a frame.
-pub fn caption(palette: &Palette, frame: &Frame, words: String) -> Points2D {
-    labels(palette, vec![([(frame.corner[0] + 0.5 * frame.size[0]) as f32, head(frame) as f32], words)])
+pub fn caption(palette: &Palette, frame: &Frame, words: &str) -> impl AsComponents + use<> {
+    let mut sheet = Sheet::default();
+    let at = [frame.corner[0] + 0.5 * frame.size[0], frame.corner[1] - HEAD * frame.text];
+    sheet.words(words, at, frame.text, Align::Middle);
+    written(palette, &sheet)
 }
 
 /// Draws the box and both axes of a frame under `entity`, for all times.
 pub fn log_axes(to: &RecordingStream, palette: &Palette, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
+    log_sheet(to, palette, entity, &axes(frame))
+}
+
+/// The box and both axes of a frame. A name of the y axis that is longer than the axis stands above the box.
+fn axes(frame: &Frame) -> Sheet {
     let mut sheet = Sheet::default();
     frame.draw_box(&mut sheet);
-    frame.draw_axis(&mut sheet, Side::Left);
-    draw_x_axis(&mut sheet, frame);
-    log_sheet(to, palette, entity, &sheet, head(frame))
+    frame.draw_axis(&mut sheet, Side::Below);
+    let name = &frame.y.name;
+    if width(name, NAME * frame.text) <= frame.size[1] {
+        frame.draw_axis(&mut sheet, Side::Left);
+        return sheet;
+    }
+    let nameless = Frame { y: Axis { name: String::new(), ..frame.y.clone() }, ..frame.clone() };
+    nameless.draw_axis(&mut sheet, Side::Left);
+    let [x, y] = frame.corner;
+    sheet.words(name, [x - ROOM[0] * frame.text, y - HEAD * frame.text], frame.text, Align::Left);
+    sheet
 }
 
 /// Draws the lower side of a frame with its axis under `entity`, for all times.
 pub fn log_floor(to: &RecordingStream, palette: &Palette, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
     let mut sheet = Sheet::default();
     sheet.line([0.0, 1.0].map(|x| frame.position([x, 0.0])).to_vec(), Colour::GREY, 1.2);
-    draw_x_axis(&mut sheet, frame);
-    log_sheet(to, palette, entity, &sheet, head(frame))
+    frame.draw_axis(&mut sheet, Side::Below);
+    log_sheet(to, palette, entity, &sheet)
 }
 
-/// Draws the axis below a frame, its name to the right of the numbers: below them the viewer's words would lie on one another.
-fn draw_x_axis(sheet: &mut Sheet, frame: &Frame) {
-    let nameless = Axis { name: String::new(), ..frame.x.clone() };
-    Frame { x: nameless, ..frame.clone() }.draw_axis(sheet, Side::Below);
-    let corner = frame.position([1.0, 0.0]);
-    let aside = (X_NAME[0] * frame.text).max(X_NAME_ASIDE * frame.size[0]);
-    let at = [corner[0] + aside, corner[1] + X_NAME[1] * frame.text];
-    sheet.words(&frame.x.name, at, frame.text, Align::Middle);
-}
-
-/// Draws `sheet` under `entity`, for all times. Words that read upwards on paper cannot do so here and stand at the height `head`.
-pub fn log_sheet(
-    to: &RecordingStream,
-    palette: &Palette,
-    entity: &str,
-    sheet: &Sheet,
-    head: f64,
-) -> RecordingStreamResult<()> {
+/// Draws `sheet` under `entity`, for all times.
+pub fn log_sheet(to: &RecordingStream, palette: &Palette, entity: &str, sheet: &Sheet) -> RecordingStreamResult<()> {
     let lines = strips(sheet.elements.iter().filter_map(|it| outline(palette, it)));
     to.log_static(format!("{entity}/lines"), &lines.with_draw_order(20.0))?;
-    let words = sheet.elements.iter().filter_map(|it| words(it, head)).collect();
-    to.log_static(format!("{entity}/words"), &labels(palette, words))
+    to.log_static(format!("{entity}/words"), &written(palette, sheet))
 }
 
 pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
@@ -112,17 +141,6 @@ pub fn style(rgb: Colour, radius: Radius, order: f32) -> LineStrips2D {
     LineStrips2D::update_fields().with_colors([colour(rgb)]).with_radii([radius]).with_draw_order(order)
 }
 
-/// Words at points that do not show themselves.
-pub fn labels(palette: &Palette, labels: Vec<([f32; 2], String)>) -> Points2D {
-    let (positions, words): (Vec<_>, Vec<_>) = labels.into_iter().unzip();
-    Points2D::new(positions)
-        .with_labels(words)
-        .with_show_labels(true)
-        .with_colors([colour(palette.ink)])
-        .with_radii([Radius::new_ui_points(0.0)])
-        .with_draw_order(40.0)
-}
-
 /// A line, or the line that fills a shape.
 fn outline(palette: &Palette, element: &Element) -> Option<Strip> {
     let single = |points: &[[f64; 2]]| points.iter().map(|point| point.map(|p| p as f32)).collect::<Vec<_>>();
@@ -138,37 +156,109 @@ fn outline(palette: &Palette, element: &Element) -> Option<Strip> {
     }
 }
 
-/// Words, and the middle of their upper edge.
-fn words(element: &Element, head: f64) -> Option<([f32; 2], String)> {
-    let Element::Words { words, at: [x, y], size, align, upwards } = element else { return None };
-    let half = 0.5 * width(words, *size);
-    let [x, y] = match align {
-        _ if *upwards => [half.max(*x), head],
-        Align::Left => [x + half, y - RISE * size],
-        Align::Middle => [*x, y - RISE * size],
-        Align::Right => [x - half, y - RISE * size],
+/// The words of a sheet, drawn as lines; beside the lines the words themselves, for programs and for people who point at them.
+pub fn written(palette: &Palette, sheet: &Sheet) -> impl AsComponents + use<> {
+    let mut lines: Vec<[[f32; 2]; 2]> = Vec::new();
+    let mut size = 0.0f64;
+    let mut all = Vec::new();
+    for element in &sheet.elements {
+        let Element::Words { words, size: own, .. } = element else { continue };
+        lines.extend(letters(element));
+        size = size.max(*own);
+        all.extend((!words.is_empty()).then(|| words.clone()));
+    }
+    let lines = LineStrips2D::new(lines)
+        .with_colors([colour(palette.ink)])
+        .with_radii([Radius::new_scene_units(LETTER[1] * size as f32)])
+        .with_draw_order(40.0);
+    let lines: Vec<_> = lines.as_serialized_batches();
+    lines
+        .into_iter()
+        .chain(AnyValues::default().with_component::<Text>("words", all).as_serialized_batches())
+        .collect::<Vec<_>>()
+}
+
+/// The lines that fill the letters of words.
+fn letters(words: &Element) -> Vec<[[f32; 2]; 2]> {
+    let Element::Words { words, at: [x, y], size, align, upwards } = words else { return Vec::new() };
+    let start = match align {
+        Align::Left => 0.0,
+        Align::Middle => -0.5 * width(words, *size),
+        Align::Right => -width(words, *size),
     };
-    (!words.is_empty()).then(|| ([x as f32, y as f32], words.clone()))
+    let place = |[along, down]: [f32; 2]| {
+        let (along, down) = (f64::from(along) + start, f64::from(down));
+        if *upwards { [x + down, y - along] } else { [x + along, y + down] }.map(|p| p as f32)
+    };
+    fill::spans(&outlines(words, *size), f64::from(LETTER[0]) * size).into_iter().map(|span| span.map(place)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plot::Axis;
+
+    fn both() -> [Axis; 2] {
+        [Axis::linear("across", [0.0, 1.0]), Axis::linear("up", [0.0, 1.0])]
+    }
 
     #[test]
-    fn all_words_of_a_frame_are_there_and_the_name_of_the_y_axis_stands_above_it() {
-        let (x, y) = (Axis::linear("across", [0.0, 1.0]), Axis::linear("up", [0.0, 1.0]));
-        let frame = Frame { x, y, corner: [0.0, 0.0], size: [100.0, 100.0], text: 10.0 };
-        let mut sheet = Sheet::default();
-        frame.draw_axis(&mut sheet, Side::Left);
-        draw_x_axis(&mut sheet, &frame);
-        let all: Vec<_> = sheet.elements.iter().filter_map(|element| words(element, head(&frame))).collect();
-        let [left, right, top, bottom] = bounds(&frame);
-        for word in ["across", "0.2", "up"] {
-            let ([x, y], _) = all.iter().find(|(_, words)| words == word).unwrap();
-            assert!((left..right).contains(&f64::from(*x)) && (top..bottom).contains(&f64::from(*y)), "{word}");
-            assert_eq!(*y == -25.0, word == "up");
+    fn a_frame_fills_its_pane_and_its_words_have_the_same_size_in_every_pane() {
+        for pane in [[1040.0, 420.0], [500.0, 440.0], [700.0, 200.0]] {
+            for (frame, aside) in [(frame(pane, both(), 0.0), 0.0), (frame(pane, both(), SCALE_ROOM), SCALE_ROOM)] {
+                let [left, right, top, bottom] = bounds(&frame, aside);
+                let points_per_unit = pane[0] / (right - left);
+                assert!(((bottom - top) * points_per_unit / pane[1] - 1.0).abs() < 1e-9, "{pane:?}");
+                assert!((frame.text * points_per_unit - TEXT).abs() < 1e-9 && frame.size[0] == WIDTH);
+            }
         }
+    }
+
+    #[test]
+    fn an_image_is_as_large_as_its_pane_allows() {
+        for (pane, size) in [([520.0, 420.0], [512.0, 512.0]), ([900.0, 420.0], [256.0, 118.0])] {
+            let frame = image_frame(pane, both(), size);
+            let [left, right, top, bottom] = bounds(&frame, SCALE_ROOM);
+            let points_per_unit = TEXT / frame.text;
+            let filled = [right - left, bottom - top].map(|length| length * points_per_unit);
+            assert!((0..2).all(|i| filled[i] < pane[i] + 1e-9), "{filled:?} in {pane:?}");
+            assert!((0..2).any(|i| (filled[i] / pane[i] - 1.0).abs() < 1e-9), "{filled:?} in {pane:?}");
+        }
+    }
+
+    #[test]
+    fn all_words_of_a_frame_are_there_within_its_bounds_and_the_name_of_the_y_axis_reads_upwards() {
+        let frame = frame(PANE, both(), 0.0);
+        let sheet = axes(&frame);
+        let [left, right, top, bottom] = bounds(&frame, 0.0).map(|end| end as f32);
+        for element in &sheet.elements {
+            let Element::Words { words, .. } = element else { continue };
+            let points: Vec<[f32; 2]> = letters(element).concat();
+            assert!(!points.is_empty(), "{words}");
+            assert!(points.iter().all(|[x, y]| (left..right).contains(x) && (top..bottom).contains(y)), "{words}");
+            let reach = |axis: usize| {
+                points.iter().fold([f32::MAX, f32::MIN], |[low, high], at| [low.min(at[axis]), high.max(at[axis])])
+            };
+            let [width, height] = [0, 1].map(|axis| reach(axis)[1] - reach(axis)[0]);
+            if words == "up" {
+                assert!(width < 1.2 * frame.text as f32 && reach(0)[1] < -3.0 * frame.text as f32);
+            }
+            if words == "0.2" {
+                assert!(width > height);
+            }
+            if words == "across" {
+                assert!(height < width && reach(1)[0] > frame.size[1] as f32);
+            }
+        }
+    }
+    #[test]
+    fn a_name_that_is_longer_than_its_axis_stands_above_it_as_large_as_ever() {
+        let y = Axis::linear("Mean gap over rms height of the surface", [0.0, 1.0]);
+        let frame = frame([700.0, 200.0], [both()[0].clone(), y.clone()], 0.0);
+        let is_name = |element: &&Element| matches!(element, Element::Words { words, .. } if *words == y.name);
+        let sheet = axes(&frame);
+        let Some(Element::Words { size, at, upwards, .. }) = sheet.elements.iter().find(is_name) else {
+            panic!("the name is not there")
+        };
+        assert!(!upwards && at[1] < 0.0 && *size == frame.text);
     }
 }

@@ -1,11 +1,11 @@
 //! Charts: curves over the loads, on axes of their own.
 
-use super::canvas::{self, strips};
+use super::canvas::{self, PANE, strips};
 use super::curves::{Curve, CurveKind};
 use super::fields::range;
 use super::load_axis::LoadAxis;
 use super::palette::{Palette, colour};
-use crate::plot::{Axis, Colour, Frame};
+use crate::plot::{Align, Axis, Colour, Frame, Sheet, width};
 use rerun::{LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
 use std::collections::BTreeMap;
 use std::ops::RangeBounds;
@@ -13,15 +13,13 @@ use std::ops::RangeBounds;
 /// Timeline of loads.
 pub const LOAD: &str = "load";
 
-/// Width and height of the box.
-const BOX: [f64; 2] = [560.0, 200.0];
-/// Size of words, large enough for the viewer's in a quarter of a small window.
-const TEXT: f64 = 21.0;
-/// From the box to the legend, and the length of a line in it.
-const LEGEND: [f64; 2] = [40.0, 150.0];
-/// Distance of the entries of the legend, unless there are many, and how far above the box these begin.
-const ENTRY: f64 = 46.0;
-const ABOVE: f64 = 44.0;
+/// From the box to the legend, the length of a line in it, and the room before a name, over the size of words.
+const LEGEND: [f64; 3] = [1.0, 1.6, 0.5];
+/// Distance of the entries of the legend at the most, over the size of words.
+const ENTRY: f64 = 1.6;
+/// The legend takes so much of the width of its pane at the most; longer names are drawn smaller.
+const MOST_LEGEND: f64 = 0.4;
+
 /// Radii of the dot of a load, and of the marker at the current one.
 const DOT: f32 = 2.0;
 const MARKER: f32 = 4.5;
@@ -42,8 +40,9 @@ pub struct Chart {
     /// Curves and their numbers among all curves.
     curves: Vec<(usize, Curve)>,
     loads: LoadAxis,
-    x: Axis,
-    y: Axis,
+    /// Room for the legend, over the size of words.
+    aside: f64,
+    frame: Frame,
     /// Values of all curves of the recording by their loads.
     values: BTreeMap<usize, Vec<f64>>,
 }
@@ -62,13 +61,21 @@ impl Chart {
                     palette,
                     curves: vec![member],
                     loads: loads.clone(),
-                    x: loads.whole(),
-                    y: around(&curve.view, []),
+                    aside: 0.0,
+                    frame: canvas::frame(PANE, [loads.whole(), around(&curve.view, [])], 0.0),
                     values: BTreeMap::new(),
                 }),
             }
         }
+        charts.iter_mut().for_each(|chart| chart.fit(PANE));
         charts
+    }
+
+    /// Gives it the proportions of a pane of so many points.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        let longest = self.curves.iter().map(|(_, curve)| width(&curve.name, 1.0)).fold(0.0, f64::max);
+        self.aside = (LEGEND.iter().sum::<f64>() + longest).min(MOST_LEGEND * pane[0] / canvas::TEXT);
+        canvas::fit(&mut self.frame, pane, self.aside);
     }
 
     /// What is drawn against what.
@@ -77,46 +84,43 @@ impl Chart {
     }
 
     pub fn bounds(&self) -> [f64; 4] {
-        let [left, _, top, bottom] = canvas::bounds(&self.frame());
-        [left, BOX[0] + LEGEND.iter().sum::<f64>() + 0.5 * LEGEND[0], top, bottom]
+        canvas::bounds(&self.frame, self.aside)
     }
 
     /// Records axes and legend.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame())?;
-        let count = self.curves.len() as f64;
-        let pitch = ENTRY.min((BOX[1] + ABOVE) / count);
-        let top = (BOX[1] - pitch * count).min(0.0);
-        let left = (BOX[0] + LEGEND[0]) as f32;
-        let entry = |i: usize| [left, (top + pitch * i as f64) as f32];
-        let line = |(i, (_, curve)): (usize, &(usize, Curve))| {
-            let [x, y] = entry(i);
-            (vec![[x, y], [x + LEGEND[1] as f32, y]], colour(self.colour(curve)), Radius::new_ui_points(2.0))
-        };
-        let lines = strips(self.curves.iter().enumerate().map(line));
-        to.log_static(format!("{}/legend/lines", self.root), &lines)?;
-        let word = |(i, (_, curve)): (usize, &(usize, Curve))| {
-            let [x, y] = entry(i);
-            ([x + 0.5 * LEGEND[1] as f32, y], curve.name.clone())
-        };
-        let words = canvas::labels(self.palette, self.curves.iter().enumerate().map(word).collect());
-        to.log_static(format!("{}/legend/words", self.root), &words)
+        canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
+        let Frame { size: [right, height], text, .. } = self.frame;
+        let pitch = (ENTRY * text).min(height / self.curves.len() as f64);
+        let [gap, sample, before] = LEGEND.map(|length| length * text);
+        let room = self.aside * text - gap - sample - before;
+        let mut words = Sheet::default();
+        let mut samples = Vec::new();
+        for (i, (_, curve)) in self.curves.iter().enumerate() {
+            let (left, y) = (right + gap, pitch * (i as f64 + 0.5));
+            let sample_ends = [left, left + sample].map(|x| [x as f32, y as f32]);
+            samples.push((sample_ends.to_vec(), colour(self.colour(curve)), Radius::new_ui_points(2.0)));
+            let size = text * (room / width(&curve.name, text)).min(1.0);
+            words.words(&curve.name, [left + sample + before, y], size, Align::Left);
+        }
+        to.log_static(format!("{}/legend/lines", self.root), &strips(samples))?;
+        to.log_static(format!("{}/legend/words", self.root), &canvas::written(self.palette, &words))
     }
 
     /// Adds the values of all curves of the recording under a load, and draws them at that load and at heavier ones.
     pub fn add(&mut self, to: &RecordingStream, load: usize, values: &[f64]) -> RecordingStreamResult<()> {
         self.values.insert(load, values.to_vec());
         let y = around(&self.name, self.curves.iter().flat_map(|(number, _)| self.known(*number)));
-        if y == self.y {
+        if y == self.frame.y {
             return self.values.range(load..).try_for_each(|(&load, _)| self.draw(to, load));
         }
-        self.y = y;
+        self.frame.y = y;
         self.draw_again(to)
     }
 
     /// Fits the axis of the loads to those that came.
     pub fn settle(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        self.x = self.loads.over(self.values.keys().copied());
+        self.frame.x = self.loads.over(self.values.keys().copied());
         self.draw_again(to)
     }
 
@@ -178,15 +182,11 @@ impl Chart {
 
     /// Where a curve lies under some loads, with these.
     fn points(&self, number: usize, loads: impl RangeBounds<usize>) -> impl Iterator<Item = (usize, [f64; 2])> {
-        let frame = self.frame();
+        let frame = &self.frame;
         self.values.range(loads).filter_map(move |(&load, values)| {
             let places = frame.places(*self.loads.values.get(load)?, *values.get(number)?);
             places.iter().all(|place| place.is_finite()).then(|| (load, frame.position(places)))
         })
-    }
-
-    fn frame(&self) -> Frame {
-        Frame { x: self.x.clone(), y: self.y.clone(), corner: [0.0, 0.0], size: BOX, text: TEXT }
     }
 
     fn colour(&self, curve: &Curve) -> Colour {

@@ -1,6 +1,6 @@
 //! Where the error sits: the density of the error in energy, of a line as a curve and of a surface as an image.
 
-use super::canvas::{self, BOX, TEXT, strip, style};
+use super::canvas::{self, WIDTH, strip, style};
 use super::fields::Fields;
 use super::fill;
 use super::line::curve;
@@ -47,7 +47,7 @@ impl DensityPicture {
             let window = Window::around(scene);
             let x = Ruler::new("x", &options.length_unit, window.ends(grid.spacing()[1])).axis;
             let y = Axis::log("error density / largest", [10f64.powf(-DECADES), 1.0]);
-            Drawing::Curve { window, frame: Frame { x, y, corner: [0.0, 0.0], size: BOX, text: TEXT } }
+            Drawing::Curve { window, frame: canvas::frame(canvas::PANE, [x, y], 0.0) }
         } else {
             let blocks = Blocks::image(grid);
             let frame = frame(grid, &blocks, &options.length_unit);
@@ -60,8 +60,16 @@ impl DensityPicture {
 
     pub fn bounds(&self) -> [f64; 4] {
         match &self.drawing {
-            Drawing::Curve { frame, .. } => canvas::bounds(frame),
-            Drawing::Image { image, .. } => canvas::bounds(&image.frame),
+            Drawing::Curve { frame, .. } => canvas::bounds(frame, 0.0),
+            Drawing::Image { image, .. } => image.bounds(),
+        }
+    }
+
+    /// Gives it the proportions of a pane of so many points.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        match &mut self.drawing {
+            Drawing::Curve { frame, .. } => canvas::fit(frame, pane, 0.0),
+            Drawing::Image { image, .. } => image.fit(pane),
         }
     }
 
@@ -78,7 +86,7 @@ impl DensityPicture {
             Drawing::Curve { frame, .. } => (&self.root, frame),
         };
         canvas::log_axes(to, self.palette, &format!("{root}/axes"), frame)?;
-        let bars = Radius::new_scene_units(fill::radius(BOX[0] as f32));
+        let bars = Radius::new_scene_units(fill::radius(WIDTH as f32));
         to.log_static(format!("{root}/fill"), &style(self.palette.indenter_fill, bars, 8.0))?;
         to.log_static(format!("{root}/curve"), &style(self.palette.contact, Radius::new_ui_points(1.0), 32.0))?;
         let [pressed, closed] = [self.palette.contact, self.palette.gap];
@@ -104,9 +112,9 @@ impl DensityPicture {
         let shares = shares(fields);
         let root = &self.root;
         match &self.drawing {
-            Drawing::Curve { window, .. } => {
+            Drawing::Curve { window, frame } => {
                 let nodes = window.every(fields.stride[1]);
-                let [width, height] = BOX.map(|length| length as f32);
+                let [width, height] = frame.size.map(|length| length as f32);
                 let curve = curve(&nodes, |i| height * (1.0 - shares[nodes.node(i)] as f32));
                 to.log(format!("{root}/fill"), &strip(fill::under(&curve, width, height, f32::max)))?;
                 to.log(format!("{root}/curve"), &strip(curve))?;
@@ -135,7 +143,7 @@ fn shares(fields: &Fields<'_>) -> Vec<f64> {
 /// Runs of nodes of a line at a height of the canvas.
 fn segments(nodes: &Samples, y: f32, is_in: impl Fn(usize) -> bool) -> LineStrips2D {
     let runs = Columns::new(nodes.count()).runs(|i| is_in(nodes.node(i)));
-    let end = |i: usize, beyond: f32| (nodes.place(i) + beyond * nodes.spacing()).clamp(0.0, 1.0) * BOX[0] as f32;
+    let end = |i: usize, beyond: f32| (nodes.place(i) + beyond * nodes.spacing()).clamp(0.0, 1.0) * WIDTH as f32;
     let strips = runs.into_iter().map(|run| [[end(run.start, -0.5), y], [end(run.end - 1, 0.5), y]]);
     LineStrips2D::update_fields().with_strips(strips)
 }

@@ -33,6 +33,35 @@ pub fn shape(corners: &[[f32; 2]], pitch: f32) -> Vec<[f32; 2]> {
     })
 }
 
+/// Lines from side to side of what lies within closed outlines, `pitch` below one another: inside is where outlines go around once
+/// more in one sense than in the other, as those of letters do.
+pub fn spans(outlines: &[Vec<[f64; 2]>], pitch: f64) -> Vec<[[f32; 2]; 2]> {
+    let ends = outlines
+        .iter()
+        .flatten()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [_, y]| [low.min(*y), high.max(*y)]);
+    let rows = ((ends[1] - ends[0]) / pitch).ceil().max(0.0) as usize;
+    let step = (ends[1] - ends[0]) / rows.max(1) as f64;
+    (0..rows).flat_map(|row| spans_at(outlines, ends[0] + (row as f64 + 0.5) * step)).collect()
+}
+
+/// The spans at a height.
+fn spans_at(outlines: &[Vec<[f64; 2]>], y: f64) -> Vec<[[f32; 2]; 2]> {
+    let sides = outlines.iter().flat_map(|outline| outline.iter().zip(outline.iter().cycle().skip(1)));
+    let crossing = |(from, to): (&[f64; 2], &[f64; 2])| {
+        let sense = i32::from(to[1] > y) - i32::from(from[1] > y);
+        (sense != 0).then(|| (from[0] + (y - from[1]) / (to[1] - from[1]) * (to[0] - from[0]), sense))
+    };
+    let mut crossings: Vec<(f64, i32)> = sides.filter_map(crossing).collect();
+    crossings.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut turns = 0;
+    let inside = crossings.windows(2).filter(|pair| {
+        turns += pair[0].1;
+        turns != 0
+    });
+    inside.map(|pair| [[pair[0].0 as f32, y as f32], [pair[1].0 as f32, y as f32]]).collect()
+}
+
 /// Radius of the bars under a curve over `0..width`, wide enough that neighbours overlap.
 pub fn radius(width: f32) -> f32 {
     0.9 * width / BARS as f32
@@ -82,6 +111,18 @@ mod tests {
         assert_eq!(bars.len(), 8);
         assert_eq!((bars[0], bars[1], bars[2]), ([2.5, 0.0], [2.5, 1.0], [4.5, 0.0]));
         assert_eq!(bars[7][0], 6.5);
+    }
+
+    #[test]
+    fn spans_fill_what_lies_within_and_leave_holes_free() {
+        let square = |low: f64, high: f64| vec![[low, low], [high, low], [high, high], [low, high]];
+        let hole: Vec<[f64; 2]> = square(4.0, 6.0).into_iter().rev().collect();
+        let length = |spans: &[[[f32; 2]; 2]]| spans.iter().map(|[from, to]| to[0] - from[0]).sum::<f32>();
+        let ring = spans(&[square(0.0, 10.0), hole], 1.0);
+        assert_eq!((ring.len(), length(&ring)), (12, 96.0));
+        let both = spans(&[square(0.0, 10.0), square(4.0, 6.0)], 1.0);
+        assert_eq!(length(&both), 100.0, "what outlines of one sense share is inside");
+        assert!(spans(&[], 1.0).is_empty());
     }
 
     #[test]

@@ -22,8 +22,13 @@ impl FlipMap {
         Self { root, frame, palette, blocks }
     }
 
+    /// Makes it as large as a pane of so many points allows.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        canvas::fit_image(&mut self.frame, pane);
+    }
+
     pub fn bounds(&self) -> [f64; 4] {
-        canvas::bounds(&self.frame)
+        canvas::bounds(&self.frame, canvas::SCALE_ROOM)
     }
 
     pub fn log(&self, to: &RecordingStream, flips: &[u32]) -> RecordingStreamResult<()> {

@@ -7,9 +7,9 @@ use super::raster::{Raster, RasterRows};
 use super::reduce::Blocks;
 use super::ritz::RitzCurves;
 use super::ruler::Ruler;
-use super::step_image::Cursor;
+use super::step_image::StepImage;
 use super::waterfall::Waterfall;
-use crate::contact::{Contact, Observer, Problem, Solver, Step, Stop};
+use crate::contact::{Contact, Observer, Problem, Solver, Step, Stop, Work};
 use crate::diagnosis::{Bands, ContactHistory, Diagnosis, Findings, Reference};
 use crate::grid::Grid;
 use crate::plot::{Axis, Frame};
@@ -28,7 +28,6 @@ const FIRST: usize = 16;
 /// The pictures of a run of one scene; none are there that are not asked for.
 pub struct Instruments {
     root: String,
-    palette: &'static Palette,
     what: Parts,
     grid: Grid,
     contact_modulus: f64,
@@ -61,14 +60,8 @@ impl Instruments {
             contact_modulus: problem.contact_modulus(),
             root: root.into(),
             what: *what,
-            palette,
             grid,
         })
-    }
-
-    /// The entity of the line at the current step.
-    pub fn cursor(&self) -> String {
-        format!("{}/cursor", self.root)
     }
 
     /// The entity of the curves of Ritz values, if they are recorded.
@@ -76,16 +69,34 @@ impl Instruments {
         self.what.has(Part::Ritz).then(|| format!("{}/ritz", self.root))
     }
 
-    /// Whether there is any image whose columns are steps.
-    fn has_images(&self) -> bool {
-        !self.rasters.is_empty() || !self.waterfalls.is_empty() || self.lanes.is_some()
+    /// The images whose columns are steps.
+    fn images(&self) -> impl Iterator<Item = &StepImage> {
+        let rasters = self.rasters.iter().map(|(_, raster)| &raster.image);
+        let waterfalls = self.waterfalls.iter().map(|(_, waterfall)| &waterfall.image);
+        rasters.chain(waterfalls).chain(self.lanes.iter().map(|lanes| &lanes.image))
+    }
+
+    /// Gives each picture the proportions of its pane, whose size in points `pane` tells by the root of the picture.
+    pub fn fit(&mut self, pane: impl Fn(&str) -> Option<[f64; 2]>) {
+        let rasters = self.rasters.iter_mut().map(|(_, raster)| &mut raster.image);
+        let waterfalls = self.waterfalls.iter_mut().map(|(_, waterfall)| &mut waterfall.image);
+        for image in rasters.chain(waterfalls).chain(self.lanes.iter_mut().map(|lanes| &mut lanes.image)) {
+            if let Some(size) = pane(&image.root) {
+                image.fit(size);
+            }
+        }
+        if let Some(map) = &mut self.flips
+            && let Some(size) = pane(&map.root)
+        {
+            map.fit(size);
+        }
     }
 
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         self.rasters.iter().try_for_each(|(_, raster)| raster.log_static(to))?;
         self.lanes.as_ref().map_or(Ok(()), |lanes| lanes.log_static(to))?;
         self.ritz().map_or(Ok(()), |entity| RitzCurves::new(entity).log_static(to))?;
-        if self.has_images() { Cursor::new(&self.cursor()).log_static(to, self.palette) } else { Ok(()) }
+        self.images().try_for_each(|image| image.log_cursor_style(to))
     }
 
     /// What a run of the scene collects for them.
@@ -96,7 +107,7 @@ impl Instruments {
             rasters: self.rasters.iter().map(|(_, raster)| raster.rows()).collect(),
             lanes: self.lanes.as_ref().map(Lanes::rows),
             ritz: self.ritz().map(RitzCurves::new),
-            cursor: Cursor::new(&self.cursor()),
+            passed: Vec::new(),
             steps: 0,
             shown: FIRST,
         }
@@ -109,7 +120,8 @@ pub struct Readings {
     rasters: Vec<RasterRows>,
     lanes: Option<LaneRows>,
     ritz: Option<RitzCurves>,
-    cursor: Cursor,
+    /// The steps since the last flush, for the lines at the current step.
+    passed: Vec<(Work, f32)>,
     steps: usize,
     /// Steps at which images are recorded next.
     shown: usize,
@@ -133,7 +145,7 @@ impl Readings {
         if let (Some(curves), Some(values)) = (&mut self.ritz, self.diagnosis.ritz()) {
             curves.add(step.work(), values);
         }
-        self.cursor.add(step.work());
+        self.passed.push((step.work(), step.work().iterations as f32 + 0.5));
         self.steps += 1;
         if self.steps < self.shown {
             return Ok(());
@@ -154,27 +166,24 @@ impl Readings {
 
     /// Records the images of the steps so far.
     fn show(&mut self, to: &RecordingStream, instruments: &Instruments) -> RecordingStreamResult<()> {
-        let mut steps = None;
         for ((_, raster), rows) in instruments.rasters.iter().zip(&self.rasters) {
-            steps = Some(raster.log(to, rows)?);
+            raster.log(to, rows)?;
         }
         if let (Some(lanes), Some(rows)) = (&instruments.lanes, &self.lanes) {
-            steps = Some(lanes.log(to, rows)?);
+            lanes.log(to, rows)?;
         }
         let history = self.diagnosis.spectrogram().history();
         for (_, waterfall) in &instruments.waterfalls {
-            steps = waterfall.log(to, history)?.or(steps);
+            waterfall.log(to, history)?;
         }
-        if let Some(map) = &instruments.flips {
-            map.log(to, self.diagnosis.contact().flips())?;
-        }
-        steps.map_or(Ok(()), |steps| self.cursor.stretch(to, steps))
+        instruments.flips.as_ref().map_or(Ok(()), |map| map.log(to, self.diagnosis.contact().flips()))
     }
 
     /// Sends lanes and curves so far.
     pub fn flush(&mut self, to: &RecordingStream, instruments: &Instruments) -> RecordingStreamResult<()> {
-        if instruments.has_images() {
-            self.cursor.flush(to)?;
+        if !self.passed.is_empty() {
+            instruments.images().try_for_each(|image| image.send_cursor(to, &self.passed))?;
+            self.passed.clear();
         }
         if let (Some(lanes), Some(rows)) = (&instruments.lanes, &mut self.lanes) {
             lanes.flush(to, rows)?;

@@ -1,13 +1,13 @@
 //! What a solver decided, as lanes over the steps.
 
-use super::canvas::{self, BOX};
+use super::canvas;
 use super::palette::{FAINT, Palette, SERIES, colour, mixed};
 use super::raster::COLUMNS;
 use super::step_image::{StepImage, Steps};
 use super::traces::times;
 use crate::contact::{Contact, Decision, Step, Work};
 use crate::diagnosis::{Change, History};
-use crate::plot::{Colour, Frame};
+use crate::plot::{Align, Colour, Frame, Sheet, width};
 use crate::record::sdk::{ChannelDatatype, ImageFormat};
 use rerun::archetypes::{StateChange, StateConfiguration};
 use rerun::{
@@ -24,10 +24,8 @@ const CHANGES: [&str; 4] = ["same", "in", "out", "in and out"];
 const LEVELS: u8 = 16;
 /// First classes of the lanes.
 const FIRST: [u8; 3] = [1, 1 + LEVELS, 1 + LEVELS + Decision::NAMES.len() as u8];
-/// Room of a letter of the legend, over the size of words: enough for the viewer's in a narrow pane.
-const LETTER: f64 = 1.0;
-/// From the top of a word down to its middle, over the size of words.
-const RISE: f64 = 1.5;
+/// Length of a swatch of the legend, and of the room before and after it, over the size of words.
+const SWATCH: [f64; 3] = [1.4, 1.4, 0.4];
 
 /// Lanes of the grid, the kind of step, and the nodes that entered or left: as an image beside the others, and as states for the
 /// viewer's own lanes, on which one can point at what lasted how long.
@@ -47,7 +45,7 @@ pub struct LaneRows {
 
 impl Lanes {
     pub fn new(root: &str, palette: &'static Palette) -> Self {
-        Self { root: format!("{root}/decisions"), image: StepImage::new(format!("{root}/lanes"), palette, None) }
+        Self { root: format!("{root}/decisions"), image: StepImage::new(format!("{root}/lanes"), palette, None, false) }
     }
 
     /// All classes with their lane, name and colour.
@@ -106,8 +104,8 @@ impl Lanes {
         LaneRows { classes, contact: 0, last: Default::default(), changes: Default::default() }
     }
 
-    /// Records the image of the steps so far with its legend, and returns which they are.
-    pub fn log(&self, to: &RecordingStream, rows: &LaneRows) -> RecordingStreamResult<Steps> {
+    /// Records the image of the steps so far with its legend.
+    pub fn log(&self, to: &RecordingStream, rows: &LaneRows) -> RecordingStreamResult<()> {
         let columns = rows.classes.columns();
         let steps = Steps { columns: columns.len(), per_column: rows.classes.per_column() };
         // each lane has a free row below it, for its legend
@@ -118,8 +116,7 @@ impl Lanes {
         let format = ImageFormat::depth([steps.columns as u32, height as u32], ChannelDatatype::U8);
         let image = SegmentationImage::update_fields().with_buffer(bytes).with_format(format).with_opacity(1.0);
         self.image.log(to, &image, height, steps)?;
-        self.log_legend(to, columns, &self.image.frame(steps))?;
-        Ok(steps)
+        self.log_legend(to, columns, &self.image.frame(steps))
     }
 
     /// Records the names of the lanes, and of the classes that were met, each behind a swatch of its colour.
@@ -129,26 +126,26 @@ impl Lanes {
         columns: &[[u8; LANES.len()]],
         frame: &Frame,
     ) -> RecordingStreamResult<()> {
-        let (letter, pitch) = (LETTER * frame.text, BOX[1] / LANES.len() as f64);
-        let width = |word: &str| letter * word.len() as f64;
-        let height = |lane: usize| (lane as f64 + 0.55) * pitch;
-        let mut words: Vec<([f32; 2], String)> = Vec::new();
+        let pitch = frame.size[1] / LANES.len() as f64;
+        let middle = |lane: usize| (lane as f64 + 0.75) * pitch;
+        let mut words = Sheet::default();
         let mut swatches = Vec::new();
-        let mut ends = LANES.map(&width);
         for (lane, name) in LANES.iter().enumerate() {
-            words.push(([0.5 * ends[lane] as f32, height(lane) as f32], (*name).into()));
+            words.words(name, [0.0, middle(lane)], frame.text, Align::Left);
         }
+        let mut ends = LANES.map(|name| width(name, frame.text));
         let is_met = |id: u8, lane: usize| columns.iter().any(|column| column[lane] == id);
+        let [before, length, after] = SWATCH.map(|length| length * frame.text);
         for (_, lane, name, rgb) in self.classes().filter(|(id, lane, ..)| is_met(*id, *lane)) {
-            let [from, to] = [1.5, 3.0].map(|letters| (ends[lane] + letters * letter) as f32);
-            let y = (height(lane) + RISE * frame.text) as f32;
-            swatches.push((vec![[from, y], [to, y]], colour(rgb), Radius::new_ui_points(3.0)));
-            let middle = f64::from(to) + 0.5 * width(&name) + letter;
-            ends[lane] = middle + 0.5 * width(&name);
-            words.push(([middle as f32, height(lane) as f32], name));
+            let from = ends[lane] + before;
+            let swatch = [from, from + length].map(|x| [x as f32, middle(lane) as f32]);
+            swatches.push((swatch.to_vec(), colour(rgb), Radius::new_ui_points(4.0)));
+            let start = from + length + after;
+            ends[lane] = start + width(&name, frame.text);
+            words.words(&name, [start, middle(lane)], frame.text, Align::Left);
         }
         to.log_static(format!("{}/legend/swatches", self.image.root), &canvas::strips(swatches))?;
-        to.log_static(format!("{}/legend/words", self.image.root), &canvas::labels(self.image.palette, words))
+        to.log_static(format!("{}/legend/words", self.image.root), &canvas::written(self.image.palette, &words))
     }
 
     /// Sends the states that changed so far.

@@ -1,6 +1,6 @@
 //! The pictures of a line: the indenter above the solid, the pressure and the gap along it.
 
-use super::canvas::{self, BOX, TEXT, strip, style};
+use super::canvas::{self, strip, style};
 use super::fields::{Extent, Fields, range};
 use super::fill;
 use super::palette::{self, CONTACT_CLASS, Palette, YIELDING_CLASS};
@@ -20,8 +20,7 @@ use crate::setup::Part;
 use crate::theory::Exact;
 use rerun::{AnyValues, AsComponents, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
-const WIDTH: f32 = BOX[0] as f32;
-const HEIGHT: f32 = BOX[1] as f32;
+const WIDTH: f32 = canvas::WIDTH as f32;
 /// Room above and below the profile, in heights of the profile.
 const ROOM: f64 = 0.06;
 
@@ -32,9 +31,10 @@ pub struct LinePicture {
     root: String,
     law: Law,
     window: Window,
-    /// Height of the indenter on the canvas, for all nodes of the window; empty if it is not shown.
+    /// The place of the indenter on the axis of the profile, for all nodes of the window; empty if it is not shown.
     indenter: Vec<f32>,
-    x: Axis,
+    /// The frame of the profile.
+    frame: Frame,
     /// First and last position.
     ends: [f64; 2],
     profile: Ruler,
@@ -61,8 +61,8 @@ impl LinePicture {
             root: root.into(),
             law: problem.law(),
             window,
-            indenter: shown.into_iter().flatten().map(|h| HEIGHT * (1.0 - profile.place(-h)) as f32).collect(),
-            x: length("x", ends).axis,
+            indenter: shown.into_iter().flatten().map(|h| profile.place(-h) as f32).collect(),
+            frame: canvas::frame(canvas::PANE, [length("x", ends).axis, profile.axis.clone()], 0.0),
             ends,
             profile,
             pressure: Ruler::pressure(forecast.max_pressure, problem.contact_modulus()),
@@ -72,16 +72,36 @@ impl LinePicture {
     }
 
     fn frame_with(&self, y: &Axis) -> Frame {
-        Frame { x: self.x.clone(), y: y.clone(), corner: [0.0, 0.0], size: BOX, text: TEXT }
+        Frame { y: y.clone(), ..self.frame.clone() }
+    }
+
+    /// The height of the box on the canvas.
+    fn height(&self) -> f32 {
+        self.frame.size[1] as f32
+    }
+
+    /// The height of a value on the canvas.
+    fn level(&self, value: f64, ruler: &Ruler) -> f32 {
+        self.height() * (1.0 - ruler.share(value) as f32)
+    }
+
+    /// The height of the indenter on the canvas, at a node of the window.
+    fn indenter(&self, node: usize) -> f32 {
+        self.height() * (1.0 - self.indenter[node])
+    }
+
+    /// Values upwards from the lower edge of the box.
+    fn rising(&self, nodes: &Samples, values: &[f64], ruler: &Ruler) -> Vec<[f32; 2]> {
+        curve(nodes, |i| self.level(values[nodes.node(i)], ruler))
     }
 
     fn log_profile(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let root = format!("{}/profile", self.root);
-        canvas::log_axes(to, self.palette, &format!("{root}/axes"), &self.frame())?;
+        canvas::log_axes(to, self.palette, &format!("{root}/axes"), &self.frame)?;
         let bars = Radius::new_scene_units(fill::radius(WIDTH));
         to.log_static(format!("{root}/solid"), &style(self.palette.solid, Radius::new_ui_points(1.0), 32.0))?;
         to.log_static(format!("{root}/solid_fill"), &style(self.palette.solid_fill, bars, 10.0))?;
-        let curve = curve(&self.window.every(1), |i| self.indenter[i]);
+        let curve = curve(&self.window.every(1), |i| self.indenter(i));
         let body = style(self.palette.indenter_fill, bars, 8.0);
         let body = body.with_strips([fill::under(&curve, WIDTH, 0.0, f32::min)]);
         to.log_static(format!("{root}/indenter_fill"), &body)?;
@@ -94,7 +114,7 @@ impl LinePicture {
         to.log_static(format!("{pressure}/pressure"), &style(self.palette.pressure, Radius::new_ui_points(1.4), 32.0))?;
         to.log_static(format!("{gap}/gap"), &style(self.palette.gap, Radius::new_ui_points(1.0), 32.0))?;
         if let Some(exact) = &self.exact {
-            let curve = rising(&self.window.every(1), exact, &self.pressure);
+            let curve = self.rising(&self.window.every(1), exact, &self.pressure);
             let curve: Vec<[f64; 2]> = curve.into_iter().map(|point| point.map(f64::from)).collect();
             let line = style(self.palette.exact, Radius::new_ui_points(1.0), 38.0);
             to.log_static(format!("{pressure}/exact"), &line.with_strips(canvas::dashed(&curve)))?;
@@ -107,7 +127,7 @@ impl LinePicture {
         for ((name, ruler), axis) in [("pressure", &self.pressure), ("gap", &self.gap)].into_iter().zip(axes) {
             canvas::log_axes(to, self.palette, &format!("{}/{name}/axes", self.root), &self.frame_with(&axis))?;
             let stretch = axis.place(ruler.axis.range[1]) as f32;
-            let transform = Transform3D::from_translation([0.0, HEIGHT * (1.0 - stretch), 0.0]);
+            let transform = Transform3D::from_translation([0.0, self.height() * (1.0 - stretch), 0.0]);
             to.log_static(format!("{}/{name}/curves", self.root), &transform.with_scale([1.0, stretch, 1.0]))?;
         }
         Ok(())
@@ -124,7 +144,7 @@ impl LinePicture {
         pick: impl Fn(f64, f64) -> f64,
     ) -> RecordingStreamResult<()> {
         let columns = Columns::new(nodes.count());
-        let (curve, pieces) = columns.pieces(|i| height(field[nodes.node(i)], ruler));
+        let (curve, pieces) = columns.pieces(|i| self.level(field[nodes.node(i)], ruler));
         let curve: Vec<[f32; 2]> = curve.into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect();
         let [start, end] = self.ends;
         let position = |sample: f64| f64::from(nodes.place(0)) + sample * f64::from(nodes.spacing());
@@ -148,14 +168,23 @@ impl LinePicture {
 
     /// The solid, a gap below the nodes of the indenter.
     fn solid(&self, nodes: &Samples, gap: &[f64]) -> Vec<[f32; 2]> {
-        let level = |i| self.indenter[nodes.offset(i)] + HEIGHT * self.profile.share(gap[nodes.node(i)]) as f32;
-        curve(nodes, |i| level(i).clamp(0.0, HEIGHT))
+        let height = self.height();
+        let level = |i| self.indenter(nodes.offset(i)) + height * self.profile.share(gap[nodes.node(i)]) as f32;
+        curve(nodes, |i| level(i).clamp(0.0, height))
     }
 }
 
 impl Picture for LinePicture {
-    fn frame(&self) -> Frame {
-        self.frame_with(&self.profile.axis)
+    fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    fn fit(&mut self, pane: [f64; 2]) {
+        canvas::fit(&mut self.frame, pane, 0.0);
+    }
+
+    fn bounds(&self) -> [f64; 4] {
+        canvas::bounds(&self.frame, 0.0)
     }
 
     fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
@@ -177,7 +206,7 @@ impl Picture for LinePicture {
             }
         }
         if self.what.has_mask_alone() {
-            canvas::log_floor(to, self.palette, &format!("{}/contact/axes", self.root), &self.frame())?;
+            canvas::log_floor(to, self.palette, &format!("{}/contact/axes", self.root), &self.frame)?;
         }
         Ok(())
     }
@@ -186,7 +215,7 @@ impl Picture for LinePicture {
         let (root, nodes) = (&self.root, self.window.every(fields.stride[1]));
         if self.what.has(Part::Profile) {
             let solid = self.solid(&nodes, &fields.gap);
-            to.log(format!("{root}/profile/solid_fill"), &strip(fill::under(&solid, WIDTH, HEIGHT, f32::max)))?;
+            to.log(format!("{root}/profile/solid_fill"), &strip(fill::under(&solid, WIDTH, self.height(), f32::max)))?;
             to.log(format!("{root}/profile/solid"), &strip(solid))?;
         }
         if self.what.has(Part::Fields) {
@@ -194,13 +223,13 @@ impl Picture for LinePicture {
             self.log_field(to, "gap", &nodes, (&fields.gap, &self.gap), f64::min)?;
         }
         if self.what.has(Part::Mask) {
-            let segments = self.segments(fields).into_iter().map(|ends| ends.map(|x| [x, HEIGHT]));
+            let segments = self.segments(fields).into_iter().map(|ends| ends.map(|x| [x, self.height()]));
             to.log(format!("{root}/contact"), &LineStrips2D::update_fields().with_strips(segments))?;
             if !self.law.is_hard_wall() {
-                let segments = self.yielding(fields).into_iter().map(|ends| ends.map(|x| [x, HEIGHT]));
+                let segments = self.yielding(fields).into_iter().map(|ends| ends.map(|x| [x, self.height()]));
                 to.log(format!("{root}/contact/yielding"), &LineStrips2D::update_fields().with_strips(segments))?;
             }
-            let place = |node| Some([nodes.place(nodes.sample(node)?) * WIDTH, HEIGHT]);
+            let place = |node| Some([nodes.place(nodes.sample(node)?) * WIDTH, self.height()]);
             patch_points::log(to, &format!("{root}/contact/patches"), &fields.patches, place)?;
         }
         Ok(())
@@ -209,7 +238,7 @@ impl Picture for LinePicture {
     fn log_ghost(&self, to: &RecordingStream, pressure: &[f64]) -> RecordingStreamResult<()> {
         let nodes = self.window.nodes;
         let pressure: Vec<f64> = (0..nodes).map(|i| pressure[i * pressure.len() / nodes]).collect();
-        let curve = rising(&self.window.every(1), &pressure, &self.pressure);
+        let curve = self.rising(&self.window.every(1), &pressure, &self.pressure);
         let line = style(palette::GHOST, Radius::new_ui_points(0.7), 35.0);
         to.log_static(format!("{}/pressure/curves/ghost", self.root), &line.with_strips([curve]))
     }
@@ -243,16 +272,6 @@ impl Picture for LinePicture {
 /// The exact pressure, 0 where it is infinite.
 fn finite_pressure(exact: &Exact) -> Vec<f64> {
     exact.pressure.iter().map(|p| if p.is_finite() { *p } else { 0.0 }).collect()
-}
-
-/// Values upwards from the lower edge of the box.
-fn rising(nodes: &Samples, values: &[f64], ruler: &Ruler) -> Vec<[f32; 2]> {
-    curve(nodes, |i| height(values[nodes.node(i)], ruler))
-}
-
-/// The height of a value on the canvas.
-fn height(value: f64, ruler: &Ruler) -> f32 {
-    HEIGHT - HEIGHT * ruler.share(value) as f32
 }
 
 /// A curve with the height `y(i)` at sample `i`.

@@ -6,6 +6,7 @@ mod chart;
 mod contrast;
 mod curves;
 mod density;
+mod eye;
 mod fields;
 mod figure;
 mod fill;
@@ -37,9 +38,11 @@ mod traces;
 mod waterfall;
 mod window;
 
-pub use below::PIXELS as CUT_PIXELS;
+pub use below::MOST_PIXELS as CUT_PIXELS;
+pub use canvas::PANE;
 pub use chart::{Chart, LOAD};
 pub use curves::{Curve, CurveKind, Curves};
+pub use eye::Eye;
 pub use fields::{Extent, Fields};
 pub use figure::FigurePicture;
 pub use ghost::{Ghost, entity_under};
@@ -50,7 +53,6 @@ pub use reduce::{Columns, has_contour, pixels};
 pub use relief::vertices;
 pub use stage::{Stage, level};
 pub use step_image::StepImage;
-pub use surface::Image;
 pub use surface_relief::SurfaceRelief;
 pub use survey_picture::figure as survey_figure;
 pub use traces::{

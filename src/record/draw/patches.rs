@@ -23,12 +23,13 @@ pub struct PatchMap {
 
 impl PatchMap {
     /// The map under `root` of a line under `loads`, beside pictures in `frame`.
-    pub fn new(frame: Frame, palette: &'static Palette, root: &str, loads: LoadAxis) -> Self {
-        Self { frame: Frame { y: loads.whole(), ..frame }, palette, loads, root: format!("{root}/patches") }
+    pub fn new(frame: &Frame, palette: &'static Palette, root: &str, loads: LoadAxis) -> Self {
+        Self { frame: Frame { y: loads.whole(), ..frame.clone() }, palette, loads, root: format!("{root}/patches") }
     }
 
-    pub fn bounds(&self) -> [f64; 4] {
-        canvas::bounds(&self.frame)
+    /// Gives it the proportions of the pictures beside it, whose frame is given.
+    pub fn fit(&mut self, beside: &Frame) {
+        self.frame = Frame { y: self.frame.y.clone(), ..beside.clone() };
     }
 
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {

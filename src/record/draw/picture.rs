@@ -1,6 +1,6 @@
 //! Pictures of the fields of a scene.
 
-use super::canvas;
+use super::eye::Eye;
 use super::fields::{Extent, Fields};
 use crate::plot::Frame;
 use rerun::{RecordingStream, RecordingStreamResult};
@@ -8,12 +8,21 @@ use rerun::{RecordingStream, RecordingStreamResult};
 /// The pictures of the fields of a scene: those of a line or those of a surface.
 pub trait Picture: Send + Sync {
     /// The frame above which captions stand.
-    fn frame(&self) -> Frame;
+    fn frame(&self) -> &Frame;
+
+    /// Gives the flat pictures the proportions of a pane of so many points, before anything is recorded.
+    fn fit(&mut self, pane: [f64; 2]);
+
+    /// Gives the picture in space the proportions of a pane of so many points.
+    fn fit_relief(&mut self, _pane: [f64; 2]) {}
+
+    /// The root of the picture in space and the eye that sees it, if there is one.
+    fn relief(&self) -> Option<(&str, Eye)> {
+        None
+    }
 
     /// The part of the canvas that each flat picture takes: left, right, top, bottom.
-    fn bounds(&self) -> [f64; 4] {
-        canvas::bounds(&self.frame())
-    }
+    fn bounds(&self) -> [f64; 4];
 
     /// Records axes, styles and everything else that stays.
     fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()>;

@@ -31,7 +31,7 @@ pub struct RasterRows(History<Vec<u8>>);
 
 impl Raster {
     pub fn new(root: String, palette: &'static Palette, position: Axis, nodes: Vec<usize>) -> Self {
-        Self { image: StepImage::new(root, palette, Some(position)), nodes }
+        Self { image: StepImage::new(root, palette, Some(position), false), nodes }
     }
 
     /// Records the names and colours of the classes.
@@ -83,15 +83,14 @@ impl Raster {
         rows.0.add(self.classes(contact));
     }
 
-    /// Records the image of the steps so far, and returns which they are.
-    pub fn log(&self, to: &RecordingStream, RasterRows(rows): &RasterRows) -> RecordingStreamResult<Steps> {
+    /// Records the image of the steps so far.
+    pub fn log(&self, to: &RecordingStream, RasterRows(rows): &RasterRows) -> RecordingStreamResult<()> {
         let (columns, height) = (rows.columns(), self.height());
         let steps = Steps { columns: columns.len(), per_column: rows.per_column() };
         let bytes: Vec<u8> = (0..height).flat_map(|row| columns.iter().map(move |column| column[row])).collect();
         let format = ImageFormat::depth([steps.columns as u32, height as u32], ChannelDatatype::U8);
         let image = SegmentationImage::update_fields().with_buffer(bytes).with_format(format).with_opacity(1.0);
-        self.image.log(to, &image, height, steps)?;
-        Ok(steps)
+        self.image.log(to, &image, height, steps)
     }
 }
 

@@ -1,19 +1,26 @@
 //! The solid under the indenter as a relief in three dimensions, coloured by the pressure.
 
+use super::canvas::{LETTER, PANE};
+use super::eye::Eye;
 use super::fields::{Fields, range};
+use super::fill;
 use super::palette::{FAINT, Map, Palette, colour};
 use super::reduce::Blocks;
 use super::ruler::measured;
 use crate::contact::Forecast;
 use crate::grid::Grid;
+use crate::plot::{outlines, width};
 use crate::record::scene::Scene;
 use glam::Vec3;
-use rerun::{Color, LineStrips3D, Mesh3D, Points3D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
+use rerun::{Color, LineStrips3D, Mesh3D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
 /// Most vertices along a side, but for the one that closes the period.
 const VERTICES: usize = 128;
 /// Length of the longer side.
 const LENGTH: f64 = 10.0;
+/// Size of the names of the sides, and from a side to the middle of its name.
+const NAME: f64 = 0.6;
+const NAME_GAP: f32 = 0.6;
 /// Height of the final relief.
 const RELIEF: f64 = 1.6;
 
@@ -34,6 +41,8 @@ pub struct Relief {
     palette: &'static Palette,
     /// Lengths along y and x, in words.
     lengths: [String; 2],
+    /// Width and height of its pane.
+    pane: [f64; 2],
     root: String,
 }
 
@@ -70,8 +79,32 @@ impl Relief {
             shades: Map::inferno(),
             palette,
             lengths: [0, 1].map(|axis| measured(["y", "x"][axis], unit, grid.size()[axis])),
+            pane: PANE,
             root: format!("{root}/relief"),
         }
+    }
+
+    /// Takes the proportions of a pane of so many points.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        self.pane = pane;
+    }
+
+    /// The eye that sees it, with the names of its sides, as large as its pane allows.
+    pub fn eye(&self) -> Eye {
+        let [y, x] = self.size.map(|length| length / 2.0);
+        let names = NAME_GAP + NAME as f32;
+        let ends = |side: bool, low: f32, high: f32| if side { high } else { low };
+        let corner = |i: u8| {
+            let [right, back, up] = [0, 1, 2].map(|axis| i >> axis & 1 == 1);
+            let names = if up { 0.0 } else { names };
+            Vec3::new(ends(right, -x, x + names), ends(back, -y - names, y), ends(up, -RELIEF as f32, 0.0))
+        };
+        Eye::around(&[0, 1, 2, 3, 4, 5, 6, 7].map(corner), (self.pane[0] / self.pane[1]) as f32)
+    }
+
+    /// The root of its entities.
+    pub fn root(&self) -> &str {
+        &self.root
     }
 
     /// Records triangles and the outline of the cell.
@@ -83,12 +116,12 @@ impl Relief {
         let strip = LineStrips3D::new([outline]).with_colors([colour(FAINT)]);
         to.log_static(format!("{}/outline", self.root), &strip.with_radii([Radius::new_ui_points(0.8)]))?;
         let [along_y, along_x] = self.lengths.clone();
-        let labels = Points3D::new([[0.0, -1.1 * y, base], [1.1 * x, 0.0, base]])
-            .with_labels([along_x, along_y])
-            .with_show_labels(true)
+        let below = letters(&along_x, |[along, down]| [along, -y - NAME_GAP - down, base]);
+        let beside = letters(&along_y, |[along, down]| [x + NAME_GAP + down, along, base]);
+        let words = LineStrips3D::new(below.into_iter().chain(beside))
             .with_colors([colour(self.palette.ink)])
-            .with_radii([Radius::new_ui_points(0.0)]);
-        to.log_static(format!("{}/labels", self.root), &labels)
+            .with_radii([Radius::new_scene_units(LETTER[1] * NAME as f32)]);
+        to.log_static(format!("{}/labels", self.root), &words)
     }
 
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
@@ -182,6 +215,14 @@ impl Relief {
         };
         (0..rows - 1).flat_map(|row| (0..columns - 1).flat_map(move |column| square(row, column))).collect()
     }
+}
+
+/// The lines that fill the letters of words, each end of which lies where `place` puts it: it is told how far it is from their middle
+/// along the words, and below.
+fn letters(words: &str, place: impl Fn([f32; 2]) -> [f32; 3]) -> Vec<[[f32; 3]; 2]> {
+    let half = 0.5 * width(words, NAME) as f32;
+    let spans = fill::spans(&outlines(words, NAME), f64::from(LETTER[0]) * NAME).into_iter();
+    spans.map(|span| span.map(|[along, down]| place([along - half, down]))).collect()
 }
 
 /// Nodes from vertex to vertex along y and x.

@@ -1,6 +1,6 @@
 //! The power spectra of the solid's surface and of the indenter, as curves on logarithmic axes.
 
-use super::canvas::{self, BOX, TEXT, strip, style};
+use super::canvas::{self, strip, style};
 use super::fields::Fields;
 use super::palette::Palette;
 use crate::grid::Grid;
@@ -23,7 +23,7 @@ pub struct SpectrumPicture {
     height: Vec<f64>,
     largest_density: f64,
     frame: Frame,
-    heights: Vec<[f32; 2]>,
+    heights: PowerSpectrum,
     root: String,
 }
 
@@ -34,28 +34,36 @@ impl SpectrumPicture {
         let waves = surface.grid().shape()[1] as f64 / 2.0;
         let [x, y] = [("q L / 2π", [1.0, waves]), ("C(q) / C_max", DENSITIES)];
         let [x, y] = [x, y].map(|(name, range)| Axis::log(name, range));
-        let mut picture = Self {
+        Self {
             palette,
             grid: *surface.grid(),
             height: scene.problem.height().to_vec(),
             largest_density: spectrum.density.iter().copied().fold(f64::MIN_POSITIVE, f64::max),
-            frame: Frame { x, y, corner: [0.0, 0.0], size: BOX, text: TEXT },
-            heights: Vec::new(),
+            frame: canvas::frame(canvas::PANE, [x, y], 0.0),
+            heights: spectrum,
             root: format!("{root}/spectrum"),
-        };
-        picture.heights = picture.curve(&spectrum);
-        picture
+        }
+    }
+
+    /// The root of its entities.
+    pub fn root(&self) -> &str {
+        &self.root
+    }
+
+    /// Gives it the proportions of a pane of so many points.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        canvas::fit(&mut self.frame, pane, 0.0);
     }
 
     pub fn bounds(&self) -> [f64; 4] {
-        canvas::bounds(&self.frame)
+        canvas::bounds(&self.frame, 0.0)
     }
 
     /// Records axes, styles and the spectrum of the heights.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
         let style = |rgb, order| style(rgb, Radius::new_ui_points(1.0), order);
-        let heights = style(self.palette.indenter, 30.0).with_strips([self.heights.clone()]);
+        let heights = style(self.palette.indenter, 30.0).with_strips([self.curve(&self.heights)]);
         to.log_static(format!("{}/heights", self.root), &heights)?;
         to.log_static(format!("{}/displacement", self.root), &style(self.palette.solid, 32.0))
     }

@@ -85,7 +85,7 @@ impl Stage {
             has_ghost: options.ghost.is_some(),
             most_kappa: kappa_r.map_or(4.0, |kappa_r| 1.6 * kappa_r),
             most_area: (2.5 * forecast.relative_area).min(1.05),
-            instruments: Instruments::new(scene, &root, &options, &picture.frame()),
+            instruments: Instruments::new(scene, &root, &options, picture.frame()),
             picture,
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, palette, &root)),
             density: options.what.has(Part::Error).then(|| DensityPicture::new(scene, &root, &options)),
@@ -99,6 +99,37 @@ impl Stage {
     pub fn map_patches(&mut self, loads: &LoadAxis) {
         let is_mapped = self.grid.is_line() && self.what.has(Part::Mask);
         self.patches = is_mapped.then(|| PatchMap::new(self.picture.frame(), self.palette, &self.root, loads.clone()));
+    }
+
+    /// Gives each picture the proportions of its pane, whose size in points `pane` tells by the root of the picture; the pictures of
+    /// the fields have the root of the scene.
+    pub fn fit(&mut self, pane: impl Fn(&str) -> Option<[f64; 2]>) {
+        if let Some(size) = pane(&self.root) {
+            self.picture.fit(size);
+        }
+        if let Some(size) = self.picture.relief().and_then(|(root, _)| pane(root)) {
+            self.picture.fit_relief(size);
+        }
+        if let Some(map) = &mut self.patches {
+            map.fit(self.picture.frame());
+        }
+        if let Some(instruments) = &mut self.instruments {
+            instruments.fit(&pane);
+        }
+        if let Some(spectrum) = &mut self.spectrum
+            && let Some(size) = pane(spectrum.root())
+        {
+            spectrum.fit(size);
+        }
+        if let Some(density) = &mut self.density
+            && let Some(size) = pane(density.root())
+        {
+            density.fit(size);
+        }
+        let below = self.below.as_ref().and_then(|below| below.images().find_map(|(_, image)| pane(&image.root)));
+        if let (Some(below), Some(size)) = (&mut self.below, below) {
+            below.fit(size);
+        }
     }
 
     /// Records everything that stays; `place` is that of the scene among several.
@@ -194,8 +225,8 @@ impl Stage {
     }
 
     /// Records words above the pictures at the current time.
-    pub fn log_caption(&self, to: &RecordingStream, words: String) -> RecordingStreamResult<()> {
-        to.log(self.caption_entity(), &canvas::caption(self.palette, &self.picture.frame(), words))
+    pub fn log_caption(&self, to: &RecordingStream, words: &str) -> RecordingStreamResult<()> {
+        to.log(self.caption_entity(), &canvas::caption(self.palette, self.picture.frame(), words))
     }
 
     pub fn caption_entity(&self) -> String {

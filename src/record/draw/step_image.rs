@@ -1,18 +1,21 @@
 //! Images whose columns are steps.
 
-use super::canvas::{self, BOX, TEXT};
+use super::canvas;
 use super::palette::Palette;
 use super::traces::times;
 use crate::contact::Work;
 use crate::plot::{Axis, Frame};
 use rerun::{AsComponents, Boxes2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
-/// Frame and scale of an image whose columns are steps, to the right, with a quantity upwards.
+/// Frame and scale of an image whose columns are steps, to the right, with a quantity upwards, and a line at the current step.
 pub struct StepImage {
     pub root: String,
     pub palette: &'static Palette,
     /// The axis upwards, if there is one.
     y: Option<Axis>,
+    /// Room for a scale of colours, over the size of words.
+    aside: f64,
+    frame: Frame,
 }
 
 /// The steps that an image shows.
@@ -31,19 +34,26 @@ impl Steps {
 }
 
 impl StepImage {
-    pub fn new(root: String, palette: &'static Palette, y: Option<Axis>) -> Self {
-        Self { root, palette, y }
+    /// An image under `root`, with room for a scale of colours beside it if it `is_scaled`.
+    pub fn new(root: String, palette: &'static Palette, y: Option<Axis>, is_scaled: bool) -> Self {
+        let aside = if is_scaled { canvas::SCALE_ROOM } else { 0.0 };
+        let axes = [Axis::linear("step", [0.0, 1.0]), y.clone().unwrap_or_else(|| Axis::linear("", [0.0, 1.0]))];
+        Self { root, palette, y, aside, frame: canvas::frame(canvas::PANE, axes, aside) }
     }
 
+    /// The frame of the image of some steps.
     pub fn frame(&self, steps: Steps) -> Frame {
-        let x = Axis::linear("step", [0.0, steps.count()]);
-        let y = self.y.clone().unwrap_or_else(|| Axis::linear("", [0.0, 1.0]));
-        Frame { x, y, corner: [0.0, 0.0], size: BOX, text: TEXT }
+        Frame { x: Axis::linear("step", [0.0, steps.count()]), ..self.frame.clone() }
+    }
+
+    /// Gives it the proportions of a pane of so many points.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        canvas::fit(&mut self.frame, pane, self.aside);
     }
 
     /// The part of the canvas that image, axes and scale take.
     pub fn bounds(&self) -> [f64; 4] {
-        canvas::bounds(&self.frame(Steps { columns: 1, per_column: 1 }))
+        canvas::bounds(&self.frame, self.aside)
     }
 
     /// Records an image of so many rows with its axes, for all times.
@@ -56,50 +66,32 @@ impl StepImage {
     ) -> RecordingStreamResult<()> {
         let log_axes = if self.y.is_some() { canvas::log_axes } else { canvas::log_floor };
         log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame(steps))?;
-        let scale = [BOX[0] / steps.columns as f64, BOX[1] / rows as f64].map(|scale| scale as f32);
+        let [width, height] = self.frame.size;
+        let scale = [width / steps.columns as f64, height / rows as f64].map(|scale| scale as f32);
         let stretched = Transform3D::from_scale([scale[0], scale[1], 1.0]);
-        to.log_static(format!("{}/image", self.root), &[&stretched as &dyn AsComponents, image])
-    }
-}
-
-/// A line through all images at the current step.
-pub struct Cursor {
-    root: String,
-    passed: Vec<(Work, f32)>,
-}
-
-impl Cursor {
-    pub fn new(root: &str) -> Self {
-        Self { root: root.into(), passed: Vec::new() }
+        to.log_static(format!("{}/image", self.root), &[&stretched as &dyn AsComponents, image])?;
+        let stretched = Transform3D::from_scale([(width / steps.count()) as f32, height as f32, 1.0]);
+        to.log_static(self.cursor(), &stretched)
     }
 
-    pub fn log_static(&self, to: &RecordingStream, palette: &Palette) -> RecordingStreamResult<()> {
+    /// Records what the line at the current step looks like.
+    pub fn log_cursor_style(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let line = Boxes2D::update_fields()
-            .with_half_sizes([[0.0, 0.5 * BOX[1] as f32]])
-            .with_colors([super::palette::colour(palette.ink)])
+            .with_half_sizes([[0.0, 0.5]])
+            .with_colors([super::palette::colour(self.palette.ink)])
             .with_radii([Radius::new_ui_points(0.6)])
             .with_draw_order(35.0);
-        to.log_static(self.root.as_str(), &line)
+        to.log_static(self.cursor(), &line)
     }
 
-    pub fn add(&mut self, work: Work) {
-        self.passed.push((work, work.iterations as f32 + 0.5));
-    }
-
-    /// Sends the places of the steps so far, and stretches all to the steps of the images.
-    pub fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        if self.passed.is_empty() {
-            return Ok(());
-        }
-        let centers = self.passed.iter().map(|(_, step)| [*step, 0.5 * BOX[1] as f32]);
+    /// Sends where the line stands at the steps that a solver has passed, each with its work.
+    pub fn send_cursor(&self, to: &RecordingStream, passed: &[(Work, f32)]) -> RecordingStreamResult<()> {
+        let centers = passed.iter().map(|(_, step)| [*step, 0.5]);
         let lines = Boxes2D::update_fields().with_centers(centers).columns_of_unit_batches()?;
-        to.send_columns(self.root.as_str(), times(&self.passed), lines)?;
-        self.passed.clear();
-        Ok(())
+        to.send_columns(self.cursor(), times(passed), lines)
     }
 
-    pub fn stretch(&self, to: &RecordingStream, steps: Steps) -> RecordingStreamResult<()> {
-        let scale = (BOX[0] / steps.count()) as f32;
-        to.log_static(self.root.as_str(), &Transform3D::from_scale([scale, 1.0, 1.0]))
+    fn cursor(&self) -> String {
+        format!("{}/cursor", self.root)
     }
 }

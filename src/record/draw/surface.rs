@@ -1,6 +1,7 @@
 //! The pictures of a surface: pressure, gap and contact as images in the plane, the solid as a relief.
 
 use super::canvas;
+use super::eye::Eye;
 use super::fields::{Extent, Fields, range};
 use super::palette::{CONTACT_CLASS, CONTOUR, GAP_CLASS, Map, Palette, YIELDING_CLASS};
 use super::patch_points;
@@ -19,9 +20,6 @@ use crate::record::sdk::{ChannelDatatype, ImageFormat};
 use crate::setup::Part;
 use rerun::components::{MagnificationFilter, ValueRange};
 use rerun::{DepthImage, LineStrips2D, Radius, RecordingStream, RecordingStreamResult, SegmentationImage};
-
-/// Size of words, in lengths of the longer side.
-const TEXT: f64 = 0.0435;
 
 /// Pictures of a surface; the flat ones lie at the same place of the canvas.
 pub struct SurfacePicture {
@@ -53,8 +51,8 @@ impl Image {
 /// The frame of an image of a surface, a unit for each of its blocks.
 pub fn frame(grid: &Grid, blocks: &Blocks, length_unit: &str) -> Frame {
     let [height, width] = blocks.cells.map(|n| n as f64);
-    let [y, x] = [0, 1].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
-    Frame { x, y, corner: [0.0, 0.0], size: [width, height], text: TEXT * width.max(height) }
+    let axes = [1, 0].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
+    canvas::image_frame(canvas::PANE, axes, [width, height])
 }
 
 impl SurfacePicture {
@@ -118,8 +116,24 @@ impl SurfacePicture {
 }
 
 impl Picture for SurfacePicture {
-    fn frame(&self) -> Frame {
-        self.pressure.frame.clone()
+    fn frame(&self) -> &Frame {
+        &self.pressure.frame
+    }
+
+    fn fit(&mut self, pane: [f64; 2]) {
+        [&mut self.pressure, &mut self.gap].into_iter().for_each(|image| image.fit(pane));
+    }
+
+    fn fit_relief(&mut self, pane: [f64; 2]) {
+        self.relief.iter_mut().for_each(|relief| relief.fit(pane));
+    }
+
+    fn relief(&self) -> Option<(&str, Eye)> {
+        self.relief.as_ref().map(|relief| (relief.root(), relief.eye()))
+    }
+
+    fn bounds(&self) -> [f64; 4] {
+        self.pressure.bounds()
     }
 
     fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
@@ -166,9 +180,14 @@ impl Picture for SurfacePicture {
 }
 
 impl Image {
+    /// Makes it as large as a pane of so many points allows.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        canvas::fit_image(&mut self.frame, pane);
+    }
+
     /// The part of the canvas that it takes.
     pub fn bounds(&self) -> [f64; 4] {
-        canvas::bounds(&self.frame)
+        canvas::bounds(&self.frame, canvas::SCALE_ROOM)
     }
 
     fn pixels(&self) -> String {

@@ -1,5 +1,6 @@
 //! A surface as a relief, coloured by its height.
 
+use super::eye::Eye;
 use super::fields::{Fields, Outline, range};
 use super::palette::Palette;
 use super::relief::Relief;
@@ -8,7 +9,6 @@ use rerun::{RecordingStream, RecordingStreamResult};
 
 /// A surface in three dimensions, peaks up.
 pub struct SurfaceRelief {
-    root: String,
     relief: Relief,
     fields: Fields<'static>,
 }
@@ -23,12 +23,17 @@ impl SurfaceRelief {
         let gap = heights.iter().map(|h| high - 2.0 * h).collect::<Vec<_>>().into();
         let pressure = heights.iter().map(|h| h - low).collect::<Vec<_>>().into();
         let fields = Fields { stride: [1, 1], pressure, gap, outline: Outline::default(), patches: Vec::new() };
-        Self { root: format!("{root}/relief"), relief, fields }
+        Self { relief, fields }
     }
 
-    /// The root of its entities.
-    pub fn root(&self) -> &str {
-        &self.root
+    /// The root of its entities, and the eye that sees it.
+    pub fn view(&self) -> (&str, Eye) {
+        (self.relief.root(), self.relief.eye())
+    }
+
+    /// Takes the proportions of a pane of so many points.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        self.relief.fit(pane);
     }
 
     /// Records it.

@@ -34,7 +34,7 @@ impl Waterfall {
         of: fn(&Row) -> &[f64],
     ) -> Self {
         Self {
-            image: StepImage::new(root, palette, Some(wavelength)),
+            image: StepImage::new(root, palette, Some(wavelength), true),
             name: name.into(),
             rows: bands.half_octaves(),
             of,
@@ -42,11 +42,11 @@ impl Waterfall {
         }
     }
 
-    /// Records the image of the steps so far, and returns which they are.
-    pub fn log(&self, to: &RecordingStream, history: &History<Row>) -> RecordingStreamResult<Option<Steps>> {
+    /// Records the image of the steps so far.
+    pub fn log(&self, to: &RecordingStream, history: &History<Row>) -> RecordingStreamResult<()> {
         let columns = history.columns();
         if columns.iter().all(|row| (self.of)(row).is_empty()) {
-            return Ok(None);
+            return Ok(());
         }
         let steps = Steps { columns: columns.len(), per_column: history.per_column() };
         let value =
@@ -71,7 +71,6 @@ impl Waterfall {
             .with_draw_order(0.0);
         self.image.log(to, &image, self.rows.len(), steps)?;
         let scale = ColourScale { root: format!("{}/scale", self.image.root), palette: self.image.palette, map };
-        scale.log(to, &self.image.frame(steps), &Axis::linear(self.name.as_str(), range))?;
-        Ok(Some(steps))
+        scale.log(to, &self.image.frame(steps), &Axis::linear(self.name.as_str(), range))
     }
 }

@@ -9,7 +9,7 @@ use crate::contact::Contact;
 use crate::error::FileError;
 use crate::plot;
 use crate::record::draw::{Chart, Curve, Curves, Extent, Fields, FigurePicture, LOAD, LoadAxis, Palette, Stage};
-use crate::record::layout::{TEXT, send_loads};
+use crate::record::layout::{TEXT, fit_loads, send_loads};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
@@ -90,18 +90,18 @@ impl LoadRecording {
         }
         let palette = Palette::of(options.theme);
         let extents = vec![Extent::NONE; stages.len()];
+        let mut charts = Chart::all(&curves, &loads.axis, palette);
+        let mut figure = loads.figure.map(|figure| FigurePicture::new(figure, loads.axis.values.clone(), palette));
+        let curves = Curves(curves);
+        fit_loads(&mut stages, figure.as_mut(), &mut charts, &curves, options.window);
         let recording = Self {
             recording: Recording::open(output, &Name::of(loads.title.clone(), loads.scenes, id), stages, options)?,
             description: loads.description.clone(),
             captions: loads.captions.clone(),
             axis: loads.axis.clone(),
-            progress: Mutex::new(Progress {
-                loads: BTreeSet::new(),
-                extents,
-                charts: Chart::all(&curves, &loads.axis, palette),
-            }),
-            curves: Curves(curves),
-            figure: loads.figure.map(|figure| FigurePicture::new(figure, loads.axis.values.clone(), palette)),
+            progress: Mutex::new(Progress { loads: BTreeSet::new(), extents, charts }),
+            curves,
+            figure,
         };
         recording.recording.write(|stream| recording.log_static(stream))?;
         Ok(recording)
@@ -140,7 +140,7 @@ impl LoadRecording {
             self.turn_to(stream, load)?;
             stream.log(stage.description(), &stage.described(&Stage::result(contact), ""))?;
             if stage.what.has_planes() {
-                stage.log_caption(stream, self.captions[load].clone())?;
+                stage.log_caption(stream, &self.captions[load])?;
             }
             let fields = Fields::of_contact(contact);
             let extent = stage.extent(&fields);

@@ -70,7 +70,9 @@ impl Recording {
 
     fn begin(output: Output, id: Option<&str>, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
         let name = Name::of(description::name(scenes), scenes, id);
-        let recording = Self::open(output, &name, stages(scenes, "", &options), options)?;
+        let mut stages = stages(scenes, "", &options);
+        layout::fit_steps(&mut stages, options.window);
+        let recording = Self::open(output, &name, stages, options)?;
         recording.write(|stream| {
             let mut stages = recording.stages.iter();
             stages.try_for_each(|stage| stream.log_static(stage.description(), &stage.described(UNFINISHED, "")))

@@ -211,7 +211,7 @@ impl Scribe {
         stream.set_duration_secs(SECONDS, work.seconds);
         stream.set_time_sequence(TRANSFORMS, work.transforms as i64);
         if self.has_phases && stage.what.has_planes() {
-            stage.log_caption(stream, stage.caption(phase, fields.stride))?;
+            stage.log_caption(stream, &stage.caption(phase, fields.stride))?;
         }
         stage.log_frame(stream, fields)
     }

@@ -4,7 +4,8 @@ use super::output::Output;
 use super::recording::{Name, stream};
 use crate::error::FileError;
 use crate::record::draw::{FigurePicture, Palette, SurfaceRelief, survey_figure};
-use crate::record::layout::send_survey;
+use crate::record::layout::{fit_survey, send_survey};
+use crate::record::options::WINDOW;
 use crate::setup::Theme;
 use crate::surface::{Surface, Survey};
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
@@ -30,8 +31,9 @@ pub fn record_survey(
     text: &str,
 ) -> Result<(), FileError> {
     let palette = Palette::of(Theme::Dark);
-    let figure = FigurePicture::new(&survey_figure(surface, survey, unit), Vec::new(), palette);
-    let relief = (!surface.grid().is_line()).then(|| SurfaceRelief::new(surface, palette, RELIEF, unit));
+    let mut relief = (!surface.grid().is_line()).then(|| SurfaceRelief::new(surface, palette, RELIEF, unit));
+    let mut figure = FigurePicture::new(&survey_figure(surface, survey, unit), Vec::new(), palette);
+    fit_survey(relief.as_mut(), &mut figure, TEXT, WINDOW);
     let output = Output::create(out)?;
     let failure = |failure| output.error(io::Error::other(failure));
     let name = Name::made_of(title.into(), &[title.to_owned(), text.to_owned()]);
@@ -47,7 +49,7 @@ fn log(
     figure: &FigurePicture,
     text: &str,
 ) -> RecordingStreamResult<()> {
-    send_survey(relief.map(|relief| relief.root()), figure, TEXT, to)?;
+    send_survey(relief.map(SurfaceRelief::view), figure, TEXT, to)?;
     to.log_static(TEXT, &TextDocument::from_markdown(text))?;
     figure.log_static(to)?;
     relief.map_or(Ok(()), |relief| relief.log(to))

@@ -1,6 +1,6 @@
 //! Writes a blueprint, the viewer's description of its own panes, into a recording.
 
-use crate::record::draw::{Palette, colour};
+use crate::record::draw::{Eye, Palette, colour};
 use crate::record::sdk::{Range2D, TimeRange, Uuid, layout};
 use rerun::external::re_log_types::BlueprintActivationCommand;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
@@ -9,6 +9,8 @@ use rerun::{AsComponents, RecordingStream, RecordingStreamResult};
 pub use components::ContainerKind as Kind;
 pub use components::Corner2D as Corner;
 
+/// Panes side by side in a grid.
+pub const GRID_COLUMNS: usize = 2;
 /// The class of views of curves.
 const CURVES: &str = "TimeSeries";
 
@@ -49,38 +51,47 @@ pub struct View {
     pub(super) origin: String,
     pub(super) contents: Vec<String>,
     pub(super) properties: Vec<(String, Box<dyn AsComponents>)>,
+    /// The root of the picture that it shows, if it shows one.
+    pub(super) picture: Option<String>,
 }
 
 impl View {
     /// A view of `class` of the entities that match `contents` (`/scene/pressure/**`).
     fn new(class: &str, title: &str, origin: &str, contents: Vec<String>) -> Self {
-        Self { class: class.into(), title: title.into(), origin: origin.into(), contents, properties: Vec::new() }
+        Self {
+            class: class.into(),
+            title: title.into(),
+            origin: origin.into(),
+            contents,
+            properties: Vec::new(),
+            picture: None,
+        }
     }
 
-    /// A picture in the plane, showing `[left, right, top, bottom]` of its canvas.
+    /// The picture of a root in the plane, showing `[left, right, top, bottom]` of its canvas.
     pub fn plane(
         title: &str,
         origin: &str,
         contents: Vec<String>,
-        [left, right, top, bottom]: [f64; 4],
+        (root, [left, right, top, bottom]): (String, [f64; 4]),
         palette: &Palette,
     ) -> Pane {
         let range = Range2D { x_range: [left, right].into(), y_range: [top, bottom].into() };
         let bounds = panes::VisualBounds2D::new(components::VisualBounds2D(range));
         let view = Self::new("2D", title, origin, contents).with("VisualBounds2D", bounds);
-        Pane::View(view.with("Background", ground(palette)))
+        Pane::View(Self { picture: Some(root), ..view.with("Background", ground(palette)) })
     }
 
-    /// A picture in space, seen from the front, the right and above.
-    pub fn space(title: &str, origin: &str, contents: Vec<String>, eye: [f32; 3], palette: &Palette) -> Pane {
+    /// The picture of a root in space, as an eye sees it.
+    pub fn space(title: &str, (root, eye): (&str, Eye), palette: &Palette) -> Pane {
         let eye = panes::EyeControls3D::new()
             .with_kind(components::Eye3DKind::Orbital)
-            .with_position(eye)
-            .with_look_target([0.2, -0.8, -1.6])
+            .with_position(eye.position)
+            .with_look_target(eye.target)
             .with_eye_up([0.0, 0.0, 1.0]);
-        let view = Self::new("3D", title, origin, contents).with("EyeControls3D", eye);
+        let view = Self::new("3D", title, root, vec![format!("{root}/**")]).with("EyeControls3D", eye);
         let view = view.with("LineGrid3D", panes::LineGrid3D::new().with_visible(false));
-        Pane::View(view.with("Background", ground(palette)))
+        Pane::View(Self { picture: Some(root.into()), ..view.with("Background", ground(palette)) })
     }
 
     /// Curves of all times on an axis over `range`, with the legend in a corner that they leave free.
@@ -190,7 +201,7 @@ impl Blueprint {
         let pane = match kind {
             Kind::Horizontal => pane.with_col_shares(shares),
             Kind::Vertical => pane.with_row_shares(shares),
-            Kind::Grid => pane.with_grid_columns(2),
+            Kind::Grid => pane.with_grid_columns(GRID_COLUMNS as u32),
             Kind::Tabs => pane,
         };
         self.store.log(format!("container/{id}"), &pane)?;

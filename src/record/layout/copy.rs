@@ -67,6 +67,7 @@ impl Copy<'_> {
             origin: format!("{}{}", self.root, absolute(origin.as_ref().map_or("", |origin| origin.0.as_str()))),
             contents: contents.iter().map(|query| moved(query.0.as_str(), self.root)).collect(),
             properties: self.properties(path),
+            picture: None,
         })
     }
 

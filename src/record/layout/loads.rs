@@ -1,18 +1,35 @@
 //! The layout of a recording over loads: contacts on the left, figure, charts and text on the right.
 
 use super::blueprint::{Kind, Pane, View, send};
-use super::steps::pictures;
-use crate::record::draw::{Chart, Curves, FigurePicture, LOAD, Stage};
+use super::steps::{pictures, width};
+use super::window::Sizes;
+use crate::record::draw::{Chart, Curves, FigurePicture, LOAD, PANE, Stage};
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Entity of the text about the current load.
 pub const TEXT: &str = "/load";
 /// Loads per second when they are played.
 const LOADS_PER_SEC: f64 = 2.0;
-/// Room of the contacts beside that of figure and charts.
+/// Room of the contacts of lines beside that of figure and charts.
 const CONTACT: f32 = 1.3;
 /// Charts with a row of their own, unless there is a figure.
 const ROWS: usize = 2;
+
+/// Gives the pictures of scenes, figure and charts the proportions of their panes in a window.
+pub fn fit_loads(
+    stages: &mut [Stage],
+    figure: Option<&mut FigurePicture>,
+    charts: &mut [Chart],
+    curves: &Curves,
+    window: [f64; 2],
+) {
+    let sizes = Sizes::new(&[layout(stages, figure.as_deref(), charts, curves)], window);
+    stages.iter_mut().for_each(|stage| stage.fit(|root| sizes.of(root)));
+    figure.into_iter().for_each(|figure| figure.fit(|root| sizes.of(root)));
+    for chart in charts {
+        chart.fit(sizes.of(&chart.root).unwrap_or(PANE));
+    }
+}
 
 /// Writes the layout of scenes, a figure and curves over the loads.
 pub fn send_loads(
@@ -22,13 +39,19 @@ pub fn send_loads(
     curves: &Curves,
     stream: &RecordingStream,
 ) -> RecordingStreamResult<()> {
+    let palette = charts.first().map(|chart| chart.palette).or(stages.first().map(|stage| stage.palette));
+    send(vec![layout(stages, figure, charts, curves)], (LOAD, LOADS_PER_SEC), palette, stream)
+}
+
+fn layout(stages: &[Stage], figure: Option<&FigurePicture>, charts: &[Chart], curves: &Curves) -> Pane {
+    let is_line = stages.iter().all(|stage| stage.grid.is_line());
+    let room = stages.first().filter(|_| !is_line).map_or(CONTACT, width);
     let contacts: Vec<Pane> = stages.iter().filter(|stage| stage.what.has_pictures()).map(pictures).collect();
-    let contacts = (!contacts.is_empty()).then(|| (Pane::even(Kind::Tabs, "contacts", contacts), CONTACT));
+    let contacts = (!contacts.is_empty()).then(|| (Pane::even(Kind::Tabs, "contacts", contacts), room));
     let mut rows = rows(figure, charts.iter().map(chart).collect());
     rows.push((Pane::even(Kind::Tabs, "more", texts(stages, curves)), 1.0));
     let panes = contacts.into_iter().chain([(Pane::container(Kind::Vertical, "curves", rows), 1.0)]).collect();
-    let palette = charts.first().map(|chart| chart.palette).or(stages.first().map(|stage| stage.palette));
-    send(vec![Pane::container(Kind::Horizontal, "loads", panes)], (LOAD, LOADS_PER_SEC), palette, stream)
+    Pane::container(Kind::Horizontal, "loads", panes)
 }
 
 /// The panels of the figure above all charts in one row, or charts in rows of their own.
@@ -38,15 +61,16 @@ fn rows(figure: Option<&FigurePicture>, mut charts: Vec<Pane>) -> Vec<(Pane, f32
         let others = (!others.is_empty()).then(|| Pane::even(Kind::Tabs, "charts", others));
         return charts.into_iter().chain(others).map(|chart| (chart, 1.0)).collect();
     };
-    let panels = figure
-        .panels()
-        .map(|(title, root, bounds)| View::plane(title, &root, vec![format!("{root}/**")], bounds, figure.palette));
+    let panels = figure.panels().map(|(title, root, bounds)| {
+        View::plane(title, &root, vec![format!("{root}/**")], (root.clone(), bounds), figure.palette)
+    });
     let charts = (!charts.is_empty()).then(|| (Pane::even(Kind::Tabs, "charts", charts), 1.0));
     [(Pane::even(Kind::Tabs, "figure", panels.collect()), 2.0)].into_iter().chain(charts).collect()
 }
 
 fn chart(chart: &Chart) -> Pane {
-    View::plane(&chart.title(), &chart.root, vec![format!("{}/**", chart.root)], chart.bounds(), chart.palette)
+    let picture = (chart.root.clone(), chart.bounds());
+    View::plane(&chart.title(), &chart.root, vec![format!("{}/**", chart.root)], picture, chart.palette)
 }
 
 /// The text of the current load, the scenes, and the curves against the number of the load, where a click picks one.

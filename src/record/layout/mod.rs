@@ -6,9 +6,10 @@ mod copy;
 mod loads;
 mod steps;
 mod survey;
+mod window;
 
 pub use comparison::{Compared, send_comparison};
 pub use copy::copy;
-pub use loads::{TEXT, send_loads};
-pub use steps::send_steps;
-pub use survey::send_survey;
+pub use loads::{TEXT, fit_loads, send_loads};
+pub use steps::{fit_steps, send_steps};
+pub use survey::{fit_survey, send_survey};

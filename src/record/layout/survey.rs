@@ -1,26 +1,40 @@
 //! The layout of a surface: its relief above a text on the left, the figure on the right.
 
 use super::blueprint::{Kind, Pane, View, send};
-use crate::record::draw::{FigurePicture, STEP};
+use super::window::Sizes;
+use crate::record::draw::{Eye, FigurePicture, STEP, SurfaceRelief};
 use rerun::{RecordingStream, RecordingStreamResult};
 
-/// Writes the layout of the relief at `relief`, if there is one, a figure, and a text at `text`.
+/// Gives relief and figure the proportions of their panes in a window.
+pub fn fit_survey(relief: Option<&mut SurfaceRelief>, figure: &mut FigurePicture, text: &str, window: [f64; 2]) {
+    let sizes = Sizes::new(&[layout(relief.as_ref().map(|relief| relief.view()), figure, text)], window);
+    figure.fit(|root| sizes.of(root));
+    if let Some(relief) = relief
+        && let Some(size) = sizes.of(relief.view().0)
+    {
+        relief.fit(size);
+    }
+}
+
+/// Writes the layout of a relief as an eye sees it, if there is one, a figure, and a text at `text`.
 pub fn send_survey(
-    relief: Option<&str>,
+    relief: Option<(&str, Eye)>,
     figure: &FigurePicture,
     text: &str,
     stream: &RecordingStream,
 ) -> RecordingStreamResult<()> {
+    send(vec![layout(relief, figure, text)], (STEP, 1.0), Some(figure.palette), stream)
+}
+
+fn layout(relief: Option<(&str, Eye)>, figure: &FigurePicture, text: &str) -> Pane {
     let palette = figure.palette;
-    let space = |root: &str| View::space("Heights", root, vec![format!("{root}/**")], [4.8, -10.4, 7.2], palette);
-    let panels = figure.panels();
-    let panels =
-        panels.map(|(title, root, bounds)| View::plane(title, &root, vec![format!("{root}/**")], bounds, palette));
+    let panels = figure.panels().map(|(title, root, bounds)| {
+        View::plane(title, &root, vec![format!("{root}/**")], (root.clone(), bounds), palette)
+    });
     let mut panels: Vec<Pane> = panels.collect();
-    let heights = relief.map_or_else(|| panels.remove(0), space);
+    let heights = relief.map_or_else(|| panels.remove(0), |relief| View::space("Heights", relief, palette));
     let left = vec![(heights, 2.0), (View::text("Description", text.into()), 1.0)];
     let left = Pane::container(Kind::Vertical, "heights", left);
     let right = Pane::even(Kind::Vertical, "figure", panels);
-    let panes = vec![(left, 1.3), (right, 1.0)];
-    send(vec![Pane::container(Kind::Horizontal, "surface", panes)], (STEP, 1.0), Some(palette), stream)
+    Pane::container(Kind::Horizontal, "surface", vec![(left, 1.3), (right, 1.0)])
 }

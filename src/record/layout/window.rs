@@ -1,0 +1,108 @@
+//! The sizes of panes in a window, so that pictures can be drawn in the proportions of theirs.
+
+use super::blueprint::{GRID_COLUMNS, Kind, Pane};
+use std::collections::BTreeMap;
+
+/// Points above and below the panes that the viewer takes for itself: its bar and the time line.
+const FRAME: f64 = 57.0;
+/// Height of the title of a view, or of a row of tabs.
+const TITLE: f64 = 24.0;
+/// Distance of neighbours.
+const GAP: f64 = 1.0;
+
+/// Width and height of the panes of pictures in points, by the roots of the pictures. A picture that is shown more than once has the size of
+/// its smallest pane.
+pub struct Sizes(BTreeMap<String, [f64; 2]>);
+
+impl Sizes {
+    /// The sizes of the pictures of a layout in a window of so many points.
+    pub fn new(panes: &[Pane], [width, height]: [f64; 2]) -> Self {
+        let mut sizes = Self(BTreeMap::new());
+        let height = height - FRAME;
+        match panes {
+            [only] => sizes.add(only, [width, height]),
+            _ => panes.iter().for_each(|pane| sizes.add_tab(pane, [width, height])),
+        }
+        sizes
+    }
+
+    /// The size of the pane of a picture.
+    pub fn of(&self, root: &str) -> Option<[f64; 2]> {
+        self.0.get(root).copied()
+    }
+
+    fn add(&mut self, pane: &Pane, [width, height]: [f64; 2]) {
+        match pane {
+            Pane::View(view) => self.enter(view.picture.as_deref(), [width, height - TITLE]),
+            Pane::Container(Kind::Tabs, _, panes) => {
+                panes.iter().for_each(|(pane, _)| self.add_tab(pane, [width, height]));
+            }
+            Pane::Container(Kind::Grid, _, panes) => {
+                let columns = panes.len().min(GRID_COLUMNS);
+                let rows = panes.len().div_ceil(columns.max(1));
+                let size = [part(width, 1.0, columns as f64, columns), part(height, 1.0, rows as f64, rows)];
+                panes.iter().for_each(|(pane, _)| self.add(pane, size));
+            }
+            Pane::Container(kind, _, panes) => {
+                let all: f32 = panes.iter().map(|(_, share)| share).sum();
+                let along = |length, share: f32| part(length, f64::from(share), f64::from(all), panes.len());
+                for (pane, share) in panes {
+                    let is_row = *kind == Kind::Horizontal;
+                    let size = if is_row { [along(width, *share), height] } else { [width, along(height, *share)] };
+                    self.add(pane, size);
+                }
+            }
+        }
+    }
+
+    /// Adds a pane under a row of tabs, which stands for the title of a view.
+    fn add_tab(&mut self, pane: &Pane, [width, height]: [f64; 2]) {
+        let is_view = matches!(pane, Pane::View(_));
+        self.add(pane, [width, if is_view { height } else { height - TITLE }]);
+    }
+
+    fn enter(&mut self, picture: Option<&str>, [width, height]: [f64; 2]) {
+        let Some(root) = picture else { return };
+        let known = self.0.entry(root.into()).or_insert([width, height]);
+        if width * height < known[0] * known[1] {
+            *known = [width, height];
+        }
+    }
+}
+
+/// The length of a pane with a share of `length` among so many panes.
+fn part(length: f64, share: f64, all: f64, panes: usize) -> f64 {
+    (length - GAP * panes.saturating_sub(1) as f64) * share / all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::blueprint::View;
+    use super::*;
+    use crate::record::draw::Palette;
+    use crate::setup::Theme;
+
+    fn picture(root: &str) -> Pane {
+        View::plane(root, "/", Vec::new(), (root.into(), [0.0; 4]), Palette::of(Theme::Dark))
+    }
+
+    #[test]
+    fn panes_share_the_window_and_titles_take_their_part() {
+        let [a, b, c] = ["a", "b", "c"].map(picture);
+        let tabs = Pane::container(Kind::Tabs, "", vec![(b, 1.0), (c, 1.0)]);
+        let column = Pane::container(Kind::Vertical, "", vec![(a, 1.0), (tabs, 3.0)]);
+        let text = View::text("", "/".into());
+        let whole = Pane::container(Kind::Horizontal, "", vec![(column, 3.0), (text, 1.0)]);
+        let sizes = Sizes::new(&[whole], [801.0, 458.0]);
+        assert_eq!(sizes.of("a"), Some([600.0, 76.0]));
+        assert_eq!((sizes.of("b"), sizes.of("c")), (Some([600.0, 276.0]), Some([600.0, 276.0])));
+        assert_eq!(sizes.of("d"), None);
+    }
+
+    #[test]
+    fn a_picture_in_two_panes_has_the_size_of_the_smaller_one() {
+        let grid = Pane::even(Kind::Grid, "", vec![picture("a"), picture("b"), picture("c")]);
+        let sizes = Sizes::new(&[grid, picture("a")], [801.0, 458.0]);
+        assert_eq!((sizes.of("a"), sizes.of("c")), (Some([400.0, 164.0]), Some([400.0, 164.0])));
+    }
+}
