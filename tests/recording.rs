@@ -280,12 +280,12 @@ fn names(part: Part, is_line: bool) -> &'static [&'static str] {
         Part::Error => &["density"],
         Part::Stress => &["stress"],
         Part::Fringes => &["fringes"],
-        Part::Raster if is_line => &["raster", "cursor"],
-        Part::Raster => &["raster_row", "raster_column", "flips", "cursor"],
+        Part::Raster if is_line => &["raster"],
+        Part::Raster => &["raster_row", "raster_column", "flips"],
         // without a state to hold errors against there are none
         Part::Waterfall => &[],
-        Part::Energy => &["energy", "cursor"],
-        Part::Decisions => &["decisions", "lanes", "cursor"],
+        Part::Energy => &["energy"],
+        Part::Decisions => &["decisions", "lanes"],
         Part::Ritz => &["ritz"],
     }
 }
@@ -462,7 +462,7 @@ fn coarse_grids_of_a_surface_are_drawn_in_place() {
     let images = images.into_iter().map(|(_, image)| {
         image[0].0.chunks_exact(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect::<Vec<f32>>()
     });
-    let words = rows::<rerun::components::Text>(&path, "/it/caption", rerun::Points2D::descriptor_labels());
+    let words = rows::<rerun::components::Text>(&path, "/it/caption", ComponentDescriptor::partial("words"));
     let frames: Vec<(String, Vec<f32>)> = words.iter().map(|(_, words)| words[0].to_string()).zip(images).collect();
     for (stride, level) in [(4, "8 x 12,"), (2, "16 x 24,"), (1, "32 x 48,")] {
         let contact = PolonskyKeer.solve(&coarse(&problem, stride), &Stop::default(), &mut ()).unwrap();

@@ -1,6 +1,6 @@
 //! States of a solver that outlive their steps.
 
-use crate::contact::{Certificate, Decision, Phase, Problem, Step, Work};
+use crate::contact::{Certificate, Decision, Energy, Phase, Problem, Step, Work};
 
 /// A copy of the state that a [`Step`] shows, to be looked at later or on another thread.
 ///
@@ -30,23 +30,22 @@ pub struct Snapshot {
     datum: Option<f64>,
     pressure: Vec<f64>,
     displacement: Vec<f64>,
-    /// The net force; empty of methods that have none.
-    force: Vec<f64>,
+    /// The energy, of methods that move the surface: their forces, from which it follows, are not kept.
+    potential: Option<Energy>,
 }
 
 impl Snapshot {
     /// A copy of `step`, for which its fields are made.
     pub fn of(step: &Step<'_>) -> Self {
-        Self::within([Vec::new(), Vec::new(), Vec::new()], step)
+        Self::within([Vec::new(), Vec::new()], step)
     }
 
     /// A copy of another step in the memory of this one.
     pub fn replaced_by(self, step: &Step<'_>) -> Self {
-        Self::within([self.pressure, self.displacement, self.force], step)
+        Self::within([self.pressure, self.displacement], step)
     }
 
-    fn within(memory: [Vec<f64>; 3], step: &Step<'_>) -> Self {
-        let [pressure, displacement, force] = memory;
+    fn within([pressure, displacement]: [Vec<f64>; 2], step: &Step<'_>) -> Self {
         // a problem remembers this one number, so that its copies need not find it again
         step.problem().rms_gradient();
         Self {
@@ -58,7 +57,7 @@ impl Snapshot {
             datum: step.given_datum(),
             pressure: copied(pressure, step.pressure()),
             displacement: copied(displacement, step.displacement()),
-            force: copied(force, step.force().unwrap_or_default()),
+            potential: step.moves_surface().then(|| step.energy()),
         }
     }
 
@@ -70,7 +69,10 @@ impl Snapshot {
             Some(datum) => step.with_datum(datum),
             None => step,
         };
-        if self.force.is_empty() { step } else { step.with_force(&self.force) }
+        match self.potential {
+            Some(energy) => step.with_potential(energy),
+            None => step,
+        }
     }
 }
 

@@ -25,6 +25,8 @@ pub struct Step<'a> {
     decision: Option<Decision>,
     /// The net force, of methods that move the surface.
     force: Option<&'a [f64]>,
+    /// The potential energy, if it is known without the force.
+    potential: Option<Energy>,
     /// The datum, where it was not given, once it was asked for.
     found_datum: OnceCell<f64>,
     gap: OnceCell<Vec<f64>>,
@@ -120,6 +122,7 @@ impl<'a> Step<'a> {
             phase: Phase { level: 0, outer: work.iterations, inner: 0 },
             decision: None,
             force: None,
+            potential: None,
             found_datum: OnceCell::new(),
             gap: OnceCell::new(),
             measures: OnceCell::new(),
@@ -156,7 +159,12 @@ impl<'a> Step<'a> {
 
     /// Whether the method moves the surface: then the displacement is its own, and not that under the pressure.
     pub fn moves_surface(&self) -> bool {
-        self.force.is_some()
+        self.force.is_some() || self.potential.is_some()
+    }
+
+    /// The step of a method that moves the surface, with the energy that it lowers.
+    pub(super) fn with_potential(self, energy: Energy) -> Self {
+        Self { potential: Some(energy), ..self }
     }
 
     /// The problem being solved; on a coarse level that of its grid, with as many nodes as there are values of each field.
@@ -227,11 +235,6 @@ impl<'a> Step<'a> {
         self.datum
     }
 
-    /// The net force, of methods that move the surface.
-    pub(super) fn force(&self) -> Option<&'a [f64]> {
-        self.force
-    }
-
     /// The certificate of this state, where the solver knows it without further work.
     pub fn certificate(&self) -> Option<&Certificate> {
         self.certificate.as_ref()
@@ -239,6 +242,9 @@ impl<'a> Step<'a> {
 
     /// The energy that the method lowers. [`Problem::expected_mean_pressure`] stands in for a load that is not prescribed.
     pub fn energy(&self) -> Energy {
+        if let Some(energy) = self.potential {
+            return energy;
+        }
         let (p, u): (&[f64], &[f64]) = (&self.pressure, &self.displacement);
         let (h, load) = (self.problem.height(), self.problem.expected_mean_pressure());
         let unit = p.len() as f64 * load * self.problem.rms_height();

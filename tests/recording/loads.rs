@@ -148,7 +148,7 @@ fn strips(path: &Path, entity: &str) -> BTreeMap<i64, Vec<Vec<[f32; 2]>>> {
 }
 
 fn words(path: &Path, entity: &str) -> Vec<String> {
-    let words = latest::<Text>(path, entity, &rerun::Points2D::descriptor_labels()).remove(&0).unwrap();
+    let words = latest::<Text>(path, entity, &ComponentDescriptor::partial("words")).remove(&0).unwrap();
     words.iter().map(|word| word.to_string()).collect()
 }
 
@@ -201,7 +201,8 @@ fn the_picture_of_patches_is_filled_by_the_loads_that_came() {
     }
     recording.finish().unwrap();
     let map = "/contact/cylinder/patches";
-    let box_height = 460.0;
+    let frame = strips(&path, &format!("{map}/axes/lines")).remove(&0).unwrap().remove(0);
+    let box_height = frame.iter().map(|point| point[1]).fold(0.0, f32::max);
     let rows = format!("{map}/row");
     let scale = latest::<Scale3D>(&path, &rows, &rerun::Transform3D::descriptor_scale())[&0][0].y();
     let shift = latest::<Translation3D>(&path, &rows, &rerun::Transform3D::descriptor_translation())[&0][0].0.y();

@@ -67,11 +67,11 @@ fn grounds_and_words_of_all_pictures_follow_the_theme() {
                 assert_eq!(grounds, [ground].into(), "{theme:?}");
                 let curves = colours(&path, StoreKind::Blueprint, &PlotBackground::descriptor_color(), "");
                 assert_eq!(curves, [ground].into(), "{theme:?}");
-                let points = rerun::Points2D::descriptor_colors();
-                let words = colours(&path, StoreKind::Recording, &points, "/words");
+                let lines = rerun::LineStrips2D::descriptor_colors();
+                let words = colours(&path, StoreKind::Recording, &lines, "/words");
                 assert_eq!(words, [ink].into(), "{theme:?}");
-                let points = rerun::Points3D::descriptor_colors();
-                let lengths = colours(&path, StoreKind::Recording, &points, "/relief/labels");
+                let lines = rerun::LineStrips3D::descriptor_colors();
+                let lengths = colours(&path, StoreKind::Recording, &lines, "/relief/labels");
                 assert!(lengths.iter().all(|colour| *colour == ink), "{lengths:?}");
                 assert_eq!(lengths.is_empty(), problem.surface().grid().is_line());
             }

@@ -6,7 +6,7 @@ use crate::contact::{Certificate, Problem, Step, Work, chunks};
 use crate::elastic::Response;
 use crate::surface::Field;
 
-/// Place `w`, last advance `dw`, net force `f`, advance under it `a`, and the wall's constraint forces `p`.
+/// Place `w`, last advance `dw`, net force `f`, advance `a` under it where masses are not 1, and the wall's constraint forces `p`.
 pub(super) struct Moving<'a> {
     problem: &'a Problem,
     pub response: Response,
@@ -33,7 +33,8 @@ impl<'a> Moving<'a> {
         w.iter_mut().for_each(|w| *w += deepest);
         let softest = response.softest_stiffness();
         let zeros = || vec![0.0; n];
-        Self { problem, response, masses, softest, w, dw: zeros(), f: zeros(), a: zeros(), p: zeros() }
+        let a = if masses == Masses::Uniform { Vec::new() } else { zeros() };
+        Self { problem, response, masses, softest, w, dw: zeros(), f: zeros(), a, p: zeros() }
     }
 
     /// Finds the forces: elasticity and load; what the wall needs to hold the nodes that touch it and push; and what is left
@@ -59,8 +60,9 @@ impl<'a> Moving<'a> {
     /// One step of the dynamics, and back onto the wall where it was passed.
     pub fn advance(&mut self, pace: &mut Pace) {
         self.accelerate();
-        let [keep, add] = pace.push(&self.f, &self.dw, &self.a);
-        let (h, a, p) = (self.problem.height(), &self.a, &self.p);
+        let a = if self.masses == Masses::Uniform { &self.f } else { &self.a };
+        let [keep, add] = pace.push(&self.f, &self.dw, a);
+        let (h, p) = (self.problem.height(), &self.p);
         chunks::update_both(&mut self.w, &mut self.dw, |range, w, dw| {
             for ((i, w), dw) in range.zip(w).zip(dw) {
                 let free = if p[i] > 0.0 { 0.0 } else { keep * *dw + add * a[i] };
@@ -82,10 +84,9 @@ impl<'a> Moving<'a> {
         self.softest * per_row.max(1.0)
     }
 
-    /// `a <- f / m` on the nodes that the wall does not hold, for masses 1 or `m_q = k_q`.
+    /// `a <- f / m` on the nodes that the wall does not hold, for masses `m_q = k_q`; for masses 1 it is `f`, which takes its place.
     fn accelerate(&mut self) {
         if self.masses == Masses::Uniform {
-            self.a.copy_from_slice(&self.f);
             return;
         }
         let floor = self.pinning_stiffness();

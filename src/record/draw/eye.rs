@@ -2,8 +2,10 @@
 
 use glam::Vec3;
 
-/// From what is looked at towards the eye: from the front, the right and above.
-const TOWARDS: Vec3 = Vec3::new(4.6, -9.6, 8.8);
+/// From what is looked at towards the eye, seen from above: from the front and the right.
+const TOWARDS: [f32; 2] = [0.43, -0.9];
+/// Heights of the eye that are tried, in radians above the horizon.
+const ELEVATIONS: [f32; 6] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 /// Half of the angle of view of the viewer from below to above, in radians.
 const HALF_VIEW: f32 = 27.5 * std::f32::consts::PI / 180.0;
 /// Share of the pane that is filled.
@@ -20,35 +22,42 @@ pub struct Eye {
 }
 
 impl Eye {
-    /// The nearest eye that sees all `corners` in a pane that is `aspect` times as wide as it is high.
+    /// The eye that sees all `corners` as large as possible in a pane that is `aspect` times as wide as it is high.
     pub fn around(corners: &[Vec3], aspect: f32) -> Self {
-        let towards = TOWARDS.normalize();
+        let eyes = ELEVATIONS.map(|elevation| Self::nearest(corners, aspect, elevation));
+        let [(first, _), ..] = eyes;
+        eyes.into_iter().fold((first, 0.0), |best, other| if other.1 > best.1 { other } else { best }).0
+    }
+
+    /// The nearest eye at a height that sees all corners, and the share of the pane that they fill.
+    fn nearest(corners: &[Vec3], aspect: f32, elevation: f32) -> (Self, f32) {
+        let (across, upwards) = (elevation.cos(), elevation.sin());
+        let towards = Vec3::new(across * TOWARDS[0], across * TOWARDS[1], upwards).normalize();
         let right = Vec3::Z.cross(towards).normalize();
         let up = towards.cross(right);
+        let room = [aspect, 1.0].map(|width| FILLED * HALF_VIEW.tan() * width);
         let mut target = corners.iter().sum::<Vec3>() / corners.len() as f32;
-        let [mut near, mut far] = [0.0, FARTHEST];
+        let ([mut near, mut far], mut filled) = ([0.0, FARTHEST], 0.0);
         for _ in 0..ROUNDS {
             let distance = 0.5 * (near + far);
-            let seen = |axis: Vec3, room: f32| {
+            let [x, y] = [(right, room[0]), (up, room[1])].map(|(axis, room)| {
                 let places = corners.iter().map(|corner| {
                     let from = *corner - target;
                     let depth = distance - from.dot(towards);
                     if depth > 0.0 { from.dot(axis) / depth / room } else { f32::INFINITY }
                 });
                 places.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
-            };
-            let room = FILLED * HALF_VIEW.tan();
-            let [across, upwards] = [(right, room * aspect), (up, room)].map(|(axis, room)| seen(axis, room));
-            let is_seen = [across, upwards].iter().all(|[low, high]| high - low <= 2.0);
-            if is_seen {
+            });
+            let reach = [x, y].map(|[low, high]| 0.5 * (high - low));
+            if reach.iter().all(|reach| *reach <= 1.0) {
                 far = distance;
-                let shift = |[low, high]: [f32; 2], room: f32| 0.5 * (low + high) * room * distance;
-                target += right * shift(across, room * aspect) + up * shift(upwards, room);
+                filled = reach[0] * reach[1];
+                target += distance * (right * x[0].midpoint(x[1]) * room[0] + up * y[0].midpoint(y[1]) * room[1]);
             } else {
                 near = distance;
             }
         }
-        Self { position: (target + far * towards).to_array(), target: target.to_array() }
+        (Self { position: (target + far * towards).to_array(), target: target.to_array() }, filled)
     }
 }
 

@@ -22,13 +22,13 @@ pub struct Recording {
     output: Output,
     pub(super) stages: Arc<[Stage]>,
     pub(super) options: Options,
-    /// The layout and all that does not change, on their way.
+    /// All that does not change, on its way.
     statics: Option<Task>,
 }
 
 impl Recording {
-    /// Opens the file, and begins to write into it the layout of `scenes` and all that does not change from step to step, while
-    /// the caller goes on.
+    /// Opens the file, writes into it the layout of `scenes`, so that a viewer has it before anything else, and begins to write all that
+    /// does not change from step to step, while the caller goes on.
     ///
     /// # Errors
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
@@ -74,6 +74,7 @@ impl Recording {
         layout::fit_steps(&mut stages, options.window);
         let recording = Self::open(output, &name, stages, options)?;
         recording.write(|stream| {
+            layout::send_steps(&recording.stages, stream)?;
             let mut stages = recording.stages.iter();
             stages.try_for_each(|stage| stream.log_static(stage.description(), &stage.described(UNFINISHED, "")))
         })?;
@@ -141,9 +142,8 @@ impl Recording {
     }
 }
 
-/// Writes the layout, and all that does not change from step to step.
+/// Writes all that does not change from step to step.
 fn log_static(stream: &RecordingStream, stages: &[Stage], ghost: Option<&Ghost>) -> RecordingStreamResult<()> {
-    layout::send_steps(stages, stream)?;
     for (i, stage) in stages.iter().enumerate() {
         stage.log_static(stream, (stages.len() > 1).then_some(i))?;
         if let Some(ghost) = ghost {

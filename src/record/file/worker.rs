@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 
 /// Bytes of the states that are on their way, unless a single one takes more: some steps of a line, one of a surface.
 const MOST_BYTES: usize = 5 << 20;
-/// Fields of a state at the most.
-const FIELDS: usize = 3;
+/// Fields of a state.
+const FIELDS: usize = 2;
 /// The most states on their way.
 const MOST_STATES: usize = 32;
 /// Parts of all states that are handed over together: to wake a thread costs as much as to copy a field of a line.

@@ -1,28 +1,35 @@
 //! The sizes of panes in a window, so that pictures can be drawn in the proportions of theirs.
 
 use super::blueprint::{GRID_COLUMNS, Kind, Pane};
+use crate::record::options::WINDOW;
 use std::collections::BTreeMap;
 
 /// Points above and below the panes that the viewer takes for itself: its bar and the time line.
 const FRAME: f64 = 57.0;
 /// Height of the title of a view, or of a row of tabs.
 const TITLE: f64 = 24.0;
+/// What the viewer leaves free around a picture in its pane, on both sides together.
+const MARGIN: f64 = 6.0;
+/// The size of a point in the smallest windows, over that in the usual one.
+const LEAST_SCALE: f64 = 0.7;
 /// Distance of neighbours.
 const GAP: f64 = 1.0;
 
 /// Width and height of the panes of pictures in points, by the roots of the pictures. A picture that is shown more than once has the size of
-/// its smallest pane.
+/// its smallest pane. In a small window points are smaller, so that words leave room for the curves.
 pub struct Sizes(BTreeMap<String, [f64; 2]>);
 
 impl Sizes {
     /// The sizes of the pictures of a layout in a window of so many points.
     pub fn new(panes: &[Pane], [width, height]: [f64; 2]) -> Self {
         let mut sizes = Self(BTreeMap::new());
+        let scale = (width / WINDOW[0]).min(height / WINDOW[1]).clamp(LEAST_SCALE, 1.0);
         let height = height - FRAME;
         match panes {
             [only] => sizes.add(only, [width, height]),
             _ => panes.iter().for_each(|pane| sizes.add_tab(pane, [width, height])),
         }
+        sizes.0.values_mut().for_each(|size| *size = size.map(|length| length / scale));
         sizes
     }
 
@@ -33,7 +40,7 @@ impl Sizes {
 
     fn add(&mut self, pane: &Pane, [width, height]: [f64; 2]) {
         match pane {
-            Pane::View(view) => self.enter(view.picture.as_deref(), [width, height - TITLE]),
+            Pane::View(view) => self.enter(view.picture.as_deref(), [width - MARGIN, height - TITLE - MARGIN]),
             Pane::Container(Kind::Tabs, _, panes) => {
                 panes.iter().for_each(|(pane, _)| self.add_tab(pane, [width, height]));
             }
@@ -93,16 +100,25 @@ mod tests {
         let column = Pane::container(Kind::Vertical, "", vec![(a, 1.0), (tabs, 3.0)]);
         let text = View::text("", "/".into());
         let whole = Pane::container(Kind::Horizontal, "", vec![(column, 3.0), (text, 1.0)]);
-        let sizes = Sizes::new(&[whole], [801.0, 458.0]);
-        assert_eq!(sizes.of("a"), Some([600.0, 76.0]));
-        assert_eq!((sizes.of("b"), sizes.of("c")), (Some([600.0, 276.0]), Some([600.0, 276.0])));
+        let sizes = Sizes::new(&[whole], [1601.0, 1058.0]);
+        assert_eq!(sizes.of("a"), Some([1194.0, 220.0]));
+        assert_eq!((sizes.of("b"), sizes.of("c")), (Some([1194.0, 720.0]), Some([1194.0, 720.0])));
         assert_eq!(sizes.of("d"), None);
     }
 
     #[test]
     fn a_picture_in_two_panes_has_the_size_of_the_smaller_one() {
         let grid = Pane::even(Kind::Grid, "", vec![picture("a"), picture("b"), picture("c")]);
-        let sizes = Sizes::new(&[grid, picture("a")], [801.0, 458.0]);
-        assert_eq!((sizes.of("a"), sizes.of("c")), (Some([400.0, 164.0]), Some([400.0, 164.0])));
+        let sizes = Sizes::new(&[grid, picture("a")], [1601.0, 1058.0]);
+        assert_eq!((sizes.of("a"), sizes.of("c")), (Some([794.0, 470.0]), Some([794.0, 470.0])));
+    }
+
+    #[test]
+    fn words_are_smaller_in_small_windows_but_never_by_more_than_a_third() {
+        let width = |window: [f64; 2]| Sizes::new(&[picture("a")], window).of("a").unwrap()[0];
+        assert_eq!(width([1600.0, 1000.0]), 1594.0);
+        assert_eq!(width([1280.0, 800.0]), 1274.0 / 0.8);
+        assert_eq!(width([640.0, 400.0]), 634.0 / LEAST_SCALE);
+        assert_eq!(width([1920.0, 1080.0]), 1914.0);
     }
 }
