@@ -15,6 +15,42 @@ pub fn check_target(path: &Path) -> Result<(), FileError> {
     Draft::beside(path).map(drop)
 }
 
+/// Checks that no two of the files that are to be written are the same, and that none of them is one that is read, by whatever names.
+///
+/// # Errors
+/// [`FileError::Target`] for the first file that would be lost.
+///
+/// ```
+/// use asperity::files::check_apart;
+/// use std::path::Path;
+/// let [result, same, heights] = ["a.npz", "./a.npz", "h.npy"].map(Path::new);
+/// assert!(check_apart([result], [heights]).is_ok());
+/// let refused = check_apart([result, same], [heights]).unwrap_err();
+/// assert_eq!(refused.to_string(), "cannot write ./a.npz: another output has the same name, give each its own");
+/// ```
+pub fn check_apart<'a>(
+    written: impl IntoIterator<Item = &'a Path>,
+    read: impl IntoIterator<Item = &'a Path>,
+) -> Result<(), FileError> {
+    let mut taken: Vec<(PathBuf, &str)> =
+        read.into_iter().map(|path| (place(path), "it is read, and would be lost: give another name")).collect();
+    for path in written {
+        let place = place(path);
+        if let Some((_, reason)) = taken.iter().find(|(other, _)| *other == place) {
+            return Err(FileError::Target { path: path.into(), reason: (*reason).into() });
+        }
+        taken.push((place, "another output has the same name, give each its own"));
+    }
+    Ok(())
+}
+
+/// The one path of a file, which need not be there yet.
+fn place(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let beside = || Some(folder.canonicalize().ok()?.join(path.file_name()?));
+    path.canonicalize().ok().or_else(beside).unwrap_or_else(|| path.into())
+}
+
 /// Checks that a file can be made at `path` and that its name ends in one of the `endings`, such as `npz`, by which others will
 /// know what is in it.
 ///

@@ -338,6 +338,15 @@ fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
     }
 }
 
+/// The solid of a profile at each frame, over width and height of its box.
+fn within_box(path: &Path, profile: &str) -> Vec<(i64, Vec<[f32; 2]>)> {
+    let (_, frame) = strips(path, &format!("{profile}/axes/lines")).remove(0);
+    let size = [0, 1].map(|axis| frame.iter().map(|point| point[axis]).fold(0.0, f32::max));
+    let over = |point: [f32; 2]| [point[0] / size[0], point[1] / size[1]];
+    let frames = strips(path, &format!("{profile}/solid")).into_iter();
+    frames.map(|(step, points)| (step, points.into_iter().map(over).collect())).collect()
+}
+
 #[test]
 fn parts_together_are_what_they_are_alone() {
     let folder = tempfile::tempdir().unwrap();
@@ -346,7 +355,15 @@ fn parts_together_are_what_they_are_alone() {
     record(&path, &problem, &PolonskyKeer, None, None);
     let what = [Part::Traces, Part::Profile].into_iter().collect();
     record_with(&part, &problem, &PolonskyKeer, None, Options { what, ..Options::default() });
-    assert_eq!(strips(&path, "/it/profile/solid"), strips(&part, "/it/profile/solid"));
+    let [together, alone] =
+        [&path, &part].map(|path| (within_box(path, "/it/profile"), strips(path, "/it/profile/solid")));
+    assert_ne!(together.1, alone.1, "each fills its own pane");
+    for ((step, these), (other_step, others)) in together.0.iter().zip(&alone.0) {
+        assert_eq!((step, these.len()), (other_step, others.len()));
+        let is_same = |(a, b): (&[f32; 2], &[f32; 2])| (0..2).all(|i| (a[i] - b[i]).abs() < 1e-6);
+        assert!(these.iter().zip(others).all(is_same), "at step {step}");
+    }
+    assert_eq!(together.0.len(), alone.0.len());
     assert_eq!(trace(&path, "complementary_energy", "step"), trace(&part, "complementary_energy", "step"));
     assert!(!strips(&path, "/it/gap/curves/gap").is_empty() && strips(&part, "/it/gap/curves/gap").is_empty());
 }

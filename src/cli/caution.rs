@@ -13,14 +13,25 @@ const LARGEST_ERROR: f64 = 0.1;
 /// A share of the contact in patches too small to trust above this one is told.
 const LARGEST_SHARE: f64 = 0.25;
 
-/// Warnings about contacts, a sentence each: loads far beyond full contact, and patches of too few nodes.
+/// Warnings about contacts, a sentence each: loads far beyond full contact, errors that are not known, and patches of too few nodes.
 pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
     let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max).map(|p| {
         format!("the reduced pressure {p:.3e} is far above 1, where contact is nearly full: check load, modulus and their units")
     });
+    let under = |count: usize| match found.len() {
+        1 => String::new(),
+        all => format!(" under {count} of {all} loads"),
+    };
+    let unknown = found.iter().filter(|it| is_unknown(it)).count();
+    let unknown = (unknown > 0).then(|| {
+        format!(
+            "kappa_r and its error cannot be found{} on this grid, so that kappa_r may be wrong by any amount: refine it by \
+             --refine auto, or take more points",
+            under(unknown)
+        )
+    });
     let doubtful: Vec<_> = found.iter().filter(|it| is_doubtful(it)).collect();
-    let of =
-        if found.len() > 1 { format!(" under {} of {} loads", doubtful.len(), found.len()) } else { String::new() };
+    let of = under(doubtful.len());
     let worst = doubtful.into_iter().max_by(|a, b| error(a).total_cmp(&error(b)));
     let coarse = worst.map(|it| {
         format!(
@@ -30,7 +41,7 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
             100.0 * it.unresolved_share
         )
     });
-    heavy.into_iter().chain(coarse).collect()
+    heavy.into_iter().chain(unknown).chain(coarse).collect()
 }
 
 /// The warning that a contact reaches a free rim, beyond which the heights are not known.
@@ -50,6 +61,12 @@ pub fn unsettled() -> String {
     "area and kappa_r have not settled on the finest grid that memory and 64-fold refinement allow: give a larger --area-tolerance, or \
      smoother heights"
         .into()
+}
+
+/// Whether there is a contact whose `kappa_r`, or its error, is no number or zero.
+fn is_unknown(it: &Observables) -> bool {
+    it.relative_area > 0.0
+        && !(it.kappa_r_error.is_finite() && it.relative_area_error.is_finite() && it.kappa_r_resolved > 0.0)
 }
 
 /// Whether the grid is too coarse for the numbers of a contact.

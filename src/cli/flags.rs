@@ -4,7 +4,8 @@ use super::caution;
 use super::choice::one_of;
 use super::outcome::usage;
 use anyhow::Result;
-use asperity::setup::{FLAGS, Flag, Table, Value, lay};
+use asperity::setup::{FLAGS, Flag, Recipe, Table, Value, lay};
+use asperity::surface::HeightFile;
 use clap::{Arg, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
@@ -83,6 +84,11 @@ impl<E: Extent> Scene<E> {
     #[cfg(feature = "explore")]
     pub fn of(file: PathBuf) -> Self {
         Self { file: Some(file), given: Vec::new(), extent: PhantomData }
+    }
+
+    /// The files that are read for a surface in it, and its own.
+    pub fn files<'a>(&'a self, surface: &'a Recipe) -> impl Iterator<Item = &'a Path> {
+        self.file.as_deref().into_iter().chain(surface.files().map(HeightFile::path))
     }
 
     /// The setup as it was given, its sections and keys apart.

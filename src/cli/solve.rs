@@ -17,7 +17,7 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Observer, PartialSlip, Problem, archive, archive_of_slip};
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
-use asperity::files::write_beside;
+use asperity::files::{check_apart, write_beside};
 #[cfg(feature = "record")]
 use asperity::record;
 use asperity::setup::{Auto, Setup};
@@ -56,6 +56,7 @@ impl Solve {
         let mut table = self.scene.table()?;
         let (loads, auto) = (table.take_loads()?, table.take_auto()?);
         let setup = table.setup()?;
+        check_apart(self.outputs.files(), self.scene.files(&setup.surface))?;
         match loads {
             Some(_) if auto.is_some() => {
                 usage("a grid is found under one load, but several are given: give one, or a number for --refine")

@@ -8,7 +8,7 @@ use super::study_row;
 use super::study_table::{write_expenses, write_means};
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::files::{check_named, check_target};
+use asperity::files::{check_apart, check_named, check_target};
 use asperity::setup::available_bytes;
 use asperity::study::{Campaign, Plan, Point, Shard, Table};
 use clap::Args;
@@ -184,6 +184,7 @@ impl Merge {
                 Usage(format!("there is no table {}: solve that share, or leave it out", share.display())).into()
             );
         }
+        check_apart([path.as_path()], self.shares.iter().map(PathBuf::as_path))?;
         let tables: Vec<Table> = self.shares.iter().map(Table::new).collect();
         let points = plan.merge(&tables)?;
         let all: Vec<usize> = (0..plan.realisations()).collect();

@@ -10,7 +10,7 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::Grid;
 use asperity::error::FileError;
-use asperity::files::check_named;
+use asperity::files::{check_apart, check_named};
 #[cfg(feature = "record")]
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
@@ -104,6 +104,11 @@ impl Describe {
             check_named(path, &["rrd"])?;
         }
         let (mut recipe, cell) = self.scene.table()?.surface()?;
+        #[cfg(feature = "record")]
+        let written = self.out.iter().chain(&self.record);
+        #[cfg(not(feature = "record"))]
+        let written = self.out.iter();
+        check_apart(written.map(PathBuf::as_path), self.scene.files(&recipe))?;
         let uneven = even(&mut recipe)?;
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;

@@ -71,7 +71,7 @@ impl Recipe {
     }
 
     /// The files of heights.
-    fn files(&self) -> impl Iterator<Item = &HeightFile> {
+    pub fn files(&self) -> impl Iterator<Item = &HeightFile> {
         [&self.height, &self.against].into_iter().flatten()
     }
 

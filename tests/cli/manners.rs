@@ -168,3 +168,23 @@ fn pipes_get_neither_colours_nor_bars_and_no_color_is_heeded() {
     assert!(shown.contains("gfmd [") && !is_coloured(&shown), "{shown:?}");
     assert!(!quiet.contains('\u{1b}') && quiet.contains("kappa_r"), "{quiet:?}");
 }
+
+/// A file that two outputs share would keep one of them, and one that is read would be lost.
+#[test]
+fn no_output_takes_the_place_of_another_or_of_what_is_read() {
+    let folder = Folder::new();
+    assert!(folder.run(&format!("surface {ROUGH_LINE} --out h.npy")).status.success());
+    assert!(folder.run(&format!("solve {ROUGH_LINE} --reduced-pressure 0.01 --save-setup in.toml")).status.success());
+    let kept = ["h.npy", "in.toml"].map(|name| std::fs::read(folder.join(name)).unwrap());
+    for (arguments, lost) in [
+        (format!("solve {ROUGH_LINE} --reduced-pressure 0.01 --out a.npz --stress ./a.npz"), "./a.npz"),
+        ("solve in.toml --save-setup in.toml".into(), "in.toml"),
+        ("surface --height h.npy --size 1 --out h.npy".into(), "h.npy"),
+    ] {
+        let output = folder.run(&arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {}", text(&output.stderr));
+        assert!(text(&output.stderr).starts_with(&format!("error: cannot write {lost}: ")), "{}", text(&output.stderr));
+    }
+    assert_eq!(["h.npy", "in.toml"].map(|name| std::fs::read(folder.join(name)).unwrap()), kept);
+    assert!(!folder.join("a.npz").exists());
+}

@@ -115,3 +115,21 @@ fn distances_that_fit_the_size_in_no_unit_are_told() {
         assert_eq!(output.status.code(), Some(0));
     }
 }
+
+/// The plateaus of a clipped profile have no gradient: `kappa_r` is 0.82 on this grid, and 1.67 on fine ones.
+#[test]
+fn an_error_that_is_not_known_warns() {
+    let folder = Folder::new();
+    let height = |i: usize| {
+        let x = std::f64::consts::PI * i as f64 / 512.0;
+        1e-3 * ((6.0 * x).cos() + 0.4 * (14.0 * x + 1.0).cos()).min(0.8)
+    };
+    write_npy(folder.join("h.npy"), &ndarray::Array1::from_shape_fn(512, height)).unwrap();
+    let solve = "solve --height h.npy --size 1 --modulus 1 --reduced-pressure 0.005 --refine 2";
+    let output = folder.run(&format!("{solve} --json"));
+    assert!(json(&output)["kappa_r_error"].is_null(), "the error is not known");
+    let warned = warnings(&output);
+    let is_unknown = |it: &&str| it.starts_with("kappa_r and its error cannot be found on this grid");
+    assert!(warned.iter().any(is_unknown), "{warned:?}");
+    assert_eq!(folder.run(&format!("{solve} --strict")).status.code(), Some(2));
+}
