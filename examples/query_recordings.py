@@ -1,6 +1,6 @@
 """A folder of recordings as a table, by the properties that each of them carries.
 
-    pip install "rerun-sdk[datafusion]==0.36.3"
+    pip install "rerun-sdk[catalog]>=0.36"
     mkdir runs
     for p in 0.001 0.01 0.1; do asperity solve scene.toml --reduced-pressure $p --record runs/$p.rrd; done
     python query_recordings.py runs [SCENE]

@@ -410,7 +410,7 @@ pub enum FileError {
     Write { path: PathBuf, source: std::io::Error },
     /// No viewer is installed that could show it.
     #[error(
-        "no Rerun viewer can be started: install one with `pip install rerun-sdk=={version}`, or write a file with --record"
+        "no Rerun viewer can be started: install one with `pip install rerun-sdk`, {version} or newer, or write a file with --record"
     )]
     NoViewer { version: String },
 }

@@ -688,7 +688,7 @@ fn a_missing_viewer_is_said() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
     let output = folder.finish(command.args(line.split_whitespace()).env("PATH", folder.join("sub")));
     assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("pip install rerun-sdk=="), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("pip install rerun-sdk`"), "{}", text(&output.stderr));
     assert!(output.stdout.is_empty() && !folder.join("new.rrd").exists());
 }
 

@@ -25,6 +25,7 @@ mod comparison;
 mod ghost;
 #[path = "recording/instruments.rs"]
 mod instruments;
+mod kinds;
 #[path = "recording/layout.rs"]
 mod layout;
 #[path = "recording/loads.rs"]
@@ -39,6 +40,8 @@ mod properties;
 mod survey;
 #[path = "recording/theme.rs"]
 mod theme;
+#[path = "recording/types.rs"]
+mod types;
 
 fn cylinder() -> Problem {
     let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();

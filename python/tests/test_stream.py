@@ -68,7 +68,11 @@ def test_a_piece_comes_before_the_loop_ends() -> None:
 
 
 def test_the_reader_of_the_sdk_finds_every_step_in_the_pieces(tmp_path: Path) -> None:
-    experimental = pytest.importorskip("rerun.experimental")
+    pytest.importorskip("rerun")
+    try:
+        from rerun.chunk import RrdReader
+    except ImportError:  # up to 0.37
+        from rerun.experimental import RrdReader
     pieces: list[bytes] = []
     count = 0
     with asp.Recorder(problem(), stream=pieces.append) as recorder:
@@ -79,7 +83,7 @@ def test_the_reader_of_the_sdk_finds_every_step_in_the_pieces(tmp_path: Path) ->
     def steps_in(recording: bytes) -> set[int]:
         path = tmp_path / "joined.rrd"
         path.write_bytes(recording)
-        chunks = experimental.RrdReader(path).stream().filter(content="/contact/trace/kappa_r", has_timeline="step").to_chunks()
+        chunks = RrdReader(path).stream().filter(content="/contact/trace/kappa_r", has_timeline="step").to_chunks()
         return {int(step) for chunk in chunks for step in chunk.to_record_batch().column("step").to_pylist()}
 
     def joined(pieces: list[bytes]) -> bytes:
