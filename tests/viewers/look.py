@@ -1,4 +1,5 @@
-"""Opens recordings in the viewer of the installed rerun-sdk, without a screen, and says of each whether its views show data.
+"""Opens recordings in the viewer of the installed rerun-sdk, without a screen, and says of each whether its views show data
+and its pictures fill them.
 
     python look.py [--pictures FOLDER] [--patience SECONDS] RECORDING...
 
@@ -39,10 +40,12 @@ GREY = 0.1
 """The same of pictures without colours, of which the ground is not the half."""
 LEAST_WINDOW = 0.003
 """The share of coloured pixels in a window that shows anything; that of a window whose views are empty is 0.0006."""
+FILLED = 0.75
+"""The share of its view that a picture in the plane covers at least, with its axes."""
 TABS = 1
 """The kind of a container whose first child alone can be seen."""
 COMPLAINT = re.compile(r"\b(WARN|ERROR)\b|Fail to merge|panicked", re.IGNORECASE)
-HARMLESS = re.compile(r"Software rasterizer detected|XDG_RUNTIME_DIR|not found for screenshot")
+HARMLESS = re.compile(r"Software rasterizer detected|XDG_RUNTIME_DIR|not found for screenshot|Failed to render screenshot")
 """What a viewer says on a machine without graphics or a desktop, whatever it shows, and of pictures that are asked for too early."""
 NO_GRAPHICS = re.compile(r"No graphics adapter|NoSuitableAdapter|No Vulkan", re.IGNORECASE)
 
@@ -87,8 +90,8 @@ class Viewer:
         try:
             self.client = self.client or ViewerClient(self.url)
             self.client.save_screenshot(str(path), view_id=view)
-        except ConnectionError:
-            pass  # the viewer is not there yet, or has not laid out the view
+        except OSError:
+            pass  # the viewer is not there yet, has not laid out the view, or is too slow to answer
 
     def settled(self):
         """The window once two pictures in a row show the same data, or the last picture, and whether that is so."""
@@ -102,13 +105,13 @@ class Viewer:
         return seen, False
 
     def shows(self, view, kind):
-        """Whether a view comes to show data."""
+        """The picture of a view once it shows data, or None."""
         while True:
             picture = self.shoot(view)
             if picture and has_data(picture, kind):
-                return True
+                return picture
             if not self.is_waited_for():
-                return False
+                return None
 
     def complaints(self):
         """What the viewer said that it should not say."""
@@ -135,6 +138,15 @@ def shares(picture):
     ink = np.abs(pixels - colours[counts.argmax()]).max(axis=2) > INK
     colour = pixels.max(axis=2) - pixels.min(axis=2) > INK
     return float(ink.mean()), float(colour.mean())
+
+
+def filled(picture):
+    """The share of a picture between the outermost things that are drawn in it. The ground is the colour that is most common at its rim."""
+    pixels = np.asarray(picture).astype(int)
+    rim = np.concatenate([pixels[0], pixels[-1], pixels[:, 0], pixels[:, -1]])
+    colours, counts = np.unique(rim, axis=0, return_counts=True)
+    ink = np.abs(pixels - colours[counts.argmax()]).max(axis=2) > INK
+    return np.prod([np.ptp(np.flatnonzero(ink.any(axis=axis))) / ink.shape[1 - axis] for axis in (0, 1)])
 
 
 def has_data(picture, kind):
@@ -172,8 +184,13 @@ def views(recording):
     return seen
 
 
-def empty_views(viewer, recording):
-    return [f"the view {title!r} shows no data" for view, title, kind in views(recording) if not viewer.shows(view, kind)]
+def faults_of_views(viewer, recording):
+    for view, title, kind in views(recording):
+        picture = viewer.shows(view, kind)
+        if not picture:
+            yield f"the view {title!r} shows no data"
+        elif kind == "2D" and filled(picture) < FILLED:
+            yield f"the picture {title!r} covers {filled(picture):.0%} of its view"
 
 
 def look(recording, pictures, patience):
@@ -182,7 +199,7 @@ def look(recording, pictures, patience):
         picture, has_settled = viewer.settled()
         if picture and pictures:
             picture.save(pictures / f"{Path(recording).stem}.png")
-        empty = empty_views(viewer, recording) if has_settled else ["the window shows no data"]
+        empty = list(faults_of_views(viewer, recording)) if has_settled else ["the window shows no data"]
         ended = [] if viewer.process.poll() is None else ["the viewer has ended by itself"]
         words = viewer.complaints()
     if any(NO_GRAPHICS.search(line) for line in words):

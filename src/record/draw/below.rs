@@ -19,7 +19,7 @@ use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Columns of the pictures, whose pixels are square in space, and the fewest and the most rows: as many as the pane has room for.
 const COLUMNS: usize = 256;
-const ROWS: [usize; 2] = [64, 200];
+const ROWS: [usize; 2] = [64, 256];
 /// Pixels of a picture at the most.
 pub const MOST_PIXELS: usize = COLUMNS * ROWS[1];
 /// Blocks of the pressure for each column of a picture of a line, and on the whole line at the most.
