@@ -47,7 +47,15 @@ function showHeld(contact) {
   if (grip.gap !== null) knobs.load = Number(Math.min(1e3, Math.max(1e-5, told.reduced_pressure)).toPrecision(4));
   show();
   setMoment({ name: named(say("moment.hand"), told), numbers: told });
+  if (grip.kind === "bend") followRigid(contact.section);
   showSection(...deepened(contact), true);
+}
+
+/** Moves the axes with the rigid surface, of which only the held point is to move on the screen: under a given load a new bump lifts all the
+ * rest. Heights are known up to a constant. */
+function followRigid({ rigid }) {
+  const by = rigid[grip.far] - grip.rigid;
+  axes = { ...axes, low: grip.axes.low + by, high: grip.axes.high + by };
 }
 
 /** Whether the stress below is shown in the picture. */
@@ -108,8 +116,9 @@ function bumpAt(share) {
 
 function takePoint(share, event) {
   takeGrip("bend", event);
-  grip.bump = bumpAt(share);
-  grip.height = -knobs.bumps[grip.bump][1];
+  const far = Math.floor((share + 0.5) % 1 * section.rigid.length);
+  const bump = bumpAt(share);
+  Object.assign(grip, { bump, height: -knobs.bumps[bump][1], far, rigid: section.rigid[far], axes });
 }
 
 /** Lets go, as soon as the last wish of the hand is solved. */
@@ -197,9 +206,8 @@ function placeHandles() {
   if (!section) return;
   const at = frame(byId("section"));
   const profile = section.rigid[Math.min(section.rigid.length - 1, Math.floor(handle * section.rigid.length))];
-  const mean = section.mean_gap + section.solid.reduce((sum, it) => sum + it, 0) / section.solid.length;
-  const clip = (y) => `${Math.min(at.ground, Math.max(at.top, y))}px`;
-  byId("press").style.top = clip(at.y(mean));
+  const clip = (y) => `${Math.min(at.h, Math.max(at.top, y))}px`;
+  byId("press").style.top = clip(at.y(section.mean_gap));
   Object.assign(byId("bend").style, { left: `${100 * handle}%`, top: clip(at.y(profile)) });
   byId("press").hidden = !canPress();
   byId("bend").hidden = !canBend();

@@ -43,7 +43,7 @@ function frame(canvas) {
   const high = h * BANDS.relief;
   const perHeight = high * (1 - 2 * SPARE) / (axes.high - axes.low || 1);
   return {
-    w, h, top, ground: top + high, perHeight,
+    w, h, top, perHeight,
     x: (share) => share * w,
     y: (height) => top + high * SPARE + (axes.high - height) * perHeight,
     pressure: (p) => top * (1 - (1 - SPARE) * p / axes.pressure),

@@ -16,15 +16,18 @@ const POISSON: f64 = 0.3;
 
 /// A contact along a line, or along the row of a surface in which the pressure is largest: what a column holds is where the gap in it is
 /// smallest, so that no contact is left out. Lengths in metres, pressures over the contact modulus.
+///
+/// Heights are measured upwards from the surface of the unloaded solid. A displacement `u` points into the solid, so the solid's surface
+/// stands at `-u` and the rigid surface at `gap - u`, the negative of its heights but for a constant: its shape is the same at all loads.
 #[derive(Clone, Serialize)]
 pub struct Section {
     /// Length of the section.
     pub length: f64,
     /// Where the row is, from the first one on; none of a line.
     pub y: Option<f64>,
-    /// The rigid surface where it stands, above the mean of the solid's surface.
+    /// The rigid surface where it stands, peaks down.
     pub rigid: Vec<f32>,
-    /// The solid's surface.
+    /// The solid's surface, lowest where it is pressed in most.
     pub solid: Vec<f32>,
     /// Pressure.
     pub pressure: Vec<f32>,
@@ -54,7 +57,7 @@ impl Section {
     pub fn of(contact: &Contact) -> Self {
         let (problem, row) = (&contact.problem, contact.highest_row());
         let grid = problem.surface().grid();
-        let (pressure, gap, solid) = (contact.pressure.row(row), contact.gap.row(row), contact.displacement.row(row));
+        let [pressure, gap, displacement] = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
         let lowest = |nodes: Range<usize>| {
             let closer = |&a: &usize, &b: &usize| gap[a].total_cmp(&gap[b]).then(pressure[b].total_cmp(&pressure[a]));
             nodes.min_by(closer).unwrap_or_default()
@@ -65,8 +68,8 @@ impl Section {
         Self {
             length: grid.size()[1],
             y: (!grid.is_line()).then(|| row as f64 * grid.spacing()[0]),
-            rigid: of(&|node| gap[node] + solid[node]),
-            solid: of(&|node| solid[node]),
+            rigid: of(&|node| gap[node] - displacement[node]),
+            solid: of(&|node| -displacement[node]),
             pressure: of(&|node| pressure[node] / modulus),
             is_pressed_by_gap: grid.is_periodic(),
             mean_gap: contact.mean_gap(),
