@@ -69,7 +69,39 @@ fn all_that_lessons_show_is_solved_beforehand() {
         assert!(is_sweep || run["numbers"]["status"] == "converged", "{id}");
     }
     assert_eq!(names(&site.join("run")).len(), runs.len() + loads.len());
+    the_bodies_stand_as_they_press(&site, runs);
     assert_eq!(solved["start"], solved["lessons"][0]["steps"][0]["knobs"]);
+}
+
+/// The section of every run: the solid is lower where it is pressed, and the rigid surface of the first step has one shape at all loads.
+fn the_bodies_stand_as_they_press(site: &Path, runs: &[Value]) {
+    let mut shapes = Vec::new();
+    for run in runs.iter().filter(|run| run["points"].is_null()) {
+        let id = run["id"].as_str().unwrap();
+        let script = std::fs::read_to_string(site.join("run").join(format!("{id}.js"))).unwrap();
+        let facets = script.split_once(" = ").unwrap().1.trim_end().trim_end_matches(';');
+        let section = serde_json::from_str::<Value>(facets).unwrap()["section"].clone();
+        let [rigid, solid, pressure] = ["rigid", "solid", "pressure"]
+            .map(|name| section[name].as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).collect::<Vec<_>>());
+        let mean = |is_pressed: bool| {
+            let (sum, count) = (0..solid.len())
+                .filter(|&i| (pressure[i] > 0.0) == is_pressed)
+                .fold((0.0, 0.0), |(sum, count), i| (sum + solid[i], count + 1.0));
+            sum / count
+        };
+        assert!(mean(true) < mean(false), "{id}: {} below the contact, {} beside it", mean(true), mean(false));
+        if run["knobs"]["body"] == "flat" {
+            shapes.push(rigid.iter().map(|z| z - rigid[0]).collect::<Vec<_>>());
+        }
+    }
+    let most = shapes[0].iter().map(|z| z.abs()).fold(0.0, f64::max);
+    assert_eq!(shapes.len(), 3);
+    for shape in &shapes {
+        assert!(
+            shape.iter().zip(&shapes[0]).all(|(a, b)| (a - b).abs() < 1e-5 * most),
+            "the shape changes with the load"
+        );
+    }
 }
 
 #[test]
