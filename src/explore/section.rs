@@ -1,12 +1,14 @@
 //! The section through a contact that the page draws by itself.
 
-use crate::contact::Contact;
+use crate::contact::{Contact, Problem, Step};
+use crate::elastic::stress::highest_row;
 use ndarray::ArrayView1;
 use serde::Serialize;
 use std::ops::Range;
 
-/// The most columns of a section, and of the picture of the stress below it.
+/// The most columns of a section, of one of a step, and of the picture of the stress below.
 const COLUMNS: usize = 1024;
+const STEP_COLUMNS: usize = 256;
 const STRESS_COLUMNS: usize = 512;
 /// Rows of the picture of the stress, and its depth over the length of the section.
 const STRESS_ROWS: usize = 48;
@@ -55,14 +57,34 @@ pub struct Shear {
 impl Section {
     /// The section of a contact.
     pub fn of(contact: &Contact) -> Self {
-        let (problem, row) = (&contact.problem, contact.highest_row());
+        let row = contact.highest_row();
+        let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
+        Self::along(&contact.problem, row, fields, contact.mean_gap(), COLUMNS)
+    }
+
+    /// The section of a step, whose displacement is taken less its mean where the cell is periodic, as that of a contact.
+    pub fn of_step(step: &Step<'_>) -> Self {
+        let grid = step.problem().surface().grid();
+        let (pressure, displacement) = (step.pressure(), step.displacement());
+        let row = highest_row(grid, pressure);
+        let [pressure, gap, displacement] = [pressure, step.gap(), displacement].map(|field| {
+            let width = grid.shape()[1];
+            ArrayView1::from(&field[row * width..(row + 1) * width])
+        });
+        let mean = step.displacement().iter().sum::<f64>() / grid.len() as f64;
+        let centred = displacement.map(|u| if grid.is_periodic() { u - mean } else { *u });
+        Self::along(step.problem(), row, [pressure, gap, centred.view()], step.mean_gap(), STEP_COLUMNS)
+    }
+
+    /// The section along a row with its pressure, gap and displacement, in at most so many columns.
+    fn along(problem: &Problem, row: usize, fields: [ArrayView1<'_, f64>; 3], mean_gap: f64, most: usize) -> Self {
         let grid = problem.surface().grid();
-        let [pressure, gap, displacement] = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
+        let [pressure, gap, displacement] = fields;
         let lowest = |nodes: Range<usize>| {
             let closer = |&a: &usize, &b: &usize| gap[a].total_cmp(&gap[b]).then(pressure[b].total_cmp(&pressure[a]));
             nodes.min_by(closer).unwrap_or_default()
         };
-        let nodes: Vec<usize> = columns(grid.shape()[1], COLUMNS).map(lowest).collect();
+        let nodes: Vec<usize> = columns(grid.shape()[1], most).map(lowest).collect();
         let modulus = problem.contact_modulus();
         let of = |value: &dyn Fn(usize) -> f64| nodes.iter().map(|&node| value(node) as f32).collect();
         Self {
@@ -72,7 +94,7 @@ impl Section {
             solid: of(&|node| -displacement[node]),
             pressure: of(&|node| pressure[node] / modulus),
             is_pressed_by_gap: grid.is_periodic(),
-            mean_gap: contact.mean_gap(),
+            mean_gap,
             highest: problem.highest(),
         }
     }

@@ -76,6 +76,47 @@ fn lifting_lets_go(page: &mut Page) {
     pictured(page);
 }
 
+/// What is let go of clear of the solid stays there, with numbers and a title that say so, until it is pressed again.
+fn what_is_lifted_clear_stays(page: &mut Page) {
+    let (before, grip) = (load(page), middle(page.place("press")));
+    page.mouse("mousePressed", grip);
+    page.mouse("mouseMoved", [grip[0], grip[1] - 300.0]);
+    page.mouse("mouseReleased", [grip[0], grip[1] - 300.0]);
+    rested(page);
+    assert_eq!(page.value("Math.max(...section.pressure)"), 0.0);
+    assert_eq!(page.text("document.getElementById('title').innerText"), "Lifted clear of the solid: nothing touches");
+    let cells = "['relative_area_resolved', 'exact relative_area_resolved'].map((name) => document.querySelector(`#numbers td[data-number=\"${name}\"]`).innerText)";
+    assert_eq!(page.value(cells), json!(["0", ""]));
+    assert_eq!(load(page), before);
+    let grip = middle(page.place("press"));
+    let down =
+        page.value("(section.mean_gap - 0.5 * section.highest) * frame(byId('section')).perHeight").as_f64().unwrap();
+    drag(page, grip, [0.0, down]);
+    pictured(page);
+    assert!(page.value("latest().numbers.relative_area").as_f64().unwrap() > 0.0);
+}
+
+/// While a hand holds the surface, no exact value of another load stands beside its numbers, and the title is of what is held.
+fn nothing_stale_stands_beside_the_hand(page: &mut Page) {
+    let grip = middle(page.place("press"));
+    let before = page.value("Number(document.body.dataset.held || 0)");
+    assert_ne!(
+        page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r_resolved\"]').innerText"),
+        ""
+    );
+    page.mouse("mousePressed", grip);
+    page.mouse("mouseMoved", [grip[0], grip[1] + 6.0]);
+    page.until(&format!("Number(document.body.dataset.held) > {before} && !holding"), 60);
+    assert_eq!(
+        page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r_resolved\"]').innerText"),
+        ""
+    );
+    let title = page.text("document.getElementById('title').innerText");
+    assert!(title.starts_with("Held by hand: p* = "), "{title}");
+    page.mouse("mouseReleased", [grip[0], grip[1] + 6.0]);
+    pictured(page);
+}
+
 /// How far the rigid surface reaches down and the solid reaches up, in pixels of the picture from above, at a share of its length: the first
 /// is filled from the top of its band on, the second from below.
 fn seen_at(page: &mut Page, share: f64) -> [f64; 2] {
@@ -99,6 +140,7 @@ fn a_cylinder_presses_a_dent(page: &mut Page) {
     assert!(tip > edge + 5.0, "the cylinder ends at {tip} in its middle and at {edge} at its side");
     assert!(dent > ground + 5.0, "the solid begins at {dent} below the cylinder and at {ground} beside it");
     assert!(ground > edge + 5.0 && (dent - tip).abs() < 5.0, "{tip} on {dent}, {edge} above {ground}");
+    nothing_stale_stands_beside_the_hand(page);
     page.value("knobs = rough; changed()");
     pictured(page);
 }
@@ -244,6 +286,7 @@ fn a_person_with_a_hand_on_the_contact() {
     page.resize([1280, 800]);
     pressing_raises_the_load(&mut page);
     lifting_lets_go(&mut page);
+    what_is_lifted_clear_stays(&mut page);
     a_cylinder_presses_a_dent(&mut page);
     keys_press(&mut page);
     a_dragged_point_follows_the_hand(&mut page);

@@ -39,7 +39,7 @@ fn all_that_lessons_show_is_solved_beforehand() {
     let output = export(&lessons, &site).output().unwrap();
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.success(), "{told}");
-    assert!(told.contains("solving 5 of 5"), "{told}");
+    assert!(told.contains("solving 10 of 10"), "{told}");
     assert_eq!(names(folder.path()), ["lessons", "site"].map(String::from).into());
     let files = names(&site);
     for name in ["index.html", "re_viewer.js", "re_viewer_bg.wasm", "solved.js", "texts.js", "explore.css", "run"] {
@@ -56,7 +56,7 @@ fn all_that_lessons_show_is_solved_beforehand() {
     let runs = solved["runs"].as_array().unwrap();
     let loads: Vec<f64> =
         runs.iter().filter(|run| run["points"].is_null()).map(|run| run["knobs"]["load"].as_f64().unwrap()).collect();
-    assert_eq!((runs.len(), loads.len()), (5, 4), "{loads:?}");
+    assert_eq!((runs.len(), loads.len()), (10, 8), "{loads:?}");
     assert!(loads.contains(&0.02) && loads.contains(&0.2) && loads.contains(&0.05), "{loads:?}");
     for run in runs {
         let id = run["id"].as_str().unwrap();
@@ -65,10 +65,12 @@ fn all_that_lessons_show_is_solved_beforehand() {
         let is_sweep = !run["points"].is_null();
         let facets = std::fs::read_to_string(site.join("run").join(format!("{id}.js")));
         let has = |name: &str| facets.as_ref().is_ok_and(|script| script.contains(&format!("\"{name}\":")));
-        assert_eq!([has("iterations"), has("section"), has("patches")], [!is_sweep; 3], "{id}");
+        assert_eq!([has("iterations"), has("section"), has("motion"), has("patches")], [!is_sweep; 4], "{id}");
         assert!(is_sweep || run["numbers"]["status"] == "converged", "{id}");
     }
     assert_eq!(names(&site.join("run")).len(), runs.len() + loads.len());
+    let of_theme = |theme: &str| runs.iter().filter(|run| run["knobs"]["theme"] == theme).count();
+    assert_eq!([of_theme("dark"), of_theme("light")], [5, 5]);
     the_bodies_stand_as_they_press(&site, runs);
     assert_eq!(solved["start"], solved["lessons"][0]["steps"][0]["knobs"]);
 }
@@ -95,7 +97,7 @@ fn the_bodies_stand_as_they_press(site: &Path, runs: &[Value]) {
         }
     }
     let most = shapes[0].iter().map(|z| z.abs()).fold(0.0, f64::max);
-    assert_eq!(shapes.len(), 3);
+    assert_eq!(shapes.len(), 6);
     for shape in &shapes {
         assert!(
             shape.iter().zip(&shapes[0]).all(|(a, b)| (a - b).abs() < 1e-5 * most),
