@@ -120,7 +120,7 @@ function heard(news) {
 function inWordsOfPage({ fault: sentence, known_fault: known }) {
   if (!known) return sentence;
   const { key, ...values } = known;
-  return say(`refused.${key}`, Object.fromEntries(Object.entries(values).map(([name, value]) => [name, figure(value, 3)])));
+  return say(`refused.${key}`, Object.fromEntries(Object.entries(values).map(([name, value]) => [name, inLocale(String(Number(value.toPrecision(3))))])));
 }
 
 /** How many runs the viewer keeps. */
@@ -327,7 +327,7 @@ function cleared(told, name) {
 const COARSE = 0.05;
 
 /** A number as the table has it: with its error, if that is large, and that with what to do. */
-function valueOf({ numbers: told }, name) {
+function valueOf(told, name) {
   const error = told?.kappa_r_error;
   const isCoarse = error >= COARSE && ["kappa_r_resolved", "kappa_r_error"].includes(name);
   if (!isCoarse) return figure(cleared(told, name));
@@ -345,7 +345,7 @@ function numbers() {
   const cell = (text, name) => element("td", { "data-number": name }, ...[text].flat());
   const exact = moment && "exact" in moment ? moment.exact : run.exact;
   const body = observables.map(({ name }) => {
-    const values = [valueOf(moment || run, name), figure(cleared((run.beside || before)?.numbers, name))];
+    const values = [moment || run, run.beside || before].map((it) => valueOf(it?.numbers, name));
     const theory = exact && EXACT[name] ? figure(exact[EXACT[name]]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });

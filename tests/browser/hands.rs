@@ -97,7 +97,7 @@ fn commas_are_decimal_marks(page: &mut Page) {
 /// What the solver refuses is said in the words of the knobs, and the last state that was solved is back: later changes are solved.
 fn a_refused_value_is_put_back(page: &mut Page) {
     page.type_into("control-hardness-value", "1e-9");
-    let sentence = "The mean pressure is 2.00e-5 E*, above the hardness of 1.00e-9 E*. Lower p* or raise the hardness.";
+    let sentence = "The mean pressure is 0.00002 E*, above the hardness of 1e-9 E*. Lower p* or raise the hardness.";
     page.until(&format!("document.getElementById('fault').innerText === '{sentence}'"), 20);
     page.until("knobs.hardness === 0", 10);
     assert_eq!(page.text("document.getElementById('control-hardness-value').value"), "0");

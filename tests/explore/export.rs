@@ -149,7 +149,7 @@ fn an_interrupt_leaves_nothing() {
     let mut told = String::new();
     let mut pipe = std::io::BufReader::new(child.stderr.take().unwrap());
     std::io::BufRead::read_line(&mut pipe, &mut told).unwrap();
-    assert_eq!(told, "solving 1 of 1\n");
+    assert_eq!(told, "solving 1 of 2\n");
     std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(1));
     std::io::Read::read_to_string(&mut pipe, &mut told).unwrap();
