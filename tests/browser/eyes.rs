@@ -188,12 +188,12 @@ fn steps_move_the_picture(page: &mut Page) {
     page.until("moment?.step === 0 && section !== end", 20);
     assert_eq!(page.value("section.solid.every((z, i) => z === end.solid[i])"), false);
     page.value(
-        "document.getElementById('duration').value = 0.9; globalThis.seen = new Set(); \
-        globalThis.watch = setInterval(() => seen.add(section), 5); true",
+        "document.getElementById('duration').value = 0.9; globalThis.pictures = new Set(); \
+        globalThis.watch = setInterval(() => pictures.add(section), 5); true",
     );
     page.click("play");
     page.until("document.getElementById('play').textContent === 'Play' && sectionRun === latest().id", 60);
-    assert!(page.value("clearInterval(watch), seen.size").as_u64().unwrap() > 5);
+    assert!(page.value("clearInterval(watch), pictures.size").as_u64().unwrap() > 5);
     page.press_at("control-solver", "Home");
     rested(page);
 }

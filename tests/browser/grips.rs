@@ -134,14 +134,14 @@ fn seen_at(page: &mut Page, share: f64) -> [f64; 2] {
 
 /// A cylinder is seen to press a dent: rigid surface and solid are lowest in the middle, and apart at the ends.
 fn a_cylinder_presses_a_dent(page: &mut Page) {
-    page.value("globalThis.rough = structuredClone(knobs); Object.assign(knobs, { body: 'round', roughness: 0, load: 0.1 }); changed()");
+    page.value("globalThis.asBefore = structuredClone(knobs); Object.assign(knobs, { body: 'round', roughness: 0, load: 0.1 }); changed()");
     pictured(page);
     let ([tip, dent], [edge, ground]) = (seen_at(page, 0.5), seen_at(page, 0.02));
     assert!(tip > edge + 5.0, "the cylinder ends at {tip} in its middle and at {edge} at its side");
     assert!(dent > ground + 5.0, "the solid begins at {dent} below the cylinder and at {ground} beside it");
     assert!(ground > edge + 5.0 && (dent - tip).abs() < 5.0, "{tip} on {dent}, {edge} above {ground}");
     nothing_stale_stands_beside_the_hand(page);
-    page.value("knobs = rough; changed()");
+    page.value("knobs = asBefore; changed()");
     pictured(page);
 }
 
