@@ -1,5 +1,7 @@
 //! The explorer, asked as a browser would ask it.
 
+#[path = "explore/bodies.rs"]
+mod bodies;
 #[path = "explore/export.rs"]
 mod export;
 #[path = "explore/facets.rs"]

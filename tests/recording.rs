@@ -19,6 +19,8 @@ use std::time::{Duration, Instant};
 
 #[path = "recording/below.rs"]
 mod below_surface;
+#[path = "recording/bodies.rs"]
+mod bodies;
 #[path = "recording/comparison.rs"]
 mod comparison;
 #[path = "recording/ghost.rs"]

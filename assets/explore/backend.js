@@ -8,8 +8,9 @@ let session = null;
 const PARTING = 1000;
 /** Time between two tries to reach a server that has no room, or is not there. */
 const BREAK = 1000;
-/** Status of an answer for a session that has ended. */
+/** Status of an answer for a session that has ended, and for an order that stands for nothing. */
 const ENDED = 410;
+const REFUSED = 400;
 
 /** The JSON of an answer; a refusal is an error with the sentence of the server, and the status. */
 async function answered(request) {
@@ -72,6 +73,7 @@ const pause = () => new Promise((done) => setTimeout(done, BREAK));
 function miss(error) {
   document.body.dataset.server = error.status ? "full" : "gone";
   fault(error.message);
+  numbers();
 }
 
 /** Holds the name of a session for as long as this page is open; false if another page does not let go of it. */

@@ -68,8 +68,9 @@ function recall(run) {
 }
 
 const withoutLoad = ({ load, ...state }) => words(state);
-const solvedRun = (wanted) => solved.runs.find((run) => !isSweep(run) && words(run.knobs) === words(wanted));
-const solvedSweep = (wanted) => solved.runs.find((run) => isSweep(run) && withoutLoad(run.knobs) === withoutLoad(wanted));
+/** The run or the sweep that was solved for a state, recorded on the ground that the page has. */
+const solvedRun = (wanted) => solved.runs.find((run) => !isSweep(run) && run.knobs.theme === wanted.theme && words(run.knobs) === words(wanted));
+const solvedSweep = (wanted) => solved.runs.find((run) => isSweep(run) && run.knobs.theme === wanted.theme && withoutLoad(run.knobs) === withoutLoad(wanted));
 
 /** The knob of a control in a state. */
 const knobOf = ({ id, path }, state) => (path || [id]).reduce((it, name) => it?.[name], state);

@@ -33,7 +33,7 @@ function chart(target, title, top, curves, note) {
   const every = Math.max(1, Math.ceil((last - first) * 34 / wide));
   for (let e = first; e <= last; e += every) svg.append(drawn("text", { x: x(10 ** e), y: h - 20, "text-anchor": "middle" }, e === 0 ? "1" : `1e${e}`));
   svg.append(drawn("text", { x: ROOM.left + wide / 2, y: h - 5, "text-anchor": "middle" }, "p*"));
-  for (let i = 0; i <= 2; i++) svg.append(drawn("text", { x: ROOM.left - 4, y: y(i * top / 2) + 4, "text-anchor": "end" }, String(i * top / 2)));
+  for (let i = 0; i <= 2; i++) svg.append(drawn("text", { x: ROOM.left - 4, y: y(i * top / 2) + 4, "text-anchor": "end" }, inLocale(String(i * top / 2))));
   const load = moment?.numbers.reduced_pressure ?? knobs?.load;
   if (load >= 10 ** first && load <= 10 ** last) svg.append(drawn("line", { class: "now", x1: x(load), x2: x(load), y1: ROOM.above, y2: h - ROOM.below }));
   target.onclick = (event) => pickLoad(10 ** (first + (event.clientX - box.x - ROOM.left) / wide * (last - first)));
@@ -41,7 +41,7 @@ function chart(target, title, top, curves, note) {
   for (const curve of shown) {
     svg.append(drawn("polyline", { class: curve.style, "clip-path": `url(#${inside})`, points: curve.points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ") }));
   }
-  const said = note || (shown.length ? "" : say("chart.sweep"));
+  const said = note || (shown.length ? "" : byId("sweep").disabled ? say("chart.none") : say("chart.sweep"));
   said.split(", ").filter(Boolean).forEach((line, i) => {
     svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2 + 16 * i, "text-anchor": "middle" }, line));
   });
@@ -69,19 +69,32 @@ function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, 
   return JSON.stringify([domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
 }
 
+/** Whether Persson's theory is about a surface: it is for rough flats on an elastic half-space, made here or measured. */
+const isRoughFlat = ({ body, roughness, layer, hardness }) => (body === "file" || body === "flat" && roughness > 0) && layer === 0 && hardness === 0;
+
+/** Upper ends of the axis of kappa: the lowest that holds all curves, and the guess while one is asked for, or the last one. */
+const TOPS = [4, 10];
+
+function topOf(curves) {
+  const highest = Math.max(0, guess?.top ?? 0, ...curves.flatMap(({ points }) => points.map(([, value]) => value)));
+  return TOPS.find((top) => top >= highest) ?? TOPS.at(-1);
+}
+
 /** Draws the sweep; one of another surface than that of the knobs is grey, and says so. */
 function charts() {
   const { sweep: shown } = report;
   const points = shown ? shown.points : [];
   const isStale = points.length > 0 && surfaceOf(shown.knobs) !== surfaceOf(knobs);
   const note = isStale ? say("chart.stale") : "";
+  const isRough = Boolean(shown) && isRoughFlat(shown.knobs);
   const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
   chart(byId("chart-area"), say("chart.area"), 1, [
-    curve("Persson", "persson", (p) => p.persson), curve("a_rel", "computed", (p) => p.relative_area_resolved),
+    curve("Persson", "persson", (p) => isRough ? p.persson : NaN), curve("a_rel", "computed", (p) => p.relative_area_resolved),
     curve(say("chart.exact"), "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], note);
-  chart(byId("chart-kappa"), say("chart.kappa"), 4, [
-    curve("Persson", "persson", (p) => p.persson / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa_resolved),
-    curve("κ_r", "second", (p) => p.kappa_r_resolved), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")], note);
+  const kappas = [
+    curve("Persson", "persson", (p) => isRough ? p.persson / p.reduced_pressure : NaN), curve("κ", "computed", (p) => p.kappa_resolved),
+    curve("κ_r", "second", (p) => p.kappa_r_resolved), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")];
+  chart(byId("chart-kappa"), say("chart.kappa"), topOf(kappas), kappas, note);
   for (const target of [byId("chart-area"), byId("chart-kappa")]) {
     target.tabIndex = points.length ? 0 : -1;
     target.ariaValueMin = 0;

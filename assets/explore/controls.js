@@ -20,7 +20,7 @@ const CONTROLS = [
   { group: "surface", id: "hurst", kind: "range", min: 0.1, max: 1, step: 0.05, shown: rough },
   { group: "surface", id: "rolloff", kind: "range", min: 1, max: 32, step: 1, unit: "waves", shown: rough },
   { group: "surface", id: "cutoff", kind: "range", log2: true, min: 3, max: 13, step: 0.5, unit: "waves", whole: true, shown: rough },
-  { group: "surface", id: "seed", kind: "number", min: 0, max: 4294967295, step: 1, shown: rough, dice: true },
+  { group: "surface", id: "seed", kind: "number", min: 0, max: 4294967295, whole: true, shown: rough, dice: true },
   { group: "surface", id: "points", kind: "range", power2: true, min: 5, max: 18, step: 1, whole: true, shown: isMade },
   { group: "solver", id: "solver", path: ["solver", "method"], kind: "select", options: ["multilevel", "polonsky-keer", "gfmd"] },
   { group: "solver", id: "masses", path: ["solver", "masses"], kind: "select", options: ["uniform", "stiffness"], shown: isGfmd },
@@ -96,21 +96,25 @@ function row(control) {
     const boxes = control.options.map((value) =>
       element("label", {}, element("input", { type: "checkbox", value, id: `${id}-${value}` }), ` ${optionOf(control, value)}`));
     line.append(element("div", { class: "checks", id, role: "group", "aria-label": name }, ...boxes));
+  } else if (control.kind === "number") {
+    line.append(typedInput(control, { id }), button("dice", say("control.dice"), tip, dice));
   } else {
-    line.append(element("input", { type: control.kind, id, min: `${control.min}`, max: `${control.max}`, step: `${control.step}` }));
-    line.append(control.dice ? button("dice", say("control.dice"), tip, dice) : field(control));
+    line.append(element("input", { type: control.kind, id, min: `${control.min}`, max: `${control.max}`, step: `${control.step}` }), field(control));
   }
-  line.addEventListener("input", (event) => { if (!event.target.matches(".value")) { take(control); changed(); } });
+  line.addEventListener("input", (event) => { if (event.target.type !== "text") { take(control); changed(); } });
   explain(line, tip);
   return line;
 }
 
 /** The field beside a slider: its value, to be read and to be typed. */
 function field(control) {
-  const [least, most] = limits(control);
-  const step = control.whole ? "1" : "any";
   const name = control.unit ? `${labelOf(control)}, ${unitOf(control)}` : labelOf(control);
-  const made = element("input", { type: "number", class: "value", id: `control-${control.id}-value`, min: `${least}`, max: `${most}`, step, "aria-label": say("control.typed", { label: name }) });
+  return typedInput(control, { class: "value", id: `control-${control.id}-value`, "aria-label": say("control.typed", { label: name }) });
+}
+
+/** A field for a number, with either decimal mark: the browser's own fields for numbers drop a comma, and with it a factor of a hundred. */
+function typedInput(control, attributes) {
+  const made = element("input", { type: "text", inputmode: control.whole ? "numeric" : "decimal", autocomplete: "off", ...attributes });
   made.addEventListener("change", () => typed(control, made));
   return made;
 }
@@ -119,15 +123,19 @@ const limits = (control) => [control.least ?? fromSlider(control, control.min), 
 
 /** Takes a typed value into the knobs, or says which ones can be. */
 function typed(control, input) {
-  if (input.value === "" || !input.checkValidity()) {
-    const [least, most] = limits(control);
-    const places = { label: labelOf(control), value: input.value || say("fault.empty"), least, most };
-    fault(control.whole ? say("fault.typed.whole", places) : say("fault.typed", places));
-    show();
-    return;
-  }
-  set(control, Number(input.value));
+  const value = numberFrom(input.value);
+  const sentence = faultOf(labelOf(control), input.value, value, limits(control), control.whole);
+  if (sentence) { fault(sentence); show(); return; }
+  set(control, value);
   changed();
+}
+
+/** Why a typed number cannot be, in a sentence; none where it can. */
+function faultOf(label, text, value, [least, most], isWhole) {
+  if (Number.isNaN(value)) return say("fault.number", { label });
+  if (value >= least && value <= most && (!isWhole || Number.isInteger(value))) return "";
+  const places = { label, value: text.trim(), least: inLocale(String(least)), most: most === Infinity ? "∞" : inLocale(String(most)) };
+  return isWhole ? say("fault.typed.whole", places) : say("fault.typed", places);
 }
 
 function explain(target, tip) {
@@ -189,11 +197,11 @@ function show() {
     const value = holder[name];
     if (control.kind === "select") input.value = value;
     else if (control.kind === "checks") input.querySelectorAll("input").forEach((box) => { box.checked = value.includes(parts(box)[0]); });
-    else if (document.activeElement !== input || control.kind !== "number") input.value = toSlider(control, value);
+    else input.value = toSlider(control, value);
     const beside = byId(`${id}-value`);
     if (beside) {
-      beside.value = String(value);
-      input.setAttribute("aria-valuetext", control.unit ? `${value} ${unitOf(control)}` : String(value));
+      beside.value = inLocale(String(value));
+      input.setAttribute("aria-valuetext", control.unit ? `${value} ${unitOf(control)}` : beside.value);
     }
     byId(`row-${control.id}`).hidden = control.shown ? !control.shown(knobs) : false;
   }

@@ -16,6 +16,7 @@ function paint(theme) {
   document.documentElement.dataset.theme = theme;
   byId("theme").textContent = theme === "dark" ? say("theme.light") : say("theme.dark");
   localStorage.setItem("theme", theme);
+  drawSections();
   wake();
 }
 
@@ -39,7 +40,7 @@ function key(event) {
 function isTyping({ target, key }) {
   if (key === "Escape") return false;
   if (inViewer(target)) return isView;
-  return target.tagName === "SELECT" || ["number", "text"].includes(target.type) || (key === " " && (target.tagName === "BUTTON" || target.type === "checkbox"));
+  return target.tagName === "SELECT" || target.type === "text" || (key === " " && (target.tagName === "BUTTON" || target.type === "checkbox"));
 }
 
 function leaveViewer() {
@@ -47,13 +48,14 @@ function leaveViewer() {
   (isView ? byId("theme") : byId("play")).focus();
 }
 
-/** Paints page and viewer, and solves again for the pictures, which are drawn for one ground. */
+/** Paints the page, and solves again for the pictures of the viewer, which are recorded on one ground; a sweep that is drawn stays. */
 function toggleTheme() {
   paint(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
   if (!knobs) return;
   const it = current();
   takeTheme();
-  if (it && isSweep(it)) sweep(); else changed();
+  if (!viewer) return;
+  if (it && isSweep(it)) { sweep(); repainted = report.sweep; } else changed();
 }
 
 function takeTheme() {

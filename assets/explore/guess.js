@@ -3,7 +3,7 @@
 
 /** Loads at which a curve is guessed, and the upper ends of the axes of the charts. */
 const GUESSED_LOADS = [1e-3, 1e-2, 0.1, 0.3, 1];
-const CURVES = { area: ["a_rel", 1, "chart-area"], kappa: ["κ", 4, "chart-kappa"], "kappa-r": ["κ_r", 4, "chart-kappa"] };
+const CURVES = { area: ["a_rel", 1, "chart-area"], kappa: ["κ", 10, "chart-kappa"], "kappa-r": ["κ_r", 10, "chart-kappa"] };
 
 /** The guess that is held against what is shown: a curve in a chart, or a number. */
 let guess = null;
@@ -31,10 +31,12 @@ function choose({ choices, right }, done) {
 
 function askNumber({ of }, done) {
   const symbol = nameOf(of);
-  const field = element("input", { type: "number", step: "any", "aria-label": symbol, id: "guess-number" });
+  const limits = [0, of.startsWith("relative_area") ? 1 : Infinity];
+  const field = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": symbol, id: "guess-number" });
   const made = element("button", { type: "button", class: "answer", id: "answer-1" }, say("guess.show"));
   made.addEventListener("click", () => {
-    if (!Number.isFinite(field.valueAsNumber)) return field.focus();
+    const sentence = faultOf(symbol, field.value, numberFrom(field.value), limits);
+    if (sentence) { fault(sentence); field.focus(); return; }
     guess = { of, said: say("guess.number", { symbol, value: field.value }) };
     done(guess.said);
   });
@@ -56,11 +58,11 @@ function judge(run) {
 function askCurve({ curve }, done) {
   const [name, top, target] = CURVES[curve];
   const values = GUESSED_LOADS.map(() => top / 2);
-  guess = { target, points: GUESSED_LOADS.map((load, i) => [load, values[i]]) };
+  guess = { target, top, points: GUESSED_LOADS.map((load, i) => [load, values[i]]) };
   const sliders = GUESSED_LOADS.map((load, i) => {
-    const slider = element("input", { type: "range", min: "0", max: `${top}`, step: `${top / 100}`, value: `${values[i]}`, class: "guess", "aria-label": say("guess.at", { name, load }) });
+    const slider = element("input", { type: "range", min: "0", max: `${top}`, step: `${top / 100}`, value: `${values[i]}`, class: "guess", "aria-label": say("guess.at", { name, load: inLocale(String(load)) }) });
     slider.addEventListener("input", () => { guess.points[i][1] = slider.valueAsNumber; charts(); });
-    return element("label", {}, slider, ` p* = ${load}`);
+    return element("label", {}, slider, ` p* = ${inLocale(String(load))}`);
   });
   const made = element("button", { type: "button", class: "answer", id: "answer-1" }, say("guess.show"));
   made.addEventListener("click", () => done(say("guess.curve")));

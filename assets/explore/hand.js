@@ -1,8 +1,8 @@
 "use strict";
 // The hand: it presses the rigid surface onto the solid, and drags points of its profile.
 
-/** The least gap that a hand leaves, over the highest peak: at none everything touches. */
-const CLOSEST = 0.02;
+/** The least gap that a hand leaves, over the highest peak, as at none everything touches, and the largest, which is well clear. */
+const GAPS = { least: 0.02, most: 1.3 };
 /** Standard deviation of a bump over the length of the cell, and in spacings at least, the most bumps, and how near to the profile a hand
  * takes it, in pixels. */
 const BUMP = { width: 0.015, spacings: 2, most: 32, near: 14 };
@@ -42,12 +42,20 @@ const named = (name, { status }) => ["converged", undefined].includes(status) ? 
 function showHeld(contact) {
   document.body.dataset.held = ++heldCount;
   fault("");
-  if (!grip) return;
+  if (!grip || isClear(grip.gap)) return;
   const { numbers: told } = contact;
   if (grip.gap !== null) knobs.load = Number(Math.min(1e3, Math.max(1e-5, told.reduced_pressure)).toPrecision(4));
   show();
-  setMoment({ name: named(say("moment.hand"), told), numbers: told });
+  setMoment({ name: named(say("moment.hand"), told), title: say("title.hand", { load: figure(told.reduced_pressure, 4) }), numbers: told, exact: null });
+  if (grip.kind === "bend") followRigid(contact.section);
   showSection(...deepened(contact), true);
+}
+
+/** Moves the axes with the rigid surface, of which only the held point is to move on the screen: under a given load a new bump lifts all the
+ * rest. Heights are known up to a constant. */
+function followRigid({ rigid }) {
+  const by = rigid[grip.far] - grip.rigid;
+  axes = { ...axes, low: grip.axes.low + by, high: grip.axes.high + by };
 }
 
 /** Whether the stress below is shown in the picture. */
@@ -62,7 +70,7 @@ const canPress = () => section.is_pressed_by_gap && !solved;
 function takeGrip(kind, event) {
   if (!section) return;
   const at = frame(byId("section"));
-  grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, moved: 0, perHeight: at.perHeight, run: sectionRun };
+  grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, load: knobs.load, moved: 0, perHeight: at.perHeight, run: sectionRun };
   sectionRun = null;
   stopPlaying();
 }
@@ -77,18 +85,23 @@ function moveGrip(up) {
 
 /** Presses to a mean gap. Where nothing touches there is nothing to solve. */
 function press(gap) {
-  grip.gap = Math.max(CLOSEST * section.highest, gap);
-  if (grip.gap >= section.highest * (1 - 1e-6)) lift(grip.gap); else holdGrip();
+  grip.gap = Math.min(GAPS.most * section.highest, Math.max(GAPS.least * section.highest, gap));
+  if (isClear(grip.gap)) lift(grip.gap); else holdGrip();
 }
 
-/** Shows the rigid surface above a solid that it does not touch. */
+/** Whether nothing touches at a mean gap, if one is held. */
+const isClear = (gap) => gap !== null && gap >= section.highest * (1 - 1e-6);
+
+/** The numbers of a surface that touches nothing. */
+const CLEAR = { relative_area: 0, relative_area_resolved: 0, patches: 0, reduced_pressure: 0 };
+
+/** Shows the rigid surface above a solid that it does not touch, and that is flat. */
 function lift(gap) {
   upcoming = null;
   const by = gap - section.mean_gap;
   const flat = section.solid.map(() => 0);
   const rigid = section.rigid.map((height) => height + by);
-  knobs.load = 1e-5;
-  show();
+  setMoment({ name: say("moment.hand"), title: say("title.clear"), numbers: CLEAR, exact: null, isClear: true });
   showSection({ ...section, rigid, solid: flat, pressure: flat, mean_gap: gap, shear: null }, null, true);
 }
 
@@ -108,8 +121,9 @@ function bumpAt(share) {
 
 function takePoint(share, event) {
   takeGrip("bend", event);
-  grip.bump = bumpAt(share);
-  grip.height = -knobs.bumps[grip.bump][1];
+  const far = Math.floor((share + 0.5) % 1 * section.rigid.length);
+  const bump = bumpAt(share);
+  Object.assign(grip, { bump, height: -knobs.bumps[bump][1], far, rigid: section.rigid[far], axes });
 }
 
 /** Lets go, as soon as the last wish of the hand is solved. */
@@ -119,10 +133,12 @@ function letGo() {
   if (holding) grip.isLeft = true; else drop();
 }
 
-/** What the hand found is solved as a run, and recorded. */
+/** What the hand found is solved as a run, and recorded. What is lifted clear stays where it is, and the load is the one before. */
 function drop() {
+  const { load } = grip;
   grip = null;
   knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
+  if (moment?.isClear) { knobs.load = load; show(); return; }
   setMoment(null);
   changed();
 }
@@ -165,6 +181,7 @@ function pointerUp(event) {
     sectionRun = grip.run;
     grip = null;
     knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
+    placeHandles();
     pickAt(under(event).share);
   } else letGo();
 }
@@ -197,16 +214,15 @@ function placeHandles() {
   if (!section) return;
   const at = frame(byId("section"));
   const profile = section.rigid[Math.min(section.rigid.length - 1, Math.floor(handle * section.rigid.length))];
-  const mean = section.mean_gap + section.solid.reduce((sum, it) => sum + it, 0) / section.solid.length;
-  const clip = (y) => `${Math.min(at.ground, Math.max(at.top, y))}px`;
-  byId("press").style.top = clip(at.y(mean));
+  const clip = (y) => `${Math.min(at.h, Math.max(at.top, y))}px`;
+  byId("press").style.top = clip(at.y(section.mean_gap));
   Object.assign(byId("bend").style, { left: `${100 * handle}%`, top: clip(at.y(profile)) });
   byId("press").hidden = !canPress();
   byId("bend").hidden = !canBend();
-  byId("unbend").hidden = !knobs.bumps.length;
-  byId("press").setAttribute("aria-valuenow", figure(section.mean_gap / section.highest, 3));
+  byId("unbend").hidden = !canBend() || knobs.bumps.every(([, height]) => height === 0);
+  byId("press").setAttribute("aria-valuenow", Number((section.mean_gap / section.highest).toPrecision(3)));
   byId("press").setAttribute("aria-valuetext", say("press.value", { gap: figure(section.mean_gap / section.highest, 3), load: figure(knobs.load, 4) }));
-  byId("bend").setAttribute("aria-valuenow", figure(handle, 3));
+  byId("bend").setAttribute("aria-valuenow", handle);
   byId("bend").setAttribute("aria-valuetext", say("bend.value", { place: figure(handle, 3) }));
 }
 

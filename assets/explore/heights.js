@@ -85,7 +85,7 @@ async function takeStep(control, value) {
   if (control.step) heights.auto = false;
   else if (control.id !== "auto") heights.auto = heights.auto || control.id === "channel";
   if (value === "") delete place[control.id];
-  else place[control.id] = control.id === "auto" ? value === "true" : control.list ? value.split(/[ ,;]+/).map(Number) : value;
+  else place[control.id] = control.id === "auto" ? value === "true" : control.list ? value.split(/[ ,;]+/).map(Number) : value.replace(/^(\d+),(\d)/, "$1.$2");
   await post("describe", heights).then(takeDescription, (error) => { fault(say("fault.step", { label: heightLabel(control), value, reason: error.message })); showHeights(); });
 }
 
@@ -97,7 +97,7 @@ function takeDescription(told) {
   mend("body");
   show();
   document.body.dataset.file = told.name;
-  if (told.fault) fault(told.fault); else changed();
+  if (told.fault) { fault(told.fault); markUnsolved(true); } else changed();
 }
 
 /** Shows the file and its knobs where it is the body, but for a field that is being typed into. */

@@ -40,7 +40,7 @@ function showLesson() {
   document.body.dataset.asked = Boolean(isAsked);
   byId("lesson-ask").hidden = !isAsked;
   byId("lesson-text").hidden = isAsked;
-  if (isAsked) pose(steps[at].ask, reveal); else showStep();
+  if (isAsked) { fault(""); pose(steps[at].ask, reveal); } else showStep();
   writeAddress();
 }
 

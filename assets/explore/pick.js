@@ -3,7 +3,7 @@
 
 /** Facets of runs that have ended, by their names, and how many of them are kept. */
 const facets = new Map();
-const MOST_FACETS = 36;
+const MOST_FACETS = 42;
 
 /** A facet of a run, asked for once; a server that has ended has none. */
 function facet(run, name) {
@@ -29,7 +29,7 @@ async function showMoment() {
 /** The numbers of a load of a sweep, and its section. */
 function momentOfLoad(point) {
   if (!point || moment?.numbers === point) return;
-  setMoment({ name: say("moment.load", { load: figure(point.reduced_pressure, 3) }), numbers: point });
+  setMoment({ name: say("moment.load", { load: figure(point.reduced_pressure, 3) }), numbers: point, exact: point.exact });
   charts();
   if (solved) return;
   const its = { ...report.sweep.knobs, load: Number(point.reduced_pressure.toPrecision(12)) };
@@ -48,7 +48,17 @@ async function momentOfStep(run, step) {
   const at = steps.findLastIndex((it) => it <= step);
   const isEnd = at < 0 || step >= Math.min(steps.at(-1), rangeOf(run)?.max ?? Infinity);
   const numbers = isEnd ? null : Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
-  setMoment(numbers && { name: say("moment.step", { step: steps[at] }), numbers });
+  setMoment(numbers && { name: say("moment.step", { step: steps[at] }), numbers, step });
+  if (numbers) await showMotion(run, step);
+}
+
+/** Shows the section of a step, or of the last one before it that is kept, on axes that hold all steps. */
+async function showMotion(run, step) {
+  const motion = await facet(run, "motion").catch((error) => fault(error.message));
+  if (!motion || grip || moment?.step !== step || runOf(shownRun) !== run) return;
+  sectionRun = null;
+  axes = axesOf(motion.sections);
+  showSection({ ...motion.sections[motion.steps.findLastIndex((it) => it <= step)], shear: null }, beside, true);
 }
 
 /** The run whose section is shown; none while it is that of something else. */
@@ -56,7 +66,7 @@ let sectionRun = null;
 
 /** Shows the section of a run that has ended, if it is not shown, unless a hand holds another. */
 async function showSectionOf(run) {
-  if (!run || !run.ended || isSweep(run) || run.id === sectionRun) return;
+  if (!run || !run.ended || isSweep(run) || run.id === sectionRun || moment?.isClear || moment?.step !== undefined) return;
   if (chosen && chosen.run !== run.id) choosePatch(null);
   sectionRun = run.id;
   const names = ["section", "beside", ...(isDeep() ? ["shear", "shear-beside"] : [])];

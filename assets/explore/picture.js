@@ -16,7 +16,7 @@ let axes = null;
 /** Axes that hold all sections: the lowest and the highest place, the largest pressure, the largest shear stress. */
 function axesOf(sections) {
   const most = (of) => Math.max(...sections.flatMap(of));
-  return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most(({ pressure }) => pressure) || 1,
+  return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most(({ pressure }) => pressure),
     shear: most(({ shear }) => [shear?.highest ?? 0]) || 1 };
 }
 
@@ -43,10 +43,10 @@ function frame(canvas) {
   const high = h * BANDS.relief;
   const perHeight = high * (1 - 2 * SPARE) / (axes.high - axes.low || 1);
   return {
-    w, h, top, ground: top + high, perHeight,
+    w, h, top, perHeight,
     x: (share) => share * w,
     y: (height) => top + high * SPARE + (axes.high - height) * perHeight,
-    pressure: (p) => top * (1 - (1 - SPARE) * p / axes.pressure),
+    pressure: (p) => top * (1 - (1 - SPARE) * p / (axes.pressure || 1)),
   };
 }
 
@@ -105,8 +105,8 @@ function paintSection(to, at, shown) {
   to.fill(filled(pressure, at.pressure, at.top));
   to.fillStyle = colour.soft;
   to.font = "12px system-ui, sans-serif";
-  if (isDeep() && !shear && Math.max(...pressure) > 0) to.fillText(say("fringes.unknown"), 6, at.h - 30);
-  to.fillText(say("section.scale", { pressure: figure(axes.pressure, 3) }), 6, 14);
+  if (isDeep() && !shear && Math.max(...pressure) > 0) to.fillText(moment?.step === undefined ? say("fringes.unknown") : say("fringes.step"), 6, at.h - 30);
+  if (axes.pressure > 0) to.fillText(say("section.scale", { pressure: figure(axes.pressure, 3) }), 6, 14);
 }
 
 /** The stress below each place of the surface, to scale, as the fringes that crossed polarisers show. */

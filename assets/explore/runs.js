@@ -14,12 +14,37 @@ async function changed() {
   do {
     waiting = false;
     const before = faults;
-    await post("solve", knobs).then(() => settleFault(before), (error) => fault(error.message));
+    await post("solve", knobs).then(() => settleFault(before), refused);
   } while (waiting);
   posting = false;
 }
 
+/** Says why an order was refused, unless a newer one waits. */
+function refused(error) {
+  fault(error.message);
+  if (error.status === REFUSED && !waiting) putBack();
+}
+
+/** Puts the knobs back to those of the latest run, for the page to show what is solved. Those of a file are kept, as it may take more than
+ * one change to make them solvable: what is shown is grey until then. */
+function putBack() {
+  const good = latest()?.knobs;
+  if (knobs.body === "file") { markUnsolved(true); return; }
+  if (!good || words(good) === words(knobs)) return;
+  knobs = painted(structuredClone(good));
+  show();
+  charts();
+  writeAddress();
+}
+
+/** Greys what is shown while it is not what the knobs ask for. */
+function markUnsolved(isUnsolved) {
+  document.body.toggleAttribute("data-unsolved", isUnsolved);
+  byId("unsolved").hidden = !isUnsolved;
+}
+
 async function sweep() {
+  repainted = null;
   const before = faults;
   await post("sweep", knobs).then(() => settleFault(before), (error) => fault(error.message));
 }
@@ -71,10 +96,14 @@ async function beginAgain() {
   carryOut({ knobs, pinned: kept && !isSweep(kept) ? kept.knobs : null }).catch((error) => fault(error.message));
 }
 
-/** Takes the news; a sweep of an earlier session stays until there is another. */
+/** The sweep that is drawn while it is solved again for other colours; none at other times. */
+let repainted = null;
+
+/** Takes the news; a sweep of an earlier session stays until there is another, and one that is solved again until that has ended. */
 function heard(news) {
-  report = { ...news, sweep: news.sweep || report.sweep };
-  if (news.fault) fault(news.fault);
+  if (news.fault || news.sweep?.ended && news.sweep.id !== repainted?.id) repainted = null;
+  report = { ...news, sweep: repainted || news.sweep || report.sweep };
+  if (news.fault) { fault(inWordsOfPage(news)); if (!posting) putBack(); }
   if (news.run) heardRun(news.run);
   showHeights();
   if (news.sweep) heardSweep(news.sweep);
@@ -85,6 +114,13 @@ function heard(news) {
   wake();
   document.body.dataset.revision = news.revision;
   document.body.dataset.busy = news.busy;
+}
+
+/** A fault in the words of the page, where it has some, or else in those of the server. */
+function inWordsOfPage({ fault: sentence, known_fault: known }) {
+  if (!known) return sentence;
+  const { key, ...values } = known;
+  return say(`refused.${key}`, Object.fromEntries(Object.entries(values).map(([name, value]) => [name, inLocale(String(Number(value.toPrecision(3))))])));
 }
 
 /** How many runs the viewer keeps. */
@@ -104,6 +140,7 @@ function heardRun(run) {
   else {
     runs.push(Object.assign(run, { session }));
     moment = null;
+    markUnsolved(false);
     byId("title").textContent = run.title;
     follow(run);
     while (runs.length > KEEP) forget(runs.splice(runs.findIndex((old) => old.id !== pinned), 1)[0]);
@@ -129,15 +166,15 @@ function follow(run) {
   shownRun = run.id;
   visited = null;
   clearTimeout(next);
+  stopPlaying();
+  byId("scrub").value = 1000;
+  byId("scrub-step").value = say("play.latest");
   if (!viewer) return;
   next = setTimeout(() => {
     followed = performance.now();
-    stopPlaying();
     run.followed = true;
     viewer.add_receiver(recordingAddress(run));
     wake();
-    byId("scrub").value = 1000;
-    byId("scrub-step").value = say("play.latest");
     watchFirst(run, asked);
   }, Math.max(0, followed + BREATH[run.knobs.domain] - performance.now()));
 }
@@ -241,7 +278,7 @@ function figure(value, digits = 5) {
   if (value === null || value === undefined) return "–";
   if (Number.isInteger(value)) return String(value);
   const size = Math.abs(value);
-  return size < 1e-3 || size >= 1e6 ? value.toExponential(Math.max(0, digits - 3)) : String(Number(value.toPrecision(digits)));
+  return inLocale(size < 1e-3 || size >= 1e6 ? value.toExponential(Math.max(0, digits - 3)) : String(Number(value.toPrecision(digits))));
 }
 
 /** The observables that the server knows, and those that are shown: those that change step by step, and these. */
@@ -255,22 +292,48 @@ const SECONDS = { name: "seconds" };
 /** The words of a status, which the server tells in English. */
 const statusOf = ({ numbers }) => say(`status.${(numbers ? numbers.status : "begun").replaceAll(" ", "-")}`);
 
-function titleSweep({ title, ended, points }) {
-  const places = { title, count: points.length };
-  byId("title").textContent = ended ? say("title.sweep.ended", places) : say("title.sweep.running", places);
+/** Whether the server has gone before a run or a sweep has ended. */
+const isLost = ({ ended }) => !ended && document.body.dataset.server === "gone";
+
+function titleSweep(it) {
+  const places = { title: it.title, count: it.points.length };
+  byId("title").textContent = say(`title.sweep.${it.ended ? "ended" : isLost(it) ? "lost" : "running"}`, places);
 }
 
 function titleRun(run) {
-  const places = { title: run.title, status: statusOf(run), exact: run.exact?.name };
-  byId("title").textContent = run.exact ? say("title.run.exact", places) : say("title.run", places);
+  const places = { title: run.title, status: isLost(run) ? say("status.lost") : statusOf(run), exact: run.exact?.name };
+  byId("title").textContent = moment?.title ?? (run.exact ? say("title.run.exact", places) : say("title.run", places));
 }
 
-/** A state that the table shows in the place of the end of the run: a name and its numbers. */
+/** A state that the table shows in the place of the end of the run: a name and its numbers; `exact`, if the exact values are not those of the
+ * run, and a title, if that is another; the step of a run, and whether the rigid surface is lifted clear of the solid. */
 let moment = null;
 
 function setMoment(state) {
   moment = state;
   numbers();
+}
+
+/** What a mean gap over the rms height can be by rounding alone, which is told as none. */
+const ROUNDING = 1e-12;
+
+/** A number of a state, without rounding where there is nothing else. */
+function cleared(told, name) {
+  const value = told?.[name];
+  return name === "mean_gap_over_rms_height" && Math.abs(value) < ROUNDING ? 0 : value;
+}
+
+/** The relative error from which on a number stands with it. */
+const COARSE = 0.05;
+
+/** A number as the table has it: with its error, if that is large, and that with what to do. */
+function valueOf(told, name) {
+  const error = told?.kappa_r_error;
+  const isCoarse = error >= COARSE && ["kappa_r_resolved", "kappa_r_error"].includes(name);
+  if (!isCoarse) return figure(cleared(told, name));
+  const percent = `${figure(100 * error, 2)} %`;
+  const words = name === "kappa_r_error" ? say("numbers.coarse", { error: percent }) : `${figure(told[name], 3)} ± ${percent}`;
+  return [element("span", { class: "coarse", title: say("numbers.coarse.tip") }, words)];
 }
 
 function numbers() {
@@ -279,10 +342,11 @@ function numbers() {
   const run = shownOrLatest();
   if (!run) return;
   const before = rival(run);
-  const cell = (text, name) => element("td", { "data-number": name }, text);
+  const cell = (text, name) => element("td", { "data-number": name }, ...[text].flat());
+  const exact = moment && "exact" in moment ? moment.exact : run.exact;
   const body = observables.map(({ name }) => {
-    const values = [moment || run, run.beside || before].map((it) => figure(it?.numbers?.[name]));
-    const theory = run.exact && EXACT[name] ? figure(run.exact[EXACT[name]]) : "";
+    const values = [moment || run, run.beside || before].map((it) => valueOf(it?.numbers, name));
+    const theory = exact && EXACT[name] ? figure(exact[EXACT[name]]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
   byId("numbers").tBodies[0].replaceChildren(...body);

@@ -17,6 +17,15 @@ function say(key, places = {}) {
   return text.replace(/\{(\w+)\}/g, (place, name) => Object.hasOwn(places, name) ? places[name] : place);
 }
 
+/** A number in words, with the decimal mark of the language. */
+const inLocale = (text) => language === "de" ? text.replace(".", ",") : text;
+
+/** The number that a text stands for, with a comma or a point as its decimal mark; not a number for any other text. */
+function numberFrom(text) {
+  const plain = text.trim().replace(",", ".");
+  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+}
+
 /** What a lesson says in the language of the page, else in English, else in any. */
 function inLanguage(words) {
   return typeof words === "string" ? words : words[language] ?? words.en ?? Object.values(words)[0];

@@ -9,6 +9,7 @@ use super::session::{Kind, Session, Stock};
 use crate::contact::{Failure, OBSERVABLES};
 use crate::files::fill_folder;
 use crate::record::Output;
+use crate::setup::Theme;
 use serde_json::{Map, Value, json};
 use std::fs::{File, create_dir, write};
 use std::io::{self, Write};
@@ -28,7 +29,7 @@ const EVERY: usize = 4;
 /// Significant digits of the numbers in facets, which are drawn, or shown with fewer.
 const DIGITS: usize = 7;
 
-/// A run of the site: whether the load is swept, and the state of the knobs.
+/// A run of the site: whether the load is swept, and the state of the knobs. Each is recorded on both grounds, as the page has either.
 type Wanted = (Kind, Knobs);
 
 /// Lessons that are to become a site.
@@ -60,10 +61,12 @@ impl Export {
                 "{count} states can be turned to in these lessons: leave at most {MOST_RUNS} of them"
             )));
         }
+        let themed = |theme| wanted.iter().map(move |(kind, knobs)| (*kind, knobs.clone().with_theme(theme)));
+        let wanted = [Theme::Dark, Theme::Light].into_iter().flat_map(themed).collect();
         Ok(Self { start: first.knobs.clone(), wanted, lessons })
     }
 
-    /// Number of its runs.
+    /// Number of its runs, on both grounds.
     pub fn runs(&self) -> usize {
         self.wanted.len()
     }

@@ -14,11 +14,12 @@ pub struct Facet {
 }
 
 /// The facets of a run.
-pub const FACETS: [Facet; 6] = [
+pub const FACETS: [Facet; 7] = [
     Facet { name: "section", of: |solved| json!(Section::of(&solved.contact)) },
     Facet { name: "shear", of: |solved| json!(Shear::below(&solved.contact)) },
     Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(Section::of)) },
     Facet { name: "shear-beside", of: |solved| json!(solved.beside.as_ref().and_then(Shear::below)) },
     Facet { name: "patches", of: |solved| json!(PatchTable::of(&solved.contact)) },
     Facet { name: "steps", of: |solved| json!(solved.steps) },
+    Facet { name: "motion", of: |solved| json!(solved.motion) },
 ];

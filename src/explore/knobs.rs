@@ -12,7 +12,7 @@ use std::ops::RangeInclusive;
 
 /// Length of the cell (metres) and contact modulus (pascals): results depend only on ratios to them.
 const CELL: f64 = 160e-6;
-const MODULUS: f64 = 1e9;
+pub(super) const MODULUS: f64 = 1e9;
 /// Radius of the cylinder and the sphere: a slope of 5e-3 at the edge of the cell.
 const RADIUS: f64 = 100.0 * CELL;
 /// Amplitude of the waves.
@@ -192,6 +192,11 @@ impl Knobs {
     /// A sentence with the value that cannot be and what to do.
     pub fn setup(&self) -> Result<Setup, Refusal> {
         self.setup_with(None)
+    }
+
+    /// The same state, recorded on another ground.
+    pub(super) fn with_theme(self, theme: Theme) -> Self {
+        Self { theme, ..self }
     }
 
     /// Whether the scene is the body.

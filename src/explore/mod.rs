@@ -19,6 +19,7 @@ mod height_knobs;
 mod height_name;
 mod knobs;
 mod lesson;
+mod motion;
 mod page;
 mod patches;
 mod policy;

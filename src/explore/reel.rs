@@ -1,5 +1,6 @@
 //! A recording of the session, and what came of the solve or sweep behind it.
 
+use super::motion::Motion;
 use super::report::{RunReport, SweepReport};
 use super::step_numbers::StepNumbers;
 use crate::contact::{Contact, archive};
@@ -37,6 +38,7 @@ pub struct Solved {
     /// Curves of the recording, to stand beside those of others.
     pub curves: Arc<Ghost>,
     pub steps: StepNumbers,
+    pub motion: Motion,
 }
 
 /// What the page is told of a recording that is complete.

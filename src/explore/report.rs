@@ -1,7 +1,8 @@
 //! The state of a session as the page is told.
 
-use super::knobs::Knobs;
-use crate::contact::{Contact, Observables, Step};
+use super::knobs::{Knobs, MODULUS};
+use crate::contact::{Contact, Failure, Observables, Step};
+use crate::error::{ProblemError, SetupError};
 use crate::theory::Exact;
 use serde::Serialize;
 
@@ -18,6 +19,28 @@ pub struct Report {
     pub pinned: Option<String>,
     /// The fault that kept the last order from being carried out, in one sentence.
     pub fault: Option<String>,
+    /// What the page says of the fault in its own words, where it has some.
+    pub known_fault: Option<KnownFault>,
+}
+
+/// A fault that the page has words for, in the terms of its knobs: pressures over the contact modulus.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "key", rename_all = "kebab-case")]
+pub enum KnownFault {
+    /// The mean pressure is above the hardness.
+    AboveHardness { pressure: f64, hardness: f64 },
+}
+
+impl KnownFault {
+    /// The fault behind a failure, if the page has words for it.
+    pub fn of(failure: &Failure) -> Option<Self> {
+        match failure.downcast_ref::<SetupError>()? {
+            SetupError::Problem(ProblemError::AboveHardness { mean_pressure, hardness }) => {
+                Some(Self::AboveHardness { pressure: mean_pressure / MODULUS, hardness: hardness / MODULUS })
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The latest solve, running or ended.

@@ -1,12 +1,14 @@
 //! The section through a contact that the page draws by itself.
 
-use crate::contact::Contact;
+use crate::contact::{Contact, Problem, Step};
+use crate::elastic::stress::highest_row;
 use ndarray::ArrayView1;
 use serde::Serialize;
 use std::ops::Range;
 
-/// The most columns of a section, and of the picture of the stress below it.
+/// The most columns of a section, of one of a step, and of the picture of the stress below.
 const COLUMNS: usize = 1024;
+const STEP_COLUMNS: usize = 256;
 const STRESS_COLUMNS: usize = 512;
 /// Rows of the picture of the stress, and its depth over the length of the section.
 const STRESS_ROWS: usize = 48;
@@ -16,15 +18,18 @@ const POISSON: f64 = 0.3;
 
 /// A contact along a line, or along the row of a surface in which the pressure is largest: what a column holds is where the gap in it is
 /// smallest, so that no contact is left out. Lengths in metres, pressures over the contact modulus.
+///
+/// Heights are measured upwards from the surface of the unloaded solid. A displacement `u` points into the solid, so the solid's surface
+/// stands at `-u` and the rigid surface at `gap - u`, the negative of its heights but for a constant: its shape is the same at all loads.
 #[derive(Clone, Serialize)]
 pub struct Section {
     /// Length of the section.
     pub length: f64,
     /// Where the row is, from the first one on; none of a line.
     pub y: Option<f64>,
-    /// The rigid surface where it stands, above the mean of the solid's surface.
+    /// The rigid surface where it stands, peaks down.
     pub rigid: Vec<f32>,
-    /// The solid's surface.
+    /// The solid's surface, lowest where it is pressed in most.
     pub solid: Vec<f32>,
     /// Pressure.
     pub pressure: Vec<f32>,
@@ -52,24 +57,44 @@ pub struct Shear {
 impl Section {
     /// The section of a contact.
     pub fn of(contact: &Contact) -> Self {
-        let (problem, row) = (&contact.problem, contact.highest_row());
+        let row = contact.highest_row();
+        let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
+        Self::along(&contact.problem, row, fields, contact.mean_gap(), COLUMNS)
+    }
+
+    /// The section of a step, whose displacement is taken less its mean where the cell is periodic, as that of a contact.
+    pub fn of_step(step: &Step<'_>) -> Self {
+        let grid = step.problem().surface().grid();
+        let (pressure, displacement) = (step.pressure(), step.displacement());
+        let row = highest_row(grid, pressure);
+        let [pressure, gap, displacement] = [pressure, step.gap(), displacement].map(|field| {
+            let width = grid.shape()[1];
+            ArrayView1::from(&field[row * width..(row + 1) * width])
+        });
+        let mean = step.displacement().iter().sum::<f64>() / grid.len() as f64;
+        let centred = displacement.map(|u| if grid.is_periodic() { u - mean } else { *u });
+        Self::along(step.problem(), row, [pressure, gap, centred.view()], step.mean_gap(), STEP_COLUMNS)
+    }
+
+    /// The section along a row with its pressure, gap and displacement, in at most so many columns.
+    fn along(problem: &Problem, row: usize, fields: [ArrayView1<'_, f64>; 3], mean_gap: f64, most: usize) -> Self {
         let grid = problem.surface().grid();
-        let (pressure, gap, solid) = (contact.pressure.row(row), contact.gap.row(row), contact.displacement.row(row));
+        let [pressure, gap, displacement] = fields;
         let lowest = |nodes: Range<usize>| {
             let closer = |&a: &usize, &b: &usize| gap[a].total_cmp(&gap[b]).then(pressure[b].total_cmp(&pressure[a]));
             nodes.min_by(closer).unwrap_or_default()
         };
-        let nodes: Vec<usize> = columns(grid.shape()[1], COLUMNS).map(lowest).collect();
+        let nodes: Vec<usize> = columns(grid.shape()[1], most).map(lowest).collect();
         let modulus = problem.contact_modulus();
         let of = |value: &dyn Fn(usize) -> f64| nodes.iter().map(|&node| value(node) as f32).collect();
         Self {
             length: grid.size()[1],
             y: (!grid.is_line()).then(|| row as f64 * grid.spacing()[0]),
-            rigid: of(&|node| gap[node] + solid[node]),
-            solid: of(&|node| solid[node]),
+            rigid: of(&|node| gap[node] - displacement[node]),
+            solid: of(&|node| -displacement[node]),
             pressure: of(&|node| pressure[node] / modulus),
             is_pressed_by_gap: grid.is_periodic(),
-            mean_gap: contact.mean_gap(),
+            mean_gap,
             highest: problem.highest(),
         }
     }

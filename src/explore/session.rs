@@ -4,12 +4,13 @@ use super::description::Description;
 use super::hand::{Held, Hold};
 use super::height_knobs::HeightKnobs;
 use super::knobs::Knobs;
+use super::motion::Motion;
 use super::reel::{Ended, Reel, Solved, Told};
 use super::refusal::Refusal;
-use super::report::{Numbers, Report, SweepReport};
+use super::report::{KnownFault, Numbers, Report, SweepReport};
 use super::source::{SceneFile, Source};
 use super::step_numbers::StepNumbers;
-use crate::contact::Contact;
+use crate::contact::{Contact, Failure};
 use crate::record::Ghost;
 use crate::setup::{Method, Setup};
 use crate::surface::{Field, HeightFile};
@@ -126,6 +127,7 @@ impl Session {
             state.order = Some(Order { kind, knobs, setup, beside });
             state.report.busy = true;
             state.report.fault = None;
+            state.report.known_fault = None;
         }))
     }
 
@@ -261,8 +263,16 @@ impl Turn<'_> {
         self.session.change(|state| news(&mut state.report));
     }
 
-    /// Keeps the result of a solve, that of the surface beside, the curves of the recording and the numbers of the steps, and reports it.
-    pub fn finish(self, rank: usize, contact: Contact, beside: Option<Contact>, curves: Ghost, steps: StepNumbers) {
+    /// Keeps the result of a solve, that of the surface beside, the curves of the recording, and numbers and sections of
+    /// the steps, and reports it.
+    pub fn finish(
+        self,
+        rank: usize,
+        contact: Contact,
+        beside: Option<Contact>,
+        curves: Ghost,
+        (steps, motion): (StepNumbers, Motion),
+    ) {
         let numbers = Numbers::of_contact(&contact);
         let numbers_beside = beside.as_ref().map(Numbers::of_contact);
         self.session.change(|state| {
@@ -273,7 +283,7 @@ impl Turn<'_> {
             let report = run.clone();
             let id = report.id.clone();
             let curves = Arc::new(curves);
-            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, beside, curves, steps })));
+            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, beside, curves, steps, motion })));
         });
     }
 
@@ -285,10 +295,12 @@ impl Turn<'_> {
         });
     }
 
-    /// Ends the turn; a fault is reported unless another order has come.
-    pub fn end(self, fault: Option<String>) {
+    /// Ends the turn; a failure is reported unless another order has come.
+    pub fn end(self, failure: Option<Failure>) {
         self.session.change(|state| {
-            state.report.fault = fault.filter(|_| state.generation == self.number);
+            let failure = failure.filter(|_| state.generation == self.number);
+            state.report.known_fault = failure.as_ref().and_then(KnownFault::of);
+            state.report.fault = failure.map(|it| it.to_string());
             state.running = false;
             state.report.busy = state.order.is_some();
         });

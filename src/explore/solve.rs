@@ -1,6 +1,7 @@
 //! One solve, recorded and reported as it goes.
 
 use super::knobs::Knobs;
+use super::motion::Motion;
 use super::reel::Reel;
 use super::report::{Beside, ExactNumbers, Numbers, RunReport, file_stem};
 use super::session::Turn;
@@ -49,11 +50,11 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     turn.keep(Reel::new(&id, &file_stem, live));
     turn.tell(|news| news.run = Some(report));
     let mut curves = Ghost::new(&format!("pinned {id}"));
-    let mut steps = StepNumbers::default();
+    let (mut steps, mut motion) = (StepNumbers::default(), Motion::default());
     let mut watch = Watch { turn, reported: Instant::now() };
     let solver = setup.solver.solver();
-    let contact =
-        solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), (&mut curves, &mut steps), &mut watch))?;
+    let mut kept = (&mut curves, &mut steps, &mut motion);
+    let contact = solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), &mut kept, &mut watch))?;
     let other = match &beside {
         Some((setup, problem)) => Some(solver.solve(problem, &setup.stop, &mut (recording.recorder(1), watch))?),
         None => None,
@@ -62,7 +63,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
     }
-    turn.finish(rank, contact, other, curves, steps);
+    turn.finish(rank, contact, other, curves, (steps, motion));
     Ok(())
 }
 

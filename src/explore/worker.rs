@@ -24,7 +24,7 @@ fn work(session: &Session) {
             Kind::Sweep => sweep::run(turn, knobs, setup),
         }));
         turn.end(match done {
-            Ok(done) => done.err().map(|fault| fault.to_string()),
+            Ok(done) => done.err(),
             Err(_) => Some("the solver failed on these settings: please report them".into()),
         });
     }

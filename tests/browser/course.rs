@@ -113,7 +113,7 @@ fn a_lesson_is_taken(page: &mut Page, draws: bool) {
         json!([])
     );
     page.press_at("play", "d");
-    page.until(&format!("{FAULT}.startsWith('This was not solved beforehand. Solved beforehand: p* 0.02')"), 10);
+    page.until(&format!("{FAULT}.startsWith('This course page cannot show that. It can show: p* 0.02')"), 10);
     if draws {
         page.until("document.body.dataset.shown !== undefined && !isReading()", 60);
         page.settled();

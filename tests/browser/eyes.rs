@@ -178,6 +178,50 @@ fn words_are_explained(page: &mut Page) {
     assert_eq!(page.value("document.getElementById('glossary').open"), Value::Bool(false));
 }
 
+/// The slider of the steps and *Play* move the page's own picture, without the viewer too.
+fn steps_move_the_picture(page: &mut Page) {
+    page.press_at("control-solver", "ArrowDown");
+    rested(page);
+    page.until("latest().steps && sectionRun === latest().id", 20);
+    page.value("globalThis.end = section; true");
+    page.press_at("scrub", "Home");
+    page.until("moment?.step === 0 && section !== end", 20);
+    assert_eq!(page.value("section.solid.every((z, i) => z === end.solid[i])"), false);
+    page.value(
+        "document.getElementById('duration').value = 0.9; globalThis.pictures = new Set(); \
+        globalThis.watch = setInterval(() => pictures.add(section), 5); true",
+    );
+    page.click("play");
+    page.until("document.getElementById('play').textContent === 'Play' && sectionRun === latest().id", 60);
+    assert!(page.value("clearInterval(watch), pictures.size").as_u64().unwrap() > 5);
+    page.press_at("control-solver", "Home");
+    rested(page);
+}
+
+/// Another theme leaves the sweep that is drawn as it is, and solves nothing where no viewer shows recordings.
+fn the_theme_keeps_what_is_drawn(page: &mut Page) {
+    let drawn = "document.querySelector('#chart-kappa polyline.second').points.numberOfItems";
+    let (points, run) = (page.value(drawn), page.value("latest().id"));
+    page.click("theme");
+    assert_eq!((page.value(drawn), page.value("latest().id"), page.value("report.busy")), (points, run, false.into()));
+    page.click("theme");
+}
+
+/// Persson's curve is drawn for rough flats on a half-space, and for nothing else; the axis of kappa holds all curves.
+fn persson_is_about_rough_flats(page: &mut Page) {
+    let persson = "document.querySelectorAll('#results polyline.persson').length";
+    assert_eq!(page.value(persson), 2);
+    page.type_into("control-layer-value", "0.02");
+    rested(page);
+    sweep(page);
+    page.until("report.sweep.knobs.layer === 0.02 && report.sweep.ended", 60);
+    assert_eq!(page.value(persson), 0);
+    let tops = "[3.9, 9.5].map((value) => topOf([{ points: [[0.1, value]] }]))";
+    assert_eq!(page.value(tops), serde_json::json!([4, 10]));
+    page.type_into("control-layer-value", "0");
+    rested(page);
+}
+
 #[test]
 fn a_person_who_looks() {
     let Some(program) = installed() else { return };
@@ -192,6 +236,9 @@ fn a_person_who_compares() {
     let Some(program) = installed() else { return };
     let (_explorer, mut page) = sketched(&program, "");
     stale_curves_say_so(&mut page);
+    the_theme_keeps_what_is_drawn(&mut page);
+    persson_is_about_rough_flats(&mut page);
+    steps_move_the_picture(&mut page);
     a_pin_keeps_its_numbers(&mut page);
     words_are_explained(&mut page);
 }

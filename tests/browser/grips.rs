@@ -42,9 +42,9 @@ fn pressing_raises_the_load(page: &mut Page) {
     let (before, gap) = (run(page), page.value("section.mean_gap").as_f64().unwrap());
     let scale = page.value("frame(byId('section')).perHeight").as_f64().unwrap();
     let grip = middle(page.place("press"));
-    drag(page, grip, [0.0, 6.0]);
+    drag(page, grip, [0.0, 5.0]);
     let held = page.value("section.mean_gap").as_f64().unwrap();
-    assert!(((gap - held) * scale / 6.0 - 1.0).abs() < 0.02, "{gap} to {held} by 6 pixels of {scale}");
+    assert!(((gap - held) * scale / 5.0 - 1.0).abs() < 0.02, "{gap} to {held} by 5 pixels of {scale}");
     pictured(page);
     let after = run(page);
     assert_eq!(after["knobs"]["load"].as_f64().unwrap(), load(page));
@@ -56,15 +56,117 @@ fn pressing_raises_the_load(page: &mut Page) {
     assert!((solved / held - 1.0).abs() < 2e-3, "the run is at the gap {solved}, the hand at {held}");
 }
 
-/// Lifted beyond the highest peak it touches nothing.
+/// The largest difference between the rigid surface and what is kept of it, both less their first value, over the largest height.
+const BENT: &str =
+    "Math.max(...section.rigid.map((z, i) => Math.abs(z - section.rigid[0] - kept[i] + kept[0]))) / section.highest";
+
+/// Lifted beyond the highest peak it touches nothing: the solid is flat, and the rigid surface is as it was.
 fn lifting_lets_go(page: &mut Page) {
     let grip = middle(page.place("press"));
+    page.value("globalThis.kept = section.rigid; true");
     page.mouse("mousePressed", grip);
     page.mouse("mouseMoved", [grip[0], grip[1] - 300.0]);
     assert_eq!(page.value("Math.max(...section.pressure)"), 0.0);
+    assert_eq!(page.value("section.solid.some((z) => z !== 0)"), false, "the solid is not flat");
+    assert!(page.value(BENT).as_f64().unwrap() < 1e-5);
     page.mouse("mouseMoved", [grip[0], grip[1]]);
     page.until("Math.max(...section.pressure) > 0 && !holding", 60);
+    assert!(page.value(BENT).as_f64().unwrap() < 1e-3, "{}", page.value(BENT));
     page.mouse("mouseReleased", grip);
+    pictured(page);
+}
+
+/// What is let go of clear of the solid stays there, with numbers and a title that say so, until it is pressed again.
+fn what_is_lifted_clear_stays(page: &mut Page) {
+    let (before, grip) = (load(page), middle(page.place("press")));
+    page.mouse("mousePressed", grip);
+    page.mouse("mouseMoved", [grip[0], grip[1] - 300.0]);
+    page.mouse("mouseReleased", [grip[0], grip[1] - 300.0]);
+    rested(page);
+    assert_eq!(page.value("Math.max(...section.pressure)"), 0.0);
+    assert_eq!(page.text("document.getElementById('title').innerText"), "Lifted clear of the solid: nothing touches");
+    let cells = "['relative_area_resolved', 'exact relative_area_resolved'].map((name) => document.querySelector(`#numbers td[data-number=\"${name}\"]`).innerText)";
+    assert_eq!(page.value(cells), json!(["0", ""]));
+    assert_eq!(load(page), before);
+    let grip = middle(page.place("press"));
+    let down =
+        page.value("(section.mean_gap - 0.5 * section.highest) * frame(byId('section')).perHeight").as_f64().unwrap();
+    drag(page, grip, [0.0, down]);
+    pictured(page);
+    assert!(page.value("latest().numbers.relative_area").as_f64().unwrap() > 0.0);
+}
+
+/// While a hand holds the surface, no exact value of another load stands beside its numbers, and the title is of what is held.
+fn nothing_stale_stands_beside_the_hand(page: &mut Page) {
+    let grip = middle(page.place("press"));
+    let before = page.value("Number(document.body.dataset.held || 0)");
+    assert_ne!(
+        page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r_resolved\"]').innerText"),
+        ""
+    );
+    page.mouse("mousePressed", grip);
+    page.mouse("mouseMoved", [grip[0], grip[1] + 6.0]);
+    page.until(&format!("Number(document.body.dataset.held) > {before} && !holding"), 60);
+    assert_eq!(
+        page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r_resolved\"]').innerText"),
+        ""
+    );
+    let title = page.text("document.getElementById('title').innerText");
+    assert!(title.starts_with("Held by hand: p* = "), "{title}");
+    page.mouse("mouseReleased", [grip[0], grip[1] + 6.0]);
+    pictured(page);
+}
+
+/// How far the rigid surface reaches down and the solid reaches up, in pixels of the picture from above, at a share of its length: the first
+/// is filled from the top of its band on, the second from below.
+fn seen_at(page: &mut Page, share: f64) -> [f64; 2] {
+    let seen = format!(
+        "(() => {{ const canvas = byId('section'); const from = Math.ceil(frame(canvas).top) + 2; \
+           const {{ data, height }} = canvas.getContext('2d').getImageData(Math.floor({share} * canvas.width), 0, 1, canvas.height); \
+           const at = (y) => data.slice(4 * y, 4 * y + 3).join(); \
+           let [rigid, solid] = [from, height - 1]; \
+           while (at(rigid) === at(from)) rigid++; \
+           while (at(solid) === at(height - 1)) solid--; \
+           return [rigid, solid]; }})()"
+    );
+    serde_json::from_value(page.value(&seen)).unwrap()
+}
+
+/// A cylinder is seen to press a dent: rigid surface and solid are lowest in the middle, and apart at the ends.
+fn a_cylinder_presses_a_dent(page: &mut Page) {
+    page.value("globalThis.asBefore = structuredClone(knobs); Object.assign(knobs, { body: 'round', roughness: 0, load: 0.1 }); changed()");
+    pictured(page);
+    let ([tip, dent], [edge, ground]) = (seen_at(page, 0.5), seen_at(page, 0.02));
+    assert!(tip > edge + 5.0, "the cylinder ends at {tip} in its middle and at {edge} at its side");
+    assert!(dent > ground + 5.0, "the solid begins at {dent} below the cylinder and at {ground} beside it");
+    assert!(ground > edge + 5.0 && (dent - tip).abs() < 5.0, "{tip} on {dent}, {edge} above {ground}");
+    nothing_stale_stands_beside_the_hand(page);
+    page.value("knobs = asBefore; changed()");
+    pictured(page);
+}
+
+/// A point that is dragged is where the hand is, on the rigid surface that it bends there and nowhere else.
+fn a_dragged_point_follows_the_hand(page: &mut Page) {
+    pictured(page);
+    page.value("globalThis.kept = section.rigid; true");
+    let (grip, profile) = (
+        middle(page.place("bend")),
+        "frame(byId('section')).y(section.rigid[Math.floor(handle * section.rigid.length)])",
+    );
+    let before = page.value(profile).as_f64().unwrap();
+    let held = page.value("Number(document.body.dataset.held || 0)");
+    page.mouse("mousePressed", grip);
+    page.mouse("mouseMoved", [grip[0], grip[1] + 4.5]);
+    page.mouse("mouseMoved", [grip[0], grip[1] + 9.0]);
+    page.until(&format!("Number(document.body.dataset.held) > {held} && !holding"), 60);
+    let (handle, moved) = (middle(page.place("bend")), page.value(profile).as_f64().unwrap() - before);
+    assert!((moved - 9.0).abs() < 1.0, "the profile moved by {moved} pixels, the hand by 9");
+    assert!((handle[1] - grip[1] - moved).abs() < 0.1, "the handle moved from {grip:?} to {handle:?}");
+    assert!(page.value(BENT).as_f64().unwrap() > 1e-2, "nothing is bent");
+    page.mouse("mouseMoved", [grip[0], grip[1]]);
+    page.mouse("mouseReleased", grip);
+    pictured(page);
+    page.value("knobs.bumps = []; changed()");
     pictured(page);
 }
 
@@ -184,7 +286,10 @@ fn a_person_with_a_hand_on_the_contact() {
     page.resize([1280, 800]);
     pressing_raises_the_load(&mut page);
     lifting_lets_go(&mut page);
+    what_is_lifted_clear_stays(&mut page);
+    a_cylinder_presses_a_dent(&mut page);
     keys_press(&mut page);
+    a_dragged_point_follows_the_hand(&mut page);
     bending_changes_the_shape(&mut page);
     patches_are_picked(&mut page);
     surfaces_stand_side_by_side(&mut page);

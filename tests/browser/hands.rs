@@ -68,8 +68,12 @@ fn values_are_typed(page: &mut Page) {
     assert_eq!(page.value("latest().knobs.points"), 3000);
     assert_eq!(page.text("document.getElementById('control-rolloff').getAttribute('aria-valuetext')"), "4 waves");
     for (id, value, sentence) in [
-        ("control-load-value", "0", "p* cannot be 0: give 0.00001 to 1000."),
-        ("control-points-value", "100.5", "Points cannot be 100.5: give a whole number, 32 to 262144."),
+        ("control-load-value", "0", "p* cannot be 0: give a number from 0.00001 to 1000."),
+        ("control-points-value", "100.5", "Points cannot be 100.5: give a whole number from 32 to 262144."),
+        ("control-load-value", "abc", "p* needs a number."),
+        ("control-load-value", "1,000.5", "p* needs a number."),
+        ("control-seed", "-3", "Seed cannot be -3: give a whole number from 0 to 4294967295."),
+        ("control-seed", "1e20", "Seed cannot be 1e20: give a whole number from 0 to 4294967295."),
     ] {
         page.type_into(id, value);
         assert_eq!(page.text("document.getElementById('fault').innerText"), sentence);
@@ -81,6 +85,28 @@ fn values_are_typed(page: &mut Page) {
     assert_eq!(page.value("document.getElementById('fault').hidden"), true);
 }
 
+/// A comma is a decimal mark as a point is: it is never dropped.
+fn commas_are_decimal_marks(page: &mut Page) {
+    for (typed, load) in [("0,05", 0.05), ("1,5e-2", 0.015), (".02", 0.02)] {
+        page.type_into("control-load-value", typed);
+        rested(page);
+        assert_eq!(page.value("latest().knobs.load"), load, "{typed}");
+    }
+}
+
+/// What the solver refuses is said in the words of the knobs, and the last state that was solved is back: later changes are solved.
+fn a_refused_value_is_put_back(page: &mut Page) {
+    page.type_into("control-hardness-value", "1e-9");
+    let sentence = "The mean pressure is 0.00002 E*, above the hardness of 1e-9 E*. Lower p* or raise the hardness.";
+    page.until(&format!("document.getElementById('fault').innerText === '{sentence}'"), 20);
+    page.until("knobs.hardness === 0", 10);
+    assert_eq!(page.text("document.getElementById('control-hardness-value').value"), "0");
+    page.type_into("control-load-value", "0.03");
+    rested(page);
+    assert_eq!(page.value("[latest().knobs.load, latest().knobs.hardness]"), serde_json::json!([0.03, 0]));
+    assert_eq!(page.value("document.getElementById('fault').hidden"), true);
+}
+
 #[test]
 fn a_person_with_a_keyboard() {
     let Some(program) = installed() else { return };
@@ -89,4 +115,6 @@ fn a_person_with_a_keyboard() {
     the_skip_link_leads_to_the_numbers(&mut page);
     keys_work_inside_the_viewer_too(&mut page);
     values_are_typed(&mut page);
+    commas_are_decimal_marks(&mut page);
+    a_refused_value_is_put_back(&mut page);
 }

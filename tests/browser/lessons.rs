@@ -23,6 +23,10 @@ fn guess(page: &mut Page, ask: &Value) -> String {
         "number" => {
             page.click("answer-1");
             assert_eq!(page.text("document.body.dataset.asked"), "true", "no number is no guess");
+            assert!(page.text("document.getElementById('fault').innerText").ends_with(" needs a number."));
+            page.type_into("guess-number", "-0.5");
+            page.click("answer-1");
+            assert_eq!(page.text("document.body.dataset.asked"), "true", "a negative number is no guess");
             page.type_into("guess-number", "0.5");
             page.click("answer-1");
         }

@@ -39,7 +39,7 @@ fn all_that_lessons_show_is_solved_beforehand() {
     let output = export(&lessons, &site).output().unwrap();
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.success(), "{told}");
-    assert!(told.contains("solving 5 of 5"), "{told}");
+    assert!(told.contains("solving 10 of 10"), "{told}");
     assert_eq!(names(folder.path()), ["lessons", "site"].map(String::from).into());
     let files = names(&site);
     for name in ["index.html", "re_viewer.js", "re_viewer_bg.wasm", "solved.js", "texts.js", "explore.css", "run"] {
@@ -56,7 +56,7 @@ fn all_that_lessons_show_is_solved_beforehand() {
     let runs = solved["runs"].as_array().unwrap();
     let loads: Vec<f64> =
         runs.iter().filter(|run| run["points"].is_null()).map(|run| run["knobs"]["load"].as_f64().unwrap()).collect();
-    assert_eq!((runs.len(), loads.len()), (5, 4), "{loads:?}");
+    assert_eq!((runs.len(), loads.len()), (10, 8), "{loads:?}");
     assert!(loads.contains(&0.02) && loads.contains(&0.2) && loads.contains(&0.05), "{loads:?}");
     for run in runs {
         let id = run["id"].as_str().unwrap();
@@ -65,11 +65,45 @@ fn all_that_lessons_show_is_solved_beforehand() {
         let is_sweep = !run["points"].is_null();
         let facets = std::fs::read_to_string(site.join("run").join(format!("{id}.js")));
         let has = |name: &str| facets.as_ref().is_ok_and(|script| script.contains(&format!("\"{name}\":")));
-        assert_eq!([has("iterations"), has("section"), has("patches")], [!is_sweep; 3], "{id}");
+        assert_eq!([has("iterations"), has("section"), has("motion"), has("patches")], [!is_sweep; 4], "{id}");
         assert!(is_sweep || run["numbers"]["status"] == "converged", "{id}");
     }
     assert_eq!(names(&site.join("run")).len(), runs.len() + loads.len());
+    let of_theme = |theme: &str| runs.iter().filter(|run| run["knobs"]["theme"] == theme).count();
+    assert_eq!([of_theme("dark"), of_theme("light")], [5, 5]);
+    the_bodies_stand_as_they_press(&site, runs);
     assert_eq!(solved["start"], solved["lessons"][0]["steps"][0]["knobs"]);
+}
+
+/// The section of every run: the solid is lower where it is pressed, and the rigid surface of the first step has one shape at all loads.
+fn the_bodies_stand_as_they_press(site: &Path, runs: &[Value]) {
+    let mut shapes = Vec::new();
+    for run in runs.iter().filter(|run| run["points"].is_null()) {
+        let id = run["id"].as_str().unwrap();
+        let script = std::fs::read_to_string(site.join("run").join(format!("{id}.js"))).unwrap();
+        let facets = script.split_once(" = ").unwrap().1.trim_end().trim_end_matches(';');
+        let section = serde_json::from_str::<Value>(facets).unwrap()["section"].clone();
+        let [rigid, solid, pressure] = ["rigid", "solid", "pressure"]
+            .map(|name| section[name].as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).collect::<Vec<_>>());
+        let mean = |is_pressed: bool| {
+            let (sum, count) = (0..solid.len())
+                .filter(|&i| (pressure[i] > 0.0) == is_pressed)
+                .fold((0.0, 0.0), |(sum, count), i| (sum + solid[i], count + 1.0));
+            sum / count
+        };
+        assert!(mean(true) < mean(false), "{id}: {} below the contact, {} beside it", mean(true), mean(false));
+        if run["knobs"]["body"] == "flat" {
+            shapes.push(rigid.iter().map(|z| z - rigid[0]).collect::<Vec<_>>());
+        }
+    }
+    let most = shapes[0].iter().map(|z| z.abs()).fold(0.0, f64::max);
+    assert_eq!(shapes.len(), 6);
+    for shape in &shapes {
+        assert!(
+            shape.iter().zip(&shapes[0]).all(|(a, b)| (a - b).abs() < 1e-5 * most),
+            "the shape changes with the load"
+        );
+    }
 }
 
 #[test]
@@ -115,7 +149,7 @@ fn an_interrupt_leaves_nothing() {
     let mut told = String::new();
     let mut pipe = std::io::BufReader::new(child.stderr.take().unwrap());
     std::io::BufRead::read_line(&mut pipe, &mut told).unwrap();
-    assert_eq!(told, "solving 1 of 1\n");
+    assert_eq!(told, "solving 1 of 2\n");
     std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(1));
     std::io::Read::read_to_string(&mut pipe, &mut told).unwrap();

@@ -3,6 +3,39 @@
 use super::{Page, endless, stop, with};
 use serde_json::{Value, json};
 
+/// The sections of the steps: of one rigid shape, from the first step on, and at last that of the end.
+#[test]
+fn the_picture_moves_step_by_step() {
+    let page = Page::open();
+    for method in [
+        json!({"method": "polonsky-keer"}),
+        json!({"method": "gfmd", "masses": "stiffness", "dynamics": "fire", "time-step": 0.5, "damping": 1.0}),
+    ] {
+        let run = page.solve(&with(json!({"points": 256, "cutoff": 32, "solver": method})));
+        let facet = |name: &str| page.get(&format!("/api/run/{}/{name}", run["id"].as_str().unwrap())).json();
+        let (motion, end) = (facet("motion"), facet("section"));
+        let values = |of: &Value| of.as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).collect::<Vec<_>>();
+        let steps = values(&motion["steps"]);
+        assert!(
+            steps[0] == 0.0 && steps.is_sorted_by(|a, b| a < b) && (6..200).contains(&steps.len()),
+            "{method}: {steps:?}"
+        );
+        let sections = motion["sections"].as_array().unwrap();
+        assert_eq!(sections.len(), steps.len());
+        let away = |of: &Value, body: &str| {
+            let [its, last] = [of, &end].map(|section| values(&section[body]));
+            let by = its[0] - last[0];
+            its.iter().zip(&last).map(|(a, b)| (a - b - by).abs()).fold(0.0, f64::max)
+                / end["highest"].as_f64().unwrap()
+        };
+        for section in sections {
+            assert!(away(section, "rigid") < 1e-4, "{method}: the rigid surface changes its shape");
+        }
+        let [first, last] = [&sections[0], sections.last().unwrap()].map(|section| away(section, "solid"));
+        assert!(last < 0.05 && first > 2.0 * last, "{method}: the solid is {first} and {last} away from its end");
+    }
+}
+
 #[test]
 fn the_numbers_of_every_step_are_told() {
     let page = Page::open();

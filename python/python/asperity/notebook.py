@@ -88,11 +88,11 @@ def picture(contact: Contact) -> Any:
     above, below = figure.subplots(1, 2)
     if contact.pressure.ndim == 1:
         seen = _beside(contact)
-        x, rigid = surface.x[seen], contact.height[seen]
-        # the solid's surface is the rigid one raised by the gap
-        above.plot(x, rigid + contact.gap[seen], label="solid")
-        above.plot(x, rigid, label="rigid surface")
-        above.set(xlabel="x", ylabel="height", title="surfaces")
+        x, displacement = surface.x[seen], contact.displacement[seen]
+        # upwards from the surface of the unloaded solid: displacement points into the solid, and peaks towards it
+        above.plot(x, contact.gap[seen] - displacement, label="rigid surface")
+        above.plot(x, -displacement, label="solid")
+        above.set(xlabel="x", ylabel="z", title="surfaces")
         above.legend()
         below.plot(x, contact.pressure[seen])
         below.set(xlabel="x", ylabel="pressure", title="pressure")

@@ -1,0 +1,30 @@
+//! The sections of a run step by step, which move in the page's own picture.
+
+use super::section::Section;
+use crate::contact::{Observer, Step, Wish};
+use serde::Serialize;
+use std::ops::ControlFlow;
+
+/// How much later the next step is kept than the last one: of 100 000 steps that makes 140, most of them early, where most happens.
+const LATER: f64 = 1.08;
+
+/// The sections of a run and the numbers of their steps, less that of its end, which is told by itself.
+#[derive(Default, Serialize)]
+pub struct Motion {
+    steps: Vec<usize>,
+    sections: Vec<Section>,
+    /// The first step that is kept next.
+    #[serde(skip)]
+    next: usize,
+}
+
+impl Observer for Motion {
+    fn step(&mut self, step: &Step<'_>) -> Wish {
+        if step.index() >= self.next {
+            self.steps.push(step.index());
+            self.sections.push(Section::of_step(step));
+            self.next = (step.index() + 1).max((step.index() as f64 * LATER) as usize);
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+}
