@@ -86,6 +86,7 @@ async function begin() {
   });
   if (isView) { byId("title").textContent = say("title.recording"); return; }
   await joinSession();
+  await tellWindow();
   const before = await ask("state");
   known = await ask("observables");
   observables = [...known, SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));

@@ -73,9 +73,21 @@ async function startViewer() {
   document.body.dataset.viewer = "started";
   runs.slice(-1).forEach(follow);
   for (const touch of ["pointerdown", "keydown"]) canvas.addEventListener(touch, () => { visited = shownRun; }, true);
-  new ResizeObserver(wake).observe(canvas);
+  new ResizeObserver(() => { wake(); tellWindow(); }).observe(canvas);
   new PerformanceObserver((loaded) => loaded.getEntries().forEach(noteWhole)).observe({ type: "resource" });
   setInterval(guardViewer, 1000);
+}
+
+/** The size of the viewer that was told last. */
+let toldWindow = "";
+
+/** Tells the session how large the viewer is: the pictures of the next recordings fill its panes. */
+async function tellWindow() {
+  const { clientWidth, clientHeight } = byId("viewer");
+  const size = `${clientWidth} ${clientHeight}`;
+  if (isView || solved || !session || !clientWidth || !clientHeight || size === toldWindow) return;
+  toldWindow = size;
+  await post("window", [clientWidth, clientHeight]).catch(() => { toldWindow = ""; });
 }
 
 /** Has the viewer draw when it has read a recording to its end, and notes which. */

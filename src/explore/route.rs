@@ -45,6 +45,7 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/api/cancel`     | POST   | ends what runs                                                        |
 /// | `/api/pin`        | POST   | takes the name of a recording, or null: its curves stand beside new ones |
 /// | `/api/leave`      | POST   | notes that the page is closed, or opened anew                         |
+/// | `/api/window`     | POST   | takes width and height of the viewer on the page; recordings are drawn for it |
 /// | `/api/heights`    | POST   | takes the bytes of a file of heights, called `?name=`; a [`Description`](super::Description) of it |
 /// |                   | GET    | the latest description, or null                                       |
 /// | `/api/describe`   | POST   | takes [`HeightKnobs`](super::HeightKnobs); the description of that file as they take it |
@@ -108,8 +109,8 @@ impl Explorer {
 
 /// Paths of a session that are only read, and those that only take orders.
 const GETS: [&str; 5] = ["/api/start", "/api/observables", "/api/state", "/api/runs", "/api/lessons"];
-const POSTS: [&str; 7] =
-    ["/api/solve", "/api/sweep", "/api/cancel", "/api/pin", "/api/describe", "/api/hold", "/api/leave"];
+const POSTS: [&str; 8] =
+    ["/api/solve", "/api/sweep", "/api/cancel", "/api/pin", "/api/describe", "/api/hold", "/api/leave", "/api/window"];
 
 /// Carries out an order.
 fn ordered(session: &Session, request: &Request<'_>) -> Reply {
@@ -120,6 +121,7 @@ fn ordered(session: &Session, request: &Request<'_>) -> Reply {
         "/api/hold" => return answer(read(request.body).and_then(|hold| session.hold(&hold))),
         "/api/solve" => order(Kind::Solve),
         "/api/sweep" => order(Kind::Sweep),
+        "/api/window" => return answer(read(request.body).and_then(|size| session.set_window(size))),
         "/api/cancel" => Ok(session.cancel()),
         "/api/pin" => read(request.body).and_then(|name| session.pin(name)),
         path => return Reply::missing(path),

@@ -11,16 +11,20 @@ use super::report::{KnownFault, Numbers, Report, SweepReport};
 use super::source::{SceneFile, Source};
 use super::step_numbers::StepNumbers;
 use crate::contact::{Contact, Failure};
-use crate::record::Ghost;
-use crate::setup::{Method, Setup};
+use crate::record::{Ghost, Options};
+use crate::setup::{Method, Record, Setup};
 use crate::surface::{Field, HeightFile};
 use std::collections::VecDeque;
+use std::ops::RangeInclusive;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// Recordings that can still be read, with the contacts behind them: of the largest surface here a contact takes 34 MB, four
 /// fields of 1024 x 1024 nodes.
 const RECORDINGS: usize = 6;
+
+/// Lengths of a window in points.
+const WINDOW: RangeInclusive<f64> = 1.0..=1e5;
 
 /// A file of heights, and what the page was told of it last.
 pub type Heights = (HeightFile, Description);
@@ -55,6 +59,8 @@ struct State {
     heights: Option<Heights>,
     scene: Option<Arc<SceneFile>>,
     every: Option<usize>,
+    /// Width and height of the viewer on the page in points, if the page has told them.
+    window: Option<[f64; 2]>,
 }
 
 impl State {
@@ -129,6 +135,21 @@ impl Session {
             state.report.fault = None;
             state.report.known_fault = None;
         }))
+    }
+
+    /// Notes width and height of the viewer on the page, for whose panes the next recordings are drawn.
+    ///
+    /// # Errors
+    /// For lengths that no window has.
+    pub(super) fn set_window(&self, size: [f64; 2]) -> Result<(), Refusal> {
+        if !size.iter().all(|length| WINDOW.contains(length)) {
+            let [width, height] = size;
+            return Err(Refusal(format!(
+                "a viewer of {width} x {height} points cannot be: give lengths from 1 to 100000"
+            )));
+        }
+        self.lock().window = Some(size);
+        Ok(())
     }
 
     /// The file of heights, or the scene, that knobs are for, if it is here.
@@ -248,6 +269,14 @@ impl Turn<'_> {
     /// Whether there was no order since.
     pub fn goes_on(self) -> bool {
         self.session.lock().generation == self.number
+    }
+
+    /// The options of a recording for the viewer on the page.
+    pub fn options(self, record: &Record) -> Options {
+        let options = Options::from(record);
+        // the viewer on the page has no bars of its own
+        let window = self.session.lock().window.map(|[width, height]| [width, height + Options::BARS]);
+        Options { window: window.unwrap_or(options.window), ..options }
     }
 
     /// The curves that stand beside new ones.

@@ -42,7 +42,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     };
     let id = report.id.clone();
     let file_stem = report.file_stem.clone();
-    let options = Options { ghost: turn.ghost(), ..Options::from(&setup.record) };
+    let options = Options { ghost: turn.ghost(), ..turn.options(&setup.record) };
     let name = "beside".into();
     let other = beside.as_ref().map(|(setup, problem)| Scene { name, ..Scene::of(setup, problem) });
     let scenes: Vec<Scene<'_>> = [Scene { title, ..scene }].into_iter().chain(other).collect();

@@ -7,7 +7,7 @@ use super::session::Turn;
 use crate::contact::{Contact, Each, Failure, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
 use crate::plot::Colour;
-use crate::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Output, Scene};
+use crate::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Output, Scene};
 use crate::setup::{Part, Setup};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
@@ -63,7 +63,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
         points: Vec::new(),
     };
     let heaviest = at_load(&problem, heaviest(&loads))?;
-    let (recording, live) = record(&report, &setup, &heaviest, &loads, &curves)?;
+    let (recording, live) = record(turn, &report, &setup, &heaviest, &loads, &curves)?;
     turn.keep(Reel::new(&report.id, &report.file_stem, live));
     let mut press = Press { turn, setup: &setup, report, recording: &recording, curves: &curves };
     press.tell();
@@ -96,6 +96,7 @@ fn exact(setup: &Setup, problem: &Problem) -> Option<Exact> {
 
 /// Begins the recording: the pictures that were asked for, and always curves and contact.
 fn record(
+    turn: Turn<'_>,
     report: &SweepReport,
     setup: &Setup,
     problem: &Problem,
@@ -122,7 +123,7 @@ fn record(
     };
     let mut parts = setup.record.clone();
     parts.what.extend([Part::Traces, Part::Mask]);
-    Ok(LoadRecording::live(&report.id, &loads, Options::from(&parts))?)
+    Ok(LoadRecording::live(&report.id, &loads, turn.options(&parts))?)
 }
 
 /// A sweep on its way.

@@ -29,6 +29,11 @@ pub struct Options {
     pub ghost: Option<Arc<Ghost>>,
 }
 
+impl Options {
+    /// Height of the bars of a viewer above and below its panes, in points.
+    pub const BARS: f64 = 57.0;
+}
+
 impl Default for Options {
     /// The usual parts, the automatic schedule, lengths in metres, a dark ground, a window of 1600 x 1000 points, no earlier solve.
     fn default() -> Self {

@@ -1,11 +1,9 @@
 //! The sizes of panes in a window, so that pictures can be drawn in the proportions of theirs.
 
 use super::blueprint::{GRID_COLUMNS, Kind, Pane};
-use crate::record::options::WINDOW;
+use crate::record::options::{Options, WINDOW};
 use std::collections::BTreeMap;
 
-/// Points above and below the panes that the viewer takes for itself: its bar and the time line.
-const FRAME: f64 = 57.0;
 /// Height of the title of a view, or of a row of tabs.
 const TITLE: f64 = 24.0;
 /// What the viewer leaves free around a picture in its pane, on both sides together.
@@ -24,7 +22,7 @@ impl Sizes {
     pub fn new(panes: &[Pane], [width, height]: [f64; 2]) -> Self {
         let mut sizes = Self(BTreeMap::new());
         let scale = (width / WINDOW[0]).min(height / WINDOW[1]).clamp(LEAST_SCALE, 1.0);
-        let height = height - FRAME;
+        let height = height - Options::BARS;
         match panes {
             [only] => sizes.add(only, [width, height]),
             _ => panes.iter().for_each(|pane| sizes.add_tab(pane, [width, height])),
