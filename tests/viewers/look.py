@@ -46,7 +46,8 @@ TABS = 1
 COMPLAINT = re.compile(r"\b(WARN|ERROR)\b|Fail to merge|panicked", re.IGNORECASE)
 HARMLESS = re.compile(r"Software rasterizer detected|XDG_RUNTIME_DIR|not found for screenshot")
 """What a viewer says on a machine without graphics or a desktop, whatever it shows, and of pictures that are asked for too early."""
-NO_GRAPHICS = re.compile(r"No graphics adapter|NoSuitableAdapter|No Vulkan", re.IGNORECASE)
+NO_GRAPHICS = re.compile(r"No graphics adapter|Failed to get render context", re.IGNORECASE)
+"""What it dies of where there is no driver that it can draw with."""
 
 
 class Viewer:
