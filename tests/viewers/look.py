@@ -1,7 +1,7 @@
 """Opens recordings in the viewer of the installed rerun-sdk, without a screen, and says of each whether its views show data
 and its pictures fill them.
 
-    python look.py [--pictures FOLDER] [--patience SECONDS] RECORDING...
+    python look.py [--pictures FOLDER] RECORDING...
 
 Every recording gets a viewer of its own, and a line: `ok` or what is wrong. The exit code is 1 if anything is wrong, and 3 if no viewer can
 draw on this machine.
@@ -28,6 +28,8 @@ try:
 except ImportError:
     from rerun.experimental import RrdReader
 
+PATIENCE, COMPLAINED = 90.0, 10.0
+"""Seconds after which a viewer that shows nothing, or changes all the time, is given up, and one that has complained as well."""
 ANSWER = 20.0
 """Seconds after which a picture is asked for again: the viewer of 0.36 never answers for a view that it does not show yet."""
 INK = 40
@@ -47,15 +49,15 @@ TABS = 1
 COMPLAINT = re.compile(r"\b(WARN|ERROR)\b|Fail to merge|panicked", re.IGNORECASE)
 HARMLESS = re.compile(r"Software rasterizer detected|XDG_RUNTIME_DIR|not found for screenshot|Failed to render screenshot")
 """What a viewer says on a machine without graphics or a desktop, whatever it shows, and of pictures that are asked for too early."""
-NO_GRAPHICS = re.compile(r"No graphics adapter|NoSuitableAdapter|No Vulkan", re.IGNORECASE)
+NO_GRAPHICS = re.compile(r"No graphics adapter|Failed to get render context", re.IGNORECASE)
+"""What it dies of where there is no driver that it can draw with."""
 
 
 class Viewer:
     """A viewer without a window that has opened a recording."""
 
-    def __init__(self, recording, folder, patience):
-        self.folder, self.count = folder, 0
-        self.end = time.monotonic() + patience
+    def __init__(self, recording, folder):
+        self.folder, self.count, self.start = folder, 0, time.monotonic()
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
@@ -75,7 +77,8 @@ class Viewer:
         self.process.wait()
 
     def is_waited_for(self):
-        return time.monotonic() < self.end and self.process.poll() is None
+        patience = COMPLAINED if self.complaints() else PATIENCE
+        return time.monotonic() < self.start + patience and self.process.poll() is None
 
     def shoot(self, view=None):
         """The picture of the window or of a view, or None where it cannot be had yet."""
@@ -193,29 +196,29 @@ def faults_of_views(viewer, recording):
             yield f"the picture {title!r} covers {filled(picture):.0%} of its view"
 
 
-def look(recording, pictures, patience):
+def look(recording, pictures):
     """What is wrong with a recording as the viewer shows it."""
-    with tempfile.TemporaryDirectory() as folder, Viewer(recording, Path(folder), patience) as viewer:
+    with tempfile.TemporaryDirectory() as folder, Viewer(recording, Path(folder)) as viewer:
         picture, has_settled = viewer.settled()
         if picture and pictures:
             picture.save(pictures / f"{Path(recording).stem}.png")
-        empty = list(faults_of_views(viewer, recording)) if has_settled else ["the window shows no data"]
+        empty = list(faults_of_views(viewer, recording))
+        unsettled = [] if has_settled else ["the window does not settle on data"]
         ended = [] if viewer.process.poll() is None else ["the viewer has ended by itself"]
         words = viewer.complaints()
     if any(NO_GRAPHICS.search(line) for line in words):
         sys.exit(3)
-    return empty + ended + words
+    return unsettled + empty + ended + words
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--pictures", type=Path)
-    parser.add_argument("--patience", type=float, default=90.0, help="seconds for each recording, after which what is not shown is missing")
     parser.add_argument("recordings", nargs="+")
     given = parser.parse_args()
     is_wrong = False
     for recording in given.recordings:
-        wrong = look(recording, given.pictures, given.patience)
+        wrong = look(recording, given.pictures)
         is_wrong |= bool(wrong)
         print(f"{recording}: {'; '.join(wrong) or 'ok'}", flush=True)
     sys.exit(int(is_wrong))

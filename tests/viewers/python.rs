@@ -44,12 +44,11 @@ impl Python {
         numbers >= vec![0, 38]
     }
 
-    /// What is wrong with recordings as the viewer shows them, within so many seconds for each.
-    pub fn look(&self, recordings: &[PathBuf], seconds: u32) -> Result<Vec<String>, Skipped> {
+    /// What is wrong with recordings as the viewer shows them.
+    pub fn look(&self, recordings: &[PathBuf]) -> Result<Vec<String>, Skipped> {
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/viewers/look.py");
-        let seconds = seconds.to_string();
-        let options = [script.as_path(), Path::new("--patience"), Path::new(&seconds)];
-        let arguments: Vec<&Path> = options.into_iter().chain(recordings.iter().map(PathBuf::as_path)).collect();
+        let arguments: Vec<&Path> =
+            [script.as_path()].into_iter().chain(recordings.iter().map(PathBuf::as_path)).collect();
         let output = self.run(&arguments, Path::new(env!("CARGO_TARGET_TMPDIR")));
         let lines = |bytes: &[u8]| String::from_utf8_lossy(bytes).lines().map(str::to_owned).collect::<Vec<_>>();
         match output.status.code() {

@@ -67,9 +67,16 @@ mod tests {
 
     /// Where the corners are in a pane, from -1 to 1 across and upwards.
     fn places(eye: Eye, corners: &[Vec3], aspect: f32) -> Vec<[f32; 2]> {
-        let to_view = glam::Mat4::look_at_rh(eye.position.into(), eye.target.into(), Vec3::Z);
-        let to_pane = glam::Mat4::perspective_rh(2.0 * HALF_VIEW, aspect, 0.1, 1e4) * to_view;
-        corners.iter().map(|corner| to_pane.project_point3(*corner).truncate().to_array()).collect()
+        let position = Vec3::from_array(eye.position);
+        let ahead = (Vec3::from_array(eye.target) - position).normalize();
+        let right = ahead.cross(Vec3::Z).normalize();
+        let place = |corner: &Vec3| {
+            let from = *corner - position;
+            let edge = from.dot(ahead) * HALF_VIEW.tan();
+            assert!(edge > 0.0, "{corner} is behind the eye");
+            [from.dot(right) / (edge * aspect), from.dot(right.cross(ahead)) / edge]
+        };
+        corners.iter().map(place).collect()
     }
 
     #[test]
