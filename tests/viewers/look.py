@@ -107,11 +107,11 @@ class Viewer:
             last, seen = now, picture or seen
         return seen, False
 
-    def shows(self, view, kind):
-        """The picture of a view once it shows data, or None."""
+    def shows(self, view, is_wanted):
+        """The picture of a view once it is as wanted, or None."""
         while True:
             picture = self.shoot(view)
-            if picture and has_data(picture, kind):
+            if picture and is_wanted(picture):
                 return picture
             if not self.is_waited_for():
                 return None
@@ -189,10 +189,10 @@ def views(recording):
 
 def faults_of_views(viewer, recording):
     for view, title, kind in views(recording):
-        picture = viewer.shows(view, kind)
+        picture = viewer.shows(view, lambda picture: has_data(picture, kind))
         if not picture:
             yield f"the view {title!r} shows no data"
-        elif kind == "2D" and filled(picture) < FILLED:
+        elif kind == "2D" and not viewer.shows(view, lambda picture: filled(picture) >= FILLED):
             yield f"the picture {title!r} covers {filled(picture):.0%} of its view"
 
 
