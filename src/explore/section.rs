@@ -16,8 +16,8 @@ const DEPTH: f64 = 0.1;
 /// Poisson's ratio of the solid, on which the largest shear stress hardly depends.
 const POISSON: f64 = 0.3;
 
-/// A contact along a line, or along the row of a surface in which the pressure is largest: what a column holds is where the gap in it is
-/// smallest, so that no contact is left out. Lengths in metres, pressures over the contact modulus.
+/// A contact along a line, or along the row of a surface in which the pressure is largest: what a column holds is where the rigid surface is
+/// highest in it, which touches first, and is the same node at all loads. Lengths in metres, pressures over the contact modulus.
 ///
 /// Heights are measured upwards from the surface of the unloaded solid. A displacement `u` points into the solid, so the solid's surface
 /// stands at `-u` and the rigid surface at `gap - u`, the negative of its heights but for a constant: its shape is the same at all loads.
@@ -80,11 +80,9 @@ impl Section {
     fn along(problem: &Problem, row: usize, fields: [ArrayView1<'_, f64>; 3], mean_gap: f64, most: usize) -> Self {
         let grid = problem.surface().grid();
         let [pressure, gap, displacement] = fields;
-        let lowest = |nodes: Range<usize>| {
-            let closer = |&a: &usize, &b: &usize| gap[a].total_cmp(&gap[b]).then(pressure[b].total_cmp(&pressure[a]));
-            nodes.min_by(closer).unwrap_or_default()
-        };
-        let nodes: Vec<usize> = columns(grid.shape()[1], most).map(lowest).collect();
+        let height = &problem.height()[row * grid.shape()[1]..];
+        let peak = |nodes: Range<usize>| nodes.max_by(|&a, &b| height[a].total_cmp(&height[b])).unwrap_or_default();
+        let nodes: Vec<usize> = columns(grid.shape()[1], most).map(peak).collect();
         let modulus = problem.contact_modulus();
         let of = |value: &dyn Fn(usize) -> f64| nodes.iter().map(|&node| value(node) as f32).collect();
         Self {

@@ -42,7 +42,10 @@ fn a_person_who_reads_german() {
     }
     let has_axe = load_axe(&mut page);
     page.type_into("control-load-value", "0");
-    assert_eq!(page.text("byId('fault').innerText"), "p* kann nicht 0 sein: Geben Sie 0.00001 bis 1000 an.");
+    assert_eq!(
+        page.text("byId('fault').innerText"),
+        "p* kann nicht 0 sein: Geben Sie eine Zahl von 0,00001 bis 1000 an."
+    );
     for theme in ["dark", "light"] {
         page.until(&format!("document.documentElement.dataset.theme === '{theme}'"), 10);
         page.value("openLesson('yield', 2)");

@@ -71,7 +71,7 @@ fn lifting_lets_go(page: &mut Page) {
     assert!(page.value(BENT).as_f64().unwrap() < 1e-5);
     page.mouse("mouseMoved", [grip[0], grip[1]]);
     page.until("Math.max(...section.pressure) > 0 && !holding", 60);
-    assert!(page.value(BENT).as_f64().unwrap() < 1e-3, "{}", page.value(BENT));
+    assert!(page.value(BENT).as_f64().unwrap() < 1e-5, "{}", page.value(BENT));
     page.mouse("mouseReleased", grip);
     pictured(page);
 }

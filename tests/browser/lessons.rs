@@ -52,9 +52,9 @@ fn followed(explorer: &Explorer, page: &mut Page, step: &Value) {
     }
     rested(page);
     let told = explorer.state()["run"]["numbers"]["kappa_r_resolved"].as_f64().unwrap();
-    let shown: f64 =
-        page.text("document.querySelector('#numbers td[data-number=kappa_r_resolved]').innerText").parse().unwrap();
-    assert!((shown / told - 1.0).abs() < 1e-4, "kappa_r is shown as {shown} and is {told}");
+    let shown = page.text("document.querySelector('#numbers td[data-number=kappa_r_resolved]').innerText");
+    let shown: f64 = shown.split(" ±").next().unwrap().parse().unwrap();
+    assert!((shown / told - 1.0).abs() < 6e-3, "kappa_r is shown as {shown} and is {told}");
 }
 
 /// What became of a guess: the right choice is praised, a number is told.

@@ -16,9 +16,10 @@ fn run(explorer: &Explorer) -> Value {
     explorer.state()["run"].clone()
 }
 
-/// The number in the first column of the table, in the row of an observable.
+/// The number in the first column of the table, in the row of an observable, without the error that may stand beside it.
 fn number(page: &mut Page, name: &str) -> f64 {
-    page.text(&format!("document.querySelector('#numbers td[data-number=\"{name}\"]').innerText")).parse().unwrap()
+    let shown = page.text(&format!("document.querySelector('#numbers td[data-number=\"{name}\"]').innerText"));
+    shown.split(" ±").next().unwrap().parse().unwrap()
 }
 
 /// Table and controls hold what the server tells of the latest run.

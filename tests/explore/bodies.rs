@@ -67,6 +67,23 @@ fn the_rigid_surface_has_the_shape_of_the_heights_at_all_loads() {
     }
 }
 
+/// The shape is the same at all loads where a column stands for several nodes too.
+#[test]
+fn the_rigid_surface_keeps_its_shape_in_columns_of_nodes() {
+    let page = Page::open();
+    let shapes = [0.02, 0.3, 1.0].map(|load| {
+        let mut knobs = knobs(Start::RoughLine, load);
+        knobs["points"] = 4096.into();
+        knobs["cutoff"] = 512.into();
+        let order = json!({"knobs": knobs, "mean-gap": null, "is-deep": false});
+        shape(&numbers(&page.post("/api/hold", &order.to_string()).json()["section"]["rigid"]))
+    });
+    for (rigid, most) in &shapes {
+        let away = rigid.iter().zip(&shapes[0].0).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(rigid.len() == 1024 && away < 1e-5 * most, "{away} of {most}");
+    }
+}
+
 /// The solid is lower where it is pressed than where it is not, and lowest where the rigid surface is; a free one would be flat.
 #[test]
 fn the_solid_is_lower_below_the_contact() {
