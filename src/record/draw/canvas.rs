@@ -27,6 +27,8 @@ pub const SCALE_ROOM: f64 = 7.4;
 const DASHES: [f64; 2] = [14.0, 9.0];
 /// From a box up to the middle of the words above it, over their size.
 const HEAD: f64 = 0.95;
+/// From the corner of a box left and up to the start of the name of the y axis, where it stands above, over the size of words.
+const ABOVE: [f64; 2] = [5.2, 1.3];
 /// Draw order of points that one points at, above the lines of a contact.
 pub const POINTS: f32 = 36.0;
 /// Distance of the lines that fill a shape.
@@ -99,7 +101,7 @@ fn axes(frame: &Frame) -> Sheet {
     let nameless = Frame { y: Axis { name: String::new(), ..frame.y.clone() }, ..frame.clone() };
     nameless.draw_axis(&mut sheet, Side::Left);
     let [x, y] = frame.corner;
-    sheet.words(name, [x - ROOM[0] * frame.text, y - HEAD * frame.text], frame.text, Align::Left);
+    sheet.words(name, [x - ABOVE[0] * frame.text, y - ABOVE[1] * frame.text], frame.text, Align::Left);
     sheet
 }
 
