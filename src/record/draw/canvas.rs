@@ -20,7 +20,7 @@ pub const PANE: [f64; 2] = [1040.0, 420.0];
 /// Least width and height of a box, in points of the viewer.
 const LEAST: f64 = 40.0;
 /// Room left, right, above and below the box of a frame, over the size of its words: for the axes, and for a caption above.
-const ROOM: [f64; 4] = [5.6, 1.6, 1.9, 3.6];
+const ROOM: [f64; 4] = [5.6, 1.6, 1.9, 3.8];
 /// Room to the right of a frame for a scale of colours, over the size of its words.
 pub const SCALE_ROOM: f64 = 7.4;
 /// Length of a dash, and of what is between dashes.
@@ -33,8 +33,9 @@ const ABOVE: [f64; 2] = [5.2, 1.3];
 pub const POINTS: f32 = 36.0;
 /// Distance of the lines that fill a shape.
 const PITCH: f32 = 1.0;
-/// Distance of the lines that fill a letter, over its size, and their radius.
-pub const LETTER: [f32; 2] = [0.045, 0.028];
+/// Distance of the lines that fill a letter, over its size, and their radius. The thinnest part of a letter, such as a minus, has two of them: in
+/// the smallest windows they are together as high as a pixel, so that it is never left out.
+pub const LETTER: [f32; 2] = [0.035, 0.03];
 
 type Strip = (Vec<[f32; 2]>, Color, Radius);
 
@@ -252,6 +253,23 @@ mod tests {
             }
         }
     }
+    #[test]
+    fn a_minus_is_as_high_as_a_pixel_in_the_smallest_windows() {
+        let mut sheet = Sheet::default();
+        sheet.words("−5·10⁻³", [0.0, 0.0], 100.0, Align::Left);
+        let rows = |within: [f32; 2]| {
+            let spans = letters(&sheet.elements[0]).into_iter();
+            let mut rows: Vec<f32> =
+                spans.filter(|[from, to]| within[0] < from[0] && to[0] < within[1]).map(|[from, _]| from[1]).collect();
+            rows.sort_by(f32::total_cmp);
+            rows.dedup();
+            rows
+        };
+        let minus = rows([0.0, width("−", 100.0) as f32]);
+        let height = minus.last().unwrap() - minus[0] + 200.0 * LETTER[1];
+        assert!(minus.len() >= 2 && f64::from(height) / 100.0 * 0.7 * TEXT >= 1.0, "{minus:?}");
+    }
+
     #[test]
     fn a_name_that_is_longer_than_its_axis_stands_above_it_as_large_as_ever() {
         let y = Axis::linear("Mean gap over rms height of the surface", [0.0, 1.0]);
