@@ -21,6 +21,8 @@ mod figure;
 mod font;
 mod frame;
 mod legend;
+#[cfg(feature = "record")]
+mod letters;
 mod mark;
 mod series;
 mod sheet;
@@ -35,7 +37,8 @@ pub use svg::{write_png, write_svg};
 pub(crate) use {
     clip::dashes,
     drawing::{drawing_of, frame_in},
-    font::{outlines, width},
+    font::width,
     frame::{Frame, NAME, Side},
+    letters::letters,
     sheet::{Align, Element, Sheet},
 };

@@ -41,7 +41,7 @@ fn types(path: &Path, kind: StoreKind) -> BTreeMap<String, BTreeMap<Type, String
 fn check(path: &Path) {
     for kind in [StoreKind::Recording, StoreKind::Blueprint] {
         let types = types(path, kind);
-        assert!(types.len() > 10, "{} has {} components only", path.display(), types.len());
+        assert!(types.len() > 5, "{} has {} components only", path.display(), types.len());
         for (component, types) in types {
             assert_eq!(types.len(), 1, "{}: {component} is {types:?}", path.display());
             assert!(

@@ -7,7 +7,7 @@
 
 use super::fill;
 use super::palette::{Palette, colour};
-use crate::plot::{Align, Axis, Colour, Element, Frame, NAME, Sheet, Side, dashes, outlines, width};
+use crate::plot::{Align, Axis, Colour, Element, Frame, NAME, Sheet, Side, dashes, letters, width};
 use rerun::components::Text;
 use rerun::{AnyValues, AsComponents, Color, LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
 
@@ -33,9 +33,9 @@ const ABOVE: [f64; 2] = [5.2, 1.3];
 pub const POINTS: f32 = 36.0;
 /// Distance of the lines that fill a shape.
 const PITCH: f32 = 1.0;
-/// Distance of the lines that fill a letter, over its size, and their radius. The thinnest part of a letter, such as a minus, has two of them: in
-/// the smallest windows they are together as high as a pixel, so that it is never left out.
-pub const LETTER: [f32; 2] = [0.035, 0.03];
+/// Distance of the lines that fill a letter, over its size, and their radius. Every letter has two of them at least: those of
+/// a minus are together as high as a pixel in the smallest windows, so that it is never left out.
+pub const LETTER: [f32; 2] = [0.045, 0.034];
 
 type Strip = (Vec<[f32; 2]>, Color, Radius);
 
@@ -166,7 +166,7 @@ pub fn written(palette: &Palette, sheet: &Sheet) -> impl AsComponents + use<> {
     let mut all = Vec::new();
     for element in &sheet.elements {
         let Element::Words { words, size: own, .. } = element else { continue };
-        lines.extend(letters(element));
+        lines.extend(lines_of(element));
         size = size.max(*own);
         all.extend((!words.is_empty()).then(|| words.clone()));
     }
@@ -182,7 +182,7 @@ pub fn written(palette: &Palette, sheet: &Sheet) -> impl AsComponents + use<> {
 }
 
 /// The lines that fill the letters of words.
-fn letters(words: &Element) -> Vec<[[f32; 2]; 2]> {
+fn lines_of(words: &Element) -> Vec<[[f32; 2]; 2]> {
     let Element::Words { words, at: [x, y], size, align, upwards } = words else { return Vec::new() };
     let start = match align {
         Align::Left => 0.0,
@@ -193,7 +193,9 @@ fn letters(words: &Element) -> Vec<[[f32; 2]; 2]> {
         let (along, down) = (f64::from(along) + start, f64::from(down));
         if *upwards { [x + down, y - along] } else { [x + along, y + down] }.map(|p| p as f32)
     };
-    fill::spans(&outlines(words, *size), f64::from(LETTER[0]) * size).into_iter().map(|span| span.map(place)).collect()
+    let pitch = f64::from(LETTER[0]) * size;
+    let spans = letters(words, *size).into_iter().flat_map(|letter| fill::spans(&letter, pitch));
+    spans.map(|span| span.map(place)).collect()
 }
 
 #[cfg(test)]
@@ -235,7 +237,7 @@ mod tests {
         let [left, right, top, bottom] = bounds(&frame, 0.0).map(|end| end as f32);
         for element in &sheet.elements {
             let Element::Words { words, .. } = element else { continue };
-            let points: Vec<[f32; 2]> = letters(element).concat();
+            let points: Vec<[f32; 2]> = lines_of(element).concat();
             assert!(!points.is_empty(), "{words}");
             assert!(points.iter().all(|[x, y]| (left..right).contains(x) && (top..bottom).contains(y)), "{words}");
             let reach = |axis: usize| {
@@ -258,7 +260,7 @@ mod tests {
         let mut sheet = Sheet::default();
         sheet.words("−5·10⁻³", [0.0, 0.0], 100.0, Align::Left);
         let rows = |within: [f32; 2]| {
-            let spans = letters(&sheet.elements[0]).into_iter();
+            let spans = lines_of(&sheet.elements[0]).into_iter();
             let mut rows: Vec<f32> =
                 spans.filter(|[from, to]| within[0] < from[0] && to[0] < within[1]).map(|[from, _]| from[1]).collect();
             rows.sort_by(f32::total_cmp);

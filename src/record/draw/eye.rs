@@ -10,9 +10,10 @@ const ELEVATIONS: [f32; 6] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 const HALF_VIEW: f32 = 27.5 * std::f32::consts::PI / 180.0;
 /// Share of the pane that is filled.
 const FILLED: f32 = 0.96;
-/// The farthest distance that is tried, and how often the distance is halved and the middle moved.
+/// The farthest distance that is tried, how often the distance is halved, and how often the middle is moved for each distance.
 const FARTHEST: f32 = 1e3;
-const ROUNDS: usize = 40;
+const ROUNDS: usize = 30;
+const SHIFTS: usize = 8;
 
 /// Where the eye stands, and what it looks at.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,33 +32,40 @@ impl Eye {
 
     /// The nearest eye at a height that sees all corners, and the share of the pane that they fill.
     fn nearest(corners: &[Vec3], aspect: f32, elevation: f32) -> (Self, f32) {
-        let (across, upwards) = (elevation.cos(), elevation.sin());
-        let towards = Vec3::new(across * TOWARDS[0], across * TOWARDS[1], upwards).normalize();
+        let (flat, upright) = (elevation.cos(), elevation.sin());
+        let towards = Vec3::new(flat * TOWARDS[0], flat * TOWARDS[1], upright).normalize();
         let right = Vec3::Z.cross(towards).normalize();
-        let up = towards.cross(right);
-        let room = [aspect, 1.0].map(|width| FILLED * HALF_VIEW.tan() * width);
-        let mut target = corners.iter().sum::<Vec3>() / corners.len() as f32;
-        let ([mut near, mut far], mut filled) = ([0.0, FARTHEST], 0.0);
+        let axes = [(right, FILLED * HALF_VIEW.tan() * aspect), (towards.cross(right), FILLED * HALF_VIEW.tan())];
+        // places of the corners over the room along an axis: the lowest and the highest
+        let seen = |target: Vec3, distance: f32, (axis, room): (Vec3, f32)| {
+            let places = corners.iter().map(|corner| {
+                let from = *corner - target;
+                let depth = distance - from.dot(towards);
+                if depth > 0.0 { from.dot(axis) / depth / room } else { f32::INFINITY }
+            });
+            places.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
+        };
+        let middle = corners.iter().sum::<Vec3>() / corners.len() as f32;
+        let ([mut near, mut far], mut target) = ([0.0, FARTHEST], middle);
         for _ in 0..ROUNDS {
             let distance = 0.5 * (near + far);
-            let [x, y] = [(right, room[0]), (up, room[1])].map(|(axis, room)| {
-                let places = corners.iter().map(|corner| {
-                    let from = *corner - target;
-                    let depth = distance - from.dot(towards);
-                    if depth > 0.0 { from.dot(axis) / depth / room } else { f32::INFINITY }
+            let mut centred = middle;
+            for _ in 0..SHIFTS {
+                let shift = axes.map(|(axis, room)| {
+                    let [low, high] = seen(centred, distance, (axis, room));
+                    axis * low.midpoint(high) * room * distance
                 });
-                places.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
-            });
-            let reach = [x, y].map(|[low, high]| 0.5 * (high - low));
-            if reach.iter().all(|reach| *reach <= 1.0) {
-                far = distance;
-                filled = reach[0] * reach[1];
-                target += distance * (right * x[0].midpoint(x[1]) * room[0] + up * y[0].midpoint(y[1]) * room[1]);
+                centred += shift[0] + shift[1];
+            }
+            let is_seen = axes.iter().all(|axis| seen(centred, distance, *axis).iter().all(|place| place.abs() <= 1.0));
+            if is_seen {
+                (far, target) = (distance, centred);
             } else {
                 near = distance;
             }
         }
-        (Self { position: (target + far * towards).to_array(), target: target.to_array() }, filled)
+        let [across, upwards] = axes.map(|axis| seen(target, far, axis)).map(|[low, high]| 0.5 * (high - low));
+        (Self { position: (target + far * towards).to_array(), target: target.to_array() }, across * upwards)
     }
 }
 

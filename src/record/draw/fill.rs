@@ -33,15 +33,15 @@ pub fn shape(corners: &[[f32; 2]], pitch: f32) -> Vec<[f32; 2]> {
     })
 }
 
-/// Lines from side to side of what lies within closed outlines, `pitch` below one another: inside is where outlines go around once
+/// Lines from side to side of what lies within closed outlines, at most `pitch` below one another and two at least: inside is where outlines go around once
 /// more in one sense than in the other, as those of letters do.
 pub fn spans(outlines: &[Vec<[f64; 2]>], pitch: f64) -> Vec<[[f32; 2]; 2]> {
     let ends = outlines
         .iter()
         .flatten()
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [_, y]| [low.min(*y), high.max(*y)]);
-    let rows = ((ends[1] - ends[0]) / pitch).ceil().max(0.0) as usize;
-    let step = (ends[1] - ends[0]) / rows.max(1) as f64;
+    let rows = if ends[0] < ends[1] { ((ends[1] - ends[0]) / pitch).ceil().max(2.0) as usize } else { 0 };
+    let step = (ends[1] - ends[0]) / rows as f64;
     (0..rows).flat_map(|row| spans_at(outlines, ends[0] + (row as f64 + 0.5) * step)).collect()
 }
 

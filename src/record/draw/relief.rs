@@ -9,7 +9,7 @@ use super::reduce::Blocks;
 use super::ruler::measured;
 use crate::contact::Forecast;
 use crate::grid::Grid;
-use crate::plot::{outlines, width};
+use crate::plot::{letters, width};
 use crate::record::scene::Scene;
 use glam::Vec3;
 use rerun::{Color, LineStrips3D, Mesh3D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
@@ -116,8 +116,8 @@ impl Relief {
         let strip = LineStrips3D::new([outline]).with_colors([colour(FAINT)]);
         to.log_static(format!("{}/outline", self.root), &strip.with_radii([Radius::new_ui_points(0.8)]))?;
         let [along_y, along_x] = self.lengths.clone();
-        let below = letters(&along_x, |[along, down]| [along, -y - NAME_GAP - down, base]);
-        let beside = letters(&along_y, |[along, down]| [x + NAME_GAP + down, along, base]);
+        let below = lines(&along_x, |[along, down]| [along, -y - NAME_GAP - down, base]);
+        let beside = lines(&along_y, |[along, down]| [x + NAME_GAP + down, along, base]);
         let words = LineStrips3D::new(below.into_iter().chain(beside))
             .with_colors([colour(self.palette.ink)])
             .with_radii([Radius::new_scene_units(LETTER[1] * NAME as f32)]);
@@ -219,9 +219,10 @@ impl Relief {
 
 /// The lines that fill the letters of words, each end of which lies where `place` puts it: it is told how far it is from their middle
 /// along the words, and below.
-fn letters(words: &str, place: impl Fn([f32; 2]) -> [f32; 3]) -> Vec<[[f32; 3]; 2]> {
+fn lines(words: &str, place: impl Fn([f32; 2]) -> [f32; 3]) -> Vec<[[f32; 3]; 2]> {
     let half = 0.5 * width(words, NAME) as f32;
-    let spans = fill::spans(&outlines(words, NAME), f64::from(LETTER[0]) * NAME).into_iter();
+    let pitch = f64::from(LETTER[0]) * NAME;
+    let spans = letters(words, NAME).into_iter().flat_map(|letter| fill::spans(&letter, pitch));
     spans.map(|span| span.map(|[along, down]| place([along - half, down]))).collect()
 }
 

@@ -108,7 +108,7 @@ mod tests {
     fn a_picture_in_two_panes_has_the_size_of_the_smaller_one() {
         let grid = Pane::even(Kind::Grid, "", vec![picture("a"), picture("b"), picture("c")]);
         let sizes = Sizes::new(&[grid, picture("a")], [1601.0, 1058.0]);
-        assert_eq!((sizes.of("a"), sizes.of("c")), (Some([794.0, 470.0]), Some([794.0, 470.0])));
+        assert_eq!((sizes.of("a"), sizes.of("c")), (Some([794.0, 458.0]), Some([794.0, 458.0])));
     }
 
     #[test]
