@@ -35,7 +35,7 @@ pub const POINTS: f32 = 36.0;
 const PITCH: f32 = 1.0;
 /// Distance of the lines that fill a letter, over its size, and their radius. Every letter has two of them at least: those of
 /// a minus are together as high as a pixel in the smallest windows, so that it is never left out.
-pub const LETTER: [f32; 2] = [0.045, 0.034];
+pub const LETTER: [f32; 2] = [0.052, 0.036];
 
 type Strip = (Vec<[f32; 2]>, Color, Radius);
 

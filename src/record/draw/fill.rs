@@ -2,6 +2,8 @@
 
 /// Bars under a curve.
 const BARS: usize = 512;
+/// The step to which ends of spans are rounded, over their distance: the same numbers take less room in a file.
+const FINE: f64 = 0.125;
 
 /// Bars side by side from `left` to `right`, as one strip that runs up and down: `ends(i, x)` are the ends of bar `i`, which
 /// stands at `x`. Bars whose ends are not finite are left out.
@@ -42,11 +44,13 @@ pub fn spans(outlines: &[Vec<[f64; 2]>], pitch: f64) -> Vec<[[f32; 2]; 2]> {
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [_, y]| [low.min(*y), high.max(*y)]);
     let rows = if ends[0] < ends[1] { ((ends[1] - ends[0]) / pitch).ceil().max(2.0) as usize } else { 0 };
     let step = (ends[1] - ends[0]) / rows as f64;
-    (0..rows).flat_map(|row| spans_at(outlines, ends[0] + (row as f64 + 0.5) * step)).collect()
+    let rounded = |place: f64| ((place / (FINE * pitch)).round() * FINE * pitch) as f32;
+    let spans = (0..rows).flat_map(|row| spans_at(outlines, ends[0] + (row as f64 + 0.5) * step));
+    spans.map(|span| span.map(|end| end.map(rounded))).collect()
 }
 
 /// The spans at a height.
-fn spans_at(outlines: &[Vec<[f64; 2]>], y: f64) -> Vec<[[f32; 2]; 2]> {
+fn spans_at(outlines: &[Vec<[f64; 2]>], y: f64) -> Vec<[[f64; 2]; 2]> {
     let sides = outlines.iter().flat_map(|outline| outline.iter().zip(outline.iter().cycle().skip(1)));
     let crossing = |(from, to): (&[f64; 2], &[f64; 2])| {
         let sense = i32::from(to[1] > y) - i32::from(from[1] > y);
@@ -59,7 +63,7 @@ fn spans_at(outlines: &[Vec<[f64; 2]>], y: f64) -> Vec<[[f32; 2]; 2]> {
         turns += pair[0].1;
         turns != 0
     });
-    inside.map(|pair| [[pair[0].0 as f32, y as f32], [pair[1].0 as f32, y as f32]]).collect()
+    inside.map(|pair| [[pair[0].0, y], [pair[1].0, y]]).collect()
 }
 
 /// Radius of the bars under a curve over `0..width`, wide enough that neighbours overlap.
