@@ -13,7 +13,7 @@ const FILLED: f32 = 0.96;
 /// The farthest distance that is tried, how often the distance is halved, and how often the middle is moved for each distance.
 const FARTHEST: f32 = 1e3;
 const ROUNDS: usize = 30;
-const SHIFTS: usize = 8;
+const SHIFTS: usize = 24;
 
 /// Where the eye stands, and what it looks at.
 #[derive(Debug, Clone, Copy, PartialEq)]
