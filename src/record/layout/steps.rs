@@ -12,7 +12,7 @@ pub const FRAMES_PER_SEC: f64 = 30.0;
 /// Width of the pictures of a scene beside its curves, and of those of a surface, of which there are two side by side.
 const PICTURES: f32 = 1.9;
 const PICTURES_OF_SURFACE: f32 = 2.1;
-/// The same of two pictures of a surface, one above the other.
+/// Width of the pictures of a surface beside its curves, where there are two, one above the other.
 const NARROW: f32 = 0.65;
 /// Height of the stress below a line, whose proportions are those in space, beside pictures of the height 1.
 const STRESS: f32 = 1.4;

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 /// Height of the title of a view, or of a row of tabs.
 const TITLE: f64 = 24.0;
-/// What the viewer leaves free around a picture in its pane, on both sides together.
+/// Points that the viewer leaves free around a picture in its pane: left and right together, or above and below together.
 const MARGIN: f64 = 6.0;
 /// The size of a point in the smallest windows, over that in the usual one.
 const LEAST_SCALE: f64 = 0.7;
