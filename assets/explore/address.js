@@ -91,6 +91,5 @@ async function openLessonAt(name, place) {
   const opened = lessons.find((it) => it.name === name);
   if (!opened) throw new Error(say("address.lesson", { name: JSON.stringify(name) }));
   if (!Number.isInteger(place) || place < 1 || place > opened.steps.length) throw new Error(say("address.step", { place: JSON.stringify(place) }));
-  byId("lesson").value = name;
   await openLesson(name, place - 1);
 }

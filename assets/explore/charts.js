@@ -36,10 +36,17 @@ function chart(target, title, top, curves, note) {
   for (let i = 0; i <= 2; i++) svg.append(drawn("text", { x: ROOM.left - 4, y: y(i * top / 2) + 4, "text-anchor": "end" }, inLocale(String(i * top / 2))));
   const load = moment?.numbers.reduced_pressure ?? knobs?.load;
   if (load >= 10 ** first && load <= 10 ** last) svg.append(drawn("line", { class: "now", x1: x(load), x2: x(load), y1: ROOM.above, y2: h - ROOM.below }));
-  target.onclick = (event) => pickLoad(10 ** (first + (event.clientX - box.x - ROOM.left) / wide * (last - first)));
+  const placeOf = ({ clientX, clientY }) => [10 ** (first + (clientX - box.x - ROOM.left) / wide * (last - first)), (h - ROOM.below - (clientY - box.y)) / high * top];
+  const isDrawn = guess?.target === target.id;
+  target.toggleAttribute("data-drawn", isDrawn);
+  target.onclick = isDrawn ? null : (event) => pickLoad(placeOf(event)[0]);
+  target.onpointerdown = isDrawn ? (event) => { target.setPointerCapture(event.pointerId); drawGuess(...placeOf(event)); } : null;
+  target.onpointermove = isDrawn ? (event) => { if (event.buttons) drawGuess(...placeOf(event)); } : null;
   const shown = curves.filter((curve) => curve.points.length);
   for (const curve of shown) {
     svg.append(drawn("polyline", { class: curve.style, "clip-path": `url(#${inside})`, points: curve.points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ") }));
+    const now = curve.points.find(([a]) => a === moment?.numbers.reduced_pressure);
+    if (now && now[1] <= top) svg.append(drawn("circle", { class: `of-${curve.style}`, cx: x(now[0]), cy: y(now[1]), r: 5 }));
   }
   const said = note || (shown.length ? "" : byId("sweep").disabled ? say("chart.none") : say("chart.sweep"));
   said.split(", ").filter(Boolean).forEach((line, i) => {

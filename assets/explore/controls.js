@@ -11,8 +11,8 @@ const rough = (k) => isMade(k) && k.roughness > 0;
  * between its notches, from `least` to `most` if that is not the range of the slider. Its label and what it does in physics are texts. */
 const CONTROLS = [
   { group: "load", id: "load", kind: "range", log: true, min: -4, max: 1.5, step: 0.02, least: 1e-5, most: 1e3, wide: "load" },
-  { group: "load", id: "hardness", kind: "range", shown: isOwn, min: 0, max: 0.002, step: 0.00002, most: 1 },
-  { group: "load", id: "layer", kind: "range", shown: isOwn, min: 0, max: 0.5, step: 0.005, most: 10 },
+  { group: "solid", id: "hardness", kind: "range", shown: isOwn, min: 0, max: 0.002, step: 0.00002, most: 1 },
+  { group: "solid", id: "layer", kind: "range", shown: isOwn, min: 0, max: 0.5, step: 0.005, most: 10 },
   { group: "surface", id: "domain", kind: "select", shown: isMade, options: ["line", "surface"] },
   { group: "surface", id: "body", kind: "select", options: ["flat", "round", "sine", "power-law", "file", "scene"] },
   { group: "surface", id: "exponent", kind: "range", min: 1, max: 12, step: 0.5, shown: (k) => k.body === "power-law" },
@@ -57,18 +57,25 @@ function build() {
   const groups = new Map();
   for (const control of CONTROLS) {
     if (!groups.has(control.group)) {
-      const fieldset = element("fieldset", { id: `group-${control.group}` }, element("legend", {}, say(`group.${control.group}`)));
-      groups.set(control.group, fieldset);
-      byId("controls").append(fieldset);
+      groups.set(control.group, foldable(control.group));
+      byId("controls").append(groups.get(control.group));
     }
     groups.get(control.group).append(row(control));
   }
   groups.get("load").append(element("div", { class: "buttons" },
-    button("sweep", say("control.sweep"), say("control.sweep.tip"), sweep), button("cancel", say("control.cancel"), say("control.cancel.tip"), cancel)));
+    button("sweep", say("control.sweep"), say("control.sweep.tip"), sweep), button("cancel", say("control.cancel"), say("control.cancel.tip"), cancel), button("undo", say("control.undo"), say("control.undo.tip"), undo)));
+  offerUndo();
   buildHeights();
   byId("control-body").querySelector("[value=scene]").hidden = !sceneStart;
   byId("controls").addEventListener("submit", (event) => event.preventDefault());
 }
+
+/** A narrow screen, which shows the load of the controls and folds the rest. */
+const NARROW = "(max-width: 700px)";
+
+/** A group of controls, which folds. */
+const foldable = (group, ...rows) =>
+  element("details", { id: `group-${group}`, open: group === "load" || !askSystem(NARROW).matches }, element("summary", {}, say(`group.${group}`)), ...rows);
 
 function button(id, label, tip, action) {
   const made = element("button", { id, type: "button", title: tip }, label);

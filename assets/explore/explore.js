@@ -5,7 +5,6 @@ const isView = document.body.dataset.mode === "view";
 
 /** The viewer follows the theme of the system and no other: here the page answers for the system. */
 const THEMES = new Map(["dark", "light"].map((theme) => [`(prefers-color-scheme: ${theme})`, new EventTarget()]));
-const askSystem = window.matchMedia.bind(window);
 window.matchMedia = (query) => THEMES.get(query) || askSystem(query);
 
 function paint(theme) {
@@ -20,7 +19,7 @@ function paint(theme) {
   wake();
 }
 
-const KEYS = isView ? { t: toggleTheme } : { " ": play, s: sweep, d: dice, o: openFile, b: swap, p: pin, t: toggleTheme, Escape: cancel };
+const KEYS = isView ? { t: toggleTheme } : { " ": play, s: sweep, d: dice, o: openFile, b: swap, p: pin, u: undo, t: toggleTheme, Escape: cancel };
 
 /** The keys of the page, of which the viewer gets none: it would keep all of them. Tab goes on, and Esc back to the page. */
 function key(event) {
@@ -30,7 +29,7 @@ function key(event) {
     if (event.key === "Escape") leaveViewer();
   }
   const action = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-  if (!action || isTyping(event) || byId("glossary").open || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (!action || isTyping(event) || document.querySelector("dialog[open]") || event.ctrlKey || event.metaKey || event.altKey) return;
   event.stopImmediatePropagation();
   event.preventDefault();
   action();
@@ -80,11 +79,8 @@ async function begin() {
   paint(wished === "light" || wished === "dark" ? wished : askSystem("(prefers-color-scheme: light)").matches ? "light" : "dark");
   byId("theme").addEventListener("click", toggleTheme);
   window.addEventListener("keydown", key, true);
-  startViewer().catch((error) => {
-    document.body.dataset.viewer = "failed";
-    noteViewer(location.protocol === "file:" ? say("viewer.disk") : say("viewer.unstarted", { reason: error }));
-  });
-  if (isView) { byId("title").textContent = say("title.recording"); return; }
+  if (isView) { byId("title").textContent = say("title.recording"); beginViewer(); return; }
+  beginViews();
   await joinSession();
   await tellWindow();
   const before = await ask("state");
@@ -101,7 +97,11 @@ async function begin() {
   show();
   charts();
   await beginLessons();
+  beginWelcome();
   beginHand();
+  beginWhy();
+  beginPresets();
+  keepState();
   for (const id of ["chart-area", "chart-kappa"]) byId(id).addEventListener("keydown", stepLoad);
   byId("beside").addEventListener("click", putBeside);
   byId("patch-close").addEventListener("click", () => choosePatch(null));

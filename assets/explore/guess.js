@@ -1,76 +1,176 @@
 "use strict";
-// Guesses: what a lesson asks before it shows.
+// Questions of lessons: guesses before something is shown, and contacts to be made.
 
 /** Loads at which a curve is guessed, and the upper ends of the axes of the charts. */
 const GUESSED_LOADS = [1e-3, 1e-2, 0.1, 0.3, 1];
 const CURVES = { area: ["a_rel", 1, "chart-area"], kappa: ["κ", 10, "chart-kappa"], "kappa-r": ["κ_r", 10, "chart-kappa"] };
+/** How near a number has to be to count as right, and from how far off on it is told as a multiple. */
+const NEAR = 0.1;
+const MULTIPLE = 2;
+/** Numbers of the work of a solver, which nobody knows before it is done. */
+const WORK = ["iterations", "transforms", "seconds"];
 
 /** The guess that is held against what is shown: a curve in a chart, or a number. */
 let guess = null;
+/** The numbers that a step will have, while it is asked about; none where they are not known. */
+let expected = null;
+/** A contact that is to be made: the limits of its numbers, and what follows when it is made. */
+let wish = null;
 
 function dropGuess() {
   guess = null;
+  expected = null;
+  byId("lesson-why").textContent = "";
   charts();
 }
 
-/** Puts a question on the page, and calls with what there is to say of the answer. */
+/** Puts a question on the page, and calls with what there is to say of the answer and whether it is right. */
 function pose(it, done) {
   byId("lesson-question").textContent = inLanguage(it.question);
-  const answers = { choose, number: askNumber, draw: askCurve }[it.kind](it, done);
+  const answers = { choose, number: askNumber, draw: askCurve, act: askContact }[it.kind](it, done);
   byId("lesson-answers").replaceChildren(...answers);
 }
 
-function choose({ choices, right }, done) {
-  const texts = choices.map(inLanguage);
-  return texts.map((choice, i) => {
-    const made = element("button", { type: "button", class: "answer", id: `answer-${i + 1}` }, choice);
-    made.addEventListener("click", () => done(i + 1 === right ? say("guess.yes", { choice }) : say("guess.no", { choice, answer: texts[right - 1] })));
-    return made;
-  });
+function answerButton(number, text, action) {
+  const made = element("button", { type: "button", class: "answer", id: `answer-${number}` }, text);
+  made.addEventListener("click", () => action(made));
+  return made;
 }
 
+const tellWhy = (sentence) => { byId("lesson-why").textContent = sentence; };
+
+/** Of three choices and more, a wrong one is told why it is wrong, and then there is a second try. */
+function choose({ choices, right }, done) {
+  const its = choices.map(({ text, because }) => ({ choice: inLanguage(text), because: because ? inLanguage(because) : "" }));
+  let isSecond = choices.length < 3;
+  return its.map(({ choice, because }, i) => answerButton(i + 1, choice, (made) => {
+    if (i + 1 === right) { done(say("guess.yes", { choice }), true); return; }
+    if (isSecond) { done(say("guess.no", { choice, because, answer: its[right - 1].choice }), false); return; }
+    isSecond = true;
+    made.disabled = true;
+    tellWhy(say("guess.again", { choice, because }));
+  }));
+}
+
+/** A number that is far off is told whether it is too large, and then there is a second try. */
 function askNumber({ of }, done) {
   const symbol = nameOf(of);
   const limits = [0, of.startsWith("relative_area") ? 1 : Infinity];
+  let isSecond = false;
   const field = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": symbol, id: "guess-number" });
-  const made = element("button", { type: "button", class: "answer", id: "answer-1" }, say("guess.show"));
-  made.addEventListener("click", () => {
-    const sentence = faultOf(symbol, field.value, numberFrom(field.value), limits);
+  const made = answerButton(1, say("guess.show"), () => {
+    const value = numberFrom(field.value);
+    const sentence = faultOf(symbol, field.value, value, limits);
     if (sentence) { fault(sentence); field.focus(); return; }
-    guess = { of, said: say("guess.number", { symbol, value: field.value }) };
-    done(guess.said);
+    fault("");
+    const truth = WORK.includes(of) ? null : expected?.[of];
+    if (!isSecond && truth && !isNear(value, truth)) {
+      isSecond = true;
+      tellWhy(say(`guess.${value > truth ? "large" : "small"}`, { value: field.value }));
+      field.focus();
+      return;
+    }
+    guess = { of, value, said: say("guess.number", { symbol, value: field.value }) };
+    done(guess.said, Boolean(truth) && isNear(value, truth));
   });
+  field.addEventListener("keydown", ({ key }) => { if (key === "Enter") made.click(); });
   return [element("label", { for: "guess-number" }, `${symbol} = `), field, made];
 }
+
+const isNear = (value, truth) => Math.abs(value - truth) <= NEAR * Math.abs(truth);
 
 /** The name of a number: that of its row in the table, or else its symbol. */
 function nameOf(of) {
   return observables.some(({ name }) => name === of) ? say(`number.${of}`) : known.find(({ name }) => name === of)?.symbol ?? of;
 }
 
-/** Says what a number that was guessed is, once the run of the step has ended. */
+/** Says what a number that was guessed is, and how far off the guess was, once the run of the step has ended. */
 function judge(run) {
   if (!guess?.of || !run.ended || !byId("lesson-verdict") || words(run.knobs) !== words(knobs)) return;
-  byId("lesson-verdict").textContent = `${guess.said} ${say("guess.told", { value: figure(run.numbers?.[guess.of]) })}`;
+  const truth = run.numbers?.[guess.of];
+  byId("lesson-verdict").textContent = `${guess.said} ${say("guess.told", { value: figure(truth) })} ${howFar(guess.value, truth)}`;
+  lesson.marks.set(lesson.at, isNear(guess.value, truth));
 }
 
-/** A slider for each load, which together are the curve; it is drawn in its chart while they are moved. */
+/** How far a guess is from the truth, in a sentence. */
+function howFar(value, truth) {
+  if (value === truth) return say("guess.exact");
+  const side = value > truth ? "above" : "below";
+  const ratio = value > truth ? value / truth : truth / value;
+  if (ratio < MULTIPLE) return say(`guess.${side}`, { percent: figure(100 * Math.abs(value / truth - 1), 2) });
+  return Number.isFinite(ratio) ? say(`guess.${side}.times`, { times: figure(ratio, 2) }) : "";
+}
+
+/** A curve is drawn in its chart, or by a slider for each load. */
 function askCurve({ curve }, done) {
   const [name, top, target] = CURVES[curve];
-  const values = GUESSED_LOADS.map(() => top / 2);
-  guess = { target, top, points: GUESSED_LOADS.map((load, i) => [load, values[i]]) };
-  const sliders = GUESSED_LOADS.map((load, i) => {
-    const slider = element("input", { type: "range", min: "0", max: `${top}`, step: `${top / 100}`, value: `${values[i]}`, class: "guess", "aria-label": say("guess.at", { name, load: inLocale(String(load)) }) });
+  guess = { target, top, points: GUESSED_LOADS.map((load) => [load, top / 2]) };
+  guess.sliders = GUESSED_LOADS.map((load, i) => {
+    const slider = element("input", { type: "range", min: "0", max: `${top}`, step: `${top / 100}`, value: `${top / 2}`, class: "guess", "aria-label": say("guess.at", { name, load: inLocale(String(load)) }) });
     slider.addEventListener("input", () => { guess.points[i][1] = slider.valueAsNumber; charts(); });
-    return element("label", {}, slider, ` p* = ${inLocale(String(load))}`);
+    return slider;
   });
-  const made = element("button", { type: "button", class: "answer", id: "answer-1" }, say("guess.show"));
-  made.addEventListener("click", () => done(say("guess.curve")));
+  tellWhy(say("guess.draw"));
   charts();
-  return [...sliders, made];
+  const rows = guess.sliders.map((slider, i) => element("label", {}, slider, ` p* = ${inLocale(String(GUESSED_LOADS[i]))}`));
+  return [...rows, answerButton(1, say("guess.show"), () => done(say("guess.curve"), true))];
+}
+
+/** Moves the guessed curve of a chart to a place in it, at the load that is nearest. */
+function drawGuess(load, value) {
+  const away = ([at]) => Math.abs(Math.log(at / load));
+  const nearest = guess.points.reduce((best, point, i) => away(point) < away(guess.points[best]) ? i : best, 0);
+  guess.points[nearest][1] = Math.min(guess.top, Math.max(0, value));
+  guess.sliders[nearest].value = guess.points[nearest][1];
+  charts();
 }
 
 /** The guessed curve of a chart, if there is one. */
 function guessOf(target) {
   return guess && guess.target === target ? [{ name: say("guess.yours"), style: "guess", points: guess.points }] : [];
+}
+
+/** A contact is made by the hand or the controls, and is seen when it is there; who cannot make it goes on without. */
+function askContact({ goal }, done) {
+  setWish(goal, () => done(say("guess.made"), true));
+  return [answerButton(1, say("guess.skip"), () => { dropWish(); done(say("guess.skipped"), false); })];
+}
+
+function setWish(goal, done) {
+  wish = { goal, done };
+  numbers();
+}
+
+function dropWish() {
+  wish = null;
+}
+
+/** Whether the contact that is shown is the one that is to be made: it is of the knobs, and ended or under the hand. */
+function watchWish(run) {
+  const isShown = moment ? moment.numbers.reduced_pressure > 0 : run.ended && words(run.knobs) === words(knobs);
+  const told = (moment ?? run).numbers;
+  const isMade = ([of, [least, most]]) => typeof told[of] === "number" && told[of] >= least && told[of] <= most;
+  if (!wish || !isShown || !Object.entries(wish.goal).every(isMade)) return;
+  const { done } = wish;
+  dropWish();
+  done();
+}
+
+/** Shows the surface of a state before it is pressed, and no numbers; what it will have is known to the question alone. */
+async function showUnpressed(wanted) {
+  const { at, name } = lesson;
+  takeKnobs(wanted);
+  sectionRun = null;
+  choosePatch(null);
+  setMoment({ name: say("moment.asked"), title: say("title.asked"), numbers: {}, exact: null, isClear: true });
+  if (viewer) noteViewer(say("viewer.asked"));
+  const show = ({ section: its, numbers: told }) => {
+    if (lesson?.name !== name || lesson.at !== at || document.body.dataset.asked !== "true") return;
+    expected = told;
+    showSection(liftedClear(its, UNPRESSED * its.highest), null);
+    document.body.dataset.unpressed = at;
+  };
+  const run = solved && solvedRun(knobs);
+  if (run) show({ section: await facet(run, "section"), numbers: run.numbers });
+  else if (!solved) hold({ knobs, "mean-gap": null, "is-deep": false }, show);
 }

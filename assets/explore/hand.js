@@ -3,6 +3,8 @@
 
 /** The least gap that a hand leaves, over the highest peak, as at none everything touches, and the largest, which is well clear. */
 const GAPS = { least: 0.02, most: 1.3 };
+/** The mean gap, over the highest peak, of a surface that is not pressed yet. */
+const UNPRESSED = 1.15;
 /** Standard deviation of a bump over the length of the cell, and in spacings at least, the most bumps, and how near to the profile a hand
  * takes it, in pixels. */
 const BUMP = { width: 0.015, spacings: 2, most: 32, near: 14 };
@@ -13,6 +15,8 @@ const STILL = 4;
 let grip = null;
 let holding = false;
 let upcoming = null;
+/** Whether a hand held something before: then it needs no hint. */
+let isTouched = false;
 /** How many contacts were solved under the hand. */
 let heldCount = 0;
 
@@ -48,7 +52,9 @@ function showHeld(contact) {
   show();
   setMoment({ name: named(say("moment.hand"), told), title: say("title.hand", { load: figure(told.reduced_pressure, 4) }), numbers: told, exact: null });
   if (grip.kind === "bend") followRigid(contact.section);
-  showSection(...deepened(contact), true);
+  const [shown, shownBeside] = deepened(contact);
+  const own = axesOf([shown, shownBeside].filter(Boolean));
+  showSection(shown, shownBeside, { ...axes, pressure: Math.max(axes.pressure, own.pressure), shear: Math.max(axes.shear, own.shear) });
 }
 
 /** Moves the axes with the rigid surface, of which only the held point is to move on the screen: under a given load a new bump lifts all the
@@ -62,16 +68,20 @@ function followRigid({ rigid }) {
 const isDeep = () => byId("fringes").checked;
 
 /** Whether points of the profile can be dragged: those of lines that the knobs make. */
-const canBend = () => !solved && knobs.domain === "line" && isMade(knobs);
+const canBend = () => !solved && !isAsked() && knobs.domain === "line" && isMade(knobs);
 
 /** Whether the rigid surface can be pressed: not where the boundary is free, nor where all is solved beforehand. */
-const canPress = () => section.is_pressed_by_gap && !solved;
+const canPress = () => section.is_pressed_by_gap && !solved && !isAsked();
+
+/** Whether a question is open whose answer the hand would show. */
+const isAsked = () => document.body.dataset.asked === "true" && lesson?.steps[lesson.at].ask.kind !== "act";
 
 function takeGrip(kind, event) {
   if (!section) return;
   const at = frame(byId("section"));
   grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, load: knobs.load, moved: 0, perHeight: at.perHeight, run: sectionRun };
   sectionRun = null;
+  isTouched = true;
   stopPlaying();
 }
 
@@ -98,11 +108,15 @@ const CLEAR = { relative_area: 0, relative_area_resolved: 0, patches: 0, reduced
 /** Shows the rigid surface above a solid that it does not touch, and that is flat. */
 function lift(gap) {
   upcoming = null;
-  const by = gap - section.mean_gap;
-  const flat = section.solid.map(() => 0);
-  const rigid = section.rigid.map((height) => height + by);
   setMoment({ name: say("moment.hand"), title: say("title.clear"), numbers: CLEAR, exact: null, isClear: true });
-  showSection({ ...section, rigid, solid: flat, pressure: flat, mean_gap: gap, shear: null }, null, true);
+  showSection(liftedClear(section, gap), null, axes);
+}
+
+/** A section whose rigid surface is lifted to a mean gap at which nothing touches. */
+function liftedClear(its, gap) {
+  const flat = its.solid.map(() => 0);
+  const rigid = its.rigid.map((height) => height + gap - its.mean_gap);
+  return { ...its, rigid, solid: flat, pressure: flat, exact: null, mean_gap: gap, shear: null };
 }
 
 /** Gives a bump its height, over the length of the cell; the rigid surface points down. */
@@ -215,7 +229,7 @@ function placeHandles() {
   const at = frame(byId("section"));
   const profile = section.rigid[Math.min(section.rigid.length - 1, Math.floor(handle * section.rigid.length))];
   const clip = (y) => `${Math.min(at.h, Math.max(at.top, y))}px`;
-  byId("press").style.top = clip(at.y(section.mean_gap));
+  for (const id of ["press", "label-drag"]) byId(id).style.top = clip(at.y(section.mean_gap));
   Object.assign(byId("bend").style, { left: `${100 * handle}%`, top: clip(at.y(profile)) });
   byId("press").hidden = !canPress();
   byId("bend").hidden = !canBend();

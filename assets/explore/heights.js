@@ -30,8 +30,8 @@ function buildHeights() {
   choose.addEventListener("change", () => { takeFile(choose.files[0]); choose.value = ""; });
   byId("group-surface").append(element("div", { class: "buttons" }, open, choose));
   const rows = HEIGHT_CONTROLS.map(heightRow);
-  const group = element("fieldset", { id: "group-file", hidden: true }, element("legend", {}, say("group.file")), ...rows,
-    element("div", { id: "heights", role: "group", "aria-label": say("heights.holds") }));
+  const group = foldable("file", ...rows, element("div", { id: "heights", role: "group", "aria-label": say("heights.holds") }));
+  group.hidden = true;
   byId("group-surface").after(group);
   for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) window.addEventListener(kind, dragged, true);
 }
@@ -71,11 +71,18 @@ function dragged(event) {
   else fault(say("fault.files", { count: files.length }));
 }
 
+/** What a new file is pressed with: a load under which about a tenth of it touches, on an elastic half-space, whatever was pressed before. */
+const FRESH = { body: "file", load: 0.05, layer: 0, hardness: 0 };
+
 /** Gives a file to the server, and solves it as soon as it can be. */
 async function takeFile(file) {
   if (!file) return;
   if (file.size > LARGEST) { fault(say("fault.large", { name: file.name, size: Math.ceil(file.size / 1e6), most: Math.floor(LARGEST / 1e6) })); return; }
-  await postFile(`heights?name=${encodeURIComponent(file.name)}`, file).then((told) => { knobs.body = "file"; takeDescription(told); }, (error) => fault(error.message));
+  await postFile(`heights?name=${encodeURIComponent(file.name)}`, file).then((told) => {
+    delete knobs.beside;
+    Object.assign(knobs, FRESH);
+    takeDescription(told);
+  }, (error) => fault(error.message));
 }
 
 /** Asks the server for a description of the file as the knobs take it, with a step or a setting changed. */

@@ -4,7 +4,8 @@
 /** All lessons, as the server has them. */
 let lessons = [];
 let lesson = null;
-/** The run that was pinned before the lesson, to be pinned again after it: a lesson compares with the step before. */
+/** What a lesson puts in the place of what was before, which is there again after it: the run that is pinned, as a lesson compares with the
+ * step before, and whether the stress below is shown. */
 let suspended = null;
 
 async function beginLessons() {
@@ -12,59 +13,120 @@ async function beginLessons() {
   byId("lesson").append(element("option", { value: "" }, say("lesson.none")), ...lessons.map(({ name, title }) => element("option", { value: name }, inLanguage(title))));
   byId("lesson").addEventListener("change", () => openLesson(byId("lesson").value));
   byId("lesson-back").addEventListener("click", () => step(-1));
-  byId("lesson-next").addEventListener("click", () => step(1));
-  byId("lesson-close").addEventListener("click", () => { byId("lesson").value = ""; openLesson(""); });
+  byId("lesson-next").addEventListener("click", () => lesson.isOver ? openLesson(following().name) : step(1));
+  byId("lesson-close").addEventListener("click", () => openLesson(""));
 }
 
 async function openLesson(name, at = 0) {
+  if (name) endWelcome();
   if (!lesson) {
-    suspended = pinned;
+    suspended = { pinned, isDeep: isDeep() };
     await setPin(null);
   }
   const opened = lessons.find((it) => it.name === name);
-  lesson = opened ? { ...opened, at, answered: new Set() } : null;
+  byId("lesson").value = opened ? name : "";
+  lesson = opened ? { ...opened, at, isOver: false, marks: new Map() } : null;
   byId("lesson-card").hidden = !lesson;
+  byId("fringes").checked = lesson ? lesson.stress : suspended.isDeep;
   dropGuess();
-  if (lesson) showLesson(); else if (runOf(suspended)) setPin(suspended);
+  dropWish();
+  if (lesson) showLesson(); else endLesson();
+}
+
+/** Leaves the page as a lesson left it, less what it asked; shows the run that was there before the question, if it has none. */
+function endLesson() {
+  document.body.dataset.asked = false;
+  setMoment(null);
+  if (runOf(suspended.pinned)) setPin(suspended.pinned);
+  writeAddress();
 }
 
 /** Asks what the step asks, or shows it at once. */
 function showLesson() {
-  const { steps, at, answered } = lesson;
-  const isAsked = steps[at].ask && !answered.has(at);
+  const { steps, at, marks } = lesson;
+  const isAsked = Boolean(steps[at].ask) && !marks.has(at);
   dropGuess();
-  byId("lesson-place").textContent = `${at + 1} / ${steps.length}`;
-  byId("lesson-back").disabled = at === 0;
-  byId("lesson-next").disabled = isAsked || at + 1 === steps.length;
+  dropWish();
+  lesson.isOver = false;
   document.body.dataset.lesson = at;
-  document.body.dataset.asked = Boolean(isAsked);
-  byId("lesson-ask").hidden = !isAsked;
-  byId("lesson-text").hidden = isAsked;
-  if (isAsked) { fault(""); pose(steps[at].ask, reveal); } else showStep();
+  putAsked(isAsked);
+  if (isAsked) { fault(""); poseStep(steps[at]); } else showStep();
   writeAddress();
 }
 
-/** Shows the step after a guess, with what became of the guess before the text. */
-function reveal(verdict) {
-  lesson.answered.add(lesson.at);
-  byId("lesson-ask").hidden = true;
-  byId("lesson-text").hidden = false;
-  byId("lesson-next").disabled = lesson.at + 1 === lesson.steps.length;
-  document.body.dataset.asked = false;
-  showStep(verdict);
+/** Shows the card with a question, or with a text. */
+function putAsked(isAsked) {
+  document.body.dataset.asked = isAsked;
+  byId("lesson-ask").hidden = !isAsked;
+  byId("lesson-text").hidden = isAsked;
+  byId("lesson-back").disabled = lesson.at === 0;
+  byId("lesson-next").disabled = isAsked;
+  byId("lesson-next").textContent = lesson.at + 1 === lesson.steps.length ? say("lesson.finish") : say("lesson.next");
+  markSteps();
+}
+
+/** What became of each step: answered rightly, or else; the one that is shown, and those to come. */
+function markSteps() {
+  const { steps, at, marks, title } = lesson;
+  const glyph = (i) => i === at ? "●" : marks.has(i) ? (marks.get(i) ? "✓" : "✗") : "○";
+  byId("lesson-place").textContent = `${at + 1} / ${steps.length}`;
+  byId("lesson-marks").textContent = steps.map((_, i) => glyph(i)).join(" ");
+  const isForeign = typeof title === "object" && !(language in title);
+  byId("lesson-language").textContent = isForeign ? say("lesson.foreign", { language: TEXTS[language].language }) : "";
+}
+
+/** Asks what a step asks, of a contact that is to be made, or of a surface that is not pressed yet. */
+function poseStep({ ask: it, knobs: wanted }) {
+  if (it.kind === "act") { takeKnobs(wanted); changed(); } else showUnpressed(wanted);
+  pose(it, reveal);
+}
+
+/** Shows the step after an answer, with what became of that before the text. */
+function reveal(verdict, isRight) {
+  const { at, steps } = lesson;
+  lesson.marks.set(at, isRight);
+  putAsked(false);
+  if (steps[at].ask.kind === "act") putText(steps[at].text, verdict); else showStep(verdict);
+}
+
+function takeKnobs(wanted) {
+  knobs = structuredClone(wanted);
+  takeTheme();
+  show();
 }
 
 function showStep(verdict) {
   const { knobs: wanted, text, sweep: sweeps } = lesson.steps[lesson.at];
-  knobs = structuredClone(wanted);
-  takeTheme();
-  show();
-  const words = inLanguage(text);
-  byId("lesson-text").replaceChildren(...(verdict ? [element("strong", { id: "lesson-verdict" }, verdict), ` ${words}`] : [words]));
+  setMoment(null);
+  takeKnobs(wanted);
+  putText(text, verdict);
   if (sweeps) sweep(); else changed();
 }
 
+function putText(text, verdict) {
+  const words = inLanguage(text);
+  byId("lesson-text").replaceChildren(...(verdict ? [element("strong", { id: "lesson-verdict" }, verdict), ` ${words}`] : [words]));
+}
+
 function step(by) {
-  lesson.at = Math.max(0, Math.min(lesson.steps.length - 1, lesson.at + by));
+  const at = lesson.at + (lesson.isOver ? 0 : by);
+  if (at === lesson.steps.length) { showEnd(); return; }
+  lesson.at = Math.max(0, at);
   showLesson();
+}
+
+const following = () => lessons[lessons.findIndex(({ name }) => name === lesson.name) + 1];
+
+/** What one has seen, something to do by oneself, and the lesson that follows. */
+function showEnd() {
+  const { end } = lesson;
+  lesson.isOver = true;
+  document.body.dataset.lesson = "end";
+  const seenWords = end ? inLanguage(end.seen) : say("lesson.ended");
+  const task = end?.challenge;
+  byId("lesson-text").replaceChildren(seenWords, ...(task ? [" ", element("strong", { id: "lesson-challenge" }, say("lesson.challenge", { task: inLanguage(task.text) }))] : []));
+  byId("lesson-back").disabled = false;
+  byId("lesson-next").disabled = !following();
+  byId("lesson-next").textContent = following() ? say("lesson.following", { title: inLanguage(following().title) }) : say("lesson.last");
+  if (task) setWish(task.goal, () => { byId("lesson-challenge").textContent = say("lesson.challenged", { task: inLanguage(task.text) }); });
 }

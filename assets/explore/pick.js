@@ -26,18 +26,27 @@ async function showMoment() {
   else if (run.ended) await momentOfStep(run, Math.round(now));
 }
 
-/** The numbers of a load of a sweep, and its section. */
-function momentOfLoad(point) {
+/** The numbers of a load of a sweep, and its section: that which is kept of a sweep that has ended, or else, and for the stress below, one
+ * that is solved anew. */
+async function momentOfLoad(point) {
   if (!point || moment?.numbers === point) return;
   setMoment({ name: say("moment.load", { load: figure(point.reduced_pressure, 3) }), numbers: point, exact: point.exact });
   charts();
-  if (solved) return;
-  const its = { ...report.sweep.knobs, load: Number(point.reduced_pressure.toPrecision(12)) };
-  hold({ knobs: its, "mean-gap": null, "is-deep": isDeep() }, (contact) => {
+  const { sweep: its } = report;
+  const show = (...sections) => {
     if (moment?.numbers !== point || grip) return;
     sectionRun = null;
-    showSection(...deepened(contact));
-  });
+    showSection(...sections);
+  };
+  if (its.ended && !isDeep() && isKept(its)) {
+    const { steps, sections } = await facet(its, "motion");
+    const at = steps.indexOf(point.number);
+    const all = axesOf(sections);
+    show(sections[at], null, { ...all, pressure: Math.max(...sections[at].pressure) });
+  } else if (!solved) {
+    const load = Number(point.reduced_pressure.toPrecision(12));
+    hold({ knobs: { ...its.knobs, load }, "mean-gap": null, "is-deep": isDeep() }, (contact) => show(...deepened(contact)));
+  }
 }
 
 /** The numbers of a step of a run; at its end those of the run. */
@@ -57,8 +66,7 @@ async function showMotion(run, step) {
   const motion = await facet(run, "motion").catch((error) => fault(error.message));
   if (!motion || grip || moment?.step !== step || runOf(shownRun) !== run) return;
   sectionRun = null;
-  axes = axesOf(motion.sections);
-  showSection({ ...motion.sections[motion.steps.findLastIndex((it) => it <= step)], shear: null }, beside, true);
+  showSection({ ...motion.sections[motion.steps.findLastIndex((it) => it <= step)], shear: null }, beside, axesOf(motion.sections));
 }
 
 /** The run whose section is shown; none while it is that of something else. */

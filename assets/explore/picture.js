@@ -3,8 +3,13 @@
 
 /** Shares of the picture's height: the pressure above, the surfaces in the middle, the stress below. */
 const BANDS = { pressure: 0.24, relief: 0.42 };
-/** Room above the highest pressure and about the surfaces, over the height of their bands. */
+/** Room above the highest pressure and below the surfaces, over the height of their bands, and above the surfaces, in pixels, for the
+ * name of the rigid one. */
 const SPARE = 0.08;
+const NAME = 20;
+const FONT = "12px system-ui, sans-serif";
+/** Width of the lines on a screen, and on a wall. */
+const lineWidth = () => "projector" in document.body.dataset ? 4 : 1.5;
 /** Fringe orders up to the largest shear stress. */
 const ORDERS = 8;
 
@@ -20,12 +25,11 @@ function axesOf(sections) {
     shear: most(({ shear }) => [shear?.highest ?? 0]) || 1 };
 }
 
-/** Shows a section, and the one beside if there is one, with axes of their own unless a hand holds them. */
-function showSection(shown, shownBeside, isHeld = false) {
+/** Shows a section, and the one beside if there is one, on axes that hold both, or on those that are given. */
+function showSection(shown, shownBeside, given = null) {
   section = shown;
   beside = shownBeside;
-  const own = axesOf([section, beside].filter(Boolean));
-  axes = isHeld && axes ? { ...axes, pressure: Math.max(axes.pressure, own.pressure), shear: Math.max(axes.shear, own.shear) } : own;
+  axes = given ?? axesOf([section, beside].filter(Boolean));
   byId("section-beside-box").hidden = !beside;
   drawSections();
   placeHandles();
@@ -34,6 +38,18 @@ function showSection(shown, shownBeside, isHeld = false) {
 function drawSections() {
   drawSection(byId("section"), section);
   drawSection(byId("section-beside"), beside);
+  placeLabels();
+}
+
+/** Puts the names of what is drawn beside it, once there is a picture. */
+function placeLabels() {
+  for (const label of document.querySelectorAll(".label")) label.hidden = !section;
+  if (!section) return;
+  const at = frame(byId("section"));
+  byId("label-pressure").textContent = say("section.scale", { pressure: figure(axes.pressure, 3) });
+  byId("label-pressure").hidden = !(axes.pressure > 0);
+  byId("label-rigid").style.top = `${at.top + 2}px`;
+  byId("label-drag").hidden = !canPress() || isTouched;
 }
 
 /** Places of the picture in pixels: x of a share of the length, y of a height and of a pressure, and back. */
@@ -41,11 +57,11 @@ function frame(canvas) {
   const { width: w, height: h } = canvas.getBoundingClientRect();
   const top = h * BANDS.pressure;
   const high = h * BANDS.relief;
-  const perHeight = high * (1 - 2 * SPARE) / (axes.high - axes.low || 1);
+  const perHeight = (high * (1 - SPARE) - NAME) / (axes.high - axes.low || 1);
   return {
     w, h, top, perHeight,
     x: (share) => share * w,
-    y: (height) => top + high * SPARE + (axes.high - height) * perHeight,
+    y: (height) => top + NAME + (axes.high - height) * perHeight,
     pressure: (p) => top * (1 - (1 - SPARE) * p / (axes.pressure || 1)),
   };
 }
@@ -69,7 +85,7 @@ function colours() {
 }
 
 function paintSection(to, at, shown) {
-  const { rigid, solid, pressure, shear } = shown;
+  const { rigid, solid, pressure, exact, shear } = shown;
   const colour = colours();
   const place = (i, n) => at.x((i + 0.5) / n);
   const line = (values, y) => {
@@ -89,13 +105,14 @@ function paintSection(to, at, shown) {
   to.fill(filled(solid, at.y, at.h));
   if (shear) paintShear(to, at, shown);
   if (chosen && shown === section) paintChosen(to, at, colour);
+  if (shown === section) paintMirror(to, at, colour);
   to.save();
   to.beginPath();
   to.rect(0, at.top, at.w, at.h - at.top);
   to.clip();
   to.fillStyle = colour.edge;
   to.fill(filled(rigid, at.y, at.top));
-  to.lineWidth = 1.5;
+  to.lineWidth = lineWidth();
   to.strokeStyle = colour.soft;
   to.stroke(line(rigid, at.y));
   to.strokeStyle = colour.accent;
@@ -103,10 +120,32 @@ function paintSection(to, at, shown) {
   to.restore();
   to.fillStyle = colour.warm;
   to.fill(filled(pressure, at.pressure, at.top));
+  if (exact) {
+    to.setLineDash([6, 4]);
+    to.strokeStyle = colour.green;
+    to.stroke(line(exact, at.pressure));
+    to.setLineDash([]);
+  }
   to.fillStyle = colour.soft;
-  to.font = "12px system-ui, sans-serif";
+  to.font = FONT;
   if (isDeep() && !shear && Math.max(...pressure) > 0) to.fillText(moment?.step === undefined ? say("fringes.unknown") : say("fringes.step"), 6, at.h - 30);
-  if (axes.pressure > 0) to.fillText(say("section.scale", { pressure: figure(axes.pressure, 3) }), 6, 14);
+}
+
+/** Where a measured profile was mirrored along the section: its own half, outlined, and the image of it. */
+function paintMirror(to, at, colour) {
+  const { body, heights } = knobs;
+  const isMirrored = body === "file" && ["x", "both"].includes(heights.prepare.mirror);
+  document.body.toggleAttribute("data-mirrored", isMirrored);
+  if (!isMirrored) return;
+  to.strokeStyle = colour.green;
+  to.lineWidth = lineWidth();
+  to.setLineDash([4, 4]);
+  to.strokeRect(1, at.top + 1, at.w / 2 - 1, at.h - at.top - 2);
+  to.setLineDash([]);
+  to.fillStyle = colour.ink;
+  to.font = FONT;
+  to.fillText(say("mirror.measured"), 8, at.h - 34);
+  to.fillText(say("mirror.image"), at.w / 2 + 8, at.h - 34);
 }
 
 /** The stress below each place of the surface, to scale, as the fringes that crossed polarisers show. */

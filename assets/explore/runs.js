@@ -8,6 +8,7 @@ let waiting = false;
 async function changed() {
   charts();
   writeAddress();
+  keepState();
   if (posting) { waiting = true; return; }
   posting = true;
   asked = performance.now();
@@ -141,7 +142,7 @@ function heardRun(run) {
     runs.push(Object.assign(run, { session }));
     moment = null;
     markUnsolved(false);
-    byId("title").textContent = run.title;
+    byId("title").textContent = titleOf(run);
     follow(run);
     while (runs.length > KEEP) forget(runs.splice(runs.findIndex((old) => old.id !== pinned), 1)[0]);
     listRuns();
@@ -190,11 +191,11 @@ function watchFirst(run, since) {
 }
 
 function forget(run) {
-  if (viewer && run.followed) viewer.remove_receiver(recordingAddress(run));
+  if (started && run.followed) started.remove_receiver(recordingAddress(run));
 }
 
 function listRuns() {
-  const options = [...runs].reverse().map((run, i) => element("option", { value: run.id }, `${"ABCDEF"[i]}: ${run.id}, ${run.title}`));
+  const options = [...runs].reverse().map((run, i) => element("option", { value: run.id }, `${"ABCDEF"[i]}: ${run.id}, ${titleOf(run)}`));
   byId("runs").replaceChildren(...options);
   byId("runs").title = say("runs.tip", { count: KEEP });
 }
@@ -295,13 +296,23 @@ const statusOf = ({ numbers }) => say(`status.${(numbers ? numbers.status : "beg
 /** Whether the server has gone before a run or a sweep has ended. */
 const isLost = ({ ended }) => !ended && document.body.dataset.server === "gone";
 
+/** The title of a run in the language of the page: of a surface that the page makes, the server tells one in English. */
+function titleOf({ title }) {
+  const [, surface, rest] = /^([^,]*)(.*)$/.exec(title);
+  const name = slug(surface);
+  return `${knows(`surface.${name}`) ? say(`surface.${name}`) : surface}${inLocale(rest.replace("load sweep", say("surface.sweep")))}`;
+}
+
+/** The name of an exact solution, such as "cylinder, periodic". */
+const exactOf = ({ name }) => name.split(", ").map((part) => knows(`exact.${slug(part)}`) ? say(`exact.${slug(part)}`) : part).join(", ");
+
 function titleSweep(it) {
-  const places = { title: it.title, count: it.points.length };
+  const places = { title: titleOf(it), count: it.points.length };
   byId("title").textContent = say(`title.sweep.${it.ended ? "ended" : isLost(it) ? "lost" : "running"}`, places);
 }
 
 function titleRun(run) {
-  const places = { title: run.title, status: isLost(run) ? say("status.lost") : statusOf(run), exact: run.exact?.name };
+  const places = { title: titleOf(run), status: isLost(run) ? say("status.lost") : statusOf(run), exact: run.exact && exactOf(run.exact) };
   byId("title").textContent = moment?.title ?? (run.exact ? say("title.run.exact", places) : say("title.run", places));
 }
 
@@ -358,5 +369,6 @@ function numbers() {
   showSectionOf(run);
   warn(run);
   judge(run);
+  watchWish(run);
   Object.assign(document.body.dataset, { run: run.id, status, ended: run.ended });
 }

@@ -9,7 +9,7 @@ function offerSaves() {
   offer("save-npz", it && it.ended && isKept(it) && !isSweep(it) && !solved);
   offer("save-setup", it && !isSweep(it));
   offer("copy-command", it && !isSweep(it));
-  offer("save-picture", it && viewer);
+  offer("save-picture", it && (viewer || section));
   offer("save-curve", report.sweep && report.sweep.points.length);
   offer("save-charts", report.sweep && report.sweep.points.length);
 }
@@ -76,8 +76,30 @@ function styled(original) {
 /** Frames after which the viewer is given up to draw. */
 const PATIENCE = 120;
 
+const savePicture = () => viewer ? saveViewer() : saveSection();
+
+/** The page's own picture with its labels. */
+function saveSection() {
+  const canvas = byId("section");
+  const box = canvas.getBoundingClientRect();
+  const picture = element("canvas", { width: canvas.width, height: canvas.height });
+  const to = picture.getContext("2d");
+  const colour = colours();
+  to.fillStyle = colour.ground;
+  to.fillRect(0, 0, picture.width, picture.height);
+  to.drawImage(canvas, 0, 0);
+  to.scale(canvas.width / box.width, canvas.height / box.height);
+  to.fillStyle = colour.ink;
+  to.font = FONT;
+  for (const label of document.querySelectorAll(".label:not(#label-drag)")) {
+    const { x, bottom } = label.getBoundingClientRect();
+    to.fillText(label.textContent, x - box.x, bottom - box.y - 4);
+  }
+  picture.toBlob((blob) => saveBlob(blob, `${current().file_stem}.png`));
+}
+
 /** What the viewer shows, as it is drawn next: its canvas is empty between two frames. */
-function savePicture() {
+function saveViewer() {
   const { file_stem } = current();
   const picture = element("canvas", { width: byId("canvas").width, height: byId("canvas").height });
   const look = (frames) => setTimeout(() => requestAnimationFrame(() => {

@@ -3,6 +3,9 @@
 
 const LANGUAGES = Object.keys(TEXTS);
 
+/** What the system says of the screen: the page answers for it where the viewer asks. */
+const askSystem = window.matchMedia.bind(window);
+
 /** The language that the address asks for, or was chosen before, or is the first of the browser's that there is. */
 function wantedLanguage() {
   const wishes = [new URLSearchParams(location.search).get("language"), localStorage.getItem("language"), ...navigator.languages];
@@ -16,6 +19,10 @@ function say(key, places = {}) {
   const text = TEXTS[language][key] ?? TEXTS.en[key] ?? key;
   return text.replace(/\{(\w+)\}/g, (place, name) => Object.hasOwn(places, name) ? places[name] : place);
 }
+
+/** Whether there is a text of a key, and a name as a part of a key. */
+const knows = (key) => Object.hasOwn(TEXTS.en, key);
+const slug = (name) => name.toLowerCase().replaceAll(" ", "-");
 
 /** A number in words, with the decimal mark of the language. */
 const inLocale = (text) => language === "de" ? text.replace(".", ",") : text;

@@ -1,7 +1,9 @@
 "use strict";
 // The Rerun viewer inside the page, and playing what it shows.
 
+/** The viewer while it is shown, and whether or not it is. */
 let viewer = null;
+let started = null;
 
 /** How long the viewer draws on after a change, in milliseconds and at least in frames: its axes glide to their curves, and stop
  * when it stops. */
@@ -55,6 +57,26 @@ function read() {
   return range ? `${run.id} ${range.max} ${viewer.get_time_for_timeline(run.id, timeline(run))}` : "";
 }
 
+/** Shows the viewer, which is loaded when it is first shown. */
+function beginViewer() {
+  if (started) { resumeViewer(); return; }
+  if (document.body.dataset.viewer !== "unused") return;
+  document.body.dataset.viewer = "loading";
+  startViewer().catch((error) => {
+    document.body.dataset.viewer = "failed";
+    noteViewer(location.protocol === "file:" ? say("viewer.disk") : say("viewer.unstarted", { reason: error }));
+  });
+}
+
+/** Has the viewer that was not shown for a while go on with what the page shows. */
+function resumeViewer() {
+  if (viewer || started.has_panicked()) return;
+  viewer = started;
+  const run = current();
+  if (run) showRun(run.id);
+  offerSaves();
+}
+
 async function startViewer() {
   const query = new URLSearchParams(location.search);
   await wasm_bindgen({ module_or_path: "re_viewer_bg.wasm" });
@@ -69,9 +91,12 @@ async function startViewer() {
   await handle.start(canvas);
   giveBack(focused);
   if (isView) byId("viewer-note").hidden = true; else noteViewer(say("viewer.waiting"));
-  viewer = handle;
+  started = handle;
   document.body.dataset.viewer = "started";
-  runs.slice(-1).forEach(follow);
+  if (document.body.dataset.view !== "picture") {
+    viewer = started;
+    runs.slice(-1).forEach(follow);
+  }
   for (const touch of ["pointerdown", "keydown"]) canvas.addEventListener(touch, () => { visited = shownRun; }, true);
   new ResizeObserver(() => { wake(); tellWindow(); }).observe(canvas);
   new PerformanceObserver((loaded) => loaded.getEntries().forEach(noteWhole)).observe({ type: "resource" });
@@ -112,10 +137,11 @@ function giveBack(focused) {
 const inViewer = (target) => target instanceof Element && byId("viewer").contains(target);
 
 function guardViewer() {
-  if (!viewer || !viewer.has_panicked()) return;
+  if (!started?.has_panicked()) return;
   document.body.dataset.viewer = "failed";
   noteViewer(say("viewer.failed"));
   viewer = null;
+  started = null;
 }
 
 function noteViewer(sentence) {

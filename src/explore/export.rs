@@ -1,16 +1,17 @@
 //! The lessons as a folder of files for any server of files: what they show is solved beforehand.
 
-use super::facet::FACETS;
+use super::facet::{FACETS, MOTION};
 use super::knobs::Knobs;
 use super::lesson::{Lesson, LessonStep};
 use super::page::Page;
+use super::reel::Reel;
 use super::refusal::Refusal;
 use super::session::{Kind, Session, Stock};
 use crate::contact::{Failure, OBSERVABLES};
 use crate::files::fill_folder;
 use crate::record::Output;
 use crate::setup::Theme;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::fs::{File, create_dir, write};
 use std::io::{self, Write};
 use std::ops::ControlFlow;
@@ -103,15 +104,19 @@ impl Export {
             let reel = session.reel(&id).ok_or("a recording is missing")?;
             copy(&reel.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
             runs.push(serde_json::to_value(reel.told())?);
-            if let Some(solved) = reel.solved() {
-                let facets: Map<String, Value> =
-                    FACETS.iter().map(|it| (it.name.into(), rounded((it.of)(&solved)))).collect();
-                let script = format!("SOLVED.facets[\"{id}\"] = {};\n", Value::Object(facets));
-                write(folder.join("run").join(format!("{id}.js")), script)?;
-            }
+            let script = format!("SOLVED.facets[\"{id}\"] = {};\n", rounded(facets(&reel)));
+            write(folder.join("run").join(format!("{id}.js")), script)?;
         }
         let Self { lessons, start, .. } = self;
         Ok(json!({ "start": start, "lessons": lessons, "observables": OBSERVABLES, "runs": runs, "facets": {} }))
+    }
+}
+
+/// All facets of a run, or the motion of a sweep.
+fn facets(reel: &Reel) -> Value {
+    match (reel.solved(), reel.swept()) {
+        (Some(solved), _) => FACETS.iter().map(|it| (it.name.to_owned(), (it.of)(&solved))).collect(),
+        (None, motion) => json!({ MOTION: motion }),
     }
 }
 

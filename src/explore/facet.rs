@@ -3,6 +3,7 @@
 use super::patches::PatchTable;
 use super::reel::Solved;
 use super::section::{Section, Shear};
+use super::why::Why;
 use serde_json::{Value, json};
 
 /// Something to be told of a run.
@@ -13,13 +14,17 @@ pub struct Facet {
     pub of: fn(&Solved) -> Value,
 }
 
+/// The facet that sweeps have too.
+pub const MOTION: &str = "motion";
+
 /// The facets of a run.
-pub const FACETS: [Facet; 7] = [
-    Facet { name: "section", of: |solved| json!(Section::of(&solved.contact)) },
+pub const FACETS: [Facet; 8] = [
+    Facet { name: "section", of: |solved| json!(solved.section()) },
     Facet { name: "shear", of: |solved| json!(Shear::below(&solved.contact)) },
     Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(Section::of)) },
     Facet { name: "shear-beside", of: |solved| json!(solved.beside.as_ref().and_then(Shear::below)) },
     Facet { name: "patches", of: |solved| json!(PatchTable::of(&solved.contact)) },
     Facet { name: "steps", of: |solved| json!(solved.steps) },
-    Facet { name: "motion", of: |solved| json!(solved.motion) },
+    Facet { name: MOTION, of: |solved| json!(solved.motion) },
+    Facet { name: "why", of: |solved| json!(Why::of(solved)) },
 ];

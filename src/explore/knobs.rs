@@ -1,7 +1,7 @@
 //! The knobs of the page, and the setup that they stand for.
 
 use super::height_knobs::{HeightKnobs, MOST_POINTS};
-use super::refusal::Refusal;
+use super::refusal::{Refusal, plain};
 use super::source::{SceneFile, Source};
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
@@ -183,7 +183,7 @@ impl Knobs {
     /// # Errors
     /// A sentence on the fault of the text.
     pub fn read(json: &[u8]) -> Result<Self, Refusal> {
-        serde_json::from_slice(json).map_err(|error| Refusal(error.to_string()))
+        serde_json::from_slice(json).map_err(|error| Refusal(plain(&error)))
     }
 
     /// The setup that the knobs stand for without a file of heights, checked as far as that takes no surface.
@@ -197,6 +197,11 @@ impl Knobs {
     /// The same state, recorded on another ground.
     pub(super) fn with_theme(self, theme: Theme) -> Self {
         Self { theme, ..self }
+    }
+
+    /// The solver, and when it stops.
+    pub(super) fn method(&self) -> (Method, Stop) {
+        (self.solver, self.stop)
     }
 
     /// Whether the scene is the body.

@@ -1,8 +1,8 @@
 //! Lessons: what the page shows step by step, and what it asks before.
 
 use super::knobs::{Knobs, Start};
-use super::question::Question;
-use super::refusal::Refusal;
+use super::question::{Goal, Question};
+use super::refusal::{Refusal, plain};
 use super::words::Words;
 use crate::error::FileError;
 use serde::{Deserialize, Serialize};
@@ -28,6 +28,10 @@ const LESSONS: [(&str, &str); 6] = [
     ("crawl.toml", include_str!("../../assets/lessons/crawl.toml")),
 ];
 
+/// Knobs as they are written, with where each of them stands in its file.
+type WrittenKnobs = BTreeMap<String, Spanned<Value>>;
+/// Why a step is refused, and where that stands in its file if it is not about the whole step.
+type Misplaced = (Option<Range<usize>>, Refusal);
 /// Values that a class may turn knobs to, by the names of the knobs.
 type Turns = BTreeMap<String, Vec<Value>>;
 
@@ -40,6 +44,37 @@ pub struct Lesson {
     pub title: Words,
     /// Its steps, one at least.
     pub steps: Vec<LessonStep>,
+    /// Whether the picture shows the stress below.
+    pub stress: bool,
+    /// What is told after the last step.
+    pub end: Option<End>,
+}
+
+/// The end of a lesson.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct End {
+    /// What one has seen.
+    pub seen: Words,
+    /// Something to do by oneself, with all controls free.
+    pub challenge: Option<Challenge>,
+}
+
+/// Something to do, and when it is done.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Challenge {
+    /// What is to be done.
+    pub text: Words,
+    /// When it is done.
+    pub goal: Goal,
+}
+
+impl End {
+    fn check(&self) -> Result<(), Refusal> {
+        self.seen.check()?;
+        self.challenge.iter().try_for_each(|it| it.text.check().and_then(|()| it.goal.check()))
+    }
 }
 
 /// A step of a lesson: a state of the knobs, and what there is to see.
@@ -66,9 +101,12 @@ pub struct LessonStep {
 struct Draft {
     title: Words,
     #[serde(default)]
-    knobs: toml::Table,
+    knobs: WrittenKnobs,
     #[serde(default)]
     turn: Turns,
+    #[serde(default)]
+    stress: bool,
+    end: Option<Spanned<End>>,
     step: Vec<Spanned<DraftStep>>,
 }
 
@@ -77,7 +115,7 @@ struct Draft {
 struct DraftStep {
     text: Words,
     #[serde(default)]
-    knobs: toml::Table,
+    knobs: WrittenKnobs,
     #[serde(default)]
     turn: Turns,
     #[serde(default)]
@@ -139,28 +177,34 @@ impl Lesson {
         let step = |step: Spanned<DraftStep>| {
             let span = step.span();
             LessonStep::of(&draft.knobs, &draft.turn, step.into_inner())
-                .map_err(|Refusal(reason)| at(Some(span), &reason))
+                .map_err(|(place, Refusal(reason))| at(Some(place.unwrap_or(span)), &reason))
         };
         let steps = draft.step.into_iter().map(step).collect::<Result<_, _>>()?;
+        let end = draft.end.map(|end| (end.span(), end.into_inner()));
+        if let Some((span, end)) = &end {
+            end.check().map_err(|Refusal(reason)| at(Some(span.clone()), &format!("end: {reason}")))?;
+        }
         let stem = Path::new(name).file_stem().map_or_else(|| name.into(), |stem| stem.to_string_lossy());
-        Ok(Self { name: stem.into_owned(), title: draft.title, steps })
+        Ok(Self {
+            name: stem.into_owned(),
+            title: draft.title,
+            steps,
+            stress: draft.stress,
+            end: end.map(|(_, end)| end),
+        })
     }
 }
 
 impl LessonStep {
-    fn of(common: &toml::Table, turns: &Turns, draft: DraftStep) -> Result<Self, Refusal> {
+    fn of(common: &WrittenKnobs, turns: &Turns, draft: DraftStep) -> Result<Self, Misplaced> {
         let DraftStep { text, knobs, turn, sweep, ask } = draft;
-        let mut values = serde_json::to_value(Start::RoughLine.knobs()).map_err(wrong)?;
-        for (key, value) in common.iter().chain(&knobs) {
-            values[key] = serde_json::to_value(value).map_err(wrong)?;
-        }
-        let knobs: Knobs = serde_json::from_value(values).map_err(wrong)?;
-        knobs.setup()?;
-        text.check()?;
-        ask.iter().try_for_each(|ask| ask.check(sweep))?;
+        let knobs = laid_over(&common.iter().chain(&knobs).collect::<Vec<_>>())?;
+        let of_step = |refusal| (None, refusal);
+        text.check().map_err(of_step)?;
+        ask.iter().try_for_each(|ask| ask.check(sweep)).map_err(of_step)?;
         let turn: Turns = turns.clone().into_iter().chain(turn).collect();
-        let states = turned(&knobs, &turn)?;
-        states.iter().try_for_each(|knobs| knobs.setup().map(|_| ()).map_err(of_turn))?;
+        let states = turned(&knobs, &turn).map_err(of_step)?;
+        states.iter().try_for_each(|knobs| knobs.setup().map(|_| ())).map_err(|refusal| of_step(of_turn(refusal)))?;
         Ok(Self { text, knobs, states, sweep, ask })
     }
 
@@ -168,6 +212,32 @@ impl LessonStep {
     pub fn states(&self) -> &[Knobs] {
         &self.states
     }
+}
+
+/// The knobs that the page starts with, with others laid over them.
+///
+/// # Errors
+/// A sentence with the place of the knob without which there is none: the first one with which it is said.
+fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced> {
+    let refused = match knobs_of(written) {
+        Ok(knobs) => return Ok(knobs),
+        Err(refused) => refused,
+    };
+    let says = |count: &usize| knobs_of(&written[..*count]).is_err_and(|it| it == refused);
+    let Some(count) = (1..=written.len()).find(says) else { return Err((None, refused)) };
+    let (key, value) = written[count - 1];
+    Err((Some(value.span()), Refusal(format!("knobs.{key} = {}: {}", value.as_ref(), refused.0))))
+}
+
+fn knobs_of(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Refusal> {
+    let wrong = |error: serde_json::Error| Refusal(plain(&error));
+    let mut values = serde_json::to_value(Start::RoughLine.knobs()).map_err(wrong)?;
+    for (key, value) in written {
+        values[key.as_str()] = Value::clone(value.as_ref());
+    }
+    let knobs: Knobs = serde_json::from_value(values).map_err(wrong)?;
+    knobs.setup()?;
+    Ok(knobs)
 }
 
 /// The states that knobs have when each of some is turned to each of its values, from the knobs as they are on.
@@ -191,9 +261,10 @@ fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Refusal> {
 
 /// Knobs with one of them turned.
 fn with(knobs: &Knobs, key: &str, value: &Value) -> Result<Knobs, Refusal> {
+    let wrong = |error: serde_json::Error| of_turn(Refusal(plain(&error)));
     let mut values = serde_json::to_value(knobs).map_err(wrong)?;
     values[key] = value.clone();
-    serde_json::from_value(values).map_err(|error| of_turn(Refusal(error.to_string())))
+    serde_json::from_value(values).map_err(wrong)
 }
 
 /// States without those that are the same as one before.
@@ -204,10 +275,6 @@ fn distinct(states: Vec<Knobs>) -> Vec<Knobs> {
         }
         kept
     })
-}
-
-fn wrong(error: serde_json::Error) -> Refusal {
-    Refusal(format!("knobs: {error}"))
 }
 
 fn of_turn(Refusal(reason): Refusal) -> Refusal {

@@ -1,4 +1,4 @@
-//! The sections of a run step by step, which move in the page's own picture.
+//! The sections of a run step by step, and of a sweep load by load, which move in the page's own picture.
 
 use super::section::Section;
 use crate::contact::{Observer, Step, Wish};
@@ -8,14 +8,23 @@ use std::ops::ControlFlow;
 /// How much later the next step is kept than the last one: of 100 000 steps that makes 140, most of them early, where most happens.
 const LATER: f64 = 1.08;
 
-/// The sections of a run and the numbers of their steps, less that of its end, which is told by itself.
-#[derive(Default, Serialize)]
+/// The sections of a run and the numbers of their steps, less that of its end, which is told by itself; or those of a sweep and the numbers
+/// of their loads.
+#[derive(Clone, Default, Serialize)]
 pub struct Motion {
     steps: Vec<usize>,
     sections: Vec<Section>,
     /// The first step that is kept next.
     #[serde(skip)]
     next: usize,
+}
+
+impl Motion {
+    /// Adds the section of load number `number` of a sweep.
+    pub fn add_load(&mut self, number: usize, section: Section) {
+        self.steps.push(number);
+        self.sections.push(section);
+    }
 }
 
 impl Observer for Motion {

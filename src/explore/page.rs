@@ -50,6 +50,11 @@ const FILES: &[(&str, &str, &str)] = &[
     file!("say.js", SCRIPT),
     ("/texts.js", SCRIPT, TEXTS),
     file!("viewer.js", SCRIPT),
+    file!("views.js", SCRIPT),
+    file!("welcome.js", SCRIPT),
+    file!("why.js", SCRIPT),
+    file!("undo.js", SCRIPT),
+    file!("presets.js", SCRIPT),
 ];
 
 /// Answers to the paths of the page.

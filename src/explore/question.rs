@@ -1,11 +1,12 @@
-//! Questions of lessons, to which one guesses the answer.
+//! Questions of lessons, which one answers by a guess or by what one does.
 
 use super::refusal::Refusal;
 use super::words::Words;
 use crate::contact::OBSERVABLES;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
-/// A question to which one answers by a guess.
+/// A question of a step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Question {
@@ -14,7 +15,7 @@ pub enum Question {
         /// The question.
         question: Words,
         /// The answers.
-        choices: Vec<Words>,
+        choices: Vec<Choice>,
         /// Which of them is right, from 1 on.
         right: usize,
     },
@@ -32,6 +33,81 @@ pub enum Question {
         /// Which curve.
         curve: Curve,
     },
+    /// A contact to be made with the hand or the controls.
+    Act {
+        /// What is to be done.
+        question: Words,
+        /// When it is done.
+        goal: Goal,
+    },
+}
+
+/// A contact that is to be made: the least and the largest value of some observables, such as `relative_area_resolved`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Goal(BTreeMap<String, [f64; 2]>);
+
+/// An answer to choose.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(from = "WrittenChoice")]
+pub struct Choice {
+    /// The answer.
+    pub text: Words,
+    /// Why it is wrong.
+    pub because: Option<Words>,
+}
+
+/// A choice as it is written: an answer alone, or with why it is wrong.
+#[derive(Deserialize)]
+#[serde(
+    untagged,
+    deny_unknown_fields,
+    expecting = "give a text, or { text = \"Twice\", because = \"why that is wrong\" }"
+)]
+enum WrittenChoice {
+    Told { text: Words, because: Words },
+    Plain(Words),
+}
+
+impl From<WrittenChoice> for Choice {
+    fn from(written: WrittenChoice) -> Self {
+        match written {
+            WrittenChoice::Plain(text) => Self { text, because: None },
+            WrittenChoice::Told { text, because } => Self { text, because: Some(because) },
+        }
+    }
+}
+
+impl Choice {
+    fn check(&self) -> Result<(), Refusal> {
+        self.text.check()?;
+        self.because.iter().try_for_each(Words::check)
+    }
+}
+
+impl Goal {
+    /// Refuses a goal of no observable, and one that cannot be reached.
+    pub(super) fn check(&self) -> Result<(), Refusal> {
+        let refuse = |sentence: String| Err(Refusal(sentence));
+        if self.0.is_empty() {
+            return refuse("the goal is empty: give an observable with its least and largest value".into());
+        }
+        self.0.iter().try_for_each(|(of, [least, most])| {
+            check_observable(of)?;
+            if least <= most {
+                return Ok(());
+            }
+            refuse(format!("the goal of {of} is from {least} to {most}: give the smaller value first"))
+        })
+    }
+}
+
+/// Refuses a name that no observable has.
+fn check_observable(of: &str) -> Result<(), Refusal> {
+    if OBSERVABLES.iter().any(|it| it.name == of) {
+        return Ok(());
+    }
+    Err(Refusal(format!("{of:?} is no number of a run: give one such as \"kappa_r_resolved\"")))
 }
 
 /// A curve of a sweep.
@@ -50,7 +126,10 @@ impl Question {
     /// What is asked.
     fn question(&self) -> &Words {
         match self {
-            Self::Choose { question, .. } | Self::Number { question, .. } | Self::Draw { question, .. } => question,
+            Self::Choose { question, .. }
+            | Self::Number { question, .. }
+            | Self::Draw { question, .. }
+            | Self::Act { question, .. } => question,
         }
     }
 
@@ -68,14 +147,16 @@ impl Question {
             Self::Choose { choices, right, .. } if !(1..=choices.len()).contains(right) => {
                 refuse(format!("choice {right} is to be right, but there are {}: count them from 1 on", choices.len()))
             }
-            Self::Choose { choices, .. } => choices.iter().try_for_each(Words::check),
-            Self::Number { of, .. } if !OBSERVABLES.iter().any(|it| it.name == of) => {
-                refuse(format!("{of:?} is no number of a run: give one such as \"kappa_r_resolved\""))
+            Self::Choose { choices, .. } => choices.iter().try_for_each(Choice::check),
+            Self::Number { of, .. } => check_observable(of),
+            Self::Act { .. } if sweeps => {
+                refuse("the load is swept where something is to be done: leave out sweep = true".into())
             }
+            Self::Act { goal, .. } => goal.check(),
             Self::Draw { .. } if !sweeps => {
                 refuse("a curve is asked for, but the load is not swept: give sweep = true".into())
             }
-            Self::Number { .. } | Self::Draw { .. } => Ok(()),
+            Self::Draw { .. } => Ok(()),
         }
     }
 }

@@ -2,9 +2,11 @@
 
 use super::motion::Motion;
 use super::report::{RunReport, SweepReport};
+use super::section::Section;
 use super::step_numbers::StepNumbers;
 use crate::contact::{Contact, archive};
 use crate::record::{Ghost, Output};
+use crate::theory::Exact;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -24,7 +26,7 @@ pub struct Reel {
 #[derive(Clone)]
 pub enum Ended {
     Run(Arc<Solved>),
-    Sweep(Arc<SweepReport>),
+    Sweep(Arc<SweepReport>, Arc<Motion>),
 }
 
 /// What came of a solve.
@@ -33,6 +35,8 @@ pub struct Solved {
     /// Axes of its arrays.
     pub rank: usize,
     pub contact: Contact,
+    /// The exact solution, where there is one.
+    pub exact: Option<Exact>,
     /// The contact of the surface beside, if there is one.
     pub beside: Option<Contact>,
     /// Curves of the recording, to stand beside those of others.
@@ -59,7 +63,7 @@ impl Reel {
     pub fn told(&self) -> Option<Told> {
         Some(match self.ended.as_ref()? {
             Ended::Run(solved) => Told::Run(Box::new(solved.report.clone())),
-            Ended::Sweep(report) => Told::Sweep(Box::new(SweepReport::clone(report))),
+            Ended::Sweep(report, _) => Told::Sweep(Box::new(SweepReport::clone(report))),
         })
     }
 
@@ -67,12 +71,26 @@ impl Reel {
     pub fn solved(&self) -> Option<Arc<Solved>> {
         match self.ended.as_ref()? {
             Ended::Run(solved) => Some(Arc::clone(solved)),
-            Ended::Sweep(_) => None,
+            Ended::Sweep(..) => None,
+        }
+    }
+
+    /// The sections of the loads of a sweep, once it is complete; none of a solve.
+    pub fn swept(&self) -> Option<Arc<Motion>> {
+        match self.ended.as_ref()? {
+            Ended::Run(_) => None,
+            Ended::Sweep(_, motion) => Some(Arc::clone(motion)),
         }
     }
 }
 
 impl Solved {
+    /// The section of the contact.
+    pub fn section(&self) -> Section {
+        let Self { contact, exact, .. } = self;
+        exact.as_ref().map_or_else(|| Section::of(contact), |exact| Section::with_exact(contact, exact))
+    }
+
     /// The arrays and the setup as `.npz`; none if they cannot be written.
     pub fn archive(&self) -> Option<Vec<u8>> {
         archive(&self.contact, self.rank, Some(&self.report.setup)).ok()

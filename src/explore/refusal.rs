@@ -30,3 +30,23 @@ impl From<SurfaceError> for Refusal {
         Self(error.to_string())
     }
 }
+
+/// The fault of a text in JSON, in words of the page: names of types in Rust are told as what they take.
+pub fn plain(error: &serde_json::Error) -> String {
+    let said = error.to_string();
+    let said = said.rsplit_once(" at line ").map_or(said.as_str(), |(said, _)| said);
+    let is_value = said.starts_with("invalid value: ") || said.starts_with("invalid type: ");
+    let Some((found, wanted)) = said.split_once(", expected ").filter(|_| is_value) else { return said.into() };
+    let value = found.split_once(": ").map_or(found, |(_, value)| value).replace('`', "");
+    let wanted = WANTED.iter().find(|(rust, _)| *rust == wanted).map_or(wanted, |(_, words)| words);
+    format!("{value} cannot be: give {wanted}")
+}
+
+/// Types in Rust, and what they take.
+const WANTED: [(&str, &str); 5] = [
+    ("u32", "a whole number from 0 to 4294967295"),
+    ("usize", "a whole number, not negative"),
+    ("f64", "a number"),
+    ("a sequence", "a list"),
+    ("a map", "a table"),
+];

@@ -1,12 +1,12 @@
 //! The paths of the explorer.
 
-use super::facet::FACETS;
+use super::facet::{FACETS, MOTION};
 use super::height_name::plain_name;
 use super::knobs::Knobs;
 use super::lesson::Lesson;
 use super::page::Page;
 use super::reel::Reel;
-use super::refusal::Refusal;
+use super::refusal::{Refusal, plain};
 use super::session::{Kind, Session};
 use super::sessions::Sessions;
 use super::site::{Intake, Reply, Request, Site};
@@ -158,10 +158,13 @@ fn state(session: &Session, query: &str) -> Reply {
     }
 }
 
-/// A facet of one of the latest runs, once it has ended.
+/// A facet of one of the latest runs or sweeps, once it has ended; of a sweep there is its motion.
 fn facet(session: &Session, path: &str) -> Option<Reply> {
     let (id, name) = path.strip_prefix("/api/run/")?.split_once('/')?;
     let (reel, facet) = (session.reel(id)?, FACETS.iter().find(|facet| facet.name == name)?);
+    if let Some(motion) = reel.swept().filter(|_| name == MOTION) {
+        return Some(Reply::json(&motion));
+    }
     Some(match reel.solved() {
         Some(solved) => Reply::json(&(facet.of)(&solved)),
         None => Reply::Error(409, format!("{id} has no {name}: ask for those of a solve that has ended")),
@@ -191,7 +194,7 @@ fn answer(done: Result<impl Serialize, Refusal>) -> Reply {
 
 /// What JSON stands for.
 fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, Refusal> {
-    serde_json::from_slice(json).map_err(|error| Refusal(error.to_string()))
+    serde_json::from_slice(json).map_err(|error| Refusal(plain(&error)))
 }
 
 /// The file of heights in a request.

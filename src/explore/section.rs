@@ -2,6 +2,7 @@
 
 use crate::contact::{Contact, Problem, Step};
 use crate::elastic::stress::highest_row;
+use crate::theory::Exact;
 use ndarray::ArrayView1;
 use serde::Serialize;
 use std::ops::Range;
@@ -33,6 +34,9 @@ pub struct Section {
     pub solid: Vec<f32>,
     /// Pressure.
     pub pressure: Vec<f32>,
+    /// The exact pressure, where it is known; 0 where it is infinite.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exact: Option<Vec<f32>>,
     /// Whether it is pressed by its mean gap: not where the boundary is free.
     pub is_pressed_by_gap: bool,
     /// Mean gap.
@@ -62,6 +66,24 @@ impl Section {
         Self::along(&contact.problem, row, fields, contact.mean_gap(), COLUMNS)
     }
 
+    /// The section of a contact with the exact pressure beside its own.
+    pub fn with_exact(contact: &Contact, exact: &Exact) -> Self {
+        let row = contact.highest_row();
+        let (problem, pressure) = (&contact.problem, exact.pressure.row(row));
+        let over_modulus = |node: usize| {
+            let p = pressure[node] / problem.contact_modulus();
+            if p.is_finite() { p as f32 } else { 0.0 }
+        };
+        let exact = peaks(problem, row, COLUMNS).into_iter().map(over_modulus).collect();
+        Self { exact: Some(exact), ..Self::of(contact) }
+    }
+
+    /// The section of a load of a sweep along a row, which is the same one at all loads.
+    pub fn of_load(contact: &Contact, row: usize) -> Self {
+        let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
+        Self::along(&contact.problem, row, fields, contact.mean_gap(), STEP_COLUMNS)
+    }
+
     /// The section of a step, whose displacement is taken less its mean where the cell is periodic, as that of a contact.
     pub fn of_step(step: &Step<'_>) -> Self {
         let grid = step.problem().surface().grid();
@@ -80,9 +102,7 @@ impl Section {
     fn along(problem: &Problem, row: usize, fields: [ArrayView1<'_, f64>; 3], mean_gap: f64, most: usize) -> Self {
         let grid = problem.surface().grid();
         let [pressure, gap, displacement] = fields;
-        let height = &problem.height()[row * grid.shape()[1]..];
-        let peak = |nodes: Range<usize>| nodes.max_by(|&a, &b| height[a].total_cmp(&height[b])).unwrap_or_default();
-        let nodes: Vec<usize> = columns(grid.shape()[1], most).map(peak).collect();
+        let nodes = peaks(problem, row, most);
         let modulus = problem.contact_modulus();
         let of = |value: &dyn Fn(usize) -> f64| nodes.iter().map(|&node| value(node) as f32).collect();
         Self {
@@ -91,11 +111,20 @@ impl Section {
             rigid: of(&|node| gap[node] - displacement[node]),
             solid: of(&|node| -displacement[node]),
             pressure: of(&|node| pressure[node] / modulus),
+            exact: None,
             is_pressed_by_gap: grid.is_periodic(),
             mean_gap,
             highest: problem.highest(),
         }
     }
+}
+
+/// The node of each column of a row that is highest.
+fn peaks(problem: &Problem, row: usize, most: usize) -> Vec<usize> {
+    let width = problem.surface().grid().shape()[1];
+    let height = &problem.height()[row * width..];
+    let peak = |nodes: Range<usize>| nodes.max_by(|&a, &b| height[a].total_cmp(&height[b])).unwrap_or_default();
+    columns(width, most).map(peak).collect()
 }
 
 impl Shear {

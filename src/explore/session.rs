@@ -14,6 +14,7 @@ use crate::contact::{Contact, Failure};
 use crate::record::{Ghost, Options};
 use crate::setup::{Method, Record, Setup};
 use crate::surface::{Field, HeightFile};
+use crate::theory::Exact;
 use std::collections::VecDeque;
 use std::ops::RangeInclusive;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -292,12 +293,13 @@ impl Turn<'_> {
         self.session.change(|state| news(&mut state.report));
     }
 
-    /// Keeps the result of a solve, that of the surface beside, the curves of the recording, and numbers and sections of
+    /// Keeps the result of a solve, the exact one, that of the surface beside, the curves of the recording, and numbers and sections of
     /// the steps, and reports it.
     pub fn finish(
         self,
         rank: usize,
         contact: Contact,
+        exact: Option<Exact>,
         beside: Option<Contact>,
         curves: Ghost,
         (steps, motion): (StepNumbers, Motion),
@@ -312,14 +314,15 @@ impl Turn<'_> {
             let report = run.clone();
             let id = report.id.clone();
             let curves = Arc::new(curves);
-            state.end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, beside, curves, steps, motion })));
+            state
+                .end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, exact, beside, curves, steps, motion })));
         });
     }
 
-    /// Keeps the points of a sweep, and reports it.
-    pub fn finish_sweep(self, report: SweepReport) {
+    /// Keeps the points of a sweep and the sections of its loads, and reports it.
+    pub fn finish_sweep(self, report: SweepReport, motion: Motion) {
         self.session.change(|state| {
-            state.end(&report.id, Ended::Sweep(Arc::new(report.clone())));
+            state.end(&report.id, Ended::Sweep(Arc::new(report.clone()), Arc::new(motion)));
             state.report.sweep = Some(report);
         });
     }

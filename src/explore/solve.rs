@@ -40,7 +40,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
             .as_ref()
             .map(|(setup, problem)| Beside { title: Scene::of(setup, problem).title, numbers: None }),
     };
-    let id = report.id.clone();
+    let (id, exact) = (report.id.clone(), scene.exact.clone());
     let file_stem = report.file_stem.clone();
     let options = Options { ghost: turn.ghost(), ..turn.options(&setup.record) };
     let name = "beside".into();
@@ -63,7 +63,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
     }
-    turn.finish(rank, contact, other, curves, (steps, motion));
+    turn.finish(rank, contact, exact, other, curves, (steps, motion));
     Ok(())
 }
 

@@ -1,8 +1,10 @@
 //! Contact from first touch to full, load by load, recorded as it goes.
 
 use super::knobs::Knobs;
+use super::motion::Motion;
 use super::reel::Reel;
 use super::report::{ExactNumbers, SweepPoint, SweepReport, file_stem};
+use super::section::Section;
 use super::session::Turn;
 use crate::contact::{Contact, Each, Failure, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
@@ -65,13 +67,21 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let heaviest = at_load(&problem, heaviest(&loads))?;
     let (recording, live) = record(turn, &report, &setup, &heaviest, &loads, &curves)?;
     turn.keep(Reel::new(&report.id, &report.file_stem, live));
-    let mut press = Press { turn, setup: &setup, report, recording: &recording, curves: &curves };
+    let mut press = Press {
+        turn,
+        setup: &setup,
+        report,
+        recording: &recording,
+        curves: &curves,
+        row: None,
+        motion: Motion::default(),
+    };
     press.tell();
     let pressed = press.all(&problem, &loads);
     press.report.ended = true;
-    let report = press.report;
+    let Press { report, motion, .. } = press;
     recording.finish()?;
-    turn.finish_sweep(report);
+    turn.finish_sweep(report, motion);
     pressed
 }
 
@@ -133,6 +143,9 @@ struct Press<'a> {
     report: SweepReport,
     recording: &'a LoadRecording,
     curves: &'a [PointCurve],
+    /// The row of the sections, in which contact began.
+    row: Option<usize>,
+    motion: Motion,
 }
 
 impl Press<'_> {
@@ -172,6 +185,8 @@ impl Press<'_> {
         let values: Vec<f64> = self.curves.iter().map(|(.., of)| of(&point)).collect();
         self.recording.values(number, &values)?;
         self.report.points.push(point);
+        let row = *self.row.get_or_insert_with(|| contact.highest_row());
+        self.motion.add_load(number, Section::of_load(contact, row));
         self.tell();
         Ok(())
     }

@@ -135,6 +135,7 @@ fn a_course_needs_no_server_of_its_own() {
     let site = course(folder.path());
     let origin = serve(site.clone());
     let mut page = Page { chromium: Chromium::start(&program) };
+    page.resize(ROOMY);
     page.open(&format!("{origin}/courses/contact/?renderer=webgl&theme=dark"));
     page.until("document.body.dataset.viewer === 'started'", 120);
     a_lesson_is_taken(&mut page, true);

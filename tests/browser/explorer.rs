@@ -67,6 +67,9 @@ impl Drop for Explorer {
     }
 }
 
+/// A window in which the page shows its own picture and the viewer.
+pub const ROOMY: [u32; 2] = [1280, 800];
+
 /// The page with its viewer, at the end of its first run.
 pub fn opened(program: &Path) -> (Explorer, Page) {
     opened_in(Chromium::start(program), "")
@@ -80,8 +83,9 @@ pub fn sketched(program: &Path, more: &str) -> (Explorer, Page) {
 fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
     let mut explorer = Explorer::start();
     let mut page = Page { chromium };
+    page.resize(ROOMY);
     page.follow(&format!("{}/?renderer=webgl&theme=dark{more}", explorer.origin()));
-    page.until("document.body.dataset.viewer", 120);
+    page.until("['started', 'failed'].includes(document.body.dataset.viewer)", 120);
     rested(&mut page);
     explorer.session = page.text("session");
     (explorer, page)

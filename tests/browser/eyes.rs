@@ -32,6 +32,14 @@ pub const CUT: &str = "(() => { \
     const on = figures.filter((figure) => table.right > figure.left + 1).map(() => 'the table lies on a chart'); \
     return [...out.map(named), ...texts.map(named), ...on]; })()";
 
+/// What a phone shows beyond its width: down the page one gets by a finger, sideways nobody looks.
+const WIDE: &str = "[...document.querySelectorAll('body *')].filter((it) => it.checkVisibility({ visibilityProperty: true }) && it.tagName !== 'OPTION') \
+    .filter((it) => it.getBoundingClientRect().right > innerWidth + 1).map((it) => `${it.tagName} ${it.id}`)";
+
+/// Pictures that are shown and are lower than a quarter of the window.
+const SLITS: &str = "['#own', '#viewer'].map((it) => document.querySelector(it)).filter((it) => it.checkVisibility({ visibilityProperty: true })) \
+    .filter((it) => it.getBoundingClientRect().height < innerHeight / 4 - 1).map((it) => `${it.id} ${it.getBoundingClientRect().height}`)";
+
 /// Loads the checker of accessibility that `AXE` names, the file `axe.min.js` of the package `axe-core`; without it says so.
 pub fn load_axe(page: &mut Page) -> bool {
     let Some(file) = std::env::var_os("AXE") else {
@@ -75,7 +83,7 @@ fn axes_follow_data_layout_and_size(page: &mut Page) {
     curves_stand_on_their_axes(page, "in a lesson");
     page.click("lesson-close");
     curves_stand_on_their_axes(page, "after a lesson was closed");
-    page.resize([1100, 800]);
+    page.resize([1300, 820]);
     curves_stand_on_their_axes(page, "after the window has changed");
 }
 
@@ -87,11 +95,13 @@ fn all_is_read_and_nothing_is_cut(page: &mut Page) {
     for theme in ["dark", "light"] {
         page.until(&format!("document.documentElement.dataset.theme === '{theme}'"), 10);
         rested(page);
-        for size in [[1440, 900], [1024, 768]] {
+        for size in [[390, 844], [1024, 768], [1440, 900]] {
             page.resize(size);
             page.until(&format!("innerWidth === {} && document.querySelector('#results svg')", size[0]), 10);
             assert_eq!(page.value(PALE), serde_json::json!([]), "{theme}, {size:?}");
-            assert_eq!(page.value(CUT), serde_json::json!([]), "{theme}, {size:?}");
+            let is_phone = size[0] < 700;
+            assert_eq!(page.value(if is_phone { WIDE } else { CUT }), serde_json::json!([]), "{theme}, {size:?}");
+            assert_eq!(page.value(SLITS), serde_json::json!([]), "{theme}, {size:?}");
             if has_axe {
                 assert_eq!(page.value(SERIOUS), serde_json::json!([]), "{theme}, {size:?}");
             }

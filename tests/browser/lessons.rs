@@ -15,11 +15,45 @@ fn keep(page: &mut Page, name: &str) {
     std::fs::write(std::path::Path::new(&folder).join(format!("{name}.png")), png).unwrap();
 }
 
-/// Guesses what is asked, and returns what the page says of the guess.
+/// What the page says of a first answer that is wrong.
+fn why(page: &mut Page) -> String {
+    page.text("document.getElementById('lesson-why').innerText")
+}
+
+/// What is asked about is shown as it is before it is pressed, with no numbers and nothing of the run before.
+fn is_unpressed(page: &mut Page) {
+    page.until("document.body.dataset.unpressed === document.body.dataset.lesson", 60);
+    let seen = "section.solid.every((z) => z === 0) && section.pressure.every((p) => p === 0) && Math.min(...section.rigid) > 0 \
+        && document.querySelector('#numbers td[data-number=relative_area]').innerText === '–' && byId('press').hidden";
+    assert_eq!(page.value(seen), true, "the contact is shown before the answer");
+}
+
+/// Answers what is asked, wrongly first where there is a second try, and returns what the page says of the answer.
 fn guess(page: &mut Page, ask: &Value) -> String {
     assert_eq!(page.value("document.getElementById('lesson-next').disabled"), true, "a guess comes first");
+    if ask["kind"] != "act" {
+        is_unpressed(page);
+    }
     match ask["kind"].as_str().unwrap() {
-        "choose" => page.click(&format!("answer-{}", ask["right"])),
+        "choose" => {
+            let choices = ask["choices"].as_array().unwrap();
+            let wrong = 1 + choices.iter().position(|it| it["because"].is_object()).unwrap();
+            page.click(&format!("answer-{wrong}"));
+            let because = choices[wrong - 1]["because"]["en"].as_str().unwrap();
+            assert_eq!(why(page), format!("Not so. {because} Try once more."));
+            assert_eq!(page.value(&format!("byId('answer-{wrong}').disabled")), true);
+            page.click(&format!("answer-{}", ask["right"]));
+        }
+        "act" => {
+            page.until("latest()?.ended && words(latest().knobs) === words(knobs)", 60);
+            assert_eq!(page.text("document.body.dataset.asked"), "true", "it is done before it is done");
+            // the middle of the goal, by the control that leads there
+            let [control, value] = match ask["goal"]["reduced_pressure"].is_array() {
+                true => ["control-layer-value", "0.05"],
+                false => ["control-load-value", "0.28"],
+            };
+            page.type_into(control, value);
+        }
         "number" => {
             page.click("answer-1");
             assert_eq!(page.text("document.body.dataset.asked"), "true", "no number is no guess");
@@ -27,13 +61,32 @@ fn guess(page: &mut Page, ask: &Value) -> String {
             page.type_into("guess-number", "-0.5");
             page.click("answer-1");
             assert_eq!(page.text("document.body.dataset.asked"), "true", "a negative number is no guess");
-            page.type_into("guess-number", "0.5");
+            page.type_into("guess-number", "4000");
             page.click("answer-1");
+            if ask["of"].as_str().unwrap().starts_with("relative_area") {
+                assert!(page.text("byId('fault').innerText").contains("cannot be 4000"), "an area above 1 is no guess");
+            } else if !["iterations", "transforms"].contains(&ask["of"].as_str().unwrap()) {
+                assert_eq!(why(page), "4000 is too large. Try once more.");
+            }
+            if page.text("document.body.dataset.asked") == "true" {
+                page.type_into("guess-number", "0.5");
+                page.click("answer-1");
+            }
+            if page.text("document.body.dataset.asked") == "true" {
+                assert!(why(page).starts_with("0.5 is too "), "{}", why(page));
+                page.click("answer-1");
+            }
         }
         _ => {
             page.value("document.querySelector('#lesson-answers input').focus()");
             page.press("End");
             page.until("document.querySelector('#results polyline.guess')", 10);
+            let [x, y, width, height] = page.place(&guessed(page));
+            page.mouse("mousePressed", [x + 0.3 * width, y + 0.4 * height]);
+            page.mouse("mouseMoved", [x + 0.7 * width, y + 0.6 * height]);
+            page.mouse("mouseReleased", [x + 0.7 * width, y + 0.6 * height]);
+            let drawn = "(() => { const { points, top } = guess; return [points[0][1] === top, points.some(([, v]) => v > 0.25 * top && v < 0.75 * top && v !== top / 2)]; })()";
+            assert_eq!(page.value(drawn), json!([true, true]), "the sliders and the hand draw one curve");
             page.click("answer-1");
         }
     }
@@ -61,14 +114,43 @@ fn followed(explorer: &Explorer, page: &mut Page, step: &Value) {
 fn judged(page: &mut Page, ask: &Value, verdict: &str) {
     match ask["kind"].as_str().unwrap() {
         "choose" => assert!(verdict.starts_with("Yes: "), "{verdict}"),
+        "act" => assert_eq!(verdict, "Done."),
         "number" => {
             let told = format!("figure(latest().numbers.{})", ask["of"].as_str().unwrap());
             page.until(
-                &format!("document.getElementById('lesson-verdict').innerText.endsWith(`The run gives ${{{told}}}.`)"),
+                &format!("document.getElementById('lesson-verdict').innerText.includes(`The run gives ${{{told}}}. Your guess is `)"),
                 30,
             );
+            let verdict = page.text("document.getElementById('lesson-verdict').innerText");
+            assert!(verdict.ends_with(" too large.") || verdict.ends_with(" too small."), "{verdict}");
         }
         _ => assert!(verdict.contains("dotted"), "{verdict}"),
+    }
+}
+
+/// The chart in which a curve is guessed.
+fn guessed(page: &mut Page) -> String {
+    page.text("guess.target")
+}
+
+/// A lesson ends with what was seen, the lesson that follows, and mostly something to do.
+fn ended(page: &mut Page, lesson: &Value) {
+    page.until("document.body.dataset.lesson === 'end'", 10);
+    let text = page.text("document.getElementById('lesson-text').innerText");
+    assert!(text.starts_with(lesson["end"]["seen"]["en"].as_str().unwrap()), "{text}");
+    let next = page.text("document.getElementById('lesson-next').innerText");
+    assert!(next.starts_with("Next lesson: ") || next == "This was the last lesson", "{next}");
+    assert_eq!(
+        page.text("byId('lesson-marks').innerText").split(' ').count(),
+        lesson["steps"].as_array().unwrap().len()
+    );
+    keep(page, &format!("{}-end", lesson["name"].as_str().unwrap()));
+    if lesson["end"]["challenge"].is_object() {
+        assert!(text.contains("Now you: "), "{text}");
+    }
+    if lesson["name"] == "hertz-and-rough" {
+        page.value("Object.assign(knobs, { rolloff: 6, seed: 3, load: 0.0175 }); show(); changed()");
+        page.until("byId('lesson-challenge').innerText.startsWith('You have done it: ')", 60);
     }
 }
 
@@ -89,12 +171,9 @@ fn play(explorer: &Explorer, page: &mut Page, lesson: &Value) {
         assert!(text.contains(step["text"]["en"].as_str().unwrap()), "{text}");
         assert_eq!(page.value("document.getElementById('fault').hidden"), true);
         keep(page, &format!("{name}-{}", at + 1));
-        let is_last = page.value("document.getElementById('lesson-next').disabled");
-        assert_eq!(is_last, at + 1 == steps.len());
-        if is_last == false {
-            page.click("lesson-next");
-        }
+        page.click("lesson-next");
     }
+    ended(page, lesson);
     page.click("lesson-close");
     assert_eq!(page.value("document.getElementById('lesson-card').hidden"), true);
     println!("{name} is played.");

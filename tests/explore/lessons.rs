@@ -51,13 +51,16 @@ fn a_teacher_writes_lessons() {
 fn texts_are_in_one_language_or_in_some() {
     let lesson = lesson(
         "title = { en = \"T\", de = \"U\" }\n[[step]]\ntext = { fr = \"Voyez.\" }\n\
-         ask = { kind = \"choose\", question = \"?\", choices = [\"a\", { en = \"b\", de = \"c\" }], right = 1 }\n",
+         ask = { kind = \"choose\", question = \"?\", choices = [\"a\", { text = { en = \"b\", de = \"c\" }, because = { en = \"d\" } }], right = 1 }\n",
     );
     assert_eq!(json_of(&lesson.title), json!({"en": "T", "de": "U"}));
     let step = json_of(&lesson.steps[0]);
     assert_eq!(
         (&step["text"], &step["ask"]["choices"]),
-        (&json!({"fr": "Voyez."}), &json!(["a", {"en": "b", "de": "c"}]))
+        (
+            &json!({"fr": "Voyez."}),
+            &json!([{"text": "a", "because": null}, {"text": {"en": "b", "de": "c"}, "because": {"en": "d"}}])
+        )
     );
     assert!(matches!(lesson.title, Words::Each(texts) if texts["de"] == "U"));
 }
@@ -122,10 +125,16 @@ fn lessons_that_cannot_be_say_where() {
         (STEP.replace("\"Look.\"", "{}"), 3, "a text has no words"),
         (format!("{STEP}colour = 3\n"), 5, "unknown field `colour`"),
         (format!("{STEP}\n[[step]]\nknobs.load = 0.1\n"), 6, "missing field `text`"),
-        (format!("{STEP}knobs.load = \"much\"\n"), 3, "knobs: invalid type"),
-        (format!("{STEP}knobs.loads = 0.1\n"), 3, "knobs: unknown field `loads`"),
-        (format!("{STEP}knobs.load = 1e9\n"), 3, "the load p* is 1000000000.0: give"),
-        (format!("{STEP}knobs.points = 1048576\n"), 3, "1048576 points are too many here"),
+        (
+            format!("{STEP}knobs.load = \"much\"\n"),
+            5,
+            "knobs.load = \"much\": string \"much\" cannot be: give a number",
+        ),
+        (format!("{STEP}knobs.points = 512\nknobs.roughness = -1\n"), 6, "knobs.roughness = -1: "),
+        (format!("{STEP}knobs.seed = -3\n"), 5, "cannot be: give a whole number from 0 to 4294967295"),
+        (format!("{STEP}knobs.loads = 0.1\n"), 5, "knobs.loads = 0.1: unknown field `loads`"),
+        (format!("{STEP}knobs.load = 1e9\n"), 5, "the load p* is 1000000000.0: give"),
+        (format!("{STEP}knobs.points = 1048576\n"), 5, "1048576 points are too many here"),
         (format!("{STEP}turn.load = [0.1, 1e9]\n"), 3, "turn: the load p* is 1000000000.0: give"),
         (format!("{STEP}turn.loads = [0.1]\n"), 3, "turn: unknown field `loads`"),
         (format!("{STEP}turn.load = 0.1\n"), 5, "invalid type"),
@@ -152,6 +161,28 @@ fn lessons_that_cannot_be_say_where() {
             3,
             "the load is not swept: give sweep = true",
         ),
+        (
+            ask(
+                "{ kind = \"choose\", question = \"?\", choices = [\"a\", { text = \"b\", because = \"\" }], right = 1 }",
+            ),
+            3,
+            "a text has no words",
+        ),
+        (ask("{ kind = \"act\", question = \"?\", goal = {} }"), 3, "the goal is empty"),
+        (ask("{ kind = \"act\", question = \"?\", goal = { area = [0, 1] } }"), 3, "\"area\" is no number of a run"),
+        (
+            ask("{ kind = \"act\", question = \"?\", goal = { relative_area = [1, 0] } }"),
+            3,
+            "the goal of relative_area is from 1 to 0: give the smaller value first",
+        ),
+        (
+            format!(
+                "{STEP}sweep = true\nask = {{ kind = \"act\", question = \"?\", goal = {{ patches = [1, 1] }} }}\n"
+            ),
+            3,
+            "the load is swept where something is to be done",
+        ),
+        (format!("{STEP}[end]\nseen = \"\"\n"), 5, "end: a text has no words"),
     ] {
         let said = refused(&text);
         assert!(said.contains(&format!("lesson.toml, line {line}: ")) && said.contains(words), "{text}: {said}");

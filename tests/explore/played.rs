@@ -96,6 +96,11 @@ fn every_text_is_in_both_languages() {
             _ => {}
         }
     }
+    for lesson in Page::open().get("/api/lessons").json().as_array().unwrap() {
+        check(&lesson["title"], "a title");
+        check(&lesson["end"], "an end");
+        assert!(lesson["end"]["seen"].is_object(), "{} ends without a word", lesson["title"]);
+    }
     for (name, steps) in LESSONS.iter() {
         for played in steps {
             for text in ["text", "ask"] {
@@ -169,6 +174,14 @@ fn hertz_and_rough_contact_grow_as_told() {
     near(ratio("relative_area_resolved", 4, 3), 7.0, 0.1, "the rough area");
     near(ratio("kappa_resolved", 4, 3), 0.70, 5e-3, "kappa of the rough line");
     near(ratio("kappa_r_resolved", 4, 3), 1.07, 5e-3, "kappa_r of the rough line");
+    let sweep = &LESSONS["hertz-and-rough"][4].sweep;
+    let at = |load: f64, of: &str| {
+        let is_beyond = |point: &&Value| point["reduced_pressure"].as_f64().unwrap() > load;
+        sweep.iter().find(is_beyond).unwrap()[of].as_f64().unwrap()
+    };
+    near(at(0.26, "relative_area_resolved"), 0.485, 5e-3, "the area a little below p* = 0.27");
+    near(at(0.26, "patches"), 41.0, 1.0, "patches of half the area");
+    near(at(0.56, "patches"), 30.0, 0.0, "patches at p* = 0.56");
     let flatter = number("kappa-r", 1, "kappa_r_resolved") / number("kappa-r", 1, "kappa_resolved");
     near(flatter, 0.64, 5e-3, "the gradient of what touches");
 }
