@@ -237,9 +237,7 @@ pub enum SolidError {
     )]
     Both,
     /// Constants that are missing, or too many.
-    #[error(
-        "Young's moduli are {young} and Poisson's ratios {poisson} in number: give one of each for one elastic body, two for two"
-    )]
+    #[error("{young} Young's moduli and {poisson} Poisson's ratios are given: give one of each for every elastic body")]
     Bodies { young: usize, poisson: usize },
     #[error("Young's modulus is {young:?}: give a positive, finite value")]
     Young { young: f64 },

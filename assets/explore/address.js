@@ -53,7 +53,7 @@ async function openAddress(instead) {
     if (wish === null) await instead();
   } catch (error) {
     await instead();
-    fault(say("fault.address", { reason: error.message }));
+    fault(say("fault.address", { reason: error.inWords ?? error.message }));
   } finally {
     isOpened = true;
   }
@@ -66,7 +66,7 @@ async function carryOut({ lesson: name, step: place, knobs: wanted, pinned: kept
     await ended(revision);
     await setPin(report.run.id);
   }
-  await post("solve", painted(wanted));
+  await post("solve", painted(wanted)).catch((error) => { throw Object.assign(error, { inWords: faultOfKnobs(wanted) || undefined }); });
   knobs = painted(wanted);
   show();
 }

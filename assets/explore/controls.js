@@ -75,7 +75,7 @@ const NARROW = "(max-width: 700px)";
 
 /** A group of controls, which folds. */
 const foldable = (group, ...rows) =>
-  element("details", { id: `group-${group}`, open: group === "load" || !askSystem(NARROW).matches }, element("summary", {}, say(`group.${group}`)), ...rows);
+  element("details", { id: `group-${group}`, open: group === "load" || !askSystem(NARROW).matches }, element("summary", { id: `summary-${group}` }, say(`group.${group}`)), ...rows);
 
 function button(id, label, tip, action) {
   const made = element("button", { id, type: "button", title: tip }, label);
@@ -143,6 +143,16 @@ function faultOf(label, text, value, [least, most], isWhole) {
   if (value >= least && value <= most && (!isWhole || Number.isInteger(value))) return "";
   const places = { label, value: text.trim(), least: inLocale(String(least)), most: most === Infinity ? "∞" : inLocale(String(most)) };
   return isWhole ? say("fault.typed.whole", places) : say("fault.typed", places);
+}
+
+/** The fault of the first knob of a state that cannot be, in its words; none where all can. */
+function faultOfKnobs(wanted) {
+  for (const control of CONTROLS.filter(({ kind }) => ["range", "number"].includes(kind))) {
+    const value = knobOf(control, wanted);
+    const sentence = value === undefined ? "" : faultOf(labelOf(control), String(value), Number(value), limits(control), control.whole);
+    if (sentence) return sentence;
+  }
+  return "";
 }
 
 function explain(target, tip) {

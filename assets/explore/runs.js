@@ -22,7 +22,7 @@ async function changed() {
 
 /** Says why an order was refused, unless a newer one waits. */
 function refused(error) {
-  fault(error.message);
+  fault(error.status === REFUSED && faultOfKnobs(knobs) || error.message);
   if (error.status === REFUSED && !waiting) putBack();
 }
 

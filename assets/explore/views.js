@@ -4,7 +4,7 @@
 const VIEWS = ["picture", "viewer", "both"];
 /** Screens on which both have room, as in the style sheet. On others the page shows its own picture where both are wanted, and does not load
  * the viewer until that is asked for. */
-const ROOMY = askSystem("(min-width: 1201px) and (min-height: 760px)");
+const ROOMY = askSystem("(min-width: 1401px) and (min-height: 860px)");
 
 /** The view that the address asks for, or was chosen last. */
 let wantedView = null;

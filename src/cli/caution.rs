@@ -34,11 +34,14 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
     let of = under(doubtful.len());
     let worst = doubtful.into_iter().max_by(|a, b| error(a).total_cmp(&error(b)));
     let coarse = worst.map(|it| {
+        let small = match (100.0 * it.unresolved_share).round() {
+            0.0 => String::new(),
+            share => format!(", and {share} % of the contact is in patches too small to trust"),
+        };
         format!(
-            "area and kappa_r may be off by {:.0} %{of} on this grid, and {:.0} % of the contact is in patches too small to \
-             trust: refine it by --refine auto, take more points, or smoother heights",
-            100.0 * error(it),
-            100.0 * it.unresolved_share
+            "area and kappa_r may be off by {:.0} %{of} on this grid{small}: refine it by --refine auto, take more points, or smoother \
+             heights",
+            100.0 * error(it)
         )
     });
     heavy.into_iter().chain(unknown).chain(coarse).collect()

@@ -112,13 +112,13 @@ impl Finding {
         [
             (
                 "reduced pressure p*",
-                format!("{:.6e} (contact {:.6e})", it.reduced_pressure, it.reduced_pressure_contact),
+                format!("{:.6e}, in contact {:.6e}", it.reduced_pressure, it.reduced_pressure_contact),
             ),
             (
                 "relative area",
                 resolved(it.relative_area_resolved, it.relative_area, it.relative_area_corrected) + &area,
             ),
-            ("rms gradient", format!("{:.6e} (contact {:.6e})", it.rms_gradient, it.rms_gradient_contact_resolved)),
+            ("rms gradient", format!("{:.6e}, in contact {:.6e}", it.rms_gradient, it.rms_gradient_contact_resolved)),
             ("kappa", resolved(it.kappa_resolved, it.kappa, it.kappa_corrected)),
             ("kappa_r", resolved(it.kappa_r_resolved, it.kappa_r, it.kappa_r_corrected) + &kappa_r),
             (

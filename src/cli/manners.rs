@@ -18,7 +18,7 @@ static IS_QUIET: AtomicBool = AtomicBool::new(false);
 #[derive(Args)]
 #[command(next_help_heading = "All commands")]
 pub struct Manners {
-    /// Show no progress and say no remarks, only results, warnings and errors
+    /// Suppress progress and notes: only results, warnings and errors are written
     #[arg(long, short, global = true)]
     quiet: bool,
     /// Threads that solve; the numbers are the same with any [default: as many as the machine has]

@@ -101,7 +101,7 @@ enum Command {
     /// Turn knobs in the browser and watch the contact relax
     #[cfg(feature = "explore")]
     Explore(explore::Explore),
-    /// Record somebody's iteration, from files of its steps
+    /// Analyse another solver's iterations, from files of its steps
     ///
     /// Every step is certified and recorded like those of our own solvers, and compared with the solution.
     Inspect(Box<inspect::Inspect>),
@@ -109,7 +109,7 @@ enum Command {
     ///
     /// All pages come one after the other on standard output, or one for each command in a new folder.
     Man(man::Man),
-    /// Put the tables of the shares of a study together
+    /// Merge the shard tables of a study
     ///
     /// The tables must hold each row of the study once, and no others. What comes out is that of one machine to the last bit.
     Merge(study::Merge),

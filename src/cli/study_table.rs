@@ -54,8 +54,8 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
 /// Writes the means over the seeds under each load of what converged, by what is chosen from the lists.
 pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Result<()> {
     let (loads, seeds) = (plan.loads().len(), plan.seeds());
-    writeln!(out, "{} rows, means over {seeds} seeds and the scatter of one, resolved", points.len())?;
-    writeln!(out, "\n{:>11} {:>9} {:>9} {:>8} {:>8}", "p*", "area", "scatter", "kappa_r", "scatter")?;
+    writeln!(out, "{} rows, mean and standard deviation over {seeds} seeds, resolved", points.len())?;
+    writeln!(out, "\n{:>11} {:>9} {:>9} {:>8} {:>8}", "p*", "area", "std", "kappa_r", "std")?;
     let groups = points.chunks(loads * seeds).enumerate();
     let rows = groups.flat_map(|(group, points)| (0..loads).map(move |load| (group, load, points)));
     for (group, load, points) in rows.take(LINES) {

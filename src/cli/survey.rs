@@ -27,7 +27,7 @@ fn write_axis(axis: &Scales, out: &mut impl Write) -> io::Result<()> {
     });
     let rows = [
         ("noise", format!("{noise:.3e} rms, {:.0} % of the mean square gradient", 100.0 * noise_share)),
-        ("told from noise", format!("wavelengths from {shortest_wavelength:.3e} on")),
+        ("above the noise", format!("wavelengths over {shortest_wavelength:.3e}")),
         ("smooth", smooth),
     ];
     write_rows(rows.map(|(name, value)| (format!("{name} along {}", axis.axis), value)), out)?;

@@ -121,7 +121,7 @@ fn of_heights(scan: &Scan) -> Result<Vec<(String, String)>, Refusal> {
         ("rms height", length(rms_height(scan))),
         ("rms gradient", figure(scan.rms_gradient())),
         ("noise", format!("{}, {:.0} % of the mean square gradient", length(noise), 100.0 * survey.noise_share())),
-        ("shortest wavelength told from noise", length(survey.shortest_wavelength())),
+        ("shortest wavelength above the noise", length(survey.shortest_wavelength())),
     ];
     let rows = rows.map(|(name, value)| (name.to_owned(), value));
     let hurst = survey.power_law.map(|it| {

@@ -98,7 +98,7 @@ fn spacing(surface: &Surface) -> Option<String> {
     let is_unequal = !surface.grid().is_line() && (dy / dx - 1.0).abs() > UNEQUAL;
     is_unequal.then(|| {
         format!(
-            "the spacing is {dy:.4e} along y (rows) and {dx:.4e} along x (columns): if that is not so, give --size as y,x"
+            "the spacing is {dy:.4e} along y (rows) and {dx:.4e} along x (columns): if the axes are the other way round, swap Width and Height, which --size takes as y,x"
         )
     })
 }

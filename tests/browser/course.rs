@@ -1,6 +1,7 @@
 //! The lessons as a folder of files, behind a server that knows nothing but files, and straight from disk.
 
 use crate::chromium::{Chromium, installed};
+use crate::explorer::ROOMY;
 use crate::page::Page;
 use serde_json::json;
 use std::io::{BufRead, BufReader, Write};

@@ -68,7 +68,7 @@ impl Drop for Explorer {
 }
 
 /// A window in which the page shows its own picture and the viewer.
-pub const ROOMY: [u32; 2] = [1280, 800];
+pub const ROOMY: [u32; 2] = [1440, 900];
 
 /// The page with its viewer, at the end of its first run.
 pub fn opened(program: &Path) -> (Explorer, Page) {

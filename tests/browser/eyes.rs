@@ -33,7 +33,7 @@ pub const CUT: &str = "(() => { \
     return [...out.map(named), ...texts.map(named), ...on]; })()";
 
 /// What a phone shows beyond its width: down the page one gets by a finger, sideways nobody looks.
-const WIDE: &str = "[...document.querySelectorAll('body *')].filter((it) => it.checkVisibility({ visibilityProperty: true }) && it.tagName !== 'OPTION') \
+pub const WIDE: &str = "[...document.querySelectorAll('body *')].filter((it) => it.checkVisibility({ visibilityProperty: true }) && it.tagName !== 'OPTION') \
     .filter((it) => it.getBoundingClientRect().right > innerWidth + 1).map((it) => `${it.tagName} ${it.id}`)";
 
 /// Pictures that are shown and are lower than a quarter of the window.

@@ -25,7 +25,7 @@ fn the_focus_is_never_trapped(page: &mut Page) {
     assert_eq!(named.len(), seen.len(), "{seen:?}");
     page.value("document.getElementById('canvas').focus()");
     page.press_shifted("Tab");
-    assert!(focus(page).starts_with("control-"));
+    assert!(!["", "canvas"].contains(&focus(page).as_str()), "Shift-Tab leads nowhere");
     page.value("document.getElementById('canvas').focus()");
     page.press("Escape");
     assert_eq!(focus(page), "play");

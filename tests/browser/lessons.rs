@@ -81,7 +81,8 @@ fn guess(page: &mut Page, ask: &Value) -> String {
             page.value("document.querySelector('#lesson-answers input').focus()");
             page.press("End");
             page.until("document.querySelector('#results polyline.guess')", 10);
-            let [x, y, width, height] = page.place(&guessed(page));
+            let target = page.text("guess.target");
+            let [x, y, width, height] = page.place(&target);
             page.mouse("mousePressed", [x + 0.3 * width, y + 0.4 * height]);
             page.mouse("mouseMoved", [x + 0.7 * width, y + 0.6 * height]);
             page.mouse("mouseReleased", [x + 0.7 * width, y + 0.6 * height]);
@@ -126,11 +127,6 @@ fn judged(page: &mut Page, ask: &Value, verdict: &str) {
         }
         _ => assert!(verdict.contains("dotted"), "{verdict}"),
     }
-}
-
-/// The chart in which a curve is guessed.
-fn guessed(page: &mut Page) -> String {
-    page.text("guess.target")
 }
 
 /// A lesson ends with what was seen, the lesson that follows, and mostly something to do.

@@ -17,6 +17,7 @@ mod heights;
 mod lessons;
 mod links;
 mod measures;
+mod newcomers;
 mod page;
 mod person;
 mod strangers;

@@ -65,10 +65,11 @@ fn all_that_lessons_show_is_solved_beforehand() {
         let is_sweep = !run["points"].is_null();
         let facets = std::fs::read_to_string(site.join("run").join(format!("{id}.js")));
         let has = |name: &str| facets.as_ref().is_ok_and(|script| script.contains(&format!("\"{name}\":")));
-        assert_eq!([has("iterations"), has("section"), has("motion"), has("patches")], [!is_sweep; 4], "{id}");
+        assert_eq!([has("iterations"), has("section"), has("why"), has("patches")], [!is_sweep; 4], "{id}");
+        assert!(has("motion"), "{id}");
         assert!(is_sweep || run["numbers"]["status"] == "converged", "{id}");
     }
-    assert_eq!(names(&site.join("run")).len(), runs.len() + loads.len());
+    assert_eq!(names(&site.join("run")).len(), 2 * runs.len());
     let of_theme = |theme: &str| runs.iter().filter(|run| run["knobs"]["theme"] == theme).count();
     assert_eq!([of_theme("dark"), of_theme("light")], [5, 5]);
     the_bodies_stand_as_they_press(&site, runs);

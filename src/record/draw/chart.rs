@@ -24,7 +24,7 @@ const MOST_LEGEND: f64 = 0.4;
 const DOT: f32 = 2.0;
 const MARKER: f32 = 4.5;
 /// Ratio of the largest value to the smallest from which on the axis is logarithmic.
-const WIDE: f64 = 30.0;
+const WIDE: f64 = 8.0;
 /// Share of the largest value below which the smallest one has zero beside it on the axis.
 const NEAR_ZERO: f64 = 0.5;
 /// Share of a value that an axis around it alone reaches to either side.

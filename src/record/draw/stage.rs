@@ -238,8 +238,8 @@ impl Stage {
         let [ny, nx] = [0, 1].map(|axis| self.grid.shape()[axis] / stride[axis]);
         let points = if self.grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx}") };
         let Phase { outer, inner, .. } = phase;
-        let inner = if inner > 0 { format!(", inner {inner}") } else { String::new() };
-        format!("{points}, outer {outer}{inner}")
+        let inner = if inner > 0 { format!(", inner step {inner}") } else { String::new() };
+        format!("{points}, outer step {outer}{inner}")
     }
 }
 
