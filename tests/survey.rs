@@ -55,7 +55,7 @@ fn noise_alone_is_noise_at_all_scales() {
         assert!((axis.noise / 2.0 - 1.0).abs() < 0.05 && axis.noise_share > 0.95, "{axis:?}");
         assert!(axis.shortest_wavelength >= 128.0 * SPACING / 4.0, "{axis:?}");
     }
-    assert_eq!(survey.power_law, None, "nothing is told from noise");
+    assert_eq!(survey.power_law, None, "nothing is above the noise");
 }
 
 #[test]

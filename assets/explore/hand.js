@@ -240,6 +240,15 @@ function placeHandles() {
   byId("bend").setAttribute("aria-valuetext", say("bend.value", { place: figure(handle, 3) }));
 }
 
+/** Shows what is shown once more, with the stress below or without it. */
+function showAgain() {
+  sectionRun = null;
+  const load = report.sweep?.points.find((point) => point === moment?.numbers);
+  if (!load) { showSectionOf(shownOrLatest()); return; }
+  moment = null;
+  momentOfLoad(load);
+}
+
 function beginHand() {
   const canvas = byId("section");
   canvas.addEventListener("pointerdown", pointerDown);
@@ -262,6 +271,6 @@ function beginHand() {
     made.addEventListener("pointercancel", letGo);
   }
   byId("unbend").addEventListener("click", unbend);
-  byId("fringes").addEventListener("change", () => { sectionRun = null; showSectionOf(shownOrLatest()); });
+  byId("fringes").addEventListener("change", showAgain);
   new ResizeObserver(() => { drawSections(); placeHandles(); drawPatch(); }).observe(canvas);
 }

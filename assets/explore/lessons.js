@@ -33,12 +33,13 @@ async function openLesson(name, at = 0) {
   if (lesson) showLesson(); else endLesson();
 }
 
-/** Leaves the page as a lesson left it, less what it asked; shows the run that was there before the question, if it has none. */
+/** Leaves the page as a lesson left it; what was asked about and not shown yet is solved. */
 function endLesson() {
+  const wasAsked = document.body.dataset.asked === "true";
   document.body.dataset.asked = false;
   setMoment(null);
   if (runOf(suspended.pinned)) setPin(suspended.pinned);
-  writeAddress();
+  if (wasAsked) changed(); else writeAddress();
 }
 
 /** Asks what the step asks, or shows it at once. */

@@ -72,9 +72,9 @@ async function showMotion(run, step) {
 /** The run whose section is shown; none while it is that of something else. */
 let sectionRun = null;
 
-/** Shows the section of a run that has ended, if it is not shown, unless a hand holds another. */
+/** Shows the section of a run that has ended, if it is not shown, unless a hand holds another or a moment has its own. */
 async function showSectionOf(run) {
-  if (!run || !run.ended || isSweep(run) || run.id === sectionRun || moment?.isClear || moment?.step !== undefined) return;
+  if (!run || !run.ended || isSweep(run) || run.id === sectionRun || moment) return;
   if (chosen && chosen.run !== run.id) choosePatch(null);
   sectionRun = run.id;
   const names = ["section", "beside", ...(isDeep() ? ["shear", "shear-beside"] : [])];

@@ -36,9 +36,9 @@ pub const CUT: &str = "(() => { \
 pub const WIDE: &str = "[...document.querySelectorAll('body *')].filter((it) => it.checkVisibility({ visibilityProperty: true }) && it.tagName !== 'OPTION') \
     .filter((it) => it.getBoundingClientRect().right > innerWidth + 1).map((it) => `${it.tagName} ${it.id}`)";
 
-/// Pictures that are shown and are lower than a quarter of the window.
+/// Pictures that are shown and are lower than a fifth of the window.
 const SLITS: &str = "['#own', '#viewer'].map((it) => document.querySelector(it)).filter((it) => it.checkVisibility({ visibilityProperty: true })) \
-    .filter((it) => it.getBoundingClientRect().height < innerHeight / 4 - 1).map((it) => `${it.id} ${it.getBoundingClientRect().height}`)";
+    .filter((it) => it.getBoundingClientRect().height < innerHeight / 5 - 1).map((it) => `${it.id} ${it.getBoundingClientRect().height}`)";
 
 /// Loads the checker of accessibility that `AXE` names, the file `axe.min.js` of the package `axe-core`; without it says so.
 pub fn load_axe(page: &mut Page) -> bool {

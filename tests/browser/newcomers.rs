@@ -40,8 +40,8 @@ fn the_first_half_minute(page: &mut Page) {
     assert_eq!(page.text("byId('lesson').value"), "hertz-and-rough");
     page.click("lesson-close");
     rested(page);
-    page.value("location.reload(); true");
-    page.until("document.readyState === 'complete' && typeof byId === 'function' && latest()?.ended", 60);
+    page.value("globalThis.isOld = true; location.reload(); true");
+    page.until("typeof isOld === 'undefined' && document.readyState === 'complete' && typeof byId === 'function' && latest()?.ended", 60);
     assert_eq!(page.value("byId('welcome').hidden"), true, "who has begun is not asked again");
 }
 

@@ -46,7 +46,11 @@ fn rows(path: &Path) -> Vec<std::collections::HashMap<String, String>> {
 fn a_study_is_a_table_a_figure_and_the_setup_of_each_row() {
     let folder = folder_with(STUDY);
     let output = done(&folder, "study study.toml");
-    assert!(text(&output.stdout).starts_with("24 rows, means over 3 seeds"), "{}", text(&output.stdout));
+    assert!(
+        text(&output.stdout).starts_with("24 rows, mean and standard deviation over 3 seeds"),
+        "{}",
+        text(&output.stdout)
+    );
     let table = rows(&folder.join("study.csv"));
     assert_eq!(table.len(), 24);
     for name in ["study.parquet", "study.svg", "study.png"] {

@@ -101,10 +101,10 @@ fn the_example_of_the_readme_is_a_lesson() {
     let readme = include_str!("../../assets/lessons/README.md");
     let example = readme.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
     let lesson = lesson(example);
-    assert_eq!(lesson.steps.len(), 4);
+    assert_eq!(lesson.steps.len(), 5);
     assert_eq!(lesson.steps[0].states().len(), 3);
     let kinds: Vec<_> = lesson.steps.iter().map(|step| json_of(step)["ask"]["kind"].clone()).collect();
-    assert_eq!(kinds, [Value::Null, json!("choose"), json!("number"), json!("draw")]);
+    assert_eq!(kinds, [Value::Null, json!("choose"), json!("number"), json!("draw"), json!("act")]);
     for key in json_of(&lesson.steps[0].knobs).as_object().unwrap().keys() {
         let is_known = readme.contains(&format!("`{key}`")) || ["theme", "heights"].contains(&key.as_str());
         assert!(is_known, "the knob {key} is not explained");
