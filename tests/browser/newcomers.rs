@@ -61,6 +61,9 @@ fn a_telephone(page: &mut Page) {
     }
     page.tap("answer-3");
     rested(page);
+    page.value("lesson.at = lesson.steps.length - 1; showEnd(); true");
+    assert_eq!(page.value(WIDE), json!([]), "at the end of a lesson");
+    page.value("lesson.at = 0; true");
     assert_eq!(page.value("isDeep() && section.shear !== null"), true, "the lesson on yield shows the stress");
     assert_eq!(page.value("byId('save-rrd').checkVisibility()"), false);
     page.value("byId('more').click()");
@@ -167,6 +170,15 @@ fn a_person_who_comes_for_the_first_time() {
     a_sweep_plays(&mut page);
     a_slow_run_is_explained(&mut page);
     a_class_before_a_wall(&mut page);
+}
+
+/// German words are longer.
+#[test]
+fn a_person_with_a_telephone_who_reads_german() {
+    let Some(program) = installed() else { return };
+    let (_explorer, mut page) = sketched(&program, "&language=de");
+    assert_eq!(page.text("byId('title').innerText"), "Raue Linie, p* = 0,05: konvergiert");
+    a_telephone(&mut page);
 }
 
 /// The viewer is not loaded before it is asked for, and goes on where it was left.
