@@ -83,9 +83,9 @@ fn guess(page: &mut Page, ask: &Value) -> String {
             page.until("document.querySelector('#results polyline.guess')", 10);
             let target = page.text("guess.target");
             let [x, y, width, height] = page.place(&target);
-            page.mouse("mousePressed", [x + 0.3 * width, y + 0.4 * height]);
-            page.mouse("mouseMoved", [x + 0.7 * width, y + 0.6 * height]);
-            page.mouse("mouseReleased", [x + 0.7 * width, y + 0.6 * height]);
+            page.mouse("mousePressed", [x + 0.5 * width, y + 0.4 * height]);
+            page.mouse("mouseMoved", [x + 0.8 * width, y + 0.6 * height]);
+            page.mouse("mouseReleased", [x + 0.8 * width, y + 0.6 * height]);
             let drawn = "(() => { const { points, top } = guess; return [points[0][1] === top, points.some(([, v]) => v > 0.25 * top && v < 0.75 * top && v !== top / 2)]; })()";
             assert_eq!(page.value(drawn), json!([true, true]), "the sliders and the hand draw one curve");
             page.click("answer-1");
