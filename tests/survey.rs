@@ -63,8 +63,54 @@ fn the_hurst_exponent_is_that_of_the_roughness() {
     for (shape, within) in [([1, 1 << 15], 0.1), ([512, 512], 0.1)] {
         // the roll-off lies at half of the length of this part
         let law = Survey::of(&rough(shape, 2.0, 11)).unwrap().power_law.unwrap();
-        assert!((law.hurst - 0.7).abs() < within, "{shape:?}: {law:?}");
-        assert_eq!(law.wavelengths[1], shape[1] as f64 * SPACING / 4.0);
+        assert!((law.hurst - 0.7).abs() < law.hurst_error.min(within), "{shape:?}: {law:?}");
+    }
+}
+
+/// Roughness of any Hurst exponent, roll-off and cut-off: what is told is right within what is told of its error, and not told where that is
+/// large.
+#[test]
+fn the_hurst_exponent_is_right_within_its_stated_error() {
+    let mut random = ChaCha8Rng::seed_from_u64(30);
+    let cases = 200;
+    let mut shares = Vec::new();
+    for case in 0..cases {
+        let is_line = case % 2 == 0;
+        let n = if is_line { 1 << 14 } else { 256 };
+        let grid = if is_line { Grid::line(n, 1.0) } else { Grid::surface([n, n], [1.0, 1.0]) }.unwrap();
+        let hurst = random.random_range(0.1..0.9);
+        let rolloff = random.random_range(1.0..8.0f64);
+        let cutoff = (rolloff * random.random_range(2.0..5.0f64).exp2()).min(n as f64 / 4.0);
+        let spectrum =
+            Spectrum { hurst, rolloff_wavelength: 1.0 / rolloff, short_cutoff: 1.0 / cutoff, rms_gradient: 0.1 };
+        let heights = Scan::of(&Surface::rough(grid, &spectrum, case).unwrap(), if is_line { 1 } else { 2 });
+        let Some(law) = Survey::of(&heights).unwrap().power_law else { continue };
+        let share = (law.hurst - hurst).abs() / law.hurst_error;
+        let what = format!("case {case}: H = {hurst:.2}, {rolloff:.1} to {cutoff:.0} waves: {law:?}");
+        assert!(share < 1.5 && (0.0..=1.0).contains(&law.hurst) && law.hurst_error <= 0.5, "{what}");
+        assert!(law.wavelengths[0] > 0.8 / cutoff, "waves beyond the cut-off are fitted: {what}");
+        shares.push(share);
+    }
+    let beyond = shares.iter().filter(|share| **share > 1.0).count();
+    assert!(shares.len() > 120 && beyond * 50 <= shares.len(), "{beyond} of {} are further off", shares.len());
+}
+
+/// What is not self-affine has no Hurst exponent: a wave, an arc, steps.
+#[test]
+fn what_is_not_self_affine_has_no_hurst_exponent() {
+    let shape = |of: fn(f64) -> f64| Scan {
+        height: ndarray::Array2::from_shape_fn((1, 4096), |(_, x)| of(x as f64 / 4096.0)),
+        spacing: [1.0; 2],
+    };
+    for (name, scan) in [
+        ("a wave", shape(|x| (20.0 * std::f64::consts::TAU * x).sin())),
+        ("an arc", shape(|x| -(x - 0.5) * (x - 0.5))),
+        (
+            "waves",
+            shape(|x| (20.0 * std::f64::consts::TAU * x).sin() + 0.3 * (170.0 * std::f64::consts::TAU * x).cos()),
+        ),
+    ] {
+        assert_eq!(Survey::of(&scan).unwrap().power_law, None, "{name}");
     }
 }
 

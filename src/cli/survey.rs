@@ -14,7 +14,10 @@ pub fn write(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
     let law = survey.power_law.map(|law| {
         let [shortest, longest] = law.wavelengths;
         let (exponent, hurst) = (law.exponent, law.hurst);
-        format!("C(q) ~ q^{exponent:.2} (H = {hurst:.2}) at wavelengths of {shortest:.3e} to {longest:.3e}")
+        format!(
+            "C(q) ~ q^{exponent:.2} (H = {hurst:.2} ± {:.2}) at wavelengths of {shortest:.3e} to {longest:.3e}",
+            law.hurst_error
+        )
     });
     write_rows(overall.into_iter().chain(law.map(|law| ("power spectrum", law))).map(owned), out)?;
     survey.axes.iter().try_for_each(|axis| write_axis(axis, out))

@@ -126,7 +126,7 @@ fn of_heights(scan: &Scan) -> Result<Vec<(String, String)>, Refusal> {
     let rows = rows.map(|(name, value)| (name.to_owned(), value));
     let hurst = survey.power_law.map(|it| {
         let [shortest, longest] = it.wavelengths.map(length);
-        ("Hurst exponent".to_owned(), format!("{:.2}, from {shortest} to {longest}", it.hurst))
+        ("Hurst exponent".to_owned(), format!("{:.2} ± {:.2}, from {shortest} to {longest}", it.hurst, it.hurst_error))
     });
     Ok(rows.into_iter().chain(hurst).collect())
 }

@@ -82,3 +82,52 @@ fn facets_are_those_of_runs_that_have_ended() {
     page.wait(|state| state["busy"] == false);
     assert_ne!(page.get("/api/run/run-1/steps").json(), Value::Null);
 }
+
+/// The sections of a sweep: one for each of its points, of one rigid shape, and with ever more contact.
+#[test]
+fn the_picture_moves_load_by_load() {
+    let page = Page::open();
+    page.order("/api/sweep", &with(json!({"points": 512, "cutoff": 64})));
+    let state = page.wait(|state| state["busy"] == false && state["sweep"]["ended"] == true);
+    let points = state["sweep"]["points"].as_array().unwrap();
+    let id = state["sweep"]["id"].as_str().unwrap();
+    let motion = page.get(&format!("/api/run/{id}/motion")).json();
+    let numbers: Vec<&Value> = points.iter().map(|point| &point["number"]).collect();
+    assert_eq!(motion["steps"].as_array().unwrap().iter().collect::<Vec<_>>(), numbers);
+    let values = |of: &Value| of.as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).collect::<Vec<_>>();
+    let sections = motion["sections"].as_array().unwrap();
+    let shape = |section: &Value| {
+        let rigid = values(&section["rigid"]);
+        rigid.iter().map(|z| (z - rigid[0]) / section["highest"].as_f64().unwrap()).collect::<Vec<_>>()
+    };
+    let first = shape(&sections[0]);
+    let touching = |section: &Value| values(&section["pressure"]).iter().filter(|p| **p > 0.0).count();
+    for section in sections {
+        let away = shape(section).iter().zip(&first).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(away < 1e-4, "the rigid surface changes its shape by {away}");
+    }
+    let counts: Vec<usize> = sections.iter().map(touching).collect();
+    assert!(counts.is_sorted() && counts[0] < 10 && *counts.last().unwrap() == first.len(), "{counts:?}");
+    let other = page.get(&format!("/api/run/{id}/patches"));
+    assert_eq!(other.status, 409, "{}", other.text());
+}
+
+/// A friction eight times too strong is found to be what held a run up, and the run is told step by step.
+#[test]
+fn a_run_tells_why_it_was_slow() {
+    let page = Page::open();
+    let solver = json!({"method": "gfmd", "masses": "stiffness", "dynamics": "damped", "time-step": 0.5, "damping": 8});
+    let run = page.solve(&with(json!({"points": 256, "cutoff": 32, "solver": solver})));
+    let why = page.get("/api/run/run-1/why").json();
+    assert_eq!(why["causes"][0]["cause"], "damping", "{}", why["causes"]);
+    assert_eq!(why["causes"][0]["damping"], 8.0);
+    let steps = run["numbers"]["iterations"].as_u64().unwrap();
+    assert_eq!(why["standing"]["steps"].as_u64(), Some(steps));
+    let stretches = why["decisions"]["stretches"].as_array().unwrap();
+    assert_eq!(stretches.last().unwrap()["name"], "damped");
+    assert!(stretches.last().unwrap()["steps"][1].as_u64().unwrap() + 1 >= steps);
+    let rows = why["errors"]["rows"].as_array().unwrap();
+    let worst = |row: &Value| row.as_array().unwrap().iter().filter_map(Value::as_f64).fold(0.0, f64::max);
+    assert!(rows.len() > 50 && worst(&rows[rows.len() - 2]) < 0.01 * worst(&rows[0]), "errors do not fall");
+    assert_eq!(rows.len(), why["errors"]["steps"].as_array().unwrap().len());
+}

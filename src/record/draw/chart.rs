@@ -24,7 +24,7 @@ const MOST_LEGEND: f64 = 0.4;
 const DOT: f32 = 2.0;
 const MARKER: f32 = 4.5;
 /// Ratio of the largest value to the smallest from which on the axis is logarithmic.
-const WIDE: f64 = 8.0;
+const WIDE: f64 = 12.0;
 /// Share of the largest value below which the smallest one has zero beside it on the axis.
 const NEAR_ZERO: f64 = 0.5;
 /// Share of a value that an axis around it alone reaches to either side.
@@ -230,6 +230,7 @@ mod tests {
             (vec![0.2, 1.7], [0.0, 2.0]),
             (vec![3e-4, 0.9], [1e-4, 1.0]),
             (vec![1.1, 84.0], [1.0, 100.0]),
+            (vec![1.47, 38.0], [1.0, 100.0]),
             (vec![-3.2, -0.4], [-3.5, 0.0]),
         ];
         for (values, expected) in ranges {

@@ -1,12 +1,24 @@
 //! The power spectrum of heights in bands, and its power law.
 
+use crate::grid::Grid;
 use crate::surface::PowerSpectrum;
-use std::f64::consts::TAU;
+use std::f64::consts::{LN_2, TAU};
 
 /// Bands per octave, in which densities are averaged.
 const BANDS: f64 = 4.0;
-/// The longest wavelength of a fit, over the length of the surface: longer ones are too few.
-const LONGEST: f64 = 0.25;
+/// The mean square deviation of bands from a power law, over what chance makes, from which on they follow none.
+const MOST_SCATTER: f64 = 1.7;
+/// The fewest bands of a stretch, and the octaves that those of a fit span at least.
+const FEWEST: usize = 6;
+const LEAST_OCTAVES: f64 = 1.0;
+/// How many neighbouring waves a Hann window makes one along each axis: 1 + 2 (2/3)^2 + 2 (1/6)^2, the sum of the squares of their
+/// correlations.
+const WINDOWED: f64 = 1.0 + 2.0 * 4.0 / 9.0 + 2.0 / 36.0;
+/// Standard deviations of the stated error, and what is added for the bend of a spectrum at its ends.
+const DEVIATIONS: f64 = 3.0;
+const BEND: f64 = 0.02;
+/// A Hurst exponent that may be further off than this is not told.
+const LARGEST_ERROR: f64 = 0.5;
 
 /// The waves in a quarter of an octave.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -15,60 +27,121 @@ pub struct Band {
     pub wavenumber: f64,
     /// The mean of their densities, see [`PowerSpectrum`].
     pub density: f64,
+    /// The number of waves whose densities are independent of each other, at least 1.
+    pub waves: f64,
 }
 
-/// A power law `C(q) ~ q^exponent`, fitted to the bands of a spectrum between two wavelengths.
+/// A power law `C(q) ~ q^exponent`, fitted to the bands of a spectrum between its roll-off and its cut-off.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct PowerLaw {
     /// The exponent.
     pub exponent: f64,
-    /// The Hurst exponent that follows from it, `-(1 + exponent) / 2` of a line and `-1 - exponent / 2` of a surface; below 0 or above 1 the
-    /// heights are not self-affine.
+    /// The Hurst exponent that follows from it, `-(1 + exponent) / 2` of a line and `-1 - exponent / 2` of a surface, between 0 and 1.
     pub hurst: f64,
+    /// How far the Hurst exponent may be off: three standard deviations, or how far that of the shorter half of the waves is away.
+    pub hurst_error: f64,
     /// The shortest and the longest wavelength of the fit.
     pub wavelengths: [f64; 2],
 }
 
 impl Band {
-    /// The bands of a spectrum, from the longest waves on; those without a wave are left out.
-    pub(super) fn all(spectrum: &PowerSpectrum) -> Vec<Self> {
+    /// The bands of a spectrum of heights on a grid under a Hann window, from the longest waves on; those without a wave are left out.
+    pub(super) fn all(spectrum: &PowerSpectrum, grid: &Grid) -> Vec<Self> {
         let number = |q: f64| (BANDS * q.log2()).floor();
-        let waves: Vec<(f64, f64)> =
-            spectrum.wavenumber.iter().copied().zip(spectrum.density.iter().copied()).collect();
-        let bands = waves.chunk_by(|one, next| number(one.0) == number(next.0));
+        let axes = if grid.is_line() { 1 } else { 2 };
+        let [ly, lx] = grid.size().map(|length| length / TAU);
+        // half of the waves, as those of opposite wave vectors are the same
+        let independent = 0.5 * if grid.is_line() { lx } else { lx * ly } / WINDOWED.powi(axes);
+        let waves = spectrum.wavenumber.iter().zip(&spectrum.density).zip(&spectrum.measure);
+        let waves: Vec<[f64; 3]> = waves.map(|((&q, &density), measure)| [q, density, independent * measure]).collect();
+        let bands = waves.chunk_by(|one, next| number(one[0]) == number(next[0]));
         bands.map(Self::of).collect()
     }
 
-    fn of(waves: &[(f64, f64)]) -> Self {
-        let mean = |of: &dyn Fn(&(f64, f64)) -> f64| waves.iter().map(of).sum::<f64>() / waves.len() as f64;
-        Self { wavenumber: mean(&|wave| wave.0.ln()).exp(), density: mean(&|wave| wave.1) }
+    fn of(waves: &[[f64; 3]]) -> Self {
+        let mean = |of: &dyn Fn(&[f64; 3]) -> f64| waves.iter().map(of).sum::<f64>() / waves.len() as f64;
+        Self {
+            wavenumber: mean(&|wave| wave[0].ln()).exp(),
+            density: mean(&|wave| wave[1]),
+            waves: waves.iter().map(|wave| wave[2]).sum::<f64>().max(1.0),
+        }
     }
 
     /// Its wavelength.
     pub fn wavelength(&self) -> f64 {
         TAU / self.wavenumber
     }
-}
 
-impl PowerLaw {
-    /// The power law of the bands of heights of some length, down to a wavelength; none where less than an octave is left.
-    pub(super) fn of(bands: &[Band], is_line: bool, length: f64, shortest: f64) -> Option<Self> {
-        let longest = LONGEST * length;
-        let is_inside = |band: &&Band| band.density > 0.0 && (shortest..=longest).contains(&band.wavelength());
-        let logarithms = |band: &Band| [band.wavenumber.ln(), band.density.ln()];
-        let points: Vec<[f64; 2]> = bands.iter().filter(is_inside).map(logarithms).collect();
-        let exponent = slope(&points).filter(|_| longest >= 2.0 * shortest)?;
-        let hurst = if is_line { -0.5 * (1.0 + exponent) } else { -1.0 - 0.5 * exponent };
-        Some(Self { exponent, hurst, wavelengths: [shortest, longest] })
+    /// Logarithms of wavenumber and density, and the weight of the latter. The logarithm of a mean of `n` densities, each of them
+    /// exponentially distributed, is `1/(2n) + 1/(12n^2)` too small on average, with a variance of `1/n + 1/(2n^2)`.
+    fn logarithms(&self) -> [f64; 3] {
+        let n = self.waves;
+        [self.wavenumber.ln(), self.density.ln() + (0.5 + 1.0 / (12.0 * n)) / n, 1.0 / (1.0 / n + 0.5 / (n * n))]
     }
 }
 
-/// The slope of the straight line of least squares; none for less than three points.
-fn slope(points: &[[f64; 2]]) -> Option<f64> {
-    let count = points.len() as f64;
-    let mean = |i: usize| points.iter().map(|it| it[i]).sum::<f64>() / count;
-    let (x, y) = (mean(0), mean(1));
-    let across = points.iter().map(|it| (it[0] - x) * (it[1] - y)).sum::<f64>();
-    let along = points.iter().map(|it| (it[0] - x).powi(2)).sum::<f64>();
-    (points.len() >= 3).then(|| across / along)
+impl PowerLaw {
+    /// The power law of the bands of heights down to a wavelength. Of all stretches of bands that follow one with a Hurst exponent
+    /// between 0 and 1 it is the one whose exponent is known best, which leaves out waves beyond roll-off and cut-off. None where no octave
+    /// follows one.
+    pub(super) fn of(bands: &[Band], is_line: bool, shortest: f64) -> Option<Self> {
+        let is_inside = |band: &&Band| band.density > 0.0 && band.wavelength() >= shortest;
+        let bands: Vec<Band> = bands.iter().filter(is_inside).copied().collect();
+        let stretches = (0..bands.len()).flat_map(|from| (from + FEWEST..=bands.len()).map(move |to| from..to));
+        let laws = stretches.filter_map(|stretch| Some((Self::of_stretch(&bands[stretch.clone()], is_line)?, stretch)));
+        let (_, stretch) = laws.min_by(|(one, _), (other, _)| one.hurst_error.total_cmp(&other.hurst_error))?;
+        // roll-off and cut-off may lie inside the bands at the ends
+        let inner = &bands[stretch.start + 1..stretch.end - 1];
+        let law = Self::of_stretch(inner, is_line)?;
+        // long waves are few, so that chance may hide a roll-off among them: then the shorter half has another exponent
+        let half = hurst(&Line::of(&logarithms(&inner[inner.len() / 2..])), is_line);
+        let hurst_error = law.hurst_error.max((law.hurst - half).abs());
+        (hurst_error <= LARGEST_ERROR).then_some(Self { hurst_error, ..law })
+    }
+
+    /// The power law that all bands follow, if there is one.
+    fn of_stretch(bands: &[Band], is_line: bool) -> Option<Self> {
+        let points = logarithms(bands);
+        let (first, last) = (points.first()?[0], points.last()?[0]);
+        let line = Line::of(&points);
+        let hurst = hurst(&line, is_line);
+        let Line { slope, variance, scatter } = line;
+        let follows = last - first >= LEAST_OCTAVES * LN_2 && scatter <= MOST_SCATTER && (0.0..=1.0).contains(&hurst);
+        follows.then(|| Self {
+            exponent: slope,
+            hurst,
+            hurst_error: BEND + DEVIATIONS * 0.5 * (variance * scatter.max(1.0)).sqrt(),
+            wavelengths: [last, first].map(|q| TAU / q.exp()),
+        })
+    }
+}
+
+fn logarithms(bands: &[Band]) -> Vec<[f64; 3]> {
+    bands.iter().map(Band::logarithms).collect()
+}
+
+/// The Hurst exponent of a straight line through logarithms.
+fn hurst(line: &Line, is_line: bool) -> f64 {
+    if is_line { -0.5 * (1.0 + line.slope) } else { -1.0 - 0.5 * line.slope }
+}
+
+/// The straight line of least squares through points with weights, which are the inverse variances.
+struct Line {
+    slope: f64,
+    /// The variance of the slope.
+    variance: f64,
+    /// The weighted mean square deviation.
+    scatter: f64,
+}
+
+impl Line {
+    fn of(points: &[[f64; 3]]) -> Self {
+        let sum = |of: &dyn Fn(&[f64; 3]) -> f64| points.iter().map(|point| point[2] * of(point)).sum::<f64>();
+        let weight = sum(&|_| 1.0);
+        let (x, y) = (sum(&|it| it[0]) / weight, sum(&|it| it[1]) / weight);
+        let along = sum(&|it| (it[0] - x).powi(2));
+        let slope = sum(&|it| (it[0] - x) * (it[1] - y)) / along;
+        let scatter = sum(&|it| (it[1] - y - slope * (it[0] - x)).powi(2)) / (points.len() as f64 - 2.0);
+        Self { slope, variance: 1.0 / along, scatter }
+    }
 }

@@ -40,8 +40,7 @@ pub struct Survey {
     pub jumps: [f64; 2],
     /// Scales, noise and resolution along y and x, of a profile along x; an axis of less than 9 nodes is left out.
     pub axes: Vec<Scales>,
-    /// The power law of the power spectrum between the shortest wavelength that is told from noise, and at which heights are rough, and a
-    /// quarter of the length.
+    /// The power law of the power spectrum, where it has one, between its roll-off and its cut-off and above the noise.
     pub power_law: Option<PowerLaw>,
     /// The power spectrum of the heights less their plane, under a Hann window of mean square 1, which ends the waves of the rim.
     pub spectrum: Vec<Band>,
@@ -61,7 +60,7 @@ impl Survey {
         let [total, rest] = [square(&flat), square(&Detrend::Curvature.of(full.clone()))];
         let plane = Detrend::Plane.of(scan.clone());
         let axes: Vec<Scales> = (0..2).filter_map(|axis| Scales::of(&plane, axis)).collect();
-        let spectrum = Band::all(&PowerSpectrum::of(&Surface::new(grid, windowed(&flat).height)?));
+        let spectrum = Band::all(&PowerSpectrum::of(&Surface::new(grid, windowed(&flat).height)?), &grid);
         let rough = |it: &Scales| it.shortest_wavelength.max(it.smooth_wavelength.unwrap_or(0.0));
         let shortest = axes.iter().map(rough).fold(grid.shortest_wavelength(), f64::max);
         Ok(Self {
@@ -69,7 +68,7 @@ impl Survey {
             tilt: Detrend::tilt(&full),
             curvature_share: if total > 0.0 { 1.0 - rest / total } else { 0.0 },
             jumps,
-            power_law: PowerLaw::of(&spectrum, grid.is_line(), grid.longest_wavelength(), shortest),
+            power_law: PowerLaw::of(&spectrum, grid.is_line(), shortest),
             axes,
             spectrum,
         })
