@@ -15,6 +15,24 @@ fn keep(page: &mut Page, name: &str) {
     std::fs::write(std::path::Path::new(&folder).join(format!("{name}.png")), png).unwrap();
 }
 
+/// What a person has to press buttons with.
+#[derive(Clone, Copy)]
+enum Means {
+    Mouse,
+    Keyboard,
+    Finger,
+}
+
+impl Means {
+    fn press(self, page: &mut Page, id: &str) {
+        match self {
+            Self::Mouse => page.click(id),
+            Self::Keyboard => page.press_at(id, "Enter"),
+            Self::Finger => page.tap(id),
+        }
+    }
+}
+
 /// What the page says of a first answer that is wrong.
 fn why(page: &mut Page) -> String {
     page.text("document.getElementById('lesson-why').innerText")
@@ -29,7 +47,7 @@ fn is_unpressed(page: &mut Page) {
 }
 
 /// Answers what is asked, wrongly first where there is a second try, and returns what the page says of the answer.
-fn guess(page: &mut Page, ask: &Value) -> String {
+fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
     assert_eq!(page.value("document.getElementById('lesson-next').disabled"), true, "a guess comes first");
     if ask["kind"] != "act" {
         is_unpressed(page);
@@ -38,11 +56,11 @@ fn guess(page: &mut Page, ask: &Value) -> String {
         "choose" => {
             let choices = ask["choices"].as_array().unwrap();
             let wrong = 1 + choices.iter().position(|it| it["because"].is_object()).unwrap();
-            page.click(&format!("answer-{wrong}"));
+            means.press(page, &format!("answer-{wrong}"));
             let because = choices[wrong - 1]["because"]["en"].as_str().unwrap();
             assert_eq!(why(page), format!("Not so. {because} Try once more."));
             assert_eq!(page.value(&format!("byId('answer-{wrong}').disabled")), true);
-            page.click(&format!("answer-{}", ask["right"]));
+            means.press(page, &format!("answer-{}", ask["right"]));
         }
         "act" => {
             page.until("latest()?.ended && words(latest().knobs) === words(knobs)", 60);
@@ -55,14 +73,14 @@ fn guess(page: &mut Page, ask: &Value) -> String {
             page.type_into(control, value);
         }
         "number" => {
-            page.click("answer-1");
+            means.press(page, "answer-1");
             assert_eq!(page.text("document.body.dataset.asked"), "true", "no number is no guess");
             assert!(page.text("document.getElementById('fault').innerText").ends_with(" needs a number."));
             page.type_into("guess-number", "-0.5");
-            page.click("answer-1");
+            means.press(page, "answer-1");
             assert_eq!(page.text("document.body.dataset.asked"), "true", "a negative number is no guess");
             page.type_into("guess-number", "4000");
-            page.click("answer-1");
+            means.press(page, "answer-1");
             if ask["of"].as_str().unwrap().starts_with("relative_area") {
                 assert!(page.text("byId('fault').innerText").contains("cannot be 4000"), "an area above 1 is no guess");
             } else if !["iterations", "transforms"].contains(&ask["of"].as_str().unwrap()) {
@@ -70,11 +88,11 @@ fn guess(page: &mut Page, ask: &Value) -> String {
             }
             if page.text("document.body.dataset.asked") == "true" {
                 page.type_into("guess-number", "0.5");
-                page.click("answer-1");
+                means.press(page, "answer-1");
             }
             if page.text("document.body.dataset.asked") == "true" {
                 assert!(why(page).starts_with("0.5 is too "), "{}", why(page));
-                page.click("answer-1");
+                means.press(page, "answer-1");
             }
         }
         _ => {
@@ -88,7 +106,7 @@ fn guess(page: &mut Page, ask: &Value) -> String {
             page.mouse("mouseReleased", [x + 0.8 * width, y + 0.6 * height]);
             let drawn = "(() => { const { points, top } = guess; return [points[0][1] === top, points.some(([, v]) => v > 0.25 * top && v < 0.75 * top && v !== top / 2)]; })()";
             assert_eq!(page.value(drawn), json!([true, true]), "the sliders and the hand draw one curve");
-            page.click("answer-1");
+            means.press(page, "answer-1");
         }
     }
     page.until("document.body.dataset.asked === 'false'", 10);
@@ -150,7 +168,7 @@ fn ended(page: &mut Page, lesson: &Value) {
     }
 }
 
-fn play(explorer: &Explorer, page: &mut Page, lesson: &Value) {
+fn play(explorer: &Explorer, page: &mut Page, lesson: &Value, means: Means) {
     let name = lesson["name"].as_str().unwrap();
     page.value(&format!(
         "(() => {{ const list = byId('lesson'); list.value = '{name}'; list.dispatchEvent(new Event('change')); }})()"
@@ -158,7 +176,7 @@ fn play(explorer: &Explorer, page: &mut Page, lesson: &Value) {
     let steps = lesson["steps"].as_array().unwrap();
     for (at, step) in steps.iter().enumerate() {
         page.until(&format!("document.body.dataset.lesson === '{at}'"), 20);
-        let verdict = if step["ask"].is_object() { guess(page, &step["ask"]) } else { String::new() };
+        let verdict = if step["ask"].is_object() { guess(page, &step["ask"], means) } else { String::new() };
         followed(explorer, page, step);
         if step["ask"].is_object() {
             judged(page, &step["ask"], &verdict);
@@ -167,10 +185,10 @@ fn play(explorer: &Explorer, page: &mut Page, lesson: &Value) {
         assert!(text.contains(step["text"]["en"].as_str().unwrap()), "{text}");
         assert_eq!(page.value("document.getElementById('fault').hidden"), true);
         keep(page, &format!("{name}-{}", at + 1));
-        page.click("lesson-next");
+        means.press(page, "lesson-next");
     }
     ended(page, lesson);
-    page.click("lesson-close");
+    means.press(page, "lesson-close");
     assert_eq!(page.value("document.getElementById('lesson-card').hidden"), true);
     println!("{name} is played.");
 }
@@ -182,7 +200,7 @@ fn a_person_in_a_lesson() {
     let names = page.value("[...document.querySelectorAll('#lesson option')].map((it) => it.textContent)");
     assert_eq!(names.as_array().unwrap().len(), 7);
     let lesson = page.value("lessons[0]");
-    play(&explorer, &mut page, &lesson);
+    play(&explorer, &mut page, &lesson, Means::Mouse);
 }
 
 /// All of them take minutes, and are played without a browser in any case.
@@ -193,7 +211,10 @@ fn a_person_in_all_lessons() {
     let (explorer, mut page) = opened(&program);
     page.resize([1440, 900]);
     let lessons = page.value("lessons");
-    for lesson in lessons.as_array().unwrap() {
-        play(&explorer, &mut page, lesson);
+    page.chromium.page("Emulation.setTouchEmulationEnabled", json!({"enabled": true, "maxTouchPoints": 1}));
+    for means in [Means::Keyboard, Means::Finger] {
+        for lesson in lessons.as_array().unwrap() {
+            play(&explorer, &mut page, lesson, means);
+        }
     }
 }
