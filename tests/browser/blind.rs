@@ -46,7 +46,7 @@ fn steps_are_scrubbed(page: &mut Page) {
 fn a_page_without_a_viewer() {
     let Some(program) = installed() else { return };
     let (_explorer, mut page) = sketched(&program, "");
-    page.resize([1280, 900]);
+    page.resize([1440, 900]);
     assert_eq!(page.text("document.body.dataset.viewer"), "failed");
     the_picture_takes_the_place_of_the_viewer(&mut page);
     controls_and_hand_work(&mut page);

@@ -97,7 +97,7 @@ pub fn rested(page: &mut Page) {
     page.until(
         "session && !grip && !holding && ask('state').then(({ busy, revision, run }) => { \
            const seen = document.body.dataset; \
-           const shown = seen.viewer === 'started' ? (seen.shown || '').split(' ')[0] : seen.section; \
+           const shown = seen.viewer === 'started' && seen.view !== 'picture' ? (seen.shown || '').split(' ')[0] : seen.section; \
            return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) && shown === run.id \
              && (seen.viewer === 'started' ? JSON.stringify(knobs) === JSON.stringify(run.knobs) : words(knobs) === words(run.knobs)); })",
         120,

@@ -83,7 +83,7 @@ fn axes_follow_data_layout_and_size(page: &mut Page) {
     curves_stand_on_their_axes(page, "in a lesson");
     page.click("lesson-close");
     curves_stand_on_their_axes(page, "after a lesson was closed");
-    page.resize([1300, 820]);
+    page.resize([1420, 880]);
     curves_stand_on_their_axes(page, "after the window has changed");
 }
 

@@ -283,7 +283,7 @@ fn surfaces_stand_side_by_side(page: &mut Page) {
 fn a_person_with_a_hand_on_the_contact() {
     let Some(program) = installed() else { return };
     let (_explorer, mut page) = opened(&program);
-    page.resize([1280, 800]);
+    page.resize([1440, 880]);
     pressing_raises_the_load(&mut page);
     lifting_lets_go(&mut page);
     what_is_lifted_clear_stays(&mut page);

@@ -46,7 +46,7 @@ fn a_dropped_file_is_pressed(page: &mut Page) {
         "1 voids filled with the smoothest heights",
         "4.800 µm x 6.400 µm",
         "Topography",
-        "Hurst exponent",
+        "shortest wavelength above the noise",
     ] {
         assert!(told.contains(words), "{words} is not in {told}");
     }
