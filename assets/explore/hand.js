@@ -147,12 +147,14 @@ function letGo() {
   if (holding) grip.isLeft = true; else drop();
 }
 
-/** What the hand found is solved as a run, and recorded. What is lifted clear stays where it is, and the load is the one before. */
+/** What the hand found is solved as a run, and recorded; until that has ended the picture stays as the hand left it. What is lifted clear
+ * stays where it is, and the load is the one before. */
 function drop() {
   const { load } = grip;
   grip = null;
   knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
   if (moment?.isClear) { knobs.load = load; show(); return; }
+  sectionRun = shownOrLatest()?.id;
   setMoment(null);
   changed();
 }

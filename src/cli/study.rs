@@ -134,8 +134,18 @@ pub fn write_all(plan: &Plan, table: &Path, points: &[Point]) -> Result<()> {
     Ok(())
 }
 
-/// Says how many rows did not converge, if any.
+/// Says how many rows are not resolved, and how many did not converge, if any.
 pub fn settled(points: &[Point]) -> Result<Outcome> {
+    let is_unresolved =
+        |point: &&Point| point.is_converged() && (point.relative_area().is_none() || point.kappa_r().is_none());
+    let unresolved = points.iter().filter(is_unresolved).count();
+    if unresolved > 0 {
+        super::caution::tell(&[format!(
+            "{unresolved} of {} rows are not resolved, their contact has too few nodes: they are left out of means and figures, take more \
+             points or larger loads",
+            points.len()
+        )]);
+    }
     match points.iter().filter(|point| !point.is_converged()).count() {
         0 => Ok(Outcome::Done),
         rows => {

@@ -1,7 +1,6 @@
 //! What is printed of a study: what it takes, and the means that are found.
 
 use anyhow::Result;
-use asperity::contact::Observables;
 use asperity::quantity::bytes_in_words;
 use asperity::study::{Campaign, Plan, Point, Spread};
 use indicatif::HumanDuration;
@@ -51,7 +50,7 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
     write_rest(groups.len(), "choices from the lists", out)
 }
 
-/// Writes the means over the seeds under each load of what converged, by what is chosen from the lists.
+/// Writes the means over the seeds under each load of what converged and is resolved, by what is chosen from the lists.
 pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Result<()> {
     let (loads, seeds) = (plan.loads().len(), plan.seeds());
     writeln!(out, "{} rows, mean and standard deviation over {seeds} seeds, resolved", points.len())?;
@@ -59,21 +58,24 @@ pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Resul
     let groups = points.chunks(loads * seeds).enumerate();
     let rows = groups.flat_map(|(group, points)| (0..loads).map(move |load| (group, load, points)));
     for (group, load, points) in rows.take(LINES) {
-        let found = || points.iter().skip(load).step_by(loads).filter(|it| it.is_converged()).map(|it| &it.observables);
-        let spread = |of: fn(&Observables) -> f64| Spread::of(found().map(of));
-        let [area, kappa] = [spread(|it| it.relative_area_resolved), spread(|it| it.kappa_r_resolved)];
-        writeln!(
-            out,
-            "{:>11.4e} {:>9.6} {:>9.6} {:>8.4} {:>8.4}  {}",
-            spread(|it| it.reduced_pressure).mean,
-            area.mean,
-            area.deviation,
-            kappa.mean,
-            kappa.deviation,
-            plan.words_but_seed(group * seeds)
-        )?;
+        let found = || points.iter().skip(load).step_by(loads);
+        let spread = |of: fn(&Point) -> Option<f64>| Spread::of(found().filter_map(of));
+        let pressure = spread(|it| Some(it.observables.reduced_pressure)).mean;
+        let [area, area_std] = words(spread(Point::relative_area), 6);
+        let [kappa, kappa_std] = words(spread(Point::kappa_r), 4);
+        let choice = plan.words_but_seed(group * seeds);
+        writeln!(out, "{pressure:>11.4e} {area:>9} {area_std:>9} {kappa:>8} {kappa_std:>8}  {choice}")?;
     }
     write_rest(plan.rows() / seeds, "lines", out)
+}
+
+/// What stands for a number that is not known.
+const NONE: &str = "-";
+
+/// Mean and standard deviation with some digits; the first is not known of no values, the second of none and of one.
+fn words(spread: Spread, digits: usize) -> [String; 2] {
+    let word = |value: f64, least: usize| if spread.count >= least { format!("{value:.digits$}") } else { NONE.into() };
+    [word(spread.mean, 1), word(spread.deviation, 2)]
 }
 
 fn write_rest(count: usize, what: &str, out: &mut impl Write) -> Result<()> {

@@ -3,7 +3,6 @@
 use super::plan::Plan;
 use super::point::Point;
 use super::spread::Spread;
-use crate::contact::Observables;
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 use std::collections::BTreeMap;
 
@@ -14,10 +13,10 @@ const COLOURS: [Colour; 6] =
 const SYMBOLS: [Symbol; 2] = [Symbol::Circle, Symbol::Square];
 
 /// What a panel shows: its title, and the number that is drawn.
-type Shown = (&'static str, fn(&Observables) -> f64);
+type Shown = (&'static str, fn(&Point) -> Option<f64>);
 
-const AREA: Shown = ("relative contact area", |it| it.relative_area_resolved);
-const KAPPA: Shown = ("κ_r", |it| it.kappa_r_resolved);
+const AREA: Shown = ("relative contact area", Point::relative_area);
+const KAPPA: Shown = ("κ_r", Point::kappa_r);
 
 /// The mean over the seeds of what is drawn, and its scatter, under one load of one choice from the lists.
 struct Mean {
@@ -28,7 +27,7 @@ struct Mean {
 impl Plan {
     /// The figure of all `points` of the study: area and `kappa_r` against the reduced pressure, a curve for each choice from the
     /// lists but the seeds, over which the mean is taken, with the scatter of single realisations as bars. What did not
-    /// converge is left out, and of many curves the first twelve are drawn.
+    /// converge or is not resolved is left out, and of many curves the first twelve are drawn.
     pub fn figure(&self, title: &str, points: &[Point]) -> Figure {
         let curves: Vec<(String, Vec<Mean>)> = self.curves(points).into_iter().collect();
         let dots: Vec<&Mean> = curves.iter().flat_map(|(_, means)| means).collect();
@@ -51,7 +50,12 @@ impl Plan {
                 };
                 let symbol = SYMBOLS[i / COLOURS.len() % SYMBOLS.len()];
                 let mark = Mark::Joined { symbol, filled: true };
-                panel.add(label.clone(), COLOURS[i % COLOURS.len()], mark, means.iter().map(dot));
+                panel.add(
+                    label.clone(),
+                    COLOURS[i % COLOURS.len()],
+                    mark,
+                    means.iter().filter(|it| it.values[number].count > 0).map(dot),
+                );
             }
             panel
         };
@@ -63,14 +67,14 @@ impl Plan {
         let (loads, seeds) = (self.loads().len(), self.seeds());
         let groups = points.chunks(loads * seeds).take(MOST).enumerate();
         let curve = |(group, points): (usize, &[Point])| {
-            let mut by_load: BTreeMap<usize, Vec<&Observables>> = BTreeMap::new();
-            for point in points.iter().filter(|point| point.is_converged()) {
-                by_load.entry(point.load).or_default().push(&point.observables);
+            let mut by_load: BTreeMap<usize, Vec<&Point>> = BTreeMap::new();
+            for point in points {
+                by_load.entry(point.load).or_default().push(point);
             }
             let means = by_load.values().map(|found| {
-                let spread = |of: fn(&Observables) -> f64| Spread::of(found.iter().map(|it| of(it)));
+                let spread = |of: fn(&Point) -> Option<f64>| Spread::of(found.iter().filter_map(|it| of(it)));
                 Mean {
-                    reduced_pressure: spread(|it| it.reduced_pressure).mean,
+                    reduced_pressure: spread(|it| Some(it.observables.reduced_pressure)).mean,
                     values: [spread(AREA.1), spread(KAPPA.1)],
                 }
             });

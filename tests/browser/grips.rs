@@ -124,9 +124,9 @@ fn seen_at(page: &mut Page, share: f64) -> [f64; 2] {
         "(() => {{ const canvas = byId('section'); const from = Math.ceil(frame(canvas).top) + 2; \
            const {{ data, height }} = canvas.getContext('2d').getImageData(Math.floor({share} * canvas.width), 0, 1, canvas.height); \
            const at = (y) => data.slice(4 * y, 4 * y + 3).join(); \
-           let [rigid, solid] = [from, height - 1]; \
+           let [rigid, solid] = [from, height - 3]; \
            while (at(rigid) === at(from)) rigid++; \
-           while (at(solid) === at(height - 1)) solid--; \
+           while (at(solid) === at(height - 3)) solid--; \
            return [rigid, solid]; }})()"
     );
     serde_json::from_value(page.value(&seen)).unwrap()

@@ -28,6 +28,26 @@ fn done(folder: &Folder, line: &str) -> Output {
     output
 }
 
+/// A contact of too few nodes has no mean: what is not resolved is left out of it, and counted.
+#[test]
+fn what_is_not_resolved_is_no_zero() {
+    let folder = folder_with(
+        r#"
+surface = { spectrum = { hurst = 0.8, rolloff-wavelength = 0.125, short-cutoff = 0.02, rms-gradient = 0.1 }, seed = "1-4" }
+grid = { points = 256, size = 1.0 }
+load = { reduced-pressure = [1e-5, 0.1] }
+"#,
+    );
+    let output = done(&folder, "study study.toml");
+    let lines: Vec<Vec<&str>> = text(&output.stdout).lines().map(|line| line.split_whitespace().collect()).collect();
+    let of_load = |load: &str| lines.iter().find(|words| words.first() == Some(&load)).unwrap()[1..].to_vec();
+    assert_eq!(of_load("1.0000e-5"), ["-"; 4]);
+    let rough: Vec<f64> = of_load("1.0000e-1").iter().map(|word| word.parse().unwrap()).collect();
+    assert!((rough[0] - 0.22).abs() < 0.01 && (rough[2] - 1.66).abs() < 0.05 && rough[3] > 0.0, "{rough:?}");
+    let warned = text(&output.stderr);
+    assert!(warned.contains("warning: 4 of 8 rows are not resolved"), "{warned}");
+}
+
 /// The sentence of a line that must be refused.
 fn refused(folder: &Folder, line: &str) -> String {
     let output = folder.run(line);
