@@ -109,7 +109,6 @@ fn a_description_says_what_heights_are_like() {
         "Width                     72 µm",
         "tilt                      -1.1",
         "curvature                 ",
-        "power spectrum            C(q) ~ q^-",
         "noise along y",
         "smooth along x            below wavelengths of ",
         "distance along y          rms step      rms gradient  rms curvature",

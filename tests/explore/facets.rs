@@ -116,7 +116,7 @@ fn the_picture_moves_load_by_load() {
 #[test]
 fn a_run_tells_why_it_was_slow() {
     let page = Page::open();
-    let solver = json!({"method": "gfmd", "masses": "stiffness", "dynamics": "damped", "time-step": 0.5, "damping": 8});
+    let solver = json!({"method": "gfmd", "masses": "uniform", "dynamics": "damped", "time-step": 0.5, "damping": 8});
     let run = page.solve(&with(json!({"points": 256, "cutoff": 32, "solver": solver})));
     let why = page.get("/api/run/run-1/why").json();
     assert_eq!(why["causes"][0]["cause"], "damping", "{}", why["causes"]);

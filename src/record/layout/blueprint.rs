@@ -106,12 +106,6 @@ impl View {
         Pane::View(Self::curves(title, contents, Corner::RightTop))
     }
 
-    /// One curve on an axis that fits it, with no legend: the title names it.
-    pub fn one_curve(title: &str, entity: String) -> Pane {
-        let view = Self::curves(title, vec![entity], Corner::RightTop);
-        Pane::View(view.with("PlotLegend", panes::PlotLegend::new().with_visible(false)))
-    }
-
     fn curves(title: &str, contents: Vec<String>, legend: Corner) -> Self {
         let time = panes::TimeAxis::new().with_link(components::LinkAxis::Independent);
         Self::new(CURVES, title, "/", contents)

@@ -253,12 +253,7 @@ fn area(stage: &Stage) -> Pane {
 }
 
 fn certificate(stage: &Stage) -> Pane {
-    let title = "Certificate: log10 of the error bound eta";
-    let curves = beside_earlier(stage, &["certificate_log10"]);
-    match <[String; 1]>::try_from(curves) {
-        Ok([own]) => View::one_curve(title, own),
-        Err(both) => View::falling(title, both),
-    }
+    View::falling("Certificate: log10 of the error bound eta", beside_earlier(stage, &["certificate_log10"]))
 }
 
 /// Curves of every step and the text, or the text alone.
@@ -275,9 +270,7 @@ fn curves(stage: &Stage) -> Pane {
         ["kappa_r", "kappa_resolved", "kappa_r_resolved", "relative_area", "relative_area_resolved", "certificate"]
             .contains(&name)
     };
-    let others = traced()
-        .filter(|observable| !is_elsewhere(observable.name))
-        .map(|it| View::one_curve(&title(it), format!("{}/trace/{}", stage.root, drawn(it))));
+    let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[&drawn(it)]));
     let mut more: Vec<Pane> = [text, area(stage)].into_iter().chain(others).collect();
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(free("Grid level, outer and inner steps", &[PHASE]));
