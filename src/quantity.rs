@@ -56,6 +56,35 @@ pub fn bytes_in_words(bytes: f64) -> String {
     if value < 10.0 { format!("{value:.1} {name}") } else { format!("{value:.0} {name}") }
 }
 
+/// Units in which lengths are told, the longest first, in metres.
+const UNITS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
+
+/// A length in metres with the unit that makes it a number of one to three digits before its point, for reading.
+pub fn length_in_words(metres: f64) -> String {
+    let fits = |unit: &&(&str, f64)| metres.abs() >= 0.9995 * unit.1;
+    let (name, unit) = UNITS.iter().find(fits).unwrap_or(if metres == 0.0 { &UNITS[0] } else { &UNITS[3] });
+    format!("{} {name}", number_in_words(metres / unit))
+}
+
+/// A number to four digits, for reading.
+pub fn number_in_words(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".into();
+    }
+    let without_zeros = |text: &str| match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text.to_owned(),
+    };
+    if !(1e-3..1e6).contains(&size) {
+        let text = format!("{value:.3e}");
+        let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{exponent}", without_zeros(digits));
+    }
+    let digits = (3.0 - size.log10().floor()).clamp(0.0, 6.0) as usize;
+    without_zeros(&format!("{value:.digits$}"))
+}
+
 /// Reads a number or a text of one kind.
 struct Quantity {
     kind: &'static str,
@@ -129,5 +158,18 @@ mod units {
 
     pub fn length(_: &str) -> Option<f64> {
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_told_in_the_unit_that_fits_them() {
+        let told = [1e-5, 9.9996e-7, 2.5e-10, 3.0, 0.0, 1.25e-4, 160e-6].map(length_in_words);
+        assert_eq!(told, ["10 µm", "1 µm", "0.25 nm", "3 m", "0 m", "125 µm", "160 µm"]);
+        let told = [0.1, 1e9, 0.01471, 2.1e-4, 1500.0, -0.05].map(number_in_words);
+        assert_eq!(told, ["0.1", "1e9", "0.01471", "2.1e-4", "1500", "-0.05"]);
     }
 }

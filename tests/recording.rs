@@ -32,6 +32,8 @@ mod kinds;
 mod layout;
 #[path = "recording/loads.rs"]
 mod loads;
+#[path = "recording/mirror.rs"]
+mod mirror;
 #[path = "recording/numbers.rs"]
 mod numbers;
 #[path = "recording/pieces.rs"]
@@ -577,6 +579,30 @@ fn a_recording_that_cannot_grow_ends_the_run() {
     assert_eq!(output.status.code(), Some(1), "{complaint}");
     assert!(complaint.contains("short.rrd"), "{complaint}");
     assert!(trace(&path, "/contact/trace/kappa_r", "step").len() > 100);
+}
+
+/// An older recording stays as it is until the new one is whole, which has its name then.
+#[test]
+fn an_older_recording_stays_until_the_new_one_is_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, part] = ["it.rrd", "it.part.rrd"].map(|name| folder.path().join(name));
+    let problem = rough(Grid::line(64, 1.0).unwrap());
+    let write = || {
+        let recording = Recording::create(&path, &[Scene::new("it", &problem)], Options::default()).unwrap();
+        Multilevel.solve(&problem, &Stop::default(), &mut recording.recorder(0)).unwrap();
+        recording
+    };
+    write().finish().unwrap();
+    assert!(!part.exists());
+    let old = std::fs::read(&path).unwrap();
+    let recording = write();
+    assert_eq!(std::fs::read(&path).unwrap(), old, "the old one is whole");
+    assert!(!steps(&part, "/it/pressure/curves/pressure").is_empty(), "the new one can be opened as it grows");
+    drop(recording);
+    assert_eq!(std::fs::read(&path).unwrap(), old, "a run that ends before its time leaves the old one");
+    write().finish().unwrap();
+    assert_ne!(std::fs::read(&path).unwrap(), old);
+    assert!(!part.exists());
 }
 
 /// A run that would take for ever, less the name of its recording.

@@ -15,7 +15,7 @@ const REFUSED = 400;
 /** The JSON of an answer; a refusal is an error with the sentence of the server, and the status. */
 async function answered(request) {
   const answer = await request.catch(() => { throw new Error(say("fault.server")); });
-  if (!answer.ok) throw Object.assign(new Error(await answer.text()), { status: answer.status });
+  if (!answer.ok) throw Object.assign(new Error(translated(await answer.text())), { status: answer.status });
   return answer.json();
 }
 

@@ -104,7 +104,7 @@ function takeDescription(told) {
   mend("body");
   show();
   document.body.dataset.file = told.name;
-  if (told.fault) { fault(told.fault); markUnsolved(true); } else changed();
+  if (told.fault) { fault(translated(told.fault)); markUnsolved(true); } else changed();
 }
 
 /** Shows the file and its knobs where it is the body, but for a field that is being typed into. */
@@ -124,16 +124,16 @@ function showHeights() {
 
 /** The description in words: what the file holds, why the steps were chosen, and what they came to. */
 function showDescription() {
-  const rows = description.rows.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)]);
+  const rows = description.rows.flatMap(([name, value]) => [name, value].map((words, i) => element(i ? "dd" : "dt", {}, translated(words))));
   const run = latest();
   const steps = run && run.knobs.body === "file" ? run.prepared : [];
   byId("heights").replaceChildren(element("h3", {}, description.name), ...list(say("heights.reasons"), description.reasons), ...list(say("heights.came"), steps), element("dl", {}, ...rows));
 }
 
-const list = (title, sentences) => sentences.length ? [element("h4", {}, title), element("ul", {}, ...sentences.map((it) => element("li", {}, it)))] : [];
+const list = (title, sentences) => sentences.length ? [element("h4", {}, title), element("ul", {}, ...sentences.map((it) => element("li", {}, translated(it))))] : [];
 
 /** Says why the numbers of a run may mean little. */
 function warn(run) {
-  byId("warnings").replaceChildren(...run.warnings.map((sentence) => element("p", {}, say("heights.mind", { sentence }))));
+  byId("warnings").replaceChildren(...run.warnings.map((sentence) => element("p", {}, say("heights.mind", { sentence: translated(sentence) }))));
   byId("warnings").hidden = run.warnings.length === 0;
 }

@@ -1,5 +1,5 @@
 "use strict";
-// The language of the page, and its sentences, which `texts.js` holds.
+// The language of the page, and its sentences, which `texts.js` holds, and those that the server tells in English.
 
 const LANGUAGES = Object.keys(TEXTS);
 
@@ -31,6 +31,21 @@ const inLocale = (text) => language === "de" ? text.replace(".", ",") : text;
 function numberFrom(text) {
   const plain = text.trim().replace(",", ".");
   return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+}
+
+/** A sentence with places as a pattern, in which each place is anything. */
+const patternOf = (sentence) => new RegExp(`^${sentence.split(/\{(\w+)\}/).map((part, i) => i % 2 ? `(?<${part}>.+?)` : part.replace(/[.*+?^$()|[\]\\]/g, "\\$&")).join("")}$`);
+
+/** What the server tells in English, and the same in the language of the page: patterns and sentences, those with most words first. */
+const told = Object.entries(TOLD[language] ?? {}).sort(([one], [other]) => other.length - one.length).map(([english, own]) => [patternOf(english), own]);
+
+/** A sentence of the server in the language of the page, and all that stands in its places; as it is if it is not known. */
+function translated(sentence) {
+  for (const [pattern, own] of told) {
+    const found = pattern.exec(sentence);
+    if (found) return own.replace(/\{(\w+)\}/g, (place, name) => translated(found.groups[name]));
+  }
+  return /^-?\d+\.\d+(e-?\d+)?( \S{1,2})?$/.test(sentence) ? inLocale(sentence) : sentence;
 }
 
 /** What a lesson says in the language of the page, else in English, else in any. */

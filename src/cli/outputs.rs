@@ -17,7 +17,7 @@ const STRESS: &[&str] = &["npz"];
 #[command(next_help_heading = "Output")]
 #[cfg_attr(feature = "record", command(group = clap::ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
 pub struct Outputs {
-    /// Record every relaxation step, or the contact under each of several loads, for the Rerun viewer
+    /// Record every relaxation step, or the contact under each of several loads, for the Rerun viewer; an older recording of the name stays until the new one is whole
     #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd")]
     pub record: Option<PathBuf>,

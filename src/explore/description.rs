@@ -2,15 +2,13 @@
 
 use super::height_knobs::HeightKnobs;
 use super::refusal::Refusal;
+use crate::quantity::{length_in_words as length, number_in_words as figure};
 use crate::setup::fnv1a;
 use crate::surface::{HeightFile, Measurement, Preparation, Scan, Survey};
 use serde::Serialize;
 
 /// Lines of a file's own header that are shown, and letters of each.
 const HEADER: [usize; 2] = [24, 100];
-/// Units in which lengths are shown, the longest first, in metres.
-const UNITS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
-
 /// A file of heights in words, and the knobs that take it.
 #[derive(Clone, Serialize)]
 pub struct Description {
@@ -115,7 +113,7 @@ fn of_heights(scan: &Scan) -> Result<Vec<(String, String)>, Refusal> {
     let noise = survey.axes.iter().map(|it| it.noise).fold(0.0, f64::max);
     let rows = [
         ("size", if is_line { size[1].clone() } else { size.join(" x ") }),
-        ("voids", format!("{} of {}", survey.voids, ny * nx)),
+        ("voids", format!("{} of {} heights", survey.voids, ny * nx)),
         ("tilt", axes(survey.tilt.map(figure))),
         ("jump across the period", format!("{} rms steps", axes(survey.jumps.map(figure)))),
         ("rms height", length(rms_height(scan))),
@@ -137,35 +135,4 @@ fn rms_height(scan: &Scan) -> f64 {
     let count = there().count().max(1) as f64;
     let mean = there().sum::<f64>() / count;
     (there().map(|h| (h - mean).powi(2)).sum::<f64>() / count).sqrt()
-}
-
-/// A length in metres with the unit that makes it a number of one to three digits before its point.
-fn length(metres: f64) -> String {
-    let fits = |unit: &&(&str, f64)| metres.abs() >= 0.9995 * unit.1;
-    let (name, unit) = UNITS.iter().find(fits).unwrap_or(if metres == 0.0 { &UNITS[0] } else { &UNITS[3] });
-    format!("{} {name}", figure(metres / unit))
-}
-
-/// A number to four digits.
-fn figure(value: f64) -> String {
-    let size = value.abs();
-    if size == 0.0 {
-        return "0".into();
-    }
-    if !(1e-3..1e6).contains(&size) {
-        return format!("{value:.3e}");
-    }
-    let digits = (3.0 - size.log10().floor()).clamp(0.0, 6.0) as usize;
-    format!("{value:.digits$}")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lengths_are_told_in_the_unit_that_fits_them() {
-        let told = [1e-5, 9.9996e-7, 2.5e-10, 3.0, 0.0, 1.25e-4].map(length);
-        assert_eq!(told, ["10.00 µm", "1.0000 µm", "0.2500 nm", "3.000 m", "0 m", "125.0 µm"]);
-    }
 }

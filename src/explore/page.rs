@@ -19,12 +19,14 @@ macro_rules! file {
     };
 }
 
-/// The script with all sentences of the page in all of its languages.
+/// The script with all sentences of the page in all of its languages, and those that the server tells in English with their translations.
 const TEXTS: &str = concat!(
     "const TEXTS = {\n\"en\": ",
     include_str!("../../assets/explore/texts/en.json"),
     ",\n\"de\": ",
     include_str!("../../assets/explore/texts/de.json"),
+    "};\nconst TOLD = {\n\"de\": ",
+    include_str!("../../assets/explore/texts/told.de.json"),
     "};\n"
 );
 

@@ -2,6 +2,7 @@
 
 use super::scene::Scene;
 use crate::contact::{Solver, Stop};
+use crate::quantity::{length_in_words, number_in_words};
 use crate::setup::{fnv1a, in_words};
 
 /// The name of a recording, which tells it from others beside it: surface, load and solver with its settings, or the titles of
@@ -38,23 +39,30 @@ pub const HEAD: &str = "| | |\n|---|---|\n";
 pub fn of_scene(scene: &Scene<'_>, unit: &str) -> String {
     let problem = scene.problem;
     let grid = problem.surface().grid();
+    let length = |value: f64| match unit {
+        "m" => length_in_words(value),
+        unit => format!("{} {unit}", number_in_words(value)).trim_end().to_owned(),
+    };
     let along = |values: [String; 2]| if grid.is_line() { values[1].clone() } else { values.join(" x ") };
     let mut rows: Vec<(&str, String)> = scene.setup.iter().map(|it| ("surface", it.surface.description())).collect();
     rows.extend([
         ("points", along(grid.shape().map(|n| n.to_string()))),
-        ("cell", format!("{} {unit}", along(grid.size().map(|l| format!("{l:.4e}"))))),
-        ("rms height", format!("{:.4e} {unit}", problem.rms_height())),
-        ("rms gradient", format!("{:.4e}", problem.rms_gradient())),
+        ("cell", along(grid.size().map(length))),
+        ("rms height", length(problem.rms_height())),
+        ("rms gradient", number_in_words(problem.rms_gradient())),
         ("boundary", grid.boundary().to_owned()),
         ("solid", problem.solid().description()),
-        ("contact modulus E*", format!("{:.4e}", problem.contact_modulus())),
+        ("contact modulus E*", number_in_words(problem.contact_modulus())),
     ]);
     if let Some(mean) = problem.mean_pressure() {
         let reduced = mean / (problem.contact_modulus() * problem.rms_gradient());
-        rows.push(("mean pressure", format!("{mean:.4e}, in the unit of E*")));
-        rows.push(("reduced pressure p*", format!("{reduced:.4e}")));
+        rows.push(("mean pressure", format!("{}, in the unit of E*", number_in_words(mean))));
+        rows.push(("reduced pressure p*", number_in_words(reduced)));
     }
-    rows.extend(problem.mean_gap().map(|gap| ("mean gap", format!("{gap:.4e} {unit}"))));
+    rows.extend(problem.mean_gap().map(|gap| ("mean gap", length(gap))));
+    if scene.setup.as_ref().is_some_and(|setup| setup.surface.prepare.mirror.is_some()) {
+        rows.push(("measured part", "outlined by dashes: the rest is its mirror image".into()));
+    }
     rows.extend(problem.surface().seed().map(|seed| ("seed", seed.to_string())));
     if let Some(exact) = &scene.exact {
         rows.push(("exact solution", exact.name.to_owned()));

@@ -60,6 +60,11 @@ fn a_person_who_reads_german() {
         is_well(&mut page, has_axe, &format!("a German answer, {theme}"));
         page.click("lesson-close");
         drop_heights(&mut page);
+        let told = page.text("byId('heights').innerText");
+        let english = ["the ", "heights", "points", "along", "rms ", " is ", " of "];
+        assert!(told.contains("RMS-Gradient") && !english.iter().any(|word| told.contains(word)), "{told}");
+        page.value("takeFile(new File(['no numbers'], 'prose.txt')).then(() => true)");
+        page.until("byId('fault').innerText.startsWith('prose.txt ist keine brauchbare Datei mit Höhen: Sie ist')", 20);
         is_well(&mut page, has_axe, &format!("a German file, {theme}"));
         page.value("openLesson('hertz-and-rough')");
         page.until("document.body.dataset.asked === 'true'", 10);

@@ -217,6 +217,26 @@ fn the_theme_keeps_what_is_drawn(page: &mut Page) {
     page.click("theme");
 }
 
+/// Another theme while the load is swept keeps the points that are drawn, and the sweep comes to its end in the other colours.
+fn the_theme_changes_during_a_sweep(page: &mut Page) {
+    sweep(page);
+    let all = page.value("report.sweep.points.length");
+    let drawn = page.value(
+        "(async () => { const first = report.sweep.id, pause = () => new Promise((done) => setTimeout(done, 5)); \
+        byId('sweep').click(); \
+        while (report.sweep.id === first || report.sweep.points.length < 2) await pause(); \
+        const before = report.sweep.points.length; byId('theme').click(); \
+        let least = Infinity; \
+        for (let i = 0; i < 40; i++) { await pause(); least = Math.min(least, report.sweep.points.length); } \
+        return [before, least]; })()",
+    );
+    assert!(drawn[1].as_u64() >= drawn[0].as_u64(), "points before, and the fewest after: {drawn}");
+    page.until("report.sweep.ended && !report.busy && report.sweep.knobs.theme === knobs.theme", 120);
+    assert_eq!(page.value("report.sweep.points.length"), all);
+    page.click("theme");
+    page.until("report.sweep.ended && !report.busy && report.sweep.knobs.theme === knobs.theme", 120);
+}
+
 /// Persson's curve is drawn for rough flats on a half-space, and for nothing else; the axis of kappa holds all curves.
 fn persson_is_about_rough_flats(page: &mut Page) {
     let persson = "document.querySelectorAll('#results polyline.persson').length";
@@ -238,6 +258,7 @@ fn a_person_who_looks() {
     let (_explorer, mut page) = opened(&program);
     axes_follow_data_layout_and_size(&mut page);
     all_is_read_and_nothing_is_cut(&mut page);
+    the_theme_changes_during_a_sweep(&mut page);
     a_file_dropped_on_the_viewer_is_seen_in_it(&mut page);
 }
 

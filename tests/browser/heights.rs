@@ -44,7 +44,7 @@ fn a_dropped_file_is_pressed(page: &mut Page) {
         "<img src=x onerror=document.title='run'>.txt",
         "1 of 3072 heights are void",
         "1 voids filled with the smoothest heights",
-        "4.800 µm x 6.400 µm",
+        "4.8 µm x 6.4 µm",
         "Topography",
         "shortest wavelength above the noise",
     ] {

@@ -109,9 +109,9 @@ fn a_map_in_text_is_described_prepared_and_solved() {
         (&told["name"], &told["is_profile"], &told["fault"]),
         (&json!("sample 1.txt"), &json!(false), &Value::Null)
     );
-    assert_eq!((row(&told, "points"), row(&told, "size")), ("32 x 48", "3.200 µm x 4.800 µm"));
+    assert_eq!((row(&told, "points"), row(&told, "size")), ("32 x 48", "3.2 µm x 4.8 µm"));
     assert_eq!((row(&told, "channel"), row(&told, "lengths")), ("Topography", "metres, as the file says"));
-    assert_eq!(row(&told, "voids"), "1 of 1536");
+    assert_eq!(row(&told, "voids"), "1 of 1536 heights");
     let prepare = &told["knobs"]["prepare"];
     assert_eq!((&prepare["fill"], prepare["mirror"].is_string()), (&json!("harmonic"), true), "{prepare}");
     assert!(told["reasons"][0].as_str().unwrap().starts_with("1 of 1536 heights are void"), "{}", told["reasons"]);
@@ -158,7 +158,7 @@ fn an_array_needs_a_width_and_takes_a_unit() {
         (&told["fault"], &told["knobs"]["width"], &told["knobs"]["unit"]),
         (&Value::Null, &json!(4e-6), &json!(1e-9))
     );
-    assert_eq!((row(&told, "lengths"), row(&told, "size")), ("1 in the file is 1.000 nm", "2.400 µm x 4.000 µm"));
+    assert_eq!((row(&told, "lengths"), row(&told, "size")), ("1 in the file is 1 nm", "2.4 µm x 4 µm"));
     let run = page.press(&told["knobs"]);
     assert_eq!(run["numbers"]["status"], "converged");
     assert_repeated(&run, "h.npy", &file);

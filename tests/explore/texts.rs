@@ -172,3 +172,70 @@ fn the_page_itself_says_nothing_but_symbols() {
         assert!(!html.contains(attribute), "{attribute} is in one language");
     }
 }
+
+/// What the server tells in English, and the same in German.
+fn told() -> Texts {
+    texts(include_str!("../../assets/explore/texts/told.de.json"))
+}
+
+/// The words of a sentence between its places.
+fn words(sentence: &str) -> Vec<&str> {
+    sentence.split(['{', '}']).step_by(2).collect()
+}
+
+/// Whether a sentence is a template with something in each of its places.
+fn is_made_of(sentence: &str, template: &str) -> bool {
+    let words = words(template);
+    let (first, last) = (words[0], words[words.len() - 1]);
+    if words.len() == 1 {
+        return sentence == template;
+    }
+    let Some(mut rest) = sentence.strip_prefix(first).and_then(|rest| rest.strip_suffix(last)) else { return false };
+    for part in &words[1..words.len() - 1] {
+        match rest.char_indices().skip(1).find(|(i, _)| rest[*i..].starts_with(part)) {
+            Some((i, _)) => rest = &rest[i + part.len()..],
+            None => return false,
+        }
+    }
+    !rest.is_empty()
+}
+
+/// All sources of the library with their texts on one line each.
+fn code() -> String {
+    fn read(folder: &std::path::Path, into: &mut String) {
+        for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if path.is_dir() {
+                read(&path, into);
+            } else {
+                into.push_str(&std::fs::read_to_string(&path).unwrap_or_default());
+            }
+        }
+    }
+    let mut all = String::new();
+    read(std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src")), &mut all);
+    all.replace("\\\"", "\"").replace("\\\n", " ").split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn what_the_server_tells_is_told_in_each_language() {
+    let (told, code) = (told(), code());
+    for (english, german) in &told {
+        assert_eq!(places(english), places(german), "{english}");
+        let longest = words(english).into_iter().map(str::trim).max_by_key(|part| part.len()).unwrap();
+        assert!(code.contains(longest), "nobody tells {english:?}");
+    }
+    // Those that no knob of the page leads to are not asked for.
+    let of_page = ["GridError", "SurfaceError", "ProblemError", "PreparationError"];
+    for name in of_page {
+        let (_, rest) = code.split_once(&format!("pub enum {name} {{")).unwrap();
+        let body = rest.split("pub enum ").next().unwrap();
+        let sentences: Vec<&str> =
+            body.split("#[error(").skip(1).filter_map(|it| it.trim_start().strip_prefix('"')).collect();
+        assert!(sentences.len() > 3, "{name}");
+        for sentence in sentences {
+            let sentence = sentence.split('"').next().unwrap();
+            let sample: String = words(sentence).join("7");
+            assert!(told.keys().any(|key| is_made_of(&sample, key)), "{name} is not told in German: {sample:?}");
+        }
+    }
+}

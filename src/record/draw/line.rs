@@ -3,6 +3,7 @@
 use super::canvas::{self, strip, style};
 use super::fields::{Extent, Fields, range};
 use super::fill;
+use super::mirror::MeasuredPart;
 use super::palette::{self, CONTACT_CLASS, Palette, YIELDING_CLASS};
 use super::patch_points;
 use super::picture::Picture;
@@ -42,6 +43,8 @@ pub struct LinePicture {
     gap: Ruler,
     /// The exact pressure, where there is one.
     exact: Option<Vec<f64>>,
+    /// The part that was measured, if the rest is its mirror image.
+    measured: Option<MeasuredPart>,
 }
 
 impl LinePicture {
@@ -68,6 +71,7 @@ impl LinePicture {
             pressure: Ruler::pressure(forecast.max_pressure, problem.contact_modulus()),
             gap: Ruler::gap(high - low, problem.rms_height()),
             exact: scene.exact.as_ref().map(finite_pressure),
+            measured: MeasuredPart::of(scene),
         }
     }
 
@@ -98,6 +102,7 @@ impl LinePicture {
     fn log_profile(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let root = format!("{}/profile", self.root);
         canvas::log_axes(to, self.palette, &format!("{root}/axes"), &self.frame)?;
+        self.log_measured(to, "profile")?;
         let bars = Radius::new_scene_units(fill::radius(WIDTH));
         to.log_static(format!("{root}/solid"), &style(self.palette.solid, Radius::new_ui_points(1.0), 32.0))?;
         to.log_static(format!("{root}/solid_fill"), &style(self.palette.solid_fill, bars, 10.0))?;
@@ -107,6 +112,12 @@ impl LinePicture {
         to.log_static(format!("{root}/indenter_fill"), &body)?;
         let line = style(self.palette.indenter, Radius::new_ui_points(0.8), 30.0);
         to.log_static(format!("{root}/indenter"), &line.with_strips([curve]))
+    }
+
+    /// Outlines what was measured in a picture.
+    fn log_measured(&self, to: &RecordingStream, picture: &str) -> RecordingStreamResult<()> {
+        let entity = format!("{}/{picture}/measured", self.root);
+        self.measured.map_or(Ok(()), |measured| measured.log(to, &entity, self.frame.size, self.palette))
     }
 
     fn log_fields(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
@@ -119,6 +130,7 @@ impl LinePicture {
             let line = style(self.palette.exact, Radius::new_ui_points(1.0), 38.0);
             to.log_static(format!("{pressure}/exact"), &line.with_strips(canvas::dashed(&curve)))?;
         }
+        ["pressure", "gap"].into_iter().try_for_each(|picture| self.log_measured(to, picture))?;
         self.log_scaled(to, [self.pressure.axis.clone(), self.gap.axis.clone()])
     }
 

@@ -17,6 +17,7 @@ mod instruments;
 mod lanes;
 mod line;
 mod load_axis;
+mod mirror;
 mod palette;
 mod patch_points;
 mod patches;

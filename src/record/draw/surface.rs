@@ -3,6 +3,7 @@
 use super::canvas;
 use super::eye::Eye;
 use super::fields::{Extent, Fields, range};
+use super::mirror::MeasuredPart;
 use super::palette::{CONTACT_CLASS, CONTOUR, GAP_CLASS, Map, Palette, YIELDING_CLASS};
 use super::patch_points;
 use super::picture::Picture;
@@ -30,6 +31,8 @@ pub struct SurfacePicture {
     pressure: Image,
     gap: Image,
     relief: Option<Relief>,
+    /// The part that was measured, if the rest is its mirror images.
+    measured: Option<MeasuredPart>,
 }
 
 /// A field in colours, its frame and its scale.
@@ -74,6 +77,7 @@ impl SurfacePicture {
             pressure: image("pressure", pressure, Map::inferno()),
             gap: image("gap", Ruler::gap(high - low, problem.rms_height()), Map::viridis()),
             relief: what.has(Part::Mesh).then(|| Relief::new(scene, forecast, palette, root, length_unit)),
+            measured: MeasuredPart::of(scene),
         }
     }
 
@@ -138,8 +142,11 @@ impl Picture for SurfacePicture {
 
     fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         if self.what.has(Part::Fields) {
-            self.pressure.log_static(to)?;
-            self.gap.log_static(to)?;
+            for image in [&self.pressure, &self.gap] {
+                image.log_static(to)?;
+                let entity = format!("{}/measured", image.root);
+                self.measured.map_or(Ok(()), |it| it.log(to, &entity, image.frame.size, image.colours.palette))?;
+            }
         }
         let contact = format!("{}/contact", self.root);
         if self.what.has(Part::Mask) {

@@ -15,16 +15,20 @@ use std::time::Duration;
 
 /// Time by which a viewer that does not answer may hold up the end of a recording.
 const VIEWER_TIMEOUT: Duration = Duration::from_secs(5);
+/// What the name of a recording ends in while an older one has its name.
+const PART: &str = "part.rrd";
 /// The file of a recording that is shown only.
 const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
 
 /// The file behind a recording, which can be read while it is written.
 ///
-/// The file gets each message at once, and remembers the first failure, after which no more is written. (The SDK's own file sink
+/// Where an older file has its name, it grows beside that one, which stays whole until this one is. The file gets each message at once, and remembers the first failure, after which no more is written. (The SDK's own file sink
 /// waits for ever when the disk is full.)
 #[derive(Clone)]
 pub struct Output {
     path: Arc<Path>,
+    /// Where the file is until it is whole.
+    grown_at: Arc<Path>,
     pace: Pace,
     /// The first failure, apart from the rest so that nobody waits for a message on its way into the file.
     failure: Arc<OnceLock<io::Error>>,
@@ -43,10 +47,10 @@ struct State {
 }
 
 impl Output {
-    /// Makes the file at `path`, or empties it.
+    /// Makes the file at `path`, or beside an older one there.
     pub(super) fn create(path: &Path) -> Result<Self, FileError> {
         check_target(path)?;
-        Self::new(path, File::create(path), Pace::Filed, None)
+        Self::named(path, Pace::Filed, None)
     }
 
     /// A temporary file. It has no name where the system allows that, and goes with its last `Output`, or with the process.
@@ -64,8 +68,14 @@ impl Output {
     /// Makes the file at `path`, if there is one; `viewer` gets each message as well.
     pub(super) fn seen(path: Option<&Path>, viewer: Box<dyn LogSink>) -> Result<Self, FileError> {
         path.map_or(Ok(()), check_target)?;
-        let path = path.unwrap_or(Path::new(NOWHERE));
-        Self::new(path, File::create(path), Pace::SHOWN, Some(viewer))
+        Self::named(path.unwrap_or(Path::new(NOWHERE)), Pace::SHOWN, Some(viewer))
+    }
+
+    fn named(path: &Path, pace: Pace, viewer: Option<Box<dyn LogSink>>) -> Result<Self, FileError> {
+        let is_taken = path.metadata().is_ok_and(|file| file.is_file() && file.len() > 0);
+        let grown_at = if is_taken { path.with_extension(PART) } else { path.to_owned() };
+        let output = Self::new(path, File::create(&grown_at), pace, viewer)?;
+        Ok(Self { grown_at: grown_at.into(), ..output })
     }
 
     fn new(
@@ -82,7 +92,13 @@ impl Output {
         };
         let error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
         let state = file.and_then(begin).map_err(error)?;
-        Ok(Self { path: path.into(), pace, failure: Arc::default(), state: Arc::new(Mutex::new(state)) })
+        Ok(Self {
+            path: path.into(),
+            grown_at: path.into(),
+            pace,
+            failure: Arc::default(),
+            state: Arc::new(Mutex::new(state)),
+        })
     }
 
     /// When what waits is written.
@@ -120,7 +136,7 @@ impl Output {
         self.failure.set(failure).ok(); // the first one counts
     }
 
-    /// Ends the file with its index.
+    /// Ends the file with its index, and gives it the name of an older one.
     pub(super) fn finish(&self) -> Result<(), FileError> {
         self.check()?;
         let mut state = self.state();
@@ -129,7 +145,8 @@ impl Output {
         if let Some(viewer) = state.viewer.take() {
             viewer.flush_blocking(VIEWER_TIMEOUT).ok(); // a viewer that was closed is none of the file's business
         }
-        ended.map_err(|failure| self.error(failure))
+        let named = || if self.grown_at == self.path { Ok(()) } else { std::fs::rename(&self.grown_at, &self.path) };
+        ended.and_then(|()| named()).map_err(|failure| self.error(failure))
     }
 
     /// The error of a file that could not be written.

@@ -27,7 +27,7 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// Opens the file, writes into it the layout of `scenes`, so that a viewer has it before anything else, and begins to write all that
+    /// Opens the file, which grows as `NAME.part.rrd` beside an older one of that name until it is whole, writes into it the layout of `scenes`, so that a viewer has it before anything else, and begins to write all that
     /// does not change from step to step, while the caller goes on.
     ///
     /// # Errors

@@ -1,0 +1,43 @@
+//! The outline of the measured part of heights that were mirrored.
+
+use super::canvas;
+use super::palette::Palette;
+use crate::record::scene::Scene;
+use crate::surface::Mirror;
+use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
+
+/// The measured part of heights, all others being its mirror images.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeasuredPart {
+    /// Shares of the cell along y and x, from node 0 on: a half along mirrored axes.
+    share: [f64; 2],
+}
+
+impl MeasuredPart {
+    /// That of the heights of a scene, if they were mirrored.
+    pub fn of(scene: &Scene<'_>) -> Option<Self> {
+        let mirror = scene.setup.as_ref()?.surface.prepare.mirror?;
+        let is_along = |axis: usize| match mirror {
+            Mirror::X => axis == 1,
+            Mirror::Y => axis == 0,
+            Mirror::Both => true,
+        };
+        let is_line = scene.problem.surface().grid().is_line();
+        Some(Self { share: [0, 1].map(|axis| if is_along(axis) && !(is_line && axis == 0) { 0.5 } else { 1.0 }) })
+    }
+
+    /// Records its outline in dashes over a box of a width and a height, whose lower left corner is node 0.
+    pub fn log(
+        &self,
+        to: &RecordingStream,
+        entity: &str,
+        [width, height]: [f64; 2],
+        palette: &Palette,
+    ) -> RecordingStreamResult<()> {
+        let [y, x] = self.share;
+        let (right, top) = (x * width, (1.0 - y) * height);
+        let outline = [[0.0, height], [0.0, top], [right, top], [right, height], [0.0, height]];
+        let line: LineStrips2D = canvas::style(palette.exact, Radius::new_ui_points(1.0), 36.0);
+        to.log_static(entity, &line.with_strips(canvas::dashed(&outline)))
+    }
+}

@@ -1,0 +1,49 @@
+//! The measured part of mirrored heights is outlined in the pictures: of a map that was mirrored along both axes a quarter, at node 0.
+
+use super::rows;
+use asperity::record::{Options, Recording, Scene};
+use asperity::setup::Setup;
+use rerun::LineStrips2D;
+use rerun::components::LineStrip2D;
+use std::path::Path;
+
+/// Left, right, upper and lower end of what is drawn under an entity; nothing where nothing is.
+fn ends(path: &Path, entity: &str) -> Option<[f32; 4]> {
+    let rows = rows::<LineStrip2D>(path, entity, LineStrips2D::descriptor_strips());
+    let points: Vec<[f32; 2]> =
+        rows.into_iter().flat_map(|(_, strips)| strips).flat_map(|it| it.0).map(|p| [p.x(), p.y()]).collect();
+    let end = |axis: usize, pick: fn(f32, f32) -> f32| points.iter().map(|p| p[axis]).reduce(pick);
+    Some([end(0, f32::min)?, end(0, f32::max)?, end(1, f32::min)?, end(1, f32::max)?])
+}
+
+/// The outline in the picture of the pressure of heights in a file that are prepared in some way.
+fn outline(text: &str, prepare: &str) -> Option<[f32; 4]> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("heights.txt");
+    std::fs::write(&file, text).unwrap();
+    let scene = format!(
+        "[surface]\nheight = {:?}\n[surface.prepare]\n{prepare}\n[grid]\nsize = 1.0\n[load]\nreduced-pressure = 0.05\n",
+        file.display().to_string()
+    );
+    let setup = Setup::from_toml(&scene).unwrap();
+    let problem = setup.problem().unwrap();
+    let path = folder.path().join("it.rrd");
+    let recording = Recording::create(&path, &[Scene::of(&setup, &problem)], Options::default()).unwrap();
+    setup.solver.solver().solve(&problem, &setup.stop, &mut recording.recorder(0)).unwrap();
+    recording.finish().unwrap();
+    ends(&path, "/contact/pressure/measured")
+}
+
+#[test]
+fn the_measured_part_of_mirrored_heights_is_outlined() {
+    let height = |y: usize, x: usize| format!("{:.4}", 0.01 * ((x * x + 3 * y) as f64 * 0.21).sin());
+    let rows = |ny: usize| {
+        (0..ny).map(|y| (0..24).map(|x| height(y, x)).collect::<Vec<_>>().join(" ") + "\n").collect::<String>()
+    };
+    // A unit is a node of the map, 46 x 46 with its images, and rows are counted upwards.
+    assert_eq!(outline(&rows(24), "mirror = \"both\""), Some([0.0, 23.0, 23.0, 46.0]));
+    assert_eq!(outline(&rows(24), "mirror = \"x\""), Some([0.0, 23.0, 0.0, 24.0]));
+    assert_eq!(outline(&rows(24), "detrend = \"plane\""), None);
+    let [left, right, ..] = outline(&rows(1).replace(' ', "\n"), "mirror = \"both\"").unwrap();
+    assert!(left == 0.0 && (right - 500.0).abs() < 1.0, "a half of the line: {right}");
+}
