@@ -220,7 +220,7 @@ pub enum SlipError {
     Sliding { tangential: f64, limit: f64 },
     /// A normal load that is not a pressure.
     #[error(
-        "friction needs a pressure that carries it, but {load} is given: give a mean pressure or a reduced pressure"
+        "friction needs a pressure that carries it, but {load} is given: give a mean pressure, a reduced pressure or a force"
     )]
     NeedsPressure { load: String },
 }

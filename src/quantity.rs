@@ -125,6 +125,9 @@ mod units {
     use uom::si::pressure::pascal;
     use uom::si::surface_tension::newton_per_meter;
 
+    /// Units of engineers that are others with a prefix.
+    const PER_MILLIMETRE: [(&str, &str); 4] = [("N/mm", "kN/m"), ("N/mm2", "MPa"), ("N/mm²", "MPa"), ("N/mm^2", "MPa")];
+
     pub fn length(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<Length>().ok().map(|one| one.get::<meter>()))
     }
@@ -145,6 +148,7 @@ mod units {
         let number = |at: usize| Some((text.get(..at)?.trim().parse::<f64>().ok()?, text.get(at..)?.trim()));
         let (number, unit) = (0..=text.len()).rev().find_map(number)?;
         let unit = unit.strip_prefix(['u', 'μ']).map_or(unit.to_owned(), |rest| format!("µ{rest}"));
+        let unit = PER_MILLIMETRE.iter().find(|(name, _)| *name == unit).map_or(unit, |(_, same)| (*same).into());
         let size = one(&format!("1 {unit}"))?;
         let parts = size.recip().round();
         let is_part = parts > 1.0 && (size * parts - 1.0).abs() < 1e-12;

@@ -421,6 +421,7 @@ mod with_units {
         for (from, to, place, nearest) in [
             ("load =", "loda =", "", "load"),
             ("mean-pressure", "mean_pressure", "load: ", "mean-pressure"),
+            ("mean-pressure", "pressure", "load: ", "mean-pressure"),
             ("grid", "gird", "", "grid"),
             ("points", "pionts", "grid: ", "points"),
             ("indenter", "indentor", "surface: ", "indenter"),

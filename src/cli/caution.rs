@@ -3,17 +3,23 @@
 use super::manners::remark;
 use super::outcome::usage;
 use anyhow::Result;
-use asperity::contact::{Contact, Observables};
+use asperity::contact::{Contact, Law, Observables};
 use std::io::{Write, stderr};
 
 /// Reduced pressures above this one are far beyond full contact, which is near 1 to 2.
 const HEAVIEST: f64 = 10.0;
 /// Estimated errors of area or `kappa_r` above this one are told.
 const LARGEST_ERROR: f64 = 0.1;
+/// Contact moduli from this one on are those of metals, glasses and ceramics, if they are in pascals.
+const STIFF: f64 = 1e10;
+/// The share of the contact modulus above which no metal bears a pressure: the hardness of steels is 0.01 to 0.04 of it.
+const HARDEST: f64 = 0.05;
+/// Bounds of the error of the pressure above this one are told.
+const LARGEST_BOUND: f64 = 0.1;
 /// A share of the contact in patches too small to trust above this one is told.
 const LARGEST_SHARE: f64 = 0.25;
 
-/// Warnings about contacts, a sentence each: loads far beyond full contact, errors that are not known, and patches of too few nodes.
+/// Warnings about contacts, a sentence each: loads far beyond full contact, errors that are not known, pressures that are not solved for, and patches of too few nodes.
 pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
     let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max).map(|p| {
         format!("the reduced pressure {p:.3e} is far above 1, where contact is nearly full: check load, modulus and their units")
@@ -30,7 +36,15 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
             under(unknown)
         )
     });
-    let doubtful: Vec<_> = found.iter().filter(|it| is_doubtful(it)).collect();
+    let loose: Vec<f64> = found.iter().map(|it| it.pressure_error_bound).filter(|it| *it > LARGEST_BOUND).collect();
+    let loose = loose.iter().copied().reduce(f64::max).map(|bound| {
+        format!(
+            "the pressure is known within {:.0} % only{}, whatever the certificate: solve on by --pressure-tolerance 0.01",
+            100.0 * bound,
+            under(loose.len())
+        )
+    });
+    let doubtful: Vec<_> = found.iter().filter(|it| is_doubtful(it) && !is_unknown(it)).collect();
     let of = under(doubtful.len());
     let worst = doubtful.into_iter().max_by(|a, b| error(a).total_cmp(&error(b)));
     let coarse = worst.map(|it| {
@@ -44,7 +58,18 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
             100.0 * error(it)
         )
     });
-    heavy.into_iter().chain(unknown).chain(coarse).collect()
+    heavy.into_iter().chain(unknown).chain(loose).chain(coarse).collect()
+}
+
+/// The warning that a stiff solid is pressed harder than metals bear, under some law of contact.
+pub fn of_metal(found: &[&Observables], law: Law) -> Option<String> {
+    let is_stiff = |it: &&&Observables| it.max_pressure >= STIFF * it.max_pressure_over_modulus;
+    let shares = found.iter().filter(is_stiff).map(|it| it.max_pressure_over_modulus);
+    let share = shares.reduce(f64::max).filter(|share| *share > HARDEST && law.is_hard_wall())?;
+    Some(format!(
+        "the largest pressure is {share:.2} of the contact modulus, which no metal bears: it yields before, over a larger area; give its \
+         hardness by --hardness"
+    ))
 }
 
 /// The warning that a contact reaches a free rim, beyond which the heights are not known.

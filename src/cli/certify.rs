@@ -15,7 +15,7 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Problem, archive};
 use asperity::error::ProblemError;
-use asperity::files::{check_named, write_beside};
+use asperity::files::{check_apart, check_named, write_beside};
 use asperity::foreign::{Assessment, Claim, Frame, Quantity, Replay};
 use asperity::plot::{write_png, write_svg};
 use asperity::setup::{Cost, Setup};
@@ -69,6 +69,12 @@ impl Certify {
         let mut table = self.scene.table()?;
         let is_loaded = lay_load(&mut table, quantity, &field)?;
         let setup = table.setup()?;
+        #[cfg(feature = "record")]
+        let recorded = self.shown.record.as_deref();
+        #[cfg(not(feature = "record"))]
+        let recorded = None;
+        let read = self.scene.files(&setup.surface).chain([path]);
+        check_apart(self.out.as_deref().into_iter().chain(recorded), read)?;
         let grid = setup.check()?;
         Cost::of_fields(&grid, FIELDS).check("a certificate")?;
         if !grid.is_line() && !["npz", ""].contains(&self.ending().as_str()) {

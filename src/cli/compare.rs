@@ -3,10 +3,9 @@
 use super::outcome::{Outcome, usage};
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::files::check_named;
+use asperity::files::{check_apart, check_named};
 use asperity::record;
 use clap::Args;
-use std::fs::canonicalize;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -32,10 +31,7 @@ impl Compare {
             return usage(format!("{} alone cannot be compared: give two recordings or more", only.display()));
         }
         check_named(out, &["rrd"])?;
-        let place = canonicalize(out).ok();
-        if place.is_some() && recordings.iter().any(|recording| canonicalize(recording).ok() == place) {
-            return usage(format!("--out {} is one of the recordings: give another name", out.display()));
-        }
+        check_apart([out.as_path()], recordings.iter().map(PathBuf::as_path))?;
         record::compare(recordings, out)?;
         wrote(out);
         Ok(Outcome::Done)

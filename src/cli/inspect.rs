@@ -16,6 +16,8 @@ use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Reference};
 use asperity::error::{ClaimError, StepsError};
+#[cfg(feature = "record")]
+use asperity::files::check_apart;
 use asperity::foreign::{Claim, Distances, Follow, Frame, Quantity, Replay, Steps, step_files};
 use asperity::setup::{Cost, Setup};
 use asperity::surface::{read_field, read_fields, read_fields_shape};
@@ -83,12 +85,21 @@ impl Inspect {
             return Err(ClaimError::NoLoad.into());
         }
         let setup = table.setup()?;
+        #[cfg(feature = "record")]
+        check_apart(self.shown.record.as_deref(), self.read(&setup))?;
         Cost::of_fields(&setup.check()?, FIELDS).check("an iteration")?;
         let problem = setup.problem()?;
         match &self.follow {
             Some(folder) => self.follow(folder, &setup, &problem),
             None => self.replay(&setup, &problem),
         }
+    }
+
+    /// The files that are read.
+    #[cfg(feature = "record")]
+    fn read<'a>(&'a self, setup: &'a Setup) -> impl Iterator<Item = &'a Path> {
+        let steps = self.steps.iter().chain(&self.times).chain(&self.reference);
+        self.scene.files(&setup.surface).chain(steps.map(PathBuf::as_path))
     }
 
     /// Replays steps that are all there.

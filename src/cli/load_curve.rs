@@ -108,6 +108,7 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = curve.setup.surface.warnings(problem.surface());
     warnings.extend(caution::of_contacts(&observables));
+    warnings.extend(caution::of_metal(&observables, problem.law()));
     caution::heed(&warnings, outputs.strict)?;
     if let Some(path) = outputs.archive() {
         let bytes = archive_of_loads(&contacts, subject.rank, &setup.to_toml());

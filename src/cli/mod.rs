@@ -52,7 +52,7 @@ mod wrote;
 use clap::{CommandFactory, Parser, Subcommand};
 use outcome::{Outcome, exit_code, remedy};
 use std::ffi::OsString;
-use std::io::{Write, stderr};
+use std::io::{self, Write, stderr};
 
 /// Rough contact: press a rigid surface on an elastic half-space and watch it relax.
 ///
@@ -143,11 +143,17 @@ enum Command {
 pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
     match carry_out(Cli::parse_from(words)) {
         Ok(outcome) => outcome.exit_code(),
+        Err(error) if is_unheard(&error) => Outcome::Done.exit_code(),
         Err(error) => {
             writeln!(stderr(), "error: {error}{}", remedy(&error)).ok();
             exit_code(&error)
         }
     }
+}
+
+/// Whether an error is that the reader of the output has gone, as `head` does once it has its lines.
+fn is_unheard(error: &anyhow::Error) -> bool {
+    error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
 fn carry_out(Cli { command, manners }: Cli) -> anyhow::Result<Outcome> {

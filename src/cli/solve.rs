@@ -146,7 +146,9 @@ impl Solve {
         let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
         let mut warnings = setup.surface.warnings(contact.problem.surface());
         warnings.extend(caution::of_contacts(&[&finding.observables]));
+        warnings.extend(caution::of_metal(&[&finding.observables], contact.problem.law()));
         warnings.extend(caution::of_rim(contact));
+        warnings.extend(slip::neglected(setup));
         warnings.extend(unsettled.then(caution::unsettled));
         warnings.extend(outputs.stress.as_ref().and_then(|_| stress::assumed(setup)));
         caution::heed(&warnings, outputs.strict)?;

@@ -19,8 +19,8 @@ use serde::{Deserialize, Serialize};
 pub struct Friction {
     /// Coulomb's coefficient of friction `mu`.
     pub coefficient: f64,
-    /// The tangential load `Q`, in the form of the normal one: a mean traction beside a mean pressure, and over `gbar E*` beside a
-    /// reduced pressure.
+    /// The tangential load `Q`, in the form of the normal one: a mean traction beside a mean pressure, over `gbar E*` beside a reduced
+    /// pressure, and a force, on a line per length across it, beside a force.
     #[serde(deserialize_with = "crate::quantity::pressure")]
     pub tangential: f64,
 }

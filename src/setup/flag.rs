@@ -84,7 +84,7 @@ pub const FLAGS: &[Flag] = &[
     flag("reduced-pressure", "load.reduced-pressure", Value::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus pressures are over E*"),
     flag("mean-gap", "load.mean-gap", Value::List, "G[,G]", "Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd"),
     flag("friction", "friction.coefficient", Value::One, "MU", "Coefficient of friction under a tangential load; with --tangential"),
-    flag("tangential", "friction.tangential", Value::One, "Q", "Tangential load along x, less than MU times the normal one and in its form: a mean traction, or over rms gradient x modulus"),
+    flag("tangential", "friction.tangential", Value::One, "Q", "Tangential load along x, less than MU times the normal one and in its form: a mean traction, or over rms gradient x modulus, or a force"),
     flag("force", "load.force", Value::List, "F[,F]", "Force on the cell, on a line per length across it, with a unit or in those of modulus and size"),
     flag("approach", "load.approach", Value::List, "D[,D]", "Approach since the highest peak touched: of a layer or a free boundary, not with --solver gfmd"),
     flag("solver", "solver.method", Value::Variant(&Method::METHODS), "METHOD", "The method [default: multilevel]"),

@@ -52,6 +52,28 @@ impl Table {
     }
 }
 
+impl Table {
+    /// Reads a tangential load with a unit in the form of the normal load that carries it: a force beside a force, a pressure beside a
+    /// pressure.
+    ///
+    /// # Errors
+    /// [`SetupError::Text`] for a unit of another form.
+    pub(super) fn read_tangential(&mut self) -> Result<(), SetupError> {
+        const PATH: &str = "friction.tangential";
+        let text = self.find(PATH).and_then(toml::Value::as_str).map(str::to_owned);
+        let kind = self.find("load").and_then(toml::Value::as_table).and_then(|load| load.keys().next().cloned());
+        let (Some(text), Some(kind)) = (text, kind) else { return Ok(()) };
+        let wrong = |_| {
+            let reason =
+                format!("{text:?} has not the form of the normal load, which is a {kind}: give a {kind} as well");
+            SetupError::Text { place: format!("{PATH}: "), reason }
+        };
+        let tangential = read(&kind, text.clone().into()).map_err(wrong)?;
+        self.lay(PATH, tangential.value().into());
+        Ok(())
+    }
+}
+
 /// The loads that a word of a list stands for.
 fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
     let Some((first, rest)) = word.as_str().and_then(|text| text.split_once("..")) else {
@@ -77,17 +99,22 @@ fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
 
 /// The load of a kind and a number, which must be positive.
 fn load(kind: &str, value: toml::Value) -> Result<Load, SetupError> {
-    #[derive(Deserialize)]
-    struct Part {
-        load: Load,
-    }
-    let mut table = Table::default();
-    table.lay(&format!("load.{kind}"), value);
-    let Part { load } = table.read_as()?;
+    let load = read(kind, value)?;
     let value = load.value();
     if value.is_finite() && value > 0.0 {
         Ok(load)
     } else {
         Err(ProblemError::NotPositive { name: load.name(), value }.into())
     }
+}
+
+/// The load of a kind and a number, or a text with a unit.
+fn read(kind: &str, value: toml::Value) -> Result<Load, SetupError> {
+    #[derive(Deserialize)]
+    struct Part {
+        load: Load,
+    }
+    let mut table = Table::default();
+    table.lay(&format!("load.{kind}"), value);
+    table.read_as().map(|Part { load }| load)
 }

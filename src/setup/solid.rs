@@ -109,6 +109,24 @@ impl Solid {
         }
     }
 
+    /// Dundurs' second constant, by which normal and tangential loads couple, with `G = E / (2 (1 + nu))`:
+    ///
+    /// `beta = 1/2 [(1 - 2 nu_1)/G_1 - (1 - 2 nu_2)/G_2] / [(1 - nu_1)/G_1 + (1 - nu_2)/G_2]`,
+    ///
+    /// where a rigid body has no terms. It is not known of a contact modulus alone, nor meant for a layer.
+    ///
+    /// # Source
+    /// Johnson, Contact Mechanics (1985), eq. 5.3.
+    pub fn dundurs_beta(&self) -> Option<f64> {
+        let Self::Bodies(first, second) = self else { return None };
+        let terms = |Body { young, poisson }: Body| {
+            let shear = young / (2.0 * (1.0 + poisson));
+            [(1.0 - 2.0 * poisson) / shear, (1.0 - poisson) / shear]
+        };
+        let ([a, b], [c, d]) = (terms(*first), second.map_or([0.0; 2], terms));
+        Some(0.5 * (a - c) / (b + d))
+    }
+
     /// The solid in words.
     pub fn description(&self) -> String {
         let words = |Body { young, poisson }: Body| format!("E {young:e}, nu {poisson}");

@@ -161,7 +161,7 @@ impl Table {
         if let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") {
             solver.entry("method").or_insert(Method::METHODS[0].0.into());
         }
-        let loads = self.check_load();
+        let loads = self.check_load().and_then(|()| self.read_tangential());
         // an unknown key, such as a misspelt load, is said first
         self.read_as().and_then(|setup| loads.map(|()| setup))
     }
@@ -263,12 +263,13 @@ fn explained(message: &str, keys: &str) -> String {
     }
 }
 
-/// The known name that is nearest to an unknown one, first of all one that begins with it, then one that it is a part of.
+/// The known name that is nearest to an unknown one, first of all one that begins with it, then one that it is a part of, of
+/// several the shortest.
 #[cfg(feature = "units")]
 fn nearest<'a>(unknown: &str, known: &[&'a str]) -> Option<&'a str> {
     let nearness = |name: &str| match name.find(unknown) {
-        Some(0) => 2.0,
-        Some(_) => 1.0,
+        Some(0) => 2.0 + unknown.len() as f64 / name.len() as f64,
+        Some(_) => 1.0 + unknown.len() as f64 / name.len() as f64,
         None => strsim::jaro_winkler(unknown, name),
     };
     known.iter().copied().max_by(|a, b| nearness(a).total_cmp(&nearness(b)))

@@ -221,17 +221,24 @@ fn the_theme_keeps_what_is_drawn(page: &mut Page) {
 fn the_theme_changes_during_a_sweep(page: &mut Page) {
     sweep(page);
     let all = page.value("report.sweep.points.length");
-    let drawn = page.value(
-        "(async () => { const first = report.sweep.id, pause = () => new Promise((done) => setTimeout(done, 5)); \
-        byId('sweep').click(); \
-        while (report.sweep.id === first || report.sweep.points.length < 2) await pause(); \
-        const before = report.sweep.points.length; byId('theme').click(); \
-        let least = Infinity; \
-        for (let i = 0; i < 40; i++) { await pause(); least = Math.min(least, report.sweep.points.length); } \
-        return [before, least]; })()",
+    page.value(
+        "globalThis.seen = []; globalThis.first = report.sweep.id; globalThis.theme = knobs.theme; \
+        globalThis.watch = setInterval(() => seen.push([knobs.theme, report.sweep.points.length]), 5); true",
     );
-    assert!(drawn[1].as_u64() >= drawn[0].as_u64(), "points before, and the fewest after: {drawn}");
-    page.until("report.sweep.ended && !report.busy && report.sweep.knobs.theme === knobs.theme", 120);
+    page.click("sweep");
+    page.until("report.sweep.id !== first && report.sweep.points.length > 1", 60);
+    page.click("theme");
+    page.until(
+        "report.sweep.ended && !report.busy && report.sweep.knobs.theme === knobs.theme && knobs.theme !== theme",
+        120,
+    );
+    let [drawn, least] = [
+        "Math.max(...seen.filter(([it]) => it === theme).map(([, points]) => points).slice(-1))",
+        "Math.min(...seen.filter(([it]) => it !== theme).map(([, points]) => points))",
+    ]
+    .map(|count| page.value(count).as_u64().unwrap());
+    page.value("clearInterval(watch), true");
+    assert!(least >= drawn, "points before the theme changed: {drawn}, and the fewest after it: {least}");
     assert_eq!(page.value("report.sweep.points.length"), all);
     page.click("theme");
     page.until("report.sweep.ended && !report.busy && report.sweep.knobs.theme === knobs.theme", 120);
@@ -256,9 +263,9 @@ fn persson_is_about_rough_flats(page: &mut Page) {
 fn a_person_who_looks() {
     let Some(program) = installed() else { return };
     let (_explorer, mut page) = opened(&program);
+    the_theme_changes_during_a_sweep(&mut page);
     axes_follow_data_layout_and_size(&mut page);
     all_is_read_and_nothing_is_cut(&mut page);
-    the_theme_changes_during_a_sweep(&mut page);
     a_file_dropped_on_the_viewer_is_seen_in_it(&mut page);
 }
 

@@ -66,6 +66,32 @@ fn a_tangential_load_is_carried_by_what_sticks_and_what_slips() {
     let traction: ndarray::Array1<f64> = npz.by_name("traction").unwrap();
     assert!((traction.mean().unwrap() / 2e-5 - 1.0).abs() < 1e-9);
     assert_eq!((scalar(&mut npz, "friction"), scalar(&mut npz, "stick_area")), (0.5, of("stick_area")));
+    // coupling is said where there is some: of one body beside a rigid one, unless it is incompressible, and of unequal bodies
+    for (solid, beta) in [
+        ("--young 1GPa --poisson 0.3", Some("0.29")),
+        ("--young 1GPa --poisson 0.5", None),
+        ("--young 1GPa,1GPa --poisson 0.3,0.3", None),
+        ("--young 1GPa,2GPa --poisson 0.3,0.3", Some("0.10")),
+    ] {
+        let hertz = HERTZ.replace("1e-4", "100kPa");
+        let line = format!("solve {hertz} {solid} --friction 0.5 --tangential 20kPa");
+        let told = text(&folder.run(&line).stderr).to_owned();
+        let is_told =
+            beta.map_or(!told.contains("Dundurs"), |beta| told.contains(&format!("(Dundurs' beta is {beta})")));
+        assert!(is_told, "{solid}: {told}");
+    }
+    // by a force, with units: the same share of the force at which all slides, on a line and on a surface
+    let force = |cell: &str, force: &str, pull: &str| {
+        let line = format!("solve {cell} --modulus 1GPa --force {force} --friction 0.5 --tangential {pull} --json");
+        json(&folder.run(&line))["slip"]["tangential_over_sliding"].as_f64().unwrap()
+    };
+    let line = "--indenter cylinder --radius 10m --points 256 --size 1m";
+    let sphere = "--indenter sphere --radius 10m --points 32,32 --size 1m";
+    for (cell, [whole, part]) in
+        [(line, ["500kN/m", "100kN/m"]), (line, ["500000", "100000"]), (sphere, ["500kN", "0.1MN"])]
+    {
+        assert!((force(cell, whole, part) - 0.4).abs() < 1e-12, "{cell}, {whole}, {part}");
+    }
     // by the scene that was saved, for reading, and by a reduced pressure
     let again = folder.run("solve scene.toml");
     assert!(text(&again.stdout).contains("stick area"), "{}", text(&again.stdout));

@@ -169,22 +169,45 @@ fn pipes_get_neither_colours_nor_bars_and_no_color_is_heeded() {
     assert!(!quiet.contains('\u{1b}') && quiet.contains("kappa_r"), "{quiet:?}");
 }
 
+/// A reader such as `head` that goes once it has its lines is no error.
+#[cfg(unix)]
+#[test]
+fn a_reader_may_go_before_the_end() {
+    for words in [&["man"][..], &["completions", "bash"]] {
+        let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_asperity"));
+        let program = program.args(words).stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
+        let mut child = program.spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), ""), "{words:?}");
+    }
+}
+
+/// A hollow at a negative place is given like any other bump.
+#[test]
+fn the_first_number_of_bumps_may_be_negative() {
+    let output = Folder::new().run("surface --bumps -0.1,0.01,0.05,0.2,0.02,0.05 --points 64 --size 1");
+    assert!(output.status.success() && text(&output.stdout).contains("2 bumps"), "{}", text(&output.stderr));
+}
+
 /// A file that two outputs share would keep one of them, and one that is read would be lost.
 #[test]
 fn no_output_takes_the_place_of_another_or_of_what_is_read() {
     let folder = Folder::new();
     assert!(folder.run(&format!("surface {ROUGH_LINE} --out h.npy")).status.success());
     assert!(folder.run(&format!("solve {ROUGH_LINE} --reduced-pressure 0.01 --save-setup in.toml")).status.success());
-    let kept = ["h.npy", "in.toml"].map(|name| std::fs::read(folder.join(name)).unwrap());
+    assert!(folder.run("solve in.toml --out p.npz").status.success());
+    let kept = ["h.npy", "in.toml", "p.npz"].map(|name| std::fs::read(folder.join(name)).unwrap());
     for (arguments, lost) in [
         (format!("solve {ROUGH_LINE} --reduced-pressure 0.01 --out a.npz --stress ./a.npz"), "./a.npz"),
         ("solve in.toml --save-setup in.toml".into(), "in.toml"),
         ("surface --height h.npy --size 1 --out h.npy".into(), "h.npy"),
+        ("certify --setup in.toml --pressure p.npz --out ./p.npz".into(), "./p.npz"),
     ] {
         let output = folder.run(&arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments}: {}", text(&output.stderr));
         assert!(text(&output.stderr).starts_with(&format!("error: cannot write {lost}: ")), "{}", text(&output.stderr));
     }
-    assert_eq!(["h.npy", "in.toml"].map(|name| std::fs::read(folder.join(name)).unwrap()), kept);
+    assert_eq!(["h.npy", "in.toml", "p.npz"].map(|name| std::fs::read(folder.join(name)).unwrap()), kept);
     assert!(!folder.join("a.npz").exists());
 }

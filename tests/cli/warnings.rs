@@ -34,6 +34,39 @@ fn a_mean_pressure_needs_a_modulus_and_may_have_one_of_elastic_constants() {
     assert!(text(&over.stdout).contains("1.000000e0 (none given: pressures are over it)"), "{}", text(&over.stdout));
 }
 
+/// A light contact that is converged by its energy may still have a wrong pressure: by Hertz `p_0 = sqrt(E* F / (pi R))`.
+#[test]
+fn a_pressure_that_is_not_solved_for_warns() {
+    let folder = Folder::new();
+    let exact = (1e-5 / std::f64::consts::PI).sqrt();
+    for (more, is_loose) in [("--tolerance 1e-4", true), ("--tolerance 1e-4 --pressure-tolerance 0.01", false)] {
+        let line = "--indenter cylinder --radius 1 --points 4096 --size 1 --modulus 1 --pressure 1e-5 --solver gfmd";
+        let output = folder.run(&format!("solve {line} {more} --json"));
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let is_told = warnings(&output).iter().any(|it| it.starts_with("the pressure is known within 33 % only"));
+        let error = (number(&json(&output), "max_pressure") / exact - 1.0).abs();
+        assert_eq!((is_told, error > 0.1), (is_loose, is_loose), "{more}: {error}, {:?}", warnings(&output));
+    }
+}
+
+/// Rough steel under 1 MPa would bear 10 GPa where it touches, were it elastic; with the hardness of steel nothing is said, nor for rubber.
+#[test]
+fn steel_that_would_yield_warns() {
+    let folder = Folder::new();
+    let line = ROUGH_LINE;
+    for (solid, is_told) in [
+        ("--young 210GPa --poisson 0.3 --pressure 1GPa", true),
+        ("--young 210GPa --poisson 0.3 --pressure 1GPa --hardness 8GPa", false),
+        ("--young 3MPa --poisson 0.5 --pressure 14kPa", false),
+    ] {
+        let output = folder.run(&format!("solve {line} {solid}"));
+        let told = warnings(&output).iter().any(|it| it.contains("of the contact modulus, which no metal bears"));
+        assert_eq!(told, is_told, "{solid}: {:?}", text(&output.stderr));
+        let strict = folder.run(&format!("solve {line} {solid} --strict")).status.code();
+        assert!(!is_told || strict == Some(2), "{strict:?}");
+    }
+}
+
 #[test]
 fn a_load_far_beyond_full_contact_warns() {
     let folder = Folder::new();

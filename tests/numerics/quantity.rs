@@ -1,6 +1,6 @@
 //! Lengths and pressures with units, and bytes, as people write and read them.
 
-use asperity::quantity::{bytes_in_words, length, pressure};
+use asperity::quantity::{bytes_in_words, force, length, pressure};
 use serde::de::IntoDeserializer as _;
 use serde::de::value::{Error, StrDeserializer};
 
@@ -21,8 +21,11 @@ fn units_become_metres_and_pascals() {
     for text in ["160 um", "160um", "1.6e-4 m", " 160 µm ", "160000 nm", "0.16mm", "1.6e-4"] {
         assert_eq!(read(text, length), Ok(160e-6), "{text}");
     }
-    for text in ["2 GPa", "2000MPa", "2e9 Pa", "2e9"] {
+    for text in ["2 GPa", "2000MPa", "2e9 Pa", "2e9", "2000 N/mm2", "2000N/mm²", "2e3 N/mm^2"] {
         assert_eq!(read(text, pressure), Ok(2e9), "{text}");
+    }
+    for text in ["5 N/mm", "5kN/m", "5000 N/m", "5000"] {
+        assert_eq!(read(text, force), Ok(5e3), "{text}");
     }
     assert_eq!(read("1 in", length), Ok(0.0254));
     assert_eq!(read("40 um", length), Ok(40e-6));

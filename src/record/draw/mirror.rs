@@ -1,10 +1,10 @@
 //! The outline of the measured part of heights that were mirrored.
 
 use super::canvas;
-use super::palette::Palette;
+use super::palette::{Palette, colour};
 use crate::record::scene::Scene;
 use crate::surface::Mirror;
-use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
+use rerun::{Radius, RecordingStream, RecordingStreamResult};
 
 /// The measured part of heights, all others being its mirror images.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +26,7 @@ impl MeasuredPart {
         Some(Self { share: [0, 1].map(|axis| if is_along(axis) && !(is_line && axis == 0) { 0.5 } else { 1.0 }) })
     }
 
-    /// Records its outline in dashes over a box of a width and a height, whose lower left corner is node 0.
+    /// Records its outline, in dashes on a dark or light line, over a box of a width and a height, whose lower left corner is node 0.
     pub fn log(
         &self,
         to: &RecordingStream,
@@ -37,7 +37,10 @@ impl MeasuredPart {
         let [y, x] = self.share;
         let (right, top) = (x * width, (1.0 - y) * height);
         let outline = [[0.0, height], [0.0, top], [right, top], [right, height], [0.0, height]];
-        let line: LineStrips2D = canvas::style(palette.exact, Radius::new_ui_points(1.0), 36.0);
-        to.log_static(entity, &line.with_strips(canvas::dashed(&outline)))
+        let below = outline.map(|point| point.map(|p| p as f32)).to_vec();
+        let below = (below, colour(palette.ground), Radius::new_ui_points(2.0));
+        let dash = |points| (points, colour(palette.exact), Radius::new_ui_points(1.2));
+        let strips = std::iter::once(below).chain(canvas::dashed(&outline).map(dash));
+        to.log_static(entity, &canvas::strips(strips).with_draw_order(36.0))
     }
 }
