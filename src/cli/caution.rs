@@ -44,7 +44,7 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
             under(loose.len())
         )
     });
-    let doubtful: Vec<_> = found.iter().filter(|it| is_doubtful(it) && !is_unknown(it)).collect();
+    let doubtful: Vec<_> = found.iter().filter(|it| is_doubtful(it)).collect();
     let of = under(doubtful.len());
     let worst = doubtful.into_iter().max_by(|a, b| error(a).total_cmp(&error(b)));
     let coarse = worst.map(|it| {
@@ -52,10 +52,12 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
             0.0 => String::new(),
             share => format!(", and {share} % of the contact is in patches too small to trust"),
         };
+        let by = match error(it) {
+            error if error.is_finite() => format!("{:.0} %", 100.0 * error),
+            _ => "any amount".into(),
+        };
         format!(
-            "area and kappa_r may be off by {:.0} %{of} on this grid{small}: refine it by --refine auto, take more points, or smoother \
-             heights",
-            100.0 * error(it)
+            "area and kappa_r may be off by {by}{of} on this grid{small}: refine it by --refine auto, take more points, or smoother heights"
         )
     });
     heavy.into_iter().chain(unknown).chain(loose).chain(coarse).collect()

@@ -68,9 +68,10 @@ impl Table {
                 format!("{text:?} has not the form of the normal load, which is a {kind}: give a {kind} as well");
             SetupError::Text { place: format!("{PATH}: "), reason }
         };
-        let tangential = read(&kind, text.clone().into()).map_err(wrong)?;
-        self.lay(PATH, tangential.value().into());
-        Ok(())
+        let tangential = read(&kind, text.clone().into()).map_err(wrong);
+        // where it is wrong, a number stands for it, so that the rest can be read
+        self.lay(PATH, tangential.as_ref().map_or(1.0, Load::value).into());
+        tangential.map(drop)
     }
 }
 
