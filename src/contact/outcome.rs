@@ -182,22 +182,27 @@ impl Contact {
     /// solid that sinks without end, a periodic half-space. Of a line on a free boundary it is taken from the datum of the solid, see
     /// [`crate::elastic::Solid::datum`].
     pub fn approach(&self) -> Option<f64> {
-        let (problem, compliance) = (&self.problem, self.problem.compliance());
         let displacement = self.displacement.as_slice().expect("results are made in standard layout");
         let datum = self.mean_gap() - mean(displacement);
-        let kept = match compliance.has_uniform() {
-            true => 0.0,
-            false => problem.solid().uniform_compliance()? * self.mean_pressure(),
-        };
-        Some(problem.highest() - datum + kept)
+        Some(self.problem.highest() - datum + self.uniform_displacement()?)
     }
 
-    /// Elastic energy `<p u>/2` per area of the cell, pressure times length. Under one load after the other it falls with the
-    /// mean gap as `<p> = -dU/d<g>`.
+    /// What the mean pressure displaces everywhere alike, where the displacement leaves it out; none on a solid that sinks without end.
+    fn uniform_displacement(&self) -> Option<f64> {
+        match self.problem.compliance().has_uniform() {
+            true => Some(0.0),
+            false => Some(self.problem.solid().uniform_compliance()? * self.mean_pressure()),
+        }
+    }
+
+    /// Elastic energy `<p u>/2` per area of the cell, pressure times length, with what the mean pressure displaces everywhere alike: on a
+    /// layer that is finite, on a periodic half-space the displacement is taken from its mean. Under one load after the other it grows
+    /// with the [approach](Self::approach) `d` as `<p> = dU/dd`, and on a half-space falls with the mean gap as `<p> = -dU/d<g>`.
     pub fn elastic_energy(&self) -> f64 {
         let displacement = self.displacement.as_slice().expect("results are made in standard layout");
         let pressure = self.pressures();
-        0.5 * chunks::sum(pressure.len(), |i| pressure[i] * displacement[i]) / pressure.len() as f64
+        let uniform = self.uniform_displacement().unwrap_or(0.0);
+        0.5 * chunks::sum(pressure.len(), |i| pressure[i] * (displacement[i] + uniform)) / pressure.len() as f64
     }
 
     /// Largest pressure.

@@ -186,3 +186,24 @@ fn at_the_approach_that_a_pressure_makes_the_pressure_is_the_same() {
         assert!((gap.mean_pressure() / pressed.mean_pressure() - 1.0).abs() < 1e-5);
     }
 }
+
+/// The elastic energy is the work of the load on its way, `U = integral of <p> dd` over the approach `d`, however the load is given.
+#[test]
+fn the_elastic_energy_is_the_work_of_the_load() {
+    let surface = rough(Grid::line(256, 1.0).unwrap());
+    for base in BASES {
+        let contact = |load: f64| solved_on(&surface, layer(0.3, 0.05, base), Load::ReducedPressure(load));
+        let (mut work, mut before) = (0.0, [0.0, 0.0]);
+        for i in 1..=48 {
+            let pressed = contact(0.2 * (f64::from(i) / 48.0).powi(2));
+            let now = [pressed.mean_pressure(), pressed.approach().unwrap()];
+            work += 0.5 * (now[0] + before[0]) * (now[1] - before[1]);
+            before = now;
+        }
+        let pressed = contact(0.2);
+        let apart = solved_on(&surface, layer(0.3, 0.05, base), Load::Approach(pressed.approach().unwrap()));
+        for energy in [pressed.elastic_energy(), apart.elastic_energy()] {
+            assert!((energy / work - 1.0).abs() < 2e-3, "{base:?}: {energy} for the work {work}");
+        }
+    }
+}
