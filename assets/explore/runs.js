@@ -139,6 +139,7 @@ function heardRun(run) {
   const known = runOf(run.id);
   if (known) Object.assign(known, run);
   else {
+    runs.forEach((before) => { before.ended = true; }); // one is solved at a time, and the end of one that was broken off is not told
     runs.push(Object.assign(run, { session }));
     moment = null;
     markUnsolved(false);

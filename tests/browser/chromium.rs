@@ -186,6 +186,7 @@ impl Chromium {
         let deadline = Instant::now() + PATIENCE;
         loop {
             let message = self.message(deadline).unwrap_or_else(|| panic!("no answer to {method}"));
+            assert_ne!(message["method"], "Runtime.exceptionThrown", "nobody catches {:#}", message["params"]);
             if message["id"] == id {
                 let error = message["error"].clone();
                 return if error.is_null() { Ok(message["result"].clone()) } else { Err(error) };
