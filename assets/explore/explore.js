@@ -47,13 +47,14 @@ function leaveViewer() {
   (isView ? byId("theme") : byId("play")).focus();
 }
 
-/** Paints the page, and solves again for the pictures of the viewer, which are recorded on one ground; a sweep that is drawn stays. */
+/** Paints the page, and solves again for the pictures of the viewer, which are recorded on one ground. A sweep that is drawn stays; while a
+ * lesson asks, nothing is solved that would answer for the person. */
 function toggleTheme() {
   paint(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
   if (!knobs) return;
   const it = current();
   takeTheme();
-  if (!viewer) return;
+  if (!viewer || isAsked()) return;
   if (it && isSweep(it)) { sweep(); repainted = report.sweep; } else changed();
 }
 

@@ -68,12 +68,13 @@ function beginViewer() {
   });
 }
 
-/** Has the viewer that was not shown for a while go on with what the page shows. */
+/** Has the viewer that was not shown for a while go on with what the page shows: while a lesson asks, that is no run. */
 function resumeViewer() {
   if (viewer || started.has_panicked()) return;
   viewer = started;
   const run = current();
-  if (run) showRun(run.id);
+  if (isAsked()) noteViewer(say("viewer.asked"));
+  else if (run) showRun(run.id);
   offerSaves();
 }
 
