@@ -122,7 +122,10 @@ fn all_is_read_and_nothing_is_cut(page: &mut Page) {
         page.click("theme");
     }
     rested(page);
-    assert_eq!(page.value("[document.body.dataset.asked, moment.isClear, section.pressure.some((p) => p > 0)]"), json!(["true", true, false]));
+    assert_eq!(
+        page.value("[document.body.dataset.asked, moment.isClear, section.pressure.some((p) => p > 0)]"),
+        json!(["true", true, false])
+    );
     page.click("lesson-close");
 }
 

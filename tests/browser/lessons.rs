@@ -46,6 +46,33 @@ fn is_unpressed(page: &mut Page) {
     assert_eq!(page.value(seen), true, "the contact is shown before the answer");
 }
 
+/// Guesses a number: none, one that cannot be, one that is too large, and one that is too small, as far as there is a second try.
+fn guess_number(page: &mut Page, ask: &Value, means: Means) {
+    let of = ask["of"].as_str().unwrap();
+    let is_work = ["iterations", "transforms"].contains(&of);
+    means.press(page, "answer-1");
+    assert_eq!(page.text("document.body.dataset.asked"), "true", "no number is no guess");
+    assert!(page.text("document.getElementById('fault').innerText").ends_with(" needs a number."));
+    let tell = |page: &mut Page, value: &str| {
+        page.fill("guess-number", value);
+        means.press(page, "answer-1");
+        page.text("document.body.dataset.asked") == "true"
+    };
+    assert!(tell(page, "-0.5"), "a negative number is no guess");
+    let is_open = tell(page, "4000");
+    assert_eq!(is_open, !is_work, "of the work of a solver nothing is known before");
+    if of.starts_with("relative_area") {
+        assert!(page.text("byId('fault').innerText").contains("cannot be 4000"), "an area above 1 is no guess");
+        assert!(tell(page, "0.5"), "a number that is far off has a second try");
+        assert!(why(page).starts_with("0.5 is too "), "{}", why(page));
+    } else if is_open {
+        assert_eq!(why(page), "4000 is too large. Try once more.");
+    }
+    if is_open {
+        assert!(!tell(page, "0.5"), "the second number is an answer");
+    }
+}
+
 /// Answers what is asked, wrongly first where there is a second try, and returns what the page says of the answer.
 fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
     assert_eq!(page.value("document.getElementById('lesson-next').disabled"), true, "a guess comes first");
@@ -72,29 +99,7 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
             };
             page.type_into(control, value);
         }
-        "number" => {
-            means.press(page, "answer-1");
-            assert_eq!(page.text("document.body.dataset.asked"), "true", "no number is no guess");
-            assert!(page.text("document.getElementById('fault').innerText").ends_with(" needs a number."));
-            page.type_into("guess-number", "-0.5");
-            means.press(page, "answer-1");
-            assert_eq!(page.text("document.body.dataset.asked"), "true", "a negative number is no guess");
-            page.type_into("guess-number", "4000");
-            means.press(page, "answer-1");
-            if ask["of"].as_str().unwrap().starts_with("relative_area") {
-                assert!(page.text("byId('fault').innerText").contains("cannot be 4000"), "an area above 1 is no guess");
-            } else if !["iterations", "transforms"].contains(&ask["of"].as_str().unwrap()) {
-                assert_eq!(why(page), "4000 is too large. Try once more.");
-            }
-            if page.text("document.body.dataset.asked") == "true" {
-                page.type_into("guess-number", "0.5");
-                means.press(page, "answer-1");
-            }
-            if page.text("document.body.dataset.asked") == "true" {
-                assert!(why(page).starts_with("0.5 is too "), "{}", why(page));
-                means.press(page, "answer-1");
-            }
-        }
+        "number" => guess_number(page, ask, means),
         _ => {
             page.value("document.querySelector('#lesson-answers input').focus()");
             page.press("End");

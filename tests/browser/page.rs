@@ -124,10 +124,15 @@ impl Page {
         self.chromium.page("Input.dispatchMouseEvent", event);
     }
 
-    /// Types a value into a field and leaves it with the Enter key.
-    pub fn type_into(&mut self, id: &str, value: &str) {
+    /// Types a value into a field, in the place of what is there.
+    pub fn fill(&mut self, id: &str, value: &str) {
         self.value(&format!("document.getElementById('{id}').focus(); document.getElementById('{id}').select()"));
         self.chromium.page("Input.insertText", json!({"text": value}));
+    }
+
+    /// Types a value into a field and leaves it with the Enter key.
+    pub fn type_into(&mut self, id: &str, value: &str) {
+        self.fill(id, value);
         self.press("Enter");
     }
 
