@@ -1,10 +1,10 @@
 //! What the viewer makes of recordings: their names, their applications, and the axes and colours of their curves.
 
-use super::{cylinder, record, rough_line, rough_surface, rows, stores};
-use asperity::contact::{Gfmd, Load, PolonskyKeer};
+use super::{cylinder, record, record_with, rough_line, rough_surface, rows, stores};
+use asperity::contact::{Gfmd, Load, Multilevel, PolonskyKeer};
 use asperity::plot::Colour;
 use asperity::record::{Options, Recording, Scene};
-use asperity::setup::{Cell, Method, Recipe, Setup};
+use asperity::setup::{Cell, Method, Part, Recipe, Setup};
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter, Problem};
 use rerun::external::re_sdk_types::blueprint::{archetypes, components};
@@ -111,4 +111,38 @@ fn setups_have_applications_and_names_of_their_own() {
     assert!(
         identity(&path, &gfmd(0.5))[1].ends_with("gfmd, masses uniform, dynamics damped, time-step 0.5, damping 0.5")
     );
+}
+
+/// How many panes stand in each container of a kind that has a name.
+fn panes_of(path: &Path, kind: components::ContainerKind, name: &str) -> Vec<usize> {
+    use archetypes::ContainerBlueprint as Container;
+    let [kinds, names, contents] = [
+        Container::descriptor_container_kind(),
+        Container::descriptor_display_name(),
+        Container::descriptor_contents(),
+    ]
+    .map(|descriptor| descriptor.component);
+    let stores = stores(path, StoreKind::Blueprint);
+    let chunks = stores.iter().flat_map(|store| store.iter_physical_chunks());
+    let counted = chunks.filter_map(|chunk| {
+        let its: rerun::components::Name = chunk.component_batch(names, 0)?.unwrap().remove(0);
+        let is_one = chunk.component_batch::<components::ContainerKind>(kinds, 0)?.unwrap()[0] == kind;
+        let panes = chunk.component_batch::<components::IncludedContent>(contents, 0)?.unwrap().len();
+        (is_one && its.as_str() == name).then_some(panes)
+    });
+    counted.collect()
+}
+
+#[test]
+fn three_pictures_of_a_line_share_two_rows_in_a_low_window() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.rrd");
+    let what = [Part::Profile, Part::Fields, Part::Stress].into_iter().collect();
+    for (window, rows, tabs) in [([1600.0, 1000.0], 3, vec![2]), ([720.0, 310.0], 2, vec![3])] {
+        record_with(&path, &rough_line(), &Multilevel, None, Options { what, window, ..Options::default() });
+        assert_eq!(panes_of(&path, components::ContainerKind::Vertical, "it"), [rows], "{window:?}");
+        let pictures = panes_of(&path, components::ContainerKind::Tabs, "pictures");
+        let pictures: Vec<usize> = pictures.into_iter().filter(|&panes| panes > 1).collect();
+        assert_eq!(pictures, tabs, "{window:?}");
+    }
 }

@@ -58,6 +58,8 @@ pub struct Stage {
     pub below: Option<StressPicture>,
     /// The map of contact patches over loads, once there are loads.
     pub patches: Option<PatchMap>,
+    /// Height of the window that the pictures are drawn for, in points.
+    pub window_height: f64,
 }
 
 impl Stage {
@@ -91,6 +93,7 @@ impl Stage {
             density: options.what.has(Part::Error).then(|| DensityPicture::new(scene, &root, &options)),
             below: StressPicture::new(scene, forecast, &root, &options),
             patches: None,
+            window_height: options.window[1],
             root,
         }
     }

@@ -16,6 +16,8 @@ const PICTURES_OF_SURFACE: f32 = 2.1;
 const NARROW: f32 = 0.65;
 /// Height of the stress below a line, whose proportions are those in space, beside pictures of the height 1.
 const STRESS: f32 = 1.4;
+/// The least height of a picture of a line, in points, of which there are at most two where three would be lower.
+const LEAST_ROW: f64 = 150.0;
 /// Height of a row of pictures in the overview, which leaves them about the proportions that they have beside their curves; and of all rows at
 /// the most.
 const OVERVIEW_ROW: f32 = 0.38;
@@ -82,10 +84,15 @@ fn run(stage: &Stage) -> Option<Pane> {
     Some(instruments_beside(instruments, stage)?.titled(&format!("{}: the run, step by step", stage.title)))
 }
 
-/// The views of the pictures. Those of a line stand one below the other, in front of the second row the map of patches; those of a surface
-/// in a grid.
+/// The views of the pictures. Those of a line stand one below the other, in front of the second row the map of patches, and in a low window
+/// those of the third row; those of a surface stand in a grid.
 pub fn pictures(stage: &Stage) -> Pane {
     let mut rows = views(stage);
+    let is_low = stage.window_height < LEAST_ROW * rows.len() as f64;
+    if stage.grid.is_line() && rows.len() > 2 && is_low {
+        let further = rows.remove(2);
+        rows[1].splice(0..0, further);
+    }
     let views = rows.len();
     if stage.grid.is_line() {
         if let Some(map) = &stage.patches {
