@@ -93,6 +93,41 @@ fn what_a_killed_run_left_is_kept_and_the_rest_added() {
     }
 }
 
+/// Changes one digit of the text, the first 1 to 8 from a place on, to the next.
+fn one_digit_changed(text: &[u8], from: usize) -> Vec<u8> {
+    let place = from + text[from..].iter().position(|byte| (b'1'..b'9').contains(byte)).unwrap();
+    let mut changed = text.to_vec();
+    changed[place] += 1;
+    changed
+}
+
+#[test]
+fn rows_that_were_changed_after_they_were_written_are_solved_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let [whole, _] = paths(folder.path(), "whole");
+    let expected = table_of(&sweep(2), &whole);
+    let points = sweep(1).run(&Table::new(&whole), &|_| ()).unwrap();
+    let head = expected.iter().position(|&byte| byte == b'\n').unwrap();
+    let [path, unfinished] = paths(folder.path(), "changed");
+    let table = Table::new(&path);
+    for place in (0..28).map(|n| n * 211) {
+        table.clear().unwrap();
+        table.append(&points).unwrap();
+        let left = fs::read(&unfinished).unwrap();
+        fs::write(&unfinished, one_digit_changed(&left, place % (left.len() - 40))).unwrap();
+        sweep(2).run(&table, &|_| ()).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), expected, "{place} of the unfinished table");
+        fs::write(&path, one_digit_changed(&expected, head + place % (expected.len() - head - 40))).unwrap();
+        let solved = Mutex::new(0);
+        sweep(2).run(&table, &|_| *solved.lock().unwrap() += 1).unwrap();
+        assert_eq!(
+            (fs::read(&path).unwrap() == expected, solved.into_inner().unwrap()),
+            (true, 4),
+            "{place} of the table"
+        );
+    }
+}
+
 #[test]
 fn a_finished_table_is_not_solved_again_and_grows_by_what_is_new() {
     let folder = tempfile::tempdir().unwrap();

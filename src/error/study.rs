@@ -44,7 +44,7 @@ pub enum StudyError {
     OtherPoints { values: String, points: usize, version: String },
     /// Rows that no table holds.
     #[error(
-        "{rows} of {of} rows are in none of the tables, the first is row {first}: solve them, or give the other tables as well"
+        "{rows} of {of} rows are in none of the tables, or were changed there after they were solved; the first is row {first}: solve them, or give the other tables as well"
     )]
     Missing { rows: usize, first: usize, of: usize },
     /// A row that tables hold twice.

@@ -1,5 +1,6 @@
 //! Studies solved and put together: shares of rows, and their tables.
 
+use super::check::Check;
 use super::column::Column;
 use super::identity::Identity;
 use super::known::Known;
@@ -135,7 +136,7 @@ impl Plan {
         }
     }
 
-    /// Writes the finished table of a share: its `points`, each with what its row was made of, see [`Plan::columns`].
+    /// Writes the finished table of a share: its `points`, each with what its row was made of, see [`Plan::columns`], and its check sum.
     ///
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
@@ -149,10 +150,11 @@ impl Plan {
             let mut csv = csv::Writer::from_writer(file);
             self.in_columns(share, points, |columns, is_first| {
                 if is_first {
-                    csv.write_record(columns.iter().map(|column| &column.name))?;
+                    csv.write_record(columns.iter().map(|column| column.name.as_str()).chain([Check::NAME]))?;
                 }
                 let rows = columns.first().map_or(0, |column| column.values.len());
-                (0..rows).try_for_each(|i| csv.write_record(columns.iter().map(|column| column.values.word(i))))?;
+                let words = |i| columns.iter().map(|column| column.values.word(i)).collect();
+                (0..rows).try_for_each(|i| csv.write_record(Check::add_to(words(i))))?;
                 Ok(())
             })?;
             csv.flush()

@@ -9,6 +9,7 @@
 //! ```
 
 mod campaign;
+mod check;
 mod column;
 #[cfg(feature = "figures")]
 mod drawing;

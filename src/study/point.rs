@@ -1,6 +1,8 @@
 //! A solved point of a study.
 
+use super::check::Check;
 use crate::contact::{Observables, Status};
+use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 
 /// A solved point: a realisation under one of its loads, how the solver ended, and what was found.
@@ -44,19 +46,24 @@ pub struct Point {
 }
 
 impl Point {
-    /// Points as lines of comma-separated values without a head, all numbers to the last bit.
+    /// Points as lines of comma-separated values without a head, all numbers to the last bit, each line with its check sum.
     pub fn to_lines<'a>(points: impl IntoIterator<Item = &'a Self>) -> String {
         let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-        let written = points.into_iter().try_for_each(|it| csv.serialize((it, it.observables, it.seconds)));
+        let rows = points.into_iter().map(|it| (it, it.observables, it.seconds));
+        let written = rows.into_iter().try_for_each(|row| csv.serialize((row, Check::of(row))));
         let text = written.ok().and_then(|()| String::from_utf8(csv.into_inner().ok()?).ok());
         text.expect("numbers and texts have a form in lines")
     }
 
-    /// The points in such lines, as far as these are whole.
+    /// The points in such lines, as far as these are whole and as they were written.
     pub fn from_lines(text: &[u8]) -> Vec<Self> {
-        let csv = csv::ReaderBuilder::new().has_headers(false).from_reader(text);
-        let whole = csv.into_deserialize::<(Self, Observables, f64)>().flatten();
-        whole.map(|(point, observables, seconds)| Self { observables, seconds, ..point }).collect()
+        let csv = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text);
+        csv.into_records().flatten().filter(Check::holds).filter_map(|record| Self::from_record(&record)).collect()
+    }
+
+    fn from_record(record: &StringRecord) -> Option<Self> {
+        let (point, observables, seconds, _): (Self, Observables, f64, String) = record.deserialize(None).ok()?;
+        Some(Self { observables, seconds, ..point })
     }
 
     /// Whether the certificate met the tolerance; what did not is kept in tables and left out of averages.

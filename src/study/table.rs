@@ -1,5 +1,6 @@
 //! A table of points on disk, which grows while a study runs.
 
+use super::check::Check;
 use super::point::Point;
 use crate::error::FileError;
 use crate::files::{check_target, write_csv};
@@ -16,6 +17,8 @@ use std::path::{Path, PathBuf};
 /// | `NAME.csv`           | all points of a finished study, in its order: the same to the last bit whenever it is run |
 /// | `NAME.seconds.csv`   | the seconds that each of them took, row by row                                 |
 /// | `NAME.unfinished`    | the points of a study that runs, or was killed, in the order of their coming    |
+///
+/// The last column of a row of points is its check sum: a row that was changed after it was written counts as missing, and is solved again.
 #[derive(Debug, Clone)]
 pub struct Table {
     path: PathBuf,
@@ -51,7 +54,7 @@ impl Table {
         &self.path
     }
 
-    /// All points that are there, those of the finished table first; of the unfinished one those that are whole.
+    /// All points that are there, those of the finished table first, as far as their rows are whole and as they were written.
     ///
     /// # Errors
     /// [`FileError::Read`] for files that are there and cannot be read, [`FileError::Target`] for a finished table that holds
@@ -59,10 +62,12 @@ impl Table {
     pub fn read(&self) -> Result<Vec<Point>, FileError> {
         let seconds = finished(&self.seconds_path(), |record, names| record.deserialize(Some(names)))?;
         let mut seconds = seconds.into_iter().map(|Seconds { seconds, .. }| seconds);
-        let mut points = finished(&self.path, |record, names| {
-            let observables = record.deserialize(Some(names))?;
-            Ok(Point { observables, seconds: seconds.next().unwrap_or(f64::NAN), ..record.deserialize(Some(names))? })
+        let points = finished(&self.path, |record, names| {
+            let seconds = seconds.next().unwrap_or(f64::NAN);
+            Ok(Point { observables: record.deserialize(Some(names))?, seconds, ..record.deserialize(Some(names))? })
+                .map(|point| Check::holds(record).then_some(point))
         })?;
+        let mut points: Vec<Point> = points.into_iter().flatten().collect();
         points.extend(Point::from_lines(&bytes(&self.unfinished_path())?));
         Ok(points)
     }
@@ -85,7 +90,8 @@ impl Table {
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
     pub fn finish(&self, points: &[Point]) -> Result<(), FileError> {
-        write_csv(&self.path, points.iter().map(|point| (point, point.observables)))?;
+        let rows = points.iter().map(|point| (point, point.observables));
+        write_csv(&self.path, rows.map(|row| (row, Check::of(row))))?;
         self.settle(points)
     }
 

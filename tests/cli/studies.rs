@@ -114,7 +114,16 @@ fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
     assert!(done(&folder, "study study.toml").status.success() && before > 0);
     // what is missing, twice there or of another study
     let missing = refused(&folder, &format!("merge study.toml {} --out no.csv", shares[1..].join(" ")));
-    assert!(missing.contains(" of 24 rows are in none of the tables, the first is row "), "{missing}");
+    assert!(missing.contains(" of 24 rows are in none of the tables, or were changed there "), "{missing}");
+    let share = std::fs::read_to_string(folder.join(&shares[2])).unwrap();
+    let number = share.lines().nth(1).unwrap().split(',').find(|field| field.starts_with("0.")).unwrap();
+    std::fs::write(folder.join("edited.csv"), share.replacen(number, "0.25", 1)).unwrap();
+    let others = [0, 1, 3, 4].map(|i| shares[i].as_str()).join(" ");
+    let edited = refused(&folder, &format!("merge study.toml {others} edited.csv --out no.csv"));
+    assert!(
+        edited.contains("2 of 24 rows are in none of the tables, or were changed there after they were solved"),
+        "{edited}"
+    );
     let twice = refused(&folder, &format!("merge study.toml {} study.csv --out no.csv", shares.join(" ")));
     assert!(twice.contains(" is in study.") && twice.contains(" and again in study.csv: give"), "{twice}");
     std::fs::write(folder.join("other.toml"), STUDY.replace("0.8", "0.7")).unwrap();

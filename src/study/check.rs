@@ -1,0 +1,39 @@
+//! The check sum of a row, which tells a row that was changed after it was written.
+
+use csv::{StringRecord, WriterBuilder};
+use serde::Serialize;
+
+/// The last column `check` of a row: the CRC-32 of the other fields, as a line of comma-separated values, in hexadecimal digits.
+#[derive(Debug, Serialize)]
+pub struct Check {
+    check: String,
+}
+
+impl Check {
+    /// The name of the column.
+    pub const NAME: &str = "check";
+
+    /// The check sum of a row that is written with it.
+    pub fn of(row: impl Serialize) -> Self {
+        Self { check: format!("{:08x}", crc32fast::hash(&line(row))) }
+    }
+
+    /// The words of a row, with its check sum as the last.
+    pub fn add_to(mut words: Vec<String>) -> Vec<String> {
+        words.push(Self::of(&words).check);
+        words
+    }
+
+    /// Whether a row that was read is as it was written.
+    pub fn holds(record: &StringRecord) -> bool {
+        let mut fields: Vec<&str> = record.iter().collect();
+        fields.pop().is_some_and(|last| last == Self::of(fields).check)
+    }
+}
+
+/// A row as a line of comma-separated values.
+fn line(row: impl Serialize) -> Vec<u8> {
+    let mut csv = WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    csv.serialize(row).expect("numbers and texts have a form in lines");
+    csv.into_inner().expect("a line fits in memory")
+}
