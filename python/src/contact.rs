@@ -7,7 +7,7 @@ use crate::refusal::{refuse, refused};
 use crate::setup::Setup;
 use asperity::contact::{self, Distribution, OBSERVABLES, Patch, State};
 use asperity::diagnosis::Findings;
-use asperity::files::write_beside;
+use asperity::files::{check_named, write_beside};
 use asperity::setup;
 use asperity::surface::{Field, PowerSpectrum};
 use numpy::{PyArray1, PyArrayDyn};
@@ -230,9 +230,11 @@ impl Contact {
         (list(py, wavenumber), list(py, density))
     }
 
-    /// Writes fields, distributions, spectra, numbers and setup as .npz. The command line reads its setup, and the heights with it.
+    /// Writes fields, distributions, spectra, numbers and setup to a file whose name ends in .npz. The command line reads its setup, and the
+    /// heights with it.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         py.detach(|| {
+            check_named(&path, &["npz"])?;
             let bytes = contact::archive(&self.contact, self.rank, Some(&self.setup.to_toml()))?;
             Ok(write_beside(&path, |file| file.write_all(&bytes))?)
         })

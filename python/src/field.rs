@@ -5,10 +5,36 @@ use asperity::error::ClaimError;
 use asperity::surface::Field;
 use numpy::ndarray::{ArrayD, ArrayView2, Axis, Ix2};
 use numpy::{AllowTypeChange, PyArray1, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::Borrowed;
 use pyo3::prelude::*;
+use std::ops::Deref;
 
-/// An array of numpy, or what numpy makes one of.
-pub type Given<'py> = PyArrayLikeDyn<'py, f64, AllowTypeChange>;
+/// An array of numpy, or what numpy makes one of. Values that are masked are void, and refused.
+pub struct Given<'py>(PyArrayLikeDyn<'py, f64, AllowTypeChange>);
+
+impl<'py> Deref for Given<'py> {
+    type Target = PyArrayLikeDyn<'py, f64, AllowTypeChange>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl<'a, 'py> FromPyObject<'a, 'py> for Given<'py> {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        let masks = given.py().import("numpy.ma")?;
+        if given.is_instance(&masks.getattr("MaskedArray")?)? {
+            let masked: usize = masks.call_method1("count_masked", (given,))?.extract()?;
+            if masked > 0 {
+                let all: usize = given.getattr("size")?.extract()?;
+                return Err(refused(format!("{masked} of {all} values are masked: fill them or crop them away")));
+            }
+        }
+        Ok(Self(given.extract()?))
+    }
+}
 
 /// Rows and columns of an array, copied once; one of a single axis is a row.
 pub fn rows(given: &Given<'_>) -> PyResult<Field> {

@@ -3,6 +3,7 @@
 import subprocess
 import sys
 import warnings
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -53,6 +54,24 @@ def test_each_refusal_is_one_sentence_with_what_to_do(keys: dict[str, Any], sent
 def test_heights_that_are_none_are_refused(height: Any, size: Any, sentence: str) -> None:
     with pytest.raises(asp.AsperityError, match=sentence):
         asp.solve(height, size, reduced_pressure=0.1)
+
+
+def test_what_is_masked_is_void() -> None:
+    masked = np.ma.masked_array(HEIGHT, mask=np.arange(64) % 16 == 0)
+    with pytest.raises(asp.AsperityError, match="4 of 64 values are masked: fill them or crop them away"):
+        asp.solve(masked, 1.0, reduced_pressure=0.1)
+    with pytest.raises(asp.AsperityError, match="4 of 64 values are masked"):
+        asp.solve(HEIGHT, 1.0, reduced_pressure=0.1).problem.certify(pressure=masked)
+    whole = asp.solve(np.ma.masked_array(HEIGHT), 1.0, reduced_pressure=0.1)
+    assert np.array_equal(whole.pressure, asp.solve(HEIGHT, 1.0, reduced_pressure=0.1).pressure)
+
+
+@pytest.mark.parametrize("name", ["x.csv", "x.h5", "x"])
+def test_a_file_of_another_kind_is_refused(name: str, tmp_path: Path) -> None:
+    contact = asp.solve(HEIGHT, 1.0, reduced_pressure=0.1)
+    with pytest.raises(asp.AsperityError, match=r"give a name that ends in \.npz"):
+        contact.save(tmp_path / name)
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_keyword_that_is_none_is_a_type_error() -> None:

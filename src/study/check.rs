@@ -1,9 +1,10 @@
 //! The check sum of a row, which tells a row that was changed after it was written.
 
+use crate::setup::fnv1a;
 use csv::{StringRecord, WriterBuilder};
 use serde::Serialize;
 
-/// The last column `check` of a row: the CRC-32 of the other fields, as a line of comma-separated values, in hexadecimal digits.
+/// The last column `check` of a row: the hash FNV-1a of the other fields, as a line of comma-separated values, in hexadecimal digits.
 #[derive(Debug, Serialize)]
 pub struct Check {
     check: String,
@@ -15,7 +16,7 @@ impl Check {
 
     /// The check sum of a row that is written with it.
     pub fn of(row: impl Serialize) -> Self {
-        Self { check: format!("{:08x}", crc32fast::hash(&line(row))) }
+        Self { check: format!("{:016x}", fnv1a([line(row).as_slice()])) }
     }
 
     /// The words of a row, with its check sum as the last.
