@@ -286,3 +286,54 @@ fn a_node_in_contact_has_an_area_that_is_not_negative() {
         }
     }
 }
+
+/// Errors of the area and of `kappa_r`, told and true, of a rough line whose heights are rounded to few values, at `refine` times its
+/// points, against the same heights unrounded on a fine grid.
+fn rounded(values: f64, points: usize, refine: usize) -> [[f64; 2]; 2] {
+    const FINEST: usize = 1 << 16;
+    let fine = rough_line(0.8, 2, FINEST);
+    let [low, high] = [f64::min, f64::max].map(|pick| fine.heights().iter().copied().reduce(pick).unwrap());
+    let step = (high - low) / values;
+    let sampled = every(&fine, FINEST / points);
+    let height = Array1::from_iter(sampled.heights().iter().map(|h| step * (h / step).round()));
+    let surface = Surface::line(height.view(), 1.0).unwrap().refined(refine).unwrap();
+    let (contact, exact) = (pressed(surface, 2e-5, 1e-9), pressed(fine, 2e-5, 1e-9).resolved());
+    let (found, resolution) = (contact.resolved(), contact.resolution());
+    let errors = [(found.relative_area, exact.relative_area), (found.kappa_r, exact.kappa_r)];
+    [
+        [resolution.relative_area_error, resolution.kappa_r_error],
+        errors.map(|(found, exact)| (found / exact - 1.0).abs()),
+    ]
+}
+
+#[test]
+fn the_error_of_rounded_heights_is_told_and_refinement_does_not_hide_it() {
+    for values in [16.0, 64.0, 256.0] {
+        for points in [1024, 4096] {
+            for refine in [1, 2, 4] {
+                let [told, wrong] = rounded(values, points, refine);
+                println!("{values:>5} {points:>5} {refine} told {told:.3?} true {wrong:.3?}");
+                for (told, wrong) in told.into_iter().zip(wrong) {
+                    assert!(
+                        told.is_nan() || wrong.is_nan() || told > wrong / 3.0,
+                        "{values} {points} {refine}: told {told} of {wrong}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn smooth_and_rough_heights_have_no_plateaus() {
+    let grid = Grid::surface([64, 64], [1.0, 1.0]).unwrap();
+    // a crest between two nodes, and a ridge along y
+    let ridge = Field::from_shape_fn([64, 64], |(_, x)| -(x as f64 - 31.5).powi(2));
+    let spectrum = Spectrum { hurst: 0.5, rolloff_wavelength: 0.5, short_cutoff: 0.1, rms_gradient: 0.1 };
+    for surface in [Surface::new(grid, ridge).unwrap(), Surface::rough(grid, &spectrum, 1).unwrap()] {
+        for refine in [1, 2] {
+            let contact = pressed(surface.refined(refine).unwrap(), 1e-3, 1e-9);
+            assert_eq!(contact.resolution().level_share, 0.0);
+        }
+    }
+}

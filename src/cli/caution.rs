@@ -32,7 +32,7 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
     let unknown = (unknown > 0).then(|| {
         format!(
             "kappa_r and its error cannot be found{} on this grid, so that kappa_r may be wrong by any amount: refine it by \
-             --refine auto, or take more points",
+             --refine auto, take more points, or heights that are neither rounded nor clipped",
             under(unknown)
         )
     });
@@ -57,7 +57,8 @@ pub fn of_contacts(found: &[&Observables]) -> Vec<String> {
             _ => "any amount".into(),
         };
         format!(
-            "area and kappa_r may be off by {by}{of} on this grid{small}: refine it by --refine auto, take more points, or smoother heights"
+            "area and kappa_r may be off by {by}{of} on this grid{small}: refine it by --refine auto, take more points, or \
+             heights that are smoother and less rounded"
         )
     });
     heavy.into_iter().chain(unknown).chain(loose).chain(coarse).collect()
@@ -86,10 +87,10 @@ pub fn of_rim(contact: &Contact) -> Option<String> {
     })
 }
 
-/// The warning that the finest grid that could be tried is too coarse.
+/// The warning that the finest grid that could be tried is too coarse, or no grid would be fine enough.
 pub fn unsettled() -> String {
-    "area and kappa_r have not settled on the finest grid that memory and 64-fold refinement allow: give a larger --area-tolerance, or \
-     smoother heights"
+    "area and kappa_r have not settled on the finest grid that memory, 64-fold refinement and plateaus of the heights allow: give a \
+     larger --area-tolerance, or heights that are smoother and less rounded"
         .into()
 }
 

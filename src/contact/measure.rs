@@ -16,6 +16,8 @@ pub const NODE_EXCESS_PER_SWITCH_SURFACE: f64 = 0.101_378;
 pub struct Measures {
     /// Nodes in contact.
     pub contact_nodes: usize,
+    /// Nodes in contact that lie on plateaus, see [`Surface::is_level`].
+    pub level_nodes: usize,
     /// Switches between contact and gap along rows (and columns): the length of the contact line in spacings.
     pub switches: usize,
     /// `a_rel`, the share of nodes in contact: what the paper plots.
@@ -49,7 +51,7 @@ impl Measures {
     pub fn of(problem: &Problem, pressure: &[f64]) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
-        let Sums { nodes, squares, switches, switched_squares } = Sums::of(pressure, problem.surface());
+        let Sums { nodes, level, squares, switches, switched_squares } = Sums::of(pressure, problem.surface());
         let excess = if grid.is_line() { NODE_EXCESS_PER_SWITCH_LINE } else { NODE_EXCESS_PER_SWITCH_SURFACE };
         let corrected = (nodes as f64 - excess * switches as f64).max(0.0);
         let relative_area = nodes as f64 / grid.len() as f64;
@@ -60,6 +62,7 @@ impl Measures {
         let reduced_pressure = strain / problem.rms_gradient();
         Self {
             contact_nodes: nodes,
+            level_nodes: level,
             switches,
             relative_area,
             relative_area_corrected,
@@ -84,6 +87,8 @@ fn rms(squares: f64, count: f64) -> f64 {
 #[derive(Default)]
 struct Sums {
     nodes: usize,
+    /// Nodes on plateaus.
+    level: usize,
     /// Square gradients (Eq. 8).
     squares: f64,
     switches: usize,
@@ -93,7 +98,7 @@ struct Sums {
 
 impl Sums {
     fn of(pressure: &[f64], surface: &Surface) -> Self {
-        let (grid, square_gradient) = (surface.grid(), surface.square_gradient());
+        let (grid, square_gradient, is_level) = (surface.grid(), surface.square_gradient(), surface.is_level());
         let parts = chunks::visit(pressure.len(), |range| {
             let mut sums = Self::default();
             for node in chunks::positive(pressure, range) {
@@ -101,6 +106,7 @@ impl Sums {
                 // of a line, the neighbours along y are the node itself
                 let ends = grid.neighbours(node).into_iter().filter(|&next| pressure[next] <= 0.0).count();
                 sums.nodes += 1;
+                sums.level += usize::from(is_level(node));
                 sums.squares += square;
                 sums.switches += ends;
                 sums.switched_squares += ends as f64 * square;
@@ -113,6 +119,7 @@ impl Sums {
     fn plus(self, other: Self) -> Self {
         Self {
             nodes: self.nodes + other.nodes,
+            level: self.level + other.level,
             squares: self.squares + other.squares,
             switches: self.switches + other.switches,
             switched_squares: self.switched_squares + other.switched_squares,

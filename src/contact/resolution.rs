@@ -12,6 +12,9 @@ const FEWEST_NODES: [usize; 2] = [4, 12];
 /// up to three times the error of the area and seven times that of `kappa_r`.
 const SHARE: f64 = 0.5;
 
+/// Share of the contact on plateaus above which the error of the gradient is not known.
+const MOST_LEVEL: f64 = 0.5;
+
 /// How well a grid resolves a contact: how small its patches are, and how far its area and `kappa_r` may be from those of a grid
 /// of infinitely many points of the same surface. Dimensionless all.
 ///
@@ -19,6 +22,11 @@ const SHARE: f64 = 0.5;
 /// the resolved values of the two grids, which for errors of second order is three times the error, and half of that between
 /// resolved and corrected values; else they are all of the latter. The error of `kappa_r` is the sum of those of area and
 /// gradient, which may cancel in it. They say nothing of waves that the grid cannot carry.
+///
+/// Nodes on plateaus, see [`crate::surface::Surface::is_level`], do not tell how the surface runs between them, as where heights are
+/// rounded or clipped. Half of their share in the contact is added to the errors of area and gradient, and where they are most of
+/// it, that of `kappa_r` is not known. Of 582 contacts of rough, clipped, worn, rounded and spiky heights, two were told an error
+/// below a third of that against the same heights unrounded on a fine grid; without it, 56 were.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolution {
     /// Nodes in contact for each patch; 0 without contact.
@@ -26,13 +34,20 @@ pub struct Resolution {
     /// Share of the nodes in contact that are in patches of fewer than 4 nodes on lines, 12 on surfaces, whose pressure is that
     /// of single nodes; 0 without contact.
     pub unresolved_share: f64,
+    /// Share of the nodes in contact that lie on plateaus; 0 without contact.
+    pub level_share: f64,
     /// Estimated relative error of the resolved area.
     pub relative_area_error: f64,
-    /// Estimated relative error of the resolved `kappa_r`.
+    /// Estimated relative error of the resolved `kappa_r`; NaN where most of the contact lies on plateaus.
     pub kappa_r_error: f64,
 }
 
 impl Resolution {
+    /// The error of the area that plateaus leave on any grid.
+    pub fn least_area_error(&self) -> f64 {
+        SHARE * self.level_share
+    }
+
     /// The fewest nodes of a patch whose pressure is not that of single nodes: 4 on lines, 12 on surfaces.
     pub fn fewest_nodes(grid: &Grid) -> usize {
         FEWEST_NODES[usize::from(!grid.is_line())]
@@ -49,10 +64,11 @@ impl Resolution {
         let fewest = Self::fewest_nodes(grid);
         let small: usize = patches.sizes().iter().filter(|nodes| **nodes < fewest).sum();
         let nodes = measures.contact_nodes as f64;
+        let level_share = measures.level_nodes as f64 / nodes.max(1.0);
         let error = |value: f64, corrected: f64, coarser: Option<f64>| {
             let of_measures = (value - corrected).abs();
             let error = coarser.map_or(of_measures, |coarser| SHARE * (of_measures + (value - coarser).abs()));
-            error / value
+            error / value + SHARE * level_share
         };
         let relative_area_error = error(
             resolved.relative_area,
@@ -67,8 +83,9 @@ impl Resolution {
         Self {
             nodes_per_patch: nodes / patches.count().max(1) as f64,
             unresolved_share: small as f64 / nodes.max(1.0),
+            level_share,
             relative_area_error,
-            kappa_r_error: relative_area_error + rms_gradient_error,
+            kappa_r_error: if level_share > MOST_LEVEL { f64::NAN } else { relative_area_error + rms_gradient_error },
         }
     }
 }

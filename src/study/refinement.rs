@@ -12,7 +12,7 @@ const PER_WAVE: f64 = 4.0;
 const FEWEST: usize = 64;
 
 /// A contact on ever finer grids, each of twice as many points along a side, until area and `kappa_r` have settled: until the
-/// errors that [`Resolution`] estimates are within a tolerance.
+/// errors that [`Resolution`] estimates are within a tolerance. Plateaus that leave an error above it on any grid end it at once.
 ///
 /// Heights of a file are interpolated, all else is made on the finer grid.
 ///
@@ -88,9 +88,11 @@ impl Refinement {
             }
             fits?;
             let contact = solve(&setup)?;
-            let is_within = self.is_within(&contact.resolution());
+            let resolution = contact.resolution();
+            let (is_within, can_settle) =
+                (self.is_within(&resolution), resolution.least_area_error() <= self.tolerance);
             let settled = Settled { setup, contact, is_within };
-            if is_within || !settled.contact.is_converged() {
+            if is_within || !can_settle || !settled.contact.is_converged() {
                 return Ok(settled);
             }
             last = Some(settled);

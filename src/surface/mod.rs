@@ -3,6 +3,8 @@
 mod bumps;
 mod formats;
 mod indenter;
+mod level;
+mod plateau;
 mod preparation;
 mod refine;
 mod roughness;
@@ -28,6 +30,7 @@ use crate::chunks;
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use ndarray::{Array2, ArrayView1};
+use plateau::Plateaus;
 
 /// Values on a grid, shape `(ny, nx)`, row by row.
 pub type Field = Array2<f64>;
@@ -45,6 +48,7 @@ pub struct Surface {
     height: Field,
     mean_height: f64,
     seed: Option<u64>,
+    plateaus: Option<Plateaus>,
 }
 
 impl Surface {
@@ -61,7 +65,7 @@ impl Surface {
         }
         let mut height = if height.is_standard_layout() { height } else { height.as_standard_layout().into_owned() };
         let mean_height = centre(height.as_slice_mut().expect("standard layout"));
-        Ok(Self { grid, height, mean_height, seed: None })
+        Ok(Self { grid, height, mean_height, seed: None, plateaus: None })
     }
 
     /// A line of given heights and period.
@@ -95,6 +99,7 @@ impl Surface {
             height: &self.height + &other.height,
             mean_height: self.mean_height + other.mean_height,
             seed: self.seed.or(other.seed),
+            plateaus: None,
         }
     }
 

@@ -1,0 +1,25 @@
+//! Plateaus that a surface had before its heights were interpolated.
+
+use crate::grid::Grid;
+use std::sync::Arc;
+
+/// Which nodes of a surface lay on plateaus before its heights were interpolated on a finer grid.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Plateaus {
+    /// Rows and columns before.
+    pub shape: [usize; 2],
+    /// Points along a side of the finer grid for each point.
+    pub factor: usize,
+    /// Whether each node lay on a plateau, row by row.
+    pub nodes: Arc<[bool]>,
+}
+
+impl Plateaus {
+    /// Whether the nearest node that there was to one of the grid `fine` lay on a plateau.
+    pub fn has(&self, fine: &Grid, node: usize) -> bool {
+        let [ny, nx] = self.shape;
+        let nearest = |i: usize, n: usize| (i + self.factor / 2) / self.factor % n;
+        let columns = fine.shape()[1];
+        self.nodes[nearest(node / columns, ny) * nx + nearest(node % columns, nx)]
+    }
+}
