@@ -4,7 +4,8 @@
 mod common;
 
 use asperity::contact::{
-    Certificate, Contact, ContactModulus, Gfmd, Law, Load, Multilevel, Plasticity, PolonskyKeer, Solver, archive,
+    Certificate, Contact, ContactModulus, Gfmd, Law, Load, Multilevel, Observables, Plasticity, PolonskyKeer, Solver,
+    archive,
 };
 use asperity::error::{ProblemError, SolveError};
 use asperity::setup::{Cell, Recipe, Setup};
@@ -358,4 +359,48 @@ fn every(field: &Field, step: usize) -> Field {
 
 fn common_data(name: &str) -> std::path::PathBuf {
     std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
+}
+
+/// No pressure is above the hardness, so that `<p> / H_c` is the least area that bears the load; and the contact has a gradient.
+#[test]
+fn the_resolved_area_bears_the_load_at_the_hardness() {
+    for wall in walls() {
+        let peak = solve(&Multilevel, &wall, 1e-8).max_pressure();
+        for share in [0.02, 0.1, 0.5] {
+            let hardness = wall.expected_mean_pressure() + share * (peak - wall.expected_mean_pressure()).abs();
+            let contact = solve(&Multilevel, &below(&wall, hardness), TOLERANCE);
+            let (resolved, least) = (contact.resolved(), contact.mean_pressure() / hardness);
+            assert!(resolved.relative_area >= least * (1.0 - 1e-9), "{} below {least}", resolved.relative_area);
+            assert!(resolved.rms_gradient_contact.is_finite(), "{resolved:?}");
+            let error = contact.resolution().relative_area_error;
+            assert!(error < 1.0, "an error of {error}");
+        }
+    }
+}
+
+/// The highest load is applied twice, on the way up and back: what is told of both is the same, and over the gradient of the start.
+#[test]
+fn a_load_curve_has_one_meaning_up_and_back() {
+    let roughness = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 1.0 / 16.0, rms_gradient: 0.1 };
+    let loads = [0.02, 0.05, 0.05, 0.02].map(Load::ReducedPressure);
+    let rough = Recipe { spectrum: Some(roughness), seed: Some(3), ..Recipe::default() };
+    let mut setup = Setup { law: Law::Hardness(0.02), ..Setup::new(rough, Cell::line(1024, 1.0), loads[0]) };
+    setup.stop = Stop::new(1e-12, 10_000).unwrap();
+    let curve = LoadCurve { setup, loads: loads.into() };
+    let mut found = Vec::new();
+    let each = |_, contact: &Contact| -> Result<(), asperity::error::StudyError> {
+        found.push((Observables::of(contact), contact.plasticity().overlap));
+        Ok(())
+    };
+    curve.press(&curve.problem().unwrap(), |_| (), each).unwrap();
+    let [low, (high, overlap), (again, _), back] = found[..] else { panic!("four loads") };
+    assert!(overlap > 0.01 * high.rms_height);
+    assert!((again.mean_gap - high.mean_gap).abs() < 1e-6 * high.rms_height, "{} {}", again.mean_gap, high.mean_gap);
+    for (of, prescribed) in [(low.0, 0.02), (high, 0.05), (again, 0.05), (back.0, 0.02)] {
+        assert!((of.reduced_pressure / prescribed - 1.0).abs() < 1e-12, "p* {}", of.reduced_pressure);
+        assert!((of.kappa * prescribed / of.relative_area - 1.0).abs() < 1e-12, "kappa {}", of.kappa);
+        assert!((of.rms_gradient - low.0.rms_gradient).abs() == 0.0 && of.rms_height == low.0.rms_height);
+    }
+    // lifted off again, the flattened surface lies closer to where it was than on the way up
+    assert!(back.0.mean_gap < low.0.mean_gap && back.0.mean_gap > high.mean_gap);
 }

@@ -173,9 +173,10 @@ impl Contact {
         mean(self.pressures())
     }
 
-    /// Mean gap.
+    /// Mean gap between the surfaces as they were before any of them yielded: their overlap, where they yield or have yielded, counts
+    /// against the gap elsewhere, so that it may be negative.
     pub fn mean_gap(&self) -> f64 {
-        mean(self.gap.as_slice().expect("results are made in standard layout"))
+        mean(self.gap.as_slice().expect("results are made in standard layout")) - self.problem.flattened_by()
     }
 
     /// The approach, a length: how far the surface has moved on from where its highest peak touched the undeformed solid. None on a

@@ -61,6 +61,16 @@ pub struct Problem {
     rms_height: f64,
     highest: f64,
     rms_gradient: OnceLock<f64>,
+    yielded: Option<Yielded>,
+}
+
+/// What a surface has borne before, on which it is elastic now.
+#[derive(Debug, Clone, Copy)]
+struct Yielded {
+    /// Mean of what was flattened, a length.
+    overlap: f64,
+    /// The hardness that it yielded under, a pressure.
+    hardness: f64,
 }
 
 /// The contact modulus `E* = E / (1 - nu^2)` of an elastic half-space, a pressure: the shortest name of a solid.
@@ -113,8 +123,25 @@ impl Problem {
             rms_height,
             highest,
             rms_gradient,
+            yielded: None,
         }
         .with_load(load)
+    }
+
+    /// The elastic problem of the surface that a contact below a hardness has left, see [`crate::contact::Contact::unloaded_surface`],
+    /// under a mean pressure. Rms height, rms gradient, highest peak and mean gap stay those of the surface as it was, so that numbers
+    /// on the way up and back are told over the same ones.
+    ///
+    /// # Errors
+    /// The errors of [`Problem::new`].
+    pub fn yielded(&self, left: impl Into<Arc<Surface>>, mean_pressure: f64) -> Result<Self, ProblemError> {
+        let (left, solid) = (left.into(), self.solid().clone());
+        // its heights are given about the mean of this one
+        let overlap = -left.mean_height();
+        let yielded = self.law.hardness().map(|hardness| Yielded { overlap, hardness });
+        let start = (self.rms_height, self.highest, OnceLock::from(self.rms_gradient()));
+        let elastic = Self::new(left, solid, Load::MeanPressure(mean_pressure))?;
+        Ok(Self { yielded, rms_height: start.0, highest: start.1, rms_gradient: start.2, ..elastic })
     }
 
     /// The problem of the same surface and solid under another load.
@@ -230,6 +257,16 @@ impl Problem {
         self.law
     }
 
+    /// The highest pressure that is allowed, or that was when the surface yielded; infinite where nothing ever yields.
+    pub(super) fn highest_pressure(&self) -> f64 {
+        self.yielded.map_or(self.law.ceiling(), |it| it.hardness)
+    }
+
+    /// By how much the mean of the heights has fallen since the surface yielded, a length.
+    pub(super) fn flattened_by(&self) -> f64 {
+        self.yielded.map_or(0.0, |it| it.overlap)
+    }
+
     /// The response of the solid over the grid, planned anew. Displacements on a periodic grid have no mean, unless the approach is
     /// prescribed.
     pub fn response(&self) -> Response {
@@ -329,7 +366,7 @@ impl Problem {
         self.highest
     }
 
-    /// Root-mean-square gradient `gbar` of the whole surface; computed when first asked for.
+    /// Root-mean-square gradient `gbar` of the whole surface, of one that has yielded as it was before; computed when first asked for.
     pub fn rms_gradient(&self) -> f64 {
         *self.rms_gradient.get_or_init(|| self.surface.rms_gradient())
     }

@@ -222,7 +222,7 @@ impl<'a> Step<'a> {
     /// Mean gap.
     pub fn mean_gap(&self) -> f64 {
         let sum: f64 = self.displacement.iter().sum();
-        sum / self.displacement.len() as f64 + self.datum()
+        sum / self.displacement.len() as f64 + self.datum() - self.problem.flattened_by()
     }
 
     fn datum(&self) -> f64 {

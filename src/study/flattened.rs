@@ -1,6 +1,6 @@
 //! A surface that has yielded.
 
-use crate::contact::{Contact, Load, Problem};
+use crate::contact::{Contact, Problem};
 use crate::error::StudyError;
 use crate::surface::Surface;
 use std::sync::Arc;
@@ -32,8 +32,7 @@ impl Flattened {
         if mean_pressure > self.mean_pressure * (1.0 + 1e-12) {
             return Ok(None);
         }
-        let (surface, solid) = (self.surface.clone(), problem.solid().clone());
-        let elastic = Problem::new(surface, solid, Load::MeanPressure(mean_pressure));
+        let elastic = problem.yielded(self.surface.clone(), mean_pressure);
         Ok(Some(elastic.map_err(crate::error::SetupError::from)?))
     }
 }

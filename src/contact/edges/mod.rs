@@ -41,7 +41,8 @@ const MOST_OF_SHAPE: f64 = 0.5;
 /// that those along rows and columns add up to the contour.
 ///
 /// **What is not an edge of this kind.** The edge of a punch is where its shape has it: the pressure rises towards it, which is
-/// how it is known, over three nodes. It is put halfway between the nodes, as counting does. A node or two in contact
+/// how it is known, over three nodes. Where the last node yields, the pressure falls from the hardness. Both are put halfway between the nodes, as
+/// counting does, and no node touches over less than its pressure needs at the highest one that is allowed. A node or two in contact
 /// have two edges each of which takes the other for far away; their area may be wrong by as much as it is, but not negative.
 ///
 /// # Source
@@ -125,7 +126,8 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         }
     }
 
-    /// The area and the square gradients of a node in contact: those of its cell, cut off or extended at its edges.
+    /// The area and the square gradients of a node in contact: those of its cell, cut off or extended at its edges, and no less than
+    /// bears its pressure.
     fn share(&self, node: usize, square_slope: &impl Fn(usize) -> f64) -> Sums {
         let square = square_slope(node);
         let mut sums = Sums { area: 1.0, squares: square, ..Sums::default() };
@@ -137,16 +139,18 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
             sums.edges += 1;
             sums.edges_of_shape += usize::from(edge.is_of_shape);
         }
-        if sums.area > 0.0 { sums } else { Sums { area: 0.0, squares: 0.0, ..sums } }
+        let least = (self.pressure[node] / self.problem.highest_pressure()).min(1.0);
+        if sums.area > least { sums } else { Sums { area: least, squares: least * square, ..sums } }
     }
 
     /// The edge on the link from a node in contact to one that is not.
     fn edge(&self, [node, next]: [usize; 2], towards: [isize; 2]) -> Edge {
         let link = [node, next].map(|node| self.side(node, towards));
         let Normal { cosine, weight } = self.normal([node, next], link, towards);
-        let is_of_shape = self.rises(node, towards);
+        let yields = self.problem.law().yields(self.pressure[node]);
+        let is_of_shape = !yields && self.rises(node, towards);
         let (p, g) = (link[0].pressure * cosine, link[1].gap);
-        let place = if is_of_shape { 0.5 } else { p / (p + g) - NODE_EXCESS_PER_SWITCH_LINE };
+        let place = if yields || is_of_shape { 0.5 } else { p / (p + g) - NODE_EXCESS_PER_SWITCH_LINE };
         Edge { node, towards, place: if place.is_finite() { place } else { 0.5 }, weight, is_of_shape }
     }
 
