@@ -7,17 +7,21 @@ use crate::surface::Choice;
 
 /// What stands in the place of steps that are to be chosen, and where.
 const AUTO: &str = "auto";
+const PREPARE: &str = "surface.prepare";
 const STEPS: &str = "surface.prepare.steps";
 /// Fields that heights take while it is found out what they are like.
 const SURVEY_FIELDS: f64 = 9.0;
 
 impl Table {
-    /// Puts the steps that a height file needs in the place of `surface.prepare.steps = "auto"`, so that the setup holds them one by one, and
-    /// returns the reasons for them. Steps that are given beside it are kept as they are.
+    /// Puts the steps that a height file needs in the place of `surface.prepare.steps = "auto"`, or of `surface.prepare = "auto"` for short, so
+    /// that the setup holds them one by one, and returns the reasons for them. Steps that are given beside it are kept as they are.
     ///
     /// # Errors
     /// For other words in its place, for no height file, and for one that cannot be read.
     pub fn choose_preparation(&mut self) -> Result<Vec<String>, SetupError> {
+        if let Some(word) = self.find(PREPARE).filter(|it| it.is_str()).cloned() {
+            self.lay(STEPS, word);
+        }
         match self.find(STEPS) {
             None => return Ok(Vec::new()),
             Some(steps) if steps.as_str() == Some(AUTO) => self.remove(STEPS),

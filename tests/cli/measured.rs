@@ -45,6 +45,12 @@ fn steps_that_are_chosen_are_said_and_stored_one_by_one() {
     assert_eq!(json(&plane)["setup"]["surface"]["prepare"], serde_json::json!({"detrend": "plane"}));
     let refined = folder.run(&format!("{run} --prepare auto --refine auto --area-tolerance 0.2"));
     assert_eq!(refined.status.code(), Some(0), "{}", text(&refined.stderr));
+    let short = "surface = { height = \"part.txt\", prepare = \"auto\" }\nload = { reduced-pressure = 0.05 }";
+    std::fs::write(folder.join("short.toml"), short).unwrap();
+    assert_eq!(
+        json(&folder.run("solve short.toml --json"))["setup"]["surface"]["prepare"],
+        summary["setup"]["surface"]["prepare"]
+    );
     std::fs::write(folder.join("wrong.toml"), "surface = { height = \"part.txt\", prepare.steps = \"all\" }").unwrap();
     let wrong = folder.run("surface wrong.toml");
     assert_eq!(wrong.status.code(), Some(2));
