@@ -337,3 +337,12 @@ fn smooth_and_rough_heights_have_no_plateaus() {
         }
     }
 }
+
+#[test]
+fn the_face_of_a_punch_is_known_and_that_of_a_measured_one_is_not() {
+    let punch = Indenter::Punch { half_width: 0.2, depth: 0.1 }.surface(Grid::line(256, 1.0).unwrap()).unwrap();
+    let measured = Surface::new(*punch.grid(), punch.heights_as_given()).unwrap();
+    let [known, unknown] = [punch, measured].map(|surface| pressed(surface, 1e-3, 1e-9).resolution());
+    assert!(known.level_share == 0.0 && known.relative_area_error < 0.05, "{known:?}");
+    assert!(unknown.level_share == 1.0 && unknown.kappa_r_error.is_nan(), "{unknown:?}");
+}

@@ -1,5 +1,6 @@
 //! Smooth indenters of one asperity per cell.
 
+use super::plateau::Plateaus;
 use super::{Field, Surface, check_positive};
 use crate::error::SurfaceError;
 use crate::grid::Grid;
@@ -117,7 +118,8 @@ impl Indenter {
     /// - [`SurfaceError::NonFinite`] for heights beyond the range of doubles.
     pub fn surface(&self, grid: Grid) -> Result<Surface, SurfaceError> {
         self.check(&grid)?;
-        Surface::new(grid, about_peak(&grid, |offset| self.height(offset, grid.size())))
+        let surface = Surface::new(grid, about_peak(&grid, |offset| self.height(offset, grid.size())))?;
+        Ok(Surface { plateaus: Some(Plateaus::none()), ..surface })
     }
 
     /// Whether the parameters make sense on `grid`, see [`Indenter::surface`].

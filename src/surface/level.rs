@@ -7,8 +7,8 @@ use std::sync::Arc;
 impl Surface {
     /// Whether a node, counted row by row, lies on a plateau: along each axis, one of its neighbours is exactly as high. Heights that are
     /// rounded to few values, and peaks that are worn or clipped, have such nodes; smooth and rough ones have none. The two highest nodes
-    /// of a symmetric crest are no plateau. Heights that were interpolated on a finer grid keep the plateaus that they had before. The
-    /// function panics where there is no node.
+    /// of a symmetric crest are no plateau, nor is the face of a punch, whose shape is known between the nodes, too. Heights that were
+    /// interpolated on a finer grid keep the plateaus that they had before. The function panics where there is no node.
     ///
     /// ```
     /// use asperity::Surface;

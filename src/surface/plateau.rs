@@ -15,11 +15,16 @@ pub(super) struct Plateaus {
 }
 
 impl Plateaus {
+    /// No plateaus, of a shape that is known between its nodes, too.
+    pub fn none() -> Self {
+        Self { shape: [1, 1], factor: 1, nodes: [].into() }
+    }
+
     /// Whether the nearest node that there was to one of the grid `fine` lay on a plateau.
     pub fn has(&self, fine: &Grid, node: usize) -> bool {
         let [ny, nx] = self.shape;
         let nearest = |i: usize, n: usize| (i + self.factor / 2) / self.factor % n;
         let columns = fine.shape()[1];
-        self.nodes[nearest(node / columns, ny) * nx + nearest(node % columns, nx)]
+        self.nodes.get(nearest(node / columns, ny) * nx + nearest(node % columns, nx)).is_some_and(|&is_level| is_level)
     }
 }
