@@ -1,0 +1,154 @@
+//! Results of other codes at the command line: those of Tamaas in `tests/data`, as they are and spoiled.
+
+use crate::command::{Folder, text};
+use crate::peer::{Peer, data};
+use ndarray::{Array2, Axis};
+use ndarray_npy::{NpzReader, write_npy};
+use serde_json::Value;
+use std::process::Output;
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", text(&output.stderr)))
+}
+
+fn peer(name: &str) -> Peer {
+    Peer::all().into_iter().find(|peer| peer.name == name).unwrap()
+}
+
+/// The flags of the problem of a peer.
+fn problem(name: &str, size: f64) -> String {
+    format!("--height {} --size {size} --modulus 1", data(&format!("{name}.height.npy")).display())
+}
+
+fn write(folder: &Folder, name: &str, field: &Array2<f64>) {
+    match field.nrows() {
+        1 => write_npy(folder.join(name), &field.index_axis(Axis(0), 0)).unwrap(),
+        _ => write_npy(folder.join(name), field).unwrap(),
+    }
+}
+
+#[test]
+fn a_result_of_a_peer_is_certified() {
+    let folder = Folder::new();
+    let (line, pressure) = (problem("line_rough_h08", 160e-6), data("line_rough_h08.pressure.npy"));
+    let output = folder.run(&format!("certify {line} --pressure {} --mean-pressure 1e-5 --json", pressure.display()));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let found = json(&output);
+    assert_eq!((&found["holds"], found["findings"].as_array().unwrap().len()), (&Value::Bool(true), 0));
+    assert!(found["certificate"].as_f64().unwrap() < 1e-11 && found["pressure_error_bound"].as_f64().unwrap() < 1e-5);
+    assert_eq!(found["relative_area"].as_f64().unwrap(), 0.04052734375);
+    assert_eq!((&found["assessment"]["pressed"], &found["assessment"]["closed"]), (&166.into(), &166.into()));
+    let told = folder.run(&format!("certify {line} --pressure {}", pressure.display()));
+    let told = text(&told.stdout);
+    assert!(told.contains("is within tolerance") && told.contains("the load is that of the pressure"), "{told}");
+    // a tolerance that nobody meets
+    let strict = folder.run(&format!("certify {line} --pressure {} --tolerance 1e-20", pressure.display()));
+    assert_eq!(strict.status.code(), Some(3));
+}
+
+#[test]
+fn spoiled_results_are_refused_with_the_reason() {
+    let folder = Folder::new();
+    let peer = peer("surface_rough_h08");
+    let surface = problem(&peer.name, 1.0);
+    let pressure = &peer.pressure;
+    let [dy, dx] = peer.surface.grid().spacing();
+    let turned = pressure.t().as_standard_layout().into_owned();
+    let cases = [
+        ("negative", -pressure, "", "sign", "give -pressure"),
+        ("forces", pressure * (dx * dy), "", "pressure-factor", "divide them by dx dy"),
+        ("turned", turned, "", "arrangement", "give pressure.T"),
+        ("young", pressure.clone(), "--young 0.91 --poisson 0.3 --mean-pressure 0.02", "", ""),
+        ("half", pressure.clone(), "--modulus 0.5", "modulus", "one elastic body"),
+    ];
+    for (name, field, flags, mistake, words) in cases {
+        write(&folder, &format!("{name}.npy"), &field);
+        let load = if flags.contains("pressure") { "" } else { "--mean-pressure 0.02" };
+        let surface = if flags.contains("modul") || flags.contains("young") {
+            surface.replace("--modulus 1", "")
+        } else {
+            surface.clone()
+        };
+        let output = folder.run(&format!("certify {surface} {flags} {load} --pressure {name}.npy --json"));
+        let found = json(&output);
+        if mistake.is_empty() {
+            // E / (1 - nu^2) is the modulus of the peer
+            assert_eq!(output.status.code(), Some(0), "{name}: {found}");
+            continue;
+        }
+        assert_eq!(output.status.code(), Some(3), "{name}: {found}");
+        assert_eq!(found["findings"][0]["errors"][0], mistake, "{name}: {found}");
+        assert!(found["findings"][0]["sentence"].as_str().unwrap().contains(words), "{name}: {found}");
+    }
+}
+
+#[test]
+fn poissons_ratio_is_named_where_it_is_known() {
+    let folder = Folder::new();
+    let line = problem("line_rough_h02", 160e-6).replace("--modulus 1", "--young 1 --poisson 0.45");
+    let pressure = data("line_rough_h02.pressure.npy");
+    let output = folder.run(&format!("certify {line} --pressure {} --mean-pressure 3e-5", pressure.display()));
+    let told = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(3), "{told}");
+    assert!(told.contains("by 1 - nu^2 for nu = 0.45, as of pressures that were found with E for E*"), "{told}");
+}
+
+#[test]
+fn a_noisy_pressure_is_refused_without_a_reason_and_its_worst_node_is_named() {
+    let folder = Folder::new();
+    let peer = peer("line_cylinder");
+    let mut field = peer.pressure.clone();
+    let touching: Vec<usize> = (0..field.len()).filter(|&i| field[[0, i]] > 0.0).collect();
+    let middle = touching[touching.len() / 2];
+    field[[0, middle]] *= 2.0;
+    write(&folder, "noisy.npy", &field);
+    let output = folder.run(&format!("certify {} --pressure noisy.npy", problem(&peer.name, 1.0)));
+    let told = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(3), "{told}");
+    assert!(told.contains("no everyday mistake explains it"), "{told}");
+    assert!(told.contains(&format!("densest at node {middle}")), "{told}");
+}
+
+#[test]
+fn fields_come_from_results_and_go_into_files() {
+    let folder = Folder::new();
+    let scene = "--indenter cylinder --radius 1 --points 128 --size 4 --modulus 1";
+    folder.run(&format!("solve {scene} --pressure 0.01 --tolerance 1e-12 --out run.npz"));
+    for quantity in ["pressure", "gap", "displacement"] {
+        let output = folder.run(&format!("certify --setup-of run.npz --{quantity} run.npz --out again.npz --json"));
+        assert_eq!(output.status.code(), Some(0), "{quantity}: {}", text(&output.stderr));
+        let found = json(&output);
+        assert!(found["certificate"].as_f64().unwrap() < 1e-11, "{quantity}: {found}");
+        let read = |name: &str| {
+            let mut npz = NpzReader::new(std::fs::File::open(folder.join(name)).unwrap()).unwrap();
+            npz.by_name::<ndarray::OwnedRepr<f64>, ndarray::Ix1>("pressure").unwrap()
+        };
+        let (ours, theirs) = (read("run.npz"), read("again.npz"));
+        assert!(ours.iter().zip(&theirs).all(|(a, b)| (a - b).abs() < 1e-9), "{quantity}");
+    }
+    let table = folder.run("certify --setup-of run.npz --pressure run.npz --out nodes.csv");
+    assert_eq!(table.status.code(), Some(0), "{}", text(&table.stderr));
+    assert!(std::fs::read_to_string(folder.join("nodes.csv")).unwrap().starts_with("x,height,pressure,gap"));
+    let picture = folder.run("certify --setup-of run.npz --pressure run.npz --out error.svg");
+    assert_eq!(picture.status.code(), Some(0), "{}", text(&picture.stderr));
+    let picture = std::fs::read_to_string(folder.join("error.svg")).unwrap();
+    assert!(picture.contains("where the error sits") && picture.matches("<polyline").count() > 20, "{picture}");
+}
+
+#[cfg(feature = "record")]
+#[test]
+fn the_recording_shows_where_the_error_sits() {
+    let folder = Folder::new();
+    let surface = data("surface_wavy.pressure.npy");
+    let flags = problem("surface_wavy", 1.0);
+    let output = folder.run(&format!("certify {flags} --pressure {} --record it.rrd", surface.display()));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("wrote it.rrd"));
+    let mut file = std::fs::File::open(folder.join("it.rrd")).unwrap();
+    let stores = rerun::ChunkStore::from_rrd_reader(&rerun::ChunkStoreConfig::ALL_DISABLED, &mut file).unwrap();
+    let chunks = stores.values().flat_map(|store| store.iter_physical_chunks());
+    let entities: std::collections::BTreeSet<String> = chunks.map(|chunk| chunk.entity_path().to_string()).collect();
+    for name in ["density/image", "density/contacts", "pressure/image", "gap/image", "contact"] {
+        assert!(entities.contains(&format!("/contact/{name}")), "{name}: {entities:?}");
+    }
+}

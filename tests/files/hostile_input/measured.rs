@@ -1,0 +1,173 @@
+//! Files of instruments that nobody can use, and steps that they do not allow.
+
+use super::{Folder, LOAD, OUTPUTS, folder, refuse_in_one_sentence, text};
+use crate::measured::binaries::{self, al3d, nanoscope, opd, plu, sdf};
+use crate::measured::containers::{self, gwy, netcdf, sur, x3p};
+
+/// A file with other bytes for these, wherever they are in it.
+fn changed(file: Vec<u8>, from: &[u8], to: &[u8]) -> Vec<u8> {
+    let (mut all, mut rest) = (Vec::new(), &file[..]);
+    while let Some(at) = rest.windows(from.len()).position(|it| it == from) {
+        all.extend([&rest[..at], to].concat());
+        rest = &rest[at + from.len()..];
+    }
+    assert!(!all.is_empty(), "{from:?} is not in the file");
+    [all, rest.to_vec()].concat()
+}
+
+/// A surface of X3P whose description is changed.
+fn described(from: &str, to: &str) -> Vec<u8> {
+    let (main, points) = x3p::doubles();
+    assert!(main.contains(from), "{from}");
+    x3p::archive(main.replace(from, to).as_bytes(), &points, &[])
+}
+
+/// Refuses to describe and to solve each of the files, by their names.
+fn refuse_files(files: &[(&str, Vec<u8>, &str)]) {
+    let folder = folder();
+    for (name, bytes, offence) in files {
+        std::fs::write(folder.join(name), bytes).unwrap();
+        refuse_in_one_sentence(&folder, &format!("surface {name} --json --out new.sdf"), offence);
+        refuse_in_one_sentence(&folder, &format!("solve --height {name} {LOAD} {OUTPUTS}"), offence);
+        std::fs::remove_file(folder.join(name)).unwrap();
+    }
+}
+
+#[test]
+fn files_that_are_cut_short_are_refused() {
+    let all = binaries::ALL.iter().chain(containers::ALL);
+    let cut = |(name, file): &(&'static str, fn() -> Vec<u8>)| {
+        let file = file();
+        (name.replace([' ', ','], "-"), file[..file.len() * 7 / 10].to_vec())
+    };
+    for (name, file) in all.map(cut) {
+        refuse_files(&[(&name, file, "is not a usable height file: ")]);
+    }
+    refuse_files(&[("cut.xyz", b"# x (m), y (m), z (m)\n0 0 1\n0 1 2\n1 0 3\n1".into(), "line 5 holds 1 numbers")]);
+}
+
+#[test]
+fn files_of_absurd_sizes_are_refused() {
+    let many = i32::MAX.to_le_bytes();
+    let in_tag = |count: &str| [b"Cols".as_slice(), &[0; 16], count.as_bytes()].concat();
+    let samples = nanoscope::file();
+    let counts = |file: fn() -> Vec<u8>, from: &[i32]| {
+        let from: Vec<u8> = from.iter().flat_map(|it| it.to_le_bytes()).collect();
+        changed(file(), &from, &many.repeat(from.len() / 4))
+    };
+    refuse_files(&[
+        ("a.al3d", changed(al3d::file(), &in_tag("5\0\0\0\0\0\0\0\0"), &in_tag("999999999")), "999999999"),
+        ("a.gwy", changed(gwy::file(), b"xres\0i\x05\0\0\0", &[&b"xres\0i"[..], &many].concat()), "2147483647"),
+        ("a.spm", changed(samples, b"line: 5\r\n", b"line: 2147483647\r\n"), "2147483647"),
+        ("a.nc", changed(netcdf::file(), b"x\0\0\0\0\0\0\x05", b"x\0\0\0\x7f\xff\xff\xff"), "2147483647"),
+        ("a.opd", changed(opd::file(), b"\x05\0\x04\0\x04\0", b"\xff\xff\xff\xff\x04\0"), "65535"),
+        ("a.plu", counts(plu::file, &[4, 5]), "2147483647"),
+        ("a.sdf", changed(sdf::file(), b"NumPoints = 5", b"NumPoints = 2147483647"), "2147483647"),
+        ("b.sdf", counts(sdf::binary_of_iso_2, &[5, 4]), "2147483647"),
+        ("a.sur", counts(sur::file, &[5, 4, 20]), "2147483647"),
+        ("a.x3p", described("<SizeX>5", "<SizeX>2147483647"), "2147483647"),
+    ]);
+}
+
+#[test]
+fn files_of_wrong_units_are_refused() {
+    let unit = |from: &str, to: &str| changed(sdf::file(), from.as_bytes(), to.as_bytes());
+    refuse_files(&[
+        (
+            "a.gwy",
+            changed(gwy::file(), b"unitstr\0sm\0", b"unitstr\0sV\0"),
+            "none of its channels \"Current\", \"Topography\" is a length",
+        ),
+        ("a.spm", changed(nanoscope::file(), b"10 12 ~m", b"10 12 ~V"), "~V"),
+        (
+            "a.nc",
+            changed(netcdf::file(), b"\0\0\0\x02nm\0\0", b"\0\0\0\x02kV\0\0"),
+            "none of its channels \"heights\" is a length",
+        ),
+        ("a.opd", changed(opd::file(), &0.25_f32.to_le_bytes(), &f32::NAN.to_le_bytes()), "NaN"),
+        ("a.plu", changed(plu::file(), &2_f32.to_le_bytes(), &(-2_f32).to_le_bytes()), "-2"),
+        ("a.sdf", unit("Xscale = 2.0e-006", "Xscale = -1"), "-1"),
+        ("b.sdf", unit("Zscale = 1.0e-9", "Zscale = one"), "one"),
+        ("a.x3p", described("<Increment>2e-6<", "<Increment>0<"), "0.0 apart"),
+    ]);
+}
+
+#[test]
+fn archives_do_not_reach_beyond_themselves() {
+    let link = |to: &str| described("bindata/data.bin", to);
+    refuse_files(&[
+        ("a.x3p", link("../../x"), "../../x"),
+        ("b.x3p", link("/etc/passwd"), "/etc/passwd"),
+        ("c.x3p", changed(x3p::file(), b"main.xml", b"../n.xml"), "in no format that is known"),
+    ]);
+    let folder = folder();
+    let climbing = changed(link("../../12345/data"), b"bindata/data.bin", b"../../12345/data");
+    std::fs::write(folder.join("a.x3p"), climbing).unwrap();
+    let described = folder.run("surface a.x3p");
+    assert!(described.status.success(), "{}", text(&described.stderr));
+    assert!(!folder.join("../../12345").exists());
+}
+
+/// A surface that a step is asked of that it does not allow.
+fn refuse_steps(folder: &Folder, name: &str, cases: &[(&str, &str)]) {
+    for (step, offence) in cases {
+        refuse_in_one_sentence(folder, &format!("surface {name} {step} --json --out new.x3p"), offence);
+        refuse_in_one_sentence(folder, &format!("solve --height {name} {step} {LOAD} {OUTPUTS}"), offence);
+    }
+}
+
+#[test]
+fn steps_that_heights_do_not_allow_are_refused() {
+    let folder = folder();
+    std::fs::write(folder.join("a.x3p"), x3p::file()).unwrap();
+    refuse_steps(
+        &folder,
+        "a.x3p",
+        &[
+            ("--channel phase", "\"phase\""),
+            ("--channel 0", "\"0\""),
+            ("--channel 1.5", "or its number"),
+            ("--file-unit 1um", "leave the file unit"),
+            ("--crop 0,9,0,5", "[0, 9, 0, 5]"),
+            ("--crop 3,2,0,5", "[3, 2, 0, 5]"),
+            ("--crop 0,4", "[0, 4]"),
+            ("--fill harmonic --crop 1,2,3,4", "1 points"),
+            ("--taper 0", "the taper is 0.0"),
+            ("--taper 0.6", "the taper is 0.6"),
+            ("--taper nan", "the taper is NaN"),
+            ("--low-pass 1nm", "two spacings"),
+            ("--low-pass=-1", "-1.0"),
+            ("--low-pass nan", "NaN"),
+            ("--high-pass inf", "inf"),
+        ],
+    );
+    assert!(folder.run("surface a.x3p --channel 1").status.success());
+    std::fs::write(folder.join("flat.txt"), "1 1 1 1\n".repeat(4)).unwrap();
+    std::fs::write(folder.join("void.txt"), "nan nan nan nan\n".repeat(4)).unwrap();
+    let flat = [
+        ("--size 1 --remove-form sphere", "no such body"),
+        ("--size 1 --remove-form cylinder", "no such body"),
+        ("--size 1 --file-unit 0", "0.0"),
+        ("--size 1 --file-unit=-1um", "-1e-6"),
+        ("", "--size"),
+    ];
+    refuse_steps(&folder, "flat.txt", &flat);
+    refuse_steps(&folder, "void.txt", &[("--size 1 --fill harmonic", "all heights are void")]);
+}
+
+#[test]
+fn formats_in_metres_need_to_know_them() {
+    let folder = folder();
+    std::fs::write(folder.join("rough.txt"), "1 2 1 3\n4 1 5 1\n2 6 1 1\n1 2 1 7\n").unwrap();
+    for ending in ["sdf", "x3p", "xyz"] {
+        let line = format!("surface rough.txt --size 1 --out new.{ending}");
+        refuse_in_one_sentence(&folder, &line, "give them by --file-unit");
+        let known = folder.run(&format!("{line} --file-unit 1um"));
+        assert!(known.status.success(), "{}", text(&known.stderr));
+        let again = folder.run(&format!("surface new.{ending} --out again.{ending}"));
+        assert!(again.status.success(), "{}", text(&again.stderr));
+        let [once, twice] = ["new", "again"].map(|name| std::fs::read(folder.join(&format!("{name}.{ending}"))));
+        assert_eq!(once.unwrap(), twice.unwrap(), "{ending}");
+    }
+    assert!(folder.run("surface rough.txt --size 1 --out new.npy").status.success());
+}

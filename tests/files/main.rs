@@ -1,0 +1,20 @@
+//! Files that are read and written: heights, setups, studies, figures and recordings.
+
+#[cfg(feature = "cli")]
+#[path = "../common/command.rs"]
+mod command;
+#[cfg(feature = "figures")]
+mod figures;
+mod height_files;
+#[cfg(feature = "cli")]
+mod hostile_input;
+#[cfg(all(feature = "cli", feature = "record"))]
+mod kinds;
+#[cfg(feature = "instruments")]
+mod measured;
+#[cfg(all(feature = "cli", feature = "record"))]
+mod recording;
+mod setup;
+mod study;
+#[cfg(all(unix, feature = "cli", feature = "record"))]
+mod viewers;

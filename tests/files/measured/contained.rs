@@ -1,0 +1,127 @@
+//! Small files of every format, read back point by point.
+
+use super::containers::{self, ALL, SHAPE, VOID, height};
+use asperity::surface::Measurement;
+
+/// A measurement in a file that is written here.
+fn read(file: &[u8], channel: Option<&str>) -> Measurement {
+    Measurement::of(file, channel).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Whether two numbers are the same but for rounding, or both void.
+fn is_same(found: f64, told: f64) -> bool {
+    (found.is_nan() && told.is_nan()) || (found - told).abs() <= 1e-6 * told.abs()
+}
+
+/// The value of an entry of a header.
+fn entry<'a>(measured: &'a Measurement, name: &str) -> &'a str {
+    let found = measured.header.iter().find(|it| it.0 == name);
+    &found.unwrap_or_else(|| panic!("no {name} in {:?}", measured.header)).1
+}
+
+/// Compares a map with what was written: heights in nanometres, rows 3 and columns 2 micrometres apart.
+fn is_map(name: &str, measured: &Measurement) {
+    assert_eq!((measured.height.dim(), measured.is_profile), (SHAPE.into(), false), "{name}");
+    assert!(measured.is_in_metres && measured.positions.is_none(), "{name}");
+    let spacing = measured.spacing.unwrap();
+    assert!(is_same(spacing[0], 3e-6) && is_same(spacing[1], 2e-6), "{name}: {spacing:?}");
+    for ((iy, ix), &found) in measured.height.indexed_iter() {
+        let told = if [iy, ix] == VOID { f64::NAN } else { height(ix, iy) * 1e-9 };
+        assert!(is_same(found, told), "{name}: {found} at {ix}, {iy}, not {told}");
+    }
+}
+
+/// Compares an uneven profile of three points with what was written, in micrometres.
+fn is_uneven(name: &str, measured: &Measurement) {
+    assert_eq!((measured.height.dim(), measured.is_profile), ((1, 3), true), "{name}");
+    assert!(measured.is_in_metres && is_same(measured.spacing.unwrap()[1], 1.5e-6), "{name}");
+    let positions = measured.positions.as_ref().unwrap();
+    assert!(
+        positions.iter().zip([0.0, 1e-6, 3e-6]).all(|(found, told)| is_same(*found, told)),
+        "{name}: {positions:?}"
+    );
+    let heights = measured.height.iter().zip([1e-6, f64::NAN, 3e-6]);
+    assert!(heights.into_iter().all(|(found, told)| is_same(*found, told)), "{name}: {:?}", measured.height);
+}
+
+#[test]
+fn maps_come_back_as_they_were_written() {
+    let mut maps = 0;
+    for (name, file) in ALL.iter().filter(|it| !it.0.contains("profile")) {
+        is_map(name, &read(&file(), None));
+        maps += 1;
+    }
+    assert!(maps > 0);
+}
+
+#[test]
+fn x3p_says_where_it_comes_from() {
+    let measured = read(&containers::x3p::file(), Some("height"));
+    assert_eq!(measured.format, "ISO 25178-72 (X3P)");
+    assert_eq!([entry(&measured, "Date"), entry(&measured, "Instrument/Model")], ["2026-11-22T09:00:00", "probe"]);
+    is_uneven("x3p", &read(&containers::x3p::profile(), None));
+}
+
+#[test]
+fn x3p_is_refused_when_its_points_are_damaged_or_missing() {
+    let (main, points) = containers::x3p::doubles();
+    let refusal = |main: &str, points: &[u8]| {
+        let file = containers::x3p::archive(main.as_bytes(), points, &[]);
+        Measurement::of(&file, None).unwrap_err().to_string()
+    };
+    assert!(refusal(&main, &points[1..]).contains("cannot be unpacked"));
+    assert!(refusal(&main.replace("SUR", "PCL"), &points).contains("PCL"));
+    assert!(refusal(&main.replace("<SizeZ>1", "<SizeZ>2"), &points).contains("2 layers"));
+    assert!(refusal(&main.replace("<SizeX>5", "<SizeX>500000"), &points).contains("500000"));
+    assert!(refusal(&main.replace(">D<", ">Q<"), &points).contains("\"Q\""));
+    assert!(refusal(&main.replace("Record3", "Record4"), &points).contains("Record3"));
+    let attributes: String = (0..2000).map(|i| format!(" a{i}=\"\"")).collect();
+    assert!(refusal(&main.replace("<Record1", &format!("<Record1{attributes}")), &points).contains("attributes"));
+}
+
+#[test]
+fn sur_has_objects_comments_and_profiles() {
+    let measured = read(&containers::sur::packed(), Some("2"));
+    assert_eq!((measured.channels.as_slice(), measured.channel.as_str()), (&["Z", "Z 2"].map(String::from)[..], "Z 2"));
+    is_map("the second object", &measured);
+    let told = [("comment", "remark"), ("operator", "me"), ("date", "2026-11-22 03:04:05"), ("acquisition", "9")];
+    told.into_iter().for_each(|(name, value)| assert_eq!(entry(&measured, name), value));
+    let profile = read(&containers::sur::profile(), None);
+    assert!(profile.is_profile && is_same(profile.spacing.unwrap()[1], 2e-6));
+    assert_eq!(profile.height.dim(), (1, SHAPE[0] * SHAPE[1]));
+    assert!(is_same(profile.height[[0, 1]], height(1, 0) * 1e-9));
+}
+
+#[test]
+fn sur_is_refused_when_it_is_cut_short() {
+    for file in [containers::sur::file(), containers::sur::packed()] {
+        let error = Measurement::of(&file[..file.len() - 1], None).unwrap_err().to_string();
+        assert!(error.contains("cut short") || error.contains("points, and has"), "{error}");
+    }
+    let mut file = containers::sur::packed();
+    let place = 512 + 10 + 4 + 8 * 5 + 5; // within the first of five streams
+    file[place] ^= 0xff;
+    assert!(Measurement::of(&file, None).is_err());
+}
+
+#[test]
+fn gwyddion_lists_channels_of_heights_only() {
+    let measured = read(&containers::gwy::file(), None);
+    assert_eq!((measured.format, measured.channels.len()), ("Gwyddion (GWY)", 1));
+    assert_eq!((measured.channel.as_str(), entry(&measured, "Tip")), ("Topography", "blunt"));
+    assert!(entry(&measured, "mask").contains("void"));
+    let error = Measurement::of(&containers::gwy::file(), Some("Current")).unwrap_err().to_string();
+    assert!(error.contains("holds no heights"), "{error}");
+    let other = [b"GWYQ".to_vec(), containers::gwy::file()].concat();
+    assert!(Measurement::of(&other, None).unwrap_err().to_string().contains("GWYQ"));
+}
+
+#[test]
+fn netcdf_has_attributes_and_profiles() {
+    let measured = read(&containers::netcdf::file(), Some("heights"));
+    assert_eq!((entry(&measured, "title"), entry(&measured, "unit")), ("a small map", "nm"));
+    assert_eq!(read(&containers::netcdf::wide(), None).channels, ["z"]);
+    is_uneven("netcdf", &read(&containers::netcdf::profile(), None));
+    let other = Measurement::of(b"\x89HDF\r\n\x1a\n....", None).unwrap_err().to_string();
+    assert!(other.contains("nccopy -3"), "{other}");
+}

@@ -1,0 +1,10 @@
+//! Files of instruments: what is read of them, and that none does harm.
+
+pub mod binaries;
+mod contained;
+pub mod containers;
+mod exports;
+mod made;
+mod mutants;
+mod texts;
+mod truth;

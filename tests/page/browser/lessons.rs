@@ -1,0 +1,225 @@
+//! A person in a lesson, which is opened, guessed and played to its end, and viewer and table follow.
+
+use super::chromium::installed;
+use super::explorer::{Explorer, opened, rested};
+use super::page::Page;
+use base64::prelude::{BASE64_STANDARD, Engine};
+use serde_json::{Value, json};
+
+/// Keeps a picture of the page in the folder that `SHOTS` names, if it does.
+fn keep(page: &mut Page, name: &str) {
+    let Some(folder) = std::env::var_os("SHOTS") else { return };
+    page.settled();
+    let shot = page.chromium.page("Page.captureScreenshot", json!({"format": "png"}));
+    let png = BASE64_STANDARD.decode(shot["data"].as_str().unwrap()).unwrap();
+    std::fs::write(std::path::Path::new(&folder).join(format!("{name}.png")), png).unwrap();
+}
+
+/// What a person has to press buttons with.
+#[derive(Clone, Copy)]
+enum Means {
+    Mouse,
+    Keyboard,
+    Finger,
+}
+
+impl Means {
+    fn press(self, page: &mut Page, id: &str) {
+        match self {
+            Self::Mouse => page.click(id),
+            Self::Keyboard => page.press_at(id, "Enter"),
+            Self::Finger => page.tap(id),
+        }
+    }
+}
+
+/// What the page says of a first answer that is wrong.
+fn why(page: &mut Page) -> String {
+    page.text("document.getElementById('lesson-why').innerText")
+}
+
+/// What is asked about is shown as it is before it is pressed, with no numbers and nothing of the run before.
+fn is_unpressed(page: &mut Page) {
+    page.until("document.body.dataset.unpressed === document.body.dataset.lesson", 60);
+    let seen = "section.solid.every((z) => z === 0) && section.pressure.every((p) => p === 0) && Math.min(...section.rigid) > 0 \
+        && document.querySelector('#numbers td[data-number=relative_area]').innerText === '–' && byId('press').hidden";
+    assert_eq!(page.value(seen), true, "the contact is shown before the answer");
+}
+
+/// Guesses a number: none, one that cannot be, one that is too large, and one that is too small, as far as there is a second try.
+fn guess_number(page: &mut Page, ask: &Value, means: Means) {
+    let of = ask["of"].as_str().unwrap();
+    let is_work = ["iterations", "transforms"].contains(&of);
+    means.press(page, "answer-1");
+    assert_eq!(page.text("document.body.dataset.asked"), "true", "no number is no guess");
+    assert!(page.text("document.getElementById('fault').innerText").ends_with(" needs a number."));
+    let tell = |page: &mut Page, value: &str| {
+        page.fill("guess-number", value);
+        means.press(page, "answer-1");
+        page.text("document.body.dataset.asked") == "true"
+    };
+    assert!(tell(page, "-0.5"), "a negative number is no guess");
+    let is_open = tell(page, "4000");
+    assert_eq!(is_open, !is_work, "of the work of a solver nothing is known before");
+    if of.starts_with("relative_area") {
+        assert!(page.text("byId('fault').innerText").contains("cannot be 4000"), "an area above 1 is no guess");
+        assert!(tell(page, "0.5"), "a number that is far off has a second try");
+        assert!(why(page).starts_with("0.5 is too "), "{}", why(page));
+    } else if is_open {
+        assert_eq!(why(page), "4000 is too large. Try once more.");
+    }
+    if is_open {
+        assert!(!tell(page, "0.5"), "the second number is an answer");
+    }
+}
+
+/// Answers what is asked, wrongly first where there is a second try, and returns what the page says of the answer.
+fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
+    assert_eq!(page.value("document.getElementById('lesson-next').disabled"), true, "a guess comes first");
+    if ask["kind"] != "act" {
+        is_unpressed(page);
+    }
+    match ask["kind"].as_str().unwrap() {
+        "choose" => {
+            let choices = ask["choices"].as_array().unwrap();
+            let wrong = 1 + choices.iter().position(|it| it["because"].is_object()).unwrap();
+            means.press(page, &format!("answer-{wrong}"));
+            let because = choices[wrong - 1]["because"]["en"].as_str().unwrap();
+            assert_eq!(why(page), format!("Not so. {because} Try once more."));
+            assert_eq!(page.value(&format!("byId('answer-{wrong}').disabled")), true);
+            means.press(page, &format!("answer-{}", ask["right"]));
+        }
+        "act" => {
+            page.until("latest()?.ended && words(latest().knobs) === words(knobs)", 60);
+            assert_eq!(page.text("document.body.dataset.asked"), "true", "it is done before it is done");
+            // the middle of the goal, by the control that leads there
+            let [control, value] = match ask["goal"]["reduced_pressure"].is_array() {
+                true => ["control-layer-value", "0.05"],
+                false => ["control-load-value", "0.28"],
+            };
+            page.type_into(control, value);
+        }
+        "number" => guess_number(page, ask, means),
+        _ => {
+            page.value("document.querySelector('#lesson-answers input').focus()");
+            page.press("End");
+            page.until("document.querySelector('#results polyline.guess')", 10);
+            let target = page.text("guess.target");
+            let [x, y, width, height] = page.place(&target);
+            page.mouse("mousePressed", [x + 0.5 * width, y + 0.4 * height]);
+            page.mouse("mouseMoved", [x + 0.8 * width, y + 0.6 * height]);
+            page.mouse("mouseReleased", [x + 0.8 * width, y + 0.6 * height]);
+            let drawn = "(() => { const { points, top } = guess; return [points[0][1] === top, points.some(([, v]) => v > 0.25 * top && v < 0.75 * top && v !== top / 2)]; })()";
+            assert_eq!(page.value(drawn), json!([true, true]), "the sliders and the hand draw one curve");
+            means.press(page, "answer-1");
+        }
+    }
+    page.until("document.body.dataset.asked === 'false'", 10);
+    assert_eq!(page.value("document.getElementById('lesson-ask').checkVisibility()"), false, "the question stays");
+    page.text("document.getElementById('lesson-verdict').innerText")
+}
+
+/// Viewer and table show what the step asks for.
+fn followed(explorer: &Explorer, page: &mut Page, step: &Value) {
+    if step["sweep"] == true {
+        page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
+        page.until("(document.body.dataset.shown || '').startsWith('sweep-')", 60);
+        assert_eq!(page.value("document.querySelectorAll('#results polyline.second').length"), 1);
+        return;
+    }
+    rested(page);
+    let told = explorer.state()["run"]["numbers"]["kappa_r_resolved"].as_f64().unwrap();
+    let shown = page.text("document.querySelector('#numbers td[data-number=kappa_r_resolved]').innerText");
+    let shown: f64 = shown.split(" ±").next().unwrap().parse().unwrap();
+    assert!((shown / told - 1.0).abs() < 6e-3, "kappa_r is shown as {shown} and is {told}");
+}
+
+/// What became of a guess: the right choice is praised, a number is told.
+fn judged(page: &mut Page, ask: &Value, verdict: &str) {
+    match ask["kind"].as_str().unwrap() {
+        "choose" => assert!(verdict.starts_with("Yes: "), "{verdict}"),
+        "act" => assert_eq!(verdict, "Done."),
+        "number" => {
+            let told = format!("figure(latest().numbers.{})", ask["of"].as_str().unwrap());
+            page.until(
+                &format!("document.getElementById('lesson-verdict').innerText.includes(`The run gives ${{{told}}}. Your guess is `)"),
+                30,
+            );
+            let verdict = page.text("document.getElementById('lesson-verdict').innerText");
+            assert!(verdict.ends_with(" too large.") || verdict.ends_with(" too small."), "{verdict}");
+        }
+        _ => assert!(verdict.contains("dotted"), "{verdict}"),
+    }
+}
+
+/// A lesson ends with what was seen, the lesson that follows, and mostly something to do.
+fn ended(page: &mut Page, lesson: &Value) {
+    page.until("document.body.dataset.lesson === 'end'", 10);
+    let text = page.text("document.getElementById('lesson-text').innerText");
+    assert!(text.starts_with(lesson["end"]["seen"]["en"].as_str().unwrap()), "{text}");
+    let next = page.text("document.getElementById('lesson-next').innerText");
+    assert!(next.starts_with("Next lesson: ") || next == "This was the last lesson", "{next}");
+    assert_eq!(
+        page.text("byId('lesson-marks').innerText").split(' ').count(),
+        lesson["steps"].as_array().unwrap().len()
+    );
+    keep(page, &format!("{}-end", lesson["name"].as_str().unwrap()));
+    if lesson["end"]["challenge"].is_object() {
+        assert!(text.contains("Now you: "), "{text}");
+    }
+    if lesson["name"] == "hertz-and-rough" {
+        page.value("Object.assign(knobs, { rolloff: 6, seed: 3, load: 0.0175 }); show(); changed()");
+        page.until("byId('lesson-challenge').innerText.startsWith('You have done it: ')", 60);
+    }
+}
+
+fn play(explorer: &Explorer, page: &mut Page, lesson: &Value, means: Means) {
+    let name = lesson["name"].as_str().unwrap();
+    page.value(&format!(
+        "(() => {{ const list = byId('lesson'); list.value = '{name}'; list.dispatchEvent(new Event('change')); }})()"
+    ));
+    let steps = lesson["steps"].as_array().unwrap();
+    for (at, step) in steps.iter().enumerate() {
+        page.until(&format!("document.body.dataset.lesson === '{at}'"), 20);
+        let verdict = if step["ask"].is_object() { guess(page, &step["ask"], means) } else { String::new() };
+        followed(explorer, page, step);
+        if step["ask"].is_object() {
+            judged(page, &step["ask"], &verdict);
+        }
+        let text = page.text("document.getElementById('lesson-text').innerText");
+        assert!(text.contains(step["text"]["en"].as_str().unwrap()), "{text}");
+        assert_eq!(page.value("document.getElementById('fault').hidden"), true);
+        keep(page, &format!("{name}-{}", at + 1));
+        means.press(page, "lesson-next");
+    }
+    ended(page, lesson);
+    means.press(page, "lesson-close");
+    assert_eq!(page.value("document.getElementById('lesson-card').hidden"), true);
+    println!("{name} is played.");
+}
+
+#[test]
+fn a_person_in_a_lesson() {
+    let Some(program) = installed() else { return };
+    let (explorer, mut page) = opened(&program);
+    let names = page.value("[...document.querySelectorAll('#lesson option')].map((it) => it.textContent)");
+    assert_eq!(names.as_array().unwrap().len(), 7);
+    let lesson = page.value("lessons[0]");
+    play(&explorer, &mut page, &lesson, Means::Mouse);
+}
+
+/// All of them take minutes, and are played without a browser in any case.
+#[test]
+#[ignore = "takes minutes"]
+fn a_person_in_all_lessons() {
+    let Some(program) = installed() else { return };
+    let (explorer, mut page) = opened(&program);
+    page.resize([1440, 900]);
+    let lessons = page.value("lessons");
+    page.chromium.page("Emulation.setTouchEmulationEnabled", json!({"enabled": true, "maxTouchPoints": 1}));
+    for means in [Means::Keyboard, Means::Finger] {
+        for lesson in lessons.as_array().unwrap() {
+            play(&explorer, &mut page, lesson, means);
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! The explorer in a browser: what a person sees, what leaves the page, and what pages of others can do.
+//!
+//! Without Chromium the tests pass and say that they are skipped; the last line `browser tests: 4 ran, 0 skipped` counts them.
+//! `CHROME` or `CHROMIUM` names a Chromium that is not on the path.
+
+mod blind;
+mod chromium;
+mod course;
+mod downloads;
+mod everyone;
+mod explorer;
+mod eyes;
+mod grips;
+mod hands;
+mod heights;
+mod lessons;
+mod links;
+mod measures;
+mod newcomers;
+mod page;
+mod person;
+mod strangers;
+mod tabs;

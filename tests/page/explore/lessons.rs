@@ -1,0 +1,196 @@
+//! Lessons of a teacher: what can be written, and what is refused.
+
+use asperity::explore::{Curve, Lesson, Question, Words};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// A lesson in a folder of its own.
+fn folder(text: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("lesson.toml"), text).unwrap();
+    folder
+}
+
+/// The one lesson that a text holds.
+fn lesson(text: &str) -> Lesson {
+    let lessons = Lesson::folder(folder(text).path()).unwrap();
+    <[Lesson; 1]>::try_from(lessons).unwrap()[0].clone()
+}
+
+fn json_of(value: &impl serde::Serialize) -> Value {
+    serde_json::to_value(value).unwrap()
+}
+
+const STEP: &str = "title = \"T\"\n\n[[step]]\ntext = \"Look.\"\n";
+
+#[test]
+fn a_teacher_writes_lessons() {
+    let lesson = lesson(
+        r#"
+        title = "Mine"
+        knobs = { domain = "surface", points = 64, cutoff = 16 }
+        [[step]]
+        text = "First."
+        ask = { kind = "number", question = "How much?", of = "kappa_r_resolved" }
+        [[step]]
+        text = "Then."
+        knobs.load = 0.5
+        sweep = true
+        ask = { kind = "draw", question = "Draw it.", curve = "kappa-r" }
+    "#,
+    );
+    assert_eq!((lesson.name.as_str(), &lesson.title, lesson.steps.len()), ("lesson", &"Mine".into(), 2));
+    let [first, second] = [0, 1].map(|i| json_of(&lesson.steps[i].knobs));
+    assert_eq!((first["points"].as_u64(), first["load"].as_f64()), (Some(64), Some(0.05)));
+    assert_eq!((second["points"].as_u64(), second["load"].as_f64()), (Some(64), Some(0.5)));
+    let asked = Question::Draw { question: "Draw it.".into(), curve: Curve::KappaR };
+    assert_eq!((lesson.steps[1].sweep, &lesson.steps[1].ask), (true, &Some(asked)));
+}
+
+#[test]
+fn texts_are_in_one_language_or_in_some() {
+    let lesson = lesson(
+        "title = { en = \"T\", de = \"U\" }\n[[step]]\ntext = { fr = \"Voyez.\" }\n\
+         ask = { kind = \"choose\", question = \"?\", choices = [\"a\", { text = { en = \"b\", de = \"c\" }, because = { en = \"d\" } }], right = 1 }\n",
+    );
+    assert_eq!(json_of(&lesson.title), json!({"en": "T", "de": "U"}));
+    let step = json_of(&lesson.steps[0]);
+    assert_eq!(
+        (&step["text"], &step["ask"]["choices"]),
+        (
+            &json!({"fr": "Voyez."}),
+            &json!([{"text": "a", "because": null}, {"text": {"en": "b", "de": "c"}, "because": {"en": "d"}}])
+        )
+    );
+    assert!(matches!(lesson.title, Words::Each(texts) if texts["de"] == "U"));
+}
+
+/// A class may turn to every choice of values, and the values of a step take the place of those of the lesson.
+#[test]
+fn what_may_be_turned_makes_all_states() {
+    let lesson = lesson(
+        "title = \"T\"\nturn = { load = [0.1, 0.2], hurst = [0.5, 0.8] }\n\
+         [[step]]\nknobs.load = 0.3\ntext = \"A.\"\n\
+         [[step]]\nknobs.load = 0.2\ntext = \"B.\"\nturn = { hurst = [0.8], solver = [{ method = \"polonsky-keer\" }] }\n",
+    );
+    let states = |step: usize| -> Vec<(Value, Value, Value)> {
+        let states = lesson.steps[step].states();
+        let of = |knobs: Value| (knobs["load"].clone(), knobs["hurst"].clone(), knobs["solver"]["method"].clone());
+        states.iter().map(|knobs| of(json_of(knobs))).collect()
+    };
+    let (first, second) = (states(0), states(1));
+    assert_eq!((first.len(), second.len()), (6, 4), "{first:?} {second:?}");
+    assert_eq!(first[0], (json!(0.3), json!(0.8), json!("multilevel")), "its own state comes first");
+    for load in [0.1, 0.2, 0.3] {
+        for hurst in [0.5, 0.8] {
+            assert!(first.contains(&(json!(load), json!(hurst), json!("multilevel"))), "{load} {hurst}");
+        }
+        let gradients = (json!(load), json!(0.8), json!("polonsky-keer"));
+        assert_eq!(second.contains(&gradients), load < 0.3, "{load}");
+    }
+    for lesson in Lesson::all() {
+        for step in &lesson.steps {
+            let states = step.states();
+            assert!(states[0] == step.knobs && states.len() <= 64, "{}: {}", lesson.name, states.len());
+        }
+    }
+}
+
+#[test]
+fn the_example_of_the_readme_is_a_lesson() {
+    let readme = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons/README.md"));
+    let example = readme.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
+    let lesson = lesson(example);
+    assert_eq!(lesson.steps.len(), 5);
+    assert_eq!(lesson.steps[0].states().len(), 3);
+    let kinds: Vec<_> = lesson.steps.iter().map(|step| json_of(step)["ask"]["kind"].clone()).collect();
+    assert_eq!(kinds, [Value::Null, json!("choose"), json!("number"), json!("draw"), json!("act")]);
+    for key in json_of(&lesson.steps[0].knobs).as_object().unwrap().keys() {
+        let is_known = readme.contains(&format!("`{key}`")) || ["theme", "heights"].contains(&key.as_str());
+        assert!(is_known, "the knob {key} is not explained");
+    }
+}
+
+#[test]
+fn lessons_that_cannot_be_say_where() {
+    let refused = |text: &str| Lesson::folder(folder(text).path()).unwrap_err().to_string();
+    let ask = |question: &str| format!("{STEP}ask = {question}\n");
+    let loads = |count: usize| (0..count).map(|i| format!("0.0{}", i + 10)).collect::<Vec<_>>().join(", ");
+    for (text, line, words) in [
+        ("title = ".to_owned(), 1, ""),
+        ("title = \"T\"\nstep = []\n".into(), 1, "the lesson has no steps"),
+        (STEP.replace("\"T\"", "\" \""), 1, "title: a text has no words"),
+        (STEP.replace("\"T\"", "3"), 1, "give a text, or texts by language"),
+        (STEP.replace("\"Look.\"", "{ english = \"Look.\" }"), 3, "\"english\" is no language: give two letters"),
+        (STEP.replace("\"Look.\"", "{}"), 3, "a text has no words"),
+        (format!("{STEP}colour = 3\n"), 5, "unknown field `colour`"),
+        (format!("{STEP}\n[[step]]\nknobs.load = 0.1\n"), 6, "missing field `text`"),
+        (
+            format!("{STEP}knobs.load = \"much\"\n"),
+            5,
+            "knobs.load = \"much\": string \"much\" cannot be: give a number",
+        ),
+        (format!("{STEP}knobs.points = 512\nknobs.roughness = -1\n"), 6, "knobs.roughness = -1: "),
+        (format!("{STEP}knobs.seed = -3\n"), 5, "cannot be: give a whole number from 0 to 4294967295"),
+        (format!("{STEP}knobs.loads = 0.1\n"), 5, "knobs.loads = 0.1: unknown field `loads`"),
+        (format!("{STEP}knobs.load = 1e9\n"), 5, "the load p* is 1000000000.0: give"),
+        (format!("{STEP}knobs.points = 1048576\n"), 5, "1048576 points are too many here"),
+        (format!("{STEP}turn.load = [0.1, 1e9]\n"), 3, "turn: the load p* is 1000000000.0: give"),
+        (format!("{STEP}turn.loads = [0.1]\n"), 3, "turn: unknown field `loads`"),
+        (format!("{STEP}turn.load = 0.1\n"), 5, "invalid type"),
+        (
+            format!("{STEP}turn = {{ load = [{0}], hurst = [{0}] }}\n", loads(8)),
+            3,
+            "turn: it leads to more than 64 states",
+        ),
+        (ask("{ kind = \"guess\", question = \"?\" }"), 5, "unknown variant `guess`"),
+        (
+            ask("{ kind = \"choose\", question = \"?\", choices = [\"a\"], right = 1 }"),
+            3,
+            "1 choices are given: give two",
+        ),
+        (
+            ask("{ kind = \"choose\", question = \"?\", choices = [\"a\", \"b\"], right = 3 }"),
+            3,
+            "choice 3 is to be right",
+        ),
+        (ask("{ kind = \"choose\", question = \"\", choices = [\"a\", \"b\"], right = 1 }"), 3, "a text has no words"),
+        (ask("{ kind = \"number\", question = \"?\", of = \"kappa_q\" }"), 3, "\"kappa_q\" is no number of a run"),
+        (
+            ask("{ kind = \"draw\", question = \"?\", curve = \"kappa\" }"),
+            3,
+            "the load is not swept: give sweep = true",
+        ),
+        (
+            ask(
+                "{ kind = \"choose\", question = \"?\", choices = [\"a\", { text = \"b\", because = \"\" }], right = 1 }",
+            ),
+            3,
+            "a text has no words",
+        ),
+        (ask("{ kind = \"act\", question = \"?\", goal = {} }"), 3, "the goal is empty"),
+        (ask("{ kind = \"act\", question = \"?\", goal = { area = [0, 1] } }"), 3, "\"area\" is no number of a run"),
+        (
+            ask("{ kind = \"act\", question = \"?\", goal = { relative_area = [1, 0] } }"),
+            3,
+            "the goal of relative_area is from 1 to 0: give the smaller value first",
+        ),
+        (
+            format!(
+                "{STEP}sweep = true\nask = {{ kind = \"act\", question = \"?\", goal = {{ patches = [1, 1] }} }}\n"
+            ),
+            3,
+            "the load is swept where something is to be done",
+        ),
+        (format!("{STEP}[end]\nseen = \"\"\n"), 5, "end: a text has no words"),
+    ] {
+        let said = refused(&text);
+        assert!(said.contains(&format!("lesson.toml, line {line}: ")) && said.contains(words), "{text}: {said}");
+        assert!(!said.contains('\n'), "{said}");
+    }
+    let none = tempfile::tempdir().unwrap();
+    assert!(Lesson::folder(none.path()).unwrap_err().to_string().starts_with("no lessons are in "));
+    assert!(Lesson::folder(Path::new("nowhere")).unwrap_err().to_string().starts_with("cannot read nowhere"));
+    let long = refused(&format!("{STEP}# {}", "x".repeat(1 << 18)));
+    assert!(long.contains("more than a lesson may have: give at most 262144"), "{long}");
+}

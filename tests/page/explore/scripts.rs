@@ -1,0 +1,24 @@
+//! The scripts of the page, which share one scope.
+
+use super::texts::sources;
+use std::collections::HashMap;
+
+/// The name that a line declares for all scripts, if it does: such lines are not indented.
+fn declared(line: &str) -> Option<&str> {
+    let rest = line.strip_prefix("async ").unwrap_or(line);
+    let (kind, rest) = rest.split_once(' ')?;
+    ["let", "const", "function", "class"].contains(&kind).then(|| rest.split([' ', '(', ';']).next())?
+}
+
+/// A name that two scripts declare keeps the second of them from being run at all.
+#[test]
+fn no_name_is_declared_twice() {
+    let sources = sources();
+    let scripts = sources.iter().filter(|(file, _)| file.ends_with(".js"));
+    let declarations = scripts.flat_map(|(file, text)| text.lines().filter_map(declared).map(move |name| (name, file)));
+    let mut places: HashMap<&str, &str> = HashMap::new();
+    for (name, file) in declarations {
+        assert_eq!(places.insert(name, file), None, "{name} is declared in {file}, too");
+    }
+    assert!(places.len() > 200, "only {} names were found", places.len());
+}

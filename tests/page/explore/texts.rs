@@ -1,0 +1,241 @@
+//! What the page says: each language says all of it, and all that is said is asked for.
+
+use asperity::contact::OBSERVABLES;
+use std::collections::{BTreeMap, BTreeSet};
+
+type Texts = BTreeMap<String, String>;
+
+/// Scripts and the page, by name.
+pub fn sources() -> Vec<(String, String)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/explore");
+    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let sources = files.filter(|path| path.extension().is_some_and(|it| it == "js" || it == "html"));
+    sources
+        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read_to_string(&path).unwrap()))
+        .collect()
+}
+
+fn texts(json: &str) -> Texts {
+    serde_json::from_str(json).unwrap()
+}
+
+fn english() -> Texts {
+    texts(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/explore/texts/en.json")))
+}
+
+fn german() -> Texts {
+    texts(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/explore/texts/de.json")))
+}
+
+/// What stands between two marks, each time it does.
+fn between<'a>(text: &'a str, open: &'a str, close: char) -> impl Iterator<Item = &'a str> {
+    text.split(open).skip(1).filter_map(move |rest| rest.split(close).next())
+}
+
+fn places(text: &str) -> BTreeSet<&str> {
+    between(text, "{", '}').collect()
+}
+
+#[test]
+fn languages_say_the_same() {
+    let (english, german) = (english(), german());
+    assert_eq!(english.keys().collect::<Vec<_>>(), german.keys().collect::<Vec<_>>());
+    for (key, text) in &english {
+        assert_eq!(places(text), places(&german[key]), "{key}");
+        assert!(!text.is_empty() && !german[key].is_empty(), "{key}");
+    }
+}
+
+#[test]
+fn numbers_are_explained_as_everywhere() {
+    let english = english();
+    for row in OBSERVABLES {
+        let explained = english.get(&format!("number.{}.tip", row.name));
+        assert_eq!(explained.is_some(), english.contains_key(&format!("number.{}", row.name)), "{}", row.name);
+        assert!(!row.is_traced || explained.is_some(), "{} is in the table without a name", row.name);
+        explained.into_iter().for_each(|text| assert_eq!(text, row.sentence, "{}", row.name));
+    }
+}
+
+/// Keys that a text asks for; those that it puts together at run time are patterns with `*` for what is put in.
+fn asked(source: &str) -> BTreeSet<String> {
+    let named = ["say(\"", "data-text=\"", "data-tip=\"", "data-name=\""].into_iter();
+    let mut keys: BTreeSet<String> = named.flat_map(|open| between(source, open, '"')).map(str::to_owned).collect();
+    for made in between(source, "say(`", '`') {
+        let mut parts = made.split("${");
+        let first = parts.next().unwrap().to_owned();
+        keys.insert(parts.fold(first, |key, part| key + "*" + part.split_once('}').map_or("", |(_, rest)| rest)));
+    }
+    keys
+}
+
+/// Whether a key is what a pattern asks for.
+fn fits(key: &str, pattern: &str) -> bool {
+    match pattern.split_once('*') {
+        None => key == pattern,
+        Some((start, rest)) => key.strip_prefix(start).is_some_and(|tail| {
+            tail.char_indices().any(|(i, _)| i > 0 && fits(&tail[i..], rest)) || (rest.is_empty() && !tail.is_empty())
+        }),
+    }
+}
+
+#[test]
+fn every_text_that_is_asked_for_is_there_and_the_other_way_round() {
+    let english = english();
+    let patterns: BTreeSet<String> = sources().iter().flat_map(|(_, text)| asked(text)).collect();
+    assert!(patterns.len() > 100, "{patterns:?}");
+    for pattern in &patterns {
+        assert!(english.keys().any(|key| fits(key, pattern)), "there is no text {pattern}");
+    }
+    for key in english.keys().filter(|key| *key != "language") {
+        assert!(patterns.iter().any(|pattern| fits(key, pattern)), "nobody asks for the text {key}");
+    }
+}
+
+/// Rows of a table of controls: the name of each, and the names of what it offers.
+fn controls(table: &str) -> Vec<(&str, Vec<&str>)> {
+    let rows = table.lines().filter(|line| line.trim_start().starts_with("{ "));
+    let list =
+        |row| between(row, "options: [", ']').flat_map(|list: &str| between(list, "\"", '"').step_by(2)).collect();
+    rows.filter_map(|row| Some((between(row, "id: \"", '"').next()?, list(row)))).collect()
+}
+
+#[test]
+fn every_control_and_all_that_it_offers_have_names() {
+    let english = english();
+    let sources: BTreeMap<String, String> = sources().into_iter().collect();
+    for (script, start) in [("controls.js", "control"), ("heights.js", "heights")] {
+        let controls = controls(&sources[script]);
+        assert!(controls.len() > 10, "{script}: {controls:?}");
+        for (id, options) in controls {
+            let of = |option: &&str| {
+                format!("{start}.{id}.{}", if option.is_empty() { "no" } else { option }.replace(' ', "-"))
+            };
+            let keys = [format!("{start}.{id}"), format!("{start}.{id}.tip")];
+            for key in keys.into_iter().chain(options.iter().map(of)) {
+                assert!(english.contains_key(&key), "there is no text {key}");
+            }
+        }
+    }
+}
+
+/// Literals of a script: what stands between quotes, without comments and what is put in at run time.
+fn literals(script: &str) -> Vec<String> {
+    let code: String = script
+        .lines()
+        .filter(|line| !["//", "/*", "*"].iter().any(|start| line.trim_start().starts_with(start)))
+        .map(|line| line.split(" // ").next().unwrap().to_owned() + "\n")
+        .collect();
+    let (mut found, mut open) = (Vec::new(), None::<(char, String)>);
+    for letter in code.chars() {
+        match &mut open {
+            Some((mark, text)) if letter == *mark || (letter == '\n' && *mark == '"') => {
+                found.push(std::mem::take(text));
+                open = None;
+            }
+            Some((_, text)) => text.push(letter),
+            None if letter == '"' || letter == '`' => open = Some((letter, String::new())),
+            None => {}
+        }
+    }
+    found
+}
+
+/// Whether a literal is words for people: two words or more, one of which begins with a capital.
+fn is_said(literal: &str) -> bool {
+    let is_word =
+        |word: &&str| word.len() > 1 && word.trim_end_matches(['.', ',', ':', ';']).chars().all(char::is_alphabetic);
+    let words: Vec<&str> = literal.split(' ').filter(is_word).collect();
+    words.len() > 1 && words.iter().any(|word| word.starts_with(char::is_uppercase))
+}
+
+#[test]
+fn scripts_say_nothing_of_their_own() {
+    assert!(
+        is_said("Copied: the address") && is_said("Your curve") && !is_said("use strict") && !is_said("M 0 0 L 1 1")
+    );
+    for (name, text) in sources().iter().filter(|(name, _)| name.ends_with(".js")) {
+        for literal in literals(text) {
+            assert!(!is_said(&literal), "{name} says {literal:?}: put it among the texts");
+        }
+    }
+}
+
+#[test]
+fn the_page_itself_says_nothing_but_symbols() {
+    let html = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/explore/explore.html"));
+    for text in between(html, ">", '<').map(str::trim).filter(|text| !text.is_empty()) {
+        let is_symbol = text.chars().count() < 8 || text.starts_with("asperity") || text.contains('{');
+        assert!(is_symbol, "the page says {text:?} in one language: put it among the texts");
+    }
+    for attribute in [" title=\"", "aria-label=\"", "placeholder=\""] {
+        assert!(!html.contains(attribute), "{attribute} is in one language");
+    }
+}
+
+/// What the server tells in English, and the same in German.
+fn told() -> Texts {
+    texts(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/explore/texts/told.de.json")))
+}
+
+/// The words of a sentence between its places.
+fn words(sentence: &str) -> Vec<&str> {
+    sentence.split(['{', '}']).step_by(2).collect()
+}
+
+/// Whether a sentence is a template with something in each of its places.
+fn is_made_of(sentence: &str, template: &str) -> bool {
+    let words = words(template);
+    let (first, last) = (words[0], words[words.len() - 1]);
+    if words.len() == 1 {
+        return sentence == template;
+    }
+    let Some(mut rest) = sentence.strip_prefix(first).and_then(|rest| rest.strip_suffix(last)) else { return false };
+    for part in &words[1..words.len() - 1] {
+        match rest.char_indices().skip(1).find(|(i, _)| rest[*i..].starts_with(part)) {
+            Some((i, _)) => rest = &rest[i + part.len()..],
+            None => return false,
+        }
+    }
+    !rest.is_empty()
+}
+
+/// All sources of the library with their texts on one line each.
+fn code() -> String {
+    fn read(folder: &std::path::Path, into: &mut String) {
+        for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if path.is_dir() {
+                read(&path, into);
+            } else {
+                into.push_str(&std::fs::read_to_string(&path).unwrap_or_default());
+            }
+        }
+    }
+    let mut all = String::new();
+    read(std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src")), &mut all);
+    all.replace("\\\"", "\"").replace("\\\n", " ").split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn what_the_server_tells_is_told_in_each_language() {
+    let (told, code) = (told(), code());
+    for (english, german) in &told {
+        assert_eq!(places(english), places(german), "{english}");
+        let longest = words(english).into_iter().map(str::trim).max_by_key(|part| part.len()).unwrap();
+        assert!(code.contains(longest), "nobody tells {english:?}");
+    }
+    // Those that no knob of the page leads to are not asked for.
+    let of_page = ["GridError", "SurfaceError", "ProblemError", "PreparationError"];
+    for name in of_page {
+        let (_, rest) = code.split_once(&format!("pub enum {name} {{")).unwrap();
+        let body = rest.split("pub enum ").next().unwrap();
+        let sentences: Vec<&str> =
+            body.split("#[error(").skip(1).filter_map(|it| it.trim_start().strip_prefix('"')).collect();
+        assert!(sentences.len() > 3, "{name}");
+        for sentence in sentences {
+            let sentence = sentence.split('"').next().unwrap();
+            let sample: String = words(sentence).join("7");
+            assert!(told.keys().any(|key| is_made_of(&sample, key)), "{name} is not told in German: {sample:?}");
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! The explorer: its server, and its page in a browser.
+
+#[cfg(unix)]
+mod browser;
+mod explore;

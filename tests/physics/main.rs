@@ -1,0 +1,15 @@
+//! Physics against closed forms, the equations of elasticity, a peer and a paper.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod hardness;
+mod paper;
+mod preparation;
+mod slip;
+mod solids;
+mod stress;
+mod surfaces;
+mod survey;
+mod theory;
+mod units;
+mod westergaard;
