@@ -3,6 +3,7 @@
 mod bodies;
 mod export;
 mod facets;
+mod front_ends;
 mod hand;
 mod heights;
 mod lessons;
