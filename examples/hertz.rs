@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let problem =
             Problem::new(cylinder.surface(grid)?, ContactModulus(contact_modulus), Load::MeanPressure(mean_pressure))?;
         let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ())?.converged()?;
-        let measures = contact.measures();
+        let measures = contact.counted();
         println!(
             "{points:>6}  {:.6}  {:.6}  {:.6}  {:.7}",
             measures.relative_area,

@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let start = last.as_ref().map(|contact| &contact.pressure);
         let contact = Multilevel.solve_from(start, &problem, &Stop::default(), &mut ())?.converged()?;
         let flat = Multilevel.solve(&problem, &Stop::default(), &mut ())?.converged()?;
-        let measures = contact.measures();
+        let measures = contact.counted();
         println!(
             "{load:>10.2e} {:>8.4} {:>8.4} {:>12.1e} {:>12} {:>12}",
             measures.relative_area,

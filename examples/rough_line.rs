@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for reduced_pressure in [1e-3, 3e-3, 1e-2, 3e-2, 1e-1] {
         problem = problem.with_load(Load::ReducedPressure(reduced_pressure))?;
         let contact = solver.solve(&problem, &Stop::default(), &mut ())?.converged()?;
-        let m = contact.measures();
+        let m = contact.counted();
         println!(
             "{reduced_pressure:>6}  {:.5}  {:>6}   {:.3}   {:.3}    {:.3}      {}",
             m.relative_area,

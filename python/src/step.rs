@@ -113,13 +113,13 @@ impl Step {
     /// Relative contact area, the share of nodes in contact.
     #[getter]
     fn relative_area(&self, py: Python<'_>) -> PyResult<f64> {
-        self.ask(py, |step| step.measures().relative_area)
+        self.ask(py, |step| step.counted().relative_area)
     }
 
     /// Relative contact area over the reduced pressure with the rms gradient of the nodes in contact.
     #[getter]
     fn kappa_r(&self, py: Python<'_>) -> PyResult<f64> {
-        self.ask(py, |step| step.measures().kappa_r)
+        self.ask(py, |step| step.counted().kappa_r)
     }
 
     /// Mean gap, a length.

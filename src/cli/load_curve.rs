@@ -150,10 +150,10 @@ impl Summary {
                 it.reduced_pressure,
                 it.mean_pressure,
                 it.mean_gap,
-                it.relative_area_resolved,
                 it.relative_area,
-                it.kappa_resolved,
-                it.kappa_r_resolved,
+                it.relative_area_counted,
+                it.kappa,
+                it.kappa_r,
                 it.patches,
                 it.certificate
             )

@@ -23,7 +23,7 @@ pub enum Question {
     Number {
         /// The question.
         question: Words,
-        /// The observable that answers it, such as `kappa_r_resolved`.
+        /// The observable that answers it, such as `kappa_r`.
         of: String,
     },
     /// A curve against the load, which a sweep will draw beside the guess.
@@ -42,7 +42,7 @@ pub enum Question {
     },
 }
 
-/// A contact that is to be made: the least and the largest value of some observables, such as `relative_area_resolved`.
+/// A contact that is to be made: the least and the largest value of some observables, such as `relative_area`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Goal(BTreeMap<String, [f64; 2]>);
@@ -107,7 +107,7 @@ fn check_observable(of: &str) -> Result<(), Refusal> {
     if OBSERVABLES.iter().any(|it| it.name == of) {
         return Ok(());
     }
-    Err(Refusal(format!("{of:?} is no number of a run: give one such as \"kappa_r_resolved\"")))
+    Err(Refusal(format!("{of:?} is no number of a run: give one such as \"kappa_r\"")))
 }
 
 /// A curve of a sweep.

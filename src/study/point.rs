@@ -73,12 +73,12 @@ impl Point {
 
     /// The relative area, where the solver converged and the grid resolves the contact.
     pub fn relative_area(&self) -> Option<f64> {
-        self.resolved(self.observables.relative_area_resolved, self.observables.relative_area_error)
+        self.resolved(self.observables.relative_area, self.observables.relative_area_error)
     }
 
     /// `kappa_r`, where the solver converged and the grid resolves the contact.
     pub fn kappa_r(&self) -> Option<f64> {
-        self.resolved(self.observables.kappa_r_resolved, self.observables.kappa_r_error)
+        self.resolved(self.observables.kappa_r, self.observables.kappa_r_error)
     }
 
     /// A value whose error is known to be smaller than itself: where patches have too few nodes it is 0 or NaN, or its error infinite.

@@ -15,7 +15,7 @@ mod fourier;
 mod gfmd;
 mod grid;
 mod mean_gap;
-mod measures;
+mod counted;
 mod multilevel;
 mod observing;
 mod open_door;

@@ -16,7 +16,7 @@ use std::path::Path;
 /// Entity of the text about the runs.
 const TEXT: &str = "/compare/runs";
 /// Observables that settle at a value above zero.
-const SETTLING: [&str; 3] = ["relative_area_resolved", "kappa_resolved", "kappa_r_resolved"];
+const SETTLING: [&str; 3] = ["relative_area", "kappa", "kappa_r"];
 /// Letters of the longest name that leaves room for curves beside the legend.
 const LONGEST_NAME: usize = 40;
 /// Room above the curves that settle at some value, over the largest of these values.

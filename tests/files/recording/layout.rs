@@ -70,7 +70,7 @@ fn exact_values_are_green_and_drawn_last_and_a_kappa_beyond_its_axis_is_told() {
         assert_eq!(style(&path, &exact).1, Colour::GREEN.0);
         assert_ne!(style(&path, &computed).1, Colour::GREEN.0);
     }
-    let kappa = contact.resolved().relative_area / contact.measures().reduced_pressure;
+    let kappa = contact.resolved().relative_area / contact.counted().reduced_pressure;
     assert!(kappa > 10.0);
     assert_eq!(style(&path, "/it/trace/kappa_resolved").0, format!("kappa: {kappa:.1}, off the scale"));
     record(&path, &rough_line(), &PolonskyKeer, None, None);

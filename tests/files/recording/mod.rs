@@ -137,7 +137,7 @@ fn every_step_has_its_numbers_on_all_timelines() {
                 Energy::Complementary(_) => "complementary_energy",
                 Energy::Potential(_) => "potential_energy",
             };
-            let values = [step.measures().kappa_r, step.patches().count() as f64, energy.value()];
+            let values = [step.counted().kappa_r, step.patches().count() as f64, energy.value()];
             seen.insert(step.index() as i64, values);
             ControlFlow::Continue(())
         });
@@ -520,7 +520,7 @@ fn a_run_without_an_end_keeps_its_numbers() {
     let mut recorder = recording.recorder(0);
     let mut expected = BTreeMap::new();
     let mut forward = Each(|step: &Step<'_>| {
-        expected.insert(step.index() as i64, step.measures().kappa_r);
+        expected.insert(step.index() as i64, step.counted().kappa_r);
         recorder.step(step).unwrap()
     });
     Gfmd::default().solve(&problem, &Stop::default(), &mut forward).unwrap();

@@ -373,7 +373,7 @@ fn a_solve_gives_the_numbers_of_the_library() {
     let knobs = Start::RoughLine.knobs();
     let problem = knobs.setup().unwrap().problem().unwrap();
     let contact = Multilevel.solve(&problem, &Stop::new(1e-8, 20_000).unwrap(), &mut ()).unwrap();
-    let measures = contact.measures();
+    let measures = contact.counted();
     assert_eq!(run["numbers"]["status"], "converged");
     assert_eq!(run["numbers"]["kappa_r"], measures.kappa_r);
     assert_eq!(run["numbers"]["relative_area"], measures.relative_area);
