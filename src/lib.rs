@@ -126,6 +126,7 @@ pub mod setup;
 pub mod study;
 pub mod surface;
 pub mod theory;
+pub mod warning;
 
 pub use contact::{Contact, Problem, Stop};
 pub use grid::Grid;

@@ -1,6 +1,5 @@
 //! `asperity certify`: somebody's result, certified.
 
-use super::caution;
 use super::density;
 use super::fields::{lay_load, poisson, rows};
 use super::finding::Finding;
@@ -11,9 +10,10 @@ use super::output::write_json;
 #[cfg(feature = "record")]
 use super::shown::Shown;
 use super::verdict::Verdict;
+use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, ContactModulus, Problem, archive};
+use asperity::contact::{Contact, ContactModulus, Problem, archive, warnings_of};
 use asperity::error::ProblemError;
 use asperity::files::{check_apart, check_named, write_beside};
 use asperity::foreign::{Assessment, Claim, Frame, Quantity, Replay};
@@ -94,7 +94,7 @@ impl Certify {
         let holds = assessment.holds(&contact, &setup.stop);
         let mut warnings = setup.surface.warnings(problem.surface());
         let finding = Finding::of(&setup, &contact);
-        warnings.extend(caution::of_contacts(&[&finding.observables]));
+        warnings.extend(warnings_of(&[&finding.observables], problem.law()));
         self.write(
             &contact,
             &Verdict {
@@ -107,7 +107,7 @@ impl Certify {
                 finding,
                 assessment,
                 findings: if holds { Vec::new() } else { claim.mistakes(&poisson(&setup)) },
-                warnings,
+                warnings: warnings::in_flags(&warnings),
                 setup: setup.with_full_path(),
                 grid,
             },
@@ -167,7 +167,7 @@ impl Certify {
         } else {
             verdict.write_text(&mut stdout())?
         }
-        caution::tell(&verdict.warnings);
+        warnings::print(&verdict.warnings);
         #[cfg(feature = "record")]
         self.shown.tell();
         self.out.iter().for_each(|path| wrote(path));

@@ -1,10 +1,10 @@
 //! `asperity explore`: turn a knob, watch the contact relax.
 
-use super::caution::tell;
 use super::flags::{Scene, Whole};
 use super::interrupt::interrupted;
 use super::manners::remark;
 use super::outcome::{Outcome, Usage, untold, usage};
+use super::warnings::print;
 use anyhow::Result;
 use asperity::explore::{Explorer, Export, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, Start};
 use asperity::setup::Setup;
@@ -123,7 +123,7 @@ fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
     setup.problem()?;
     let scene = SceneFile::of(setup).map_err(refused)?;
     let knobs = Knobs::of_scene(&scene).map_err(refused)?;
-    tell(&left_out(&scene.setup));
+    print(&left_out(&scene.setup));
     Ok((Sessions::with_scene(scene), knobs))
 }
 

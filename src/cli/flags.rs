@@ -1,8 +1,8 @@
 //! The flags that describe a contact to solve.
 
-use super::caution;
 use super::choice::one_of;
 use super::outcome::usage;
+use super::warnings;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, Recipe, Table, Value, lay};
 use asperity::surface::HeightFile;
@@ -95,7 +95,7 @@ impl<E: Extent> Scene<E> {
     pub fn table(&self) -> Result<Table> {
         let mut table = self.file.as_deref().map_or_else(|| Ok(Table::default()), read)?;
         lay(&self.given, &mut table);
-        caution::note(&table.choose_preparation()?);
+        warnings::print_reasons(&table.choose_preparation()?);
         Ok(table)
     }
 

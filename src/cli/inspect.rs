@@ -1,6 +1,5 @@
 //! `asperity inspect`: somebody's iteration, recorded.
 
-use super::caution;
 use super::choice::choice;
 use super::fields::{check_one_load, rows};
 use super::finding::Finding;
@@ -12,6 +11,7 @@ use super::output::write_json;
 use super::progress::Progress;
 #[cfg(feature = "record")]
 use super::shown::Shown;
+use super::warnings;
 use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Reference};
@@ -131,7 +131,7 @@ impl Inspect {
         let outcome = self.inspect(&folder.display().to_string(), setup, problem, steps)?;
         let broken = |path: PathBuf| read_fields_shape(&path, self.kind.name()).err();
         let left_out = step_files(&[folder.into()])?.into_iter().filter_map(broken);
-        caution::tell(&left_out.map(|error| format!("{error}, and was left out")).collect::<Vec<_>>());
+        warnings::print(&left_out.map(|error| format!("{error}, and was left out")).collect::<Vec<_>>());
         Ok(outcome)
     }
 

@@ -1,6 +1,5 @@
 //! `asperity solve` under one load after the other.
 
-use super::caution;
 use super::finding::Finding;
 #[cfg(feature = "record")]
 use super::load_recording::CurveRecording;
@@ -10,9 +9,10 @@ use super::outputs::Outputs;
 use super::plan::{self, Plan};
 use super::progress::Progress;
 use super::subject::Subject;
+use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads};
+use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads, warnings_of};
 use asperity::files::{write_beside, write_csv};
 use asperity::setup::{Part, Table};
 use asperity::study::LoadCurve;
@@ -68,7 +68,8 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome
     cost.check(curve.setup.solver.name())?;
     let problem = curve.problem()?;
     if outputs.strict {
-        caution::heed(&curve.setup.surface.warnings(problem.surface()), true)?;
+        let warnings = warnings::in_flags(&curve.setup.surface.warnings(problem.surface()));
+        warnings::refuse_if_strict(&warnings, true)?;
     }
     let pressed = press(curve, &problem, outputs)?;
     let outcome = pressed.outcome;
@@ -107,9 +108,9 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     let Pressed { findings, contacts, .. } = pressed;
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = curve.setup.surface.warnings(problem.surface());
-    warnings.extend(caution::of_contacts(&observables));
-    warnings.extend(caution::of_metal(&observables, problem.law()));
-    caution::heed(&warnings, outputs.strict)?;
+    warnings.extend(warnings_of(&observables, problem.law()));
+    let warnings = warnings::in_flags(&warnings);
+    warnings::refuse_if_strict(&warnings, outputs.strict)?;
     if let Some(path) = outputs.archive() {
         let bytes = archive_of_loads(&contacts, subject.rank, &setup.to_toml());
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
@@ -127,7 +128,7 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     } else {
         summary.write_text(&mut stdout())?
     }
-    caution::tell(&summary.warnings);
+    warnings::print(&summary.warnings);
     outputs.files().for_each(wrote);
     Ok(())
 }

@@ -2,7 +2,6 @@
 
 mod accuracy;
 mod bench;
-mod caution;
 mod certify;
 mod choice;
 #[cfg(feature = "record")]
@@ -47,6 +46,7 @@ mod survey;
 mod verdict;
 #[cfg(feature = "explore")]
 mod view;
+mod warnings;
 mod wrote;
 
 use clap::{CommandFactory, Parser, Subcommand};

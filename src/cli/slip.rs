@@ -6,9 +6,6 @@ use asperity::contact::{Contact, PartialSlip};
 use asperity::setup::Setup;
 use serde::Serialize;
 
-/// Dundurs' constants above this one are told.
-const LARGEST_BETA: f64 = 0.01;
-
 /// The numbers of a contact in partial slip.
 #[derive(Serialize)]
 pub struct SlipFinding {
@@ -25,17 +22,6 @@ pub struct SlipFinding {
     pub slip_area: f64,
     /// The certificate of the contact under the smaller load.
     pub stick_certificate: f64,
-}
-
-/// The warning that normal and tangential loads couple, which partial slip as the difference of two normal contacts leaves out.
-pub fn neglected(setup: &Setup) -> Option<String> {
-    let beta = setup.friction.and(setup.solid)?.dundurs_beta()?.abs();
-    (beta > LARGEST_BETA).then(|| {
-        format!(
-            "in these bodies tangential tractions follow from the normal load alone (Dundurs' beta is {beta:.2}), and they are left out of what \
-             sticks and slips: the result is exact for equal bodies and for a Poisson's ratio of 0.5"
-        )
-    })
 }
 
 /// Solves for what sticks if there is a tangential load, and the contact has been found.

@@ -1,6 +1,5 @@
 //! `asperity solve`: a contact under one load, or under one after the other.
 
-use super::caution;
 use super::finding::Finding;
 use super::flags::{Scene, Whole};
 use super::load_curve;
@@ -13,9 +12,12 @@ use super::progress::Progress;
 use super::slip::{self, SlipFinding};
 use super::stress;
 use super::subject::Subject;
+use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Observer, PartialSlip, Problem, archive, archive_of_slip};
+use asperity::contact::{
+    Contact, Observer, PartialSlip, Problem, archive, archive_of_slip, warning_of_rim, warnings_of,
+};
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::files::{check_apart, write_beside};
 #[cfg(feature = "record")]
@@ -136,7 +138,7 @@ impl Solve {
     fn heed(&self, setup: &Setup, problem: &Problem) -> Result<()> {
         let is_strict = self.outputs.strict;
         let warnings = if is_strict { setup.surface.warnings(problem.surface()) } else { Vec::new() };
-        caution::heed(&warnings, is_strict)
+        warnings::refuse_if_strict(&warnings::in_flags(&warnings), is_strict)
     }
 
     /// Writes and prints what came out, on a grid that is not fine enough if it is `unsettled`.
@@ -145,13 +147,13 @@ impl Solve {
         let slip = slip::find(setup, contact)?;
         let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
         let mut warnings = setup.surface.warnings(contact.problem.surface());
-        warnings.extend(caution::of_contacts(&[&finding.observables]));
-        warnings.extend(caution::of_metal(&[&finding.observables], contact.problem.law()));
-        warnings.extend(caution::of_rim(contact));
-        warnings.extend(slip::neglected(setup));
-        warnings.extend(unsettled.then(caution::unsettled));
-        warnings.extend(outputs.stress.as_ref().and_then(|_| stress::assumed(setup)));
-        caution::heed(&warnings, outputs.strict)?;
+        warnings.extend(warnings_of(&[&finding.observables], contact.problem.law()));
+        warnings.extend(warning_of_rim(contact));
+        warnings.extend(setup.warning_of_coupling());
+        warnings.extend(unsettled.then(Refinement::warning));
+        warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
+        let warnings = warnings::in_flags(&warnings);
+        warnings::refuse_if_strict(&warnings, outputs.strict)?;
         if let Some(path) = outputs.archive() {
             let text = full.to_toml();
             let bytes = match &slip {
@@ -176,7 +178,7 @@ impl Solve {
         } else {
             summary.write_text(&mut stdout())?
         }
-        caution::tell(&summary.warnings);
+        warnings::print(&summary.warnings);
         let is_whole = |path: &&Path| contact.failure.is_none() || Some(*path) != outputs.recording();
         outputs.files().filter(is_whole).for_each(wrote);
         let stuck = slip.map_or(Ok(Outcome::Done), |PartialSlip { stuck, .. }| settle(&stuck))?;

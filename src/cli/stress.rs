@@ -32,10 +32,3 @@ pub fn write(path: &Path, setup: &Setup, contact: &Contact, row: Option<usize>) 
     let bytes = archive_of_stress((contact, row), &stress, setup.poisson().is_none(), &setup.to_toml());
     Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
 }
-
-/// The warning that nobody gave Poisson's ratio.
-pub fn assumed(setup: &Setup) -> Option<String> {
-    setup.poisson().is_none().then(|| {
-        format!("the stress is that of a Poisson's ratio of {USUAL_POISSON}, which is assumed: give --young and --poisson instead of the modulus")
-    })
-}

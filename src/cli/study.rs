@@ -140,16 +140,16 @@ pub fn settled(points: &[Point]) -> Result<Outcome> {
         |point: &&Point| point.is_converged() && (point.relative_area().is_none() || point.kappa_r().is_none());
     let unresolved = points.iter().filter(is_unresolved).count();
     if unresolved > 0 {
-        super::caution::tell(&[format!(
-            "{unresolved} of {} rows are not resolved, their contact has too few nodes: they are left out of means and figures, take more \
-             points or larger loads",
+        super::warnings::print(&[format!(
+            "{unresolved} of {} rows are not resolved, since their contact has too few nodes. They are left out of means and figures. Use more \
+             points or larger loads.",
             points.len()
         )]);
     }
     match points.iter().filter(|point| !point.is_converged()).count() {
         0 => Ok(Outcome::Done),
         rows => {
-            super::caution::tell(&[format!("{rows} of {} rows did not converge: see their status", points.len())]);
+            super::warnings::print(&[format!("{rows} of {} rows did not converge. See their status.", points.len())]);
             Ok(Outcome::NotConverged)
         }
     }

@@ -1,11 +1,11 @@
 //! `asperity surface`: makes a surface, or describes one.
 
-use super::caution;
 use super::flags::{OfSurface, Scene};
 use super::outcome::{Outcome, usage};
 use super::output::{write_json, write_rows};
 use super::subject::along_axes;
 use super::survey;
+use super::warnings::{self, in_flags};
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::Grid;
@@ -115,7 +115,7 @@ impl Describe {
         Cost::of_fields(&grid, FIELDS).check("a surface")?;
         let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?)?;
         statistics.warnings.extend(uneven);
-        caution::heed(&statistics.warnings, self.strict)?;
+        warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
         self.out.iter().try_for_each(|path| statistics.check_unit(&recipe, path))?;
         #[cfg(feature = "record")]
         if let Some(path) = &self.record {
@@ -129,7 +129,7 @@ impl Describe {
         } else {
             statistics.write(&mut stdout())?
         }
-        caution::tell(&statistics.warnings);
+        warnings::print(&statistics.warnings);
         #[cfg(feature = "record")]
         self.record.iter().for_each(|path| wrote(path));
         self.out.iter().for_each(|path| wrote(path));
@@ -172,7 +172,7 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     };
     if let Some(prepared) = prepared.filter(|_| voids > 0) {
         let survey = Survey::of(&prepared.scan)?;
-        statistics.warnings.extend(recipe.warnings_of_voids(&survey, grid.len()));
+        statistics.warnings.extend(in_flags(&recipe.warnings_of_voids(&survey, grid.len())));
         statistics.survey = Some(survey);
         return Ok((statistics, prepared.scan.height));
     }
@@ -180,8 +180,8 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     let survey = Survey::of(&Scan::of(&surface, 1))?;
     let (jump_in_rms_steps, roughness) = (surface.jumps()[outer..].to_vec(), Roughness::of(&surface));
     statistics.whole = Some(Whole { jump_in_rms_steps, roughness });
-    statistics.warnings.extend(recipe.warnings(&surface));
-    statistics.warnings.extend(recipe.is_measured().then(|| survey.warning_of_growth()).flatten());
+    let growth = recipe.is_measured().then(|| survey.warning_of_growth()).flatten();
+    statistics.warnings.extend(in_flags(&recipe.warnings(&surface).into_iter().chain(growth).collect::<Vec<_>>()));
     statistics.survey = Some(survey);
     Ok((statistics, surface.heights_as_given()))
 }

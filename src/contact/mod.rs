@@ -41,6 +41,7 @@ mod status;
 mod step;
 mod stop;
 mod sums;
+mod warnings;
 
 use crate::chunks;
 use sums::Sums;
@@ -73,3 +74,4 @@ pub use solver::{Observer, Solver, Wish};
 pub use status::Status;
 pub use step::{Energy, Phase, Step, Values};
 pub use stop::Stop;
+pub use warnings::{warning_of_rim, warnings_of};

@@ -11,6 +11,7 @@ use crate::error::{SetupError, SolveError};
 use crate::record::{Ghost, Options, Recording, Scene};
 use crate::setup::{Setup, command};
 use crate::surface::Surface;
+use crate::warning::Warning;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -77,8 +78,8 @@ fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Fail
 /// Why the numbers may mean little, those of the surface beside among them.
 fn warnings(setup: &Setup, problem: &Problem, beside: Option<&(Setup, Problem)>) -> Vec<String> {
     let of_beside = beside.map(|(setup, problem)| setup.surface.warnings(problem.surface())).unwrap_or_default();
-    let of_beside = of_beside.into_iter().map(|warning| format!("of the surface beside: {warning}"));
-    setup.surface.warnings(problem.surface()).into_iter().chain(of_beside).collect()
+    let of_beside = of_beside.iter().map(|warning| format!("of the surface beside: {warning}"));
+    setup.surface.warnings(problem.surface()).iter().map(Warning::to_string).chain(of_beside).collect()
 }
 
 /// What each step of the preparation came to.

@@ -33,7 +33,6 @@
 
 mod auto;
 mod axis;
-mod caution;
 mod cell;
 mod chosen;
 mod command;
@@ -48,6 +47,7 @@ mod recipe;
 mod solid;
 mod text;
 mod theme;
+mod warnings;
 mod words;
 
 pub use auto::Auto;

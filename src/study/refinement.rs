@@ -3,6 +3,7 @@
 use crate::contact::{Contact, Resolution};
 use crate::error::SetupError;
 use crate::setup::{Auto, Setup};
+use crate::warning::Warning;
 
 /// The finest grid has this many times as many points along a side as the first one.
 const MOST: usize = 64;
@@ -98,6 +99,15 @@ impl Refinement {
             last = Some(settled);
         }
         Ok(last.expect("there is a first grid"))
+    }
+
+    /// The warning that the errors are above the tolerance on the finest grid that could be tried.
+    pub fn warning() -> Warning {
+        Warning::new(
+            "Area and kappa_r have not settled on the finest grid that memory, 64-fold refinement and plateaus of the heights allow",
+            "Use a larger tolerance, or heights that are smoother and less rounded",
+        )
+        .with_remedy("grid.area-tolerance", None)
     }
 
     fn is_within(&self, resolution: &Resolution) -> bool {

@@ -14,6 +14,7 @@ const LAYERS: &[(&str, u8)] = &[
     ("error", 0),
     ("files", 0),
     ("quantity", 0),
+    ("warning", 0),
     ("fourier", 1),
     ("grid", 1),
     ("elastic", 2),

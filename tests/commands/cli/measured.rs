@@ -95,13 +95,13 @@ fn noise_at_the_spacing_is_told_where_it_makes_the_gradient() {
         for command in ["surface", "solve --reduced-pressure 0.1"] {
             let output = folder.run(&format!("{command} --height {name} --size 2048 --prepare auto --low-pass 4"));
             let output_raw = folder.run(&format!("{command} --height {name} --size 2048"));
-            let told = |output: &Output| warnings(output).iter().any(|it| it.starts_with("noise at the spacing makes"));
+            let told = |output: &Output| warnings(output).iter().any(|it| it.starts_with("Noise at the spacing makes"));
             assert_eq!(told(&output_raw), is_told, "{command} {name}: {}", text(&output_raw.stderr));
             assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         }
         let chosen = folder.run(&format!("surface --height {name} --size 2048 --prepare auto"));
         assert_eq!(text(&chosen.stderr).contains("are filtered out"), is_told, "{}", text(&chosen.stderr));
-        assert!(!text(&chosen.stderr).contains("noise at the spacing makes"), "{}", text(&chosen.stderr));
+        assert!(!text(&chosen.stderr).contains("Noise at the spacing makes"), "{}", text(&chosen.stderr));
     }
 }
 

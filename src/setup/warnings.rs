@@ -1,0 +1,177 @@
+//! Warnings about surfaces for which the numbers of a contact mean little.
+
+use super::{Recipe, Setup};
+use crate::elastic::stress::USUAL_POISSON;
+use crate::surface::{Detrend, HeightFile, Layout, Scales, Surface, Survey};
+use crate::warning::Warning;
+
+/// Steps across the period above this many rms steps are a jump: periodic random lines have 0.05 to 2, measured traces less their
+/// plane up to 100.
+const JUMP: f64 = 10.0;
+/// Rms gradients of measured heights above this one come from a wrong unit, as they differ by thousands.
+const STEEPEST: f64 = 10.0;
+/// Lengths whose logarithms to the base of ten differ from a whole number by less than this may be the same in another unit.
+const SAME_LENGTH: f64 = 0.01;
+/// The share of noise in the mean square gradient above which there is a warning.
+const NOISIEST: f64 = 0.25;
+/// Rms gradients at the spacing over those at twice the spacing above this give a warning: those of resolved heights are about equal.
+const LARGEST_GROWTH: f64 = 1.1;
+/// Spacings that differ by less than this share count as equal.
+const UNEQUAL: f64 = 0.01;
+/// Dundurs' constants above this one give a warning under friction.
+const LARGEST_BETA: f64 = 0.01;
+
+impl Setup {
+    /// The warning that normal and tangential loads couple, which partial slip as the difference of two normal contacts leaves out.
+    pub fn warning_of_coupling(&self) -> Option<Warning> {
+        let beta = self.friction.and(self.solid)?.dundurs_beta()?.abs();
+        (beta > LARGEST_BETA).then(|| {
+            Warning::new(
+                format!(
+                    "In these bodies the normal load alone causes tangential tractions (Dundurs' beta is {beta:.2}). The stick and slip \
+                     areas leave them out"
+                ),
+                "The result is exact for equal bodies and for a Poisson's ratio of 0.5",
+            )
+        })
+    }
+
+    /// The warning that the stress rests on a Poisson's ratio that nobody has given.
+    pub fn warning_of_stress(&self) -> Option<Warning> {
+        self.poisson().is_none().then(|| {
+            Warning::new(
+                format!("The stress assumes a Poisson's ratio of {USUAL_POISSON}"),
+                "Give Young's modulus and Poisson's ratio in place of the contact modulus",
+            )
+            .with_remedy("solid.poisson", None)
+        })
+    }
+}
+
+impl Recipe {
+    /// Warnings about the surface that was made: jumps across the period, unequal spacings, gradients of a wrong unit, and noise.
+    pub fn warnings(&self, surface: &Surface) -> Vec<Warning> {
+        let measured = self.height.as_ref().map(|file| {
+            let refined = refinement(self, file, surface);
+            let found = [spacing(surface), gradient(surface), spacing_of_file(self, file, surface, refined)];
+            found.into_iter().flatten().chain(warning_of_noise(&Scales::of_surface(surface, refined)))
+        });
+        self.warnings_of_jumps(surface.jumps()).into_iter().chain(measured.into_iter().flatten()).collect()
+    }
+
+    /// Warnings about heights with voids, of which there are some among `points` heights.
+    pub fn warnings_of_voids(&self, survey: &Survey, points: usize) -> Vec<Warning> {
+        let voids = Warning::new(
+            format!("{} of {points} heights are void, and no contact can be solved with them", survey.voids),
+            "Fill them, or crop them away",
+        )
+        .with_remedy("surface.prepare.fill", Some("harmonic"))
+        .with_remedy("surface.prepare.crop", None);
+        let jumps = self.warnings_of_jumps(survey.jumps);
+        [voids]
+            .into_iter()
+            .chain(jumps)
+            .chain(warning_of_noise(&survey.axes))
+            .chain(survey.warning_of_growth())
+            .collect()
+    }
+
+    /// Warnings about jumps across the period along y and x.
+    fn warnings_of_jumps(&self, jumps: [f64; 2]) -> Vec<Warning> {
+        let jump = |(axis, jump): (&str, f64)| {
+            let statement = format!(
+                "The heights jump by {jump:.3} rms steps across the period along {axis}, where the contact is not real"
+            );
+            let warning = match self.prepare.detrend {
+                Some(Detrend::Plane | Detrend::Curvature) => {
+                    Warning::new(statement, "Mirror the heights, or use a free boundary")
+                        .with_remedy("surface.prepare.mirror", None)
+                }
+                _ if self.is_measured() => {
+                    Warning::new(statement, "Take off their trend and mirror them, or use a free boundary")
+                        .with_remedy("surface.prepare.steps", Some("auto"))
+                }
+                _ => Warning::new(statement, "Use a longer cell, or a free boundary"),
+            };
+            warning.with_remedy("grid.boundary", Some("free"))
+        };
+        ["y", "x"].into_iter().zip(jumps).filter(|(_, jump)| *jump > JUMP).map(jump).collect()
+    }
+}
+
+impl Survey {
+    /// The warning that heights are as rough as their spacing lets them be.
+    pub fn warning_of_growth(&self) -> Option<Warning> {
+        let growth = self.gradient_growth();
+        (growth > LARGEST_GROWTH).then(|| {
+            Warning::new(
+                format!(
+                    "The rms gradient is {:.0} % larger at the spacing than at twice the spacing, so area and kappa depend on the spacing",
+                    100.0 * (growth - 1.0)
+                ),
+                "Compare only files that are filtered below the same wavelength",
+            )
+            .with_remedy("surface.prepare.low-pass", None)
+        })
+    }
+}
+
+/// The warning that much of the gradient is noise, so that area has no limit as the spacing shrinks.
+fn warning_of_noise(axes: &[Scales]) -> Option<Warning> {
+    let share = axes.iter().map(|it| it.noise_share).fold(0.0, f64::max);
+    let wavelength = axes.iter().map(|it| it.shortest_wavelength).fold(0.0, f64::max);
+    (share > NOISIEST).then(|| {
+        Warning::new(
+            format!(
+                "Noise at the spacing makes {:.0} % of the mean square gradient, so area and kappa are those of the instrument",
+                100.0 * share
+            ),
+            "Filter the noise out",
+        )
+        .with_remedy("surface.prepare.low-pass", Some(&format!("{wavelength:.3e}")))
+        .with_remedy("surface.prepare.steps", Some("auto"))
+    })
+}
+
+/// The warning that the lengths of a measured surface may have been swapped.
+fn spacing(surface: &Surface) -> Option<Warning> {
+    let [dy, dx] = surface.grid().spacing();
+    let is_unequal = !surface.grid().is_line() && (dy / dx - 1.0).abs() > UNEQUAL;
+    is_unequal.then(|| {
+        Warning::new(
+            format!("The spacing is {dy:.4e} along y (rows) and {dx:.4e} along x (columns)"),
+            "If the axes are the other way round, swap height and width",
+        )
+        .with_remedy("grid.size", Some("HEIGHT,WIDTH"))
+    })
+}
+
+/// The warning that distances in a file do not fit the size, or, where the file does not say its units, do not fit it in any unit.
+fn spacing_of_file(recipe: &Recipe, file: &HeightFile, surface: &Surface, refined: usize) -> Option<Warning> {
+    let Layout { spacing, is_in_metres, .. } = file.layout(recipe.channel.as_deref()).ok()?;
+    let [_, own] = spacing?;
+    let spacing = surface.grid().spacing()[1] * refined as f64;
+    let power = (spacing / own).log10();
+    let unit = if is_in_metres { 0.0 } else { power.round() };
+    let is_same = (power - unit).abs() < SAME_LENGTH;
+    (!is_same).then(|| {
+        Warning::new(
+            format!("The points in {} are {own:.6e} apart and those of the grid {spacing:.6e}", file.display()),
+            "Leave the size out, or give that of the file",
+        )
+    })
+}
+
+/// The nodes of a surface for each of its file along an axis.
+fn refinement(recipe: &Recipe, file: &HeightFile, surface: &Surface) -> usize {
+    let layout = file.layout(recipe.channel.as_deref()).ok();
+    let shape = layout.and_then(|it| recipe.prepare.shape(it.shape).ok());
+    shape.map_or(1, |[_, nx]| surface.grid().shape()[1] / nx).max(1)
+}
+
+/// The warning that heights may have another unit than the size.
+fn gradient(surface: &Surface) -> Option<Warning> {
+    let gradient = surface.rms_gradient();
+    (gradient > STEEPEST)
+        .then(|| Warning::new(format!("The rms gradient is {gradient:.3e}"), "Give heights and size in the same unit"))
+}
