@@ -36,7 +36,7 @@
 //! let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(4096, 160e-6), Load::ReducedPressure(1e-2));
 //! let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?.converged()?;
 //! assert!(contact.certificate.eta <= 1e-8);
-//! assert!((contact.counted().kappa_r - 1.75).abs() < 0.2);
+//! assert!((contact.resolved().kappa_r - 1.75).abs() < 0.2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -115,10 +115,7 @@ impl Finding {
                 "reduced pressure p*",
                 format!("{:.6e}, in contact {:.6e}", it.reduced_pressure, it.reduced_pressure_contact),
             ),
-            (
-                "relative area",
-                resolved(it.relative_area, it.relative_area_counted, it.relative_area_corrected) + &area,
-            ),
+            ("relative area", resolved(it.relative_area, it.relative_area_counted, it.relative_area_corrected) + &area),
             ("rms gradient", format!("{:.6e}, in contact {:.6e}", it.rms_gradient, it.rms_gradient_contact)),
             ("kappa", resolved(it.kappa, it.kappa_counted, it.kappa_corrected)),
             ("kappa_r", resolved(it.kappa_r, it.kappa_r_counted, it.kappa_r_corrected) + &kappa_r),

@@ -7,7 +7,7 @@
 //! nodes, to which the errors `relative_area_error` and `kappa_r_error` belong. Names that end in `_counted` are from counting
 //! nodes, those that end in `_corrected` from counting nodes less the mean excess.
 
-use crate::contact::{Certificate, Contact, Load, Counted, Patches, Problem, Resolution, Resolved, Step, Work};
+use crate::contact::{Certificate, Contact, Counted, Load, Patches, Problem, Resolution, Resolved, Step, Work};
 use ndarray::ArrayView1;
 use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;

@@ -1,7 +1,7 @@
 //! The contact that a solver returns.
 
 use crate::contact::{
-    Certificate, Edges, Failure, Counted, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
+    Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
     multilevel,
 };
 use crate::elastic::Response;

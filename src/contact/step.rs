@@ -1,6 +1,6 @@
 //! The state of a solver at one relaxation step.
 
-use crate::contact::{Certificate, Decision, Edges, Counted, Patches, Problem, Resolved, Work, certificate, chunks};
+use crate::contact::{Certificate, Counted, Decision, Edges, Patches, Problem, Resolved, Work, certificate, chunks};
 use std::cell::{LazyCell, OnceCell};
 use std::ops::Deref;
 

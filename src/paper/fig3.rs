@@ -2,7 +2,7 @@
 
 use super::fit::{Fit, Weights};
 use super::means::Points;
-use super::measure::{Measure, Quantity};
+use super::measure::Measure;
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough, WARM};
 use super::verdict::Verdict;

@@ -1,6 +1,6 @@
 //! What is counted on a contact.
 
-use asperity::contact::{ContactModulus, Load, Counted};
+use asperity::contact::{ContactModulus, Counted, Load};
 use asperity::{Grid, Indenter, Problem};
 
 fn switches(pressure: &[f64], grid: Grid) -> usize {

@@ -1,6 +1,6 @@
 //! Results are dimensionless: units of length and pressure, and the zero of heights, do not matter.
 
-use asperity::contact::{ContactModulus, Dynamics, Gfmd, Load, Masses, Counted, PolonskyKeer, Solver};
+use asperity::contact::{ContactModulus, Counted, Dynamics, Gfmd, Load, Masses, PolonskyKeer, Solver};
 use asperity::surface::Spectrum;
 use asperity::{Contact, Grid, Indenter, Problem, Stop, Surface};
 

@@ -125,7 +125,7 @@ fn log_curves(to: &RecordingStream, runs: &[Run<'_>], observable: &Observable) -
         log_run_style(to, &entity, &run.name, Some(number))?;
         entities.push(entity);
     }
-    let exact = name.strip_suffix("_resolved").map_or_else(String::new, |of| format!("{of}_theory"));
+    let exact = format!("{name}_theory");
     let last = |name| move |run: &&Run<'_>| run.tape.last(&run.root, name);
     let mut with_exact: Vec<&Run<'_>> = runs.iter().filter(|run| last(&exact)(run).is_some()).collect();
     with_exact.dedup_by_key(|run| last(&exact)(run).map(f64::to_bits));

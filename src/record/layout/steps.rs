@@ -52,8 +52,7 @@ fn overview(stages: &[Stage]) -> Pane {
     if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
         let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
         let most = stages.iter().map(|stage| stage.most_kappa).fold(0.0, f64::max);
-        let kappa_r =
-            View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most], Corner::RightBottom);
+        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most], Corner::RightBottom);
         let certificate = View::falling("log10 certificate of all scenes", all("certificate_log10"));
         panes.push((Pane::even(Kind::Horizontal, "curves", vec![kappa_r, certificate]), 1.0 - height));
     }
@@ -274,8 +273,7 @@ fn curves(stage: &Stage) -> Pane {
     let kappa = beside_earlier(stage, &["kappa_r", "kappa", "kappa_r_counted", "kappa_r_theory"]);
     let free = |title: &str, names: &[&str]| View::falling(title, traces(names));
     let is_elsewhere = |name: &str| {
-        ["kappa", "kappa_r", "kappa_r_counted", "relative_area", "relative_area_counted", "certificate"]
-            .contains(&name)
+        ["kappa", "kappa_r", "kappa_r_counted", "relative_area", "relative_area_counted", "certificate"].contains(&name)
     };
     let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[&drawn(it)]));
     let mut more: Vec<Pane> = [text, area(stage)].into_iter().chain(others).collect();
