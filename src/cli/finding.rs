@@ -115,10 +115,13 @@ impl Finding {
                 "reduced pressure p*",
                 format!("{:.6e}, in contact {:.6e}", it.reduced_pressure, it.reduced_pressure_contact),
             ),
-            ("relative area", resolved(it.relative_area, it.relative_area_counted, it.relative_area_corrected) + &area),
+            (
+                "relative area",
+                resolved(it.resolved_area(), it.relative_area_counted, it.relative_area_corrected) + &area,
+            ),
             ("rms gradient", format!("{:.6e}, in contact {:.6e}", it.rms_gradient, it.rms_gradient_contact)),
-            ("kappa", resolved(it.kappa, it.kappa_counted, it.kappa_corrected)),
-            ("kappa_r", resolved(it.kappa_r, it.kappa_r_counted, it.kappa_r_corrected) + &kappa_r),
+            ("kappa", resolved(it.resolved_kappa(), it.kappa_counted, it.kappa_corrected)),
+            ("kappa_r", resolved(it.resolved_kappa_r(), it.kappa_r_counted, it.kappa_r_corrected) + &kappa_r),
             (
                 "grid error, estimated",
                 format!("area {}, kappa_r {}", percent(it.relative_area_error), percent(it.kappa_r_error)),
@@ -159,10 +162,10 @@ impl Finding {
 }
 
 /// A quantity with resolved edges, and beside it that of counted nodes.
-fn resolved(resolved: f64, counted: f64, corrected: f64) -> String {
-    match resolved.is_nan() {
-        true => format!("not resolved (counted {counted:.6})"),
-        false => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
+fn resolved(resolved: Option<f64>, counted: f64, corrected: f64) -> String {
+    match resolved {
+        None => format!("not resolved (counted {counted:.6})"),
+        Some(resolved) => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
     }
 }
 

@@ -222,7 +222,8 @@ impl<'a> Step<'a> {
     /// Mean gap.
     pub fn mean_gap(&self) -> f64 {
         let sum: f64 = self.displacement.iter().sum();
-        sum / self.displacement.len() as f64 + self.datum() - self.problem.flattened_by()
+        let mean = sum / self.displacement.len() as f64;
+        mean + (self.datum() - self.problem.mean_height()) - self.problem.flattened_by()
     }
 
     fn datum(&self) -> f64 {

@@ -32,10 +32,12 @@ const GREY: Colour = Colour([0x80; 3]);
 
 /// Curves of every sweep, and behind them those of an exact solution.
 const CURVES: [PointCurve; 5] = [
-    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.relative_area),
+    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_area().unwrap_or(f64::NAN)),
     (AREA, "Persson", CurveKind::Theory, GREY, |point| point.persson),
-    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| point.observables.kappa_r),
-    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.kappa),
+    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| {
+        point.observables.resolved_kappa_r().unwrap_or(f64::NAN)
+    }),
+    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_kappa().unwrap_or(f64::NAN)),
     (KAPPA, "Persson", CurveKind::Theory, GREY, |point| point.persson / point.observables.reduced_pressure),
 ];
 const EXACT: [PointCurve; 2] = [
