@@ -36,7 +36,7 @@
 //! let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(4096, 160e-6), Load::ReducedPressure(1e-2));
 //! let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?.converged()?;
 //! assert!(contact.certificate.eta <= 1e-8);
-//! assert!((contact.measures().kappa_r - 1.75).abs() < 0.2);
+//! assert!((contact.resolved().kappa_r - 1.75).abs() < 0.2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -47,7 +47,7 @@
 //! setup --> contact::Problem --> contact::Solver --(begin, each step, end)--> contact::Observer: record, your own
 //!   ^                                   |
 //!   |                                   v
-//!   +------ carried by results --- contact::Contact --> contact::Measures --> study --> lab, paper, explore
+//!   +------ carried by results --- contact::Contact --> contact::Counted --> study --> lab, paper, explore
 //! ```
 //!
 //! A module uses those of lower layers and of its own, and nothing goes round in a circle.

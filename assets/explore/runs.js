@@ -287,8 +287,8 @@ function figure(value, digits = 5) {
 let known = [];
 let observables = [];
 const SHOWN = ["kappa_r_error", "iterations", "transforms", "seconds"];
-/** The exact values that stand beside resolved observables. */
-const EXACT = { relative_area_resolved: "relative_area", kappa_r_resolved: "kappa_r" };
+/** The observables beside which exact values stand. */
+const EXACT = ["relative_area", "kappa_r"];
 const SECONDS = { name: "seconds" };
 
 /** The words of a status, which the server tells in English. */
@@ -341,7 +341,7 @@ const COARSE = 0.05;
 /** A number as the table has it: with its error, if that is large, and that with what to do. */
 function valueOf(told, name) {
   const error = told?.kappa_r_error;
-  const isCoarse = error >= COARSE && ["kappa_r_resolved", "kappa_r_error"].includes(name);
+  const isCoarse = error >= COARSE && ["kappa_r", "kappa_r_error"].includes(name);
   if (!isCoarse) return figure(cleared(told, name));
   const percent = `${figure(100 * error, 2)} %`;
   const words = name === "kappa_r_error" ? say("numbers.coarse", { error: percent }) : `${figure(told[name], 3)} ± ${percent}`;
@@ -358,7 +358,7 @@ function numbers() {
   const exact = moment && "exact" in moment ? moment.exact : run.exact;
   const body = observables.map(({ name }) => {
     const values = [moment || run, run.beside || before].map((it) => valueOf(it?.numbers, name));
-    const theory = exact && EXACT[name] ? figure(exact[EXACT[name]]) : "";
+    const theory = exact && EXACT.includes(name) ? figure(exact[name]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
   byId("numbers").tBodies[0].replaceChildren(...body);

@@ -32,10 +32,12 @@ const GREY: Colour = Colour([0x80; 3]);
 
 /// Curves of every sweep, and behind them those of an exact solution.
 const CURVES: [PointCurve; 5] = [
-    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.relative_area_resolved),
+    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_area().unwrap_or(f64::NAN)),
     (AREA, "Persson", CurveKind::Theory, GREY, |point| point.persson),
-    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| point.observables.kappa_r_resolved),
-    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.kappa_resolved),
+    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| {
+        point.observables.resolved_kappa_r().unwrap_or(f64::NAN)
+    }),
+    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_kappa().unwrap_or(f64::NAN)),
     (KAPPA, "Persson", CurveKind::Theory, GREY, |point| point.persson / point.observables.reduced_pressure),
 ];
 const EXACT: [PointCurve; 2] = [
@@ -162,7 +164,7 @@ impl Press<'_> {
                 break;
             }
             self.show(number, load, &contact)?;
-            if self.report.points.last().is_some_and(|point| point.observables.relative_area_resolved >= FULL) {
+            if self.report.points.last().is_some_and(|point| point.observables.relative_area >= FULL) {
                 break;
             }
             start = Some(contact.pressure);
@@ -173,7 +175,7 @@ impl Press<'_> {
     /// Records load number `number`, from 0 on, and reports it if it is more than a few nodes.
     fn show(&mut self, number: usize, load: f64, contact: &Contact) -> Result<(), Failure> {
         self.recording.contact(0, number, contact)?;
-        if contact.measures().contact_nodes < FEWEST_NODES {
+        if contact.counted().contact_nodes < FEWEST_NODES {
             return Ok(());
         }
         let point = SweepPoint {

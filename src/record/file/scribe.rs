@@ -133,7 +133,7 @@ impl Scribe {
         let fields = &Fields::of_contact(contact);
         if let Some(traces) = &mut self.traces {
             traces.observables.add_certificate(contact);
-            let kappa = contact.resolved().relative_area / contact.measures().reduced_pressure;
+            let kappa = contact.resolved().relative_area / contact.counted().reduced_pressure;
             let stage = &self.stages[self.scene];
             if kappa > stage.most_kappa {
                 log_off_scale(&self.stream, &stage.root, kappa)?;

@@ -52,8 +52,7 @@ fn overview(stages: &[Stage]) -> Pane {
     if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
         let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
         let most = stages.iter().map(|stage| stage.most_kappa).fold(0.0, f64::max);
-        let kappa_r =
-            View::settling("kappa_r of all scenes", all("kappa_r_resolved"), [0.0, most], Corner::RightBottom);
+        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most], Corner::RightBottom);
         let certificate = View::falling("log10 certificate of all scenes", all("certificate_log10"));
         panes.push((Pane::even(Kind::Horizontal, "curves", vec![kappa_r, certificate]), 1.0 - height));
     }
@@ -255,7 +254,7 @@ fn beside_earlier(stage: &Stage, names: &[&str]) -> Vec<String> {
 }
 
 fn area(stage: &Stage) -> Pane {
-    let curves = beside_earlier(stage, &["relative_area_resolved", "relative_area", "relative_area_theory"]);
+    let curves = beside_earlier(stage, &["relative_area", "relative_area_counted", "relative_area_theory"]);
     View::settling("Relative contact area", curves, [0.0, stage.most_area], Corner::RightTop)
 }
 
@@ -271,11 +270,10 @@ fn curves(stage: &Stage) -> Pane {
         return Pane::even(Kind::Vertical, "curves", ritz.into_iter().chain([text]).collect());
     }
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
-    let kappa = beside_earlier(stage, &["kappa_r_resolved", "kappa_resolved", "kappa_r", "kappa_r_theory"]);
+    let kappa = beside_earlier(stage, &["kappa_r", "kappa", "kappa_r_counted", "kappa_r_theory"]);
     let free = |title: &str, names: &[&str]| View::falling(title, traces(names));
     let is_elsewhere = |name: &str| {
-        ["kappa_r", "kappa_resolved", "kappa_r_resolved", "relative_area", "relative_area_resolved", "certificate"]
-            .contains(&name)
+        ["kappa", "kappa_r", "kappa_r_counted", "relative_area", "relative_area_counted", "certificate"].contains(&name)
     };
     let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[&drawn(it)]));
     let mut more: Vec<Pane> = [text, area(stage)].into_iter().chain(others).collect();

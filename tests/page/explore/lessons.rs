@@ -31,7 +31,7 @@ fn a_teacher_writes_lessons() {
         knobs = { domain = "surface", points = 64, cutoff = 16 }
         [[step]]
         text = "First."
-        ask = { kind = "number", question = "How much?", of = "kappa_r_resolved" }
+        ask = { kind = "number", question = "How much?", of = "kappa_r" }
         [[step]]
         text = "Then."
         knobs.load = 0.5
@@ -45,6 +45,24 @@ fn a_teacher_writes_lessons() {
     assert_eq!((second["points"].as_u64(), second["load"].as_f64()), (Some(64), Some(0.5)));
     let asked = Question::Draw { question: "Draw it.".into(), curve: Curve::KappaR };
     assert_eq!((lesson.steps[1].sweep, &lesson.steps[1].ask), (true, &Some(asked)));
+}
+
+/// Lessons that were written when the resolved values had names of their own.
+#[test]
+fn lessons_with_the_earlier_names_of_resolved_values_still_read() {
+    let lesson = lesson(
+        r#"
+        title = "Old"
+        [[step]]
+        text = "First."
+        ask = { kind = "number", question = "How much?", of = "kappa_r_resolved" }
+        [[step]]
+        text = "Then."
+        ask = { kind = "act", question = "Press.", goal = { relative_area_resolved = [0.2, 0.3] } }
+    "#,
+    );
+    let [first, second] = [0, 1].map(|i| json_of(&lesson.steps[i].ask));
+    assert_eq!((&first["of"], &second["goal"]), (&json!("kappa_r"), &json!({"relative_area": [0.2, 0.3]})));
 }
 
 #[test]
