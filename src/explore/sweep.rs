@@ -27,14 +27,15 @@ const FEWEST_NODES: usize = 4;
 type PointCurve = (&'static str, &'static str, CurveKind, Colour, fn(&SweepPoint) -> f64);
 
 const AREA: &str = "Relative area a_rel";
-const KAPPA: &str = "kappa_r and kappa";
+const KAPPA_R: &str = "kappa_r";
+const KAPPA: &str = "kappa";
 const GREY: Colour = Colour([0x80; 3]);
 
 /// Curves of every sweep, and behind them those of an exact solution.
 const CURVES: [PointCurve; 5] = [
     (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_area().unwrap_or(f64::NAN)),
     (AREA, "Persson", CurveKind::Theory, GREY, |point| point.persson),
-    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| {
+    (KAPPA_R, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| {
         point.observables.resolved_kappa_r().unwrap_or(f64::NAN)
     }),
     (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_kappa().unwrap_or(f64::NAN)),
@@ -44,7 +45,7 @@ const EXACT: [PointCurve; 2] = [
     (AREA, "exact", CurveKind::Exact, Colour::GREEN, |point| {
         point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)
     }),
-    (KAPPA, "exact kappa_r", CurveKind::Exact, Colour::GREEN, |point| {
+    (KAPPA_R, "exact kappa_r", CurveKind::Exact, Colour::GREEN, |point| {
         point.exact.as_ref().and_then(|exact| exact.kappa_r).unwrap_or(f64::NAN)
     }),
 ];
