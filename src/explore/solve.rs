@@ -3,7 +3,7 @@
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::reel::Reel;
-use super::report::{Beside, ExactNumbers, Numbers, RunReport, file_stem};
+use super::report::{Beside, ExactNumbers, Numbers, RunReport, SurfaceWarning, file_stem};
 use super::session::Turn;
 use super::step_numbers::StepNumbers;
 use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
@@ -11,7 +11,6 @@ use crate::error::{SetupError, SolveError};
 use crate::record::{Ghost, Options, Recording, Scene};
 use crate::setup::{Setup, command};
 use crate::surface::Surface;
-use crate::warning::Warning;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -76,10 +75,13 @@ fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Fail
 }
 
 /// Why the numbers may mean little, those of the surface beside among them.
-fn warnings(setup: &Setup, problem: &Problem, beside: Option<&(Setup, Problem)>) -> Vec<String> {
-    let of_beside = beside.map(|(setup, problem)| setup.surface.warnings(problem.surface())).unwrap_or_default();
-    let of_beside = of_beside.iter().map(|warning| format!("of the surface beside: {warning}"));
-    setup.surface.warnings(problem.surface()).iter().map(Warning::to_string).chain(of_beside).collect()
+fn warnings(setup: &Setup, problem: &Problem, beside: Option<&(Setup, Problem)>) -> Vec<SurfaceWarning> {
+    let of = |setup: &Setup, problem: &Problem, is_beside| {
+        let warnings = setup.surface.warnings(problem.surface()).into_iter();
+        warnings.map(move |warning| SurfaceWarning { is_beside, warning })
+    };
+    let of_beside = beside.into_iter().flat_map(|(setup, problem)| of(setup, problem, true));
+    of(setup, problem, false).chain(of_beside).collect()
 }
 
 /// What each step of the preparation came to.
