@@ -155,7 +155,7 @@ function remedyInWords({ key, value }) {
 function warningInWords({ is_beside: isBeside, statement, advice, remedies }) {
   const controls = knobs.body === "file" ? remedies.map(remedyInWords).filter(Boolean).join(say("warning.or")) : "";
   const places = { statement: translated(statement), advice: translated(advice), controls };
-  const sentence = say(controls ? "warning.controls" : "warning", places);
+  const sentence = controls ? say("warning.controls", places) : say("warning", places);
   return isBeside ? say("warning.beside", { sentence }) : sentence;
 }
 

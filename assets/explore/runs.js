@@ -100,9 +100,12 @@ async function beginAgain() {
 /** The sweep that is drawn while it is solved again for other colours; none at other times. */
 let repainted = null;
 
-/** Takes the news; a sweep of an earlier session stays until there is another, and one that is solved again until that has ended. */
+/** Whether a sweep that is solved again for other colours has as many loads as the one that is drawn, or has ended. */
+const hasCaughtUp = (sweep) => Boolean(sweep && repainted && sweep.id !== repainted.id && (sweep.ended || sweep.points.length >= repainted.points.length));
+
+/** Takes the news; a sweep of an earlier session stays until there is another, and one that is solved again until that has caught up. */
 function heard(news) {
-  if (news.fault || news.sweep?.ended && news.sweep.id !== repainted?.id) repainted = null;
+  if (news.fault || hasCaughtUp(news.sweep)) repainted = null;
   report = { ...news, sweep: repainted || news.sweep || report.sweep };
   if (news.fault) { fault(inWordsOfPage(news)); if (!posting) putBack(); }
   if (news.run) heardRun(news.run);
