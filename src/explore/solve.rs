@@ -3,7 +3,7 @@
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::reel::Reel;
-use super::report::{Beside, ExactNumbers, Numbers, RunReport, file_stem};
+use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
 use super::session::Turn;
 use super::step_numbers::StepNumbers;
 use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
@@ -81,10 +81,9 @@ fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Fail
 }
 
 /// Reasons to doubt the surfaces and contacts, those of the surface beside among them.
-fn doubts(solved: &[Solved]) -> Vec<String> {
-    let of_run = |(i, it): (usize, &Solved)| -> Vec<String> {
-        let name = if i == 0 { "" } else { "of the surface beside: " };
-        it.warnings().iter().map(|warning| format!("{name}{warning}")).collect()
+fn doubts(solved: &[Solved]) -> Vec<RunWarning> {
+    let of_run = |(i, it): (usize, &Solved)| -> Vec<RunWarning> {
+        it.warnings().into_iter().map(|warning| RunWarning { is_beside: i > 0, warning }).collect()
     };
     solved.iter().enumerate().flat_map(of_run).collect()
 }

@@ -83,5 +83,6 @@ fn one_setup_gives_the_same_numbers_and_warnings_everywhere() {
     let own: Vec<String> = solved.warnings().iter().map(ToString::to_string).collect();
     assert!(!own.is_empty(), "a contact of few nodes is doubtful");
     assert_eq!(statements(&texts(&command_line["warnings"])), statements(&own));
-    assert_eq!(texts(&shown["warnings"]), own);
+    let shown = shown["warnings"].as_array().unwrap();
+    assert_eq!(shown.iter().map(|it| it["statement"].as_str().unwrap()).collect::<Vec<_>>(), statements(&own));
 }

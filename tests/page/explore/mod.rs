@@ -9,6 +9,7 @@ mod heights;
 mod lessons;
 mod played;
 mod scenes;
+mod schema;
 mod scripts;
 mod sessions;
 mod texts;
@@ -306,21 +307,29 @@ fn malformed_input_gets_a_sentence() {
         ("null".into(), "null cannot be: give a table"),
         ("\u{0}".into(), "expected value"),
         (json!({"load": 1}).to_string(), "missing field"),
-        (with(json!({"file": "/etc/passwd"})).to_string(), "unknown field"),
+        (with(json!({"file": "/etc/passwd"})).to_string(), "there is no knob `file`: choose one of `domain`"),
         (with(json!({"points": -1})).to_string(), "-1 cannot be: give a whole number, not negative"),
         (with(json!({"points": 1e300})).to_string(), "cannot be: give a whole number, not negative"),
-        (with(json!({"points": 1 << 30})).to_string(), "too many"),
-        (with(json!({"points": 2048, "domain": "surface"})).to_string(), "too many"),
-        (with(json!({"points": 2, "roughness": 0, "body": "round"})).to_string(), "too few"),
-        (with(json!({"load": 0})).to_string(), "the load p*"),
-        (with(json!({"load": -1})).to_string(), "the load p*"),
-        (with(json!({"load": 1e300})).to_string(), "the load p*"),
+        (with(json!({"points": 1 << 30})).to_string(), "`points` cannot be 1073741824: give a whole number from 4"),
+        (with(json!({"points": 2048, "domain": "surface"})).to_string(), "`points` cannot be 2048 for a surface"),
+        (with(json!({"points": 2, "roughness": 0, "body": "round"})).to_string(), "`points` cannot be 2: "),
+        (with(json!({"load": 0})).to_string(), "`load` cannot be 0: give a number from 1e-5 to 1000"),
+        (with(json!({"load": -1})).to_string(), "`load` cannot be -1: "),
+        (with(json!({"load": 1e300})).to_string(), "`load` cannot be 1e300: "),
         (with(json!({"load": null})).to_string(), "null cannot be: give a number"),
-        (with(json!({"hurst": 2})).to_string(), "Hurst"),
-        (with(json!({"cutoff": 1e9})).to_string(), "cut-off"),
-        (with(json!({"rolloff": 500, "cutoff": 100})).to_string(), "cut-off"),
-        (with(json!({"rolloff": 0})).to_string(), "roll"),
-        (with(json!({"roughness": -1})).to_string(), "gradient"),
+        (with(json!({"hurst": 2})).to_string(), "`hurst` cannot be 2: "),
+        (with(json!({"cutoff": 1e9})).to_string(), "`cutoff` cannot be 1000000000: "),
+        (
+            with(json!({"rolloff": 500, "cutoff": 100})).to_string(),
+            "`cutoff` cannot be 100: give more than `rolloff`, which is 500",
+        ),
+        (with(json!({"rolloff": 0})).to_string(), "`rolloff` cannot be 0: "),
+        (
+            with(json!({"cutoff": 3000})).to_string(),
+            "`cutoff` cannot be 3000: give at most half of `points`, which is 4096",
+        ),
+        (with(json!({"hardness": -1})).to_string(), "`hardness` cannot be -1: "),
+        (with(json!({"roughness": -1})).to_string(), "`roughness` cannot be -1: "),
         (with(json!({"roughness": 0})).to_string(), "flat"),
         (with(json!({"body": "cube"})).to_string(), "unknown variant"),
         (with(json!({"body": "power-law", "exponent": -1})).to_string(), "exponent"),
@@ -330,7 +339,7 @@ fn malformed_input_gets_a_sentence() {
         (with(json!({"solver": {"method": "magic"}})).to_string(), "unknown variant"),
         (with(json!({"stop": stop(0.0, 10)})).to_string(), "tolerance"),
         (with(json!({"stop": stop(1e-8, 0)})).to_string(), "iteration cap"),
-        (with(json!({"stop": stop(1e-8, 1 << 40)})).to_string(), "too many"),
+        (with(json!({"stop": stop(1e-8, 1u64 << 40)})).to_string(), "`stop.max-iterations` cannot be "),
         (with(json!({"record": ["everything"]})).to_string(), "unknown variant"),
     ];
     for (body, offence) in &wrong {
