@@ -113,6 +113,7 @@ pub mod files;
 pub mod foreign;
 pub mod fourier;
 pub mod grid;
+pub mod guide;
 #[cfg(feature = "figures")]
 pub mod lab;
 #[cfg(feature = "figures")]

@@ -95,7 +95,9 @@ fn run_page(path: &str) {
     let mut printed = None;
     for block in Block::all(&page) {
         if let Some(file) = block.file() {
-            std::fs::write(folder.join(file), block.lines.join("\n") + "\n").unwrap();
+            let path = folder.join(file);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, block.lines.join("\n") + "\n").unwrap();
         } else if block.info == ["sh"] {
             printed = Some(run_block(path, &block, &folder));
         } else if block.info == ["text"] {
