@@ -114,11 +114,13 @@ fn run_page(path: &str) {
 /// What the commands of a block print, in the order in which they print it.
 fn run_block(path: &str, block: &Block, folder: &Folder) -> String {
     let program = Path::new(env!("CARGO_BIN_EXE_asperity")).parent().unwrap();
-    let search = std::env::join_paths(std::iter::once(program.to_path_buf()).chain(
-        std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()).collect::<Vec<PathBuf>>(),
-    ));
+    let search = std::env::join_paths(
+        std::iter::once(program.to_path_buf())
+            .chain(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()).collect::<Vec<PathBuf>>()),
+    );
     let script = format!("exec 2>&1\n{}", block.lines.join("\n"));
-    let output = folder.finish(Command::new("bash").args(["-euo", "pipefail", "-c", &script]).env("PATH", search.unwrap()));
+    let output =
+        folder.finish(Command::new("bash").args(["-euo", "pipefail", "-c", &script]).env("PATH", search.unwrap()));
     let printed = text(&output.stdout).to_owned();
     assert!(output.status.success(), "{path}: {}\n{printed}", block.lines.join("\n"));
     printed
@@ -147,7 +149,8 @@ fn agree(page: &str, printed: &str) -> bool {
     let [page, printed] = [page, printed].map(|line| line.split_whitespace().collect::<Vec<_>>());
     let is_duration = |words: &[&str], i: usize| words.get(i + 1).is_some_and(|unit| unit.trim_end_matches(',') == "s");
     page.len() == printed.len()
-        && (0..page.len()).all(|i| words_agree(page[i], printed[i]) || (is_duration(&page, i) && is_duration(&printed, i)))
+        && (0..page.len())
+            .all(|i| words_agree(page[i], printed[i]) || (is_duration(&page, i) && is_duration(&printed, i)))
 }
 
 fn words_agree(page: &str, printed: &str) -> bool {
@@ -161,7 +164,8 @@ fn words_agree(page: &str, printed: &str) -> bool {
 #[test]
 fn an_excerpt_is_held_against_what_is_printed() {
     let printed = "area 0.1000 (1.3e-9)\nkappa 2.00\nwork 85 steps, 0.014 s\n";
-    for excerpt in [&["area 0.1001 (8.1e-10)", "kappa  2.0"][..], &["area 0.1 (2e-10)", "...", "work 85 steps, 1.5 s"]] {
+    for excerpt in [&["area 0.1001 (8.1e-10)", "kappa  2.0"][..], &["area 0.1 (2e-10)", "...", "work 85 steps, 1.5 s"]]
+    {
         assert_eq!(first_missing(excerpt, printed), None);
     }
     for wrong in ["area 0.1020 (1.3e-9)", "area 0.1000 (1.3e-3)", "gap 0.1000 (1.3e-9)", "kappa 2.00 of"] {

@@ -252,7 +252,8 @@ fn page_and_guide_explain_the_same_symbols() {
     assert_eq!(words.collect::<Vec<_>>(), symbols);
     for symbol in ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`"] {
         assert!(
-            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/guide/words.md")).contains(&format!("| {symbol} | ")),
+            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/guide/words.md"))
+                .contains(&format!("| {symbol} | ")),
             "{symbol}"
         );
     }
