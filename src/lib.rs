@@ -17,7 +17,7 @@
 //! let outcome = Job::new(setup).run(&mut ())?;
 //! let contact = &outcome.solved[0].contact;
 //! assert!(contact.is_converged() && contact.certificate.eta <= 1e-8);
-//! // the model of Greenwood and Williamson gives sqrt(pi) for a rough surface
+//! // van Dokkum et al. (2018) find 1.75 for rough lines
 //! assert!((contact.resolved().kappa_r - 1.75).abs() < 0.2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
