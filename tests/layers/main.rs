@@ -29,6 +29,7 @@ const LAYERS: &[(&str, u8)] = &[
     ("record", 6),
     ("job", 7),
     ("explore", 8),
+    ("guide", 9),
     ("lab", 8),
     ("paper", 8),
     ("cli", 9),

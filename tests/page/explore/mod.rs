@@ -246,7 +246,7 @@ fn the_page_names_nothing_outside() {
 }
 
 #[test]
-fn page_and_readme_explain_the_same_symbols() {
+fn page_and_guide_explain_the_same_symbols() {
     let page = Page::open();
     let html = page.get("/");
     let words = html.text().split("<dt>").skip(1).filter_map(|rest| rest.split("</dt>").next());
@@ -254,7 +254,8 @@ fn page_and_readme_explain_the_same_symbols() {
     assert_eq!(words.collect::<Vec<_>>(), symbols);
     for symbol in ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`"] {
         assert!(
-            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).contains(&format!("| {symbol} | ")),
+            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/guide/words.md"))
+                .contains(&format!("| {symbol} | ")),
             "{symbol}"
         );
     }
