@@ -6,7 +6,7 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Gfmd, Load, Observables};
 use asperity::files::check_named;
-use asperity::job::{Job, Run, Solved};
+use asperity::job::{Job, JobRun, Solved};
 use asperity::record::Recording;
 use asperity::setup::{Cell, Method, Recipe, Setup, Solid};
 use asperity::surface::{Indenter, Spectrum};
@@ -48,10 +48,10 @@ impl Demo {
     pub fn run(&self) -> Result<Outcome> {
         check_named(&self.out, &["rrd"])?;
         let exhibits = exhibits();
-        let run = |exhibit: &Exhibit| Run {
+        let run = |exhibit: &Exhibit| JobRun {
             name: exhibit.name.into(),
             title: Some(exhibit.title.into()),
-            ..Run::new(exhibit.setup.clone())
+            ..JobRun::new(exhibit.setup.clone())
         };
         let [first, rest @ ..] = exhibits.each_ref().map(run);
         let job = rest.into_iter().fold(Job::from_run(first), Job::beside);

@@ -2,7 +2,7 @@
 
 use super::manners::is_quiet;
 use asperity::contact::{Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
-use asperity::job::{Stage, Watch};
+use asperity::job::{Pass, Watcher};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
@@ -37,12 +37,12 @@ pub fn bar(title: &str) -> Box<dyn Observer> {
 /// A bar for each solve of a job.
 pub struct Bars;
 
-impl Watch for Bars {
-    fn observer(&mut self, stage: Stage<'_>) -> Box<dyn Observer + '_> {
-        bar(&match stage {
-            Stage::Grid(run) | Stage::Solve(run, _) => run.label().to_owned(),
-            Stage::Reference(run) => format!("{}, first pass", run.label()),
-            Stage::Stick(_) => "stick zone".into(),
+impl Watcher for Bars {
+    fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
+        bar(&match pass {
+            Pass::Grid(run) | Pass::Solve(run, _) => run.label().to_owned(),
+            Pass::Reference(run) => format!("{}, first pass", run.label()),
+            Pass::Stick(_) => "stick zone".into(),
         })
     }
 }

@@ -6,7 +6,7 @@ use asperity::contact::{Contact, Observer, Problem, Solver};
 use asperity::diagnosis::Reference;
 use asperity::error::FileError;
 use asperity::files::check_named;
-use asperity::job::{self, Job, Run};
+use asperity::job::{self, Job, JobRun};
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::Setup;
 use clap::{ArgGroup, Args};
@@ -46,13 +46,13 @@ impl Shown {
         (steps, reference): (&dyn Solver, Option<Arc<Reference>>),
         observer: &mut dyn Observer,
     ) -> Result<Contact> {
-        let run = Run { reference, ..Run::from_other(title, setup.clone(), problem.clone(), steps) };
+        let run = JobRun { reference, ..JobRun::from_other(title, setup.clone(), problem.clone(), steps) };
         let job = Job::from_run(run);
         let job = match &self.record {
             None if !self.live => job,
             path => job.recorded(open(path.as_deref(), self.live)),
         };
-        Ok(job.run(&mut job::Shown(observer))?.solved.swap_remove(0).contact)
+        Ok(job.run(&mut job::ShowSteps(observer))?.solved.swap_remove(0).contact)
     }
 }
 

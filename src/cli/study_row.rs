@@ -6,7 +6,7 @@ use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::check_named;
-use asperity::job::{Job, Run};
+use asperity::job::{Job, JobRun};
 use asperity::record::Recording;
 use asperity::study::{Loading, Plan};
 use std::path::Path;
@@ -25,7 +25,7 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<Outcome> {
         loading.take(solver.solve_from(loading.start(), &before, &setup.stop, &mut progress)?);
     }
     let problem = loading.problem(&problem, setup.load)?;
-    let job = Job::from_run(Run { problem: Some(problem), ..Run::new(setup) }).started_from(loading.start());
+    let job = Job::from_run(JobRun { problem: Some(problem), ..JobRun::new(setup) }).started_from(loading.start());
     let job = job.recorded(|scenes, options| Recording::create(path, scenes, options));
     let solved = job.run(&mut Bars)?.solved.swap_remove(0);
     warnings::print(&warnings::in_flags(&solved.warnings()));

@@ -8,7 +8,7 @@ use super::session::Turn;
 use super::step_numbers::StepNumbers;
 use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
 use crate::error::{SetupError, SolveError};
-use crate::job::{self, Job, Run, Solved, Stage};
+use crate::job::{self, Job, JobRun, Pass, Solved};
 use crate::record::{Ghost, Options, Recording, Scene};
 use crate::setup::{Setup, command};
 use crate::surface::Surface;
@@ -43,9 +43,9 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     };
     let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
     let options = Options { ghost: turn.ghost(), ..turn.options(&setup.record) };
-    let job = Job::from_run(Run { title: Some(title), problem: Some(problem), ..Run::new(setup) });
+    let job = Job::from_run(JobRun { title: Some(title), problem: Some(problem), ..JobRun::new(setup) });
     let job = beside.into_iter().fold(job, |job, (setup, problem)| {
-        job.beside(Run { name: "beside".into(), problem: Some(problem), ..Run::new(setup) })
+        job.beside(JobRun { name: "beside".into(), problem: Some(problem), ..JobRun::new(setup) })
     });
     let job = job.recorded_with(options, |scenes, options| {
         let (recording, live) = Recording::live(&id, scenes, options)?;
@@ -53,7 +53,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         turn.tell(|news| news.run = Some(report));
         Ok(recording)
     });
-    let mut watch = Watch {
+    let mut watch = RunCollector {
         turn,
         reported: Instant::now(),
         curves: Ghost::new(&format!("pinned {id}")),
@@ -68,7 +68,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
     }
-    let Watch { curves, steps, motion, .. } = watch;
+    let RunCollector { curves, steps, motion, .. } = watch;
     turn.finish(rank, contact, exact, other, curves, (steps, motion));
     Ok(())
 }
@@ -95,7 +95,7 @@ fn prepared(setup: &Setup, surface: &Surface) -> Result<Vec<String>, SetupError>
 }
 
 /// What a run collects of its steps, and where it stands.
-struct Watch<'a> {
+struct RunCollector<'a> {
     turn: Turn<'a>,
     reported: Instant,
     curves: Ghost,
@@ -104,22 +104,22 @@ struct Watch<'a> {
 }
 
 /// Reports where a solve stands, and ends it when its turn is over.
-struct Progress<'w, 'a> {
+struct ProgressReport<'w, 'a> {
     turn: Turn<'a>,
     reported: &'w mut Instant,
 }
 
-impl job::Watch for Watch<'_> {
-    fn observer(&mut self, stage: Stage<'_>) -> Box<dyn Observer + '_> {
-        let progress = Progress { turn: self.turn, reported: &mut self.reported };
-        match stage {
-            Stage::Solve(_, 0) => Box::new(((&mut self.curves, &mut self.steps, &mut self.motion), progress)),
+impl job::Watcher for RunCollector<'_> {
+    fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
+        let progress = ProgressReport { turn: self.turn, reported: &mut self.reported };
+        match pass {
+            Pass::Solve(_, 0) => Box::new(((&mut self.curves, &mut self.steps, &mut self.motion), progress)),
             _ => Box::new(progress),
         }
     }
 }
 
-impl Observer for Progress<'_, '_> {
+impl Observer for ProgressReport<'_, '_> {
     fn step(&mut self, step: &Step<'_>) -> Wish {
         if !self.turn.goes_on() {
             return Ok(ControlFlow::Break(()));

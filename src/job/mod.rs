@@ -30,8 +30,8 @@ mod watch;
 pub use curve::CurveRecording;
 pub use outcome::{Outcome, Solved};
 pub use ready::Ready;
-pub use run::Run;
-pub use watch::{Shown, Stage, Watch};
+pub use run::JobRun;
+pub use watch::{Pass, ShowSteps, Watcher};
 
 #[cfg(feature = "record")]
 use crate::error::FileError;
@@ -44,26 +44,26 @@ use crate::surface::Field;
 
 /// What begins the recording of some scenes: in a file, in a viewer, or anywhere else.
 #[cfg(feature = "record")]
-pub type Open<'a> = Box<dyn FnOnce(&[Scene<'_>], Options) -> Result<Recording, FileError> + 'a>;
+pub type OpenRecording<'a> = Box<dyn FnOnce(&[Scene<'_>], Options) -> Result<Recording, FileError> + 'a>;
 
 /// One run of a setup, and of other setups beside it in the same recording.
 pub struct Job<'a> {
-    runs: Vec<Run<'a>>,
+    runs: Vec<JobRun<'a>>,
     refinement: Option<Refinement>,
     start: Option<&'a Field>,
     is_diagnosed: bool,
     #[cfg(feature = "record")]
-    recorded: Option<(Open<'a>, Options)>,
+    recorded: Option<(OpenRecording<'a>, Options)>,
 }
 
 impl<'a> Job<'a> {
     /// The run of a setup.
     pub fn new(setup: Setup) -> Self {
-        Self::from_run(Run::new(setup))
+        Self::from_run(JobRun::new(setup))
     }
 
     /// A job of one run, such as that of another code's steps.
-    pub fn from_run(run: Run<'a>) -> Self {
+    pub fn from_run(run: JobRun<'a>) -> Self {
         Self {
             runs: vec![run],
             refinement: None,
@@ -75,7 +75,7 @@ impl<'a> Job<'a> {
     }
 
     /// The job with one more run, solved after the others and recorded beside them.
-    pub fn beside(mut self, run: Run<'a>) -> Self {
+    pub fn beside(mut self, run: JobRun<'a>) -> Self {
         self.runs.push(run);
         self
     }
@@ -146,7 +146,7 @@ impl<'a> Job<'a> {
     ///
     /// # Errors
     /// The errors of both.
-    pub fn run(self, watch: &mut dyn Watch) -> Result<Outcome, SetupError> {
+    pub fn run(self, watch: &mut dyn Watcher) -> Result<Outcome, SetupError> {
         self.prepare()?.run(watch)
     }
 
@@ -158,7 +158,7 @@ impl<'a> Job<'a> {
     }
 
     /// Whether the final state of a run must be found before its steps are watched.
-    fn needs_reference(&self, run: &Run<'_>) -> bool {
+    fn needs_reference(&self, run: &JobRun<'_>) -> bool {
         let has_waterfall = self.is_recorded() && run.setup.record.what.contains(&Part::Waterfall);
         run.is_repeatable() && run.reference.is_none() && (self.is_diagnosed || has_waterfall)
     }

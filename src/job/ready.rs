@@ -2,8 +2,8 @@
 
 use super::Job;
 use super::outcome::{Outcome, Solved};
-use super::run::Run;
-use super::watch::{Stage, Watch};
+use super::run::JobRun;
+use super::watch::{Pass, Watcher};
 use crate::contact::{Contact, Observer, PartialSlip, Problem};
 use crate::diagnosis::{Diagnosis, Reference};
 use crate::error::SetupError;
@@ -34,7 +34,7 @@ impl Ready<'_> {
     ///
     /// # Errors
     /// For a recording that cannot be begun, and the errors of [`Solver::solve`](crate::contact::Solver::solve).
-    pub fn run(mut self, watch: &mut dyn Watch) -> Result<Outcome, SetupError> {
+    pub fn run(mut self, watch: &mut dyn Watcher) -> Result<Outcome, SetupError> {
         let settled = self.settle(watch)?;
         let is_settled = settled.as_ref().is_none_or(|settled| settled.is_within);
         if let Some(Settled { setup, contact, .. }) = settled {
@@ -58,22 +58,22 @@ impl Ready<'_> {
     }
 
     /// Solves on ever finer grids, if a grid is to be found.
-    fn settle(&self, watch: &mut dyn Watch) -> Result<Option<Settled>, SetupError> {
+    fn settle(&self, watch: &mut dyn Watcher) -> Result<Option<Settled>, SetupError> {
         let Some(refinement) = &self.job.refinement else { return Ok(None) };
         let settled = refinement.settle(|setup| {
-            let run = Run::new(setup.clone());
-            let contact = run.solver().solve(&setup.problem()?, &setup.stop, &mut watch.observer(Stage::Grid(&run)))?;
+            let run = JobRun::new(setup.clone());
+            let contact = run.solver().solve(&setup.problem()?, &setup.stop, &mut watch.observer(Pass::Grid(&run)))?;
             Ok::<_, SetupError>(contact)
         })?;
         Ok(Some(settled))
     }
 
     /// Finds the final states that steps are compared with, each by a pass of its own.
-    fn find_references(&mut self, watch: &mut dyn Watch) -> Result<(), SetupError> {
+    fn find_references(&mut self, watch: &mut dyn Watcher) -> Result<(), SetupError> {
         for i in 0..self.job.runs.len() {
             let run = &self.job.runs[i];
             if self.job.needs_reference(run) {
-                let mut observer = watch.observer(Stage::Reference(run));
+                let mut observer = watch.observer(Pass::Reference(run));
                 let contact = run.solver().solve(problem(run), &run.setup.stop, &mut observer)?;
                 drop(observer);
                 self.job.runs[i].reference = Some(Arc::new(Reference::of(&contact)));
@@ -83,7 +83,11 @@ impl Ready<'_> {
     }
 
     /// Solves all runs one after the other, and records them if that is asked for.
-    fn solve(&mut self, diagnosis: &mut Option<Diagnosis>, watch: &mut dyn Watch) -> Result<Vec<Contact>, SetupError> {
+    fn solve(
+        &mut self,
+        diagnosis: &mut Option<Diagnosis>,
+        watch: &mut dyn Watcher,
+    ) -> Result<Vec<Contact>, SetupError> {
         #[cfg(feature = "record")]
         if let Some((open, options)) = self.job.recorded.take() {
             let scenes: Vec<_> = self.job.runs.iter().map(|run| run.scene(problem(run))).collect();
@@ -98,7 +102,7 @@ impl Ready<'_> {
         &self,
         recording: Recording,
         diagnosis: &mut Option<Diagnosis>,
-        watch: &mut dyn Watch,
+        watch: &mut dyn Watcher,
     ) -> Result<Vec<Contact>, SetupError> {
         let solve = |i| self.solve_run(i, &mut recording.recorder(i), diagnosis, watch);
         let mut contacts = (0..self.job.runs.len()).map(solve).collect::<Result<Vec<_>, _>>()?;
@@ -114,10 +118,10 @@ impl Ready<'_> {
         i: usize,
         recorder: &mut dyn Observer,
         diagnosis: &mut Option<Diagnosis>,
-        watch: &mut dyn Watch,
+        watch: &mut dyn Watcher,
     ) -> Result<Contact, SetupError> {
         let (run, is_first) = (&self.job.runs[i], i == 0);
-        let mut seen = (recorder, is_first.then_some(diagnosis), watch.observer(Stage::Solve(run, i)));
+        let mut seen = (recorder, is_first.then_some(diagnosis), watch.observer(Pass::Solve(run, i)));
         let start = self.job.start.filter(|_| is_first);
         Ok(run.solver().solve_from(start, problem(run), &run.setup.stop, &mut seen)?)
     }
@@ -128,13 +132,13 @@ impl Ready<'_> {
         i: usize,
         contact: Contact,
         is_settled: bool,
-        watch: &mut dyn Watch,
+        watch: &mut dyn Watcher,
     ) -> Result<Solved, SetupError> {
         let run = &self.job.runs[i];
         let friction = run.setup.friction.filter(|_| run.is_repeatable() && contact.fault().is_none());
         let stick = |friction| {
             let (solver, stop) = (run.solver(), &run.setup.stop);
-            PartialSlip::of(contact.clone(), friction, solver, stop, &mut watch.observer(Stage::Stick(run)))
+            PartialSlip::of(contact.clone(), friction, solver, stop, &mut watch.observer(Pass::Stick(run)))
         };
         let slip = friction.map(stick).transpose()?;
         Ok(Solved { setup: run.setup.clone(), contact, slip, is_settled })
@@ -142,6 +146,6 @@ impl Ready<'_> {
 }
 
 /// The problem of a run, which is there once the job is ready.
-fn problem<'r>(run: &'r Run<'_>) -> &'r Problem {
+fn problem<'r>(run: &'r JobRun<'_>) -> &'r Problem {
     run.problem.as_ref().expect("a job that is ready has posed its problems")
 }

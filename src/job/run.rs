@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// One solve of a job: a setup, and how it is shown in a recording.
 #[derive(Clone)]
-pub struct Run<'a> {
+pub struct JobRun<'a> {
     /// Root of its entities in a recording.
     pub name: String,
     /// Title of its tab and pictures in a recording.
@@ -27,7 +27,7 @@ pub struct Run<'a> {
     pub other: Option<&'a dyn Solver>,
 }
 
-impl<'a> Run<'a> {
+impl<'a> JobRun<'a> {
     /// The run of a setup under the name `contact`.
     pub fn new(setup: Setup) -> Self {
         Self {

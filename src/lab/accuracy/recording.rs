@@ -4,7 +4,7 @@ use super::experiment::Experiment;
 use crate::contact::{Contact, Multilevel, Observer, Solver};
 use crate::diagnosis::Reference;
 use crate::error::SetupError;
-use crate::job::{self, Job, Run, Stage};
+use crate::job::{self, Job, JobRun, Pass};
 use crate::lab::{Rival, Watch};
 use crate::record::Recording;
 use crate::setup::{Part, Record, Setup};
@@ -27,13 +27,13 @@ pub fn record(path: &Path, experiment: &Experiment, what: &[Part], watch: Watch)
     } else {
         None
     };
-    let [first, rest @ ..] = Rival::ALL.map(|rival| Run {
+    let [first, rest @ ..] = Rival::ALL.map(|rival| JobRun {
         name: rival.title.into(),
         title: Some(rival.title.into()),
         problem: Some(problem.clone()),
         reference: reference.clone(),
         shows_exact: false,
-        ..Run::new(Setup { solver: rival.method, ..setup.clone() })
+        ..JobRun::new(Setup { solver: rival.method, ..setup.clone() })
     });
     let job = rest.into_iter().fold(Job::from_run(first), Job::beside);
     let job = job.recorded(|scenes, options| Recording::create(path, scenes, options));
@@ -45,11 +45,11 @@ pub fn record(path: &Path, experiment: &Experiment, what: &[Part], watch: Watch)
 /// Watches each run of a job under its title.
 struct Titled(Watch);
 
-impl job::Watch for Titled {
-    fn observer(&mut self, stage: Stage<'_>) -> Box<dyn Observer + '_> {
-        match stage {
-            Stage::Solve(run, _) => (self.0)(&format!("recording {}", run.label())),
-            Stage::Grid(_) | Stage::Reference(_) | Stage::Stick(_) => Box::new(()),
+impl job::Watcher for Titled {
+    fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
+        match pass {
+            Pass::Solve(run, _) => (self.0)(&format!("recording {}", run.label())),
+            Pass::Grid(_) | Pass::Reference(_) | Pass::Stick(_) => Box::new(()),
         }
     }
 }
