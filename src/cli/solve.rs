@@ -22,7 +22,7 @@ use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::files::{check_apart, write_beside};
 #[cfg(feature = "record")]
 use asperity::record;
-use asperity::setup::{Auto, Setup};
+use asperity::setup::{Auto, Extras, Setup};
 use asperity::study::{LoadCurve, Refinement, Settled};
 use clap::Args;
 use std::io::{self, Write, stdout};
@@ -89,7 +89,8 @@ impl Solve {
         let refinement = auto.map(|auto| Refinement::new(setup.clone(), auto));
         let first = refinement.iter().flat_map(Refinement::setups).next();
         let setup = first.as_ref().unwrap_or(setup);
-        let cost = setup.cost(outputs.recording().is_some(), outputs.archive().iter().count())?;
+        let is_diagnosed = self.diagnose || outputs.has_waterfall(&setup.record);
+        let cost = setup.cost(&Extras { is_diagnosed, ..outputs.extras(1) })?;
         outputs.check()?;
         if let Some(path) = outputs.table().filter(|_| !cost.grid.is_line()) {
             return usage(format!("{} can hold the nodes of a line only: give a .npz for a surface", path.display()));
@@ -104,9 +105,11 @@ impl Solve {
                 Plan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice: self.is_passed_twice(setup) };
             plan::write(&plan, &mut stdout())?;
             refinement.iter().try_for_each(|refinement| plan::write_grids(refinement, &mut stdout()))?;
-            return Ok(Outcome::Done);
         }
         cost.check(setup.solver.name())?;
+        if self.dry_run {
+            return Ok(Outcome::Done);
+        }
         match refinement {
             Some(refinement) => self.settle(&refinement),
             None => {

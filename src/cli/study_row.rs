@@ -7,6 +7,7 @@ use anyhow::Result;
 use asperity::contact::Contact;
 use asperity::files::check_named;
 use asperity::record::{Options, Recording, Scene};
+use asperity::setup::Extras;
 use asperity::study::{LoadCurve, Plan};
 use std::path::Path;
 
@@ -15,7 +16,7 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<Outcome> {
     let row = plan.row(number)?;
     check_named(path, &["rrd"])?;
     let setup = plan.setup(row)?;
-    setup.cost(true, 0)?.check(setup.solver.name())?;
+    setup.cost(&Extras { is_recorded: true, ..Extras::default() })?.check(setup.solver.name())?;
     let curve = LoadCurve { setup: plan.realisation(row.realisation)?.setup, loads: plan.loads()[..=row.load].into() };
     let problem = setup.problem()?;
     curve.problem()?;
