@@ -5,7 +5,7 @@ use crate::diagnosis::Reference;
 use crate::error::SetupError;
 #[cfg(feature = "record")]
 use crate::record::{Options, Parts, Scene};
-use crate::setup::Setup;
+use crate::setup::{Extras, Setup};
 use std::sync::Arc;
 
 /// One solve of a job: a setup, and how it is shown in a recording.
@@ -63,9 +63,9 @@ impl<'a> JobRun<'a> {
     }
 
     /// Makes the problem if it is not at hand.
-    pub(super) fn pose(&mut self, is_recorded: bool) -> Result<(), SetupError> {
+    pub(super) fn pose(&mut self, extras: &Extras) -> Result<(), SetupError> {
         if self.problem.is_none() {
-            self.setup.cost(is_recorded, 0)?.check(self.setup.solver.name())?;
+            self.setup.cost(extras)?.check(self.setup.solver.name())?;
             self.problem = Some(self.setup.problem()?);
         }
         Ok(())

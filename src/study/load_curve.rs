@@ -3,7 +3,7 @@
 use super::flattened::Flattened;
 use crate::contact::{Contact, Load, Observer, Problem};
 use crate::error::{SetupError, StudyError};
-use crate::setup::{Cost, Setup, Table};
+use crate::setup::{Cost, Extras, Setup, Table};
 use crate::surface::Field;
 
 /// A contact under one load after the other, each solved from the contact before.
@@ -58,10 +58,10 @@ impl LoadCurve {
     ///
     /// # Errors
     /// The errors of [`Setup::cost`].
-    pub fn cost(&self, is_recorded: bool, is_archived: bool) -> Result<Cost, SetupError> {
+    pub fn cost(&self, extras: &Extras) -> Result<Cost, SetupError> {
         let largest = self.loads.iter().copied().max_by(|a, b| a.value().total_cmp(&b.value()));
         let setup = Setup { load: largest.unwrap_or(self.setup.load), ..self.setup.clone() };
-        setup.cost(is_recorded, if is_archived { self.loads.len() } else { 0 })
+        setup.cost(extras)
     }
 
     /// The problem under the heaviest of the loads, all of which are checked.

@@ -2,7 +2,7 @@
 
 use crate::contact::{Contact, Resolution};
 use crate::error::SetupError;
-use crate::setup::{Auto, Setup};
+use crate::setup::{Auto, Extras, Setup};
 use crate::warning::Warning;
 
 /// The finest grid has this many times as many points along a side as the first one.
@@ -83,7 +83,7 @@ impl Refinement {
     ) -> Result<Settled, E> {
         let mut last = None;
         for setup in self.setups() {
-            let fits = setup.cost(false, 0).and_then(|cost| cost.check(setup.solver.name()));
+            let fits = setup.cost(&Extras::default()).and_then(|cost| cost.check(setup.solver.name()));
             if let (Err(_), Some(settled)) = (&fits, last.take()) {
                 return Ok(settled);
             }
