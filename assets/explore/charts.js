@@ -92,11 +92,11 @@ function charts() {
   const note = isStale ? say("chart.stale") : "";
   const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
   chart(byId("chart-area"), say("chart.area"), 1, [
-    curve("Persson", "persson", (p) => p.persson ?? NaN), curve("a_rel", "computed", (p) => p.relative_area_resolved),
+    curve("Persson", "persson", (p) => p.persson ?? NaN), curve("a_rel", "computed", (p) => p.relative_area),
     curve(say("chart.exact"), "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], note);
   const kappas = [
-    curve("Persson", "persson", (p) => (p.persson ?? NaN) / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa_resolved),
-    curve("κ_r", "second", (p) => p.kappa_r_resolved), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")];
+    curve("Persson", "persson", (p) => (p.persson ?? NaN) / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa),
+    curve("κ_r", "second", (p) => p.kappa_r), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")];
   chart(byId("chart-kappa"), say("chart.kappa"), topOf(kappas), kappas, note);
   for (const target of [byId("chart-area"), byId("chart-kappa")]) {
     target.tabIndex = points.length ? 0 : -1;

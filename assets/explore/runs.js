@@ -302,8 +302,8 @@ function lengthOf(metres, digits = 3) {
 let known = [];
 let observables = [];
 const SHOWN = ["kappa_r_error", "iterations", "transforms", "seconds"];
-/** The exact values that stand beside resolved observables. */
-const EXACT = { relative_area_resolved: "relative_area", kappa_r_resolved: "kappa_r" };
+/** The observables beside which exact values stand. */
+const EXACT = ["relative_area", "kappa_r"];
 const SECONDS = { name: "seconds" };
 
 /** The words of a status, which the server tells in English. */
@@ -351,12 +351,12 @@ const cleared = (told, name) => name === "mean_gap_over_rms_height" ? withoutRou
 
 /** The relative error from which on a number stands with it, and the numbers that have one, with its name. */
 const COARSE = 0.05;
-const ERRORS = { relative_area_resolved: "relative_area_error", kappa_resolved: "relative_area_error", kappa_r_resolved: "kappa_r_error", kappa_r_error: "kappa_r_error" };
+const ERRORS = { relative_area: "relative_area_error", kappa: "relative_area_error", kappa_r: "kappa_r_error", kappa_r_error: "kappa_r_error" };
 
 /** A number as the table has it: with its error, if that is large or not known, and the error itself with what to do. */
 function valueOf(told, name) {
   const error = told?.[ERRORS[name]];
-  const isUnknown = error === null && told.relative_area_resolved > 0;
+  const isUnknown = error === null && told.relative_area > 0;
   if (!isUnknown && !(error >= COARSE)) return figure(cleared(told, name));
   const percent = isUnknown ? "?" : `${figure(100 * error, 2)} %`;
   const remedy = knobs.body === "file" ? "file" : "points";
@@ -375,7 +375,7 @@ function numbers() {
   const exact = moment && "exact" in moment ? moment.exact : run.exact;
   const body = observables.map(({ name }) => {
     const values = [moment || run, run.beside || before].map((it) => valueOf(it?.numbers, name));
-    const theory = exact && EXACT[name] ? figure(exact[EXACT[name]]) : "";
+    const theory = exact && EXACT.includes(name) ? figure(exact[name]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
   byId("numbers").tBodies[0].replaceChildren(...body);

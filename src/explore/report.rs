@@ -59,7 +59,7 @@ pub struct RunReport {
     /// What each step that was taken with the heights of a file came to.
     pub prepared: Vec<String>,
     /// Why the numbers may mean little, first those of the surface, then those of the surface beside.
-    pub warnings: Vec<SurfaceWarning>,
+    pub warnings: Vec<RunWarning>,
     pub knobs: Knobs,
     /// Whether solver and recording have ended.
     pub ended: bool,
@@ -72,7 +72,7 @@ pub struct RunReport {
 
 /// A warning about one of the surfaces of a run.
 #[derive(Clone, Serialize)]
-pub struct SurfaceWarning {
+pub struct RunWarning {
     /// Whether it is about the surface beside.
     pub is_beside: bool,
     #[serde(flatten)]

@@ -27,14 +27,17 @@ const FEWEST_NODES: usize = 4;
 type PointCurve = (&'static str, &'static str, CurveKind, Colour, fn(&SweepPoint) -> f64);
 
 const AREA: &str = "Relative area a_rel";
-const KAPPA: &str = "kappa_r and kappa";
+const KAPPA_R: &str = "kappa_r";
+const KAPPA: &str = "kappa";
 const GREY: Colour = Colour([0x80; 3]);
 
 /// Curves of every sweep, behind them those of Persson's theory where it applies, and those of an exact solution where there is one.
 const CURVES: [PointCurve; 3] = [
-    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.relative_area_resolved),
-    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| point.observables.kappa_r_resolved),
-    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.kappa_resolved),
+    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_area().unwrap_or(f64::NAN)),
+    (KAPPA_R, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| {
+        point.observables.resolved_kappa_r().unwrap_or(f64::NAN)
+    }),
+    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_kappa().unwrap_or(f64::NAN)),
 ];
 const PERSSON: [PointCurve; 2] = [
     (AREA, "Persson", CurveKind::Theory, GREY, |point| point.persson.unwrap_or(f64::NAN)),
@@ -46,7 +49,7 @@ const EXACT: [PointCurve; 2] = [
     (AREA, "exact", CurveKind::Exact, Colour::GREEN, |point| {
         point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)
     }),
-    (KAPPA, "exact kappa_r", CurveKind::Exact, Colour::GREEN, |point| {
+    (KAPPA_R, "exact kappa_r", CurveKind::Exact, Colour::GREEN, |point| {
         point.exact.as_ref().and_then(|exact| exact.kappa_r).unwrap_or(f64::NAN)
     }),
 ];
@@ -173,7 +176,7 @@ impl Press<'_> {
                 break;
             }
             self.show(number, load, &contact)?;
-            if self.report.points.last().is_some_and(|point| point.observables.relative_area_resolved >= FULL) {
+            if self.report.points.last().is_some_and(|point| point.observables.relative_area >= FULL) {
                 break;
             }
             start = Some(contact.pressure);
@@ -184,7 +187,7 @@ impl Press<'_> {
     /// Records load number `number`, from 0 on, and reports it if it is more than a few nodes.
     fn show(&mut self, number: usize, load: f64, contact: &Contact) -> Result<(), Failure> {
         self.recording.contact(0, number, contact)?;
-        if contact.measures().contact_nodes < FEWEST_NODES {
+        if contact.counted().contact_nodes < FEWEST_NODES {
             return Ok(());
         }
         let point = SweepPoint {

@@ -184,10 +184,10 @@ fn a_pin_keeps_its_numbers(page: &mut Page) {
     page.click("pin");
     page.until("pinned !== null");
     let pin = page.text("pinned");
-    let kappa = page.text("document.querySelector('#numbers td[data-number=kappa_resolved]').innerText");
+    let kappa = page.text("document.querySelector('#numbers td[data-number=kappa]').innerText");
     page.click("dice");
     rested(page);
-    let rival = "document.querySelector('#numbers td[data-number=kappa_resolved] + td').innerText";
+    let rival = "document.querySelector('#numbers td[data-number=kappa] + td').innerText";
     assert_eq!(page.text(rival), kappa);
     page.press_at("lesson", "h");
     page.until("document.body.dataset.lesson === '0' && pinned === null");
@@ -226,7 +226,7 @@ fn steps_move_the_picture(page: &mut Page) {
     assert_eq!(page.value("section.solid.every((z, i) => z === end.solid[i])"), false);
     page.value(
         "document.getElementById('duration').value = 0.9; globalThis.pictures = new Set(); \
-        globalThis.watch = setInterval(() => pictures.add(section), 5); true",
+        globalThis.watch = setInterval(() => pictures.add(section)); true",
     );
     page.click("play");
     page.until("document.getElementById('play').textContent === 'Play' && sectionRun === latest().id");
@@ -250,7 +250,7 @@ fn the_theme_changes_during_a_sweep(page: &mut Page) {
     let all = page.value("report.sweep.points.length");
     page.value(
         "globalThis.told = []; globalThis.first = report.sweep.id; globalThis.theme = knobs.theme; \
-        globalThis.watch = setInterval(() => told.push([knobs.theme, report.sweep.points.length]), 5); true",
+        globalThis.watch = setInterval(() => told.push([knobs.theme, report.sweep.points.length])); true",
     );
     page.click("sweep");
     page.until("report.sweep.id !== first && report.sweep.points.length > 1");

@@ -114,7 +114,7 @@ fn a_sweep_plays(page: &mut Page) {
     page.value(
         "byId('duration').value = 0.9; globalThis.touching = []; globalThis.dots = new Set(); \
         globalThis.watch = setInterval(() => { touching.push(section.pressure.filter((p) => p > 0).length); \
-            dots.add(document.querySelector('#chart-kappa circle.of-second')?.getAttribute('cx')); }, 20); true",
+            dots.add(document.querySelector('#chart-kappa circle.of-second')?.getAttribute('cx')); }); true",
     );
     page.press_at("scrub", "Home");
     page.click("play");

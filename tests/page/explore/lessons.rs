@@ -31,7 +31,7 @@ fn a_teacher_writes_lessons() {
         knobs = { domain = "surface", points = 64, cutoff = 16 }
         [[step]]
         text = "First."
-        ask = { kind = "number", question = "How much?", of = "kappa_r_resolved" }
+        ask = { kind = "number", question = "How much?", of = "kappa_r" }
         [[step]]
         text = "Then."
         knobs.load = 0.5
@@ -45,6 +45,24 @@ fn a_teacher_writes_lessons() {
     assert_eq!((second["points"].as_u64(), second["load"].as_f64()), (Some(64), Some(0.5)));
     let asked = Question::Draw { question: "Draw it.".into(), curve: Curve::KappaR };
     assert_eq!((lesson.steps[1].sweep, &lesson.steps[1].ask), (true, &Some(asked)));
+}
+
+/// Lessons that were written when the resolved values had names of their own.
+#[test]
+fn lessons_with_the_earlier_names_of_resolved_values_still_read() {
+    let lesson = lesson(
+        r#"
+        title = "Old"
+        [[step]]
+        text = "First."
+        ask = { kind = "number", question = "How much?", of = "kappa_r_resolved" }
+        [[step]]
+        text = "Then."
+        ask = { kind = "act", question = "Press.", goal = { relative_area_resolved = [0.2, 0.3] } }
+    "#,
+    );
+    let [first, second] = [0, 1].map(|i| json_of(&lesson.steps[i].ask));
+    assert_eq!((&first["of"], &second["goal"]), (&json!("kappa_r"), &json!({"relative_area": [0.2, 0.3]})));
 }
 
 #[test]
@@ -132,7 +150,7 @@ fn lessons_that_cannot_be_say_where() {
             "`roughness` cannot be -1: give a number from 0 to 1",
         ),
         (format!("{STEP}knobs.seed = -3\n"), 5, "`seed` cannot be -3: give a whole number from 0 to 4294967295"),
-        (format!("{STEP}knobs.loads = 0.1\n"), 5, "there is no knob `loads`: choose one of `domain`, "),
+        (format!("{STEP}knobs.loads = 0.1\n"), 5, "there is no `loads` here: choose one of `domain`, "),
         (format!("{STEP}knobs.load = 1e9\n"), 5, "`load` cannot be 1000000000: give a number from 1e-5 to 1000"),
         (
             format!("{STEP}knobs.points = 1048576\n"),
@@ -140,7 +158,7 @@ fn lessons_that_cannot_be_say_where() {
             "`points` cannot be 1048576: give a whole number from 4 to 262144",
         ),
         (format!("{STEP}turn.load = [0.1, 1e9]\n"), 5, "turn: `load` cannot be 1000000000: give"),
-        (format!("{STEP}turn.loads = [0.1]\n"), 5, "turn: there is no knob `loads`"),
+        (format!("{STEP}turn.loads = [0.1]\n"), 5, "turn: there is no `loads` here"),
         (format!("{STEP}turn.load = 0.1\n"), 5, "invalid type"),
         (
             format!("{STEP}turn = {{ load = [{0}], hurst = [{0}] }}\n", loads(8)),
