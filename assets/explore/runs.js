@@ -286,7 +286,7 @@ function figure(value, digits = 5) {
   if (value === null || value === undefined) return "–";
   if (Number.isInteger(value)) return String(value);
   const size = Math.abs(value);
-  return inLocale(size < 1e-3 || size >= 1e6 ? value.toExponential(Math.max(0, digits - 3)) : String(Number(value.toPrecision(digits))));
+  return inLocale(size < 1e-3 || size >= 1e6 ? Number(value.toPrecision(Math.min(3, digits))).toExponential() : String(Number(value.toPrecision(digits))));
 }
 
 /** Units of lengths in metres, the longest first. */
@@ -341,14 +341,13 @@ function setMoment(state) {
   numbers();
 }
 
-/** What a mean gap over the rms height can be by rounding alone, which is told as none. */
+/** What a mean gap over the height of the surface can be by rounding alone, which is told as none. */
 const ROUNDING = 1e-12;
 
+const withoutRounding = (gap) => Math.abs(gap) < ROUNDING ? 0 : gap;
+
 /** A number of a state, without rounding where there is nothing else. */
-function cleared(told, name) {
-  const value = told?.[name];
-  return name === "mean_gap_over_rms_height" && Math.abs(value) < ROUNDING ? 0 : value;
-}
+const cleared = (told, name) => name === "mean_gap_over_rms_height" ? withoutRounding(told?.[name]) : told?.[name];
 
 /** The relative error from which on a number stands with it, and the numbers that have one, with its name. */
 const COARSE = 0.05;

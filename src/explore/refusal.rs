@@ -37,7 +37,7 @@ pub fn plain(error: &serde_json::Error) -> String {
     let said = said.rsplit_once(" at line ").map_or(said.as_str(), |(said, _)| said);
     if let Some((name, known)) = said.strip_prefix("unknown field ").and_then(|it| it.split_once(", expected one of "))
     {
-        return format!("there is no knob {name}: choose one of {known}");
+        return format!("there is no {name} here: choose one of {known}");
     }
     let is_value = said.starts_with("invalid value: ") || said.starts_with("invalid type: ");
     let Some((found, wanted)) = said.split_once(", expected ").filter(|_| is_value) else { return said.into() };

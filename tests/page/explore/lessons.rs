@@ -150,7 +150,7 @@ fn lessons_that_cannot_be_say_where() {
             "`roughness` cannot be -1: give a number from 0 to 1",
         ),
         (format!("{STEP}knobs.seed = -3\n"), 5, "`seed` cannot be -3: give a whole number from 0 to 4294967295"),
-        (format!("{STEP}knobs.loads = 0.1\n"), 5, "there is no knob `loads`: choose one of `domain`, "),
+        (format!("{STEP}knobs.loads = 0.1\n"), 5, "there is no `loads` here: choose one of `domain`, "),
         (format!("{STEP}knobs.load = 1e9\n"), 5, "`load` cannot be 1000000000: give a number from 1e-5 to 1000"),
         (
             format!("{STEP}knobs.points = 1048576\n"),
@@ -158,7 +158,7 @@ fn lessons_that_cannot_be_say_where() {
             "`points` cannot be 1048576: give a whole number from 4 to 262144",
         ),
         (format!("{STEP}turn.load = [0.1, 1e9]\n"), 5, "turn: `load` cannot be 1000000000: give"),
-        (format!("{STEP}turn.loads = [0.1]\n"), 5, "turn: there is no knob `loads`"),
+        (format!("{STEP}turn.loads = [0.1]\n"), 5, "turn: there is no `loads` here"),
         (format!("{STEP}turn.load = 0.1\n"), 5, "invalid type"),
         (
             format!("{STEP}turn = {{ load = [{0}], hurst = [{0}] }}\n", loads(8)),

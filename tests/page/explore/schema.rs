@@ -63,3 +63,15 @@ fn what_the_page_starts_with_lies_within_the_ranges() {
         }
     }
 }
+
+/// The guide for lessons has a row for each knob, with its range.
+#[test]
+fn the_guide_for_lessons_has_all_ranges() {
+    let guide = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons/README.md"));
+    for knob in &NUMERIC_KNOBS {
+        let start = format!("| `{}` | ", knob.path.join("."));
+        let row = guide.lines().find_map(|line| line.strip_prefix(&start)).unwrap_or_else(|| panic!("no row {start}"));
+        let range: Vec<f64> = row.split('|').filter_map(|cell| cell.trim().parse().ok()).collect();
+        assert_eq!(range, knob.range, "{start}");
+    }
+}
