@@ -113,10 +113,10 @@ fn write_table(exhibits: &[Exhibit], solved: &[Solved]) -> Result<()> {
             "{:<14} {:>6} {:>8.4} {:>8.4} {:>8.4} {:>10.4} {exact:>8} {:>6} {:>11.1e}",
             exhibit.title,
             contact.work.iterations,
-            it.relative_area_resolved,
-            it.kappa_resolved,
-            it.kappa_r_resolved,
+            it.relative_area,
+            it.kappa,
             it.kappa_r,
+            it.kappa_r_counted,
             exhibit.paper,
             contact.certificate.eta
         )?;

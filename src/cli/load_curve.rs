@@ -147,17 +147,22 @@ impl Summary {
         self.loads.iter().try_for_each(|Finding { observables: it, .. }| {
             writeln!(
                 out,
-                "{:>12.4e} {:>12.4e} {:>12.4e} {:>9.5} {:>9.5} {:>8.4} {:>8.4} {:>8} {:>9.1e}",
+                "{:>12.4e} {:>12.4e} {:>12.4e} {:>9} {:>9.5} {:>8} {:>8} {:>8} {:>9.1e}",
                 it.reduced_pressure,
                 it.mean_pressure,
                 it.mean_gap,
-                it.relative_area_resolved,
-                it.relative_area,
-                it.kappa_resolved,
-                it.kappa_r_resolved,
+                word(it.resolved_area(), 5),
+                it.relative_area_counted,
+                word(it.resolved_kappa(), 4),
+                word(it.resolved_kappa_r(), 4),
                 it.patches,
                 it.certificate
             )
         })
     }
+}
+
+/// A number with some digits; a dash where it is not resolved.
+fn word(value: Option<f64>, digits: usize) -> String {
+    value.map_or("-".into(), |value| format!("{value:.digits$}"))
 }

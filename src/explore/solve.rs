@@ -3,16 +3,15 @@
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::reel::Reel;
-use super::report::{Beside, ExactNumbers, Numbers, RunReport, file_stem};
+use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
 use super::session::Turn;
 use super::step_numbers::StepNumbers;
 use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
 use crate::error::{SetupError, SolveError};
-use crate::job::{self, Job, Run, Stage};
+use crate::job::{self, Job, Run, Solved, Stage};
 use crate::record::{Ghost, Options, Recording, Scene};
 use crate::setup::{Setup, command};
 use crate::surface::Surface;
-use crate::warning::Warning;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -33,7 +32,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         command: command(&setup),
         setup: setup.to_toml(),
         prepared: prepared(&setup, problem.surface())?,
-        warnings: warnings(&setup, &problem, beside.as_ref()),
+        warnings: Vec::new(),
         knobs,
         ended: false,
         numbers: None,
@@ -61,7 +60,10 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         steps: StepNumbers::default(),
         motion: Motion::default(),
     };
-    let mut contacts = job.run(&mut watch)?.solved.into_iter().map(|solved| solved.contact);
+    let solved = job.run(&mut watch)?.solved;
+    let doubts = doubts(&solved);
+    turn.tell(|news| news.run.iter_mut().for_each(|run| run.warnings.clone_from(&doubts)));
+    let mut contacts = solved.into_iter().map(|solved| solved.contact);
     let (contact, other) = (contacts.next().expect("a job solves its first run"), contacts.next());
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
@@ -78,11 +80,12 @@ fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Fail
     Ok((setup, problem))
 }
 
-/// Why the numbers may mean little, those of the surface beside among them.
-fn warnings(setup: &Setup, problem: &Problem, beside: Option<&(Setup, Problem)>) -> Vec<String> {
-    let of_beside = beside.map(|(setup, problem)| setup.surface.warnings(problem.surface())).unwrap_or_default();
-    let of_beside = of_beside.iter().map(|warning| format!("of the surface beside: {warning}"));
-    setup.surface.warnings(problem.surface()).iter().map(Warning::to_string).chain(of_beside).collect()
+/// Reasons to doubt the surfaces and contacts, those of the surface beside among them.
+fn doubts(solved: &[Solved]) -> Vec<RunWarning> {
+    let of_run = |(i, it): (usize, &Solved)| -> Vec<RunWarning> {
+        it.warnings().into_iter().map(|warning| RunWarning { is_beside: i > 0, warning }).collect()
+    };
+    solved.iter().enumerate().flat_map(of_run).collect()
 }
 
 /// What each step of the preparation came to.

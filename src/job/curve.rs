@@ -12,13 +12,14 @@ use std::path::Path;
 type LoadTrace = (&'static str, &'static str, Colour, fn(&Observables) -> f64);
 
 const AREA: &str = "Relative area";
-const KAPPA: &str = "kappa_r and kappa";
+const KAPPA_R: &str = "kappa_r";
+const KAPPA: &str = "kappa";
 const GAP: &str = "Mean gap over rms height";
 
 const CURVES: [LoadTrace; 4] = [
-    (AREA, "a_rel", Colour::SKY, |it| it.relative_area_resolved),
-    (KAPPA, "kappa_r", Colour::ORANGE, |it| it.kappa_r_resolved),
-    (KAPPA, "kappa", Colour::SKY, |it| it.kappa_resolved),
+    (AREA, "a_rel", Colour::SKY, |it| it.resolved_area().unwrap_or(f64::NAN)),
+    (KAPPA_R, "kappa_r", Colour::ORANGE, |it| it.resolved_kappa_r().unwrap_or(f64::NAN)),
+    (KAPPA, "kappa", Colour::SKY, |it| it.resolved_kappa().unwrap_or(f64::NAN)),
     (GAP, "<g> / h_rms", Colour::ORANGE, |it| it.mean_gap_over_rms_height),
 ];
 

@@ -23,7 +23,7 @@ use crate::surface::Field;
 /// let curve = LoadCurve { setup, loads: loads.into() }.and_back();
 /// let mut areas = Vec::new();
 /// curve.press(&curve.problem()?, |_| (), |_, contact| {
-///     areas.push(contact.measures().relative_area);
+///     areas.push(contact.resolved().relative_area);
 ///     Ok::<(), asperity::error::StudyError>(())
 /// })?;
 /// assert!(areas[0] < areas[1] && areas[1] < areas[2]);
