@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import asperity as asp
-from asperity.notebook import picture
 
 pytest.importorskip("matplotlib")
 
@@ -16,7 +15,7 @@ CYLINDER = -X * X / (2 * RADIUS)
 def drawn(load: float) -> tuple[asp.Contact, slice, dict[str, np.ndarray]]:
     """The contact of a cylinder, the nodes that its picture shows, and the bodies there, upwards."""
     contact = asp.solve(CYLINDER, LENGTH, solid=1.0, mean_pressure=load)
-    lines = {line.get_label(): line for line in picture(contact).axes[0].lines}
+    lines = {line.get_label(): line for line in contact.plot().axes[0].lines}
     seen = np.isin(contact.problem.surface.x, lines["solid"].get_xdata())
     first, last = np.flatnonzero(seen)[[0, -1]]
     return contact, slice(first, last + 1), {name: np.asarray(line.get_ydata()) for name, line in lines.items()}

@@ -47,8 +47,8 @@ def test_the_last_step_is_what_certify_says_of_it() -> None:
     *_, last = steps(60)
     with asp.Recorder(problem(), reference=False) as recorder:
         recorder.step(last, seconds=12.0)
-    verdict = problem().certify(pressure=last)
-    assert recorder.contact.certificate.eta == pytest.approx(verdict.contact.certificate.eta)
+    certification = problem().certify(pressure=last)
+    assert recorder.contact.certificate.eta == pytest.approx(certification.contact.certificate.eta)
     assert recorder.contact.work.seconds == 12.0 and len(recorder.distances["step"]) == 0
 
 
