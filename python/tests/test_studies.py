@@ -172,7 +172,7 @@ def test_what_cannot_be_solved_is_refused_before_anything_is(tmp_path: Path) -> 
     for keywords, sentence in (
         ({"workers": 0}, "workers is 0: give at least 1"),
         ({"threads": -1}, "threads is -1: give at least 1"),
-        ({"memory": 1e3}, "a realisation needs .* GB, and may have 1e-06 GB: allow more"),
+        ({"memory": 1e3}, "a realisation needs .* GB, but only 1e-06 GB may be used: allow more"),
         ({"client": 3}, "client is 3: give a client of dask.distributed"),
         ({"out": tmp_path / "table.txt"}, "table.txt"),
     ):
@@ -212,6 +212,6 @@ def test_batches_are_packed_by_memory_and_the_largest_come_first() -> None:
 
 def test_rows_that_did_not_converge_are_told() -> None:
     hasty = dict(surface={"spectrum": SPECTRUM, "seed": 1}, grid={"points": 256, "size": 1.0}, load={"reduced_pressure": 0.1})
-    with pytest.warns(asp.AsperityWarning, match="2 of 2 rows did not converge: see their status"):
+    with pytest.warns(asp.AsperityWarning, match="2 of 2 rows did not converge. See their status"):
         table = asp.study(hasty | {"solver": {"method": "polonsky-keer"}, "stop": {"max_iterations": 2}})
     assert "converged" not in table["status"]
