@@ -23,7 +23,7 @@ fn main() -> Result<(), StudyError> {
         println!(
             "{:>12.3e} {:>10.5} {:>10.5} {:>12.3} {:>12.3e}",
             contact.mean_pressure(),
-            contact.measures().relative_area,
+            contact.resolved().relative_area,
             plastic.area,
             plastic.load_share,
             plastic.overlap

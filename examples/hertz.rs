@@ -10,18 +10,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (radius, contact_modulus, mean_pressure) = (1.0, 1.0, 8e-3);
     let cylinder = Indenter::Cylinder { radius };
     println!("kappa_r of a lone cylinder: {:.5}", hertz::KAPPA_R_LINE);
-    println!("points  area       kappa_r    resolved   mean gap");
+    println!("points  area       kappa_r    counted    mean gap");
     for points in [256, 1024, 4096, 16384] {
         let grid = Grid::line(points, 4.0 * radius)?;
         let problem =
             Problem::new(cylinder.surface(grid)?, ContactModulus(contact_modulus), Load::MeanPressure(mean_pressure))?;
         let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ())?.converged()?;
-        let measures = contact.measures();
+        let resolved = contact.resolved();
         println!(
             "{points:>6}  {:.6}  {:.6}  {:.6}  {:.7}",
-            measures.relative_area,
-            measures.kappa_r,
-            contact.resolved().kappa_r,
+            resolved.relative_area,
+            resolved.kappa_r,
+            contact.counted().kappa_r,
             contact.mean_gap()
         );
     }

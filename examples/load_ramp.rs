@@ -25,11 +25,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let start = last.as_ref().map(|contact| &contact.pressure);
         let contact = Multilevel.solve_from(start, &problem, &Stop::default(), &mut ())?.converged()?;
         let flat = Multilevel.solve(&problem, &Stop::default(), &mut ())?.converged()?;
-        let measures = contact.measures();
+        let resolved = contact.resolved();
         println!(
             "{load:>10.2e} {:>8.4} {:>8.4} {:>12.1e} {:>12} {:>12}",
-            measures.relative_area,
-            measures.kappa_r,
+            resolved.relative_area,
+            resolved.kappa_r,
             contact.certificate.eta,
             contact.work.transforms,
             flat.work.transforms

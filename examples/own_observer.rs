@@ -16,7 +16,7 @@ struct SettledArea {
 impl Observer for SettledArea {
     fn step(&mut self, step: &Step<'_>) -> Wish {
         // statistics are computed here, because they are asked for, and only once per step
-        let nodes = step.measures().contact_nodes;
+        let nodes = step.counted().contact_nodes;
         if nodes != self.nodes {
             (self.nodes, self.since) = (nodes, step.index());
         }

@@ -14,7 +14,7 @@ from pathlib import Path
 from datafusion import col
 from rerun.server import Server
 
-COLUMNS = ["solver", "points", "hurst", "reduced_pressure", "relative_area_resolved", "kappa_r_resolved",
+COLUMNS = ["solver", "points", "hurst", "reduced_pressure", "relative_area", "kappa_r",
            "certificate", "iterations", "status"]
 
 

@@ -13,19 +13,19 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let surface = Surface::rough(Grid::line(1 << 14, period)?, &spectrum, 1)?;
     // masses proportional to mode stiffness: the same state of rest as the paper's uniform masses, in far fewer steps
     let solver = Gfmd { masses: Masses::Stiffness, dynamics: Dynamics::Fire, ..Gfmd::default() };
-    println!("    p*    area    patches  kappa   kappa_r  resolved  steps");
+    println!("    p*    area    patches  kappa   kappa_r  counted  steps");
     let mut problem = Problem::new(surface, ContactModulus(1e9), Load::ReducedPressure(1e-3))?;
     for reduced_pressure in [1e-3, 3e-3, 1e-2, 3e-2, 1e-1] {
         problem = problem.with_load(Load::ReducedPressure(reduced_pressure))?;
         let contact = solver.solve(&problem, &Stop::default(), &mut ())?.converged()?;
-        let m = contact.measures();
+        let resolved = contact.resolved();
         println!(
             "{reduced_pressure:>6}  {:.5}  {:>6}   {:.3}   {:.3}    {:.3}      {}",
-            m.relative_area,
+            resolved.relative_area,
             contact.patches().count(),
-            m.kappa,
-            m.kappa_r,
-            contact.resolved().kappa_r,
+            resolved.relative_area / reduced_pressure,
+            resolved.kappa_r,
+            contact.counted().kappa_r,
             contact.work.iterations
         );
     }

@@ -32,6 +32,21 @@ pub(crate) fn sum(len: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     visit(len, |range| range.fold(0.0, |sum, i| sum + term(i))).into_iter().sum()
 }
 
+/// Mean of `values` with the rounding of its sums made up for (Neumaier), so that it keeps its digits where the values cancel.
+pub(crate) fn compensated_mean(values: &[f64]) -> f64 {
+    let add = |[sum, lost]: [f64; 2], value: f64| {
+        let next = sum + value;
+        let rest = if sum.abs() >= value.abs() { (sum - next) + value } else { (value - next) + sum };
+        [next, lost + rest]
+    };
+    let parts = visit(values.len(), |range| values[range].iter().fold([0.0; 2], |sums, value| add(sums, *value)));
+    let [sum, lost] = parts.into_iter().fold([0.0; 2], |sums, [sum, lost]| {
+        let [sum, rest] = add(sums, sum);
+        [sum, rest + lost]
+    });
+    (sum + lost) / values.len() as f64
+}
+
 /// Results of `update` on each chunk of `values` and the range it covers, in order.
 pub(crate) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, &mut [f64]) -> T + Sync) -> Vec<T> {
     let update = |(range, values): (Range<usize>, &mut [f64])| update(range, values);

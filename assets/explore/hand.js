@@ -103,7 +103,7 @@ function press(gap) {
 const isClear = (gap) => gap !== null && gap >= section.highest * (1 - 1e-6);
 
 /** The numbers of a surface that touches nothing. */
-const CLEAR = { relative_area: 0, relative_area_resolved: 0, patches: 0, reduced_pressure: 0 };
+const CLEAR = { relative_area: 0, relative_area_counted: 0, patches: 0, reduced_pressure: 0 };
 
 /** Shows the rigid surface above a solid that it does not touch, and that is flat. */
 function lift(gap) {

@@ -47,7 +47,7 @@ type Parts<'py> = (
     [Bound<'py, PyArrayDyn<f64>>; 3],
     (Certificate, Work),
     [String; 2],
-    Option<([f64; 3], [usize; 2])>,
+    Option<([f64; 4], [usize; 2])>,
     Option<String>,
     Option<([f64; 3], Contact)>,
 );
@@ -353,9 +353,12 @@ impl Contact {
         }
         let fields = [&contact.pressure, &contact.displacement, &contact.gap];
         let fields = fields.map(|field| view(field, *rank, slf.clone().into_any()));
-        let coarser = contact
-            .coarser
-            .map(|it| ([it.relative_area, it.rms_gradient_contact, it.kappa_r], [it.edges, it.edges_of_shape]));
+        let coarser = contact.coarser.map(|it| {
+            (
+                [it.relative_area, it.rms_gradient_contact, it.kappa_r, it.reduced_pressure_contact],
+                [it.edges, it.edges_of_shape],
+            )
+        });
         let slip = it.slip.as_ref().map(|slip| {
             let Friction { coefficient, tangential } = slip.friction;
             ([coefficient, tangential, slip.ratio], it.stick(slip))
@@ -374,7 +377,7 @@ impl Contact {
         fields: [ArrayLike<'_>; 3],
         numbers: (Certificate, Work),
         words: [String; 2],
-        coarser: Option<([f64; 3], [usize; 2])>,
+        coarser: Option<([f64; 4], [usize; 2])>,
         diagnosis: Option<String>,
         slip: Option<([f64; 3], Bound<'_, Self>)>,
     ) -> PyResult<Self> {
@@ -383,9 +386,15 @@ impl Contact {
         let (Certificate(certificate), Work(work)) = numbers;
         let [status, solver] = words;
         let status: Status = serde_json::from_value(status.into()).map_err(py_error)?;
-        let coarser = coarser.map(|([relative_area, rms_gradient_contact, kappa_r], [edges, edges_of_shape])| {
-            Resolved { relative_area, rms_gradient_contact, kappa_r, edges, edges_of_shape }
-        });
+        let coarser =
+            coarser.map(|([relative_area, rms_gradient_contact, kappa_r, last], [edges, edges_of_shape])| Resolved {
+                relative_area,
+                rms_gradient_contact,
+                kappa_r,
+                reduced_pressure_contact: last,
+                edges,
+                edges_of_shape,
+            });
         let Problem { problem, surface, setup, rank } = problem;
         let contact =
             asperity::Contact::from_parts(problem.clone(), fields, (certificate, work, status), solver, coarser);

@@ -110,16 +110,16 @@ impl Step {
         self.field(py, |step| step.gap().to_vec())
     }
 
-    /// Relative contact area, the share of nodes in contact.
+    /// Relative contact area, with edges resolved between the nodes.
     #[getter]
     fn relative_area(&self, py: Python<'_>) -> PyResult<f64> {
-        self.query(py, |step| step.measures().relative_area)
+        self.query(py, |step| step.resolved().relative_area)
     }
 
-    /// Relative contact area over the reduced pressure with the rms gradient of the nodes in contact.
+    /// Relative contact area over the reduced pressure with the rms gradient of the contact, with edges resolved between the nodes.
     #[getter]
     fn kappa_r(&self, py: Python<'_>) -> PyResult<f64> {
-        self.query(py, |step| step.measures().kappa_r)
+        self.query(py, |step| step.resolved().kappa_r)
     }
 
     /// Mean gap, a length.

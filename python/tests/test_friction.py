@@ -25,7 +25,7 @@ def test_the_stick_width_is_that_of_cattaneo_and_mindlin() -> None:
     assert slip is not None
     width = slip.stick_area + slip.slip_area
     assert slip.stick_area / width == pytest.approx(math.sqrt(1 - TANGENTIAL / (COEFFICIENT * LOAD)), rel=2e-3)
-    assert width == pytest.approx(contact.measures["relative_area_resolved"])
+    assert width == pytest.approx(contact.measures["relative_area"])
     # the traction carries the load, and is at its limit exactly where the contact slips
     assert slip.traction.mean() == pytest.approx(TANGENTIAL, rel=1e-6)
     slips = contact.contact & ~slip.stick

@@ -83,7 +83,7 @@ def test_the_reader_of_the_sdk_finds_every_step_in_the_pieces(tmp_path: Path) ->
     def steps_in(recording: bytes) -> set[int]:
         path = tmp_path / "joined.rrd"
         path.write_bytes(recording)
-        chunks = RrdReader(path).stream().filter(content="/contact/trace/kappa_r", has_timeline="step").to_chunks()
+        chunks = RrdReader(path).stream().filter(content="/contact/trace/kappa_r_counted", has_timeline="step").to_chunks()
         return {int(step) for chunk in chunks for step in chunk.to_record_batch().column("step").to_pylist()}
 
     def joined(pieces: list[bytes]) -> bytes:

@@ -142,7 +142,7 @@ def test_a_table_speaks_numpy_pandas_and_arrow(alone: Path) -> None:
     pyarrow, pandas = pytest.importorskip("pyarrow"), pytest.importorskip("pandas")
     arrow, frame, read = pyarrow.table(table), table.to_pandas(), pandas.read_parquet(alone.with_suffix(".parquet"))
     assert arrow.num_rows == 80 and arrow.column_names == table.columns == list(frame.columns) == list(read.columns)
-    for name in ("row", "kappa_r", "relative_area_resolved", "surface.spectrum.hurst"):
+    for name in ("row", "kappa_r", "relative_area", "surface.spectrum.hurst"):
         assert np.array_equal(arrow[name].to_numpy(), table[name], equal_nan=True)
         assert np.array_equal(frame[name], table[name], equal_nan=True) and np.array_equal(read[name], table[name], equal_nan=True)
     assert list(arrow["scene"].to_pylist()) == list(table["scene"]) == list(frame["scene"])

@@ -6,24 +6,25 @@ use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const TOLD: [&str; 33] = [
+const TOLD: [&str; 34] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
+    "reduced_pressure_contact_counted",
     "relative_area",
+    "relative_area_counted",
     "relative_area_corrected",
-    "relative_area_resolved",
     "relative_area_error",
     "rms_gradient",
     "rms_gradient_contact",
+    "rms_gradient_contact_counted",
     "rms_gradient_contact_corrected",
-    "rms_gradient_contact_resolved",
     "kappa",
+    "kappa_counted",
     "kappa_corrected",
-    "kappa_resolved",
     "kappa_r",
+    "kappa_r_counted",
     "kappa_r_corrected",
-    "kappa_r_resolved",
     "kappa_r_error",
     "mean_gap",
     "mean_gap_over_rms_height",
@@ -116,11 +117,11 @@ impl Finding {
             ),
             (
                 "relative area",
-                resolved(it.relative_area_resolved, it.relative_area, it.relative_area_corrected) + &area,
+                resolved(it.resolved_area(), it.relative_area_counted, it.relative_area_corrected) + &area,
             ),
-            ("rms gradient", format!("{:.6e}, in contact {:.6e}", it.rms_gradient, it.rms_gradient_contact_resolved)),
-            ("kappa", resolved(it.kappa_resolved, it.kappa, it.kappa_corrected)),
-            ("kappa_r", resolved(it.kappa_r_resolved, it.kappa_r, it.kappa_r_corrected) + &kappa_r),
+            ("rms gradient", format!("{:.6e}, in contact {:.6e}", it.rms_gradient, it.rms_gradient_contact)),
+            ("kappa", resolved(it.resolved_kappa(), it.kappa_counted, it.kappa_corrected)),
+            ("kappa_r", resolved(it.resolved_kappa_r(), it.kappa_r_counted, it.kappa_r_corrected) + &kappa_r),
             (
                 "grid error, estimated",
                 format!("area {}, kappa_r {}", percent(it.relative_area_error), percent(it.kappa_r_error)),
@@ -161,10 +162,10 @@ impl Finding {
 }
 
 /// A quantity with resolved edges, and beside it that of counted nodes.
-fn resolved(resolved: f64, counted: f64, corrected: f64) -> String {
-    match resolved.is_nan() {
-        true => format!("not resolved (counted {counted:.6})"),
-        false => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
+fn resolved(resolved: Option<f64>, counted: f64, corrected: f64) -> String {
+    match resolved {
+        None => format!("not resolved (counted {counted:.6})"),
+        Some(resolved) => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
     }
 }
 

@@ -1,8 +1,6 @@
 //! `asperity solve` under one load after the other.
 
 use super::finding::Finding;
-#[cfg(feature = "record")]
-use super::load_recording::CurveRecording;
 use super::outcome::{Outcome, settle, usage};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
@@ -14,6 +12,8 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads, warnings_of};
 use asperity::files::{write_beside, write_csv};
+#[cfg(feature = "record")]
+use asperity::job::CurveRecording;
 use asperity::setup::{Part, Table};
 use asperity::study::LoadCurve;
 use serde::Serialize;
@@ -80,7 +80,7 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome
 /// Solves and records the contacts.
 fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pressed> {
     #[cfg(feature = "record")]
-    let recording = CurveRecording::begin(curve, problem, outputs)?;
+    let recording = outputs.recording().map(|path| CurveRecording::create(path, curve, problem)).transpose()?;
     let mut pressed = Pressed { findings: Vec::new(), contacts: Vec::new(), outcome: Outcome::Done };
     let title = |number: usize| format!("load {} of {}", number + 1, curve.loads.len());
     curve.press(
@@ -147,17 +147,22 @@ impl Summary {
         self.loads.iter().try_for_each(|Finding { observables: it, .. }| {
             writeln!(
                 out,
-                "{:>12.4e} {:>12.4e} {:>12.4e} {:>9.5} {:>9.5} {:>8.4} {:>8.4} {:>8} {:>9.1e}",
+                "{:>12.4e} {:>12.4e} {:>12.4e} {:>9} {:>9.5} {:>8} {:>8} {:>8} {:>9.1e}",
                 it.reduced_pressure,
                 it.mean_pressure,
                 it.mean_gap,
-                it.relative_area_resolved,
-                it.relative_area,
-                it.kappa_resolved,
-                it.kappa_r_resolved,
+                word(it.resolved_area(), 5),
+                it.relative_area_counted,
+                word(it.resolved_kappa(), 4),
+                word(it.resolved_kappa_r(), 4),
                 it.patches,
                 it.certificate
             )
         })
     }
+}
+
+/// A number with some digits; a dash where it is not resolved.
+fn word(value: Option<f64>, digits: usize) -> String {
+    value.map_or("-".into(), |value| format!("{value:.digits$}"))
 }

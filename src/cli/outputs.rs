@@ -3,7 +3,6 @@
 use asperity::contact::Contact;
 use asperity::error::FileError;
 use asperity::files::check_named;
-use asperity::setup::{Part, Record};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -57,15 +56,6 @@ impl Outputs {
         }
         #[cfg(not(feature = "record"))]
         None
-    }
-
-    /// Whether the recording holds every step against the final state.
-    pub fn has_waterfall(&self, record: &Record) -> bool {
-        #[cfg(feature = "record")]
-        let is_recorded = self.record.is_some() || self.live;
-        #[cfg(not(feature = "record"))]
-        let is_recorded = false;
-        is_recorded && record.what.contains(&Part::Waterfall)
     }
 
     /// The table, if one is asked for.

@@ -3,6 +3,7 @@
 use super::choice::count;
 use super::outcome::Outcome;
 use super::progress::blank;
+use super::study::settled;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::paper::{self, Effort, Event, Item};
@@ -85,10 +86,10 @@ impl Paper {
         let comparison = paper.run(&items, &|event| show(&bar, event))?;
         writeln!(stdout())?;
         comparison.write_text(&mut stdout())?;
-        let unconverged = paper.unconverged(&items)?;
-        unconverged.iter().try_for_each(tell)?;
+        let points = paper.all_points(&items)?;
+        points.iter().filter(|point| !point.is_converged()).try_for_each(tell)?;
         wrote(&self.out);
-        Ok(if unconverged.is_empty() { Outcome::Done } else { Outcome::NotConverged })
+        settled(&points)
     }
 
     /// The items asked for, each once.

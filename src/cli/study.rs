@@ -136,9 +136,7 @@ pub fn write_all(plan: &Plan, table: &Path, points: &[Point]) -> Result<()> {
 
 /// Says how many rows are not resolved, and how many did not converge, if any.
 pub fn settled(points: &[Point]) -> Result<Outcome> {
-    let is_unresolved =
-        |point: &&Point| point.is_converged() && (point.relative_area().is_none() || point.kappa_r().is_none());
-    let unresolved = points.iter().filter(is_unresolved).count();
+    let unresolved = points.iter().filter(|point| point.is_converged() && !point.is_resolved()).count();
     if unresolved > 0 {
         super::warnings::print(&[format!(
             "{unresolved} of {} rows are not resolved, since their contact has too few nodes. They are left out of means and figures. Use more \

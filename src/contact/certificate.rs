@@ -333,8 +333,9 @@ fn length(rounding: f64, square: f64) -> f64 {
 /// What a prescribed datum leaves to err in: `min(D, h_max - D)` of a mean gap `D`, beyond which everything touches, or nothing; the
 /// approach, beyond which nothing does.
 fn room(problem: &Problem, datum: f64) -> f64 {
-    let left = problem.highest() - datum;
-    if problem.mean_gap().is_some() { datum.min(left) } else { left }
+    let above_mean = datum - problem.mean_height();
+    let left = problem.highest() - above_mean;
+    if problem.mean_gap().is_some() { above_mean.min(left) } else { left }
 }
 
 /// The datum `d` of the gap `g = u - h + d`: the prescribed one, or else minus the mean of `u - h` weighted by the

@@ -18,10 +18,10 @@ use std::ops::Range;
 /// let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?;
 /// let pressure = contact.pressure_distribution(20, contact.max_pressure());
 /// let share: f64 = pressure.bins().map(|([low, high], density)| density * (high - low)).sum();
-/// assert!((share - contact.measures().relative_area).abs() < 1e-12);
+/// assert!((share - contact.counted().relative_area).abs() < 1e-12);
 /// let gap = contact.gap_distribution(20, contact.max_gap());
 /// let share: f64 = gap.bins().map(|([low, high], density)| density * (high - low)).sum();
-/// assert!((share + contact.measures().relative_area - 1.0).abs() < 1e-12);
+/// assert!((share + contact.counted().relative_area - 1.0).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

@@ -4,7 +4,7 @@
 //! Problem --> Solver::solve --(Step)--> Observer
 //!                  |
 //!                  v
-//!               Contact { pressure, displacement, gap, Certificate, Work, Status } --> Measures, Edges, Patches
+//!               Contact { pressure, displacement, gap, Certificate, Work, Status } --> Counted, Resolved, Patches
 //! ```
 
 mod archive;
@@ -12,6 +12,7 @@ mod below;
 mod best;
 mod bound;
 mod certificate;
+mod counted;
 mod decision;
 mod density;
 mod distribution;
@@ -21,7 +22,6 @@ mod forecast;
 mod gfmd;
 mod law;
 mod load;
-mod measure;
 mod multilevel;
 mod observables;
 mod observe;
@@ -49,6 +49,7 @@ use sums::Sums;
 pub use crate::error::Failure;
 pub use archive::{archive, archive_of_loads, archive_of_slip, archive_of_stress};
 pub use certificate::Certificate;
+pub use counted::{Counted, NODE_EXCESS_PER_SWITCH_SURFACE};
 pub use decision::Decision;
 pub use density::{contact_reach, error_density};
 pub use distribution::Distribution;
@@ -57,7 +58,6 @@ pub use forecast::Forecast;
 pub use gfmd::{Dynamics, Gfmd, Masses, Relaxation};
 pub use law::Law;
 pub use load::Load;
-pub use measure::{Measures, NODE_EXCESS_PER_SWITCH_SURFACE};
 pub use multilevel::Multilevel;
 pub use observables::{OBSERVABLES, Observable, Observables, State};
 pub use observe::Each;

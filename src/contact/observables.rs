@@ -1,9 +1,13 @@
 //! The observables: all numbers that are told of a contact, in one table.
 //!
-//! A row of the table is all that a new one takes: results, tables of studies, the explorer and the curves of recordings show
-//! what is in it.
+//! A new observable needs one row of the table: results, tables of studies, the explorer and the curves of recordings show what is
+//! in it.
+//!
+//! A plain name such as `relative_area` or `kappa_r` is the best value that is known: that with edges of the contact resolved between the
+//! nodes, to which the errors `relative_area_error` and `kappa_r_error` belong. Names that end in `_counted` are from counting
+//! nodes, those that end in `_corrected` from counting nodes less the mean excess.
 
-use crate::contact::{Certificate, Contact, Load, Measures, Patches, Problem, Resolution, Resolved, Step, Work};
+use crate::contact::{Certificate, Contact, Counted, Load, Patches, Problem, Resolution, Resolved, Step, Work};
 use ndarray::ArrayView1;
 use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
@@ -38,7 +42,7 @@ pub struct State<'a> {
     certificate: Certificate,
     /// The contact stiffness; NaN where nobody has asked for it.
     stiffness: f64,
-    measures: Lazy<'a, Measures>,
+    counted: Lazy<'a, Counted>,
     resolved: Lazy<'a, Resolved>,
     patches: Lazy<'a, Patches>,
     /// Area and gradient of the contact on the next coarser grid, if they are known.
@@ -71,7 +75,7 @@ macro_rules! observables {
         /// ")?;
         /// let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?;
         /// let found = Observables::of(&contact);
-        /// assert_eq!((found.patches, found.kappa_r), (1, contact.measures().kappa_r));
+        /// assert_eq!((found.patches, found.kappa_r), (1, contact.resolved().kappa_r));
         /// assert!(OBSERVABLES.iter().any(|row| row.name == "mean_gap" && row.unit == "length"));
         /// # Ok::<(), Box<dyn std::error::Error>>(())
         /// ```
@@ -121,36 +125,38 @@ observables! {
         "Mean pressure.";
     reduced_pressure: f64, "p*", "1", false, |it| it.reduced_pressure(),
         "Reduced pressure, the mean pressure over rms gradient and contact modulus.";
-    reduced_pressure_contact: f64, "p_r*", "1", false, |it| it.measures.reduced_pressure_contact,
+    reduced_pressure_contact: f64, "p_r*", "1", false, |it| it.resolved.reduced_pressure_contact,
+        "Reduced pressure with the rms gradient of the contact.";
+    reduced_pressure_contact_counted: f64, "p_r*, counted", "1", false, |it| it.counted.reduced_pressure_contact,
         "Reduced pressure with the rms gradient of the nodes in contact.";
-    relative_area: f64, "a_rel", "1", true, |it| it.measures.relative_area,
-        "Relative contact area, the share of nodes in contact.";
-    relative_area_corrected: f64, "a_rel, corrected", "1", false, |it| it.measures.relative_area_corrected,
-        "Relative contact area less the mean excess of counting nodes at its edges.";
-    relative_area_resolved: f64, "a_rel, resolved", "1", true, |it| it.resolved.relative_area,
-        "Relative contact area within edges that are resolved between the nodes.";
+    relative_area: f64, "a_rel", "1", true, |it| it.resolved.relative_area,
+        "Relative contact area, with edges resolved between the nodes.";
+    relative_area_counted: f64, "a_rel, counted", "1", true, |it| it.counted.relative_area,
+        "Relative contact area as the share of nodes in contact.";
+    relative_area_corrected: f64, "a_rel, corrected", "1", false, |it| it.counted.relative_area_corrected,
+        "Relative contact area as the share of nodes in contact, less the mean excess of counting nodes at its edges.";
     rms_height: f64, "h_rms", "length", false, |it| it.problem.rms_height(),
         "Root mean square of the heights about their mean.";
     rms_gradient: f64, "g_rms", "1", false, |it| it.problem.rms_gradient(),
         "Root-mean-square gradient of the surface.";
-    rms_gradient_contact: f64, "g_r", "1", false, |it| it.measures.rms_gradient_contact,
+    rms_gradient_contact: f64, "g_r", "1", false, |it| it.resolved.rms_gradient_contact,
+        "Root-mean-square gradient over the contact, with edges resolved between the nodes.";
+    rms_gradient_contact_counted: f64, "g_r, counted", "1", false, |it| it.counted.rms_gradient_contact,
         "Root-mean-square gradient of the nodes in contact.";
-    rms_gradient_contact_corrected: f64, "g_r, corrected", "1", false, |it| it.measures.rms_gradient_contact_corrected,
-        "Root-mean-square gradient of the contact less the mean excess of counting nodes at its edges.";
-    rms_gradient_contact_resolved: f64, "g_r, resolved", "1", false, |it| it.resolved.rms_gradient_contact,
-        "Root-mean-square gradient over the contact within edges that are resolved between the nodes.";
-    kappa: f64, "kappa", "1", false, |it| it.measures.kappa,
-        "Relative contact area over reduced pressure.";
-    kappa_corrected: f64, "kappa, corrected", "1", false, |it| it.measures.relative_area_corrected / it.measures.reduced_pressure,
+    rms_gradient_contact_corrected: f64, "g_r, corrected", "1", false, |it| it.counted.rms_gradient_contact_corrected,
+        "Root-mean-square gradient of the nodes in contact, less the mean excess of counting nodes at the edges.";
+    kappa: f64, "kappa", "1", true, |it| it.resolved.relative_area / it.counted.reduced_pressure,
+        "Relative contact area over reduced pressure, with edges resolved between the nodes.";
+    kappa_counted: f64, "kappa, counted", "1", false, |it| it.counted.kappa,
+        "Share of nodes in contact over reduced pressure.";
+    kappa_corrected: f64, "kappa, corrected", "1", false, |it| it.counted.relative_area_corrected / it.counted.reduced_pressure,
         "Corrected relative contact area over reduced pressure.";
-    kappa_resolved: f64, "kappa, resolved", "1", true, |it| it.resolved.relative_area / it.measures.reduced_pressure,
-        "Resolved relative contact area over reduced pressure.";
-    kappa_r: f64, "kappa_r", "1", true, |it| it.measures.kappa_r,
-        "Relative contact area over the reduced pressure with the rms gradient of the nodes in contact.";
-    kappa_r_corrected: f64, "kappa_r, corrected", "1", false, |it| it.measures.kappa_r_corrected,
+    kappa_r: f64, "kappa_r", "1", true, |it| it.resolved.kappa_r,
+        "Relative contact area over the reduced pressure with the rms gradient of the contact, with edges resolved between the nodes.";
+    kappa_r_counted: f64, "kappa_r, counted", "1", true, |it| it.counted.kappa_r,
+        "Share of nodes in contact over the reduced pressure with the rms gradient of these nodes.";
+    kappa_r_corrected: f64, "kappa_r, corrected", "1", false, |it| it.counted.kappa_r_corrected,
         "Corrected relative contact area over the reduced pressure with the corrected rms gradient of the contact.";
-    kappa_r_resolved: f64, "kappa_r, resolved", "1", true, |it| it.resolved.kappa_r,
-        "Resolved relative contact area over the reduced pressure with the resolved rms gradient of the contact.";
     mean_gap: f64, "<g>", "length", false, |it| *it.mean_gap,
         "Mean gap between the surfaces.";
     mean_gap_over_rms_height: f64, "<g> / h_rms", "1", true, |it| *it.mean_gap / it.problem.rms_height(),
@@ -170,9 +176,9 @@ observables! {
     edges_of_shape: f64, "n_e / n", "1", false, |it| it.resolved.edges_of_shape as f64 / (it.resolved.edges.max(1)) as f64,
         "Share of the links between contact and gap at which the shape of the surface gives the edge, as that of a punch does.";
     relative_area_error: f64, "|da| / a_rel", "1", false, |it| it.resolution().relative_area_error,
-        "Estimated relative error of the resolved relative contact area on this grid.";
+        "Estimated relative error of the relative contact area on this grid.";
     kappa_r_error: f64, "|dkappa_r| / kappa_r", "1", false, |it| it.resolution().kappa_r_error,
-        "Estimated relative error of the resolved kappa_r on this grid.";
+        "Estimated relative error of kappa_r on this grid.";
     certificate: f64, "eta", "1", true, |it| it.certificate.eta,
         "Certificate: a bound of the error in energy over load times rms height.";
     pressure_error_bound: f64, "|dp| / |p|", "1", false, |it| it.certificate.pressure_error_bound,
@@ -195,18 +201,41 @@ observables! {
         "Fourier transforms, forward and inverse counted alike.";
 }
 
+impl Observables {
+    /// The relative area, where the grid resolves it.
+    pub fn resolved_area(&self) -> Option<f64> {
+        resolved(self.relative_area, self.relative_area_error)
+    }
+
+    /// `kappa`, where the grid resolves the relative area.
+    pub fn resolved_kappa(&self) -> Option<f64> {
+        resolved(self.kappa, self.relative_area_error)
+    }
+
+    /// `kappa_r`, where the grid resolves it.
+    pub fn resolved_kappa_r(&self) -> Option<f64> {
+        resolved(self.kappa_r, self.kappa_r_error)
+    }
+}
+
+/// A value whose error is known to be smaller than itself: where patches have too few nodes the value is 0 or NaN, or its error is not
+/// known or infinite.
+fn resolved(value: f64, error: f64) -> Option<f64> {
+    (value.is_finite() && value > 0.0 && error < 1.0).then_some(value)
+}
+
 impl State<'_> {
     /// How well the grid resolves the contact.
     fn resolution(&self) -> Resolution {
         let grid = self.problem.surface().grid();
-        Resolution::of(grid, &self.measures, &self.resolved, &self.patches, self.coarser)
+        Resolution::of(grid, &self.counted, &self.resolved, &self.patches, self.coarser)
     }
 
     /// The reduced pressure: that which is prescribed, to the last bit, or else the one that is found.
     fn reduced_pressure(&self) -> f64 {
         match self.problem.load() {
             Load::ReducedPressure(prescribed) => prescribed,
-            _ => self.measures.reduced_pressure,
+            _ => self.counted.reduced_pressure,
         }
     }
 
@@ -226,7 +255,7 @@ impl<'a> From<&'a Contact> for State<'a> {
             work: contact.work,
             certificate: contact.certificate,
             stiffness: contact.known_stiffness().unwrap_or(f64::NAN),
-            measures: lazy(|| contact.measures()),
+            counted: lazy(|| contact.counted()),
             resolved: lazy(|| contact.resolved()),
             patches: lazy(|| contact.patches()),
             coarser: contact.coarser.as_ref(),
@@ -246,7 +275,7 @@ impl<'a> From<&'a Step<'_>> for State<'a> {
             work: step.work(),
             stiffness: f64::NAN,
             certificate: step.certificate().copied().unwrap_or(Certificate::UNKNOWN),
-            measures: lazy(|| *step.measures()),
+            counted: lazy(|| *step.counted()),
             resolved: lazy(|| *step.resolved()),
             patches: lazy(|| step.patches().clone()),
             coarser: None,

@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 /// let problem = Problem::new(sine, ContactModulus(1.0), Load::ReducedPressure(0.1))?;
 /// let mut areas = Vec::new();
 /// let mut watch = Each(|step: &asperity::contact::Step<'_>| {
-///     areas.push(step.measures().relative_area);
+///     areas.push(step.counted().relative_area);
 ///     ControlFlow::Continue(())
 /// });
 /// let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut watch)?;

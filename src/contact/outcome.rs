@@ -1,7 +1,7 @@
 //! The contact that a solver returns.
 
 use crate::contact::{
-    Certificate, Edges, Failure, Measures, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
+    Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
     multilevel,
 };
 use crate::elastic::Response;
@@ -142,9 +142,9 @@ impl Contact {
         self.failure.get_or_insert_with(|| Arc::new(failure.into()));
     }
 
-    /// Area, gradients and proportionality factors.
-    pub fn measures(&self) -> Measures {
-        Measures::of(&self.problem, self.pressures())
+    /// Area, gradients and proportionality factors by counting nodes.
+    pub fn counted(&self) -> Counted {
+        Counted::new(&self.problem, self.pressures())
     }
 
     /// The edges of the contact, between the nodes.
@@ -153,7 +153,7 @@ impl Contact {
         Edges::of(&self.problem, self.pressures(), |node| gap[node])
     }
 
-    /// Area and gradient with the edges resolved between the nodes.
+    /// Area, gradient and `kappa_r` with the edges resolved between the nodes.
     pub fn resolved(&self) -> Resolved {
         self.edges().resolved()
     }
@@ -161,7 +161,7 @@ impl Contact {
     /// How well the grid resolves the contact.
     pub fn resolution(&self) -> Resolution {
         let grid = self.problem.surface().grid();
-        Resolution::of(grid, &self.measures(), &self.resolved(), &self.patches(), self.coarser.as_ref())
+        Resolution::of(grid, &self.counted(), &self.resolved(), &self.patches(), self.coarser.as_ref())
     }
 
     /// Contact patches.

@@ -52,7 +52,7 @@ use crate::surface::Field;
 /// let full = std::f64::consts::PI;
 /// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.5 * full))?;
 /// let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ())?.converged()?;
-/// assert!((contact.measures().relative_area - 0.5).abs() < 2.0 / 1024.0);
+/// assert!((contact.counted().relative_area - 0.5).abs() < 2.0 / 1024.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, Default)]

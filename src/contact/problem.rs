@@ -20,8 +20,8 @@ const OF_HARDNESS: f64 = 0.5;
 ///
 /// Find `p >= 0` and a datum `d` such that the gap `g = u(p) - h + d >= 0` and `p g = 0`, with `u(p)` from
 /// [`crate::elastic::Response`]. Under a [`Law`] with a hardness `H_c`, `p <= H_c` as well, and `g <= 0` where `p = H_c`: there the
-/// softer body yields, and the surfaces overlap by `-g`. Heights have no mean, nor have displacements on a
-/// periodic grid, so there the datum is the mean gap.
+/// softer body yields, and the surfaces overlap by `-g`. Heights have no mean but for rounding, nor have displacements on a
+/// periodic grid, so there the datum is the mean gap, and the mean of the heights where they have one.
 ///
 /// | prescribed      | minimises over `p >= 0`                        | found                                   |
 /// |-----------------|------------------------------------------------|-----------------------------------------|
@@ -59,6 +59,8 @@ pub struct Problem {
     mean_pressure: Option<f64>,
     expected_mean_pressure: f64,
     rms_height: f64,
+    /// Mean of the heights that a surface keeps, which is rounding at the most.
+    mean_height: f64,
     highest: f64,
     rms_gradient: OnceLock<f64>,
     yielded: Option<Yielded>,
@@ -107,7 +109,8 @@ impl Problem {
         let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
         check_magnitude("rms height", rms_height)?;
         check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
-        let highest = height.iter().fold(0.0, |highest: f64, &h| highest.max(h));
+        let mean_height = chunks::compensated_mean(height);
+        let highest = height.iter().fold(0.0, |highest: f64, &h| highest.max(h)) - mean_height;
         let (mean_pressure, expected_mean_pressure, rms_gradient) = (None, f64::NAN, OnceLock::new());
         let compliance = Arc::new(Compliance::new(surface.grid(), solid, load.keeps_uniform())?);
         for stiffness in compliance.stiffness_range().into_iter().filter(|_| !compliance.solid().is_half_space()) {
@@ -121,6 +124,7 @@ impl Problem {
             mean_pressure,
             expected_mean_pressure,
             rms_height,
+            mean_height,
             highest,
             rms_gradient,
             yielded: None,
@@ -278,13 +282,19 @@ impl Problem {
         &self.compliance
     }
 
-    /// The datum `d` of the gap `u - h + d`, where it is prescribed: the mean gap, or the highest peak less the approach.
+    /// The datum `d` of the gap `u - h + d`, where it is prescribed: the mean gap, or the highest peak less the approach, both from the
+    /// mean of the heights.
     pub fn datum(&self) -> Option<f64> {
         match self.load {
-            Load::MeanGap(mean_gap) => Some(mean_gap),
-            Load::Approach(approach) => Some(self.highest - approach),
+            Load::MeanGap(mean_gap) => Some(mean_gap + self.mean_height),
+            Load::Approach(approach) => Some(self.highest - approach + self.mean_height),
             Load::MeanPressure(_) | Load::ReducedPressure(_) | Load::Force(_) => None,
         }
+    }
+
+    /// The mean of the heights, which is rounding at the most.
+    pub(super) fn mean_height(&self) -> f64 {
+        self.mean_height
     }
 
     /// The load, as it was given.

@@ -1,6 +1,6 @@
 //! How well a grid resolves a contact.
 
-use crate::contact::{Measures, Patches, Resolved};
+use crate::contact::{Counted, Patches, Resolved};
 use crate::grid::Grid;
 
 /// Nodes of the patches that are too small to trust, fewer than these: lines, surfaces.
@@ -56,15 +56,15 @@ impl Resolution {
     /// The resolution of a contact on `grid`, with what the next coarser grid had of it, if that is known.
     pub fn of(
         grid: &Grid,
-        measures: &Measures,
+        counted: &Counted,
         resolved: &Resolved,
         patches: &Patches,
         coarser: Option<&Resolved>,
     ) -> Self {
         let fewest = Self::fewest_nodes(grid);
         let small: usize = patches.sizes().iter().filter(|nodes| **nodes < fewest).sum();
-        let nodes = measures.contact_nodes as f64;
-        let level_share = measures.level_nodes as f64 / nodes.max(1.0);
+        let nodes = counted.contact_nodes as f64;
+        let level_share = counted.level_nodes as f64 / nodes.max(1.0);
         let error = |value: f64, corrected: f64, coarser: Option<f64>| {
             let of_measures = (value - corrected).abs();
             let error = coarser.map_or(of_measures, |coarser| SHARE * (of_measures + (value - coarser).abs()));
@@ -72,12 +72,12 @@ impl Resolution {
         };
         let relative_area_error = error(
             resolved.relative_area,
-            measures.relative_area_corrected,
+            counted.relative_area_corrected,
             coarser.map(|coarser| coarser.relative_area),
         );
         let rms_gradient_error = error(
             resolved.rms_gradient_contact,
-            measures.rms_gradient_contact_corrected,
+            counted.rms_gradient_contact_corrected,
             coarser.map(|coarser| coarser.rms_gradient_contact),
         );
         Self {

@@ -16,8 +16,8 @@ use crate::contact::{Certificate, Decision, Energy, Phase, Problem, Step, Work};
 ///     ControlFlow::Continue(())
 /// });
 /// let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut keep)?;
-/// let last = std::thread::spawn(move || last.unwrap().step().measures().kappa_r).join().unwrap();
-/// assert_eq!(last, contact.measures().kappa_r);
+/// let last = std::thread::spawn(move || last.unwrap().step().counted().kappa_r).join().unwrap();
+/// assert_eq!(last, contact.counted().kappa_r);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]

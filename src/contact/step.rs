@@ -1,6 +1,6 @@
 //! The state of a solver at one relaxation step.
 
-use crate::contact::{Certificate, Decision, Edges, Measures, Patches, Problem, Resolved, Work, certificate, chunks};
+use crate::contact::{Certificate, Counted, Decision, Edges, Patches, Problem, Resolved, Work, certificate, chunks};
 use std::cell::{LazyCell, OnceCell};
 use std::ops::Deref;
 
@@ -30,7 +30,7 @@ pub struct Step<'a> {
     /// The datum, where it was not given, once it was asked for.
     found_datum: OnceCell<f64>,
     gap: OnceCell<Vec<f64>>,
-    measures: OnceCell<Measures>,
+    counted: OnceCell<Counted>,
     resolved: OnceCell<Resolved>,
     patches: OnceCell<Patches>,
 }
@@ -125,7 +125,7 @@ impl<'a> Step<'a> {
             potential: None,
             found_datum: OnceCell::new(),
             gap: OnceCell::new(),
-            measures: OnceCell::new(),
+            counted: OnceCell::new(),
             resolved: OnceCell::new(),
             patches: OnceCell::new(),
         }
@@ -222,7 +222,8 @@ impl<'a> Step<'a> {
     /// Mean gap.
     pub fn mean_gap(&self) -> f64 {
         let sum: f64 = self.displacement.iter().sum();
-        sum / self.displacement.len() as f64 + self.datum() - self.problem.flattened_by()
+        let mean = sum / self.displacement.len() as f64;
+        mean + (self.datum() - self.problem.mean_height()) - self.problem.flattened_by()
     }
 
     fn datum(&self) -> f64 {
@@ -255,9 +256,9 @@ impl<'a> Step<'a> {
         Energy::Complementary(chunks::sum(p.len(), |i| p[i] * (0.5 * u[i] - h[i] + gap)) / unit)
     }
 
-    /// Area, gradients and proportionality factors.
-    pub fn measures(&self) -> &Measures {
-        self.measures.get_or_init(|| Measures::of(self.problem, &self.pressure))
+    /// Area, gradients and proportionality factors by counting nodes.
+    pub fn counted(&self) -> &Counted {
+        self.counted.get_or_init(|| Counted::new(self.problem, &self.pressure))
     }
 
     /// The edges of the contact, between the nodes.
@@ -301,7 +302,7 @@ mod tests {
         let made = || [made[0].get(), made[1].get()];
         assert_eq!((step.index(), step.transforms(), step.certificate(), step.phase().level), (0, 0, None, 0));
         assert_eq!(made(), [0, 0]);
-        assert_eq!((step.measures().contact_nodes, step.patches().count()), (8, 1));
+        assert_eq!((step.counted().contact_nodes, step.patches().count()), (8, 1));
         assert_eq!(made(), [1, 0]);
         assert!((step.mean_gap() - 1.0).abs() < 1e-15 && step.gap.get().is_none());
         assert_eq!((step.gap().len(), step.gap.get().map(Vec::len)), (8, Some(8)));

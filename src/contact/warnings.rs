@@ -123,8 +123,8 @@ fn metal(found: &[&Observables], law: Law) -> Option<Warning> {
 
 /// Whether there is a contact whose `kappa_r`, or its error, is no number or zero.
 fn is_unknown(it: &Observables) -> bool {
-    it.relative_area > 0.0
-        && !(it.kappa_r_error.is_finite() && it.relative_area_error.is_finite() && it.kappa_r_resolved > 0.0)
+    it.relative_area_counted > 0.0
+        && !(it.kappa_r_error.is_finite() && it.relative_area_error.is_finite() && it.kappa_r > 0.0)
 }
 
 /// Whether the grid is too coarse for the numbers of a contact.

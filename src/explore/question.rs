@@ -3,7 +3,7 @@
 use super::refusal::Refusal;
 use super::words::Words;
 use crate::contact::OBSERVABLES;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeMap;
 
 /// A question of a step.
@@ -23,7 +23,8 @@ pub enum Question {
     Number {
         /// The question.
         question: Words,
-        /// The observable that answers it, such as `kappa_r_resolved`.
+        /// The observable that answers it, such as `kappa_r`.
+        #[serde(deserialize_with = "current_name")]
         of: String,
     },
     /// A curve against the load, which a sweep will draw beside the guess.
@@ -42,10 +43,26 @@ pub enum Question {
     },
 }
 
-/// A contact that is to be made: the least and the largest value of some observables, such as `relative_area_resolved`.
+/// A contact that is to be made: the least and the largest value of some observables, such as `relative_area`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(transparent)]
+#[serde(from = "BTreeMap<String, [f64; 2]>")]
 pub struct Goal(BTreeMap<String, [f64; 2]>);
+
+impl From<BTreeMap<String, [f64; 2]>> for Goal {
+    fn from(ranges: BTreeMap<String, [f64; 2]>) -> Self {
+        Self(ranges.into_iter().map(|(of, range)| (without_resolved(&of).to_owned(), range)).collect())
+    }
+}
+
+/// The name of an observable as lessons give it.
+fn current_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+    Ok(without_resolved(&String::deserialize(deserializer)?).to_owned())
+}
+
+/// The name of an observable without the ending `_resolved` that it has in older lessons.
+fn without_resolved(name: &str) -> &str {
+    name.strip_suffix("_resolved").unwrap_or(name)
+}
 
 /// An answer to choose.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -107,7 +124,7 @@ fn check_observable(of: &str) -> Result<(), Refusal> {
     if OBSERVABLES.iter().any(|it| it.name == of) {
         return Ok(());
     }
-    Err(Refusal(format!("{of:?} is no number of a run: give one such as \"kappa_r_resolved\"")))
+    Err(Refusal(format!("{of:?} is no number of a run: give one such as \"kappa_r\"")))
 }
 
 /// A curve of a sweep.

@@ -76,7 +76,8 @@ fn power_panel(points: &Points) -> Panel {
     for (exponent, name, colour, symbol, _) in POWERS {
         let exact = power_law(exponent).kappa_r();
         panel.add_curve(format!("n = {exponent}, exact {exact:.4}"), colour, Mark::Line, |_| exact);
-        let measured = points.dots(name, |it| it.reduced_pressure_contact, Measure::Resolved.kappa_r());
+        let resolved = Measure::Resolved;
+        let measured = points.dots(name, resolved.reduced_pressure_contact(), resolved.kappa_r());
         panel.add("", colour, Mark::Symbol { symbol, filled: false }, measured);
     }
     panel

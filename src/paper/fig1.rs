@@ -47,7 +47,7 @@ fn panel(points: &Points) -> Panel {
         panel.add_curve(format!("{name}, analytical: {exact:.4}"), colour, Mark::Line, |_| exact);
         for measure in Measure::ALL {
             let mark = Mark::Symbol { symbol, filled: measure == Measure::Counted };
-            let measured = points.dots(name, |it| it.reduced_pressure_contact, measure.kappa_r());
+            let measured = points.dots(name, measure.reduced_pressure_contact(), measure.kappa_r());
             panel.add(format!("{name}, {}", measure.name()), colour, mark, measured);
         }
     }
@@ -68,7 +68,7 @@ fn ramp(points: &Points) -> Ramp {
     Ramp {
         captions: captions("a/L", &widths),
         quantity: ("p_r*", Scale::Log),
-        cursor: each("cylinder", |it| it.reduced_pressure_contact),
+        cursor: each("cylinder", Measure::Resolved.reduced_pressure_contact()),
         curves: vec![curve("cylinder", Colour::VERMILION), curve("sphere", Colour::BLUE)],
         contacts: vec![cylinder(SHOWN_LINE, &widths), sphere(SHOWN_SIDE, &widths)],
         length_unit: "R",

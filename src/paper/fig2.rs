@@ -29,7 +29,7 @@ pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
 /// Fall of `kappa` from the lightest to the heaviest load in per cent of that at the lightest, averaged over Hurst exponents.
 fn variation(points: &Points) -> Estimate {
     let fall = |rows: &[&Point]| match rows {
-        [first, .., last] => 100.0 * (1.0 - last.observables.kappa / first.observables.kappa),
+        [first, .., last] => 100.0 * (1.0 - last.observables.kappa_counted / first.observables.kappa_counted),
         _ => f64::NAN,
     };
     let mut falls: BTreeMap<Option<u64>, Vec<f64>> = BTreeMap::new();

@@ -2,7 +2,7 @@
 
 use super::fit::{Fit, Weights};
 use super::means::Points;
-use super::measure::{Measure, Quantity};
+use super::measure::Measure;
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough, WARM};
 use super::verdict::Verdict;
@@ -87,7 +87,7 @@ fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
     }
     panel.add_curve("Persson, erf(√2 p*)/p*", Colour::BLACK, Mark::Dotted, |p| persson::relative_area(p) / p);
     for (hurst, symbol) in lines.exponents() {
-        let curve = points.curve(hurst, &lines.loads, [|it| it.reduced_pressure, |it| it.kappa]);
+        let curve = points.curve(hurst, &lines.loads, [|it| it.reduced_pressure, Measure::Counted.kappa()]);
         panel.add(format!("κ, H = {hurst}"), Colour::GREY, Mark::Symbol { symbol, filled: false }, curve);
     }
     panel
@@ -95,7 +95,7 @@ fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
 
 /// The fits beside what is fitted; no contacts.
 fn ramp(lines: &Rough, points: &Points, fits: &[FitRow]) -> Ramp {
-    let kappa: Quantity = |it| it.kappa;
+    let kappa = Measure::Counted.kappa();
     let mut ramp = lines.ramp(&[(VIEW, "κ", &WARM, kappa)], |hurst, of| points.along(hurst, &lines.loads, of));
     ramp.curves.extend(fits.iter().zip(COLD.into_iter().cycle()).map(|(fit, colour)| {
         RampCurve::new(VIEW, fit.name(), colour, lines.loads.iter().map(|&load| fit.kappa_at(load)))

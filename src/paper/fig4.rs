@@ -18,7 +18,7 @@ const HEAVY: &str = "The squares of the fit weigh most at the heaviest loads, wh
 pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
     let finest = points.finest();
     let found = points.on(finest).map(|row| row.observables);
-    let pairs: Vec<(f64, f64)> = found.map(|it| (it.reduced_pressure, it.relative_area)).collect();
+    let pairs: Vec<(f64, f64)> = found.map(|it| (it.reduced_pressure, it.relative_area_counted)).collect();
     // the empirical fit, one constant in Persson's error function
     let fit = Fit::proportional(&pairs);
     let mut panel = surfaces.kappa_panel(points, [1.6, 3.2]);

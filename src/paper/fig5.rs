@@ -19,14 +19,14 @@ const SMOOTH: f64 = hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT;
 pub struct Ratio {
     hurst: f64,
     reduced_pressure: f64,
+    kappa_counted: f64,
+    kappa_counted_error: f64,
+    kappa_r_counted: f64,
+    kappa_r_counted_error: f64,
     kappa: f64,
     kappa_error: f64,
     kappa_r: f64,
     kappa_r_error: f64,
-    kappa_resolved: f64,
-    kappa_resolved_error: f64,
-    kappa_r_resolved: f64,
-    kappa_r_resolved_error: f64,
 }
 
 /// One of the ratios with its error, and without.
@@ -62,19 +62,21 @@ impl Both<'_> {
                 let ratio = self.ratio(Some(hurst), Some(load), measure, quantity);
                 [ratio.mean, ratio.uncertainty()]
             };
-            let [kappa, kappa_r] = [of(counted, counted.kappa()), of(counted, counted.kappa_r())];
-            let [kappa_resolved, kappa_r_resolved] = [of(resolved, resolved.kappa()), of(resolved, resolved.kappa_r())];
+            let [kappa_counted, kappa_counted_error] = of(counted, counted.kappa());
+            let [kappa_r_counted, kappa_r_counted_error] = of(counted, counted.kappa_r());
+            let [kappa, kappa_error] = of(resolved, resolved.kappa());
+            let [kappa_r, kappa_r_error] = of(resolved, resolved.kappa_r());
             Ratio {
                 hurst,
                 reduced_pressure: load,
-                kappa: kappa[0],
-                kappa_error: kappa[1],
-                kappa_r: kappa_r[0],
-                kappa_r_error: kappa_r[1],
-                kappa_resolved: kappa_resolved[0],
-                kappa_resolved_error: kappa_resolved[1],
-                kappa_r_resolved: kappa_r_resolved[0],
-                kappa_r_resolved_error: kappa_r_resolved[1],
+                kappa_counted,
+                kappa_counted_error,
+                kappa_r_counted,
+                kappa_r_counted_error,
+                kappa,
+                kappa_error,
+                kappa_r,
+                kappa_r_error,
             }
         };
         let loads = self.surfaces.loads();
@@ -111,9 +113,9 @@ fn panel(rough: &Rough, ratios: &[Ratio]) -> Panel {
     let x = Axis::log("p*", [low / 1.3, high * 1.3]);
     let panel = Panel::new("proportionality factors", x, Axis::linear("1D / 2D", [0.8, 1.8]));
     let curves: [(&str, Colour, bool, Of); 3] = [
-        ("κ counted", Colour::VERMILION, true, |ratio| [ratio.kappa, ratio.kappa_error]),
-        ("κ_r counted", Colour::BLUE, true, |ratio| [ratio.kappa_r, ratio.kappa_r_error]),
-        ("κ_r resolved", Colour::SKY, false, |ratio| [ratio.kappa_r_resolved, ratio.kappa_r_resolved_error]),
+        ("κ counted", Colour::VERMILION, true, |ratio| [ratio.kappa_counted, ratio.kappa_counted_error]),
+        ("κ_r counted", Colour::BLUE, true, |ratio| [ratio.kappa_r_counted, ratio.kappa_r_counted_error]),
+        ("κ_r resolved", Colour::SKY, false, |ratio| [ratio.kappa_r, ratio.kappa_r_error]),
     ];
     let dots = |hurst, quantity: Of| {
         let dot = |ratio: &Ratio| {
@@ -132,6 +134,6 @@ fn panel(rough: &Rough, ratios: &[Ratio]) -> Panel {
 fn ramp(rough: &Rough, ratios: &[Ratio]) -> Ramp {
     let view = "lines over surfaces";
     let curves: [(&str, &str, &[Colour], ValueOf); 2] =
-        [(view, "κ", &WARM, |ratio| ratio.kappa), (view, "κ_r", &COLD, |ratio| ratio.kappa_r)];
+        [(view, "κ", &WARM, |ratio| ratio.kappa_counted), (view, "κ_r", &COLD, |ratio| ratio.kappa_r_counted)];
     rough.ramp(&curves, |hurst, of| ratios.iter().filter(|ratio| ratio.hurst == hurst).map(of).collect())
 }

@@ -5,7 +5,7 @@ use crate::plot::Dot;
 use crate::study::{Estimate, GridValues, Limit, Point, Spread};
 use std::collections::BTreeMap;
 
-/// Solved points, all converged.
+/// Solved points, all converged and resolved.
 pub struct Points(pub Vec<Point>);
 
 impl Points {
@@ -151,7 +151,7 @@ impl Points {
         for row in self.on(nx).filter(is_asked) {
             values.entry(row.seed.unwrap_or_default()).or_default().push(quantity(&row.observables));
         }
-        // a seed some of whose points did not converge would be an average over others
+        // a seed some of whose points are not resolved would be an average over others
         let whole = values.values().map(Vec::len).max().unwrap_or(0);
         let values = values.into_iter().filter(|(_, values)| values.len() == whole);
         values.map(|(seed, values)| (seed, Spread::of(values).mean)).collect()
@@ -210,47 +210,53 @@ pub struct Mean {
     reduced_pressure: f64,
     realisations: usize,
     reduced_pressure_contact: f64,
+    reduced_pressure_contact_counted: f64,
     relative_area: f64,
     relative_area_deviation: f64,
+    relative_area_counted: f64,
+    relative_area_counted_deviation: f64,
     relative_area_corrected: f64,
-    relative_area_resolved: f64,
     kappa: f64,
     kappa_deviation: f64,
+    kappa_counted: f64,
+    kappa_counted_deviation: f64,
     kappa_corrected: f64,
-    kappa_resolved: f64,
-    kappa_resolved_deviation: f64,
     kappa_r: f64,
     kappa_r_deviation: f64,
+    kappa_r_counted: f64,
+    kappa_r_counted_deviation: f64,
     kappa_r_corrected: f64,
-    kappa_r_resolved: f64,
-    kappa_r_resolved_deviation: f64,
 }
 
 impl Mean {
     fn of(points: &Points, (nx, hurst, reduced_pressure): (usize, f64, f64)) -> Self {
         let of = |quantity| points.at(hurst, reduced_pressure, nx, quantity);
-        let [area, kappa, kappa_r] = [of(|it| it.relative_area), of(|it| it.kappa), of(|it| it.kappa_r)];
-        let [kappa_resolved, kappa_r_resolved] = [of(|it| it.kappa_resolved), of(|it| it.kappa_r_resolved)];
+        let [pressure_counted, pressure] = Measure::ALL.map(|it| of(it.reduced_pressure_contact()));
+        let [area_counted, area] = Measure::ALL.map(|it| of(it.area()));
+        let [kappa_counted, kappa] = Measure::ALL.map(|it| of(it.kappa()));
+        let [kappa_r_counted, kappa_r] = Measure::ALL.map(|it| of(it.kappa_r()));
         Self {
             nx,
             hurst,
             reduced_pressure,
             realisations: area.count,
-            reduced_pressure_contact: of(|it| it.reduced_pressure_contact).mean,
+            reduced_pressure_contact: pressure.mean,
+            reduced_pressure_contact_counted: pressure_counted.mean,
             relative_area: area.mean,
             relative_area_deviation: area.deviation,
+            relative_area_counted: area_counted.mean,
+            relative_area_counted_deviation: area_counted.deviation,
             relative_area_corrected: of(|it| it.relative_area_corrected).mean,
-            relative_area_resolved: of(|it| it.relative_area_resolved).mean,
             kappa: kappa.mean,
             kappa_deviation: kappa.deviation,
+            kappa_counted: kappa_counted.mean,
+            kappa_counted_deviation: kappa_counted.deviation,
             kappa_corrected: of(|it| it.kappa_corrected).mean,
-            kappa_resolved: kappa_resolved.mean,
-            kappa_resolved_deviation: kappa_resolved.deviation,
             kappa_r: kappa_r.mean,
             kappa_r_deviation: kappa_r.deviation,
+            kappa_r_counted: kappa_r_counted.mean,
+            kappa_r_counted_deviation: kappa_r_counted.deviation,
             kappa_r_corrected: of(|it| it.kappa_r_corrected).mean,
-            kappa_r_resolved: kappa_r_resolved.mean,
-            kappa_r_resolved_deviation: kappa_r_resolved.deviation,
         }
     }
 }
@@ -269,8 +275,8 @@ mod tests {
                 let (hurst, seed, load) = ([0.2, 0.8][i % 2], i as u64 / 2 % 3, [0.01, 0.03, 0.1_f64][i / 6]);
                 let (high, scatter) = (if hurst > 0.5 { 0.02 } else { 0.0 }, 0.05 * seed as f64 / load.sqrt());
                 let own = if seed == 1 && hurst > 0.5 { 0.001 / load } else { 0.0 };
-                let kappa_r_resolved = 1.7 + high + scatter + own + 50.0 / (nx * nx) as f64;
-                let observables = Observables { reduced_pressure: load, kappa_r_resolved, ..Observables::default() };
+                let kappa_r = 1.7 + high + scatter + own + 50.0 / (nx * nx) as f64;
+                let observables = Observables { reduced_pressure: load, kappa_r, ..Observables::default() };
                 all.push(Point {
                     name: "rough line".into(),
                     ny: 1,

@@ -30,24 +30,32 @@ impl Measure {
     /// The relative area.
     pub const fn area(self) -> Quantity {
         match self {
-            Self::Counted => |it| it.relative_area,
-            Self::Resolved => |it| it.relative_area_resolved,
+            Self::Counted => |it| it.relative_area_counted,
+            Self::Resolved => |it| it.relative_area,
+        }
+    }
+
+    /// `p_r*`, the reduced pressure with the rms gradient of the contact.
+    pub const fn reduced_pressure_contact(self) -> Quantity {
+        match self {
+            Self::Counted => |it| it.reduced_pressure_contact_counted,
+            Self::Resolved => |it| it.reduced_pressure_contact,
         }
     }
 
     /// `kappa`.
     pub const fn kappa(self) -> Quantity {
         match self {
-            Self::Counted => |it| it.kappa,
-            Self::Resolved => |it| it.kappa_resolved,
+            Self::Counted => |it| it.kappa_counted,
+            Self::Resolved => |it| it.kappa,
         }
     }
 
     /// `kappa_r`.
     pub const fn kappa_r(self) -> Quantity {
         match self {
-            Self::Counted => |it| it.kappa_r,
-            Self::Resolved => |it| it.kappa_r_resolved,
+            Self::Counted => |it| it.kappa_r_counted,
+            Self::Resolved => |it| it.kappa_r,
         }
     }
 

@@ -109,7 +109,7 @@ struct Group<'a> {
 /// The groups of what is seen, lines first.
 fn groups(seen: &[Vec<Seen>]) -> Vec<Group<'_>> {
     let mut groups: Vec<Group<'_>> = Vec::new();
-    for seen in seen.iter().filter(|seen| seen.iter().all(|it| it.point.is_converged())) {
+    for seen in seen.iter().filter(|seen| seen.iter().all(|it| it.point.is_resolved())) {
         let Some(Point { ny, hurst: Some(hurst), .. }) = seen.first().map(|it| &it.point) else { continue };
         match groups.last_mut() {
             Some(group) if (group.hurst, group.is_line) == (*hurst, *ny == 1) => group.all.push(seen),

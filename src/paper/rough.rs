@@ -134,9 +134,10 @@ impl Rough {
         let [low, high] = self.range();
         let x = Axis::log("p* (red), p_r* (blue)", [low, high]);
         let y = Axis::log("a_rel", [1.5 * low, 3.5 * high]);
+        let counted = Measure::Counted;
         let curves: [(&str, Colour, bool, [Quantity; 2]); 2] = [
-            ("a_rel against p*", Colour::VERMILION, true, [|it| it.reduced_pressure, |it| it.relative_area]),
-            ("a_rel against p_r*", Colour::BLUE, true, [|it| it.reduced_pressure_contact, |it| it.relative_area]),
+            ("a_rel against p*", Colour::VERMILION, true, [|it| it.reduced_pressure, counted.area()]),
+            ("a_rel against p_r*", Colour::BLUE, true, [counted.reduced_pressure_contact(), counted.area()]),
         ];
         let panel = Panel::new("(a) relative contact area", x, y);
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
@@ -145,10 +146,11 @@ impl Rough {
     /// `kappa` against `p*` and `kappa_r` against `p_r*`, counted and resolved.
     pub(super) fn kappa_panel(&self, points: &Points, range: [f64; 2]) -> Panel {
         let x = Axis::log("p* (red), p_r* (blue)", self.range());
+        let [counted, resolved] = Measure::ALL;
         let curves: [(&str, Colour, bool, [Quantity; 2]); 3] = [
-            ("κ counted", Colour::VERMILION, true, [|it| it.reduced_pressure, Measure::Counted.kappa()]),
-            ("κ_r counted", Colour::BLUE, true, [|it| it.reduced_pressure_contact, Measure::Counted.kappa_r()]),
-            ("κ_r resolved", Colour::SKY, false, [|it| it.reduced_pressure_contact, Measure::Resolved.kappa_r()]),
+            ("κ counted", Colour::VERMILION, true, [|it| it.reduced_pressure, counted.kappa()]),
+            ("κ_r counted", Colour::BLUE, true, [counted.reduced_pressure_contact(), counted.kappa_r()]),
+            ("κ_r resolved", Colour::SKY, false, [resolved.reduced_pressure_contact(), resolved.kappa_r()]),
         ];
         let panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range));
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
@@ -185,7 +187,7 @@ impl Rough {
             ("κ and κ_r", "κ", &WARM, Measure::Counted.kappa()),
             ("κ and κ_r", "κ_r", &COLD, Measure::Counted.kappa_r()),
             ("κ_r resolved", "κ_r resolved", &COLD, Measure::Resolved.kappa_r()),
-            ("relative contact area", "log10 a_rel", &WARM, |it| it.relative_area.log10()),
+            ("relative contact area", "log10 a_rel", &WARM, |it| it.relative_area_counted.log10()),
         ];
         let seeds = self.seeds_on(0).len();
         let coarsest = self.hurst.len() * seeds;

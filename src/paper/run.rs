@@ -132,25 +132,24 @@ impl Paper {
         Ok(seen)
     }
 
-    /// The points of some items that did not reach their certificate, and are left out of all averages.
+    /// All points of some items. Those that are not resolved, see [`Point::is_resolved`], are left out of averages and figures.
     ///
     /// # Errors
     /// The errors of [`crate::study::Table::read`].
-    pub fn unconverged(&self, items: &[Item]) -> Result<Vec<Point>, StudyError> {
+    pub fn all_points(&self, items: &[Item]) -> Result<Vec<Point>, StudyError> {
         let sources: BTreeSet<Item> = items.iter().flat_map(|item| item.sources()).copied().collect();
         let tables = sources.into_iter().map(|source| self.table(source).read());
-        let points = tables.collect::<Result<Vec<_>, _>>()?.into_iter().flatten();
-        Ok(points.filter(|point| !point.is_converged()).collect())
+        Ok(tables.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
     }
 
-    /// The points of an item, solved now or before, without those above the tolerance.
+    /// The points of an item, solved now or before, without those that are not resolved.
     fn points(&self, item: Item, watch: Watch<'_>) -> Result<Points, StudyError> {
         let (sweep, table, clock) = (self.sweep(item)?, self.table(item), Instant::now());
         let new = sweep.points() - sweep.points_in(&table)?;
         watch(Event::Begin { item, nodes: sweep.nodes()? });
         let points = sweep.run(&table, &|point| watch(Event::Solved(point)))?;
         watch(Event::End { item, new, points: points.len(), seconds: clock.elapsed().as_secs_f64() });
-        Ok(Points(points.into_iter().filter(Point::is_converged).collect()))
+        Ok(Points(points.into_iter().filter(Point::is_resolved).collect()))
     }
 
     /// Writes the figure of an item, if it is one, and its recording.

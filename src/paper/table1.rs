@@ -19,7 +19,7 @@ pub fn realisations(side: usize) -> Vec<Realisation> {
 pub fn reproduce(points: &Points) -> Reproduction {
     let of = |name, quantity: fn(&Point) -> f64| Estimate::of(points.named(name).map(quantity));
     let kappa_r = ["cylinder", "sphere"].map(|name| of(name, |row| Measure::Resolved.kappa_r()(&row.observables)));
-    let gradient = |row: &Point| row.observables.rms_gradient_contact_resolved * RADIUS / half_width(row);
+    let gradient = |row: &Point| row.observables.rms_gradient_contact * RADIUS / half_width(row);
     let line_load = |row: &Point| strain(row) * PERIOD * RADIUS / half_width(row).powi(2);
     let point_load = |row: &Point| strain(row) * PERIOD * PERIOD * RADIUS / half_width(row).powi(3);
     let verdicts = vec![

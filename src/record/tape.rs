@@ -67,7 +67,13 @@ impl Tape {
 
     /// The chunks of the trace `name` of a scene.
     pub fn trace(&self, root: &str, name: &str) -> impl Iterator<Item = &Chunk> {
+        let name = if self.has_earlier_names(root) { earlier_name(name) } else { name.to_owned() };
         self.of(format!("{root}{TRACE}{name}")).filter(|chunk| !chunk.is_static())
+    }
+
+    /// Whether a scene was recorded when a plain name meant the value of counted nodes.
+    fn has_earlier_names(&self, root: &str) -> bool {
+        self.of(format!("{root}{TRACE}{}", earlier_name("relative_area"))).next().is_some()
     }
 
     /// The last value of a trace.
@@ -94,5 +100,14 @@ impl Tape {
 
     fn of(&self, entity: String) -> impl Iterator<Item = &Chunk> {
         self.chunks.iter().map(Arc::as_ref).filter(move |chunk| chunk.entity_path().to_string() == entity)
+    }
+}
+
+/// The earlier name of a trace: `relative_area_resolved` for `relative_area`, and `relative_area` for `relative_area_counted`.
+fn earlier_name(name: &str) -> String {
+    match (name, name.strip_suffix("_counted")) {
+        ("relative_area" | "kappa" | "kappa_r", _) => format!("{name}_resolved"),
+        (_, Some(plain)) => plain.to_owned(),
+        _ => name.to_owned(),
     }
 }

@@ -26,7 +26,7 @@
 //!     "#,
 //! )?;
 //! let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?.converged()?;
-//! assert!((contact.measures().kappa_r / 1.47 - 1.0).abs() < 0.01);
+//! assert!((contact.resolved().kappa_r / 1.47 - 1.0).abs() < 0.01);
 //! assert_eq!(Setup::from_toml(&setup.to_toml())?, setup);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

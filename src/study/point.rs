@@ -71,18 +71,18 @@ impl Point {
         self.status == Status::Converged
     }
 
+    /// Whether the solver converged and the grid resolves the contact; what is not resolved is kept in tables and left out of averages.
+    pub fn is_resolved(&self) -> bool {
+        self.relative_area().is_some() && self.kappa_r().is_some()
+    }
+
     /// The relative area, where the solver converged and the grid resolves the contact.
     pub fn relative_area(&self) -> Option<f64> {
-        self.resolved(self.observables.relative_area_resolved, self.observables.relative_area_error)
+        self.observables.resolved_area().filter(|_| self.is_converged())
     }
 
     /// `kappa_r`, where the solver converged and the grid resolves the contact.
     pub fn kappa_r(&self) -> Option<f64> {
-        self.resolved(self.observables.kappa_r_resolved, self.observables.kappa_r_error)
-    }
-
-    /// A value whose error is known to be smaller than itself: where patches have too few nodes it is 0 or NaN, or its error infinite.
-    fn resolved(&self, value: f64, error: f64) -> Option<f64> {
-        (self.is_converged() && value.is_finite() && value > 0.0 && error < 1.0).then_some(value)
+        self.observables.resolved_kappa_r().filter(|_| self.is_converged())
     }
 }

@@ -29,7 +29,7 @@ use std::sync::{Mutex, PoisonError};
 /// let folder = tempfile::tempdir()?;
 /// let sweep = Sweep { realisations: vec![cylinder], workers: 1, memory: None };
 /// let points = sweep.run(&Table::new(folder.path().join("cylinder.csv")), &|_| ())?;
-/// assert!((points[1].observables.kappa_r_resolved / 1.47 - 1.0).abs() < 0.01);
+/// assert!((points[1].observables.kappa_r / 1.47 - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]

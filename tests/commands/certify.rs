@@ -36,7 +36,7 @@ fn a_result_of_a_peer_is_certified() {
     let found = json(&output);
     assert_eq!((&found["holds"], found["findings"].as_array().unwrap().len()), (&Value::Bool(true), 0));
     assert!(found["certificate"].as_f64().unwrap() < 1e-11 && found["pressure_error_bound"].as_f64().unwrap() < 1e-5);
-    assert_eq!(found["relative_area"].as_f64().unwrap(), 0.04052734375);
+    assert_eq!(found["relative_area_counted"].as_f64().unwrap(), 0.04052734375);
     assert_eq!((&found["assessment"]["pressed"], &found["assessment"]["closed"]), (&166.into(), &166.into()));
     let told = folder.run(&format!("certify {line} --pressure {}", pressure.display()));
     let told = text(&told.stdout);

@@ -379,7 +379,7 @@ mod with_units {
         ] {
             near(found, expected);
         }
-        assert!(solve(&found).measures().relative_area > 0.0);
+        assert!(solve(&found).counted().relative_area > 0.0);
         assert_eq!(Setup::from_toml(&found.to_toml()).unwrap(), found);
     }
 

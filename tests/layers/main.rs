@@ -27,12 +27,14 @@ const LAYERS: &[(&str, u8)] = &[
     ("plot", 5),
     ("study", 5),
     ("record", 6),
-    ("explore", 7),
-    ("lab", 7),
-    ("paper", 7),
-    ("cli", 8),
-    ("lib", 8),
-    ("main", 8),
+    ("job", 7),
+    ("explore", 8),
+    ("guide", 9),
+    ("lab", 8),
+    ("paper", 8),
+    ("cli", 9),
+    ("lib", 9),
+    ("main", 9),
 ];
 
 /// Crates, and the only places that may name them.

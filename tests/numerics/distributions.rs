@@ -43,7 +43,7 @@ fn a_sine_in_full_contact_has_the_arcsine_law() {
 fn shares_of_pressure_and_gap_are_contact_and_the_rest() {
     for grid in [Grid::line(4096, 1.0).unwrap(), Grid::surface([128, 96], [1.0, 1.0]).unwrap()] {
         let contact = rough(grid, 0.05);
-        let area = contact.measures().relative_area;
+        let area = contact.counted().relative_area;
         let pressure = contact.pressure_distribution(64, contact.max_pressure());
         let gap = contact.gap_distribution(64, contact.max_gap());
         let all = f64::INFINITY;
@@ -77,7 +77,7 @@ fn the_elastic_energy_is_a_sum_over_waves() {
 fn in_full_contact_pressures_follow_the_heights() {
     let grid = Grid::line(1024, 1.0).unwrap();
     let contact = rough(grid, 20.0);
-    assert_eq!(contact.measures().relative_area, 1.0);
+    assert_eq!(contact.counted().relative_area, 1.0);
     let (heights, pressures) = (PowerSpectrum::of(contact.problem.surface()), contact.pressure_spectrum());
     for ((q, height), pressure) in heights.wavenumber.iter().zip(&heights.density).zip(&pressures.density) {
         let expected = (0.5 * 2.0 * q).powi(2) * height;

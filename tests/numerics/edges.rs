@@ -30,7 +30,7 @@ fn errors(n: usize, exact: [f64; 2], pressure: f64, shape: impl Fn(f64) -> f64) 
     let mut squares = [[0.0; 2]; 3];
     for i in 0..PLACES {
         let contact = pressed(line(n, (i as f64 + 0.31) / PLACES as f64, &shape), pressure, 1e-13);
-        let (counted, resolved) = (contact.measures(), contact.resolved());
+        let (counted, resolved) = (contact.counted(), contact.resolved());
         let found = [
             [counted.relative_area, counted.kappa_r],
             [counted.relative_area_corrected, counted.kappa_r_corrected],
@@ -96,7 +96,7 @@ fn the_kink_of_a_wedge_leaves_first_order_and_a_punch_says_that_its_edges_are_gi
     let contact = pressed(punch, 0.01, 1e-12);
     let resolved = contact.resolved();
     assert_eq!((resolved.edges, resolved.edges_of_shape), (2, 2));
-    assert_eq!(resolved.relative_area, contact.measures().relative_area);
+    assert_eq!(resolved.relative_area, contact.counted().relative_area);
     assert!(resolved.kappa_r.is_nan() && resolved.rms_gradient_contact.is_nan());
 }
 
@@ -132,7 +132,7 @@ fn the_law_of_the_edge_holds_along_lattice_directions_and_nearly_between() {
         let (mut counted, mut resolved) = (0.0, 0.0);
         for i in 0..PLACES {
             let contact = pressed(oblique(direction, n, (i as f64 + 0.3) / PLACES as f64), pressure, 1e-12);
-            counted += contact.measures().relative_area / PLACES as f64;
+            counted += contact.counted().relative_area / PLACES as f64;
             resolved += contact.resolved().relative_area / PLACES as f64;
         }
         // as a distance of each edge, of which there are two to a wave
@@ -153,7 +153,7 @@ fn ladder(name: &str, sides: &[usize], pressure: f64, surface: impl Fn(usize) ->
     let limit = finest + (finest - fine) / 3.0;
     println!("{name:<13} points  area: counted corrected resolved");
     let errors = |(n, contact): (&usize, &Contact)| {
-        let counted = contact.measures();
+        let counted = contact.counted();
         let areas = [counted.relative_area, counted.relative_area_corrected, contact.resolved().relative_area];
         let [counted, corrected, resolved] = areas.map(|area| area / limit - 1.0);
         println!("{n:>20} {counted:>14.1e} {corrected:>9.1e} {resolved:>8.1e}");
@@ -211,7 +211,7 @@ fn resolved_values_of_rough_lines_are_of_second_order_and_their_told_error_holds
             for stride in [64, 32, 16, 8, 4] {
                 let contact = solve(stride);
                 let found =
-                    [contact.measures().kappa_r, contact.measures().kappa_r_corrected, contact.resolved().kappa_r];
+                    [contact.counted().kappa_r, contact.counted().kappa_r_corrected, contact.resolved().kappa_r];
                 let [counted, corrected, resolved] = found.map(|found| found / limit - 1.0);
                 let error = contact.resolution().kappa_r_error;
                 println!(

@@ -50,7 +50,7 @@ fn results_of_a_peer_hold_in_each_quantity() {
                 let contact = contact_of(&claim);
                 let eta = contact.certificate.eta;
                 assert!(eta < tolerance, "{}, {quantity}, {load:?}: {eta}", peer.name);
-                let area = contact.measures().relative_area;
+                let area = contact.counted().relative_area;
                 assert!(
                     (area / peer.relative_area - 1.0).abs() < 0.01,
                     "{}, {quantity}: {area} not {}",

@@ -5,6 +5,7 @@ mod command;
 #[path = "../common/mod.rs"]
 mod common;
 mod convergence;
+mod counted;
 mod diagnosis;
 mod distributions;
 mod edges;
@@ -15,7 +16,6 @@ mod fourier;
 mod gfmd;
 mod grid;
 mod mean_gap;
-mod measures;
 mod multilevel;
 mod observing;
 mod open_door;

@@ -76,7 +76,7 @@ fn white_noise_on_a_surface_from_one_per_cent_to_full_contact() {
     let surface = Surface::new(Grid::surface([48, 64], [1.0, 1.0]).unwrap(), field).unwrap();
     let areas = [0.01, 1.0, 20.0, 100.0].map(|load| {
         let problem = Problem::new(surface.clone(), ContactModulus(1.0), Load::MeanPressure(load)).unwrap();
-        assert_exact("noise", &problem).measures().relative_area
+        assert_exact("noise", &problem).counted().relative_area
     });
     assert!(areas[0] < 0.03 && areas[3] == 1.0 && areas.is_sorted(), "{areas:?}");
 }
@@ -101,7 +101,7 @@ fn the_area_rises_with_the_load_from_first_touch_to_beyond_full_contact() {
     let mut before = 0.0;
     for reduced_pressure in [1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1.0, 2.0, 4.0] {
         let problem = rough(Grid::line(1 << 12, 1.0).unwrap(), 0.8, reduced_pressure);
-        let area = solve(&Multilevel, &problem, 1e-9).measures().relative_area;
+        let area = solve(&Multilevel, &problem, 1e-9).counted().relative_area;
         assert!(area >= before, "{area} after {before} at {reduced_pressure}");
         before = area;
     }
@@ -128,7 +128,7 @@ fn a_load_ramp_is_followed_up_and_down() {
                     .unwrap(),
             );
         }
-        let areas: Vec<f64> = contacts.iter().map(|contact| contact.measures().relative_area).collect();
+        let areas: Vec<f64> = contacts.iter().map(|contact| contact.counted().relative_area).collect();
         assert!(areas[..17].is_sorted() && areas[16..].iter().rev().is_sorted() && areas[16] == 1.0, "{areas:?}");
         for (up, down) in contacts.iter().zip(contacts.iter().rev()) {
             assert!(relative_l2(&up.pressure, &down.pressure) < 1e-4);

@@ -45,7 +45,7 @@ fn a_watched_run_is_the_unwatched_run() {
     for solver in solvers() {
         let plain = solver.solve(&problem, &Stop::default(), &mut ()).unwrap().converged().unwrap();
         let mut curious = Each(|step: &Step<'_>| {
-            let asked = step.gap().len() + step.patches().count() + step.measures().contact_nodes;
+            let asked = step.gap().len() + step.patches().count() + step.counted().contact_nodes;
             assert!(asked > 0 && step.energy().value().is_finite() && step.mean_gap().is_finite());
             ControlFlow::Continue(())
         });
@@ -61,13 +61,13 @@ fn the_last_step_tells_what_the_result_tells() {
     for solver in solvers() {
         let mut last = None;
         let mut watch = Each(|step: &Step<'_>| {
-            last = Some((step.measures().kappa_r, step.mean_gap(), step.patches().clone(), step.energy().value()));
+            last = Some((step.counted().kappa_r, step.mean_gap(), step.patches().clone(), step.energy().value()));
             ControlFlow::Continue(())
         });
         let contact =
             solver.solve(&problem, &Stop::new(1e-12, 100_000).unwrap(), &mut watch).unwrap().converged().unwrap();
         let (kappa_r, mean_gap, patches, energy) = last.unwrap();
-        assert_eq!(kappa_r, contact.measures().kappa_r, "{}", solver.settings());
+        assert_eq!(kappa_r, contact.counted().kappa_r, "{}", solver.settings());
         assert!((mean_gap / contact.mean_gap() - 1.0).abs() < 1e-6, "{}", solver.settings());
         assert_eq!(patches, contact.patches());
         let heights = contact.displacement.iter().zip(problem.height());

@@ -115,7 +115,7 @@ fn it_finds_the_contact_and_is_certified() {
         assert_eq!(Certificate::of(&problem, contact.pressure.as_slice().unwrap()), contact.certificate);
         // a pair at every step, the first included, and one for the contact
         assert_eq!(contact.work.transforms as usize, 2 * (contact.work.iterations + 2));
-        assert!((contact.measures().relative_area - expected.measures().relative_area).abs() < 0.02);
+        assert!((contact.counted().relative_area - expected.counted().relative_area).abs() < 0.02);
     }
 }
 

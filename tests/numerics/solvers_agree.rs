@@ -100,5 +100,5 @@ fn a_surface_without_variation_along_y_is_a_line() {
     for row in of_surface.pressure.rows() {
         assert!(relative_l2(row, &of_line.pressure) < AGREEMENT);
     }
-    assert!((of_surface.measures().kappa_r / of_line.measures().kappa_r - 1.0).abs() < 1e-9);
+    assert!((of_surface.counted().kappa_r / of_line.counted().kappa_r - 1.0).abs() < 1e-9);
 }

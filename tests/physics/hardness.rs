@@ -126,7 +126,7 @@ fn a_cylinder_yields_in_the_middle_of_its_contact() {
     let touch: Vec<usize> = (0..4096).filter(|&i| contact.mask()[[0, i]]).collect();
     assert!(yields.windows(2).all(|pair| pair[1] == pair[0] + 1) && yields.len() > 100);
     assert!(touch.windows(2).all(|pair| pair[1] == pair[0] + 1) && touch.len() > yields.len() + 20);
-    assert!(touch.len() > elastic.measures().contact_nodes);
+    assert!(touch.len() > elastic.counted().contact_nodes);
     // two plateau halves and flanks: more than all nodes at the hardness could not carry it, less than Hertz's half-ellipse does
     let [narrow, wide] = [yields.len(), touch.len()].map(|nodes| nodes as f64 / 4096.0 * hardness);
     assert!(narrow < 2e-3 && 2e-3 < wide);
@@ -158,7 +158,7 @@ fn a_load_curve_comes_back_by_another_way() {
     let mut found = Vec::new();
     let problem = curve.problem().unwrap();
     let each = |_, contact: &Contact| -> Result<(), asperity::error::StudyError> {
-        found.push((contact.measures().relative_area, contact.problem.law(), contact.mean_pressure()));
+        found.push((contact.counted().relative_area, contact.problem.law(), contact.mean_pressure()));
         Ok(())
     };
     curve.press(&problem, |_| (), each).unwrap();
@@ -344,7 +344,7 @@ fn tamaas_finds_the_same_pressures() {
             let difference = relative_l2(&ours, &theirs);
             assert!(difference < 1e-5, "{difference} by {}", solver.name());
             assert!((contact.plasticity().area - plastic).abs() < 1e-4 && plastic > 0.01);
-            assert!((contact.measures().relative_area - area).abs() < 1e-4);
+            assert!((contact.counted().relative_area - area).abs() < 1e-4);
         }
     }
 }

@@ -31,7 +31,7 @@ fn kappa_r_of_rough_lines_is_constant_and_kappa_is_not() {
     let table = HURST.map(|hurst| {
         REDUCED_PRESSURES.map(|reduced_pressure| {
             let contact = contact(hurst, reduced_pressure);
-            let (m, resolved) = (contact.measures(), contact.resolved());
+            let (m, resolved) = (contact.counted(), contact.resolved());
             println!("{hurst:>4} {reduced_pressure:>6} {:>8.3} {:>8.3} {:>10.3}", m.kappa, m.kappa_r, resolved.kappa_r);
             m
         })

@@ -1,6 +1,6 @@
 //! Results are dimensionless: units of length and pressure, and the zero of heights, do not matter.
 
-use asperity::contact::{ContactModulus, Dynamics, Gfmd, Load, Masses, Measures, PolonskyKeer, Solver};
+use asperity::contact::{ContactModulus, Counted, Dynamics, Gfmd, Load, Masses, PolonskyKeer, Solver};
 use asperity::surface::Spectrum;
 use asperity::{Contact, Grid, Indenter, Problem, Stop, Surface};
 
@@ -66,9 +66,9 @@ fn solvers() -> [Box<dyn Solver>; 3] {
 }
 
 /// So far converged that iterations which differ by rounding end at the same place.
-fn solve(solver: &dyn Solver, problem: &Problem) -> (Contact, Measures) {
+fn solve(solver: &dyn Solver, problem: &Problem) -> (Contact, Counted) {
     let contact = solver.solve(problem, &Stop::new(1e-12, 50_000).unwrap(), &mut ()).unwrap().converged().unwrap();
-    let measures = contact.measures();
+    let measures = contact.counted();
     (contact, measures)
 }
 

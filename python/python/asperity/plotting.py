@@ -61,7 +61,7 @@ def plot_curve(curve: LoadCurve) -> Figure:
     """Relative contact area, kappa_r and mean gap over the reduced pressure, all with edges between the nodes where they are known."""
     figure = _figure(12, 4)
     measures = curve.measures
-    resolved = [("relative_area_resolved", "relative contact area"), ("kappa_r_resolved", "kappa_r"), ("mean_gap", "mean gap")]
+    resolved = [("relative_area", "relative contact area"), ("kappa_r", "kappa_r"), ("mean_gap", "mean gap")]
     for axes, (name, label) in zip(figure.subplots(1, 3), resolved):
         axes.plot(measures["reduced_pressure"], measures[name], marker=".")
         axes.set(xscale="log", xlabel="reduced pressure", ylabel=label)
@@ -75,7 +75,7 @@ def contact_as_html(contact: Contact) -> str:
         "status": f"{contact.status} by {contact.solver}",
         "mean pressure": f"{contact.mean_pressure:.6g}",
         "largest pressure": f"{contact.measures['max_pressure']:.6g}",
-        "relative contact area": f"{contact.measures['relative_area_resolved']:.6g}",
+        "relative contact area": f"{contact.measures['relative_area']:.6g}",
         "mean gap": f"{contact.mean_gap:.6g}",
         "certificate": f"{contact.certificate.eta:.1e}",
     }

@@ -77,7 +77,9 @@ pub struct Resolved {
     /// `gbar_r`, root-mean-square gradient over the contact, by differences of fourth order; 0 without contact, NaN where most
     /// edges are given by the shape, whose gradient there is a step.
     pub rms_gradient_contact: f64,
-    /// `kappa_r = a_rel gbar_r E* / <p>`.
+    /// `p_r* = <p> / (gbar_r E*)`.
+    pub reduced_pressure_contact: f64,
+    /// `kappa_r = a_rel / p_r*`.
     pub kappa_r: f64,
     /// Links between contact and gap.
     pub edges: usize,
@@ -120,6 +122,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         Resolved {
             relative_area,
             rms_gradient_contact,
+            reduced_pressure_contact: strain / rms_gradient_contact,
             kappa_r: relative_area * rms_gradient_contact / strain,
             edges: sums.edges,
             edges_of_shape: sums.edges_of_shape,

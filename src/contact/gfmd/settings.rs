@@ -65,7 +65,7 @@ pub enum Dynamics {
 /// let contact = Gfmd::default().solve(&problem, &Stop::default(), &mut ())?.converged()?;
 /// // Hertz: a^2 = 4 R P / (pi E*)
 /// let area = 2.0 * (4.0 * 0.04 / std::f64::consts::PI).sqrt() / 4.0;
-/// assert!((contact.measures().relative_area_corrected - area).abs() < 1.0 / 256.0);
+/// assert!((contact.counted().relative_area_corrected - area).abs() < 1.0 / 256.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

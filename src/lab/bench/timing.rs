@@ -34,8 +34,8 @@ pub struct Timing {
     /// Of all observables of the contact, its edges resolved.
     measure_seconds: f64,
     certificate: f64,
-    relative_area_resolved: f64,
-    kappa_r_resolved: f64,
+    relative_area: f64,
+    kappa_r: f64,
     /// Peak of resident memory while the surface was made and solved, where the system tells.
     peak_mib: Option<f64>,
     /// Seconds in the solver over those of the first method, if there are several.
@@ -95,8 +95,8 @@ impl Timing {
             make_seconds,
             measure_seconds,
             certificate: contact.certificate.eta,
-            relative_area_resolved: measured.relative_area_resolved,
-            kappa_r_resolved: measured.kappa_r_resolved,
+            relative_area: measured.relative_area,
+            kappa_r: measured.kappa_r,
             peak_mib: None,
             ratio: None,
             status: contact.status,
@@ -119,7 +119,7 @@ impl fmt::Display for Timing {
             self.make_seconds,
             self.certificate,
             100.0 * self.measure_seconds / self.solve_seconds,
-            self.kappa_r_resolved,
+            self.kappa_r,
             or_dash(self.peak_mib, |mib| format!("{mib:.0}")),
             or_dash(self.ratio, |ratio| format!("{ratio:.2}")),
             self.status

@@ -83,7 +83,7 @@ fn unlike_under_its_load(contact: &Contact, twin: &Contact, tolerance: f64) -> O
 /// How dimensionless results differ.
 fn unlike_in_other_units(contact: &Contact, twin: &Contact) -> Option<String> {
     let [a, b] = [contact, twin].map(|contact| {
-        let measures = contact.measures();
+        let measures = contact.counted();
         let mean = contact.problem.mean_pressure_of(contact.pressure.as_slice().unwrap_or_default());
         (measures.relative_area, measures.kappa_r, &contact.pressure / mean)
     });

@@ -67,7 +67,7 @@ impl Report {
             iterations: work.map(|work| work.iterations),
             transforms: work.map(|work| work.transforms),
             seconds: work.map(|work| work.seconds),
-            relative_area: contact.map(|contact| contact.measures().relative_area),
+            relative_area: contact.map(|contact| contact.resolved().relative_area),
             certificate: contact.map(|contact| contact.certificate.eta),
             eta: check.map(|check| check.eta),
             eta_gap: check.map(|check| check.eta_gap),

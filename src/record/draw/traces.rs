@@ -14,13 +14,13 @@ pub const SECONDS: &str = "seconds";
 pub const TRANSFORMS: &str = "transforms";
 
 /// Observables that are compared between scenes and with an earlier solve.
-pub const COMPARED: [&str; 3] = ["kappa_r_resolved", "relative_area_resolved", "certificate"];
+pub const COMPARED: [&str; 3] = ["kappa_r", "relative_area", "certificate"];
 
 /// Observables that count nodes, drawn faintly beside those whose edges are resolved.
-const COUNTED: [&str; 2] = ["kappa_r", "relative_area"];
+const COUNTED: [&str; 2] = ["kappa_r_counted", "relative_area_counted"];
 
 /// Observables that are recorded for programs, and not drawn.
-const NOT_DRAWN: [&str; 2] = ["mean_gap", "kappa"];
+const NOT_DRAWN: [&str; 2] = ["mean_gap", "kappa_counted"];
 
 /// Widths of curves: on coarse grids, whose values may leave the axis, and on the finest one.
 const COARSE_WIDTH: f32 = 0.7;
@@ -54,7 +54,7 @@ fn recorded() -> impl Iterator<Item = &'static Observable> {
 pub fn title(observable: &Observable) -> String {
     let words = observable.name.replace('_', " ") + " ";
     let name = words.replace("kappa r ", "kappa_r ").trim_end().to_owned();
-    let name = if COUNTED.contains(&observable.name) { format!("{name}, nodes counted") } else { name };
+    let name = name.replace(" counted", ", nodes counted");
     if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
 }
 
@@ -262,12 +262,6 @@ fn is_exact(entity: &str) -> bool {
     entity.ends_with("_theory")
 }
 
-/// Says in the legend that the curve of `kappa` ends above its axis.
-pub fn log_off_scale(to: &RecordingStream, root: &str, kappa: f64) -> RecordingStreamResult<()> {
-    let name = format!("kappa: {kappa:.1}, off the scale");
-    to.log_static(format!("{root}/trace/kappa_resolved"), &SeriesLines::update_fields().with_names([name]))
-}
-
 /// Records name and colour of the curve of a run among others, or of exact values if it has no number.
 pub fn log_run_style(
     to: &RecordingStream,
@@ -286,10 +280,10 @@ fn series_colour(entity: &str, i: usize, scene: Option<(usize, &str)>) -> Colour
     let [first, second, rest @ ..] = SERIES;
     match (entity, scene) {
         (_, Some((scene, _))) if COMPARED.contains(&entity) => SERIES[scene % SERIES.len()],
-        ("kappa_resolved", Some(_)) => palette::FAINT,
+        ("kappa", Some(_)) => palette::FAINT,
         _ if COUNTED.contains(&entity) => palette::FAINT,
-        ("kappa_r_resolved", None) => first,
-        ("kappa_resolved", None) => second,
+        ("kappa_r", None) => first,
+        ("kappa", None) => second,
         _ => rest[i % rest.len()],
     }
 }

@@ -16,7 +16,7 @@ use std::path::Path;
 /// Entity of the text about the runs.
 const TEXT: &str = "/compare/runs";
 /// Observables that settle at a value above zero.
-const SETTLING: [&str; 3] = ["relative_area_resolved", "kappa_resolved", "kappa_r_resolved"];
+const SETTLING: [&str; 3] = ["relative_area", "kappa", "kappa_r"];
 /// Letters of the longest name that leaves room for curves beside the legend.
 const LONGEST_NAME: usize = 40;
 /// Room above the curves that settle at some value, over the largest of these values.
@@ -125,7 +125,7 @@ fn log_curves(to: &RecordingStream, runs: &[Run<'_>], observable: &Observable) -
         log_run_style(to, &entity, &run.name, Some(number))?;
         entities.push(entity);
     }
-    let exact = name.strip_suffix("_resolved").map_or_else(String::new, |of| format!("{of}_theory"));
+    let exact = format!("{name}_theory");
     let last = |name| move |run: &&Run<'_>| run.tape.last(&run.root, name);
     let mut with_exact: Vec<&Run<'_>> = runs.iter().filter(|run| last(&exact)(run).is_some()).collect();
     with_exact.dedup_by_key(|run| last(&exact)(run).map(f64::to_bits));

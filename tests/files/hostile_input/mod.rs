@@ -546,8 +546,8 @@ fn extreme_but_possible_contacts_end_with_numbers() {
             let unknown = [
                 "pressure_error_bound",
                 "stiffness",
-                "rms_gradient_contact_resolved",
-                "kappa_r_resolved",
+                "rms_gradient_contact",
+                "kappa_r",
                 "relative_area_error",
                 "kappa_r_error",
             ];

@@ -42,16 +42,41 @@ fn traces_lie_over_each_other_under_names_that_tell_the_runs_apart() {
             assert!(own.len() > 1 && trace(&both, curve, "transforms") == own, "{name}");
         }
     }
-    assert_eq!(names(&both, &["/compare/kappa_r_resolved/exact_01"]), ["exact"]);
+    assert_eq!(names(&both, &["/compare/kappa_r/exact_01"]), ["exact"]);
     let entities: BTreeSet<String> = super::entities(&both);
-    assert!(!entities.contains("/compare/kappa_r_resolved/exact_02"), "it is the same for both");
+    assert!(!entities.contains("/compare/kappa_r/exact_02"), "it is the same for both");
     let shown = shown_paths(&both);
-    for entity in ["/compare/kappa_r/02", "/recording_2/contact/profile/**", "/recording_1/contact/trace/kappa_r"] {
+    for entity in
+        ["/compare/kappa_r/02", "/recording_2/contact/profile/**", "/recording_1/contact/trace/kappa_r_counted"]
+    {
         assert!(shown.contains(entity), "{entity} is not among {shown:?}");
     }
     assert!(entities.contains("/recording_2/contact/profile/solid"));
     let layouts = [&fast, &both].map(|path| stores(path, StoreKind::Blueprint).remove(0).id().application_id().clone());
     assert_ne!(layouts[0], layouts[1]);
+}
+
+/// A recording from before, when `relative_area` was that of counted nodes, is compared by the resolved values.
+#[test]
+fn curves_of_an_earlier_recording_are_found_under_their_earlier_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let [earlier, now, both] = ["earlier.rrd", "now.rrd", "both.rrd"].map(|name| folder.path().join(name));
+    let stream = rerun::RecordingStreamBuilder::new("asperity").save(&earlier).unwrap();
+    for (name, value) in [("relative_area_resolved", 0.25), ("relative_area", 0.5), ("patches", 3.0)] {
+        stream.set_time_sequence("transforms", 1);
+        stream.log(format!("contact/trace/{name}"), &rerun::Scalars::single(value)).unwrap();
+    }
+    drop(stream);
+    record(&now, &rough_line(), &PolonskyKeer, None, None);
+    compare(&[&earlier, &now], &both).unwrap();
+    for (name, value) in [("relative_area", 0.25), ("relative_area_counted", 0.5), ("patches", 3.0)] {
+        assert_eq!(
+            trace(&both, &format!("/compare/{name}/01"), "transforms").into_values().last(),
+            Some(value),
+            "{name}"
+        );
+        assert!(!trace(&both, &format!("/compare/{name}/02"), "transforms").is_empty(), "{name}");
+    }
 }
 
 #[test]

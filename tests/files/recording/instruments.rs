@@ -191,7 +191,7 @@ fn patches_that_are_pointed_at_tell_their_own_numbers() {
             * if problem.surface().grid().is_line() { 1.0 } else { problem.surface().grid().spacing()[0] };
         let [nodes, loads, kappa_r] = ["patch_nodes", "patch_load", "patch_kappa_r"].map(last);
         assert_eq!(nodes.len(), contact.patches().count());
-        assert_eq!(nodes.iter().sum::<f32>() as usize, contact.measures().contact_nodes);
+        assert_eq!(nodes.iter().sum::<f32>() as usize, contact.counted().contact_nodes);
         let load = f64::from(loads.iter().sum::<f32>());
         assert!((load / (cell * contact.pressure.sum()) - 1.0).abs() < 1e-5);
         assert!(kappa_r.iter().all(|&kappa_r| kappa_r > 0.5 && kappa_r.is_finite()), "{kappa_r:?}");

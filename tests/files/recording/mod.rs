@@ -17,6 +17,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+mod axes;
 mod below;
 mod bodies;
 mod comparison;
@@ -137,13 +138,13 @@ fn every_step_has_its_numbers_on_all_timelines() {
                 Energy::Complementary(_) => "complementary_energy",
                 Energy::Potential(_) => "potential_energy",
             };
-            let values = [step.measures().kappa_r, step.patches().count() as f64, energy.value()];
+            let values = [step.counted().kappa_r, step.patches().count() as f64, energy.value()];
             seen.insert(step.index() as i64, values);
             ControlFlow::Continue(())
         });
         solver.solve(&problem, &Stop::default(), &mut watch).unwrap();
         let contact = record(&path, &problem, solver, None, None);
-        for (i, name) in ["kappa_r", "patches", energy_name].iter().enumerate() {
+        for (i, name) in ["kappa_r_counted", "patches", energy_name].iter().enumerate() {
             let expected: BTreeMap<i64, f64> = seen.iter().map(|(&step, values)| (step, values[i])).collect();
             assert_eq!(trace(&path, name, "step"), expected, "{name} of {}", solver.name());
         }
@@ -151,9 +152,9 @@ fn every_step_has_its_numbers_on_all_timelines() {
         let (&step, &certificate) = last.last_key_value().unwrap();
         assert_eq!(step as usize, contact.work.iterations);
         assert_eq!(certificate, contact.certificate.eta);
-        let by_work = trace(&path, "kappa_r", "transforms");
+        let by_work = trace(&path, "kappa_r_counted", "transforms");
         assert!(by_work.len() > 1 && *by_work.last_key_value().unwrap().0 as u64 <= contact.work.transforms);
-        assert!(trace(&path, "kappa_r", "seconds").len() > 1);
+        assert!(trace(&path, "kappa_r_counted", "seconds").len() > 1);
     }
 }
 
@@ -163,7 +164,7 @@ fn every_step_has_numbers_and_the_last_state_is_drawn() {
     let path = folder.path().join("cylinder.rrd");
     let contact = record(&path, &cylinder(), &PolonskyKeer, None, None);
     let (steps, rows) = (contact.work.iterations + 1, row_counts(&path));
-    assert_eq!(rows["/it/trace/kappa_r"], steps);
+    assert_eq!(rows["/it/trace/kappa_r_counted"], steps);
     assert_eq!(rows["/it/profile/solid"], steps.min(32) + 1);
     assert!(!rows.contains_key("/it/trace/kappa_r_theory"));
     assert!(!rows.keys().any(|entity| entity.contains("relief")));
@@ -507,7 +508,7 @@ fn other_grids_and_solvers_without_levels_leave_no_trace_of_levels() {
     let other = PolonskyKeer.solve(&rough_surface(), &Stop::default(), &mut recorder).unwrap();
     drop(recorder);
     recording.finish().unwrap();
-    assert_eq!(trace(&path, "kappa_r", "step").len(), other.work.iterations + 1);
+    assert_eq!(trace(&path, "kappa_r_counted", "step").len(), other.work.iterations + 1);
     assert!(strips(&path, "/it/profile/solid").is_empty());
 }
 
@@ -520,14 +521,14 @@ fn a_run_without_an_end_keeps_its_numbers() {
     let mut recorder = recording.recorder(0);
     let mut expected = BTreeMap::new();
     let mut forward = Each(|step: &Step<'_>| {
-        expected.insert(step.index() as i64, step.measures().kappa_r);
+        expected.insert(step.index() as i64, step.counted().kappa_r);
         recorder.step(step).unwrap()
     });
     Gfmd::default().solve(&problem, &Stop::default(), &mut forward).unwrap();
     drop(recorder);
     recording.finish().unwrap();
     assert!(expected.len() > 200);
-    assert_eq!(trace(&path, "kappa_r", "step"), expected);
+    assert_eq!(trace(&path, "kappa_r_counted", "step"), expected);
 }
 
 #[test]
@@ -542,10 +543,10 @@ fn curves_on_coarse_grids_are_thin_and_those_on_the_finest_one_thick() {
             .map(|(step, widths)| (step, widths[0].0.0))
             .collect::<Vec<_>>()
     };
-    let [(0, coarse), (from, fine)] = width("/it/trace/kappa_r_resolved")[..] else { panic!("two widths") };
+    let [(0, coarse), (from, fine)] = width("/it/trace/kappa_r")[..] else { panic!("two widths") };
     assert!(from == finest && fine > 2.0 * coarse, "{coarse} and from step {from} on {fine}");
     record(&path, &rough_line(), &PolonskyKeer, None, None);
-    assert_eq!(width("/it/trace/kappa_r_resolved"), [(0, fine)]);
+    assert_eq!(width("/it/trace/kappa_r"), [(0, fine)]);
 }
 
 /// A run that would take for ever, under a limit on the length of files.
@@ -563,7 +564,7 @@ fn a_recording_that_cannot_grow_ends_the_run() {
     let complaint = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{complaint}");
     assert!(complaint.contains("short.rrd"), "{complaint}");
-    assert!(trace(&path, "/contact/trace/kappa_r", "step").len() > 100);
+    assert!(trace(&path, "/contact/trace/kappa_r_counted", "step").len() > 100);
 }
 
 /// An older recording stays as it is until the new one is whole, which has its name then.

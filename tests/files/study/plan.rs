@@ -148,7 +148,7 @@ fn lists_of_sections_and_of_height_files_are_lists_too() {
     plan.check().unwrap();
     let found: Vec<Point> = (0..4).flat_map(|i| plan.solve(i, |_| ()).unwrap()).collect();
     assert!(found.iter().all(Point::is_converged));
-    let area = |i: usize| found[i].observables.relative_area_resolved;
+    let area = |i: usize| found[i].observables.relative_area;
     assert!(
         (area(0) / area(1) - 1.0).abs() < 1e-3 && found[0].observables.iterations != found[1].observables.iterations
     );

@@ -17,7 +17,7 @@ fn the_picture_takes_the_place_of_the_viewer(page: &mut Page) {
 }
 
 fn controls_and_hand_work(page: &mut Page) {
-    let area = "latest().numbers.relative_area_resolved";
+    let area = "latest().numbers.relative_area";
     let before = page.value(area).as_f64().unwrap();
     page.press_at("control-load", "ArrowRight");
     rested(page);

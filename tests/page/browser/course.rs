@@ -81,8 +81,8 @@ const LOAD: &str = "document.getElementById('control-load')";
 /// Waits until the run of a load is shown in the table.
 fn shows(page: &mut Page, load: f64) {
     page.until(&format!("shownOrLatest()?.knobs.load === {load} && document.body.dataset.run === shownRun"), 30);
-    let shown = page.text("document.querySelector('#numbers td[data-number=kappa_resolved]').innerText");
-    let solved = page.text("figure(solvedRun(knobs).numbers.kappa_resolved)");
+    let shown = page.text("document.querySelector('#numbers td[data-number=kappa]').innerText");
+    let solved = page.text("figure(solvedRun(knobs).numbers.kappa)");
     assert_eq!(shown, solved);
 }
 

@@ -85,7 +85,7 @@ fn languages_change(page: &mut Page) {
     page.type_into("control-load-value", "0.02");
     page.until("latest().knobs.load === 0.02", 30);
     rested(page);
-    let before = page.value("latest().numbers.kappa_r_resolved");
+    let before = page.value("latest().numbers.kappa_r");
     page.value(
         "(() => { const list = byId('language'); list.value = 'en'; list.dispatchEvent(new Event('change')); return true; })()",
     );
@@ -96,7 +96,7 @@ fn languages_change(page: &mut Page) {
     page.until("document.body.dataset.viewer", 120);
     rested(page);
     assert_eq!(page.text("byId('sweep').innerText"), "Sweep the load");
-    assert_eq!(page.value("[knobs.load, latest().numbers.kappa_r_resolved]"), json!([0.02, before]));
+    assert_eq!(page.value("[knobs.load, latest().numbers.kappa_r]"), json!([0.02, before]));
     assert_eq!(page.text("localStorage.getItem('language')"), "en");
 }
 

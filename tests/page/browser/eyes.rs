@@ -184,10 +184,10 @@ fn a_pin_keeps_its_numbers(page: &mut Page) {
     page.click("pin");
     page.until("pinned !== null", 10);
     let pin = page.text("pinned");
-    let kappa = page.text("document.querySelector('#numbers td[data-number=kappa_resolved]').innerText");
+    let kappa = page.text("document.querySelector('#numbers td[data-number=kappa]').innerText");
     page.click("dice");
     rested(page);
-    let rival = "document.querySelector('#numbers td[data-number=kappa_resolved] + td').innerText";
+    let rival = "document.querySelector('#numbers td[data-number=kappa] + td').innerText";
     assert_eq!(page.text(rival), kappa);
     page.press_at("lesson", "h");
     page.until("document.body.dataset.lesson === '0' && pinned === null", 10);

@@ -49,7 +49,7 @@ fn pressing_raises_the_load(page: &mut Page) {
     let after = run(page);
     assert_eq!(after["knobs"]["load"].as_f64().unwrap(), load(page));
     let number = |run: &Value, name: &str| run["numbers"][name].as_f64().unwrap();
-    for name in ["reduced_pressure", "relative_area_resolved"] {
+    for name in ["reduced_pressure", "relative_area"] {
         assert!(number(&after, name) > 1.05 * number(&before, name), "{name}: {before} to {after}");
     }
     let solved = page.value("section.mean_gap").as_f64().unwrap();
@@ -85,7 +85,7 @@ fn what_is_lifted_clear_stays(page: &mut Page) {
     rested(page);
     assert_eq!(page.value("Math.max(...section.pressure)"), 0.0);
     assert_eq!(page.text("document.getElementById('title').innerText"), "Lifted clear of the solid: nothing touches");
-    let cells = "['relative_area_resolved', 'exact relative_area_resolved'].map((name) => document.querySelector(`#numbers td[data-number=\"${name}\"]`).innerText)";
+    let cells = "['relative_area', 'exact relative_area'].map((name) => document.querySelector(`#numbers td[data-number=\"${name}\"]`).innerText)";
     assert_eq!(page.value(cells), json!(["0", ""]));
     assert_eq!(load(page), before);
     let grip = middle(page.place("press"));
@@ -100,17 +100,11 @@ fn what_is_lifted_clear_stays(page: &mut Page) {
 fn nothing_stale_stands_beside_the_hand(page: &mut Page) {
     let grip = middle(page.place("press"));
     let before = page.value("Number(document.body.dataset.held || 0)");
-    assert_ne!(
-        page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r_resolved\"]').innerText"),
-        ""
-    );
+    assert_ne!(page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r\"]').innerText"), "");
     page.mouse("mousePressed", grip);
     page.mouse("mouseMoved", [grip[0], grip[1] + 6.0]);
     page.until(&format!("Number(document.body.dataset.held) > {before} && !holding"), 60);
-    assert_eq!(
-        page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r_resolved\"]').innerText"),
-        ""
-    );
+    assert_eq!(page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r\"]').innerText"), "");
     let title = page.text("document.getElementById('title').innerText");
     assert!(title.starts_with("Held by hand: p* = "), "{title}");
     page.mouse("mouseReleased", [grip[0], grip[1] + 6.0]);
@@ -184,7 +178,7 @@ fn keys_press(page: &mut Page) {
 
 /// A point of the profile that is dragged down becomes a bump, with which the saved setup repeats the run; all bumps are taken off again.
 fn bending_changes_the_shape(page: &mut Page) {
-    let ours = page.value("latest().numbers.relative_area_resolved");
+    let ours = page.value("latest().numbers.relative_area");
     let grip = middle(page.place("bend"));
     drag(page, grip, [0.0, 9.0]);
     pictured(page);
@@ -194,11 +188,11 @@ fn bending_changes_the_shape(page: &mut Page) {
     let after = run(page);
     assert!(after["setup"].as_str().unwrap().contains("bumps = ["), "{after}");
     assert!(after["command"].as_str().unwrap().contains(" --bumps "), "{after}");
-    assert_ne!(after["numbers"]["relative_area_resolved"], ours);
+    assert_ne!(after["numbers"]["relative_area"], ours);
     page.click("unbend");
     pictured(page);
     assert_eq!(page.value("latest().knobs.bumps"), json!([]));
-    assert_eq!(page.value("latest().numbers.relative_area_resolved"), ours);
+    assert_eq!(page.value("latest().numbers.relative_area"), ours);
 }
 
 /// A patch that is clicked is shown beside its twin; the viewer's pick of the same place chooses the same patch.
@@ -243,8 +237,8 @@ fn loads_are_picked(page: &mut Page) {
     page.mouse("mouseReleased", place);
     page.until("moment && moment.numbers.number !== undefined", 20);
     page.until("viewer.get_time_for_timeline(report.sweep.id, 'load') === moment.numbers.number", 20);
-    let area = page.value("moment.numbers.relative_area_resolved").as_f64().unwrap();
-    let shown = page.text("document.querySelector('#numbers td[data-number=\"relative_area_resolved\"]').innerText");
+    let area = page.value("moment.numbers.relative_area").as_f64().unwrap();
+    let shown = page.text("document.querySelector('#numbers td[data-number=\"relative_area\"]').innerText");
     assert!((shown.parse::<f64>().unwrap() / area - 1.0).abs() < 1e-4);
     let number = page.value("moment.numbers.number").as_u64().unwrap();
     page.press_at("chart-kappa", "ArrowRight");
@@ -272,7 +266,7 @@ fn surfaces_stand_side_by_side(page: &mut Page) {
     let [one, other] = ["section", "beside"].map(|of| pressure(page, of).as_f64().unwrap());
     assert!((one / other - 1.0).abs() < 0.2, "the sums over columns are {one} and {other}");
     let [first, second] =
-        ["latest().numbers", "latest().beside.numbers"].map(|it| page.value(&format!("{it}.relative_area_resolved")));
+        ["latest().numbers", "latest().beside.numbers"].map(|it| page.value(&format!("{it}.relative_area")));
     assert_ne!(first, second);
     page.click("beside");
     pictured(page);

@@ -128,8 +128,8 @@ fn followed(explorer: &Explorer, page: &mut Page, step: &Value) {
         return;
     }
     rested(page);
-    let told = explorer.state()["run"]["numbers"]["kappa_r_resolved"].as_f64().unwrap();
-    let shown = page.text("document.querySelector('#numbers td[data-number=kappa_r_resolved]').innerText");
+    let told = explorer.state()["run"]["numbers"]["kappa_r"].as_f64().unwrap();
+    let shown = page.text("document.querySelector('#numbers td[data-number=kappa_r]').innerText");
     let shown: f64 = shown.split(" ±").next().unwrap().parse().unwrap();
     assert!((shown / told - 1.0).abs() < 6e-3, "kappa_r is shown as {shown} and is {told}");
 }

@@ -67,7 +67,7 @@ fn a_link_shows_the_same_numbers_elsewhere() {
     let links = links_of_a_person(&program);
     let (address, told) = &links[0];
     let other = elsewhere(&program, address);
-    assert!(other["run"]["kappa_r_resolved"].is_f64() && other["pinned"]["kappa_r_resolved"].is_f64());
+    assert!(other["run"]["kappa_r"].is_f64() && other["pinned"]["kappa_r"].is_f64());
     assert_eq!((&other["knobs"], &other["run"], &other["pinned"]), (&told["knobs"], &told["run"], &told["pinned"]));
     let (address, told) = &links[1];
     assert_eq!(told["lesson"], json!(["coating", 1]));

@@ -27,7 +27,7 @@ fn agrees(explorer: &Explorer, page: &mut Page) -> Value {
     rested(page);
     let run = run(explorer);
     assert_eq!(page.text("document.body.dataset.status"), run["numbers"]["status"].as_str().unwrap());
-    for name in ["kappa_resolved", "kappa_r_resolved", "relative_area_resolved", "certificate"] {
+    for name in ["kappa", "kappa_r", "relative_area", "certificate"] {
         let (shown, told) = (number(page, name), run["numbers"][name].as_f64().unwrap());
         assert!((shown / told - 1.0).abs() < 6e-3, "{name} is shown as {shown} and is {told}");
     }
@@ -61,7 +61,7 @@ fn solvers_and_geometries_switch(explorer: &Explorer, page: &mut Page) {
     page.press_at("control-solver", "ArrowDown");
     let gradients = agrees(explorer, page);
     assert_eq!(gradients["knobs"]["solver"]["method"], "polonsky-keer");
-    assert_eq!(gradients["numbers"]["relative_area"], line["relative_area"]);
+    assert_eq!(gradients["numbers"]["relative_area_counted"], line["relative_area_counted"]);
     assert_ne!(gradients["numbers"]["transforms"], line["transforms"]);
     assert_eq!(page.value("document.getElementById('row-masses').hidden"), true);
     page.press_at("control-solver", "ArrowDown");
@@ -131,7 +131,7 @@ fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
     page.click("sweep");
     page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
     let points = explorer.state()["sweep"]["points"].as_array().unwrap().clone();
-    assert!(points.last().unwrap()["relative_area_resolved"].as_f64().unwrap() > 0.9999);
+    assert!(points.last().unwrap()["relative_area"].as_f64().unwrap() > 0.9999);
     for curve in ["chart-area polyline.computed", "chart-kappa polyline.second"] {
         let drawn = page.value(&format!("document.querySelector('#{curve}').points.numberOfItems"));
         assert_eq!(drawn, points.len(), "{curve}");
@@ -151,7 +151,9 @@ fn what_is_saved_opens(explorer: &Explorer, page: &mut Page) {
     assert_eq!(stem, format!("rough-line_p{}_multilevel", run["knobs"]["load"]));
     let (name, store) = recording(&save(page, "save-rrd", &format!("{stem}.rrd")));
     assert_eq!(run["id"], name);
-    assert!(store.iter_physical_chunks().any(|chunk| chunk.entity_path().to_string() == "/contact/trace/kappa_r"));
+    assert!(
+        store.iter_physical_chunks().any(|chunk| chunk.entity_path().to_string() == "/contact/trace/kappa_r_counted")
+    );
     let saved = save(page, "save-npz", &format!("{stem}.npz"));
     let mut arrays = ndarray_npy::NpzReader::new(File::open(saved).unwrap()).unwrap();
     let pressure: ndarray::Array1<f64> = arrays.by_name("pressure").unwrap();
@@ -186,9 +188,9 @@ fn all_buttons_save_the_run_that_is_shown(explorer: &Explorer, page: &mut Page) 
 
 fn tables_and_charts_are_saved(points: &[Value], page: &mut Page) {
     let mut table = csv::Reader::from_path(save(page, "save-curve", "rough-line_sweep_multilevel.csv")).unwrap();
-    let place = table.headers().unwrap().iter().position(|name| name == "kappa_r_resolved").unwrap();
+    let place = table.headers().unwrap().iter().position(|name| name == "kappa_r").unwrap();
     let rows: Vec<f64> = table.records().map(|row| row.unwrap()[place].parse().unwrap()).collect();
-    let told: Vec<f64> = points.iter().map(|point| point["kappa_r_resolved"].as_f64().unwrap()).collect();
+    let told: Vec<f64> = points.iter().map(|point| point["kappa_r"].as_f64().unwrap()).collect();
     assert_eq!(rows, told);
     let charts = std::fs::read_to_string(save(page, "save-charts", "rough-line_sweep_multilevel.svg")).unwrap();
     let tree = usvg::Tree::from_str(&charts, &usvg::Options::default()).unwrap();

@@ -31,7 +31,7 @@ fn a_teacher_writes_lessons() {
         knobs = { domain = "surface", points = 64, cutoff = 16 }
         [[step]]
         text = "First."
-        ask = { kind = "number", question = "How much?", of = "kappa_r_resolved" }
+        ask = { kind = "number", question = "How much?", of = "kappa_r" }
         [[step]]
         text = "Then."
         knobs.load = 0.5
@@ -45,6 +45,24 @@ fn a_teacher_writes_lessons() {
     assert_eq!((second["points"].as_u64(), second["load"].as_f64()), (Some(64), Some(0.5)));
     let asked = Question::Draw { question: "Draw it.".into(), curve: Curve::KappaR };
     assert_eq!((lesson.steps[1].sweep, &lesson.steps[1].ask), (true, &Some(asked)));
+}
+
+/// Lessons that were written when the resolved values had names of their own.
+#[test]
+fn lessons_with_the_earlier_names_of_resolved_values_still_read() {
+    let lesson = lesson(
+        r#"
+        title = "Old"
+        [[step]]
+        text = "First."
+        ask = { kind = "number", question = "How much?", of = "kappa_r_resolved" }
+        [[step]]
+        text = "Then."
+        ask = { kind = "act", question = "Press.", goal = { relative_area_resolved = [0.2, 0.3] } }
+    "#,
+    );
+    let [first, second] = [0, 1].map(|i| json_of(&lesson.steps[i].ask));
+    assert_eq!((&first["of"], &second["goal"]), (&json!("kappa_r"), &json!({"relative_area": [0.2, 0.3]})));
 }
 
 #[test]
@@ -125,61 +143,65 @@ fn lessons_that_cannot_be_say_where() {
         (STEP.replace("\"Look.\"", "{}"), 3, "a text has no words"),
         (format!("{STEP}colour = 3\n"), 5, "unknown field `colour`"),
         (format!("{STEP}\n[[step]]\nknobs.load = 0.1\n"), 6, "missing field `text`"),
+        (format!("{STEP}knobs.load = \"much\"\n"), 5, "`load` cannot be \"much\": give a number"),
         (
-            format!("{STEP}knobs.load = \"much\"\n"),
-            5,
-            "knobs.load = \"much\": string \"much\" cannot be: give a number",
+            format!("{STEP}knobs.points = 512\nknobs.roughness = -1\n"),
+            6,
+            "`roughness` cannot be -1: give a number from 0 to 1",
         ),
-        (format!("{STEP}knobs.points = 512\nknobs.roughness = -1\n"), 6, "knobs.roughness = -1: "),
-        (format!("{STEP}knobs.seed = -3\n"), 5, "cannot be: give a whole number from 0 to 4294967295"),
-        (format!("{STEP}knobs.loads = 0.1\n"), 5, "knobs.loads = 0.1: unknown field `loads`"),
-        (format!("{STEP}knobs.load = 1e9\n"), 5, "the load p* is 1000000000.0: give"),
-        (format!("{STEP}knobs.points = 1048576\n"), 5, "1048576 points are too many here"),
-        (format!("{STEP}turn.load = [0.1, 1e9]\n"), 3, "turn: the load p* is 1000000000.0: give"),
-        (format!("{STEP}turn.loads = [0.1]\n"), 3, "turn: unknown field `loads`"),
+        (format!("{STEP}knobs.seed = -3\n"), 5, "`seed` cannot be -3: give a whole number from 0 to 4294967295"),
+        (format!("{STEP}knobs.loads = 0.1\n"), 5, "there is no knob `loads`: choose one of `domain`, "),
+        (format!("{STEP}knobs.load = 1e9\n"), 5, "`load` cannot be 1000000000: give a number from 1e-5 to 1000"),
+        (
+            format!("{STEP}knobs.points = 1048576\n"),
+            5,
+            "`points` cannot be 1048576: give a whole number from 4 to 262144",
+        ),
+        (format!("{STEP}turn.load = [0.1, 1e9]\n"), 5, "turn: `load` cannot be 1000000000: give"),
+        (format!("{STEP}turn.loads = [0.1]\n"), 5, "turn: there is no knob `loads`"),
         (format!("{STEP}turn.load = 0.1\n"), 5, "invalid type"),
         (
             format!("{STEP}turn = {{ load = [{0}], hurst = [{0}] }}\n", loads(8)),
-            3,
-            "turn: it leads to more than 64 states",
+            5,
+            "turn: the values lead to more than 64 states",
         ),
         (ask("{ kind = \"guess\", question = \"?\" }"), 5, "unknown variant `guess`"),
         (
             ask("{ kind = \"choose\", question = \"?\", choices = [\"a\"], right = 1 }"),
-            3,
+            5,
             "1 choices are given: give two",
         ),
         (
             ask("{ kind = \"choose\", question = \"?\", choices = [\"a\", \"b\"], right = 3 }"),
-            3,
+            5,
             "choice 3 is to be right",
         ),
-        (ask("{ kind = \"choose\", question = \"\", choices = [\"a\", \"b\"], right = 1 }"), 3, "a text has no words"),
-        (ask("{ kind = \"number\", question = \"?\", of = \"kappa_q\" }"), 3, "\"kappa_q\" is no number of a run"),
+        (ask("{ kind = \"choose\", question = \"\", choices = [\"a\", \"b\"], right = 1 }"), 5, "a text has no words"),
+        (ask("{ kind = \"number\", question = \"?\", of = \"kappa_q\" }"), 5, "\"kappa_q\" is no number of a run"),
         (
             ask("{ kind = \"draw\", question = \"?\", curve = \"kappa\" }"),
-            3,
+            5,
             "the load is not swept: give sweep = true",
         ),
         (
             ask(
                 "{ kind = \"choose\", question = \"?\", choices = [\"a\", { text = \"b\", because = \"\" }], right = 1 }",
             ),
-            3,
+            5,
             "a text has no words",
         ),
-        (ask("{ kind = \"act\", question = \"?\", goal = {} }"), 3, "the goal is empty"),
-        (ask("{ kind = \"act\", question = \"?\", goal = { area = [0, 1] } }"), 3, "\"area\" is no number of a run"),
+        (ask("{ kind = \"act\", question = \"?\", goal = {} }"), 5, "the goal is empty"),
+        (ask("{ kind = \"act\", question = \"?\", goal = { area = [0, 1] } }"), 5, "\"area\" is no number of a run"),
         (
             ask("{ kind = \"act\", question = \"?\", goal = { relative_area = [1, 0] } }"),
-            3,
+            5,
             "the goal of relative_area is from 1 to 0: give the smaller value first",
         ),
         (
             format!(
                 "{STEP}sweep = true\nask = {{ kind = \"act\", question = \"?\", goal = {{ patches = [1, 1] }} }}\n"
             ),
-            3,
+            6,
             "the load is swept where something is to be done",
         ),
         (format!("{STEP}[end]\nseen = \"\"\n"), 5, "end: a text has no words"),

@@ -1,13 +1,13 @@
 //! What is counted on a contact.
 
-use asperity::contact::{ContactModulus, Load, Measures};
+use asperity::contact::{ContactModulus, Counted, Load};
 use asperity::{Grid, Indenter, Problem};
 
 fn switches(pressure: &[f64], grid: Grid) -> usize {
     let sine = Indenter::Sine { amplitude: 1.0 };
     let crossed = Indenter::CrossedSine { amplitude: 1.0 };
     let surface = if grid.is_line() { sine } else { crossed }.surface(grid).unwrap();
-    Measures::of(&Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(1.0)).unwrap(), pressure).switches
+    Counted::new(&Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(1.0)).unwrap(), pressure).switches
 }
 
 #[test]

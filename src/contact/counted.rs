@@ -1,4 +1,4 @@
-//! Measures of a contact, as the paper defines them.
+//! A contact as its nodes are counted, as the paper defines it.
 
 use crate::contact::{NODE_EXCESS_PER_SWITCH_LINE, Problem, chunks};
 use crate::surface::Surface;
@@ -9,11 +9,13 @@ use crate::surface::Surface;
 /// contact edges, Yastrebov, Anciaux & Molinari, Tribol. Int. 2017, arXiv:1701.02727, have 0.118.)
 pub const NODE_EXCESS_PER_SWITCH_SURFACE: f64 = 0.101_378;
 
-/// Area, gradients and proportionality factors of a contact, as Eqs. 1, 3, 8 and 9 of van Dokkum et al. (2018) define them.
+/// Area, gradients and proportionality factors of a contact by its nodes, as Eqs. 1, 3, 8 and 9 of van Dokkum et al. (2018) define
+/// them; all are dimensionless.
 ///
-/// A node is in contact when its pressure is positive. Dimensionless all.
+/// A node is in contact when its pressure is positive. Counting nodes is of first order in the spacing;
+/// [`Resolved`](crate::contact::Resolved) has the same quantities to second order.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Measures {
+pub struct Counted {
     /// Nodes in contact.
     pub contact_nodes: usize,
     /// Nodes in contact that lie on plateaus, see [`Surface::is_level`].
@@ -43,12 +45,12 @@ pub struct Measures {
     pub kappa_r_corrected: f64,
 }
 
-impl Measures {
-    /// Measures the contact of nodes with `pressure > 0` (row by row) under the load of `problem`.
+impl Counted {
+    /// Counts the contact of nodes with `pressure > 0` (row by row) under the load of `problem`.
     ///
     /// # Panics
     /// If the length of `pressure` does not fit the grid.
-    pub fn of(problem: &Problem, pressure: &[f64]) -> Self {
+    pub fn new(problem: &Problem, pressure: &[f64]) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
         let Sums { nodes, level, squares, switches, switched_squares } = Sums::of(pressure, problem.surface());
