@@ -48,7 +48,7 @@ impl Ledger {
 
     /// Number of rows.
     #[getter]
-    fn field(&self) -> usize {
+    fn rows(&self) -> usize {
         self.plan.rows()
     }
 

@@ -60,7 +60,7 @@ impl Study {
 
     /// Number of rows.
     #[getter]
-    fn field(&self) -> usize {
+    fn rows(&self) -> usize {
         self.plan.rows()
     }
 

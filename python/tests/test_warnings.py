@@ -42,14 +42,14 @@ def test_a_good_contact_has_no_warning() -> None:
 
 
 def test_a_coarse_grid_is_told_in_the_words_of_the_command_line(tmp_path: Path) -> None:
-    height = np.random.default_rng(1).normal(size=128)
+    height = np.random.default_rng(1).normal(size=128) + 100.0 * np.arange(128)
     np.save(tmp_path / "height.npy", height)
-    here = sentences(lambda: asp.solve(tmp_path / "height.npy", 100.0, reduced_pressure=0.1))
-    there = of_command("--height", "height.npy", "--size", "100", "--reduced-pressure", "0.1", cwd=tmp_path)
+    here = sentences(lambda: asp.solve(tmp_path / "height.npy", 1e5, reduced_pressure=0.1))
+    there = of_command("--height", "height.npy", "--size", "1e5", "--reduced-pressure", "0.1", cwd=tmp_path)
     assert len(here) >= 2 and [without_remedies(it) for it in here] == [without_remedies(it) for it in there]
     assert any("refine='auto'" in it for it in here) and any("prepare='auto'" in it for it in here)
     assert not any("--" in it for it in here)
-    assert here == sentences(lambda: asp.solve(height, 100.0, reduced_pressure=0.1))
+    assert here == sentences(lambda: asp.solve(height, 1e5, reduced_pressure=0.1))
 
 
 def test_what_a_warning_advises_is_a_keyword_that_exists() -> None:
