@@ -8,7 +8,7 @@ use crate::problem::Problem;
 use crate::setup::Setup;
 use crate::solve_options::SolveOptions;
 use crate::step::Step;
-use crate::warnings::{not_converged, warn, warn_sentence, warnings_about};
+use crate::warnings::{warn, warn_sentence, warning_of_failure, warnings_about};
 use asperity::contact::{Load, PartialSlip, Status};
 use asperity::diagnosis::{Diagnosis, Reference};
 use asperity::error::StudyError;
@@ -96,9 +96,6 @@ impl Solve<'_> {
         })?;
         let Outcome { contact, surface, setup, slip, diagnosis, is_settled } = outcome;
         let contact = Contact { contact, surface, setup, rank: self.problem.rank, diagnosis, slip };
-        if let Some(fault) = contact.contact.fault().filter(|_| contact.contact.failure.is_some()) {
-            return Err(py_error(fault));
-        }
         if !is_settled {
             warn(py, &[Refinement::warning()])?;
         }
@@ -106,7 +103,7 @@ impl Solve<'_> {
         [Some(&contact.contact), stuck]
             .into_iter()
             .flatten()
-            .filter_map(not_converged)
+            .filter_map(warning_of_failure)
             .try_for_each(|it| warn_sentence(py, &it))?;
         warn_about(py, &[&contact])?;
         Ok(contact)
@@ -117,7 +114,7 @@ impl Solve<'_> {
         self.check_memory(loads.len(), self.problem.problem.surface().grid())?;
         let contacts = self.in_background(py, |steps| self.pressed(loads, steps))?;
         let contacts: Vec<Contact> = contacts.into_iter().map(|contact| self.under_its_load(contact)).collect();
-        let unfinished = contacts.iter().filter_map(|it| not_converged(&it.contact)).count();
+        let unfinished = contacts.iter().filter_map(|it| warning_of_failure(&it.contact)).count();
         if unfinished > 0 {
             let loads = contacts.len();
             warn_sentence(

@@ -18,8 +18,8 @@ pub fn warnings_about(contacts: &[&Contact]) -> Vec<Warning> {
     warnings
 }
 
-/// The warning that a solver did not converge, unless it did, or somebody has stopped it.
-pub fn not_converged(contact: &asperity::Contact) -> Option<String> {
+/// The warning that a solver did not converge, or that its recording failed. There is none for a run that somebody has stopped.
+pub fn warning_of_failure(contact: &asperity::Contact) -> Option<String> {
     contact.fault().filter(|_| contact.status != Status::StoppedByObserver).map(|fault| fault.to_string())
 }
 

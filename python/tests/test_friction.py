@@ -74,6 +74,17 @@ def test_friction_that_cannot_be_is_refused(keys: dict[str, object], sentence: s
         problem.with_load(mean_pressure=LOAD / 2)
 
 
+def test_a_study_refuses_what_it_does_not_solve() -> None:
+    with pytest.raises(asp.AsperityError, match="a study solves normal loads only"):
+        asp.Study(
+            surface={"indenter": {"shape": "cylinder", "radius": 1.0}},
+            grid={"points": 256, "size": 4.0},
+            solid={"contact_modulus": 1.0},
+            load={"mean_pressure": [LOAD, 2 * LOAD]},
+            friction=FRICTION,  # type: ignore[call-arg]
+        )
+
+
 def test_the_largest_shear_stress_lies_below_the_surface_as_hertz_has_it() -> None:
     # Johnson (1985), section 4.2: below a cylinder tau_max = 0.300 p0 at the depth 0.786 a
     contact = asp.solve(asp.Surface.indenter(**CYLINDER), solid=1.0, mean_pressure=1e-4)
