@@ -71,7 +71,7 @@ def plot_curve(curve: LoadCurve) -> Figure:
 def contact_as_html(contact: Contact) -> str:
     """A small picture and the main numbers of a contact, for notebooks."""
     rows = {
-        "load": contact.setup.to_dict()["load"],
+        "load": ", ".join(f"{name.replace('-', ' ')} {value:g}" for name, value in contact.setup.to_dict()["load"].items()),
         "status": f"{contact.status} by {contact.solver}",
         "mean pressure": f"{contact.mean_pressure:.6g}",
         "largest pressure": f"{contact.measures['max_pressure']:.6g}",
@@ -79,7 +79,6 @@ def contact_as_html(contact: Contact) -> str:
         "mean gap": f"{contact.mean_gap:.6g}",
         "certificate": f"{contact.certificate.eta:.1e}",
     }
-    rows["load"] = ", ".join(f"{name} {value:g}" for name, value in rows["load"].items())
     return _html("Contact", rows, lambda: plot_contact(contact))
 
 
@@ -107,7 +106,9 @@ def _map(axes: Any, field: Any, size: tuple[float, ...], name: str) -> None:
     """A map of a field, its first row at the top."""
     image = axes.imshow(np.asarray(field), extent=(0.0, size[1], size[0], 0.0))
     axes.set(xlabel="x", ylabel="y", title=name)
-    axes.figure.colorbar(image, ax=axes)
+    axes.ticklabel_format(scilimits=(-3, 4))
+    axes.locator_params(nbins=5)
+    axes.figure.colorbar(image, ax=axes, shrink=min(max(size[0] / size[1], 0.3), 1.0))
 
 
 def _near_contact(contact: Contact) -> slice:
