@@ -4,7 +4,7 @@ use super::outputs::Outputs;
 use anyhow::Result;
 use asperity::contact::{Contact, Load, Observables, Problem};
 use asperity::plot::Colour;
-use asperity::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Scene};
+use asperity::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene};
 use asperity::setup::Setup;
 use asperity::study::LoadCurve;
 
@@ -37,7 +37,7 @@ impl CurveRecording {
             description: format!("{}, each load from the contact before.", curve.setup.surface.description()),
             captions: curve.loads.iter().map(Load::to_string).collect(),
             curves: CURVES
-                .map(|(view, name, colour, _)| Curve {
+                .map(|(view, name, colour, _)| RecordedCurve {
                     view: view.into(),
                     name: name.into(),
                     colour: colour.0,
