@@ -1,13 +1,13 @@
 //! Axes suit the state that is shown: those of the fields while a run goes on, and those of curves at its end.
 
-use super::{cylinder, record, record_with, rough_line, rough_surface, rows, stores, strips, trace};
+use super::{cylinder, record, record_with, rough_line, rough_surface, rows, stores, trace};
 use asperity::contact::{Each, Gfmd, Multilevel, PolonskyKeer, Solver, Step};
 use asperity::record::{Options, Recording, Scene};
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter, Stop};
-use rerun::components::{Range1D, Scale3D};
+use rerun::components::{LineStrip2D, Range1D, Scale3D};
 use rerun::external::re_sdk_types::blueprint::{archetypes, components};
-use rerun::{Component, ComponentDescriptor, StoreKind, Transform3D};
+use rerun::{Component, ComponentDescriptor, LineStrips2D, StoreKind, Transform3D};
 use std::path::Path;
 
 /// A view of curves in a layout.
@@ -74,7 +74,9 @@ fn view_of(path: &Path, name: &str) -> Curves {
 
 /// The share of its box that the curve of the last pressure fills, from the lower side to its highest point.
 fn filled(path: &Path) -> f32 {
-    let (_, points) = strips(path, "/it/pressure/curves/pressure").pop().unwrap();
+    let strips = LineStrips2D::descriptor_strips();
+    let (_, pieces) = rows::<LineStrip2D>(path, "/it/pressure/curves/pressure", strips).pop().unwrap();
+    let points: Vec<[f32; 2]> = pieces.iter().flat_map(|piece| &piece.0).map(|point| [point.x(), point.y()]).collect();
     let end = |pick: fn(f32, f32) -> f32| points.iter().map(|point| point[1]).reduce(pick).unwrap();
     let [top, bottom] = [end(f32::min), end(f32::max)];
     let stretch = rows::<Scale3D>(path, "/it/pressure/curves", Transform3D::descriptor_scale()).pop();
