@@ -2,7 +2,8 @@
 //!
 //! Start with [`first_contact`]. The pages are files in `assets/guide`; their examples in Rust and their commands are run as tests.
 
-/// Declares the pages. Links between pages are references, whose targets here come before those in the files.
+/// Declares the pages. Links between pages are references, whose targets here come before those in the files. Only the documentation reads the
+/// files, so that a change of a page does not build the crate again.
 macro_rules! pages {
     ($($name:ident $path:literal)*) => {
         $(
@@ -21,7 +22,7 @@ macro_rules! pages {
             #[doc = "[trust]: crate::guide::trust"]
             #[doc = "[words]: crate::guide::words"]
             #[doc = ""]
-            #[doc = include_str!(concat!("../", $path))]
+            #[cfg_attr(doc, doc = include_str!(concat!("../", $path)))]
             pub mod $name {}
         )*
     };

@@ -57,15 +57,17 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome
             "the {part} shows the steps under one load, but several are given: give one, or leave it out"
         ));
     }
-    let cost = curve.cost(outputs.recording().is_some(), outputs.archive().is_some())?;
+    let cost = curve.cost(&outputs.extras(curve.loads.len()))?;
     outputs.check()?;
     if is_dry {
         let (loads, is_recorded) = (Some(curve.loads.len()), outputs.recording().is_some());
         let plan = Plan { setup: &curve.setup, cost: &cost, loads, is_recorded, is_passed_twice: false };
         plan::write(&plan, &mut stdout())?;
-        return Ok(Outcome::Done);
     }
     cost.check(curve.setup.solver.name())?;
+    if is_dry {
+        return Ok(Outcome::Done);
+    }
     let problem = curve.problem()?;
     if outputs.strict {
         let warnings = warnings::in_flags(&curve.setup.surface.warnings(problem.surface()));

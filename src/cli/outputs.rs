@@ -3,6 +3,7 @@
 use asperity::contact::Contact;
 use asperity::error::FileError;
 use asperity::files::check_named;
+use asperity::setup::Extras;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -56,6 +57,16 @@ impl Outputs {
         }
         #[cfg(not(feature = "record"))]
         None
+    }
+
+    /// What is done besides solving under so many loads.
+    pub fn extras(&self, loads: usize) -> Extras {
+        Extras {
+            is_recorded: self.recording().is_some(),
+            is_diagnosed: false,
+            has_stiffness: self.stiffness,
+            archived: if self.archive().is_some() { loads } else { 0 },
+        }
     }
 
     /// The table, if one is asked for.

@@ -3,7 +3,7 @@
 use asperity::quantity::bytes_in_words;
 #[cfg(feature = "record")]
 use asperity::record::{Options, Size};
-use asperity::setup::{Cost, Setup, available_bytes};
+use asperity::setup::{Cost, Extras, Setup, available_bytes};
 use asperity::study::Refinement;
 use std::io::{self, Write};
 
@@ -29,7 +29,7 @@ pub fn write(plan: &Plan<'_>, out: &mut impl Write) -> io::Result<()> {
         0 => writeln!(out, "  grids       1")?,
         halvings => writeln!(out, "  grids       {}, from {} to {}", halvings + 1, points(coarsest), points(shape))?,
     }
-    let free = available_bytes().map_or(String::new(), |free| format!(" of {} that are free", bytes_in_words(free)));
+    let free = available_bytes().map_or(String::new(), |free| format!(", {} are free", bytes_in_words(free)));
     writeln!(out, "  memory      about {}{free}", bytes_in_words(cost.bytes))?;
     writeln!(out, "  transforms  {}", setup.solver.transforms())?;
     if is_passed_twice {
@@ -84,7 +84,7 @@ fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut 
 pub fn write_grids(refinement: &Refinement, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "Finer grids follow until area and kappa_r have settled, each as far as memory goes:")?;
     for setup in refinement.setups().skip(1) {
-        let Ok(cost) = setup.cost(false, 0) else { break };
+        let Ok(cost) = setup.cost(&Extras::default()) else { break };
         writeln!(out, "  {:<11} about {}", points(cost.grid.shape()), bytes_in_words(cost.bytes))?;
     }
     Ok(())

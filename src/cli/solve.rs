@@ -21,7 +21,7 @@ use asperity::contact::{PartialSlip, archive, archive_of_slip};
 use asperity::diagnosis::Findings;
 use asperity::files::{check_apart, write_beside};
 use asperity::job::{Job, Solved};
-use asperity::setup::{Auto, Setup};
+use asperity::setup::{Auto, Extras, Setup};
 use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write, stdout};
@@ -85,7 +85,8 @@ impl Solve {
     fn solve(&self, setup: Setup, auto: Option<Auto>) -> Result<Outcome> {
         let Self { outputs, .. } = self;
         let job = self.job(setup, auto);
-        let cost = job.setup().cost(outputs.recording().is_some(), outputs.archive().iter().count())?;
+        let is_passed_twice = job.is_passed_twice();
+        let cost = job.setup().cost(&Extras { is_diagnosed: is_passed_twice, ..outputs.extras(1) })?;
         outputs.check()?;
         if let Some(path) = outputs.table().filter(|_| !cost.grid.is_line()) {
             return usage(format!("{} can hold the nodes of a line only: give a .npz for a surface", path.display()));
@@ -95,13 +96,15 @@ impl Solve {
             stress::check(&cost.grid, outputs.stress_row)?;
         }
         if self.dry_run {
-            let (setup, is_passed_twice) = (job.setup(), job.is_passed_twice());
+            let setup = job.setup();
             let is_recorded = outputs.recording().is_some();
             plan::write(&Plan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice }, &mut stdout())?;
             job.refinement().map_or(Ok(()), |refinement| plan::write_grids(refinement, &mut stdout()))?;
-            return Ok(Outcome::Done);
         }
         cost.check(job.setup().solver.name())?;
+        if self.dry_run {
+            return Ok(Outcome::Done);
+        }
         let ready = job.prepare()?;
         if outputs.strict {
             warnings::refuse_if_strict(&warnings::in_flags(&ready.warnings()), true)?;

@@ -8,6 +8,7 @@ use anyhow::Result;
 use asperity::files::check_named;
 use asperity::job::{Job, JobRun};
 use asperity::record::Recording;
+use asperity::setup::Extras;
 use asperity::study::{Loading, Plan};
 use std::path::Path;
 
@@ -16,7 +17,7 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<Outcome> {
     let row = plan.row(number)?;
     check_named(path, &["rrd"])?;
     let setup = plan.setup(row)?;
-    setup.cost(true, 0)?.check(setup.solver.name())?;
+    setup.cost(&Extras { is_recorded: true, ..Extras::default() })?.check(setup.solver.name())?;
     let (problem, mut loading) = (setup.problem()?, Loading::default());
     let solver = setup.solver.solver();
     for (number, &load) in plan.loads()[..row.load].iter().enumerate() {

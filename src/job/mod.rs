@@ -38,7 +38,7 @@ use crate::error::FileError;
 use crate::error::SetupError;
 #[cfg(feature = "record")]
 use crate::record::{Options, Recording, Scene};
-use crate::setup::{Auto, Part, Setup};
+use crate::setup::{Auto, Extras, Part, Setup};
 use crate::study::Refinement;
 use crate::surface::Field;
 
@@ -137,8 +137,9 @@ impl<'a> Job<'a> {
     /// # Errors
     /// The errors of [`Setup::problem`], and [`SetupError::Memory`] for a run that does not fit in memory.
     pub fn prepare(mut self) -> Result<Ready<'a>, SetupError> {
-        let is_recorded = self.is_recorded();
-        self.runs.iter_mut().try_for_each(|run| run.pose(is_recorded))?;
+        let extras =
+            Extras { is_recorded: self.is_recorded(), is_diagnosed: self.is_passed_twice(), ..Extras::default() };
+        self.runs.iter_mut().try_for_each(|run| run.pose(&extras))?;
         Ok(Ready { job: self })
     }
 

@@ -7,7 +7,7 @@ use super::{beyond, fig1, persson, table1};
 use crate::contact::Stop;
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::check_target;
-use crate::setup::{Cost, available_bytes};
+use crate::setup::{Cost, Extras, available_bytes};
 use crate::study::{Realisation, Sweep, Table};
 use std::path::PathBuf;
 
@@ -150,7 +150,7 @@ impl Paper {
         let realisations = self.stopping(item, realisations)?;
         let mut bytes = 1.0f64;
         for realisation in &realisations {
-            let cost = realisation.setup.cost(false, 0)?;
+            let cost = realisation.setup.cost(&Extras::default())?;
             // the pressure of the load before included
             bytes = bytes.max(cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes);
         }

@@ -1,15 +1,26 @@
 //! The cost of a solve, said before it is started.
 
 use super::Setup;
-use crate::contact::{Forecast, Load};
+use crate::contact::Multilevel;
 use crate::elastic::Compliance;
 use crate::error::SetupError;
 use crate::grid::Grid;
 
-/// Fields that are held for each contact while an archive is made in memory.
-const ARCHIVE_FIELDS: f64 = 9.5;
+/// Fields that are held while random roughness is made: lines, surfaces.
+const SYNTHESIS_FIELDS: [f64; 2] = [5.9, 3.8];
+/// Fields that are held for each contact while an archive is made in memory: lines, with positions and spectra of as many values, and
+/// surfaces; for each node of a surface in contact its contour besides.
+const ARCHIVE_FIELDS: [f64; 2] = [13.0, 8.3];
+const CONTOUR_FIELDS: f64 = 3.5;
 /// Fields of a contact that is kept.
 const KEPT_FIELDS: f64 = 3.0;
+/// Fields that a diagnosis adds to a solve: lines, surfaces.
+const DIAGNOSIS_FIELDS: [f64; 2] = [13.0, 8.7];
+/// Bytes of the plans of transforms, of threads and of what the allocator keeps.
+const OVERHEAD: f64 = 8e6;
+/// Bytes that the pictures of a recording take for each of their points, and the most points: lines, surfaces.
+const PICTURE_BYTES: [f64; 2] = [8e3, 280.0];
+const PICTURE_POINTS: [f64; 2] = [4096.0, 262_144.0];
 
 /// The memory and the grids that a solve takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,38 +31,55 @@ pub struct Cost {
     pub coarse_grids: usize,
     /// Bytes at the peak, with the share of the nodes in contact that is expected.
     pub bytes: f64,
-    /// Bytes that the solve takes however few nodes touch.
-    pub least_bytes: f64,
+}
+
+/// What is done besides solving, as far as it takes memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Extras {
+    /// Whether the steps are recorded.
+    pub is_recorded: bool,
+    /// Whether the steps are diagnosed, in a recording or by themselves.
+    pub is_diagnosed: bool,
+    /// Whether the contact stiffness is found.
+    pub has_stiffness: bool,
+    /// Contacts that are kept until their fields are written.
+    pub archived: usize,
 }
 
 impl Setup {
-    /// The cost of the solve; `is_recorded` says whether its steps are recorded, `archived` how many contacts are kept until their
-    /// fields are written.
+    /// The cost of the solve with what is done besides.
     ///
     /// # Errors
-    /// The errors of [`Setup::check`].
-    pub fn cost(&self, is_recorded: bool, archived: usize) -> Result<Cost, SetupError> {
+    /// The errors of [`Setup::check`], and those of reading measured heights.
+    pub fn cost(&self, extras: &Extras) -> Result<Cost, SetupError> {
         let grid = self.check()?;
-        let contact = match self.load {
-            Load::ReducedPressure(pressure) if self.surface.is_random() => Forecast::relative_area_at(pressure),
-            _ => 1.0,
-        };
-        // the heights, the solver or the three fields of the result, and what watches
+        let area = self.expected_area(&grid)?;
         let solid = Compliance::fields(&grid, self.elastic()?.as_ref());
-        let solved = |contact: f64| 1.0 + solid + self.solver.fields(&grid, contact).max(3.0);
-        let recorded = if is_recorded { self.solver.recorded_fields() } else { 0.0 };
-        let kept = archived.saturating_sub(1) as f64 * KEPT_FIELDS;
-        let fields = (solved(contact) + recorded + kept).max(archived as f64 * ARCHIVE_FIELDS);
-        let coarse_grids = self.solver.coarse_grids(&grid);
-        Ok(Cost { grid, coarse_grids, bytes: bytes(&grid, fields), least_bytes: bytes(&grid, solved(0.0) + kept) })
+        let (of_dimension, archived) = (usize::from(!grid.is_line()), extras.archived as f64);
+        let one = |is_done: bool, fields: f64| if is_done { fields } else { 0.0 };
+        // the heights, the solver or the three fields of the result, and what watches
+        let solving = 1.0 + solid + self.solver.fields(&grid, area).max(KEPT_FIELDS);
+        let recorded = one(extras.is_recorded, self.solver.recorded_fields());
+        let diagnosed = one(extras.is_diagnosed, DIAGNOSIS_FIELDS[of_dimension]);
+        let kept = (archived - 1.0).max(0.0) * KEPT_FIELDS;
+        let contour = if grid.is_line() { 0.0 } else { CONTOUR_FIELDS * area };
+        let phases = [
+            one(self.surface.is_random(), SYNTHESIS_FIELDS[of_dimension]),
+            solving + recorded + diagnosed + kept,
+            // the stiffness is found by the correction of the multilevel solver
+            one(extras.has_stiffness, 1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area)),
+            archived * (ARCHIVE_FIELDS[of_dimension] + contour),
+        ];
+        let pictures = PICTURE_BYTES[of_dimension] * PICTURE_POINTS[of_dimension].min(grid.len() as f64);
+        let bytes = bytes(&grid, phases.into_iter().fold(0.0, f64::max)) + OVERHEAD + one(extras.is_recorded, pictures);
+        Ok(Cost { grid, coarse_grids: self.solver.coarse_grids(&grid), bytes })
     }
 }
 
 impl Cost {
     /// Bytes of so many fields of doubles.
     pub fn of_fields(grid: &Grid, fields: f64) -> Self {
-        let bytes = bytes(grid, fields);
-        Self { grid: *grid, coarse_grids: 0, bytes, least_bytes: bytes }
+        Self { grid: *grid, coarse_grids: 0, bytes: bytes(grid, fields) }
     }
 
     /// Refuses what needs more memory than is free, or than the system grants.
@@ -59,7 +87,7 @@ impl Cost {
     /// # Errors
     /// [`SetupError::Memory`].
     pub fn check(&self, what: &str) -> Result<(), SetupError> {
-        let needed = self.least_bytes;
+        let needed = self.bytes;
         let refuse = |free| SetupError::Memory { shape: self.grid.shape(), what: what.into(), needed, free };
         if let Some(free) = available_bytes().filter(|free| needed > *free) {
             return Err(refuse(Some(free)));

@@ -3,7 +3,7 @@
 use super::realisation::Realisation;
 use crate::contact::Load;
 use crate::error::SetupError;
-use crate::setup::{Cost, Method};
+use crate::setup::{Cost, Extras, Method};
 
 /// Seconds of a transform on one core, over nodes and their binary logarithm, with all that is done between two of them. Measured,
 /// as are the numbers of transforms, on rough lines of 2^10 to 2^20 nodes and surfaces of 2^14 to 2^20.
@@ -29,7 +29,7 @@ impl Expense {
         let loads = &realisation.loads;
         let heaviest = loads.iter().copied().max_by(|a, b| a.value().total_cmp(&b.value()));
         let setup = realisation.under(heaviest.unwrap_or(realisation.setup.load));
-        let cost = setup.cost(false, 0)?;
+        let cost = setup.cost(&Extras::default())?;
         let nodes = cost.grid.len() as f64;
         let side = nodes.powf(if cost.grid.is_line() { 1.0 } else { 0.5 });
         let transforms = |load: &Load| match setup.solver {

@@ -3,8 +3,9 @@
 use super::flattened::Flattened;
 use crate::contact::{Contact, Load, Observer, Problem};
 use crate::error::{SetupError, StudyError};
-use crate::setup::{Cost, Setup, Table};
-use crate::surface::Field;
+use crate::setup::{Cost, Extras, Setup, Table};
+use crate::surface::{Field, Surface};
+use std::sync::Arc;
 
 /// A contact under one load after the other, each solved from the contact before.
 ///
@@ -58,10 +59,10 @@ impl LoadCurve {
     ///
     /// # Errors
     /// The errors of [`Setup::cost`].
-    pub fn cost(&self, is_recorded: bool, is_archived: bool) -> Result<Cost, SetupError> {
+    pub fn cost(&self, extras: &Extras) -> Result<Cost, SetupError> {
         let largest = self.loads.iter().copied().max_by(|a, b| a.value().total_cmp(&b.value()));
         let setup = Setup { load: largest.unwrap_or(self.setup.load), ..self.setup.clone() };
-        setup.cost(is_recorded, if is_archived { self.loads.len() } else { 0 })
+        setup.cost(extras)
     }
 
     /// The problem under the heaviest of the loads, all of which are checked.
@@ -69,7 +70,15 @@ impl LoadCurve {
     /// # Errors
     /// The errors of [`Setup::problem`], under any of the loads.
     pub fn problem(&self) -> Result<Problem, SetupError> {
-        let any = self.setup.problem()?;
+        self.problem_of(self.setup.surface()?)
+    }
+
+    /// The same problem of heights that are at hand, in the place of those that the setup describes.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::problem_of`], under any of the loads.
+    pub fn problem_of(&self, surface: impl Into<Arc<Surface>>) -> Result<Problem, SetupError> {
+        let any = self.setup.problem_of(surface)?;
         let under = |load: &Load| any.clone().with_load(*load);
         let all = self.loads.iter().map(under).collect::<Result<Vec<_>, _>>()?;
         let heaviest = all.into_iter().max_by(|a, b| a.expected_mean_pressure().total_cmp(&b.expected_mean_pressure()));

@@ -9,6 +9,7 @@ use super::realisation::Realisation;
 use super::table::Table;
 use crate::contact::Contact;
 use crate::error::StudyError;
+use crate::setup::Extras;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
@@ -91,7 +92,7 @@ impl Sweep {
     /// The errors of [`Realisation::check`] and [`crate::setup::Cost::check`].
     pub fn check_cost(&self) -> Result<(), StudyError> {
         self.check()?;
-        Ok(self.realisations.iter().try_for_each(|it| it.setup.cost(false, 0)?.check("a sweep"))?)
+        Ok(self.realisations.iter().try_for_each(|it| it.setup.cost(&Extras::default())?.check("a sweep"))?)
     }
 
     /// Refuses a table that would be lost.

@@ -119,8 +119,7 @@ pub struct Multilevel;
 impl Multilevel {
     /// Fields of doubles that a solve holds at its peak when a share of the nodes touches, the heights left out.
     pub fn fields(grid: &Grid, relative_area: f64) -> f64 {
-        let extension = if grid.is_line() { 2.0 } else { 2.0 / 3.0 };
-        2.0 + extension + 8.0 * relative_area
+        if grid.is_line() { 4.0 + 3.0 * relative_area } else { 2.0 + 2.0 / 3.0 + 9.1 * relative_area }
     }
 
     /// Grids that it works on above `grid` at the most: coarse ones, each of half as many points along a side.

@@ -1,0 +1,62 @@
+//! The contact to expect of a setup, before anything is solved or a large surface is made.
+
+use super::Setup;
+use crate::contact::{Forecast, Load};
+use crate::error::SetupError;
+use crate::grid::Grid;
+use crate::surface::Spectrum;
+use std::f64::consts::{SQRT_2, TAU};
+
+/// Nodes along a side of the grid on which a smooth surface is looked at: lines, surfaces.
+const SIDES: [usize; 2] = [4096, 64];
+/// Waves at which a spectrum is integrated.
+const WAVES: usize = 512;
+
+impl Setup {
+    /// The relative contact area to expect, about: of random roughness by its reduced pressure or, at a mean gap, by the nodes that lie
+    /// above it; of smooth shapes from the heights on a small grid; of measured heights from the heights themselves.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::problem`].
+    pub(super) fn expected_area(&self, grid: &Grid) -> Result<f64, SetupError> {
+        let modulus = self.contact_modulus()?;
+        if let Load::ReducedPressure(pressure) = self.load
+            && self.surface.smooth().is_none()
+        {
+            return Ok(Forecast::relative_area_at(pressure));
+        }
+        let Some(spectrum) = &self.surface.spectrum else { return self.looked_at(grid) };
+        let under = |pressure: f64| Forecast::relative_area_at(pressure / (spectrum.rms_gradient * modulus));
+        Ok(match self.load {
+            Load::ReducedPressure(pressure) => Forecast::relative_area_at(pressure),
+            Load::MeanPressure(pressure) => under(pressure),
+            Load::Force(force) => under(force / grid.area()),
+            // half of the nodes above the mean plane of the solid touch
+            Load::MeanGap(gap) => 0.25 * libm::erfc(gap / (SQRT_2 * rms_height(spectrum, grid))),
+            Load::Approach(_) => 1.0,
+        })
+    }
+
+    /// The forecast for the heights themselves where they are measured, or else for those on a small grid.
+    fn looked_at(&self, grid: &Grid) -> Result<f64, SetupError> {
+        if self.surface.is_measured() {
+            return Ok(Forecast::of(&self.problem()?).relative_area);
+        }
+        let most = SIDES[usize::from(!grid.is_line())];
+        let mut small = self.clone();
+        small.grid.points.iter_mut().for_each(|points| *points = (*points).min(most));
+        Ok(small.problem().map_or(1.0, |problem| Forecast::of(&problem).relative_area))
+    }
+}
+
+/// The rms height of random roughness, from its spectrum and its rms gradient.
+fn rms_height(spectrum: &Spectrum, grid: &Grid) -> f64 {
+    let [longest, shortest] = [TAU / grid.longest_wavelength(), TAU / spectrum.short_cutoff];
+    let step = (shortest / longest).ln() / WAVES as f64;
+    let moment = |power: i32| -> f64 {
+        let waves = (0..WAVES).map(|i| longest * (step * (i as f64 + 0.5)).exp());
+        let dimensions = if grid.is_line() { 1 } else { 2 };
+        waves.map(|q| spectrum.density(q, grid.is_line()) * q.powi(dimensions + power)).sum()
+    };
+    spectrum.rms_gradient * (moment(0) / moment(2)).sqrt()
+}
