@@ -78,7 +78,8 @@ impl Refinement {
     /// # Errors
     /// Those of `solve`, and of the first grid.
     pub fn settle<E: From<SetupError>>(&self, solve: impl FnMut(&Setup) -> Result<Contact, E>) -> Result<Settled, E> {
-        let check = |setup: &Setup| Ok(setup.cost(&Extras::default()).and_then(|cost| cost.check(setup.solver.name()))?);
+        let check =
+            |setup: &Setup| Ok(setup.cost(&Extras::default()).and_then(|cost| cost.check(setup.solver.name()))?);
         self.settle_if(check, solve)
     }
 
