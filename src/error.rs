@@ -237,7 +237,9 @@ pub enum SolidError {
     )]
     Both,
     /// Constants that are missing, or too many.
-    #[error("{young} Young's moduli and {poisson} Poisson's ratios are given: give one of each for every elastic body")]
+    #[error(
+        "{young} Young's moduli and {poisson} Poisson's ratios are given: give one of each for every elastic body; a study that varies one body takes lists of lists, such as young = [[210e9], [70e9]]"
+    )]
     Bodies { young: usize, poisson: usize },
     #[error("Young's modulus is {young:?}: give a positive, finite value")]
     Young { young: f64 },

@@ -28,9 +28,9 @@ pub fn check_target(path: &Path) -> Result<(), FileError> {
 /// let refused = check_apart([result, same], [heights]).unwrap_err();
 /// assert_eq!(refused.to_string(), "cannot write ./a.npz: another output has the same name, give each its own");
 /// ```
-pub fn check_apart<'a>(
+pub fn check_apart<'a, 'b>(
     written: impl IntoIterator<Item = &'a Path>,
-    read: impl IntoIterator<Item = &'a Path>,
+    read: impl IntoIterator<Item = &'b Path>,
 ) -> Result<(), FileError> {
     let mut taken: Vec<(PathBuf, &str)> =
         read.into_iter().map(|path| (place(path), "it is read, and would be lost: give another name")).collect();

@@ -2,6 +2,7 @@
 
 use super::choice::one_of;
 use super::outcome::usage;
+use super::units::Units;
 use super::warnings;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, Recipe, Table, Value, lay};
@@ -99,6 +100,15 @@ impl<E: Extent> Scene<E> {
         Ok(table)
     }
 
+    /// The units that the scene and the flags state, and those of a height file in the surface.
+    pub fn units(&self, surface: &Recipe) -> Units {
+        let is_text = |path: &&Path| path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("rrd"));
+        let table = self.file.as_deref().filter(is_text).map(Table::read);
+        let mut table = table.and_then(Result::ok).unwrap_or_default();
+        lay(&self.given, &mut table);
+        Units::new(&table, surface)
+    }
+
     fn flags() -> impl Iterator<Item = &'static Flag> {
         FLAGS.iter().filter(|flag| E::takes(flag))
     }
@@ -167,7 +177,7 @@ impl<E: Extent> clap::Args for Scene<E> {
 }
 
 /// Heading of the flags of the load.
-pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several as 1e5,1e6 or 1e-3..1e-1:13)";
+pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several as 1e5,1e6 or 1e-3..1e-1:13, which are 13 loads evenly spaced in their logarithm)";
 
 /// A flag as the parser takes it.
 fn arg<E: Extent>(flag: &'static Flag) -> Arg {

@@ -1,6 +1,8 @@
 //! Ctrl-C as a wish to come to an end.
 
+use asperity::contact::{Observer, Step, Wish};
 use std::io;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -21,4 +23,13 @@ pub fn interrupted() -> io::Result<Arc<AtomicBool>> {
         }
     });
     Ok(is_over)
+}
+
+/// The observer that ends a solve once Ctrl-C was pressed.
+pub struct Interruption(pub Arc<AtomicBool>);
+
+impl Observer for Interruption {
+    fn step(&mut self, _: &Step<'_>) -> Wish {
+        Ok(if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
+    }
 }

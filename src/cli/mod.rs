@@ -43,6 +43,7 @@ mod study_table;
 mod subject;
 mod surface;
 mod survey;
+mod units;
 mod verdict;
 #[cfg(feature = "explore")]
 mod view;
@@ -56,7 +57,8 @@ use std::io::{self, Write, stderr};
 
 /// Rough contact: press a rigid surface on an elastic half-space and watch it relax.
 ///
-/// Exit codes: 0 converged, 2 bad input, 3 not converged (outputs are written all the same), 1 any other failure.
+/// Exit codes: 0 converged, 2 bad input, 3 not converged (outputs are written all the same), 130 interrupted by Ctrl-C, 1 any other
+/// failure.
 #[derive(Parser)]
 #[command(version, long_version = BUILD, max_term_width = 110)]
 struct Cli {

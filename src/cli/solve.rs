@@ -59,6 +59,7 @@ impl Solve {
         let (loads, auto) = (table.take_loads()?, table.take_auto()?);
         let setup = table.setup()?;
         check_apart(self.outputs.files(), self.scene.files(&setup.surface))?;
+        let units = self.scene.units(&setup.surface);
         match loads {
             Some(_) if auto.is_some() => {
                 usage("a grid is found under one load, but several are given: give one, or a number for --refine")
@@ -73,9 +74,9 @@ impl Solve {
                 usage("--stress is that under one load, but several are given: give one")
             }
             Some(loads) if self.unload => {
-                load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, self.dry_run)
+                load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, units, self.dry_run)
             }
-            Some(loads) => load_curve::run(&LoadCurve { setup, loads }, &self.outputs, self.dry_run),
+            Some(loads) => load_curve::run(&LoadCurve { setup, loads }, &self.outputs, units, self.dry_run),
             None if self.unload => {
                 usage("--unload goes back through several loads, but there is one: give more, such as 1e-3..1e-1:13")
             }
@@ -171,8 +172,16 @@ impl Solve {
         if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
         }
-        let summary =
-            Summary { subject, finding, slip: slip.as_ref().map(SlipFinding::from), diagnosis, warnings, setup: full };
+        let units = self.scene.units(&setup.surface);
+        let summary = Summary {
+            subject,
+            finding,
+            slip: slip.as_ref().map(SlipFinding::from),
+            diagnosis,
+            warnings,
+            setup: full,
+            units,
+        };
         if outputs.json {
             write_json(&summary, &mut stdout())?
         } else {

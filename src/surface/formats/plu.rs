@@ -1,6 +1,6 @@
 //! The PLU files of Sensofar's confocal and interferometric profilers.
 
-use super::bytes::{Bytes, nodes};
+use super::bytes::{Bytes, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -42,6 +42,8 @@ fn is_like(byte: u8, like: u8) -> bool {
 struct Fields {
     spacing: [f64; 2],
     is_profile: bool,
+    /// Rows and columns, which each layer says again.
+    counts: [u32; 2],
     layers: u8,
     pictures: u8,
     header: Vec<(String, String)>,
@@ -66,18 +68,33 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
             header: fields.header.clone(),
             ..Channel::map(name, shape, values)
         });
-        if layer < fields.layers {
-            skip_rest(&mut at, shape, fields.pictures)?;
+        match skip_rest(&mut at, shape, fields.pictures) {
+            Err(cut) if layer < fields.layers => return Err(cut),
+            Err(_) | Ok(()) => {}
         }
     }
+    let doubts = doubts(&fields, &channels, at.rest().len());
+    channels.iter_mut().for_each(|it| it.doubts.clone_from(&doubts));
     Ok(channels)
+}
+
+/// What the file contradicts: counts of its fields that are not those of a layer, and bytes behind the last one.
+fn doubts(fields: &Fields, channels: &[Channel], rest: usize) -> Vec<String> {
+    let [rows, columns] = fields.counts;
+    let is_other = |it: &&Channel| it.shape != [rows as usize, columns as usize];
+    let other = channels.iter().find(is_other).filter(|_| rows > 0 && columns > 0 && !fields.is_profile).map(|it| {
+        let [ny, nx] = it.shape;
+        format!("the fields say {rows} rows of {columns} points, and {} has {ny} rows of {nx}", it.name)
+    });
+    other.into_iter().chain(left_over(rest, "the last layer")).collect()
 }
 
 fn fields(at: &mut Bytes) -> io::Result<Fields> {
     let date = at.text(128)?;
     at.u32()?; // the date as a number
     let comment = at.text(256)?;
-    at.take(12)?; // counts of points, which each layer says
+    let counts = [at.u32()?, at.u32()?];
+    at.u32()?; // number of profiles in a series
     at.f32()?; // distance of profiles in a series
     let [x, y, x_0, y_0] = [at.f32()?, at.f32()?, at.f32()?, at.f32()?];
     at.f32()?; // distance of points in a cut
@@ -103,7 +120,7 @@ fn fields(at: &mut Bytes) -> io::Result<Fields> {
         ("Z0", format!("{z_0} µm")),
     ];
     let header = header.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-    Ok(Fields { spacing, is_profile, layers, pictures, header })
+    Ok(Fields { spacing, is_profile, counts, layers, pictures, header })
 }
 
 fn is_profile(kind: u32) -> io::Result<bool> {
