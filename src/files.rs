@@ -134,7 +134,7 @@ fn check_folder(path: &Path) -> Result<(), FileError> {
 ///
 /// # Errors
 /// [`FileError::Target`] for a folder that is there and not empty, or cannot be made; the errors of `fill`, and [`FileError::Write`]
-/// for the rest. None leaves anything behind.
+/// for the rest. None leaves anything behind. The draft of a process that was killed is removed by the next one that fills the folder.
 ///
 /// ```
 /// use asperity::files::fill_folder;
@@ -148,8 +148,11 @@ fn check_folder(path: &Path) -> Result<(), FileError> {
 pub fn fill_folder(path: &Path, fill: impl FnOnce(&Path) -> Result<(), Failure>) -> Result<(), Failure> {
     check_folder(path)?;
     let failed = |source| FileError::Write { path: path.into(), source };
-    let name = format!(".asperity-{}-folder", std::process::id());
-    let draft = path.with_file_name(name);
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let draft = path.with_file_name(format!(".{name}.unfinished"));
+    if draft.is_dir() {
+        std::fs::remove_dir_all(&draft).map_err(failed)?;
+    }
     std::fs::create_dir(&draft).map_err(failed)?;
     let filled = fill(&draft).and_then(|()| {
         if path.is_dir() {

@@ -100,7 +100,7 @@ impl Finding {
             .chain(stiffness)
             .chain(exact)
             .map(|(name, value)| (name.to_owned(), value));
-        rows.chain(self.others()).collect()
+        rows.chain(self.others(units)).collect()
     }
 
     /// Area, gradient and what follows from them, with resolved edges first, and how good the grid is for them.
@@ -157,11 +157,13 @@ impl Finding {
     }
 
     /// The observables that no other row holds.
-    fn others(&self) -> impl Iterator<Item = (String, String)> {
+    fn others(&self, units: Units) -> impl Iterator<Item = (String, String)> {
         let values = serde_json::to_value(self.observables).unwrap_or_default();
         let others = OBSERVABLES.iter().filter(|observable| !TOLD.contains(&observable.name));
         others.filter_map(move |observable| {
-            Some((observable.name.replace('_', " "), format!("{:.6e}", values[observable.name].as_f64()?)))
+            let value = values[observable.name].as_f64()?;
+            let words = if observable.unit == "length" { units.length(value) } else { format!("{value:.6e}") };
+            Some((observable.name.replace('_', " "), words))
         })
     }
 }

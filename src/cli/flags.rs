@@ -4,6 +4,8 @@ use super::choice::one_of;
 use super::outcome::usage;
 use super::units::Units;
 use super::warnings;
+#[cfg(feature = "record")]
+use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, Recipe, Table, Value, lay};
 use asperity::surface::HeightFile;
@@ -118,6 +120,7 @@ impl<E: Extent> Scene<E> {
 fn read(path: &Path) -> Result<Table> {
     #[cfg(feature = "record")]
     if let Some(setups) = asperity::record::setups(path)? {
+        print_if_cut_off(path)?;
         return match setups.as_slice() {
             [setup] => Ok(Table::from_toml(setup)?),
             more => usage(format!("{} holds {} setups: give a recording of one contact", path.display(), more.len())),

@@ -7,6 +7,7 @@ use super::load_recording::CurveRecording;
 use super::outcome::{Interrupted, Outcome, settle, usage};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
+use super::picture;
 use super::plan::{self, Plan};
 use super::progress::Progress;
 use super::subject::Subject;
@@ -141,6 +142,9 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     if let Some(path) = outputs.table() {
         let row = |(i, it): (usize, &Finding)| (Row { load_number: i + 1, status: it.status }, it.observables);
         write_csv(path, findings.iter().enumerate().map(row))?;
+    }
+    if let Some(path) = outputs.picture() {
+        picture::write(path, &picture::of_loads(&subject.title, &observables))?;
     }
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;

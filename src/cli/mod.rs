@@ -28,6 +28,7 @@ mod outcome;
 mod output;
 mod outputs;
 mod paper;
+mod picture;
 mod plan;
 mod progress;
 #[cfg(feature = "record")]
@@ -83,7 +84,7 @@ enum Command {
     Accuracy(accuracy::Accuracy),
     /// Time the solvers on chosen cases
     Bench(bench::Bench),
-    /// Certify somebody's pressure, gap or displacement
+    /// Certify the pressure, gap or displacement of another code
     ///
     /// The certificate bounds the error of the result, whatever code has made it. Where it fails, everyday mistakes are recognised
     /// from the numbers: signs, forces for pressures, wrong moduli, transposed arrays. The result holds if the certificate is within --tolerance,

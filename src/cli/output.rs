@@ -64,5 +64,5 @@ pub fn write_json(object: &impl Serialize, out: &mut impl Write) -> Result<()> {
 
 /// Writes names and values, one pair a line.
 pub fn write_rows(rows: impl IntoIterator<Item = (String, String)>, out: &mut impl Write) -> io::Result<()> {
-    rows.into_iter().try_for_each(|(name, value)| writeln!(out, "  {name:<26} {value}"))
+    rows.into_iter().try_for_each(|(name, value)| writeln!(out, "  {name:<25} {value}"))
 }

@@ -7,6 +7,7 @@ use super::nodes::write_nodes;
 use super::outcome::{Outcome, settle, usage};
 use super::output::{Summary, write_json};
 use super::outputs::Outputs;
+use super::picture;
 use super::plan::{self, Plan};
 use super::progress::Progress;
 use super::slip::{self, SlipFinding};
@@ -22,7 +23,7 @@ use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::files::{check_apart, write_beside};
 #[cfg(feature = "record")]
 use asperity::record;
-use asperity::setup::{Auto, Setup};
+use asperity::setup::{Auto, Setup, Table};
 use asperity::study::{LoadCurve, Refinement, Settled};
 use clap::Args;
 use std::io::{self, Write, stdout};
@@ -56,6 +57,7 @@ pub struct Solve {
 impl Solve {
     pub fn run(&self) -> Result<Outcome> {
         let mut table = self.scene.table()?;
+        refuse_study(&table)?;
         let (loads, auto) = (table.take_loads()?, table.take_auto()?);
         let setup = table.setup()?;
         check_apart(self.outputs.files(), self.scene.files(&setup.surface))?;
@@ -166,13 +168,16 @@ impl Solve {
         if let Some(path) = outputs.table() {
             write_nodes(path, contact)?;
         }
+        let units = self.scene.units(&setup.surface);
+        if let Some(path) = outputs.picture() {
+            picture::write(path, &picture::of_contact(&subject.title, contact, units))?;
+        }
         if let Some(path) = &outputs.stress {
             stress::write(path, &full, contact, outputs.stress_row)?;
         }
         if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
         }
-        let units = self.scene.units(&setup.surface);
         let summary = Summary {
             subject,
             finding,
@@ -238,5 +243,17 @@ impl Solve {
         }
         drop(end);
         Ok(solver.solve(problem, &setup.stop, watch)?)
+    }
+}
+
+/// Refuses a setup with lists of values, which is a study.
+fn refuse_study(table: &Table) -> Result<()> {
+    match table.clone().take_axes()?.first() {
+        Some(axis) => usage(format!(
+            "`{}` has {} values, which make a study of this scene: run it by `asperity study`, or give one value",
+            axis.path(),
+            axis.len()
+        )),
+        None => Ok(()),
     }
 }

@@ -1,13 +1,13 @@
 //! The PLU files of Sensofar's confocal and interferometric profilers.
 
-use super::bytes::{Bytes, left_over, nodes};
+use super::bytes::{Bytes, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
 use std::io;
 
 /// Fixed fields of 500 bytes: a date as text and as number, a comment, distances and origins of the axes, and settings. Then each layer: rows,
-/// columns, heights row by row in single precision, the smallest and the largest of them, and pictures. All lengths are micrometres. A height of
+/// columns, heights row by row in single precision, the smallest and the largest of them, and pictures. Behind the last layer there is more. All lengths are micrometres. A height of
 /// 1000001 is void. Profiles and topographies are read; images, series of profiles and maps of coordinates are refused.
 ///
 /// # Source
@@ -66,27 +66,21 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
             lateral_unit: Some(MICROMETRE),
             unit: Some(MICROMETRE),
             header: fields.header.clone(),
+            doubts: doubt(&fields, &name, shape).into_iter().collect(),
             ..Channel::map(name, shape, values)
         });
-        match skip_rest(&mut at, shape, fields.pictures) {
-            Err(cut) if layer < fields.layers => return Err(cut),
-            Err(_) | Ok(()) => {}
+        if layer < fields.layers {
+            skip_rest(&mut at, shape, fields.pictures)?;
         }
     }
-    let doubts = doubts(&fields, &channels, at.rest().len());
-    channels.iter_mut().for_each(|it| it.doubts.clone_from(&doubts));
     Ok(channels)
 }
 
-/// What the file contradicts: counts of its fields that are not those of a layer, and bytes behind the last one.
-fn doubts(fields: &Fields, channels: &[Channel], rest: usize) -> Vec<String> {
+/// The doubt that a layer of a topography has other counts than the fields.
+fn doubt(fields: &Fields, name: &str, [ny, nx]: [usize; 2]) -> Option<String> {
     let [rows, columns] = fields.counts;
-    let is_other = |it: &&Channel| it.shape != [rows as usize, columns as usize];
-    let other = channels.iter().find(is_other).filter(|_| rows > 0 && columns > 0 && !fields.is_profile).map(|it| {
-        let [ny, nx] = it.shape;
-        format!("the fields say {rows} rows of {columns} points, and {} has {ny} rows of {nx}", it.name)
-    });
-    other.into_iter().chain(left_over(rest, "the last layer")).collect()
+    let is_other = !fields.is_profile && rows > 0 && columns > 0 && [rows as usize, columns as usize] != [ny, nx];
+    is_other.then(|| format!("the fields say {rows} rows of {columns} points, and {name} has {ny} rows of {nx}"))
 }
 
 fn fields(at: &mut Bytes) -> io::Result<Fields> {
