@@ -58,4 +58,10 @@ pub enum StudyError {
         path.display()
     )]
     OtherStudy { path: PathBuf, points: usize },
+    /// The table of a share of another study, or of this one before it was changed.
+    #[error(
+        "{} holds {points} points of other setups, loads or versions: solve this share again, or give the study as it was when the share was solved",
+        path.display()
+    )]
+    OtherShare { path: PathBuf, points: usize },
 }

@@ -1,9 +1,11 @@
 //! What a user does at the command line, run for real on small contacts.
 
 mod below;
+mod interruption;
 mod load_curves;
 mod manners;
 mod measured;
+mod pictures;
 mod plain_names;
 mod refine;
 mod studies;
