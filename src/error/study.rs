@@ -27,6 +27,9 @@ pub enum StudyError {
     /// Lists whose product is out of reach.
     #[error("the lists make {rows} rows, and a study has at most {most}: give fewer values, or several studies")]
     TooManyRows { rows: u128, most: usize },
+    /// A tangential load, of which the rows of a study say nothing.
+    #[error("a study solves normal loads only: leave the friction out, or solve the setups one by one")]
+    Friction,
     /// A number that no row has.
     #[error("there is no row {number}: give a number from 1 to {rows}")]
     NoRow { number: usize, rows: usize },

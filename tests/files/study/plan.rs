@@ -112,6 +112,12 @@ fn too_much_memory_is_refused() {
 }
 
 #[test]
+fn a_tangential_load_is_refused() {
+    let refused = Plan::from_toml(&format!("{STUDY}\n[friction]\ncoefficient = 0.5\ntangential = 1e-4\n")).unwrap_err();
+    assert!(matches!(refused, StudyError::Friction), "{refused}");
+}
+
+#[test]
 fn columns_hold_what_varies_and_the_setup_of_each_row() {
     let plan = plan();
     let points = plan.solve(5, |_| ()).unwrap();
