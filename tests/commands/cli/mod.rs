@@ -4,6 +4,7 @@ mod below;
 mod load_curves;
 mod manners;
 mod measured;
+mod memory;
 mod plain_names;
 mod refine;
 mod studies;
