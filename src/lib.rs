@@ -1,102 +1,97 @@
-//! Rough contact: a rough surface pressed on an elastic solid, solved, certified and recorded step by step.
+//! Rough contact: a rigid rough surface is pressed on an elastic solid. The contact is solved, certified and recorded step by step.
 //!
-//! The solid is a half-space or a layer ([`elastic`]), the boundary periodic or free along each axis ([`Grid`]), and the law a hard wall
-//! or a hardness ([`contact::Law`]). All of these are convex, so that every result has a rigorous bound of its error.
+//! New users start with the [`guide`]. This page is for readers of the code: it shows the path of the data, the modules, the conventions and the
+//! invariants.
 //!
-//! # How far is a pressure from the solution?
-//! A [`contact::Certificate`] bounds the error of any pressure, whoever made it, by one transform pair:
-//!
-//! ```
-//! use asperity::contact::{Certificate, ContactModulus, Load};
-//! use asperity::theory::Exact;
-//! use asperity::{Grid, Indenter, Problem};
-//!
-//! let (sine, mean_pressure) = (Indenter::Sine { amplitude: 0.01 }, 0.01);
-//! let grid = Grid::line(1024, 1.0)?;
-//! let problem = Problem::new(sine.surface(grid)?, ContactModulus(1.0), Load::MeanPressure(mean_pressure))?;
-//!
-//! // somebody's pressure, row by row: here that of Westergaard, whose edges fall between the nodes
-//! let exact = Exact::of(&sine, &grid, 1.0, mean_pressure).expect("a sine has an exact solution");
-//! let theirs: Vec<f64> = exact.pressure.into_iter().collect();
-//! assert!(Certificate::of(&problem, &theirs).eta < 1e-3);
-//! // a uniform pressure carries the load as well, but it is not the solution
-//! assert!(Certificate::of(&problem, &[mean_pressure; 1024]).eta > 1.0);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
-//!
-//! # A rough line
-//! A [`setup::Setup`] describes a contact to solve, in code or as a scene in a file:
+//! # In one example
+//! A [`setup::Setup`] describes a contact, and a [`job::Job`] solves it:
 //!
 //! ```
-//! use asperity::contact::{Load, Solver};
+//! use asperity::contact::Load;
+//! use asperity::job::Job;
 //! use asperity::setup::{Cell, Recipe, Setup};
 //! use asperity::surface::Spectrum;
 //!
 //! let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 20e-6, short_cutoff: 1e-6, rms_gradient: 1e-3 };
 //! let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(4096, 160e-6), Load::ReducedPressure(1e-2));
-//! let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?.converged()?;
-//! assert!(contact.certificate.eta <= 1e-8);
+//! let outcome = Job::new(setup).run(&mut ())?;
+//! let contact = &outcome.solved[0].contact;
+//! assert!(contact.is_converged() && contact.certificate.eta <= 1e-8);
+//! // van Dokkum et al. (2018) find 1.75 for rough lines
 //! assert!((contact.resolved().kappa_r - 1.75).abs() < 0.2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # Map
-//! The path of the data is the layout of the crate:
+//! # Bird's-eye view
+//! The data flows one way, and the modules follow it:
 //!
 //! ```text
-//! setup --> contact::Problem --> contact::Solver --(begin, each step, end)--> contact::Observer: record, your own
-//!   ^                                   |
-//!   |                                   v
-//!   +------ carried by results --- contact::Contact --> contact::Counted --> study --> lab, paper, explore
+//! setup -> surface, solid, law, load -> problem -> solver -> observers: recorder, progress, your own
+//!   ^                                                |
+//!   |                                                v
+//!   +----------- carried by every result -------- contact -> measures -> study -> lab, paper, explore, Python
 //! ```
 //!
-//! A module uses those of lower layers and of its own, and nothing goes round in a circle.
+//! - A [`contact::Problem`] is a convex problem: heights, a solid, a law of contact and a load.
+//! - A [`contact::Solver`] solves it and shows each [`contact::Step`] to a [`contact::Observer`]. It does not know who observes.
+//! - A [`Contact`] has pressure, displacement, gap, and the [`contact::Certificate`] that bounds its error.
+//! - A [`setup::Setup`] describes all of it in a form that can be written to a file and read back without loss.
+//! - A [`job::Job`] runs a setup. The command line, the page, studies and Python call jobs, so that all of them do the same.
 //!
-//! | layer | module       | what it holds                                                                     | feature   |
-//! |-------|--------------|-----------------------------------------------------------------------------------|-----------|
-//! | 0     | [`error`]    | what can go wrong, one enum per concern                                           |           |
-//! | 0     | [`files`]    | output files that appear whole or not at all, CSV                                 |           |
-//! | 0     | [`quantity`] | lengths and pressures as people write them                                        | (`units`) |
-//! | 1     | [`grid`]     | the grid of lines and surfaces, periodic or free along each axis                  |           |
-//! | 1     | [`fourier`]  | the real transform pair                                                           |           |
-//! | 2     | [`surface`]  | indenters, self-affine roughness, statistics, measured heights: read, surveyed, prepared, written | (`instruments`) |
-//! | 2     | [`elastic`]  | solids: half-space, layer, free boundaries; the stress inside                     |           |
-//! | 2     | [`theory`]   | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood-Williamson       |           |
-//! | 3     | [`contact`]  | the problem, its certificate, solvers, observers, measures and patches            |           |
-//! | 4     | [`diagnosis`] | what held a run up: nodes that flip, errors by wavelength, Ritz values, in words |           |
-//! | 4     | [`foreign`]  | results and iterations of other codes: certified, mistakes recognised, replayed   |           |
-//! | 4     | [`setup`]    | the one description of a contact to solve, and what it costs                      | (`units`) |
-//! | 5     | [`study`]    | load curves, sweeps over surfaces and loads in tables that a killed run resumes, setups with lists for many machines | (`parquet`) |
-//! | 5     | `plot`       | figures as data, written as SVG and PNG                                           | `figures` |
-//! | 6     | `record`     | an observer that writes recordings for the Rerun viewer                           | `record`  |
-//! | 7     | `lab`        | accuracy, stability and speed: experiments on the solvers themselves              | `figures` |
-//! | 7     | `paper`      | the tables and figures of van Dokkum et al. (2018), with verdicts                 | `figures` |
-//! | 7     | `explore`    | a page with controls and a live viewer                                            | `explore` |
-//! | 8     | `cli`        | the command line                                                                  | `cli`     |
+//! # Modules
+//! A module uses modules of its own layer and of lower layers, and there are no circles. The test binary `layers` checks this.
 //!
-//! Without features the crate is the numerics, with few dependencies. `units` adds lengths and pressures with units and scenes in
-//! JSON, `instruments` the formats of measuring instruments that are packed, `parquet` that of tables. The folder `python` holds a package for Python, a crate of
-//! its own above all of these.
+//! | layer | module | content | feature |
+//! |---|---|---|---|
+//! | 0 | [`error`] | what can go wrong, one enum for each concern | |
+//! | 0 | [`warning`] | reasons to doubt a result, with what to do about them | |
+//! | 0 | [`files`] | output files that appear completely or not at all; CSV | |
+//! | 0 | [`quantity`] | lengths and pressures with units | (`units`) |
+//! | 1 | [`grid`] | grids of lines and surfaces, periodic or free along each axis | |
+//! | 1 | [`fourier`] | pairs of real Fourier transforms | |
+//! | 2 | [`surface`] | indenters, random roughness, statistics; measured heights: read, described, prepared, written | (`instruments`) |
+//! | 2 | [`elastic`] | solids: half-space, layer, free boundaries; the stress in the solid | |
+//! | 2 | [`theory`] | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood and Williamson | |
+//! | 3 | [`contact`] | the problem, its certificate, solvers, observers, measures and patches | |
+//! | 4 | [`diagnosis`] | why a run was slow: nodes that change often, errors by wavelength, Ritz values | |
+//! | 4 | [`foreign`] | results and iterations of other programs: certified, compared, common mistakes recognised | |
+//! | 4 | [`setup`] | the one description of a contact, and what it costs | (`units`) |
+//! | 5 | [`study`] | many contacts in one table that an interrupted run continues | (`parquet`) |
+//! | 5 | `plot` | figures as data, written as SVG and PNG | `figures` |
+//! | 6 | `record` | an observer that writes recordings for the Rerun viewer | `record` |
+//! | 7 | [`job`] | one run of a setup: cost, solve, record, diagnose, warn | |
+//! | 8 | `lab` | experiments on the solvers: accuracy, stability, speed | `figures` |
+//! | 8 | `paper` | the tables and figures of van Dokkum et al. (2018) | `figures` |
+//! | 8 | `explore` | the page in the browser | `explore` |
+//! | 9 | `cli` | the command line | `cli` |
 //!
-//! A solver outside the crate can do all that those of the crate do: `examples/minimal_polonsky_keer.rs` builds every
-//! [`contact::Step`], leaves the bookkeeping to a [`contact::Run`], and is watched, certified and recorded.
+//! A feature in brackets extends a module. Without features the crate has the numerics and few dependencies. The Python package is a crate of its own
+//! in the folder `python`, above all of these.
+//!
+//! # Where to start reading
+//! - The convex problem and its bound: [`contact::Problem`], [`contact::Certificate`].
+//! - The simplest complete solver: `examples/minimal_polonsky_keer.rs`. A solver outside the crate can do all that those of the crate do.
+//! - What is measured on a contact: [`contact::OBSERVABLES`]. A new observable is one row of this table.
+//! - The flags of the command line and the keys of a scene: [`setup::FLAGS`]. A new flag is one row of this table.
 //!
 //! # Conventions
-//! - Heights `h` of the rigid surface are positive towards the solid; pressure `p` is positive in compression; the
-//!   displacement `u` of the solid's surface is positive into the solid; the gap is `g = u - h + d`.
-//! - Wavenumbers are `q = 2 pi / wavelength`, everywhere. The half-space is `u_q = 2 p_q / (E* |q|)`; a layer has a factor on it.
-//! - Fields have shape `(ny, nx)`, row by row; a line has shape `(1, n)`. Sizes and spacings come as `[y, x]`.
-//! - Fourier coefficients are scaled so that the one of `q = 0` is the mean.
-//! - Any consistent set of units will do. Tolerances and certificates are dimensionless.
+//! - *Signs.* Heights `h` of the rigid surface are positive towards the solid. Pressure `p` is positive in compression. The displacement `u` of the surface of the solid is
+//!   positive into the solid. The gap is `g = u - h + d` with a constant `d`.
+//! - *Wavenumbers* are `q = 2 pi / wavelength`. A half-space responds by `u_q = 2 p_q / (E* |q|)`.
+//! - *Fourier coefficients* are scaled so that the coefficient of `q = 0` is the mean.
+//! - *Fields* have the shape `(ny, nx)`, row by row. A line has the shape `(1, n)`. Sizes and spacings are given as `[y, x]`.
+//! - *Units.* Any consistent set of units works. Tolerances and certificates are dimensionless, and results do not change when lengths or moduli
+//!   are scaled.
 //!
 //! # Invariants
-//! - Results do not depend on who watches, nor on the number of threads.
-//! - A result states how good it is ([`contact::Certificate`]), what it cost ([`contact::Work`]) and how it ended
-//!   ([`contact::Status`]). The contact always comes back with the best pressure found; [`Contact::converged`] makes an
-//!   error of one that is not converged.
-//! - Random surfaces come from ChaCha8 and are the same on every machine.
+//! - Results do not depend on the observers, and are the same to the last bit on any number of threads.
+//! - A result states how good it is ([`contact::Certificate`]), what it cost ([`contact::Work`]) and how it ended ([`contact::Status`]). A contact
+//!   is always returned, with the best pressure that was found. [`Contact::converged`] turns one that has not converged into an error.
+//! - What is certified is computed in `f64`. Preconditioners and recordings may use `f32`.
+//! - Random surfaces are made with ChaCha8 and are the same on every machine.
+//! - There is no unsafe code, and no input can cause a panic.
 
-// the command line names the crate as everybody does who uses it
+// The command line names the crate as its users do.
 #[cfg(feature = "cli")]
 extern crate self as asperity;
 
@@ -113,6 +108,8 @@ pub mod files;
 pub mod foreign;
 pub mod fourier;
 pub mod grid;
+pub mod guide;
+pub mod job;
 #[cfg(feature = "figures")]
 pub mod lab;
 #[cfg(feature = "figures")]
@@ -132,7 +129,7 @@ pub use contact::{Contact, Problem, Stop};
 pub use grid::Grid;
 pub use surface::{Indenter, Surface};
 
-/// The code of the README, tested.
+/// The Rust code of the README, which is tested with the documentation.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

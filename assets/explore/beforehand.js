@@ -73,12 +73,12 @@ const solvedRun = (wanted) => solved.runs.find((run) => !isSweep(run) && run.kno
 const solvedSweep = (wanted) => solved.runs.find((run) => isSweep(run) && run.knobs.theme === wanted.theme && withoutLoad(run.knobs) === withoutLoad(wanted));
 
 /** The knob of a control in a state. */
-const knobOf = ({ id, path }, state) => (path || [id]).reduce((it, name) => it?.[name], state);
+const knobOf = ({ path }, state) => path.reduce((it, name) => it?.[name], state);
 
 /** A state without the knob of a control, as words; the method of a solver goes with all of its settings. */
-function wordsBut({ id, path }, state) {
+function wordsBut({ path: [first, second] }, state) {
   const copy = structuredClone(state);
-  if (path && path[1] !== "method") delete copy[path[0]]?.[path[1]]; else delete copy[path ? path[0] : id];
+  if (second && second !== "method") delete copy[first]?.[second]; else delete copy[first];
   return words(copy);
 }
 
@@ -120,6 +120,6 @@ function offerSolved() {
 /** What can be turned to from here: controls and their values. */
 function solvedList() {
   const turnable = CONTROLS.filter((control) => control.kind !== "checks").map((control) => [control, [...alternatives(control).keys()]]);
-  const named = turnable.filter(([, values]) => values.length > 1).map(([control, values]) => `${labelOf(control)} ${values.map((value) => control.kind === "select" ? optionOf(control, value) : value).join(", ")}`);
+  const named = turnable.filter(([, values]) => values.length > 1).map(([control, values]) => `${labelOf(control)} ${values.map((value) => control.kind === "select" ? optionOf(control, value) : inLocale(String(value))).join("; ")}`);
   return named.join("; ") || say("solved.this");
 }

@@ -76,9 +76,6 @@ function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, 
   return JSON.stringify([domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
 }
 
-/** Whether Persson's theory is about a surface: it is for rough flats on an elastic half-space, made here or measured. */
-const isRoughFlat = ({ body, roughness, layer, hardness }) => (body === "file" || body === "flat" && roughness > 0) && layer === 0 && hardness === 0;
-
 /** Upper ends of the axis of kappa: the lowest that holds all curves, and the guess while one is asked for, or the last one. */
 const TOPS = [4, 10];
 
@@ -93,13 +90,12 @@ function charts() {
   const points = shown ? shown.points : [];
   const isStale = points.length > 0 && surfaceOf(shown.knobs) !== surfaceOf(knobs);
   const note = isStale ? say("chart.stale") : "";
-  const isRough = Boolean(shown) && isRoughFlat(shown.knobs);
   const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
   chart(byId("chart-area"), say("chart.area"), 1, [
-    curve("Persson", "persson", (p) => isRough ? p.persson : NaN), curve("a_rel", "computed", (p) => p.relative_area),
+    curve("Persson", "persson", (p) => p.persson ?? NaN), curve("a_rel", "computed", (p) => p.relative_area),
     curve(say("chart.exact"), "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], note);
   const kappas = [
-    curve("Persson", "persson", (p) => isRough ? p.persson / p.reduced_pressure : NaN), curve("κ", "computed", (p) => p.kappa),
+    curve("Persson", "persson", (p) => (p.persson ?? NaN) / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa),
     curve("κ_r", "second", (p) => p.kappa_r), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")];
   chart(byId("chart-kappa"), say("chart.kappa"), topOf(kappas), kappas, note);
   for (const target of [byId("chart-area"), byId("chart-kappa")]) {

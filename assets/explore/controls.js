@@ -7,29 +7,29 @@ const isMade = (k) => !["file", "scene"].includes(k.body);
 const isOwn = (k) => k.body !== "scene";
 const rough = (k) => isMade(k) && k.roughness > 0;
 
-/** Every control: its group, and the path of the knob that it sets if that is not its id. A slider has a field beside it for values
- * between its notches, from `least` to `most` if that is not the range of the slider. Its label and what it does in physics are texts. */
+/** Every control: its group, and what it offers. Path, range, slider, scale and unit of those that take a number are in the schema of the
+ * program. A slider has a field beside it for values between its notches. Its label and what it does in physics are texts. */
 const CONTROLS = [
-  { group: "load", id: "load", kind: "range", log: true, min: -4, max: 1.5, step: 0.02, least: 1e-5, most: 1e3, wide: "load" },
-  { group: "solid", id: "hardness", kind: "range", shown: isOwn, min: 0, max: 0.002, step: 0.00002, most: 1 },
-  { group: "solid", id: "layer", kind: "range", shown: isOwn, min: 0, max: 0.5, step: 0.005, most: 10 },
+  { group: "load", id: "load", kind: "range", wide: "load" },
+  { group: "solid", id: "hardness", kind: "range", shown: isOwn },
+  { group: "solid", id: "layer", kind: "range", shown: isOwn },
   { group: "surface", id: "domain", kind: "select", shown: isMade, options: ["line", "surface"] },
   { group: "surface", id: "body", kind: "select", options: ["flat", "round", "sine", "power-law", "file", "scene"] },
-  { group: "surface", id: "exponent", kind: "range", min: 1, max: 12, step: 0.5, shown: (k) => k.body === "power-law" },
-  { group: "surface", id: "roughness", kind: "range", shown: isMade, min: 0, max: 0.01, step: 0.0002 },
-  { group: "surface", id: "hurst", kind: "range", min: 0.1, max: 1, step: 0.05, shown: rough },
-  { group: "surface", id: "rolloff", kind: "range", min: 1, max: 32, step: 1, unit: "waves", shown: rough },
-  { group: "surface", id: "cutoff", kind: "range", log2: true, min: 3, max: 13, step: 0.5, unit: "waves", whole: true, shown: rough },
-  { group: "surface", id: "seed", kind: "number", min: 0, max: 4294967295, whole: true, shown: rough, dice: true },
-  { group: "surface", id: "points", kind: "range", power2: true, min: 5, max: 18, step: 1, whole: true, shown: isMade },
+  { group: "surface", id: "exponent", kind: "range", shown: (k) => k.body === "power-law" },
+  { group: "surface", id: "roughness", kind: "range", shown: isMade },
+  { group: "surface", id: "hurst", kind: "range", shown: rough },
+  { group: "surface", id: "rolloff", kind: "range", shown: rough },
+  { group: "surface", id: "cutoff", kind: "range", shown: rough },
+  { group: "surface", id: "seed", kind: "number", shown: rough },
+  { group: "surface", id: "points", kind: "range", shown: isMade },
   { group: "solver", id: "solver", path: ["solver", "method"], kind: "select", options: ["multilevel", "polonsky-keer", "gfmd"] },
   { group: "solver", id: "masses", path: ["solver", "masses"], kind: "select", options: ["uniform", "stiffness"], shown: isGfmd },
   { group: "solver", id: "dynamics", path: ["solver", "dynamics"], kind: "select", options: ["damped", "fire"], shown: isGfmd },
-  { group: "solver", id: "damping", path: ["solver", "damping"], kind: "range", log: true, min: -1.5, max: 1, step: 0.05, shown: (k) => isGfmd(k) && k.solver.dynamics === "damped" },
-  { group: "solver", id: "time-step", path: ["solver", "time-step"], kind: "range", min: 0.05, max: 0.95, step: 0.05, shown: isGfmd },
-  { group: "solver", id: "tolerance", path: ["stop", "tolerance"], kind: "range", log: true, min: -12, max: -1, step: 1 },
+  { group: "solver", id: "damping", kind: "range", shown: (k) => isGfmd(k) && k.solver.dynamics === "damped" },
+  { group: "solver", id: "time-step", kind: "range", shown: isGfmd },
+  { group: "solver", id: "tolerance", kind: "range" },
   { group: "recording", id: "record", kind: "checks", options: ["traces", "profile mesh", "fields", "mask", "spectrum", "stress", "fringes"] },
-];
+].map((control) => ({ path: [control.id], ...NUMERIC_KNOBS.find(({ id }) => id === control.id), ...control }));
 
 /** The state of the knobs, as the server takes it. */
 let knobs = null;
@@ -39,8 +39,8 @@ let sceneStart = null;
 let gfmd = { masses: "uniform", dynamics: "damped", "time-step": 0.5, damping: 1 };
 
 /** The object that holds the knob of a control, and the name of the knob in it. */
-function place({ id, path }) {
-  const [first, second] = path || [id];
+function place({ path }) {
+  const [first, second] = path;
   return second ? [knobs[first], second] : [knobs, first];
 }
 
@@ -106,7 +106,8 @@ function row(control) {
   } else if (control.kind === "number") {
     line.append(typedInput(control, { id }), button("dice", say("control.dice"), tip, dice));
   } else {
-    line.append(element("input", { type: control.kind, id, min: `${control.min}`, max: `${control.max}`, step: `${control.step}` }), field(control));
+    const [min, max, step] = control.slider.map(String);
+    line.append(element("input", { type: control.kind, id, min, max, step }), field(control));
   }
   line.addEventListener("input", (event) => { if (event.target.type !== "text") { take(control); changed(); } });
   explain(line, tip);
@@ -126,12 +127,10 @@ function typedInput(control, attributes) {
   return made;
 }
 
-const limits = (control) => [control.least ?? fromSlider(control, control.min), control.most ?? fromSlider(control, control.max)];
-
 /** Takes a typed value into the knobs, or says which ones can be. */
 function typed(control, input) {
   const value = numberFrom(input.value);
-  const sentence = faultOf(labelOf(control), input.value, value, limits(control), control.whole);
+  const sentence = faultOf(labelOf(control), input.value, value, control.range, control.whole);
   if (sentence) { fault(sentence); show(); return; }
   set(control, value);
   changed();
@@ -149,7 +148,7 @@ function faultOf(label, text, value, [least, most], isWhole) {
 function faultOfKnobs(wanted) {
   for (const control of CONTROLS.filter(({ kind }) => ["range", "number"].includes(kind))) {
     const value = knobOf(control, wanted);
-    const sentence = value === undefined ? "" : faultOf(labelOf(control), String(value), Number(value), limits(control), control.whole);
+    const sentence = value === undefined ? "" : faultOf(labelOf(control), String(value), Number(value), control.range, control.whole);
     if (sentence) return sentence;
   }
   return "";
@@ -161,8 +160,10 @@ function explain(target, tip) {
 
 /** The parts of a recording that a box stands for. */
 const parts = (box) => box.value.split(" ");
-const toSlider = (c, v) => c.values ? c.values.indexOf(v) : c.log ? Math.log10(v) : c.log2 || c.power2 ? Math.log2(v) : v;
-const fromSlider = (c, v) => c.values ? c.values[v] : c.log ? Number((10 ** v).toPrecision(4)) : c.power2 ? 2 ** v : c.log2 ? Math.round(2 ** v) : v;
+const POSITION = { linear: (value) => value, log10: Math.log10, log2: Math.log2 };
+const VALUE = { linear: (position) => position, log10: (position) => Number((10 ** position).toPrecision(4)), log2: (position) => Math.round(2 ** position) };
+const toSlider = (control, value) => control.values ? control.values.indexOf(value) : POSITION[control.scale](value);
+const fromSlider = (control, position) => control.values ? control.values[position] : VALUE[control.scale](position);
 
 /** Takes the value of a control into the knobs. */
 function take(control) {

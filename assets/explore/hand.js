@@ -236,8 +236,9 @@ function placeHandles() {
   byId("press").hidden = !canPress();
   byId("bend").hidden = !canBend();
   byId("unbend").hidden = !canBend() || knobs.bumps.every(([, height]) => height === 0);
-  byId("press").setAttribute("aria-valuenow", Number((section.mean_gap / section.highest).toPrecision(3)));
-  byId("press").setAttribute("aria-valuetext", say("press.value", { gap: figure(section.mean_gap / section.highest, 3), load: figure(knobs.load, 4) }));
+  const gap = withoutRounding(section.mean_gap / section.highest);
+  byId("press").setAttribute("aria-valuenow", Number(gap.toPrecision(3)));
+  byId("press").setAttribute("aria-valuetext", say("press.value", { gap: figure(gap, 3), load: figure(knobs.load, 4) }));
   byId("bend").setAttribute("aria-valuenow", handle);
   byId("bend").setAttribute("aria-valuetext", say("bend.value", { place: figure(handle, 3) }));
 }

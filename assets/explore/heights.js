@@ -7,15 +7,15 @@ const LARGEST = 2 ** 26;
 /** The controls of the file, of which those with `step` set a step of its preparation. Fields hold lengths, or lists of whole numbers. */
 const HEIGHT_CONTROLS = [
   { id: "channel", kind: "select", shown: (it) => it.channels.length > 1, names: (it) => it.channels },
-  { id: "unit", kind: "text", example: "1 um", shown: (it) => !it.is_in_metres },
-  { id: "width", kind: "text", example: "10 um", shown: (it) => !it.has_spacing },
+  { id: "unit", kind: "text", isLength: true, example: "1 µm", shown: (it) => !it.is_in_metres },
+  { id: "width", kind: "text", isLength: true, example: "10 µm", shown: (it) => !it.has_spacing },
   { id: "boundary", kind: "select", options: ["periodic", "free"] },
   { id: "auto", kind: "select", options: ["true", "false"] },
   { id: "resample", step: true, kind: "select", shown: (it) => it.knobs.prepare.resample || /not evenly spaced/.test(it.fault), options: ["", "linear"] },
   { id: "crop", step: true, kind: "text", list: true, example: "0,256,0,256" },
   { id: "fill", step: true, kind: "select", options: ["", "harmonic"] },
   { id: "detrend", step: true, kind: "select", options: ["", "mean", "plane", "curvature"] },
-  { id: "low-pass", step: true, kind: "text", example: "200 nm" },
+  { id: "low-pass", step: true, kind: "text", isLength: true, example: "200 nm" },
   { id: "mirror", step: true, kind: "select", options: ["", "x", "y", "both"] },
 ];
 
@@ -117,23 +117,50 @@ function showHeights() {
     byId(`row-heights-${control.id}`).hidden = control.shown ? !control.shown(description) : false;
     if (control.kind === "select") input.replaceChildren(...heightOptions(control).map(([value, label]) => element("option", { value }, label)));
     const value = holder(control, knobs.heights)[control.id];
-    if (!input.dataset.typed) input.value = String(value ?? (control.id === "channel" ? description.channel : ""));
+    if (!input.dataset.typed) input.value = heightInWords(control, value);
   }
   showDescription();
 }
 
+/** The setting of a control as a person writes it. */
+function heightInWords({ id, isLength }, value) {
+  if (value === undefined) return id === "channel" ? description.channel : "";
+  return isLength ? lengthOf(value, 6) : String(value);
+}
+
 /** The description in words: what the file holds, why the steps were chosen, and what they came to. */
 function showDescription() {
-  const rows = description.rows.flatMap(([name, value]) => [name, value].map((words, i) => element(i ? "dd" : "dt", {}, translated(words))));
+  const table = (rows, word) => rows.flatMap(([name, value]) => [element("dt", {}, word(name)), element("dd", {}, word(value))]);
+  const header = description.header.length ? [element("h4", {}, say("heights.header")), element("dl", { translate: false, lang: "" }, ...table(description.header, String))] : [];
   const run = latest();
   const steps = run && run.knobs.body === "file" ? run.prepared : [];
-  byId("heights").replaceChildren(element("h3", {}, description.name), ...list(say("heights.reasons"), description.reasons), ...list(say("heights.came"), steps), element("dl", {}, ...rows));
+  byId("heights").replaceChildren(element("h3", {}, description.name), ...list(say("heights.reasons"), description.reasons), ...list(say("heights.came"), steps), element("dl", {}, ...table(description.rows, translated)), ...header);
 }
 
 const list = (title, sentences) => sentences.length ? [element("h4", {}, title), element("ul", {}, ...sentences.map((it) => element("li", {}, translated(it))))] : [];
 
+/** The controls that do what a warning advises, by the keys of a setup. */
+const REMEDIES = { "surface.prepare.mirror": "mirror", "surface.prepare.steps": "auto", "surface.prepare.low-pass": "low-pass", "grid.boundary": "boundary" };
+
+/** A setting that helps, in the words of its control; none where the page has no such control. */
+function remedyInWords({ key, value }) {
+  const control = HEIGHT_CONTROLS.find(({ id }) => id === REMEDIES[key]);
+  if (!control) return "";
+  if (value === null) return heightLabel(control);
+  const option = { auto: "true" }[value] ?? value;
+  return `${heightLabel(control)}: ${control.isLength ? lengthOf(Number(value)) : say(`heights.${control.id}.${option}`)}`;
+}
+
+/** A warning in sentences: what may be wrong, what to do, and the controls that do it. */
+function warningInWords({ is_beside: isBeside, statement, advice, remedies }) {
+  const controls = knobs.body === "file" ? remedies.map(remedyInWords).filter(Boolean).join(say("warning.or")) : "";
+  const places = { statement: translated(statement), advice: translated(advice), controls };
+  const sentence = controls ? say("warning.controls", places) : say("warning", places);
+  return isBeside ? say("warning.beside", { sentence }) : sentence;
+}
+
 /** Says why the numbers of a run may mean little. */
 function warn(run) {
-  byId("warnings").replaceChildren(...run.warnings.map((sentence) => element("p", {}, say("heights.mind", { sentence: translated(sentence) }))));
+  byId("warnings").replaceChildren(...run.warnings.map((it) => element("p", {}, warningInWords(it))));
   byId("warnings").hidden = run.warnings.length === 0;
 }

@@ -9,7 +9,7 @@ const MOST_FACETS = 42;
 function facet(run, name) {
   const key = `${run.id}/${name}`;
   if (!facets.has(key)) {
-    if (!isKept(run)) return Promise.reject(new Error(say("fault.lost", { run: run.id })));
+    if (!isKept(run)) return Promise.reject(new Error(say("fault.lost", { run: runName(run.id) })));
     facets.set(key, ask(`run/${key}`));
     facets.get(key).catch(() => facets.delete(key));
   }
@@ -165,9 +165,9 @@ function drawPatch() {
   const { twin, profile } = chosen;
   const isLine = section.y === null;
   const share = (part) => `${figure(100 * part, 3)} %`;
-  const rows = [["width", patchWidth(), twin && 2 * twin.half_width, micrometres], ["area", !isLine && chosen.area, twin?.area, squareMicrometres],
+  const rows = [["width", patchWidth(), twin && 2 * twin.half_width, lengthOf], ["area", !isLine && chosen.area, twin?.area, squareMicrometres],
     ["load", chosen.share, twin && chosen.share, share], ["pressure", chosen.max_pressure, twin?.max_pressure],
-    ["kappa-r", chosen.kappa_r, twin?.kappa_r], ["radius", 1 / chosen.curvature, twin && 1 / chosen.curvature, micrometres]];
+    ["kappa-r", chosen.kappa_r, twin?.kappa_r], ["radius", 1 / chosen.curvature, twin && 1 / chosen.curvature, lengthOf]];
   byId("patch-name").textContent = say("patch.name", { number: chosen.number, count: chosen.count, nodes: chosen.nodes });
   const cells = ([name, its, of, words = (value) => figure(value, 3)]) =>
     element("tr", {}, element("th", { scope: "row" }, say(`patch.${name}`)), element("td", {}, words(its)), element("td", {}, twin ? words(of) : "–"));
@@ -177,7 +177,6 @@ function drawPatch() {
   if (profile) drawTwin(profile, twin); else byId("patch-picture").replaceChildren();
 }
 
-const micrometres = (length) => `${figure(1e6 * length, 3)} µm`;
 const squareMicrometres = (area) => `${figure(1e12 * area, 3)} µm²`;
 
 function drawTwin({ x, height, pressure }, twin) {

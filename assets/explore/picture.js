@@ -90,7 +90,9 @@ function paintSection(to, at, shown) {
   const place = (i, n) => at.x((i + 0.5) / n);
   const line = (values, y) => {
     const path = new Path2D();
-    values.forEach((value, i) => path[i ? "lineTo" : "moveTo"](place(i, values.length), y(value)));
+    path.moveTo(0, y(values[0]));
+    values.forEach((value, i) => path.lineTo(place(i, values.length), y(value)));
+    path.lineTo(at.w, y(values.at(-1)));
     return path;
   };
   const filled = (values, y, end) => {

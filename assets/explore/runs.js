@@ -100,9 +100,12 @@ async function beginAgain() {
 /** The sweep that is drawn while it is solved again for other colours; none at other times. */
 let repainted = null;
 
-/** Takes the news; a sweep of an earlier session stays until there is another, and one that is solved again until that has ended. */
+/** Whether a sweep that is solved again for other colours has as many loads as the one that is drawn, or has ended. */
+const hasCaughtUp = (sweep) => Boolean(sweep && repainted && sweep.id !== repainted.id && (sweep.ended || sweep.points.length >= repainted.points.length));
+
+/** Takes the news; a sweep of an earlier session stays until there is another, and one that is solved again until that has caught up. */
 function heard(news) {
-  if (news.fault || news.sweep?.ended && news.sweep.id !== repainted?.id) repainted = null;
+  if (news.fault || hasCaughtUp(news.sweep)) repainted = null;
   report = { ...news, sweep: repainted || news.sweep || report.sweep };
   if (news.fault) { fault(inWordsOfPage(news)); if (!posting) putBack(); }
   if (news.run) heardRun(news.run);
@@ -196,10 +199,13 @@ function forget(run) {
 }
 
 function listRuns() {
-  const options = [...runs].reverse().map((run, i) => element("option", { value: run.id }, `${"ABCDEF"[i]}: ${run.id}, ${titleOf(run)}`));
+  const options = [...runs].reverse().map((run, i) => element("option", { value: run.id }, `${"ABCDEF"[i]}: ${titleOf(run)} (${runName(run.id)})`));
   byId("runs").replaceChildren(...options);
   byId("runs").title = say("runs.tip", { count: KEEP });
 }
+
+/** The name of a run or a sweep for people. */
+const runName = (id) => say(`run.${id.split("-")[0]}`, { number: numberOf({ id }) });
 
 let shownRun = null;
 /** The run that others are compared with, instead of the one before. */
@@ -245,7 +251,7 @@ function showPin(id) {
   if (pinned === id) return;
   pinned = runOf(id) ? id : null;
   byId("pin").setAttribute("aria-pressed", String(pinned !== null));
-  byId("pin").textContent = pinned ? say("pin.pinned", { run: pinned }) : say("pin");
+  byId("pin").textContent = pinned ? say("pin.pinned", { run: runName(pinned) }) : say("pin");
   writeAddress();
   numbers();
 }
@@ -280,7 +286,16 @@ function figure(value, digits = 5) {
   if (value === null || value === undefined) return "–";
   if (Number.isInteger(value)) return String(value);
   const size = Math.abs(value);
-  return inLocale(size < 1e-3 || size >= 1e6 ? value.toExponential(Math.max(0, digits - 3)) : String(Number(value.toPrecision(digits))));
+  return inLocale(size < 1e-3 || size >= 1e6 ? Number(value.toPrecision(Math.min(3, digits))).toExponential() : String(Number(value.toPrecision(digits))));
+}
+
+/** Units of lengths in metres, the longest first. */
+const LENGTHS = [["m", 1], ["mm", 1e-3], ["µm", 1e-6], ["nm", 1e-9]];
+
+/** A length in metres with the unit that makes it a number of one to three digits before its mark. */
+function lengthOf(metres, digits = 3) {
+  const [unit, size] = LENGTHS.find(([, size]) => Math.abs(metres) >= 0.9995 * size) ?? LENGTHS[metres ? 3 : 0];
+  return `${figure(Number((metres / size).toPrecision(digits)), digits)} ${unit}`;
 }
 
 /** The observables that the server knows, and those that are shown: those that change step by step, and these. */
@@ -326,26 +341,28 @@ function setMoment(state) {
   numbers();
 }
 
-/** What a mean gap over the rms height can be by rounding alone, which is told as none. */
+/** What a mean gap over the height of the surface can be by rounding alone, which is told as none. */
 const ROUNDING = 1e-12;
 
+const withoutRounding = (gap) => Math.abs(gap) < ROUNDING ? 0 : gap;
+
 /** A number of a state, without rounding where there is nothing else. */
-function cleared(told, name) {
-  const value = told?.[name];
-  return name === "mean_gap_over_rms_height" && Math.abs(value) < ROUNDING ? 0 : value;
-}
+const cleared = (told, name) => name === "mean_gap_over_rms_height" ? withoutRounding(told?.[name]) : told?.[name];
 
-/** The relative error from which on a number stands with it. */
+/** The relative error from which on a number stands with it, and the numbers that have one, with its name. */
 const COARSE = 0.05;
+const ERRORS = { relative_area: "relative_area_error", kappa: "relative_area_error", kappa_r: "kappa_r_error", kappa_r_error: "kappa_r_error" };
 
-/** A number as the table has it: with its error, if that is large, and that with what to do. */
+/** A number as the table has it: with its error, if that is large or not known, and the error itself with what to do. */
 function valueOf(told, name) {
-  const error = told?.kappa_r_error;
-  const isCoarse = error >= COARSE && ["kappa_r", "kappa_r_error"].includes(name);
-  if (!isCoarse) return figure(cleared(told, name));
-  const percent = `${figure(100 * error, 2)} %`;
-  const words = name === "kappa_r_error" ? say("numbers.coarse", { error: percent }) : `${figure(told[name], 3)} ± ${percent}`;
-  return [element("span", { class: "coarse", title: say("numbers.coarse.tip") }, words)];
+  const error = told?.[ERRORS[name]];
+  const isUnknown = error === null && told.relative_area > 0;
+  if (!isUnknown && !(error >= COARSE)) return figure(cleared(told, name));
+  const percent = isUnknown ? "?" : `${figure(100 * error, 2)} %`;
+  const remedy = knobs.body === "file" ? "file" : "points";
+  const shown = name === "kappa_r_error" ? say(`numbers.coarse.${remedy}`, { error: percent }) : `${figure(told[name], 3)} ± ${percent}`;
+  const tip = isUnknown ? "numbers.coarse.unknown.tip" : `numbers.coarse.${remedy}.tip`;
+  return [element("span", { class: "coarse", title: say(tip) }, shown)];
 }
 
 function numbers() {

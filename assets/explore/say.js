@@ -39,11 +39,14 @@ const patternOf = (sentence) => new RegExp(`^${sentence.split(/\{(\w+)\}/).map((
 /** What the server tells in English, and the same in the language of the page: patterns and sentences, those with most words first. */
 const told = Object.entries(TOLD[language] ?? {}).sort(([one], [other]) => other.length - one.length).map(([english, own]) => [patternOf(english), own]);
 
+/** What stands in a place of a sentence: a number in a place that is named after a length is one in metres. */
+const placeInWords = (name, text) => name.startsWith("length") && numberFrom(text) ? lengthOf(numberFrom(text), 4) : translated(text);
+
 /** A sentence of the server in the language of the page, and all that stands in its places; as it is if it is not known. */
 function translated(sentence) {
   for (const [pattern, own] of told) {
     const found = pattern.exec(sentence);
-    if (found) return own.replace(/\{(\w+)\}/g, (place, name) => translated(found.groups[name]));
+    if (found) return own.replace(/\{(\w+)\}/g, (place, name) => placeInWords(name, found.groups[name]));
   }
   return /^-?\d+\.\d+(e-?\d+)?( \S{1,2})?$/.test(sentence) ? inLocale(sentence) : sentence;
 }

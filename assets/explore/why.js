@@ -34,9 +34,9 @@ async function openWhy() {
 function causeInWords({ cause, ...numbers }) {
   const places = Object.fromEntries(Object.entries(numbers).filter(([, value]) => typeof value === "number").map(([name, value]) => [name, figure(value, 3)]));
   if (cause === "damping") return say(`why.damping.${numbers.damping > 1 ? "strong" : "weak"}`, places);
-  if (cause === "slow_band") Object.assign(places, { long: micrometres(numbers.wavelengths[0]), short: micrometres(numbers.wavelengths[1]), share: figure(100 * numbers.share, 2) });
+  if (cause === "slow_band") Object.assign(places, { long: lengthOf(numbers.wavelengths[0]), short: lengthOf(numbers.wavelengths[1]), share: figure(100 * numbers.share, 2) });
   if (cause === "condition") places.steps = figure(Math.sqrt(numbers.condition) * Math.LN10 / 4, 2);
-  if (cause === "flips") places.place = micrometres(numbers.position[1]);
+  if (cause === "flips") places.place = lengthOf(numbers.position[1]);
   if (cause === "plateau") Object.assign(places, { from: numbers.steps[0], to: numbers.steps[1] });
   return say(`why.${cause}`, places);
 }
@@ -48,9 +48,9 @@ function drawWhy({ errors, decisions, length }, motion) {
   const colour = colours();
   drawCells(byId("why-contact"), motion.steps.map(x), motion.sections.map(({ pressure }) => pressure), (p) => p > 0 ? [colour.warm, 1] : null);
   drawCells(byId("why-errors"), errors.steps.map(x), errors.rows, (error) => error > 0 ? [colour.accent, Math.min(1, Math.max(0, 1 + Math.log10(error) / DIGITS))] : null);
-  byId("why-contact-axis").textContent = say("why.contact.axis", { length: micrometres(length) });
+  byId("why-contact-axis").textContent = say("why.contact.axis", { length: lengthOf(length) });
   const { wavelengths } = errors;
-  byId("why-errors-axis").textContent = wavelengths.length ? say("why.errors.axis", { long: micrometres(wavelengths[0][0]), short: micrometres(wavelengths.at(-1)[1]) }) : "";
+  byId("why-errors-axis").textContent = wavelengths.length ? say("why.errors.axis", { long: lengthOf(wavelengths[0][0]), short: lengthOf(wavelengths.at(-1)[1]) }) : "";
   const shown = DECISIONS.filter((name) => decisions.stretches.some((it) => it.name === name));
   drawLanes(byId("why-decisions"), decisions.stretches, shown, (step) => x(step), colour);
   byId("why-lanes").replaceChildren(...shown.map((name) => element("li", {}, say(`decision.${name}`))));

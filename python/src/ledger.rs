@@ -1,6 +1,6 @@
 //! The rows of a study as they come in.
 
-use crate::refusal::{refuse, refused};
+use crate::error::{bail, py_error};
 use crate::study::Study;
 use crate::table::Table;
 use asperity::files::{check_named, check_target};
@@ -9,14 +9,15 @@ use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// What is known of a study that is solved in pieces: which realisations are missing, and in the end the table of all rows.
+/// The progress of a study that is solved in pieces: which realisations are missing, and in the end the table of all rows.
 ///
-/// Ledger(study, out=None) keeps what comes in memory, or beside the table `out` (.csv) as well, so that a study that was ended goes on where
-/// it was. `asperity.study` uses it; with it a study can be solved by any engine that carries Python objects to workers:
+/// Ledger(study, out=None) keeps the rows in memory. With `out`, the file of a table (.csv), it keeps them on disk as well, so that a study
+/// that was stopped continues where it was. `asperity.study` uses it. With it, any engine that sends Python objects to workers can solve a
+/// study:
 ///
 ///     ledger = asp.Ledger(study, "study.csv")
 ///     for batch in ledger.batches(workers=8):                                           # on a worker:
-///         ledger.enter(batch.realisations, study.solve(batch.realisations))
+///         ledger.add(batch.realisations, study.solve(batch.realisations))
 ///     table = ledger.finish()
 #[pyclass(frozen, module = "asperity")]
 pub struct Ledger {
@@ -37,57 +38,57 @@ impl Ledger {
     #[pyo3(signature = (study, out=None))]
     fn new(py: Python<'_>, study: &Study, out: Option<PathBuf>) -> PyResult<Self> {
         if let Some(path) = &out {
-            check_named(path, &["csv"]).and_then(|()| check_target(path)).map_err(refused)?;
+            check_named(path, &["csv"]).and_then(|()| check_target(path)).map_err(py_error)?;
         }
         let plan = study.plan.clone();
         let table = out.as_ref().map(study::Table::new);
-        let ledger = py.detach(|| study::Ledger::new(plan.clone(), table)).map_err(refused)?;
+        let ledger = py.detach(|| study::Ledger::new(plan.clone(), table)).map_err(py_error)?;
         Ok(Self { plan, out, ledger: Mutex::new(ledger) })
     }
 
-    /// How many rows there are.
+    /// Number of rows.
     #[getter]
     fn rows(&self) -> usize {
         self.plan.rows()
     }
 
-    /// How many rows are known.
+    /// Number of rows that are solved.
     #[getter]
-    fn known(&self) -> usize {
+    fn completed(&self) -> usize {
         self.ledger().known()
     }
 
-    /// The realisations that are missing, in batches for so many workers, those that take longest first.
+    /// The realisations that are missing, in batches for a number of workers, those that take longest first.
     fn batches(&self, py: Python<'_>, workers: usize) -> PyResult<Vec<Batch>> {
-        let batches = py.detach(|| self.ledger().batches(workers)).map_err(refused)?;
+        let batches = py.detach(|| self.ledger().batches(workers)).map_err(py_error)?;
         Ok(batches.into_iter().map(Batch).collect())
     }
 
-    /// Enters the rows of some realisations, which Study.solve has returned.
-    fn enter(&self, py: Python<'_>, realisations: Vec<usize>, rows: Vec<String>) -> PyResult<()> {
+    /// Adds the rows of some realisations, which Study.solve has returned.
+    fn add(&self, py: Python<'_>, realisations: Vec<usize>, rows: Vec<String>) -> PyResult<()> {
         if realisations.len() != rows.len() {
-            return refuse(format!("{} realisations come with {} texts of rows", realisations.len(), rows.len()));
+            return bail(format!("{} realisations come with {} texts of rows", realisations.len(), rows.len()));
         }
         py.detach(|| {
             let points = rows.iter().map(|lines| Point::from_lines(lines.as_bytes()));
             self.ledger().enter(realisations.into_iter().zip(points).collect())
         })
-        .map_err(refused)
+        .map_err(py_error)
     }
 
-    /// The table of all rows. Where there is a file for it, that is written, and beside it NAME.parquet, NAME.svg and NAME.png.
+    /// The table of all rows. With `out` it is written there, and beside it as NAME.parquet, NAME.svg and NAME.png.
     fn finish(&self, py: Python<'_>) -> PyResult<Table> {
         py.detach(|| {
-            let points = self.ledger().finish().map_err(refused)?;
+            let points = self.ledger().finish().map_err(py_error)?;
             if let Some(out) = &self.out {
-                self.plan.write_views(out, &points).map_err(refused)?;
+                self.plan.write_views(out, &points).map_err(py_error)?;
             }
-            Table::of(&self.plan, &points)
+            Table::new(&self.plan, &points)
         })
     }
 }
 
-/// Realisations that are solved one after the other.
+/// Realisations that one worker solves one after the other.
 #[pyclass(frozen, module = "asperity")]
 pub struct Batch(study::Batch);
 
@@ -99,13 +100,13 @@ impl Batch {
         self.0.realisations.clone()
     }
 
-    /// Seconds that all of them take on one core, as a model says.
+    /// Estimated seconds for all of them on one core.
     #[getter]
     fn seconds(&self) -> f64 {
         self.0.expense.seconds
     }
 
-    /// Bytes that the largest of them takes.
+    /// Estimated bytes of memory for the largest of them.
     #[getter]
     fn bytes(&self) -> f64 {
         self.0.expense.bytes

@@ -1,62 +1,69 @@
-//! Rough contact in Python: what the package `asperity` is made of.
+//! Rough contact in Python: the compiled part of the package `asperity`.
 //!
 //! ```text
-//! Surface --> Problem --> solve (on a thread, watched) --(Step)--> callback
+//! Surface --> Problem --> solve (on its own thread) --(Step)--> callback
 //!    ^           ^              |
 //!    +-- Setup --+              v
-//!                            Contact            Recorder <--(pressure)-- a loop of one's own
+//!                            Contact            Recorder <--(pressure)-- your own loop
 //!
 //! Study --(batches)--> workers --(rows as text)--> Ledger --> Table
 //! ```
 //!
-//! Everything is described by sections and keys of a setup, see [`value`]; nothing is computed here that the library does not compute.
+//! Sections and keys of a setup describe everything, see [`conversion`]. All computations are those of the library.
+//! A file uses only files that come before it in this chain: setup, problem, contact, then what makes or examines contacts (solve, slip,
+//! stress, certification, recorder). Methods of a class that need later files, such as `Problem.solve`, stand in these files.
 
+mod arrays;
+mod background;
+mod cancel;
 mod certificate;
+mod certification;
 mod contact;
-mod field;
-mod halt;
+mod conversion;
+mod error;
+mod fork;
 mod ledger;
+mod load_curve;
 mod problem;
-mod process;
 mod recorder;
-mod refusal;
 mod setup;
+mod sink;
+mod slip;
+mod solve;
+mod solve_options;
 mod step;
+mod stress;
 mod study;
 mod surface;
 mod table;
-mod target;
 mod theory;
-mod value;
-mod verdict;
-mod watch;
-mod wishes;
+mod warnings;
 
 use pyo3::prelude::*;
 
-/// The command line, with the words behind the name of the program; returns the exit code.
+/// Runs the command line with some arguments, and returns the exit code.
 #[pyfunction]
-fn main(py: Python<'_>, words: Vec<String>) -> u8 {
-    let words = std::iter::once("asperity".to_owned()).chain(words);
-    py.detach(|| asperity::cli::run(words.map(Into::into)))
+fn main(py: Python<'_>, arguments: Vec<String>) -> u8 {
+    let arguments = std::iter::once("asperity".to_owned()).chain(arguments);
+    py.detach(|| asperity::cli::run(arguments.map(Into::into)))
 }
 
-/// How many threads this machine has for this process.
+/// The number of threads that this machine has for this process.
 #[pyfunction]
 fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// How many bytes of memory are free, if the system tells.
+/// The number of free bytes of memory, if the system knows it.
 #[pyfunction]
 fn free_memory() -> Option<f64> {
     asperity::setup::available_bytes()
 }
 
-/// What the measures of a contact are: by name, the symbol, the unit and one sentence.
+/// Explains the measures of a contact: a dictionary for each, with its name, symbol, unit and one sentence.
 #[pyfunction]
 fn observables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-    value::python(py, &asperity::contact::OBSERVABLES)
+    conversion::to_python(py, &asperity::contact::OBSERVABLES)
 }
 
 #[pymodule]
@@ -64,21 +71,27 @@ mod _asperity {
     #[pymodule_export]
     use super::{free_memory, main, observables, threads};
     #[pymodule_export]
+    use crate::cancel::CancelToken;
+    #[pymodule_export]
     use crate::certificate::{Certificate, Work};
+    #[pymodule_export]
+    use crate::certification::Certification;
     #[pymodule_export]
     use crate::contact::Contact;
     #[pymodule_export]
-    use crate::halt::Halt;
+    use crate::error::{AsperityError, AsperityWarning, NotConverged};
     #[pymodule_export]
     use crate::ledger::{Batch, Ledger};
+    #[pymodule_export]
+    use crate::load_curve::LoadCurve;
     #[pymodule_export]
     use crate::problem::Problem;
     #[pymodule_export]
     use crate::recorder::Recorder;
     #[pymodule_export]
-    use crate::refusal::{AsperityError, AsperityWarning};
-    #[pymodule_export]
     use crate::setup::Setup;
+    #[pymodule_export]
+    use crate::slip::PartialSlip;
     #[pymodule_export]
     use crate::step::Step;
     #[pymodule_export]
@@ -92,6 +105,4 @@ mod _asperity {
         PowerLaw, Westergaard, counting_excess, cylinder, exact, greenwood_williamson, persson_pressure_density,
         persson_relative_area, sphere,
     };
-    #[pymodule_export]
-    use crate::verdict::Verdict;
 }

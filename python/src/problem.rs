@@ -1,15 +1,11 @@
 //! Contact problems.
 
-use crate::contact::Contact;
-use crate::field::Given;
-use crate::process;
-use crate::refusal::{refuse, refused};
+use crate::conversion::{Sections, section_mut, sections_from_keywords};
+use crate::error::{bail, py_error};
+use crate::fork;
 use crate::setup::Setup;
 use crate::surface::Surface;
-use crate::value::{Sections, section, sections, sections_of, setup};
-use crate::verdict::Verdict;
-use crate::wishes::Wishes;
-use asperity::setup;
+use asperity::study::{LoadCurve, Refinement};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -21,42 +17,65 @@ const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "forc
 
 /// A rigid surface pressed on an elastic solid.
 ///
-/// Problem(surface, *, solid=None, law=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None,
-/// record=None) takes one load: a mean pressure; a reduced pressure, the mean pressure over rms gradient and contact modulus; a mean
-/// gap, a length; a force, of a line per length; or an approach, a length. `solid` is a contact modulus, or a dictionary:
-/// contact_modulus, or young and poisson (a number each, or two for two bodies), and of a layer its thickness as layer, and base. `law`
-/// is a dictionary with a hardness. `record` are the keys of the section `record` of a scene.
+/// Problem(surface, *, solid=None, law=None, friction=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None,
+/// approach=None, record=None) takes one kind of load: a mean pressure; a reduced pressure, which is the mean pressure divided by rms
+/// gradient and contact modulus; a mean gap, a length; a force, which is a force per length of a line; or an approach, a length. A list of
+/// loads is solved one load after the other. `solid` is a contact modulus, or a dictionary: contact_modulus, or young and poisson (a number
+/// each, or two for two bodies), and for a layer its thickness as layer, and base. `law` is a dictionary with a hardness. `friction` is a
+/// dictionary with a coefficient and a tangential load. `record` holds the keys of the section `record` of a scene.
 #[pyclass(frozen, module = "asperity")]
 pub struct Problem {
+    /// The problem under its load, or under the heaviest one of a list.
     pub problem: asperity::Problem,
-    /// The surface of the problem.
-    pub pressed: Arc<asperity::Surface>,
-    pub setup: setup::Setup,
+    pub surface: Arc<asperity::Surface>,
+    pub setup: Setup,
     pub rank: usize,
 }
 
 impl Problem {
-    /// The problem of a surface and a setup that describes the rest.
-    pub fn made(py: Python<'_>, surface: &Arc<asperity::Surface>, setup: setup::Setup, rank: usize) -> PyResult<Self> {
-        process::check()?;
-        let problem = py.detach(|| setup.problem_of(surface.clone())).map_err(refused)?;
-        Ok(Self { problem, pressed: surface.clone(), setup, rank })
+    /// The problem of a surface that presses as a setup describes.
+    pub fn new(py: Python<'_>, surface: &Arc<asperity::Surface>, setup: Setup, rank: usize) -> PyResult<Self> {
+        fork::check_not_forked()?;
+        if setup.loads.is_some() && setup.refinement.is_some() {
+            return bail(
+                "a grid is found under one load, but several are given: give one, or a number for refine in place of 'auto'",
+            );
+        }
+        let Setup { setup: first, loads, .. } = &setup;
+        let problem = || match loads {
+            Some(loads) => LoadCurve { setup: first.clone(), loads: loads.clone() }.problem_of(surface.clone()),
+            None => first.problem_of(surface.clone()),
+        };
+        let problem = py.detach(problem).map_err(py_error)?;
+        Ok(Self { problem, surface: surface.clone(), setup, rank })
+    }
+
+    /// Whether the heights were given as an array, so that the setup does not describe them.
+    pub fn is_array(&self) -> bool {
+        Surface::is_array(&self.setup.sections())
+    }
+
+    /// The surface as an object of Python.
+    fn py_surface(&self) -> Surface {
+        let mut sections = self.setup.sections();
+        sections.retain(|key, _| key == "surface" || key == "grid");
+        Surface { surface: self.surface.clone(), sections, rank: self.rank }
     }
 }
 
 /// The sections of some keywords, laid over those of a surface.
-pub fn described(surface: &Surface, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Sections> {
+fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResult<Sections> {
     let mut described = surface.sections.clone();
-    for (key, value) in keys.map(sections).transpose()?.unwrap_or_default() {
+    for (key, value) in sections_from_keywords(keywords)? {
         match key.as_str() {
             "solid" if value.is_number() || value.is_string() => {
                 described.insert(key, json!({ "contact-modulus": value }));
             }
-            "solid" | "law" | "record" | "solver" | "stop" => {
+            "solid" | "law" | "friction" | "record" => {
                 described.insert(key, value);
             }
             load if LOADS.contains(&load) => {
-                section(&mut described, "load").insert(key, value);
+                section_mut(&mut described, "load").insert(key, value);
             }
             other => {
                 let other = other.replace('-', "_");
@@ -70,65 +89,38 @@ pub fn described(surface: &Surface, keys: Option<&Bound<'_, PyDict>>) -> PyResul
 #[pymethods]
 impl Problem {
     #[new]
-    #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
-    fn new(py: Python<'_>, surface: &Surface, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::made(py, &surface.surface, setup(&described(surface, keys)?)?, surface.rank)
+    #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, friction=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
+    fn py_new(py: Python<'_>, surface: &Surface, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        Self::new(py, &surface.surface, Setup::from_sections(&described(surface, keys)?)?, surface.rank)
     }
 
-    /// The same problem under another load.
+    /// The same problem under another load, or under a list of loads.
     #[pyo3(signature = (**load), text_signature = "($self, *, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None)")]
     fn with_load(&self, load: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        let mut over = sections_of(&self.setup);
-        over.insert("load".into(), Value::Object(load.map(sections).transpose()?.unwrap_or_default()));
-        let setup = setup(&over)?;
-        let problem = self.problem.clone().with_load(setup.load).map_err(refused)?;
-        Ok(Self { problem, pressed: self.pressed.clone(), setup, rank: self.rank })
-    }
-
-    /// Solves the problem; the contact comes back whether the run converged or not, with a warning if it did not.
-    ///
-    /// solver is "multilevel", "polonsky-keer" or "gfmd", or a dictionary with its method and settings; it stops at a certificate
-    /// `eta <= tolerance` (1e-8), and with a pressure_tolerance at a bound of the relative error of the pressure as well. callback(step)
-    /// sees every step and ends the run by returning False. start is a pressure to start from. record is the file of a recording, live
-    /// shows it in the installed viewer, stream is a callable that takes it as bytes, piece by piece as it grows. With diagnose the problem is solved twice, and the contact says what held the solver up.
-    #[pyo3(signature = (**wishes), text_signature = "($self, *, solver='multilevel', tolerance=1e-8, pressure_tolerance=None, max_iterations=100000, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
-    pub fn solve(&self, py: Python<'_>, wishes: Option<&Bound<'_, PyDict>>) -> PyResult<Contact> {
-        let (wishes, setup) = Wishes::of(wishes, &self.setup, self.problem.surface().grid())?;
-        wishes.solve(py, self, setup)
-    }
-
-    /// Certifies somebody's result, one of pressure (positive in compression), gap or displacement (lengths).
-    #[pyo3(signature = (*, pressure=None, gap=None, displacement=None))]
-    fn certify(
-        &self,
-        py: Python<'_>,
-        pressure: Option<Given<'_>>,
-        gap: Option<Given<'_>>,
-        displacement: Option<Given<'_>>,
-    ) -> PyResult<Verdict> {
-        match (pressure, gap, displacement) {
-            (Some(field), None, None) => Verdict::of(py, self, "pressure", &field),
-            (None, Some(field), None) => Verdict::of(py, self, "gap", &field),
-            (None, None, Some(field)) => Verdict::of(py, self, "displacement", &field),
-            _ => refuse("give one result to certify: a pressure, a gap or a displacement"),
+        let mut sections = self.setup.sections();
+        sections.insert("load".into(), Value::Object(sections_from_keywords(load)?));
+        let setup = Setup::from_sections(&sections)?;
+        let under = |load| self.problem.clone().with_load(load).map_err(py_error);
+        setup.loads.iter().flatten().try_for_each(|load| under(*load).map(drop))?;
+        if let Some(friction) = setup.setup.friction {
+            friction.ratio(setup.setup.load).map_err(py_error)?;
         }
+        Ok(Self { problem: under(setup.setup.load)?, surface: self.surface.clone(), setup, rank: self.rank })
     }
 
     /// The surface.
     #[getter]
     fn surface(&self) -> Surface {
-        let mut sections = sections_of(&self.setup);
-        sections.retain(|key, _| key == "surface" || key == "grid");
-        Surface { surface: self.pressed.clone(), sections, rank: self.rank }
+        self.py_surface()
     }
 
-    /// The setup that describes it; heights that were given as an array are called array.npy there.
+    /// The setup that describes the problem. Heights that were given as an array have the name array.npy in it.
     #[getter]
     fn setup(&self) -> Setup {
-        Setup(self.setup.clone())
+        self.setup.clone()
     }
 
-    /// Contact modulus, a pressure; 1 where pressures are over it.
+    /// Contact modulus, a pressure. It is 1 where pressures are given in units of the contact modulus.
     #[getter]
     fn contact_modulus(&self) -> f64 {
         self.problem.contact_modulus()
@@ -146,19 +138,56 @@ impl Problem {
         self.problem.rms_gradient()
     }
 
-    /// The mean pressure where it is prescribed, in whatever form; else None.
+    /// The prescribed mean pressure, also where a reduced pressure or a force prescribes it. None under a mean gap or an approach.
     #[getter]
     fn mean_pressure(&self) -> Option<f64> {
         self.problem.mean_pressure()
     }
 
+    fn __eq__(&self, other: &Self) -> bool {
+        self.rank == other.rank && self.setup == other.setup && self.surface == other.surface
+    }
+
+    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
+        slf
+    }
+
+    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Surface, Setup))> {
+        let it = slf.get();
+        Ok((slf.get_type().getattr("_from_parts")?, (it.py_surface(), it.setup.clone())))
+    }
+
+    /// The problem that the values of a pickle describe.
+    #[staticmethod]
+    fn _from_parts(py: Python<'_>, surface: &Surface, setup: Setup) -> PyResult<Self> {
+        Self::new(py, &surface.surface, setup, surface.rank)
+    }
+
     fn __repr__(&self) -> String {
         let grid = self.problem.surface().grid();
         let points = &grid.shape()[2 - self.rank..];
-        format!(
-            "Problem(shape={points:?}, contact_modulus={:e}, {})",
-            self.problem.contact_modulus(),
-            self.problem.load()
-        )
+        let loads = match &self.setup.loads {
+            Some(loads) => format!("{} loads", loads.len()),
+            None => self.problem.load().to_string(),
+        };
+        format!("Problem(shape={points:?}, contact_modulus={:e}, {loads})", self.problem.contact_modulus())
+    }
+}
+
+#[pymethods]
+impl Setup {
+    /// The problem that the setup describes. Where the grid is to be found, it is the problem on the first grid.
+    pub fn problem(&self, py: Python<'_>) -> PyResult<Problem> {
+        let mut first = self.clone();
+        if let Some(auto) = self.refinement {
+            let setups = Refinement::new(self.setup.clone(), auto);
+            first.setup = setups.setups().next().unwrap_or_else(|| self.setup.clone());
+        }
+        let Surface { surface, rank, .. } = first.surface(py)?;
+        Problem::new(py, &surface, first, rank)
     }
 }

@@ -1,19 +1,20 @@
-//! The recorder of any solver.
+//! The recorder for solvers of other codes.
 
+use crate::arrays::{ArrayLike, field_on, vector};
+use crate::background::{Foreground, StepSender, run_in_background};
 use crate::contact::Contact;
-use crate::field::{Given, list, rows_on};
+use crate::conversion::{section_mut, value_from_py};
+use crate::error::{BoxedError, bail, py_error};
+use crate::fork;
 use crate::problem::Problem;
-use crate::process;
-use crate::refusal::{Fault, refuse, refused};
-use crate::target::Target;
-use crate::value::{section, sections_of, setup, value};
-use crate::watch::{Sight, watched};
+use crate::setup::Setup;
+use crate::sink::RecordingSink;
 use asperity::contact::{Multilevel, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::error::{Failure, FileError};
 use asperity::foreign::{Distance, Distances, Frame, Quantity, Replay};
 use asperity::record::{Options, Parts, Recording, Scene};
-use asperity::setup::Setup;
+use asperity::setup;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::panic::resume_unwind;
@@ -23,22 +24,22 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// The certificate of the reference.
-const REFERENCE: f64 = 1e-12;
-/// Steps on their way to the thread that records them.
-const WAITING: usize = 2;
+/// The tolerance of the reference solution.
+const REFERENCE_TOLERANCE: f64 = 1e-12;
+/// Steps that wait for the thread that records them.
+const QUEUE_LENGTH: usize = 2;
 
-/// The instrument for any solver: each pressure (or gap, or displacement) that it is shown is certified, compared with the solution and
-/// recorded like those of our own solvers.
+/// Records the steps of any solver: each pressure (or gap, or displacement) is certified, compared with the solution and written like a step of
+/// the solvers of this package.
 ///
-/// with Recorder(problem, "mine.rrd") as r: r.step(pressure) for each step of your loop. Seconds are those between the steps, without
-/// those of the recorder, unless they are given. quantity is "pressure", "gap" or "displacement"; without a path nothing is written, and
-/// the numbers remain; live shows the steps in the installed viewer; stream is a callable that takes the recording as bytes, piece by piece as
-/// it grows, such as asperity.notebook.Viewer(). The solution to compare with is found first, by multilevel to 1e-12,
-/// unless reference is False.
+/// Use it as `with Recorder(problem, "mine.rrd") as r:` and call r.step(pressure) in every step of your loop. `name` is the name of your solver.
+/// `quantity` is "pressure", "gap" or "displacement". Seconds are measured between the steps, without the time of the recorder, unless they are
+/// given. Without a path nothing is written, and the numbers remain. `live` shows the steps in the installed viewer. `stream` is a callable that
+/// takes the recording as bytes, piece by piece, such as asperity.notebook.Viewer(). The solution to compare with is solved first, by multilevel
+/// to 1e-12, unless reference=False.
 #[pyclass(frozen, module = "asperity")]
 pub struct Recorder {
-    job: Arc<Job>,
+    plan: Arc<Plan>,
     state: Mutex<State>,
 }
 
@@ -46,54 +47,54 @@ pub struct Recorder {
 type Column = fn(&Distance) -> f64;
 
 /// What is recorded, and how.
-struct Job {
+struct Plan {
     problem: asperity::Problem,
-    pressed: Arc<asperity::Surface>,
-    setup: Setup,
+    surface: Arc<asperity::Surface>,
+    setup: setup::Setup,
     rank: usize,
     name: String,
     quantity: Quantity,
-    target: Target,
-    is_compared: bool,
+    sink: RecordingSink,
+    has_reference: bool,
 }
 
-/// Where a recorder stands.
+/// The state of a recorder: before, in and after its `with` block.
 #[derive(Default)]
 struct State {
-    at_work: Option<AtWork>,
-    told: Option<Told>,
+    running: Option<Running>,
+    finished: Option<Finished>,
 }
 
 /// A recorder that takes steps.
-struct AtWork {
+struct Running {
     frames: SyncSender<Frame>,
-    thread: JoinHandle<Result<Done, Fault>>,
-    since: Instant,
+    thread: JoinHandle<Result<Output, BoxedError>>,
+    start: Instant,
     /// Time that the recorder itself took.
-    own: Duration,
+    own_time: Duration,
 }
 
-/// What comes out of a recorder.
-struct Done {
+/// The results of the thread that records.
+struct Output {
     contact: asperity::Contact,
     distances: Vec<Distance>,
     findings: Findings,
 }
 
-/// What came out, for Python.
-struct Told {
+/// The results for Python.
+struct Finished {
     contact: Py<Contact>,
     distances: Vec<Distance>,
     findings: String,
 }
 
-impl Job {
+impl Plan {
     /// Certifies and records all frames.
-    fn carry_out(
+    fn run(
         &self,
         reference: Option<asperity::Contact>,
         frames: impl Iterator<Item = Frame>,
-    ) -> Result<Done, Fault> {
+    ) -> Result<Output, BoxedError> {
         let problem = &self.problem;
         let end = reference.as_ref().map(|contact| Arc::new(Reference::of(contact)));
         let mut diagnosis = Diagnosis::new(problem, end.clone());
@@ -101,8 +102,8 @@ impl Job {
         let recording = self.recording(end)?;
         let mut recorder = recording.as_ref().map(|recording| recording.recorder(0));
         let replay = Replay::new(&self.name, self.quantity, frames.map(Ok::<_, Failure>));
-        let mut seen = (&mut recorder, &mut diagnosis, &mut distances);
-        let mut contact = replay.solve(problem, &self.setup.stop, &mut seen)?;
+        let mut observers = (&mut recorder, &mut diagnosis, &mut distances);
+        let mut contact = replay.solve(problem, &self.setup.stop, &mut observers)?;
         drop(recorder);
         if let Some(Err(failure)) = recording.map(Recording::finish) {
             contact.fail(failure);
@@ -111,7 +112,7 @@ impl Job {
             return Err(fault.into());
         }
         let distances = distances.map(|distances| distances.steps).unwrap_or_default();
-        Ok(Done { contact, distances, findings: diagnosis.findings() })
+        Ok(Output { contact, distances, findings: diagnosis.findings() })
     }
 
     fn recording(&self, end: Option<Arc<Reference>>) -> Result<Option<Recording>, FileError> {
@@ -120,9 +121,9 @@ impl Job {
             options.what = Parts::OF_OTHERS;
         }
         let title = format!("{}, {}", self.setup.surface.title(self.problem.surface().grid()), self.name);
-        // no setup: it would name a solver that has not made this
+        // no setup: it would name a solver that has not made this recording
         let scenes = [Scene { title, reference: end, ..Scene::new("contact", &self.problem) }];
-        self.target.recording(&scenes, || options)
+        self.sink.recording(&scenes, || options)
     }
 }
 
@@ -131,25 +132,26 @@ impl Recorder {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Waits for all that is on its way, and keeps what came out.
+    /// Waits until all steps are recorded, and keeps the results.
     fn finish(&self, py: Python<'_>) -> PyResult<()> {
-        let Some(AtWork { frames, thread, .. }) = self.state().at_work.take() else { return Ok(()) };
+        let Some(Running { frames, thread, .. }) = self.state().running.take() else { return Ok(()) };
         drop(frames);
-        let done = py.detach(|| thread.join()).unwrap_or_else(|panic| resume_unwind(panic));
-        let streamed = self.job.target.finish(py);
-        let Done { contact, distances, findings } = done.map_err(refused)?;
-        let Job { pressed, setup, rank, .. } = &*self.job;
-        let (pressed, setup, told) = (pressed.clone(), setup.clone(), findings.to_string());
-        let contact = Contact { contact, pressed, setup, rank: *rank, diagnosis: Some(findings) };
-        self.state().told = Some(Told { contact: Py::new(py, contact)?, distances, findings: told });
+        let output = py.detach(|| thread.join()).unwrap_or_else(|panic| resume_unwind(panic));
+        let streamed = self.plan.sink.finish(py);
+        let Output { contact, distances, findings } = output.map_err(py_error)?;
+        let Plan { surface, setup, rank, .. } = &*self.plan;
+        let (surface, setup, findings) = (surface.clone(), setup.clone(), findings.to_string());
+        let diagnosis = Some(findings.clone());
+        let contact = Contact { contact, surface, setup, rank: *rank, diagnosis, slip: None };
+        self.state().finished = Some(Finished { contact: Py::new(py, contact)?, distances, findings });
         streamed
     }
 
-    /// Something of what came out.
-    fn told<T>(&self, of: impl FnOnce(&Told) -> PyResult<T>) -> PyResult<T> {
-        match &self.state().told {
-            Some(told) => of(told),
-            None => refuse("the recorder is not done: ask it after its `with` block"),
+    /// A part of the results.
+    fn result<T>(&self, of: impl FnOnce(&Finished) -> PyResult<T>) -> PyResult<T> {
+        match &self.state().finished {
+            Some(finished) => of(finished),
+            None => bail("the recorder has no results yet: read them after its `with` block"),
         }
     }
 }
@@ -169,76 +171,79 @@ impl Recorder {
         stream: Option<&Bound<'_, PyAny>>,
         recording: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let mut target = Target::new(path, live);
-        stream.map_or(Ok(()), |stream| target.stream_to(stream))?;
-        target.check()?;
+        let mut sink = RecordingSink::new(path, live);
+        stream.map_or(Ok(()), |stream| sink.stream_to(stream))?;
+        sink.check()?;
         let Some(quantity) = Quantity::named(quantity) else {
-            return refuse(format!("there is no quantity {quantity:?}: give pressure, gap or displacement"));
+            return bail(format!("there is no quantity {quantity:?}: give pressure, gap or displacement"));
         };
-        let mut sections = sections_of(&problem.setup);
-        if let Some(recording) = recording {
-            *section(&mut sections, "record") = value(recording, "recording")?.as_object().cloned().unwrap_or_default();
+        if problem.setup.loads.is_some() {
+            return bail("a recording shows the steps under one load, but a list of loads is given: give one load");
         }
-        let job = Job {
+        let mut sections = problem.setup.sections();
+        if let Some(recording) = recording {
+            let given = value_from_py(recording, "recording")?;
+            *section_mut(&mut sections, "record") = given.as_object().cloned().unwrap_or_default();
+        }
+        let plan = Plan {
             problem: problem.problem.clone(),
-            pressed: problem.pressed.clone(),
-            setup: setup(&sections)?,
+            surface: problem.surface.clone(),
+            setup: Setup::from_sections(&sections)?.setup,
             rank: problem.rank,
             name: name.into(),
             quantity,
-            target,
-            is_compared: reference,
+            sink,
+            has_reference: reference,
         };
-        Ok(Self { job: job.into(), state: Mutex::default() })
+        Ok(Self { plan: plan.into(), state: Mutex::default() })
     }
 
     fn __enter__(slf: Bound<'_, Self>) -> PyResult<Bound<'_, Self>> {
-        process::check()?;
-        let (py, job) = (slf.py(), slf.get().job.clone());
-        let reference = match job.is_compared {
+        fork::check_not_forked()?;
+        let (py, plan) = (slf.py(), slf.get().plan.clone());
+        let reference = match plan.has_reference {
             true => {
-                let stop = Stop::new(REFERENCE, Stop::default().max_iterations()).map_err(refused)?;
-                Some(watched(py, Sight::NONE, |watch| Multilevel.solve(&job.problem, &stop, watch))?.map_err(refused)?)
+                let stop = Stop::new(REFERENCE_TOLERANCE, Stop::default().max_iterations()).map_err(py_error)?;
+                let solve = |steps: &mut StepSender| Multilevel.solve(&plan.problem, &stop, steps);
+                Some(run_in_background(py, Foreground::IDLE, solve)?.map_err(py_error)?)
             }
             false => None,
         };
-        let (frames, given) = sync_channel(WAITING);
-        let thread = thread::spawn(move || job.carry_out(reference, given.into_iter()));
-        let at_work = AtWork { frames, thread, since: Instant::now(), own: Duration::ZERO };
-        *slf.get().state() = State { at_work: Some(at_work), told: None };
+        let (frames, given) = sync_channel(QUEUE_LENGTH);
+        let thread = thread::spawn(move || plan.run(reference, given.into_iter()));
+        let running = Running { frames, thread, start: Instant::now(), own_time: Duration::ZERO };
+        *slf.get().state() = State { running: Some(running), finished: None };
         Ok(slf)
     }
 
-    /// Shows a step: values of the quantity, of the shape of the heights, and the seconds from the start if they are known better.
+    /// Records a step: values of the quantity, of the shape of the heights, and the seconds since the start if you measure them yourself.
     #[pyo3(signature = (values, seconds=None))]
-    fn step(&self, py: Python<'_>, values: Given<'_>, seconds: Option<f64>) -> PyResult<()> {
+    fn step(&self, py: Python<'_>, values: ArrayLike<'_>, seconds: Option<f64>) -> PyResult<()> {
         let began = Instant::now();
-        let Job { problem, quantity, .. } = &*self.job;
-        let field = rows_on(&values, problem.surface().grid().shape(), quantity.name())?;
-        let (frames, clock) = match &self.state().at_work {
-            Some(it) => (it.frames.clone(), (began - it.since).saturating_sub(it.own).as_secs_f64()),
+        let Plan { problem, quantity, .. } = &*self.plan;
+        let field = field_on(&values, problem.surface().grid().shape(), quantity.name())?;
+        let (frames, clock) = match &self.state().running {
+            Some(it) => (it.frames.clone(), (began - it.start).saturating_sub(it.own_time).as_secs_f64()),
             None => {
-                return refuse(
-                    "the recorder is not at work: use it as `with Recorder(problem, path) as r: r.step(...)`",
-                );
+                return bail("the recorder is not running: use it as `with Recorder(problem, path) as r: r.step(...)`");
             }
         };
         let frame = Frame { values: field.into_raw_vec_and_offset().0, seconds: Some(seconds.unwrap_or(clock)) };
         let sent = py.detach(|| frames.send(frame));
         drop(frames);
         match sent {
-            Ok(()) => self.job.target.pass_on(py)?,
-            // the thread has ended before its time, and says why
+            Ok(()) => self.plan.sink.flush(py)?,
+            // the thread has ended early, and its error says why
             Err(_) => self.finish(py)?,
         }
-        if let Some(at_work) = &mut self.state().at_work {
-            at_work.own += began.elapsed();
+        if let Some(running) = &mut self.state().running {
+            running.own_time += began.elapsed();
         }
         Ok(())
     }
 
-    #[pyo3(signature = (*_raised))]
-    fn __exit__(&self, py: Python<'_>, _raised: &Bound<'_, pyo3::types::PyTuple>) -> PyResult<bool> {
+    #[pyo3(signature = (*_exception))]
+    fn __exit__(&self, py: Python<'_>, _exception: &Bound<'_, pyo3::types::PyTuple>) -> PyResult<bool> {
         self.finish(py)?;
         Ok(false)
     }
@@ -246,11 +251,11 @@ impl Recorder {
     /// The contact of the last step, with tension clipped and the load restored.
     #[getter]
     fn contact(&self, py: Python<'_>) -> PyResult<Py<Contact>> {
-        self.told(|told| Ok(told.contact.clone_ref(py)))
+        self.result(|it| Ok(it.contact.clone_ref(py)))
     }
 
-    /// How far each step is from the solution, as arrays by name: step, seconds, certificate (eta), pressure_error (relative, by root mean
-    /// squares) and energy_error (relative, in the energy norm). They are empty without a reference.
+    /// The distance of each step from the solution, as arrays by name: step, seconds, certificate (eta), pressure_error (relative, root mean
+    /// square) and energy_error (relative, in the energy norm). The arrays are empty without a reference.
     #[getter]
     fn distances<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let columns: [(&str, Column); 5] = [
@@ -260,17 +265,17 @@ impl Recorder {
             ("pressure_error", |it| it.pressure_error),
             ("energy_error", |it| it.energy_error),
         ];
-        self.told(|told| {
+        self.result(|it| {
             let table = PyDict::new(py);
-            let column = |of: Column| list(py, told.distances.iter().map(of).collect());
+            let column = |of: Column| vector(py, it.distances.iter().map(of).collect());
             columns.into_iter().try_for_each(|(name, of)| table.set_item(name, column(of)))?;
             Ok(table)
         })
     }
 
-    /// What held the solver up, in words: slow wavelengths, nodes that flip, plateaus, contacts that come back.
+    /// What slows the solver down, in words: slow wavelengths, nodes that change back and forth, plateaus, contacts that return.
     #[getter]
     fn diagnosis(&self) -> PyResult<String> {
-        self.told(|told| Ok(told.findings.clone()))
+        self.result(|it| Ok(it.findings.clone()))
     }
 }

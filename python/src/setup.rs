@@ -1,113 +1,150 @@
 //! Descriptions of contacts to solve.
 
-use crate::contact::Contact;
-use crate::problem::Problem;
-use crate::refusal::{refuse, refused};
+use crate::conversion::{Sections, sections_from_keywords, sections_of, table_from_sections, to_python};
+use crate::error::{bail, py_error};
 use crate::surface::Surface;
-use crate::value::{python, sections, sections_of, setup};
-use asperity::setup::{self, Table};
+use asperity::contact::Load;
+use asperity::setup::{self, Auto, Table};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::PyDict;
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// The description of a contact to solve: what is pressed, how hard, by which solver, and what is recorded of it.
+/// The description of a contact to solve: the surface, the load, the solver, and what is recorded.
 ///
-/// Setup(surface=..., grid=..., solid=..., load=..., solver=..., stop=..., record=...) takes the sections of a scene as dictionaries,
-/// with `_` for `-` in their keys. Lengths and pressures are numbers in one set of units, or texts such as "160 um" and "1 GPa".
-#[pyclass(frozen, module = "asperity")]
-pub struct Setup(pub setup::Setup);
+/// Setup(surface=..., grid=..., solid=..., load=..., solver=..., stop=..., record=...) takes the sections of a scene as dictionaries, with
+/// `_` for `-` in their keys. Lengths and pressures are numbers in one set of units, or texts such as "160 um" and "1 GPa". A load may be a
+/// list of loads. With grid={"refine": "auto", ...} the grid is refined until area and kappa_r have settled.
+#[pyclass(frozen, eq, from_py_object, module = "asperity")]
+#[derive(Clone, PartialEq)]
+pub struct Setup {
+    /// The setup under the first load, on the first grid.
+    pub setup: setup::Setup,
+    /// All loads, if there is a list of them.
+    pub loads: Option<Vec<Load>>,
+    /// The tolerance of a grid that is to be found, if it is.
+    pub refinement: Option<Auto>,
+}
+
+impl Setup {
+    /// The setup of one load on one grid.
+    pub fn new(setup: setup::Setup) -> Self {
+        Self { setup, loads: None, refinement: None }
+    }
+
+    /// The setup that a table describes.
+    pub fn from_table(mut table: Table) -> PyResult<Self> {
+        let loads = table.take_loads().map_err(py_error)?;
+        let refinement = table.take_auto().map_err(py_error)?;
+        Ok(Self { setup: table.setup().map_err(py_error)?, loads, refinement })
+    }
+
+    /// The setup that some sections describe.
+    pub fn from_sections(sections: &Sections) -> PyResult<Self> {
+        Self::from_table(table_from_sections(sections)?)
+    }
+
+    /// The table with its list of loads and its request for a grid.
+    fn table(&self) -> Table {
+        let mut table = self.setup.to_table();
+        table.lay_loads(self.loads.as_deref().unwrap_or_default());
+        if let Some(Auto { tolerance, axes }) = self.refinement {
+            table.lay("grid.area-tolerance", tolerance.into());
+            match axes {
+                Some(axes) => table.lay("grid.points", vec!["auto"; axes].into()),
+                None => table.lay("grid.refine", "auto".into()),
+            }
+        }
+        table
+    }
+
+    /// The sections of the setup.
+    pub fn sections(&self) -> Sections {
+        sections_of(&self.table())
+    }
+}
 
 #[pymethods]
 impl Setup {
     #[new]
     #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, friction=None, solver=None, stop=None, record=None)")]
-    fn new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Ok(Self(setup(&keys.map(sections).transpose()?.unwrap_or_default())?))
+    fn py_new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        Self::from_sections(&sections_from_keywords(keys)?)
     }
 
     /// The setup that a TOML text describes.
     #[staticmethod]
-    fn from_toml(text: &str) -> PyResult<Self> {
-        setup::Setup::from_toml(text).map(Self).map_err(refused)
+    pub fn from_toml(text: &str) -> PyResult<Self> {
+        Self::from_table(Table::from_toml(text).map_err(py_error)?)
     }
 
-    /// The setup that a JSON text describes, or that a result in JSON carries.
+    /// The setup that a JSON text describes: a scene, or a result that contains a setup.
     #[staticmethod]
     fn from_json(text: &str) -> PyResult<Self> {
-        Table::from_json(text).and_then(Table::setup).map(Self).map_err(refused)
+        Self::from_table(Table::from_json(text).map_err(py_error)?)
     }
 
-    /// The setup in a scene (.toml, .json), or of a result that carries one (.npz, .json, .rrd).
+    /// The setup in a scene (.toml, .json), or of a result that contains one (.npz, .json, .rrd).
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
-        if !asperity::record::is_recording(&path).map_err(refused)? {
-            return Table::read(&path).and_then(Table::setup).map(Self).map_err(refused);
+        if !asperity::record::is_recording(&path).map_err(py_error)? {
+            return Self::from_table(Table::read(&path).map_err(py_error)?);
         }
-        match asperity::record::setups(&path).map_err(refused)?.as_deref() {
+        match asperity::record::setups(&path).map_err(py_error)?.as_deref() {
             Some([text]) => Self::from_toml(text),
-            _ => refuse(format!("{} does not hold one setup: give a recording of one contact", path.display())),
+            _ => bail(format!("{} does not hold one setup: give a recording of one contact", path.display())),
         }
     }
 
-    /// The setup as TOML, all numbers to the last bit.
-    fn to_toml(&self) -> String {
-        self.0.to_toml()
+    /// The setup as TOML, with all digits of its numbers.
+    pub fn to_toml(&self) -> String {
+        self.table().to_toml()
     }
 
-    /// The setup as JSON, all numbers to the last bit.
+    /// The setup as JSON, with all digits of its numbers.
     fn to_json(&self) -> String {
-        Value::Object(sections_of(&self.0)).to_string()
+        Value::Object(self.sections()).to_string()
     }
 
     /// The sections and keys as dictionaries.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        python(py, &sections_of(&self.0))
+        to_python(py, &self.sections())
     }
 
     /// Writes the setup as a scene.
     fn write(&self, path: PathBuf) -> PyResult<()> {
-        self.0.write(&path).map_err(refused)
+        self.table().write(&path).map_err(py_error)
     }
 
-    /// The command line that repeats it, without a recording.
+    /// The command that repeats the solve under the first load, without a recording.
     fn command(&self) -> String {
-        setup::command(&self.0)
+        setup::command(&self.setup)
     }
 
     /// The surface, made or read.
-    fn surface(&self, py: Python<'_>) -> PyResult<Surface> {
-        let mut sections = sections_of(&self.0);
+    pub fn surface(&self, py: Python<'_>) -> PyResult<Surface> {
+        let mut sections = sections_of(&self.setup);
         sections.retain(|key, _| key == "surface" || key == "grid");
         if Surface::is_array(&sections) {
-            return refuse(
+            return bail(
                 "the heights of this setup were given as an array and are not in it: give them to Surface again",
             );
         }
-        let surface = py.detach(|| self.0.surface()).map_err(refused)?;
-        let rank = self.0.surface.rank(&self.0.grid).map_err(refused)?;
+        let surface = py.detach(|| self.setup.surface()).map_err(py_error)?;
+        let rank = self.setup.surface.rank(&self.setup.grid).map_err(py_error)?;
         Ok(Surface { surface: surface.into(), sections, rank })
     }
 
-    /// The problem.
-    fn problem(&self, py: Python<'_>) -> PyResult<Problem> {
-        let Surface { surface, rank, .. } = self.surface(py)?;
-        Problem::made(py, &surface, self.0.clone(), rank)
+    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
+        slf
     }
 
-    /// Solves it, by its own solver unless another is named; keywords are those of Problem.solve.
-    #[pyo3(signature = (**wishes), text_signature = "($self, *, solver=None, tolerance=None, pressure_tolerance=None, max_iterations=None, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
-    fn solve(&self, py: Python<'_>, wishes: Option<&Bound<'_, PyDict>>) -> PyResult<Contact> {
-        self.problem(py)?.solve(py, wishes)
+    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf
     }
 
-    fn __eq__(&self, other: &Self) -> bool {
-        self.0 == other.0
-    }
-
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let text = PyTuple::new(slf.py(), [slf.get().to_toml()])?;
-        Ok((slf.get_type().getattr("from_toml")?, text))
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
+        Ok((slf.get_type().getattr("from_toml")?, (slf.get().to_toml(),)))
     }
 
     fn __repr__(&self) -> String {

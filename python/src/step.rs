@@ -1,19 +1,19 @@
 //! A step of a solver, for callbacks.
 
+use crate::arrays::owned;
+use crate::background::StepHandle;
 use crate::certificate::Certificate;
-use crate::field::taken;
-use crate::refusal::refuse;
-use crate::watch::Shown;
+use crate::error::bail;
 use asperity::contact::{self, OBSERVABLES, Phase, State};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A relaxation step of a solver, to be looked at while the callback runs that gets it. What is not asked for is not computed; fields
-/// are copied when they are asked for, and are yours.
+/// A relaxation step of a solver. It can be read while the callback runs that receives it. Its values are computed when they are read; fields
+/// are copies that may be changed.
 #[pyclass(frozen, module = "asperity")]
 pub struct Step {
-    shown: Shown,
+    handle: StepHandle,
     rank: usize,
     index: usize,
     phase: Phase,
@@ -23,23 +23,23 @@ pub struct Step {
 }
 
 impl Step {
-    /// The step that is shown; none if it is over.
-    pub fn of(shown: &Shown, rank: usize) -> Option<Self> {
+    /// The step behind a handle; none if the step is over.
+    pub fn new(handle: &StepHandle, rank: usize) -> Option<Self> {
         let numbers = |step: &contact::Step<'_>| {
             (step.index(), step.phase(), step.seconds(), step.transforms(), step.certificate().copied())
         };
-        let (index, phase, seconds, transforms, certificate) = shown.ask(numbers)?;
-        Some(Self { shown: shown.clone(), rank, index, phase, seconds, transforms, certificate })
+        let (index, phase, seconds, transforms, certificate) = handle.query(numbers)?;
+        Some(Self { handle: handle.clone(), rank, index, phase, seconds, transforms, certificate })
     }
 
-    fn ask<T: Send + 'static>(
+    fn query<T: Send + 'static>(
         &self,
         py: Python<'_>,
         of: impl FnOnce(&contact::Step<'_>) -> T + Send + 'static,
     ) -> PyResult<T> {
-        match py.detach(|| self.shown.ask(of)) {
+        match py.detach(|| self.handle.query(of)) {
             Some(answer) => Ok(answer),
-            None => refuse("the step is over: take from it what you need while the callback runs"),
+            None => bail("the step is over: take from it what you need while the callback runs"),
         }
     }
 
@@ -49,14 +49,14 @@ impl Step {
         py: Python<'py>,
         of: fn(&contact::Step<'_>) -> Vec<f64>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let (values, shape) = self.ask(py, move |step| (of(step), step.problem().surface().grid().shape()))?;
-        Ok(taken(py, values, shape, self.rank))
+        let (values, shape) = self.query(py, move |step| (of(step), step.problem().surface().grid().shape()))?;
+        Ok(owned(py, values, shape, self.rank))
     }
 }
 
 #[pymethods]
 impl Step {
-    /// Number of the step, from 0, the state at the start.
+    /// Number of the step, from 0, which is the state at the start.
     #[getter]
     fn iteration(&self) -> usize {
         self.index
@@ -80,10 +80,10 @@ impl Step {
         self.transforms
     }
 
-    /// Error bounds of this very pressure, None where the solver does not know them without further work.
+    /// Error bounds of this pressure, None where the solver does not know them without extra work.
     #[getter]
     fn certificate(&self) -> Option<Certificate> {
-        self.certificate.map(Certificate::from)
+        self.certificate.map(Certificate)
     }
 
     /// The certificate `eta`, a bound of the error in energy over load times rms height; NaN where it is not known.
@@ -113,25 +113,25 @@ impl Step {
     /// Relative contact area, with edges resolved between the nodes.
     #[getter]
     fn relative_area(&self, py: Python<'_>) -> PyResult<f64> {
-        self.ask(py, |step| step.resolved().relative_area)
+        self.query(py, |step| step.resolved().relative_area)
     }
 
     /// Relative contact area over the reduced pressure with the rms gradient of the contact, with edges resolved between the nodes.
     #[getter]
     fn kappa_r(&self, py: Python<'_>) -> PyResult<f64> {
-        self.ask(py, |step| step.resolved().kappa_r)
+        self.query(py, |step| step.resolved().kappa_r)
     }
 
     /// Mean gap, a length.
     #[getter]
     fn mean_gap(&self, py: Python<'_>) -> PyResult<f64> {
-        self.ask(py, |step| step.mean_gap())
+        self.query(py, |step| step.mean_gap())
     }
 
     /// Number of contact patches.
     #[getter]
     fn patches(&self, py: Python<'_>) -> PyResult<usize> {
-        self.ask(py, |step| step.patches().count())
+        self.query(py, |step| step.patches().count())
     }
 
     /// All observables that change from step to step, by their names.
@@ -143,7 +143,7 @@ impl Step {
             traced.map(|row| (row.name, (row.value)(&state))).collect::<Vec<_>>()
         };
         let measures = PyDict::new(py);
-        self.ask(py, numbers)?.into_iter().try_for_each(|(name, number)| measures.set_item(name, number))?;
+        self.query(py, numbers)?.into_iter().try_for_each(|(name, number)| measures.set_item(name, number))?;
         Ok(measures)
     }
 

@@ -1,9 +1,9 @@
 //! Studies: setups with lists in them.
 
-use crate::halt::Halt;
-use crate::refusal::{refuse, refused};
+use crate::cancel::CancelToken;
+use crate::conversion::{sections_from_keywords, table_from_sections};
+use crate::error::{bail, py_error};
 use crate::setup::Setup;
-use crate::value::{sections, table};
 use asperity::setup::Table;
 use asperity::study::{Plan, Point};
 use pyo3::prelude::*;
@@ -11,23 +11,28 @@ use pyo3::types::{PyDict, PyTuple};
 use rayon::ThreadPoolBuilder;
 use std::path::{PathBuf, absolute};
 
-/// A setup with lists in it, which stands for many: one realisation for each choice of a value from every list, each solved under all
-/// loads one after the other. Each load of a realisation is a row.
+/// A setup with lists, which describes many contacts: one realisation for each combination of values from the lists, each solved under all
+/// loads one after the other. Each load of a realisation is a row of the table.
 ///
 /// Study(surface=..., grid=..., load=..., ...) takes the sections of a scene as dictionaries, with `_` for `-` in their keys. Any value may be
-/// a list, a list of lists where a scene has a list, and a seed a range such as "1-100". `asperity.study` solves it.
+/// a list (a list of lists where a scene has a list), and a seed may be a range such as "1-100". `asperity.study` solves it.
 #[pyclass(frozen, module = "asperity")]
 pub struct Study {
     pub plan: Plan,
-    /// The study as TOML, with the full paths of height files, so that it can be sent to other processes.
+    /// The study as TOML, with the full paths of height files, so that other processes can read it.
     text: String,
 }
 
 impl Study {
-    fn made(table: Table) -> PyResult<Self> {
+    fn from_table(table: Table) -> PyResult<Self> {
         let table = table.beside(&absolute("study.toml")?);
         let text = table.to_toml();
-        Ok(Self { plan: Plan::from_table(table).map_err(refused)?, text })
+        let plan = Plan::from_table(table).map_err(py_error)?;
+        let first = plan.row(1).and_then(|row| plan.setup(row)).map_err(py_error)?;
+        if first.friction.is_some() {
+            return bail("a study solves normal loads only: leave the friction out, or solve the setups one by one");
+        }
+        Ok(Self { plan, text })
     }
 }
 
@@ -36,21 +41,21 @@ impl Study {
     #[new]
     #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, solver=None, stop=None)")]
     fn new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::made(table(&keys.map(sections).transpose()?.unwrap_or_default())?)
+        Self::from_table(table_from_sections(&sections_from_keywords(keys)?)?)
     }
 
     /// The study that a TOML text describes. Height files are found in the working directory.
     #[staticmethod]
     fn from_toml(text: &str) -> PyResult<Self> {
-        Plan::from_toml(text).map_err(refused)?; // which names the line of what is wrong
-        Self::made(Table::from_toml(text).map_err(refused)?)
+        Plan::from_toml(text).map_err(py_error)?; // which names the line of what is wrong
+        Self::from_table(Table::from_toml(text).map_err(py_error)?)
     }
 
     /// The study in a file. Height files are found beside it.
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
-        Plan::read(&path).map_err(refused)?;
-        Self::made(Table::read(&absolute(path)?).map_err(refused)?)
+        Plan::read(&path).map_err(py_error)?;
+        Self::from_table(Table::read(&absolute(path)?).map_err(py_error)?)
     }
 
     /// The study as TOML, with the full paths of height files.
@@ -58,60 +63,60 @@ impl Study {
         &self.text
     }
 
-    /// How many rows there are.
+    /// Number of rows.
     #[getter]
     fn rows(&self) -> usize {
         self.plan.rows()
     }
 
-    /// How many realisations there are.
+    /// Number of realisations.
     #[getter]
     fn realisations(&self) -> usize {
         self.plan.realisations()
     }
 
-    /// The setup of a row, by its number from 1, under its load.
+    /// The setup of a row under its load; rows count from 1.
     fn setup(&self, row: usize) -> PyResult<Setup> {
-        self.plan.row(row).and_then(|row| self.plan.setup(row)).map(Setup).map_err(refused)
+        self.plan.row(row).and_then(|row| self.plan.setup(row)).map(Setup::new).map_err(py_error)
     }
 
-    /// What each choice from the lists but that of the seeds takes, as a model says: the values, how many realisations, and of each of them
+    /// The estimated cost of each combination of values, except for the seeds: the values, the number of realisations, and for each of them
     /// the seconds on one core and the bytes.
     fn expenses<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let expenses = py.detach(|| self.plan.expenses()).map_err(refused)?;
-        let told = expenses.into_iter().map(|(first, expense)| {
-            let told = PyDict::new(py);
-            told.set_item("values", self.plan.words_but_seed(first))?;
-            told.set_item("realisations", self.plan.seeds())?;
-            told.set_item("seconds", expense.seconds)?;
-            told.set_item("bytes", expense.bytes)?;
-            Ok(told)
+        let expenses = py.detach(|| self.plan.expenses()).map_err(py_error)?;
+        let rows = expenses.into_iter().map(|(first, expense)| {
+            let row = PyDict::new(py);
+            row.set_item("values", self.plan.words_but_seed(first))?;
+            row.set_item("realisations", self.plan.seeds())?;
+            row.set_item("seconds", expense.seconds)?;
+            row.set_item("bytes", expense.bytes)?;
+            Ok(row)
         });
-        told.collect()
+        rows.collect()
     }
 
-    /// Solves some realisations, by their numbers from 0, on so many threads, and returns the rows of each as text that a Ledger enters. This
-    /// is what a worker does; a Study can be pickled. A Halt ends it.
-    #[pyo3(signature = (realisations, *, threads=1, halt=None))]
+    /// Solves some realisations, given by their numbers from 0, on a number of threads, and returns the rows of each as text for Ledger.add.
+    /// This is what a worker does; a Study can be pickled. cancel.cancel() of a CancelToken ends it.
+    #[pyo3(signature = (realisations, *, threads=1, cancel=None))]
     fn solve(
         &self,
         py: Python<'_>,
         realisations: Vec<usize>,
         threads: usize,
-        halt: Option<&Halt>,
+        cancel: Option<&CancelToken>,
     ) -> PyResult<Vec<String>> {
         if threads == 0 {
-            return refuse("a realisation is solved on 0 threads: give at least one (threads)");
+            return bail("a realisation is solved on 0 threads: give at least one (threads)");
         }
-        let halt = halt.cloned().unwrap_or_default();
-        let solve = |&it: &usize| self.plan.solve(self.plan.number(it)?, |_| &halt);
+        let cancel = cancel.cloned().unwrap_or_default();
+        let solve = |&it: &usize| self.plan.solve(self.plan.number(it)?, |_| &cancel);
         let solved = py.detach(|| {
             // threads of its own, since those that all share are not in a process that was forked
-            let pool = ThreadPoolBuilder::new().num_threads(threads).build().map_err(refused)?;
-            let lines = |it| solve(it).map(|points| Point::to_lines(&points)).map_err(refused);
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build().map_err(py_error)?;
+            let lines = |it| solve(it).map(|points| Point::to_lines(&points)).map_err(py_error);
             pool.install(|| realisations.iter().map(lines).collect::<PyResult<Vec<_>>>())
         })?;
-        if halt.is_pulled() { refuse("the study was ended before it was solved") } else { Ok(solved) }
+        if cancel.is_cancelled() { bail("the study was cancelled before it was solved") } else { Ok(solved) }
     }
 
     fn __eq__(&self, other: &Self) -> bool {

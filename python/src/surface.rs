@@ -1,79 +1,100 @@
 //! Rigid surfaces.
 
-use crate::field::{Given, list, rows, shared};
-use crate::process;
-use crate::refusal::refused;
-use crate::value::{Sections, python, section, sections, table};
+use crate::arrays::{ArrayLike, field, vector, view};
+use crate::conversion::{
+    Sections, section_mut, sections_from_dict, sections_from_keywords, table_from_sections, to_python, value_from_py,
+};
+use crate::error::{bail, py_error};
+use crate::fork;
+use asperity::Grid;
 use asperity::setup::Cost;
-use asperity::surface::{PowerSpectrum, Roughness};
+use asperity::surface::{Plateaus, PowerSpectrum, Roughness};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
-/// The name that stands for an array in the setup of a surface that was given as one.
-pub const ARRAY: &str = "array.npy";
+/// The name of the height file in the setup of a surface that was given as an array.
+const ARRAY: &str = "array.npy";
 
-/// Fields that are held while a surface is made.
+/// Fields in memory while a surface is made.
 const FIELDS: f64 = 4.0;
 
-/// Keys that say where a surface lies; all others say what it is.
-const OF_GRID: [&str; 5] = ["points", "size", "boundary", "datum", "refine"];
+/// Keys of the section `grid`; all others belong to the section `surface`.
+const GRID_KEYS: [&str; 5] = ["points", "size", "boundary", "datum", "refine"];
 
-/// A rigid surface: heights on a grid, peaks towards the solid positive.
+/// A rigid surface: heights on a grid, with peaks towards the solid positive.
 ///
-/// Surface(height, size, *, boundary="periodic", datum=None) takes the heights of a line, shape (n), or of a surface, shape (ny, nx), a
-/// length each. `size` is the length of the cell, or the lengths along y and x; texts such as "160 um" become metres. The boundary is
-/// "periodic" or "free", or one of these for each axis. Surface.read, Surface.rough, Surface.indenter and Surface.of make others.
+/// Surface(height, size, *, boundary="periodic", datum=None, refine=1) takes the heights of a line, shape (n), or of a surface, shape
+/// (ny, nx), as lengths. `size` is the length of the cell, or the lengths along y and x; texts such as "160 um" become metres. The boundary
+/// is "periodic" or "free", or one of these for each axis. `refine` is the number of points for each height along an axis; heights between
+/// are interpolated. Surface.read, Surface.rough, Surface.indenter and Surface.from_sections make other surfaces.
 #[pyclass(frozen, module = "asperity")]
 pub struct Surface {
     pub surface: Arc<asperity::Surface>,
     /// The sections `surface` and `grid` of a setup.
     pub sections: Sections,
-    /// Axes of the arrays outside.
+    /// The number of axes of its arrays in Python.
     pub rank: usize,
 }
+
+/// The values that make a surface again: heights about their mean, mean, lengths and periodicity along y and x, seed, plateaus, the sections
+/// as JSON, and the rank.
+type Parts<'py> = (
+    Bound<'py, PyArrayDyn<f64>>,
+    f64,
+    [f64; 2],
+    [bool; 2],
+    Option<u64>,
+    Option<([usize; 2], usize, Vec<bool>)>,
+    String,
+    usize,
+);
 
 impl Surface {
     /// The surface that some sections describe.
     fn made(py: Python<'_>, sections: Sections) -> PyResult<Self> {
-        let (recipe, cell) = table(&sections)?.surface().map_err(refused)?;
-        let rank = recipe.rank(&cell).map_err(refused)?;
-        let grid = recipe.grid(&cell).map_err(refused)?;
-        Cost::of_fields(&grid, FIELDS).check("a surface").map_err(refused)?;
-        process::check()?;
-        let surface = py.detach(|| recipe.surface(grid)).map_err(refused)?;
+        let (recipe, cell) = table_from_sections(&sections)?.surface().map_err(py_error)?;
+        let rank = recipe.rank(&cell).map_err(py_error)?;
+        let grid = recipe.grid(&cell).map_err(py_error)?;
+        Cost::of_fields(&grid, FIELDS).check("a surface").map_err(py_error)?;
+        fork::check_not_forked()?;
+        let surface = py.detach(|| recipe.surface(grid)).map_err(py_error)?;
         Ok(Self { surface: surface.into(), sections, rank })
     }
 
-    /// The surface of some keys, of which those that are none of the grid belong below `place`.
-    fn keyed(py: Python<'_>, of: Option<&Bound<'_, PyDict>>, place: &[&str], fixed: Sections) -> PyResult<Self> {
+    /// The surface of some keywords, of which those that are not of the grid belong below `place`.
+    fn from_keywords(
+        py: Python<'_>,
+        keywords: Option<&Bound<'_, PyDict>>,
+        place: &[&str],
+        fixed: Sections,
+    ) -> PyResult<Self> {
         let mut given = fixed;
-        given.extend(of.map(sections).transpose()?.unwrap_or_default());
+        given.extend(sections_from_keywords(keywords)?);
         let mut made = Sections::new();
-        section(&mut made, "grid");
+        section_mut(&mut made, "grid");
         for (key, value) in given {
-            let is_of_grid = OF_GRID.contains(&key.as_str());
-            let (path, key) = match key.as_str() {
-                "seed" => (&["surface"][..], key),
-                _ if is_of_grid => (&["grid"][..], key),
-                _ => (place, key),
+            let path = match key.as_str() {
+                "seed" => &["surface"][..],
+                key if GRID_KEYS.contains(&key) => &["grid"],
+                _ => place,
             };
-            path.iter().fold(&mut made, |at, name| section(at, name)).insert(key, value);
+            path.iter().fold(&mut made, |at, name| section_mut(at, name)).insert(key, value);
         }
         Self::made(py, made)
     }
 
-    /// The sections of a surface that is an array on some grid.
-    fn of_array(grid: Sections) -> Sections {
+    /// The sections of a surface that is an array on a grid.
+    fn sections_of_array(grid: Sections) -> Sections {
         let mut sections = Sections::new();
-        section(&mut sections, "surface").insert("height".into(), ARRAY.into());
+        section_mut(&mut sections, "surface").insert("height".into(), ARRAY.into());
         sections.insert("grid".into(), Value::Object(grid));
         sections
     }
 
-    /// Whether the heights are at hand only, and in no file or recipe.
+    /// Whether the heights were given as an array, so that no file or recipe makes them.
     pub fn is_array(sections: &Sections) -> bool {
         sections.get("surface").and_then(|it| it.get("height")).is_some_and(|height| height == ARRAY)
     }
@@ -82,57 +103,52 @@ impl Surface {
 #[pymethods]
 impl Surface {
     #[new]
-    #[pyo3(signature = (height, size, **where_), text_signature = "(height, size, *, boundary='periodic', datum=None)")]
-    fn new(height: Given<'_>, size: Bound<'_, PyAny>, where_: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        let (rank, field) = (height.as_array().ndim(), rows(&height)?);
-        let shape = &field.shape()[2 - rank.clamp(1, 2)..];
-        let mut grid = where_.map(sections).transpose()?.unwrap_or_default();
-        grid.insert("size".into(), crate::value::value(&size, "size")?);
-        let mut sized = Self::of_array(grid.clone());
-        section(&mut sized, "grid").insert("points".into(), json!(shape));
-        let (_, cell) = table(&sized)?.surface().map_err(refused)?;
-        let grid_of = cell.grid().map_err(refused)?;
-        process::check()?;
-        let surface = height.py().detach(|| asperity::Surface::new(grid_of, field)).map_err(refused)?;
-        Ok(Self { surface: surface.into(), sections: Self::of_array(grid), rank })
+    #[pyo3(signature = (height, size, **grid), text_signature = "(height, size, *, boundary='periodic', datum=None, refine=1)")]
+    fn new(height: ArrayLike<'_>, size: Bound<'_, PyAny>, grid: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let (rank, field) = (height.as_array().ndim(), field(&height)?);
+        let mut grid = sections_from_keywords(grid)?;
+        grid.insert("size".into(), value_from_py(&size, "size")?);
+        let mut sized = Self::sections_of_array(grid.clone());
+        section_mut(&mut sized, "grid").insert("points".into(), json!(&field.shape()[2 - rank.clamp(1, 2)..]));
+        let (_, mut cell) = table_from_sections(&sized)?.surface().map_err(py_error)?;
+        let fine = cell.grid().map_err(py_error)?;
+        Cost::of_fields(&fine, FIELDS).check("a surface").map_err(py_error)?;
+        let factor = cell.refine.take().unwrap_or(1);
+        let coarse = cell.grid().map_err(py_error)?;
+        fork::check_not_forked()?;
+        let made = || asperity::Surface::new(coarse, field)?.refined(factor);
+        let surface = height.py().detach(made).map_err(py_error)?;
+        Ok(Self { surface: surface.into(), sections: Self::sections_of_array(grid), rank })
     }
 
-    /// Heights from a file of an instrument, .npy, .npz or text.
+    /// The surface in a file of heights: a file of an instrument, .npy, .npz or text.
     ///
-    /// Keywords are those of the sections `surface` and `grid` of a scene: size, boundary, datum, refine, channel, file_unit, prepare,
-    /// against. With prepare="auto" the steps are chosen that the heights need.
+    /// The keywords are keys of the sections `surface` and `grid` of a scene: size, boundary, datum, refine, channel, file_unit, prepare,
+    /// against. With prepare="auto" the program chooses the steps that the heights need.
     #[staticmethod]
     #[pyo3(signature = (path, **keys), text_signature = "(path, *, size=None, channel=None, file_unit=None, prepare=None, **grid)")]
     fn read(path: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let mut fixed = Sections::new();
-        fixed.insert("height".into(), crate::value::value(&path, "path")?);
-        if let Some(way) = keys.map(|keys| keys.get_item("prepare")).transpose()?.flatten()
-            && let Ok(way) = way.extract::<String>()
-        {
-            fixed.insert("prepare".into(), json!({ "steps": way }));
-            let rest = keys.map(|keys| keys.copy()).transpose()?;
-            rest.iter().try_for_each(|rest| rest.del_item("prepare"))?;
-            return Self::keyed(path.py(), rest.as_ref(), &["surface"], fixed);
-        }
-        Self::keyed(path.py(), keys, &["surface"], fixed)
+        fixed.insert("height".into(), value_from_py(&path, "path")?);
+        Self::from_keywords(path.py(), keys, &["surface"], fixed)
     }
 
     /// Self-affine roughness: one realisation of the power spectrum of van Dokkum et al. (2018), Eq. 10.
     ///
-    /// points and size are those of the cell, numbers for a line and pairs along y and x for a surface; hurst is above 0 and at most 1;
-    /// rolloff_wavelength and short_cutoff are lengths; each realisation is scaled to rms_gradient. One seed gives the same heights on
-    /// every machine.
+    /// `points` and `size` are those of the cell: numbers for a line, pairs along y and x for a surface. `hurst` lies above 0 and is at most 1.
+    /// `rolloff_wavelength` and `short_cutoff` are lengths. Each realisation is scaled to `rms_gradient`. The same seed gives the same heights
+    /// on every machine.
     #[staticmethod]
     #[pyo3(signature = (points, size, **keys), text_signature = "(points, size, *, hurst, rolloff_wavelength, short_cutoff, rms_gradient, seed=1, **grid)")]
     fn rough(points: Bound<'_, PyAny>, size: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let fixed = cell(&points, &size)?;
-        Self::keyed(points.py(), keys, &["surface", "spectrum"], fixed)
+        Self::from_keywords(points.py(), keys, &["surface", "spectrum"], fixed)
     }
 
-    /// A smooth indenter, centred in the cell.
+    /// A smooth indenter in the centre of the cell.
     ///
-    /// shape is "cylinder" or "sphere" (radius), "sine" or "crossed-sine" (amplitude), "wedge" or "cone" (slope), "punch" (half_width,
-    /// depth) or "power-law" (coefficient, exponent).
+    /// `shape` is "cylinder" or "sphere" (radius), "sine" or "crossed-sine" (amplitude), "wedge" or "cone" (slope), "punch" (half_width, depth)
+    /// or "power-law" (coefficient, exponent).
     #[staticmethod]
     #[pyo3(signature = (shape, points, size, **keys), text_signature = "(shape, points, size, **parameters)")]
     fn indenter(
@@ -143,15 +159,15 @@ impl Surface {
     ) -> PyResult<Self> {
         let mut fixed = cell(&points, &size)?;
         fixed.insert("shape".into(), shape.into());
-        Self::keyed(points.py(), keys, &["surface", "indenter"], fixed)
+        Self::from_keywords(points.py(), keys, &["surface", "indenter"], fixed)
     }
 
-    /// The surface of the sections `surface` and `grid` of a scene, as dictionaries.
+    /// The surface that the sections `surface` and `grid` of a scene describe, given as dictionaries.
     #[staticmethod]
-    fn of(surface: &Bound<'_, PyDict>, grid: &Bound<'_, PyDict>) -> PyResult<Self> {
+    fn from_sections(surface: &Bound<'_, PyDict>, grid: &Bound<'_, PyDict>) -> PyResult<Self> {
         let mut made = Sections::new();
-        made.insert("surface".into(), Value::Object(sections(surface)?));
-        made.insert("grid".into(), Value::Object(sections(grid)?));
+        made.insert("surface".into(), Value::Object(sections_from_dict(surface)?));
+        made.insert("grid".into(), Value::Object(sections_from_dict(grid)?));
         Self::made(surface.py(), made)
     }
 
@@ -159,64 +175,123 @@ impl Surface {
     #[getter]
     fn height<'py>(slf: Bound<'py, Self>) -> Bound<'py, PyArrayDyn<f64>> {
         let Self { surface, rank, .. } = slf.get();
-        shared(surface.height(), *rank, slf.clone().into_any())
+        view(surface.height(), *rank, slf.clone().into_any())
     }
 
-    /// The mean of the heights as they were given, a length.
+    /// Mean of the heights as they were given, a length.
     #[getter]
     fn mean_height(&self) -> f64 {
         self.surface.mean_height()
     }
 
-    /// Points along the axes.
+    /// Number of points along each axis.
     #[getter]
     fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(pyo3::types::PyTuple::new(py, &self.surface.grid().shape()[2 - self.rank..])?.into_any())
+        Ok(PyTuple::new(py, &self.surface.grid().shape()[2 - self.rank..])?.into_any())
     }
 
-    /// Lengths of the cell along the axes.
+    /// Lengths of the cell along each axis.
     #[getter]
     fn size<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(pyo3::types::PyTuple::new(py, &self.surface.grid().size()[2 - self.rank..])?.into_any())
+        Ok(PyTuple::new(py, &self.surface.grid().size()[2 - self.rank..])?.into_any())
     }
 
     /// Positions of the nodes along x, a length, from 0.
     #[getter]
     fn x<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        list(py, self.surface.grid().x().collect())
+        vector(py, self.surface.grid().x().collect())
     }
 
-    /// Positions of the nodes along y, a length, from 0; of a line the one number 0.
+    /// Positions of the nodes along y, a length, from 0. A line has the single position 0.
     #[getter]
     fn y<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        list(py, self.surface.grid().y().collect())
+        vector(py, self.surface.grid().y().collect())
     }
 
     /// Statistics of the heights: rms_height, peak, valley (lengths), rms_gradient, rms_curvature (1/length), skewness, kurtosis.
     #[getter]
     fn statistics<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let roughness = py.detach(|| Roughness::of(&self.surface));
-        python(py, &roughness)
+        to_python(py, &roughness)
     }
 
     /// Power spectrum of the heights: wavenumbers 2 pi / wavelength (1/length), and densities, length^3 of a line, length^4 of a surface.
     fn spectrum<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<f64>>; 2] {
         let PowerSpectrum { wavenumber, density, .. } = py.detach(|| PowerSpectrum::of(&self.surface));
-        [list(py, wavenumber), list(py, density)]
+        [vector(py, wavenumber), vector(py, density)]
     }
 
     /// The sum of two surfaces on the same grid, such as roughness on a sphere.
     fn __add__(&self, other: &Self) -> PyResult<Self> {
         if self.surface.grid() != other.surface.grid() {
-            return crate::refusal::refuse(
-                "the surfaces have different grids: give the same points, size and boundary",
-            );
+            return bail("the surfaces have different grids: give the same points, size and boundary");
         }
         let mut grid = self.sections.get("grid").and_then(Value::as_object).cloned().unwrap_or_default();
         grid.remove("points");
         grid.insert("size".into(), json!(self.surface.grid().size()[2 - self.rank..]));
-        let sections = Self::of_array(grid);
+        let sections = Self::sections_of_array(grid);
         Ok(Self { surface: self.surface.plus(&other.surface).into(), sections, rank: self.rank })
+    }
+
+    /// The heights as a DataArray of xarray over the positions of the nodes.
+    fn to_xarray<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.export")?.call_method1("surface_to_xarray", (slf,))
+    }
+
+    /// A figure of the heights by matplotlib: a curve for a line, a map for a surface.
+    fn plot<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.plotting")?.call_method1("plot_surface", (slf,))
+    }
+
+    fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.plotting")?.call_method1("surface_as_html", (slf,))
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self.rank == other.rank && self.surface == other.surface
+    }
+
+    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
+        slf
+    }
+
+    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf
+    }
+
+    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
+        let Self { surface, sections, rank } = slf.get();
+        let grid = surface.grid();
+        let plateaus = surface.plateaus().map(|it| (it.shape, it.factor, it.nodes.to_vec()));
+        let sections = Value::Object(sections.clone()).to_string();
+        let height = view(surface.height(), *rank, slf.clone().into_any());
+        let parts =
+            (height, surface.mean_height(), grid.size(), grid.periodic(), surface.seed(), plateaus, sections, *rank);
+        Ok((slf.get_type().getattr("_from_parts")?, parts))
+    }
+
+    /// The surface that the values of a pickle describe.
+    #[staticmethod]
+    #[pyo3(signature = (height, mean_height, size, periodic, seed, plateaus, sections, rank))]
+    #[allow(clippy::too_many_arguments, reason = "these are the parts of a pickle")]
+    fn _from_parts(
+        height: ArrayLike<'_>,
+        mean_height: f64,
+        size: [f64; 2],
+        periodic: [bool; 2],
+        seed: Option<u64>,
+        plateaus: Option<([usize; 2], usize, Vec<bool>)>,
+        sections: &str,
+        rank: usize,
+    ) -> PyResult<Self> {
+        let field = field(&height)?;
+        let [ny, nx] = field.dim().into();
+        let grid = if ny == 1 { Grid::line(nx, size[1]) } else { Grid::surface([ny, nx], size) };
+        let grid = grid.map_err(py_error)?.with_periodic(periodic);
+        let plateaus = plateaus.map(|(shape, factor, nodes)| Plateaus { shape, factor, nodes: nodes.into() });
+        let surface = asperity::Surface::from_parts(grid, field, mean_height, seed, plateaus).map_err(py_error)?;
+        let sections = serde_json::from_str(sections).map_err(py_error)?;
+        Ok(Self { surface: surface.into(), sections, rank })
     }
 
     fn __repr__(&self) -> String {
@@ -226,10 +301,10 @@ impl Surface {
     }
 }
 
-/// Points and size of a cell.
+/// The keys of a cell.
 fn cell(points: &Bound<'_, PyAny>, size: &Bound<'_, PyAny>) -> PyResult<Sections> {
     let mut cell = Sections::new();
-    cell.insert("points".into(), crate::value::value(points, "points")?);
-    cell.insert("size".into(), crate::value::value(size, "size")?);
+    cell.insert("points".into(), value_from_py(points, "points")?);
+    cell.insert("size".into(), value_from_py(size, "size")?);
     Ok(cell)
 }

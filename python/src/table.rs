@@ -1,7 +1,7 @@
-//! Rows of studies as columns, for numpy, pandas and all that speaks Arrow.
+//! Rows of studies as columns, for numpy, pandas and every library that reads Arrow.
 
-use crate::field::list;
-use crate::refusal::refused;
+use crate::arrays::vector;
+use crate::error::{bail, py_error};
 use arrow::array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, StringArray, UInt64Array};
 use arrow::ffi_stream::FFI_ArrowArrayStream;
 use asperity::study::{Column, Plan, Point, Values};
@@ -11,22 +11,26 @@ use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyDict, PyIterator, PyList};
 use std::sync::Arc;
 
-/// The rows of a study as columns: what varies, the load, all that was found, and as `scene` the setup of each row.
+/// The rows of a study as columns: the values from the lists, the load, all results, and as `scene` the setup of each row.
 ///
-/// table["kappa_r"] is a column as an array of numpy, dict(table) are all of them, and table.to_pandas() is a data frame. Whatever takes Arrow
-/// takes the table as it is, such as pyarrow.table(table), polars.DataFrame(table) and pandas.DataFrame.from_arrow(table).
+/// table["kappa_r"] is a column as an array of numpy, dict(table) holds all columns, and table.to_pandas() is a data frame. Every library that
+/// reads Arrow reads the table, as in pyarrow.table(table), polars.DataFrame(table) and pandas.DataFrame.from_arrow(table).
 #[pyclass(frozen, mapping, module = "asperity")]
+#[derive(PartialEq)]
 pub struct Table {
     columns: Vec<Column>,
     rows: usize,
 }
 
+/// A column in a pickle: its name, the kind of its values, and the values.
+type PickledColumn<'py> = (String, String, Bound<'py, PyAny>);
+
 impl Table {
     /// The table of all points of a study.
-    pub fn of(plan: &Plan, points: &[Point]) -> PyResult<Self> {
+    pub fn new(plan: &Plan, points: &[Point]) -> PyResult<Self> {
         let all: Vec<usize> = (0..plan.realisations()).collect();
         let rows: Vec<_> = plan.rows_of(&all).collect();
-        Ok(Self { columns: plan.columns(&rows, points).map_err(refused)?, rows: rows.len() })
+        Ok(Self { columns: plan.columns(&rows, points).map_err(py_error)?, rows: rows.len() })
     }
 }
 
@@ -74,19 +78,53 @@ impl Table {
         self.rows
     }
 
-    /// The table as a stream of Arrow, by the interface of that name for capsules of Python.
+    /// The table as a stream of Arrow, by the PyCapsule interface of Arrow.
     #[pyo3(signature = (requested_schema=None))]
     fn __arrow_c_stream__<'py>(
         &self,
         py: Python<'py>,
         requested_schema: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyCapsule>> {
-        drop(requested_schema); // which says what is wished for, and need not be met
+        drop(requested_schema); // a request that need not be met
         let columns = self.columns.iter().map(|column| (&column.name, arrow(&column.values)));
-        let rows = RecordBatch::try_from_iter(columns).map_err(refused)?;
+        let rows = RecordBatch::try_from_iter(columns).map_err(py_error)?;
         let schema = rows.schema();
         let stream = FFI_ArrowArrayStream::new(Box::new(RecordBatchIterator::new([Ok(rows)], schema)));
         PyCapsule::new_with_value(py, stream, c"arrow_array_stream")
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self == other
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Vec<PickledColumn<'py>>,))> {
+        let py = slf.py();
+        let columns = slf.get().columns.iter().map(|Column { name, values }| {
+            let (kind, values) = match values {
+                Values::Whole(values) => ("whole", PyList::new(py, values)?),
+                Values::Number(values) => ("number", PyList::new(py, values)?),
+                Values::Text(values) => ("text", PyList::new(py, values)?),
+            };
+            Ok((name.clone(), kind.to_owned(), values.into_any()))
+        });
+        Ok((slf.get_type().getattr("_from_columns")?, (columns.collect::<PyResult<_>>()?,)))
+    }
+
+    /// The table that the values of a pickle describe.
+    #[staticmethod]
+    fn _from_columns(columns: Vec<PickledColumn<'_>>) -> PyResult<Self> {
+        let columns = columns.into_iter().map(|(name, kind, values)| {
+            let values = match kind.as_str() {
+                "whole" => Values::Whole(values.extract()?),
+                "number" => Values::Number(values.extract()?),
+                "text" => Values::Text(values.extract()?),
+                other => return bail(format!("there is no kind {other:?} of columns: give whole, number or text")),
+            };
+            Ok(Column { name, values })
+        });
+        let columns = columns.collect::<PyResult<Vec<_>>>()?;
+        let rows = columns.first().map_or(0, |column| column.values.len());
+        Ok(Self { columns, rows })
     }
 
     fn __repr__(&self) -> String {
@@ -94,7 +132,7 @@ impl Table {
     }
 }
 
-/// Values as an array of numpy. Whole numbers that are not all there become numbers.
+/// Values as an array of numpy. Whole numbers become floating-point numbers if some of them are missing.
 fn array<'py>(py: Python<'py>, values: &Values) -> PyResult<Bound<'py, PyAny>> {
     Ok(match values {
         Values::Number(values) => numbers(py, values.iter().copied()),
@@ -110,7 +148,7 @@ fn array<'py>(py: Python<'py>, values: &Values) -> PyResult<Bound<'py, PyAny>> {
 }
 
 fn numbers<'py>(py: Python<'py>, values: impl Iterator<Item = Option<f64>>) -> Bound<'py, PyAny> {
-    list(py, values.map(|value| value.unwrap_or(f64::NAN)).collect()).into_any()
+    vector(py, values.map(|value| value.unwrap_or(f64::NAN)).collect()).into_any()
 }
 
 /// Values as an array of Arrow.

@@ -15,14 +15,14 @@ EXACT = SINE.pressure(MEAN, X)
 def test_a_contact_holds_in_all_its_quantities() -> None:
     contact = asp.solve(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN, tolerance=1e-12)
     for quantity in ("pressure", "gap", "displacement"):
-        verdict = asp.certify(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN, **{quantity: getattr(contact, quantity)})
-        assert verdict and verdict.holds and verdict.findings == [], quantity
+        certification = asp.certify(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN, **{quantity: getattr(contact, quantity)})
+        assert certification and certification.holds and certification.mistakes == [], quantity
 
 
 def test_the_closed_form_is_as_good_as_its_nodes() -> None:
-    verdict = asp.certify(HEIGHT, 1.0, solid=1.0, pressure=EXACT)
-    assert not verdict and 1e-8 < verdict.certificate.eta < 1e-3
-    assert float(verdict.certificate) == verdict.certificate.eta
+    certification = asp.certify(HEIGHT, 1.0, solid=1.0, pressure=EXACT)
+    assert not certification and 1e-8 < certification.certificate.eta < 1e-3
+    assert float(certification.certificate) == certification.certificate.eta
 
 
 @pytest.mark.parametrize(
@@ -30,14 +30,14 @@ def test_the_closed_form_is_as_good_as_its_nodes() -> None:
     [(-EXACT, "negative in compression"), (EXACT / 1024, "forces"), (np.roll(EXACT, 512), "fftshift")],
 )
 def test_everyday_mistakes_are_recognised(pressure: np.ndarray, word: str) -> None:
-    verdict = asp.certify(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN, pressure=pressure)
-    assert not verdict and any(word in sentence for sentence in verdict.findings), verdict.findings
+    certification = asp.certify(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN, pressure=pressure)
+    assert not certification and any(word in sentence for sentence in certification.mistakes), certification.mistakes
 
 
 def test_a_displacement_for_a_gap_is_told_by_its_keyword() -> None:
     contact = asp.solve(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN)
-    verdict = asp.certify(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN, gap=contact.displacement)
-    assert any("give it as displacement" in sentence for sentence in verdict.findings), verdict.findings
+    certification = asp.certify(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN, gap=contact.displacement)
+    assert any("give it as displacement" in sentence for sentence in certification.mistakes), certification.mistakes
 
 
 def test_one_result_is_given_at_a_time() -> None:
@@ -51,6 +51,6 @@ def test_one_result_is_given_at_a_time() -> None:
 def test_a_layer_is_certified_as_well() -> None:
     solid = {"contact_modulus": 1.0, "poisson": 0.3, "layer": 0.1}
     contact = asp.solve(HEIGHT, 1.0, solid=solid, mean_pressure=MEAN)
-    verdict = contact.problem.certify(pressure=contact.pressure)
-    assert verdict.holds and verdict.assessment is None
+    certification = contact.problem.certify(pressure=contact.pressure)
+    assert certification.holds and certification.assessment is None
     assert not contact.problem.certify(pressure=EXACT).holds

@@ -58,7 +58,7 @@ def test_the_command_line_is_in_the_package(tmp_path: Path) -> None:
 def test_an_import_leaves_alone_what_takes_long(capsys: pytest.CaptureFixture[str]) -> None:
     code = "import time; t = time.perf_counter(); import asperity, sys; t = time.perf_counter() - t; " \
         "print(round(1000 * t), 'numpy' in sys.modules, 'typing' in sys.modules)"
-    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.split()
+    printed = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.split()
     with capsys.disabled():
-        print(f"\n  import asperity: {told[0]} ms")
-    assert told[1:] == ["False", "False"]
+        print(f"\n  import asperity: {printed[0]} ms")
+    assert printed[1:] == ["False", "False"]

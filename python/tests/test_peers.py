@@ -23,8 +23,8 @@ def test_tamaas_finds_the_same_pressure_and_is_certified() -> None:
     theirs = np.array(model.traction)
     ours = asp.solve(surface(), solid=1.0, mean_pressure=MEAN, tolerance=1e-12)
     assert np.abs(theirs - ours.pressure).max() < 1e-3 * ours.pressure.max()
-    verdict = ours.problem.certify(pressure=theirs)
-    assert verdict.certificate.eta < 1e-6, verdict
+    certification = ours.problem.certify(pressure=theirs)
+    assert certification.certificate.eta < 1e-6, certification
 
 
 def test_contact_mechanics_finds_the_same_pressure_and_is_certified() -> None:

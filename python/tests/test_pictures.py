@@ -1,23 +1,23 @@
-"""Pictures of contacts: the rigid surface keeps its shape, and the solid is pressed down."""
+"""Figures: the rigid surface keeps its shape, the solid is pressed down, and curves and maps hold the numbers."""
 
 import numpy as np
 import pytest
 
 import asperity as asp
-from asperity.notebook import picture
 
 pytest.importorskip("matplotlib")
 
 LENGTH, RADIUS = 1.0, 2.0
 X = (np.arange(256) / 256 - 0.5) * LENGTH
 CYLINDER = -X * X / (2 * RADIUS)
+ROUGH = asp.Surface.rough((64, 128), (1.0, 2.0), hurst=0.8, rolloff_wavelength=0.5, short_cutoff=0.1, rms_gradient=0.1)
 
 
 def drawn(load: float) -> tuple[asp.Contact, slice, dict[str, np.ndarray]]:
-    """The contact of a cylinder, the nodes that its picture shows, and the bodies there, upwards."""
+    """The contact of a cylinder, the nodes that its figure shows, and the bodies there, upwards."""
     contact = asp.solve(CYLINDER, LENGTH, solid=1.0, mean_pressure=load)
-    lines = {line.get_label(): line for line in picture(contact).axes[0].lines}
-    seen = np.isin(contact.problem.surface.x, lines["solid"].get_xdata())
+    lines = {line.get_label(): line for line in contact.plot().axes[0].lines}
+    seen = np.isin(contact.x, lines["solid"].get_xdata())
     first, last = np.flatnonzero(seen)[[0, -1]]
     return contact, slice(first, last + 1), {name: np.asarray(line.get_ydata()) for name, line in lines.items()}
 
@@ -32,7 +32,35 @@ def test_the_rigid_surface_has_the_shape_of_the_heights_peaks_down(load: float) 
 
 def test_the_solid_is_lower_below_the_contact() -> None:
     contact, seen, bodies = drawn(0.01)
-    touches = np.asarray(contact.pressure[seen]) > 0
+    touches = contact.contact[seen]
     solid = bodies["solid"]
     assert solid[touches].max() < solid[~touches].min()
     assert (bodies["rigid surface"] - solid).min() > -1e-9
+
+
+def test_maps_hold_the_fields() -> None:
+    contact = asp.solve(ROUGH, reduced_pressure=0.1)
+    images = [image for axes in contact.plot().axes for image in axes.images]
+    assert [np.array_equal(image.get_array(), field) for image, field in zip(images, (contact.pressure, contact.gap))] == [True, True]
+    (heights,) = [image for axes in ROUGH.plot().axes for image in axes.images]
+    assert np.array_equal(heights.get_array(), ROUGH.height) and heights.get_extent() == [0.0, 2.0, 1.0, 0.0]
+
+
+def test_a_curve_is_drawn_over_the_reduced_pressure() -> None:
+    curve = asp.solve(asp.Surface(CYLINDER, LENGTH), reduced_pressure=[0.1, 0.2, 0.4])
+    area, _, gap = (axes.lines[0] for axes in curve.plot().axes)
+    assert np.array_equal(area.get_xdata(), curve.measures["reduced_pressure"])
+    assert (np.diff(area.get_ydata()) > 0).all() and (np.diff(gap.get_ydata()) < 0).all()
+
+
+def test_notebooks_show_a_picture_and_the_main_numbers() -> None:
+    contact = asp.solve(ROUGH, reduced_pressure=0.1)
+    html = contact._repr_html_()
+    assert "data:image/png;base64," in html and "reduced pressure 0.1" in html and "converged by multilevel" in html
+    assert f"{contact.mean_gap:.6g}" in html
+    assert "rms gradient" in ROUGH._repr_html_() and "64 x 128" in ROUGH._repr_html_()
+
+
+def test_an_empty_cell_is_drawn_as_a_whole() -> None:
+    contact = asp.solve(CYLINDER, LENGTH, solid=1.0, mean_pressure=0.01, callback=lambda step: False)
+    assert contact.plot() is not None

@@ -48,12 +48,30 @@ def test_each_refusal_is_one_sentence_with_what_to_do(keys: dict[str, Any], sent
         (HEIGHT, (1.0, 2.0), "2"),
         (HEIGHT, None, "size"),
         (HEIGHT[:2], 1.0, "2"),
-        ("nowhere.npy", None, "nowhere.npy"),
     ],
 )
 def test_heights_that_are_none_are_refused(height: Any, size: Any, sentence: str) -> None:
     with pytest.raises(asp.AsperityError, match=sentence):
         asp.solve(height, size, reduced_pressure=0.1)
+
+
+def test_files_that_are_missing_raise_what_python_raises(tmp_path: Path) -> None:
+    for read in (asp.solve, asp.Surface.read, asp.Setup.read, asp.Study.read):
+        with pytest.raises(FileNotFoundError, match="cannot read .*nowhere.npy"):
+            read(tmp_path / "nowhere.npy")
+    (tmp_path / "empty.npy").write_bytes(b"")
+    with pytest.raises(asp.AsperityError, match="empty.npy"):
+        asp.solve(tmp_path / "empty.npy", 1.0, reduced_pressure=0.1)
+
+
+def test_a_contact_that_did_not_converge_can_be_raised() -> None:
+    with pytest.warns(asp.AsperityWarning):
+        contact = asp.solve(HEIGHT, 1.0, reduced_pressure=0.1, solver="polonsky-keer", max_iterations=2)
+    with pytest.raises(asp.NotConverged, match="not converged: .* after 2 iterations") as raised:
+        contact.raise_if_not_converged()
+    assert raised.value.contact is contact and isinstance(raised.value, ValueError)
+    good = asp.solve(HEIGHT, 1.0, reduced_pressure=0.1)
+    assert good.raise_if_not_converged() is good
 
 
 def test_what_is_masked_is_void() -> None:
@@ -82,11 +100,11 @@ def test_a_keyword_that_is_none_is_a_type_error() -> None:
 
 
 def test_a_run_that_does_not_converge_comes_back_with_a_warning() -> None:
-    with pytest.warns(asp.AsperityWarning, match="iteration cap") as told:
+    with pytest.warns(asp.AsperityWarning, match="iteration cap") as caught:
         contact = asp.solve(HEIGHT, 1.0, reduced_pressure=0.1, solver="polonsky-keer", max_iterations=2)
         contact.problem.solve(solver="polonsky-keer", max_iterations=2)
-    # the line that is told is this one, and not one of the package, where the next would be taken for the same
-    assert [warning.filename for warning in told] == [__file__, __file__]
+    # a warning at a line of the package would be shown once only
+    assert [warning.filename for warning in caught] == [__file__] * len(caught)
     assert not contact.converged and contact.certificate.eta > 1e-8
     with warnings.catch_warnings():
         warnings.simplefilter("error")

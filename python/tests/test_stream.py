@@ -130,6 +130,6 @@ def test_the_viewer_of_a_notebook_gets_every_piece(monkeypatch: pytest.MonkeyPat
     viewer = asp.notebook.Viewer()
     shown: list[bytes] = []
     monkeypatch.setattr(viewer._widget, "send_rrd", shown.append)
-    assert asyncio.run(viewer.ready(patience=0.0)) is viewer
+    assert asyncio.run(viewer.ready(timeout=0.0)) is viewer
     run(viewer)
     assert shown and all(piece[:3] == b"RRF" for piece in shown)

@@ -121,7 +121,7 @@ def test_a_study_that_was_ended_goes_on_where_it_was(tmp_path: Path) -> None:
         _, said = run.communicate(timeout=60)
     assert run.returncode != 0 and "KeyboardInterrupt" in said
     assert not (tmp_path / "study.csv").exists() and time.monotonic() - began < 30
-    known = asp.Ledger(asp.Study.read(tmp_path / "study.toml"), tmp_path / "study.csv").known
+    known = asp.Ledger(asp.Study.read(tmp_path / "study.toml"), tmp_path / "study.csv").completed
     assert 20 <= known < 240
     first: list[int] = []
     asp.study(tmp_path / "study.toml", out=tmp_path / "study.csv", progress=lambda known, rows: first.append(known))
@@ -172,7 +172,7 @@ def test_what_cannot_be_solved_is_refused_before_anything_is(tmp_path: Path) -> 
     for keywords, sentence in (
         ({"workers": 0}, "workers is 0: give at least 1"),
         ({"threads": -1}, "threads is -1: give at least 1"),
-        ({"memory": 1e3}, "a realisation needs .* GB, and may have 1e-06 GB: allow more"),
+        ({"memory": 1e3}, "a realisation needs .* GB, but only 1e-06 GB may be used: allow more"),
         ({"client": 3}, "client is 3: give a client of dask.distributed"),
         ({"out": tmp_path / "table.txt"}, "table.txt"),
     ):
@@ -187,31 +187,31 @@ def test_what_cannot_be_solved_is_refused_before_anything_is(tmp_path: Path) -> 
         STUDY.solve([40])
     ledger = asp.Ledger(STUDY)
     with pytest.raises(asp.AsperityError, match="points of .* came for hurst 0.3, points 256, seed 1"):
-        ledger.enter([0], STUDY.solve([1]))
+        ledger.add([0], STUDY.solve([1]))
     with pytest.raises(asp.AsperityError, match="80 of 80 rows"):
         ledger.finish()
-    halt = asp.Halt()
-    halt.pull()
-    with pytest.raises(asp.AsperityError, match="ended"):
-        STUDY.solve([0], halt=halt)
+    cancel = asp.CancelToken()
+    cancel.cancel()
+    with pytest.raises(asp.AsperityError, match="cancelled"):
+        STUDY.solve([0], cancel=cancel)
 
 
 def test_batches_are_packed_by_memory_and_the_largest_come_first() -> None:
-    from asperity import campaign
+    from asperity import studies
 
     class Batch:
         def __init__(self, bytes: float) -> None:
             self.bytes = bytes
 
     waiting: list[Any] = [Batch(it) for it in (6.0, 5.0, 4.0, 1.0)]
-    places = [campaign._Place(ThreadPoolExecutor(1), 3, 10.0), campaign._Place(ThreadPoolExecutor(1), 1, 3.0)]
-    assigned = [(places.index(place), batch.bytes) for place, batch in campaign._assign(waiting, places)]
+    places = [studies._Place(ThreadPoolExecutor(1), 3, 10.0), studies._Place(ThreadPoolExecutor(1), 1, 3.0)]
+    assigned = [(places.index(place), batch.bytes) for place, batch in studies._assign(waiting, places)]
     assert assigned == [(0, 6.0), (0, 4.0), (1, 1.0)] and [batch.bytes for batch in waiting] == [5.0]
     assert [place.free for place in places] == [0.0, 2.0]
 
 
 def test_rows_that_did_not_converge_are_told() -> None:
     hasty = dict(surface={"spectrum": SPECTRUM, "seed": 1}, grid={"points": 256, "size": 1.0}, load={"reduced_pressure": 0.1})
-    with pytest.warns(asp.AsperityWarning, match="2 of 2 rows did not converge: see their status"):
+    with pytest.warns(asp.AsperityWarning, match="2 of 2 rows did not converge. See their status"):
         table = asp.study(hasty | {"solver": {"method": "polonsky-keer"}, "stop": {"max_iterations": 2}})
     assert "converged" not in table["status"]

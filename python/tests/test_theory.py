@@ -32,8 +32,8 @@ def test_persson_and_greenwood_williamson() -> None:
     density = asp.theory.persson_pressure_density(p, 0.1, 1.0)
     assert np.trapezoid(density, p) == pytest.approx(asp.theory.persson_relative_area(0.1), rel=1e-6)
     assert np.trapezoid(p * density, p) == pytest.approx(0.1, rel=1e-6)
-    told = asp.theory.greenwood_williamson([3.0], 1.0, 1.0, 1.0, heights="exponential")
-    assert told["kappa_r"][0] == pytest.approx(math.sqrt(math.pi))
+    model = asp.theory.greenwood_williamson([3.0], 1.0, 1.0, 1.0, heights="exponential")
+    assert model["kappa_r"][0] == pytest.approx(math.sqrt(math.pi))
 
 
 def test_counting() -> None:

@@ -1,12 +1,13 @@
 //! `asperity demo`: Hertz beside rough contact.
 
 use super::outcome::{Outcome, settle};
-use super::progress::Progress;
+use super::progress::Bars;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Gfmd, Load, Observables};
+use asperity::contact::{Gfmd, Load, Observables};
 use asperity::files::check_named;
-use asperity::record::{Options, Recording, Scene};
+use asperity::job::{Job, JobRun, Solved};
+use asperity::record::Recording;
 use asperity::setup::{Cell, Method, Recipe, Setup, Solid};
 use asperity::surface::{Indenter, Spectrum};
 use clap::Args;
@@ -47,24 +48,19 @@ impl Demo {
     pub fn run(&self) -> Result<Outcome> {
         check_named(&self.out, &["rrd"])?;
         let exhibits = exhibits();
-        let problems = exhibits.iter().map(|exhibit| exhibit.setup.problem()).collect::<Result<Vec<_>, _>>()?;
-        let scene = |(exhibit, problem): (&Exhibit, _)| Scene {
+        let run = |exhibit: &Exhibit| JobRun {
             name: exhibit.name.into(),
-            title: exhibit.title.into(),
-            ..Scene::of(&exhibit.setup, problem)
+            title: Some(exhibit.title.into()),
+            ..JobRun::new(exhibit.setup.clone())
         };
-        let scenes: Vec<Scene<'_>> = exhibits.iter().zip(&problems).map(scene).collect();
-        let recording = Recording::create(&self.out, &scenes, Options::default())?;
-        let mut contacts = Vec::new();
-        let mut outcome = Outcome::Done;
-        for (i, (Exhibit { title, setup, .. }, problem)) in exhibits.iter().zip(&problems).enumerate() {
-            let mut observer = (recording.recorder(i), Progress::new(title));
-            let contact = setup.solver.solver().solve(problem, &setup.stop, &mut observer)?;
-            outcome = outcome.max(settle(&contact)?);
-            contacts.push(contact);
-        }
-        recording.finish()?;
-        write_table(&exhibits, &contacts)?;
+        let [first, rest @ ..] = exhibits.each_ref().map(run);
+        let job = rest.into_iter().fold(Job::from_run(first), Job::beside);
+        let job = job.recorded(|scenes, options| Recording::create(&self.out, scenes, options));
+        let solved = job.run(&mut Bars)?.solved;
+        write_table(&exhibits, &solved)?;
+        let outcome = solved
+            .iter()
+            .try_fold(Outcome::Done, |outcome, it| Ok::<_, anyhow::Error>(outcome.max(settle(&it.contact)?)))?;
         wrote(&self.out);
         Ok(outcome)
     }
@@ -101,14 +97,14 @@ fn exhibits() -> [Exhibit; 4] {
     ]
 }
 
-fn write_table(exhibits: &[Exhibit], contacts: &[Contact]) -> Result<()> {
+fn write_table(exhibits: &[Exhibit], solved: &[Solved]) -> Result<()> {
     let mut out = stdout();
     writeln!(
         out,
         "{:<14} {:>6} {:>8} {:>8} {:>8} {:>10} {:>8} {:>6} {:>11}",
         "", "steps", "area", "kappa", "kappa_r", "counted", "exact", "paper", "certificate"
     )?;
-    for (exhibit, contact) in exhibits.iter().zip(contacts) {
+    for (exhibit, Solved { contact, .. }) in exhibits.iter().zip(solved) {
         let it = Observables::of(contact);
         let exact = exhibit.setup.exact(contact.problem.surface().grid(), contact.problem.expected_mean_pressure());
         let exact = exact.and_then(|exact| exact.kappa_r).map_or("-".into(), |kappa_r| format!("{kappa_r:.4}"));

@@ -1,8 +1,6 @@
 //! `asperity solve` under one load after the other.
 
 use super::finding::Finding;
-#[cfg(feature = "record")]
-use super::load_recording::CurveRecording;
 use super::outcome::{Outcome, settle, usage};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
@@ -14,6 +12,8 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads, warnings_of};
 use asperity::files::{write_beside, write_csv};
+#[cfg(feature = "record")]
+use asperity::job::CurveRecording;
 use asperity::setup::{Part, Table};
 use asperity::study::LoadCurve;
 use serde::Serialize;
@@ -82,7 +82,7 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome
 /// Solves and records the contacts.
 fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pressed> {
     #[cfg(feature = "record")]
-    let recording = CurveRecording::begin(curve, problem, outputs)?;
+    let recording = outputs.recording().map(|path| CurveRecording::create(path, curve, problem)).transpose()?;
     let mut pressed = Pressed { findings: Vec::new(), contacts: Vec::new(), outcome: Outcome::Done };
     let title = |number: usize| format!("load {} of {}", number + 1, curve.loads.len());
     curve.press(

@@ -19,8 +19,6 @@ mod inspect;
 mod interrupt;
 mod iteration;
 mod load_curve;
-#[cfg(feature = "record")]
-mod load_recording;
 mod man;
 mod manners;
 mod nodes;

@@ -3,7 +3,7 @@
 use asperity::contact::Contact;
 use asperity::error::FileError;
 use asperity::files::check_named;
-use asperity::setup::{Extras, Part, Record};
+use asperity::setup::Extras;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -68,15 +68,6 @@ impl Outputs {
             has_stress: self.stress.is_some(),
             archived: if self.archive().is_some() { loads } else { 0 },
         }
-    }
-
-    /// Whether the recording holds every step against the final state.
-    pub fn has_waterfall(&self, record: &Record) -> bool {
-        #[cfg(feature = "record")]
-        let is_recorded = self.record.is_some() || self.live;
-        #[cfg(not(feature = "record"))]
-        let is_recorded = false;
-        is_recorded && record.what.contains(&Part::Waterfall)
     }
 
     /// The table, if one is asked for.

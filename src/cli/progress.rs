@@ -2,6 +2,7 @@
 
 use super::manners::is_quiet;
 use asperity::contact::{Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
+use asperity::job::{Pass, Watcher};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
@@ -31,6 +32,19 @@ struct Level {
 /// A bar with a title, for experiments that watch their runs.
 pub fn bar(title: &str) -> Box<dyn Observer> {
     Box::new(Progress::new(title))
+}
+
+/// A bar for each solve of a job.
+pub struct Bars;
+
+impl Watcher for Bars {
+    fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
+        bar(&match pass {
+            Pass::Grid(run) | Pass::Solve(run, _) => run.label().to_owned(),
+            Pass::Reference(run) => format!("{}, first pass", run.label()),
+            Pass::Stick(_) => "stick zone".into(),
+        })
+    }
 }
 
 /// A bar without a length on standard error, if that is a terminal and something may be said.

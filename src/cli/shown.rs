@@ -6,10 +6,11 @@ use asperity::contact::{Contact, Observer, Problem, Solver};
 use asperity::diagnosis::Reference;
 use asperity::error::FileError;
 use asperity::files::check_named;
-use asperity::record::{Options, Parts, Recording, Scene};
+use asperity::job::{self, Job, JobRun};
+use asperity::record::{Options, Recording, Scene};
 use asperity::setup::Setup;
 use clap::{ArgGroup, Args};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 #[derive(Args)]
@@ -35,36 +36,30 @@ impl Shown {
         self.record.iter().for_each(|path| wrote(path));
     }
 
-    /// Has `solver` go through its steps, shown to `observer` and recorded under `title` if that is asked for, held against the
+    /// Goes through the steps of another code, shown to `observer` and recorded under `title` if that is asked for, compared with the
     /// reference if there is one.
     pub fn watch(
         &self,
         title: &str,
         setup: &Setup,
         problem: &Problem,
-        (solver, reference): (&dyn Solver, Option<Arc<Reference>>),
+        (steps, reference): (&dyn Solver, Option<Arc<Reference>>),
         observer: &mut dyn Observer,
     ) -> Result<Contact> {
-        let path = self.record.as_deref();
-        if path.is_none() && !self.live {
-            return Ok(solver.solve(problem, &setup.stop, observer)?);
-        }
-        let mut options = Options::from(&setup.record);
-        if setup.record.what.is_empty() {
-            options.what = Parts::OF_OTHERS;
-        }
-        // no setup: it would name a solver that has not made this
-        let scenes = [Scene { title: title.into(), reference, ..Scene::new("contact", problem) }];
-        let recording = match path {
-            Some(path) if !self.live => Recording::create(path, &scenes, options)?,
-            _ => Recording::shown(path, &scenes, options)?,
+        let run = JobRun { reference, ..JobRun::from_other(title, setup.clone(), problem.clone(), steps) };
+        let job = Job::from_run(run);
+        let job = match &self.record {
+            None if !self.live => job,
+            path => job.recorded(open(path.as_deref(), self.live)),
         };
-        let mut recorder = recording.recorder(0);
-        let mut contact = solver.solve(problem, &setup.stop, &mut (&mut recorder, observer))?;
-        drop(recorder);
-        if let Err(failure) = recording.finish() {
-            contact.fail(failure);
-        }
-        Ok(contact)
+        Ok(job.run(&mut job::ShowSteps(observer))?.solved.swap_remove(0).contact)
+    }
+}
+
+/// Begins a recording in the installed viewer if it is live, else in a file.
+pub fn open(path: Option<&Path>, is_live: bool) -> impl FnOnce(&[Scene<'_>], Options) -> Result<Recording, FileError> {
+    move |scenes, options| match path {
+        Some(path) if !is_live => Recording::create(path, scenes, options),
+        _ => Recording::shown(path, scenes, options),
     }
 }

@@ -1,9 +1,6 @@
 //! What sticks and what slips under a tangential load, for people and for scripts.
 
-use super::progress::Progress;
-use anyhow::Result;
-use asperity::contact::{Contact, PartialSlip};
-use asperity::setup::Setup;
+use asperity::contact::PartialSlip;
 use serde::Serialize;
 
 /// The numbers of a contact in partial slip.
@@ -22,14 +19,6 @@ pub struct SlipFinding {
     pub slip_area: f64,
     /// The certificate of the contact under the smaller load.
     pub stick_certificate: f64,
-}
-
-/// Solves for what sticks if there is a tangential load, and the contact has been found.
-pub fn find(setup: &Setup, contact: &Contact) -> Result<Option<PartialSlip>> {
-    let Some(friction) = setup.friction.filter(|_| contact.fault().is_none()) else { return Ok(None) };
-    let mut progress = Progress::new("what sticks");
-    let solver = setup.solver.solver();
-    Ok(Some(PartialSlip::of(contact.clone(), friction, solver, &setup.stop, &mut progress)?))
 }
 
 impl From<&PartialSlip> for SlipFinding {

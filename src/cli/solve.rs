@@ -8,26 +8,24 @@ use super::outcome::{Outcome, settle, usage};
 use super::output::{Summary, write_json};
 use super::outputs::Outputs;
 use super::plan::{self, Plan};
-use super::progress::Progress;
-use super::slip::{self, SlipFinding};
+use super::progress::Bars;
+#[cfg(feature = "record")]
+use super::shown::open;
+use super::slip::SlipFinding;
 use super::stress;
 use super::subject::Subject;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{
-    Contact, Observer, PartialSlip, Problem, archive, archive_of_slip, warning_of_rim, warnings_of,
-};
-use asperity::diagnosis::{Diagnosis, Findings, Reference};
+use asperity::contact::{PartialSlip, archive, archive_of_slip};
+use asperity::diagnosis::Findings;
 use asperity::files::{check_apart, write_beside};
-#[cfg(feature = "record")]
-use asperity::record;
+use asperity::job::{Job, Solved};
 use asperity::setup::{Auto, Extras, Setup};
-use asperity::study::{LoadCurve, Refinement, Settled};
+use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write, stdout};
 use std::path::Path;
-use std::sync::Arc;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -79,81 +77,64 @@ impl Solve {
             None if self.unload => {
                 usage("--unload goes back through several loads, but there is one: give more, such as 1e-3..1e-1:13")
             }
-            None => self.solve(&setup, auto),
+            None => self.solve(setup, auto),
         }
     }
 
     /// Solves a setup under its one load, on a grid that is found first if it is not given.
-    fn solve(&self, setup: &Setup, auto: Option<Auto>) -> Result<Outcome> {
+    fn solve(&self, setup: Setup, auto: Option<Auto>) -> Result<Outcome> {
         let Self { outputs, .. } = self;
-        let refinement = auto.map(|auto| Refinement::new(setup.clone(), auto));
-        let first = refinement.iter().flat_map(Refinement::setups).next();
-        let setup = first.as_ref().unwrap_or(setup);
-        let is_diagnosed = self.diagnose || outputs.has_waterfall(&setup.record);
-        let cost = setup.cost(&Extras { is_diagnosed, ..outputs.extras(1) })?;
+        let job = self.job(setup, auto);
+        let is_passed_twice = job.is_passed_twice();
+        let cost = job.setup().cost(&Extras { is_diagnosed: is_passed_twice, ..outputs.extras(1) })?;
         outputs.check()?;
         if let Some(path) = outputs.table().filter(|_| !cost.grid.is_line()) {
             return usage(format!("{} can hold the nodes of a line only: give a .npz for a surface", path.display()));
         }
         if outputs.stress.is_some() {
-            setup.check_stress(&cost.grid)?;
+            job.setup().check_stress(&cost.grid)?;
             stress::check(&cost.grid, outputs.stress_row)?;
         }
         if self.dry_run {
+            let setup = job.setup();
             let is_recorded = outputs.recording().is_some();
-            let plan =
-                Plan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice: self.is_passed_twice(setup) };
-            plan::write(&plan, &mut stdout())?;
-            refinement.iter().try_for_each(|refinement| plan::write_grids(refinement, &mut stdout()))?;
+            plan::write(&Plan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice }, &mut stdout())?;
+            job.refinement().map_or(Ok(()), |refinement| plan::write_grids(refinement, &mut stdout()))?;
         }
-        cost.check(setup.solver.name())?;
+        cost.check(job.setup().solver.name())?;
         if self.dry_run {
             return Ok(Outcome::Done);
         }
-        match refinement {
-            Some(refinement) => self.settle(&refinement),
-            None => {
-                let problem = setup.problem()?;
-                self.heed(setup, &problem)?;
-                let (contact, diagnosis) = self.watch(setup, &problem)?;
-                outputs.complete(&contact);
-                self.write(setup, &contact, diagnosis, false)
-            }
+        let ready = job.prepare()?;
+        if outputs.strict {
+            warnings::refuse_if_strict(&warnings::in_flags(&ready.warnings()), true)?;
         }
+        let mut outcome = ready.run(&mut Bars)?;
+        let solved = outcome.solved.swap_remove(0);
+        outputs.complete(&solved.contact);
+        self.write(solved, outcome.diagnosis)
     }
 
-    /// Solves on ever finer grids, and records the last of them if that is wished for.
-    fn settle(&self, refinement: &Refinement) -> Result<Outcome> {
-        let Settled { setup, mut contact, is_within } = refinement.settle(|setup| -> Result<Contact> {
-            let (solver, problem) = (setup.solver.solver(), setup.problem()?);
-            self.heed(setup, &problem)?;
-            Ok(solver.solve(&problem, &setup.stop, &mut Progress::new(solver.name()))?)
-        })?;
-        let mut diagnosis = None;
-        if self.diagnose || self.outputs.recording().is_some() {
-            (contact, diagnosis) = self.watch(&setup, &contact.problem.clone())?;
+    /// The job that the flags ask for.
+    fn job(&self, setup: Setup, auto: Option<Auto>) -> Job<'_> {
+        let job = Job::new(setup).diagnosed(self.diagnose);
+        let job = match auto {
+            Some(auto) => job.refined(auto),
+            None => job,
+        };
+        #[cfg(feature = "record")]
+        if self.outputs.record.is_some() || self.outputs.live {
+            return job.recorded(open(self.outputs.record.as_deref(), self.outputs.live));
         }
-        self.outputs.complete(&contact);
-        self.write(&setup, &contact, diagnosis, !is_within)
+        job
     }
 
-    /// Refuses heights that would be warned of.
-    fn heed(&self, setup: &Setup, problem: &Problem) -> Result<()> {
-        let is_strict = self.outputs.strict;
-        let warnings = if is_strict { setup.surface.warnings(problem.surface()) } else { Vec::new() };
-        warnings::refuse_if_strict(&warnings::in_flags(&warnings), is_strict)
-    }
-
-    /// Writes and prints what came out, on a grid that is not fine enough if it is `unsettled`.
-    fn write(&self, setup: &Setup, contact: &Contact, diagnosis: Option<Findings>, unsettled: bool) -> Result<Outcome> {
-        let (outputs, full) = (&self.outputs, setup.clone().with_full_path());
-        let slip = slip::find(setup, contact)?;
-        let (subject, finding) = (Subject::of(setup, &contact.problem)?, Finding::of(setup, contact));
-        let mut warnings = setup.surface.warnings(contact.problem.surface());
-        warnings.extend(warnings_of(&[&finding.observables], contact.problem.law()));
-        warnings.extend(warning_of_rim(contact));
-        warnings.extend(setup.warning_of_coupling());
-        warnings.extend(unsettled.then(Refinement::warning));
+    /// Writes and prints what came out.
+    fn write(&self, solved: Solved, diagnosis: Option<Findings>) -> Result<Outcome> {
+        let (outputs, full) = (&self.outputs, solved.setup.clone().with_full_path());
+        let mut warnings = solved.warnings();
+        let Solved { setup, contact, slip, .. } = solved;
+        let (subject, finding) = (Subject::of(&setup, &contact.problem)?, Finding::of(&setup, &contact));
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;
@@ -161,15 +142,15 @@ impl Solve {
             let text = full.to_toml();
             let bytes = match &slip {
                 Some(slip) => archive_of_slip(slip, subject.rank, Some(&text)),
-                None => archive(contact, subject.rank, Some(&text)),
+                None => archive(&contact, subject.rank, Some(&text)),
             };
             write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
         }
         if let Some(path) = outputs.table() {
-            write_nodes(path, contact)?;
+            write_nodes(path, &contact)?;
         }
         if let Some(path) = &outputs.stress {
-            stress::write(path, &full, contact, outputs.stress_row)?;
+            stress::write(path, &full, &contact, outputs.stress_row)?;
         }
         if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
@@ -185,52 +166,6 @@ impl Solve {
         let is_whole = |path: &&Path| contact.failure.is_none() || Some(*path) != outputs.recording();
         outputs.files().filter(is_whole).for_each(wrote);
         let stuck = slip.map_or(Ok(Outcome::Done), |PartialSlip { stuck, .. }| settle(&stuck))?;
-        Ok(settle(contact)?.max(stuck))
-    }
-
-    /// Solves, and shows the steps to whom it concerns. What is held against the final state needs a solve before.
-    fn watch(&self, setup: &Setup, problem: &Problem) -> Result<(Contact, Option<Findings>)> {
-        let solver = setup.solver.solver();
-        let before =
-            || solver.solve(problem, &setup.stop, &mut Progress::new(&format!("{}, for its end", solver.name())));
-        let end = if self.is_passed_twice(setup) { Some(Arc::new(Reference::of(&before()?))) } else { None };
-        let mut diagnosis = self.diagnose.then(|| Diagnosis::new(problem, end.clone()));
-        let contact = self.record(setup, problem, end, &mut (&mut diagnosis, Progress::new(solver.name())))?;
-        Ok((contact, diagnosis.map(|diagnosis| diagnosis.findings())))
-    }
-
-    /// Whether the final state must be known before.
-    fn is_passed_twice(&self, setup: &Setup) -> bool {
-        self.diagnose || self.outputs.has_waterfall(&setup.record)
-    }
-
-    /// Solves, and records the steps if that is wished for.
-    fn record(
-        &self,
-        setup: &Setup,
-        problem: &Problem,
-        end: Option<Arc<Reference>>,
-        watch: &mut dyn Observer,
-    ) -> Result<Contact> {
-        let solver = setup.solver.solver();
-        #[cfg(feature = "record")]
-        if self.outputs.record.is_some() || self.outputs.live {
-            let scenes = [record::Scene { reference: end, ..record::Scene::of(setup, problem) }];
-            let options = record::Options::from(&setup.record);
-            let path = self.outputs.record.as_deref();
-            let recording = match path {
-                Some(path) if !self.outputs.live => record::Recording::create(path, &scenes, options)?,
-                _ => record::Recording::shown(path, &scenes, options)?,
-            };
-            let mut recorder = recording.recorder(0);
-            let mut contact = solver.solve(problem, &setup.stop, &mut (&mut recorder, watch))?;
-            drop(recorder);
-            if let Err(failure) = recording.finish() {
-                contact.fail(failure);
-            }
-            return Ok(contact);
-        }
-        drop(end);
-        Ok(solver.solve(problem, &setup.stop, watch)?)
+        Ok(settle(&contact)?.max(stuck))
     }
 }

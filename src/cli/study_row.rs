@@ -1,14 +1,15 @@
 //! `asperity study --record-row`: the recording of one row.
 
 use super::outcome::{Outcome, settle};
-use super::progress::Progress;
+use super::progress::{Bars, Progress};
+use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::Contact;
 use asperity::files::check_named;
-use asperity::record::{Options, Recording, Scene};
+use asperity::job::{Job, JobRun};
+use asperity::record::Recording;
 use asperity::setup::Extras;
-use asperity::study::{LoadCurve, Plan};
+use asperity::study::{Loading, Plan};
 use std::path::Path;
 
 /// Solves a realisation up to a row, as the study does, and records the steps under the load of the row.
@@ -17,23 +18,20 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<Outcome> {
     check_named(path, &["rrd"])?;
     let setup = plan.setup(row)?;
     setup.cost(&Extras { is_recorded: true, ..Extras::default() })?.check(setup.solver.name())?;
-    let curve = LoadCurve { setup: plan.realisation(row.realisation)?.setup, loads: plan.loads()[..=row.load].into() };
-    let problem = setup.problem()?;
-    curve.problem()?;
-    let scenes = [Scene::of(&setup, &problem)];
-    let recording = Recording::create(path, &scenes, Options::from(&setup.record))?;
-    let mut outcome = Outcome::Done;
-    curve.press(
-        &problem,
-        |load| ((load == row.load).then(|| recording.recorder(0)), Progress::new(&format!("load {}", load + 1))),
-        |load, contact: &Contact| -> Result<()> {
-            if load == row.load {
-                outcome = settle(contact)?;
-            }
-            Ok(())
-        },
-    )?;
-    recording.finish()?;
-    wrote(path);
-    Ok(outcome)
+    let (problem, mut loading) = (setup.problem()?, Loading::default());
+    let solver = setup.solver.solver();
+    for (number, &load) in plan.loads()[..row.load].iter().enumerate() {
+        let mut progress = Progress::new(&format!("load {}", number + 1));
+        let before = loading.problem(&problem, load)?;
+        loading.take(solver.solve_from(loading.start(), &before, &setup.stop, &mut progress)?);
+    }
+    let problem = loading.problem(&problem, setup.load)?;
+    let job = Job::from_run(JobRun { problem: Some(problem), ..JobRun::new(setup) }).started_from(loading.start());
+    let job = job.recorded(|scenes, options| Recording::create(path, scenes, options));
+    let solved = job.run(&mut Bars)?.solved.swap_remove(0);
+    warnings::print(&warnings::in_flags(&solved.warnings()));
+    if solved.contact.failure.is_none() {
+        wrote(path);
+    }
+    settle(&solved.contact)
 }

@@ -5,7 +5,7 @@ use crate::contact::{
     multilevel,
 };
 use crate::elastic::Response;
-use crate::error::SolveError;
+use crate::error::{SolveError, SurfaceError};
 use crate::surface::Field;
 use std::sync::{Arc, OnceLock};
 
@@ -77,6 +77,39 @@ impl Contact {
             failure: None,
             stiffness: OnceLock::new(),
         }
+    }
+
+    /// The contact that another one's parts make: its fields (pressure, displacement and gap), certificate, work, status, solver and the
+    /// state on the next coarser grid, none of which is computed again. It serves to carry a contact to another process.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Shape`] for a field that does not fit the grid of the problem.
+    pub fn from_parts(
+        problem: Problem,
+        fields: [Field; 3],
+        (certificate, work, status): (Certificate, Work, Status),
+        solver: impl Into<String>,
+        coarser: Option<Resolved>,
+    ) -> Result<Self, SurfaceError> {
+        let expected = problem.surface().grid().shape();
+        if let Some(field) = fields.iter().find(|field| field.shape() != expected) {
+            return Err(SurfaceError::Shape { found: field.shape().to_vec(), expected });
+        }
+        let [pressure, displacement, gap] = fields.map(|field| field.as_standard_layout().into_owned());
+        let (solver, failure, stiffness) = (solver.into(), None, OnceLock::new());
+        Ok(Self {
+            problem,
+            pressure,
+            displacement,
+            gap,
+            certificate,
+            coarser,
+            work,
+            status,
+            solver,
+            failure,
+            stiffness,
+        })
     }
 
     /// Whether the certificate met the tolerance.

@@ -28,6 +28,8 @@ pub struct Description {
     pub knobs: HeightKnobs,
     /// What there is to say of it: names and values.
     pub rows: Vec<(String, String)>,
+    /// The first lines of the file's own header, as they are written there: names and values.
+    pub header: Vec<(String, String)>,
     /// Why steps were chosen, a sentence each.
     pub reasons: Vec<String>,
     /// What keeps it from being solved, in one sentence.
@@ -55,11 +57,11 @@ impl Description {
             Err(Refusal(sentence)) => (knobs, Vec::new(), Some(sentence)),
         };
         let short = |text: &String| text.chars().take(HEADER[1]).collect::<String>();
-        rows.extend(measured.header.iter().take(HEADER[0]).map(|(name, value)| (short(name), short(value))));
+        let header = measured.header.iter().take(HEADER[0]).map(|(name, value)| (short(name), short(value))).collect();
         let has_spacing = measured.spacing.is_some();
         let Measurement { is_profile, channels, channel, is_in_metres, .. } = measured;
         let name = file.display().to_string();
-        Ok(Self { name, is_profile, channels, channel, is_in_metres, has_spacing, knobs, rows, reasons, fault })
+        Ok(Self { name, is_profile, channels, channel, is_in_metres, has_spacing, knobs, rows, header, reasons, fault })
     }
 }
 

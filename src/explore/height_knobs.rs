@@ -42,6 +42,18 @@ impl Default for HeightKnobs {
 }
 
 impl HeightKnobs {
+    /// Refuses lengths that no file has.
+    ///
+    /// # Errors
+    /// A sentence for a length that is not above 0.
+    pub(super) fn check(&self) -> Result<(), Refusal> {
+        let lengths = [self.unit, self.width, self.prepare.low_pass];
+        match lengths.into_iter().flatten().find(|length| !(*length > 0.0 && length.is_finite())) {
+            Some(_) => Err(Refusal("give a length above 0, such as 10 um".into())),
+            None => Ok(()),
+        }
+    }
+
     /// The recipe and the cell of a file, bounded like all surfaces of the page.
     ///
     /// # Errors

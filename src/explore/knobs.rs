@@ -2,13 +2,13 @@
 
 use super::height_knobs::{HeightKnobs, MOST_POINTS};
 use super::refusal::{Refusal, plain};
+use super::schema;
 use super::source::{SceneFile, Source};
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
 use crate::setup::{Cell, LayerModulus, Method, Part, Recipe, Record, Setup, Solid, Theme};
 use crate::surface::{Bump, Bumps, Indenter, Spectrum};
 use serde::{Deserialize, Serialize};
-use std::ops::RangeInclusive;
 
 /// Length of the cell (metres) and contact modulus (pascals): results depend only on ratios to them.
 const CELL: f64 = 160e-6;
@@ -17,14 +17,10 @@ pub(super) const MODULUS: f64 = 1e9;
 const RADIUS: f64 = 100.0 * CELL;
 /// Amplitude of the waves.
 const AMPLITUDE: f64 = 1e-3 * CELL;
-/// The most steps of one solve.
-const MOST_STEPS: usize = 100_000;
 /// The most bumps of a line.
 const MOST_BUMPS: usize = 32;
 /// Poisson's ratio of a layer.
 const LAYER_POISSON: f64 = 0.3;
-/// Loads that the slider spans.
-const REDUCED_PRESSURES: RangeInclusive<f64> = 1e-5..=1e3;
 
 /// The state of the knobs. Lengths are given in waves per cell, pressures as `p*`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -301,21 +297,23 @@ impl Knobs {
 
     /// Checks the limits of the page.
     fn check(&self) -> Result<(), Refusal> {
-        let most = match self.domain {
-            Domain::Line => MOST_POINTS[0],
-            Domain::Surface => MOST_POINTS[1].isqrt(),
-        };
-        let (low, high) = REDUCED_PRESSURES.into_inner();
-        Err(Refusal(if self.points > most && !matches!(self.body, Body::File | Body::Scene) {
-            format!("{} points are too many here: give at most {most}", self.points)
-        } else if self.stop.max_iterations() > MOST_STEPS {
-            format!("{} steps are too many here: give at most {MOST_STEPS}", self.stop.max_iterations())
-        } else if !REDUCED_PRESSURES.contains(&self.load) {
-            format!("the load p* is {:?}: give {low:e} to {high:e}", self.load)
+        schema::check(&serde_json::to_value(self).map_err(|error| Refusal(plain(&error)))?)?;
+        if matches!(self.body, Body::File | Body::Scene) {
+            return Ok(());
+        }
+        let Self { points, rolloff, cutoff, .. } = *self;
+        let most = MOST_POINTS[1].isqrt();
+        let is_rough = self.roughness > 0.0;
+        Err(Refusal(if self.domain == Domain::Surface && points > most {
+            format!("`points` cannot be {points} for a surface: give at most {most} along each side")
         } else if self.bumps.len() > MOST_BUMPS {
             format!("{} bumps are too many here: give at most {MOST_BUMPS}", self.bumps.len())
-        } else if self.body == Body::Flat && self.roughness == 0.0 {
+        } else if self.body == Body::Flat && !is_rough {
             "a flat without roughness touches everywhere: raise the roughness or choose another body".into()
+        } else if is_rough && cutoff <= rolloff {
+            format!("`cutoff` cannot be {cutoff}: give more than `rolloff`, which is {rolloff}")
+        } else if is_rough && 2.0 * cutoff > points as f64 {
+            format!("`cutoff` cannot be {cutoff}: give at most half of `points`, which is {points}")
         } else {
             return Ok(());
         }))

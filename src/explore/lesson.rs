@@ -33,7 +33,7 @@ type WrittenKnobs = BTreeMap<String, Spanned<Value>>;
 /// Why a step is refused, and where that stands in its file if it is not about the whole step.
 type Misplaced = (Option<Range<usize>>, Refusal);
 /// Values that a class may turn knobs to, by the names of the knobs.
-type Turns = BTreeMap<String, Vec<Value>>;
+type Turns = BTreeMap<String, Spanned<Vec<Value>>>;
 
 /// A lesson.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -120,7 +120,7 @@ struct DraftStep {
     turn: Turns,
     #[serde(default)]
     sweep: bool,
-    ask: Option<Question>,
+    ask: Option<Spanned<Question>>,
 }
 
 impl Lesson {
@@ -199,13 +199,13 @@ impl LessonStep {
     fn of(common: &WrittenKnobs, turns: &Turns, draft: DraftStep) -> Result<Self, Misplaced> {
         let DraftStep { text, knobs, turn, sweep, ask } = draft;
         let knobs = laid_over(&common.iter().chain(&knobs).collect::<Vec<_>>())?;
-        let of_step = |refusal| (None, refusal);
-        text.check().map_err(of_step)?;
-        ask.iter().try_for_each(|ask| ask.check(sweep)).map_err(of_step)?;
+        text.check().map_err(|refusal| (None, refusal))?;
+        if let Some(ask) = &ask {
+            ask.as_ref().check(sweep).map_err(|refusal| (Some(ask.span()), refusal))?;
+        }
         let turn: Turns = turns.clone().into_iter().chain(turn).collect();
-        let states = turned(&knobs, &turn).map_err(of_step)?;
-        states.iter().try_for_each(|knobs| knobs.setup().map(|_| ())).map_err(|refusal| of_step(of_turn(refusal)))?;
-        Ok(Self { text, knobs, states, sweep, ask })
+        let states = turned(&knobs, &turn)?;
+        Ok(Self { text, knobs, states, sweep, ask: ask.map(Spanned::into_inner) })
     }
 
     /// All states of the knobs that a class may turn to from this step, its own first.
@@ -226,7 +226,17 @@ fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced>
     let says = |count: &usize| knobs_of(&written[..*count]).is_err_and(|it| it == refused);
     let Some(count) = (1..=written.len()).find(says) else { return Err((None, refused)) };
     let (key, value) = written[count - 1];
-    Err((Some(value.span()), Refusal(format!("knobs.{key} = {}: {}", value.as_ref(), refused.0))))
+    Err((Some(value.span()), named(key, value.as_ref(), refused)))
+}
+
+/// A refusal that names the knob as it is written.
+fn named(key: &str, value: &Value, Refusal(reason): Refusal) -> Refusal {
+    let is_named = reason.contains(&format!("`{key}`")) || reason.contains(&format!("`{key}."));
+    Refusal(match reason.strip_prefix(&format!("{value} cannot be: ")) {
+        Some(advice) => format!("`{key}` cannot be {value}: {advice}"),
+        None if is_named => reason,
+        None => format!("`{key} = {value}`: {reason}"),
+    })
 }
 
 fn knobs_of(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Refusal> {
@@ -241,19 +251,24 @@ fn knobs_of(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Refusal> {
 }
 
 /// The states that knobs have when each of some is turned to each of its values, from the knobs as they are on.
-fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Refusal> {
+///
+/// # Errors
+/// A sentence with the place of the values among which one cannot be.
+fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Misplaced> {
     let mut states = vec![knobs.clone()];
     for (key, values) in turn {
+        let misplaced = |Refusal(reason)| (Some(values.span()), Refusal(format!("turn: {reason}")));
         let mut further = Vec::new();
-        for value in values {
+        for value in values.as_ref() {
             for state in &states {
-                further.push(with(state, key, value)?);
+                further.push(with(state, key, value).map_err(|refused| misplaced(named(key, value, refused)))?);
             }
         }
         states.extend(further);
         states = distinct(states);
         if states.len() > MOST_STATES {
-            return Err(Refusal(format!("turn: it leads to more than {MOST_STATES} states: give fewer values")));
+            let reason = format!("the values lead to more than {MOST_STATES} states: give fewer");
+            return Err(misplaced(Refusal(reason)));
         }
     }
     Ok(states)
@@ -261,10 +276,12 @@ fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Refusal> {
 
 /// Knobs with one of them turned.
 fn with(knobs: &Knobs, key: &str, value: &Value) -> Result<Knobs, Refusal> {
-    let wrong = |error: serde_json::Error| of_turn(Refusal(plain(&error)));
+    let wrong = |error: serde_json::Error| Refusal(plain(&error));
     let mut values = serde_json::to_value(knobs).map_err(wrong)?;
     values[key] = value.clone();
-    serde_json::from_value(values).map_err(wrong)
+    let turned: Knobs = serde_json::from_value(values).map_err(wrong)?;
+    turned.setup()?;
+    Ok(turned)
 }
 
 /// States without those that are the same as one before.
@@ -275,8 +292,4 @@ fn distinct(states: Vec<Knobs>) -> Vec<Knobs> {
         }
         kept
     })
-}
-
-fn of_turn(Refusal(reason): Refusal) -> Refusal {
-    Refusal(format!("turn: {reason}"))
 }

@@ -1,6 +1,7 @@
 //! The page and the viewer inside it, all of them in the binary.
 
 use super::policy::IN_PAGE;
+use super::schema;
 use super::site::{Reply, Request, Site};
 use super::stream::RecordingBytes;
 use axum::body::Bytes;
@@ -19,13 +20,16 @@ macro_rules! file {
     };
 }
 
-/// The script with all sentences of the page in all of its languages, and those that the server tells in English with their translations.
+/// The script with all sentences of the page in all of its languages, and those of the server, which are English, with what the page says in
+/// their place.
 const TEXTS: &str = concat!(
     "const TEXTS = {\n\"en\": ",
     include_str!("../../assets/explore/texts/en.json"),
     ",\n\"de\": ",
     include_str!("../../assets/explore/texts/de.json"),
-    "};\nconst TOLD = {\n\"de\": ",
+    "};\nconst TOLD = {\n\"en\": ",
+    include_str!("../../assets/explore/texts/told.en.json"),
+    ",\n\"de\": ",
     include_str!("../../assets/explore/texts/told.de.json"),
     "};\n"
 );
@@ -59,10 +63,15 @@ const FILES: &[(&str, &str, &str)] = &[
     file!("presets.js", SCRIPT),
 ];
 
+/// The path of the script with the schema of the knobs.
+const KNOBS: &str = "/knobs.js";
+
 /// Answers to the paths of the page.
 pub struct Page {
     script: Bytes,
     module: Bytes,
+    /// The script with the schema of the knobs.
+    knobs: Bytes,
     /// `explore` for controls and viewer, `view` for the viewer alone.
     mode: &'static str,
 }
@@ -81,13 +90,19 @@ impl Page {
     pub fn new(mode: &'static str) -> io::Result<Self> {
         let viewer = Arc::new(WebViewerData::load(None).map_err(io::Error::other)?);
         let file = |content| Bytes::from_owner(ViewerFile(viewer.clone(), content));
-        Ok(Self { script: file(WebViewerData::viewer_js), module: file(WebViewerData::viewer_wasm), mode })
+        Ok(Self {
+            script: file(WebViewerData::viewer_js),
+            module: file(WebViewerData::viewer_wasm),
+            knobs: schema::script().into(),
+            mode,
+        })
     }
 
     /// The file at `path`, if it belongs to the page.
     pub fn file(&self, path: &str) -> Option<Reply> {
         Some(match path {
             "/" => Reply::Page("text/html; charset=utf-8", self.html().into()),
+            KNOBS => Reply::Page(SCRIPT, self.knobs.clone()),
             "/re_viewer.js" => Reply::Fixed(SCRIPT, self.script.clone()),
             "/re_viewer_bg.wasm" => Reply::Fixed("application/wasm", self.module.clone()),
             _ => {
@@ -106,7 +121,7 @@ impl Page {
         let html = self.html().replace(kind, &policy).replace(script, &solved);
         let own = FILES.iter().map(|(path, _, text)| (&path[1..], Bytes::from_static(text.as_bytes())));
         let viewer = [("re_viewer.js", self.script.clone()), ("re_viewer_bg.wasm", self.module.clone())];
-        own.chain(viewer).chain([("index.html", html.into())])
+        own.chain(viewer).chain([(&KNOBS[1..], self.knobs.clone()), ("index.html", html.into())])
     }
 
     fn html(&self) -> String {

@@ -35,10 +35,15 @@ impl From<SurfaceError> for Refusal {
 pub fn plain(error: &serde_json::Error) -> String {
     let said = error.to_string();
     let said = said.rsplit_once(" at line ").map_or(said.as_str(), |(said, _)| said);
+    if let Some((name, known)) = said.strip_prefix("unknown field ").and_then(|it| it.split_once(", expected one of "))
+    {
+        return format!("there is no {name} here: choose one of {known}");
+    }
     let is_value = said.starts_with("invalid value: ") || said.starts_with("invalid type: ");
     let Some((found, wanted)) = said.split_once(", expected ").filter(|_| is_value) else { return said.into() };
     let value = found.split_once(": ").map_or(found, |(_, value)| value).replace('`', "");
-    let value = value.trim_start_matches("integer ").trim_start_matches("floating point ");
+    let kind = ["integer ", "floating point ", "string "].into_iter().find(|kind| value.starts_with(kind));
+    let value = kind.map_or(value.as_str(), |kind| &value[kind.len()..]);
     let wanted = if wanted.starts_with("struct ") { "a map" } else { wanted };
     let wanted = WANTED.iter().find(|(rust, _)| *rust == wanted).map_or(wanted, |(_, words)| words);
     format!("{value} cannot be: give {wanted}")

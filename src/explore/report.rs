@@ -4,6 +4,7 @@ use super::knobs::{Knobs, MODULUS};
 use crate::contact::{Contact, Failure, Observables, Step};
 use crate::error::{ProblemError, SetupError};
 use crate::theory::Exact;
+use crate::warning::Warning;
 use serde::Serialize;
 
 /// The state of a session.
@@ -57,8 +58,8 @@ pub struct RunReport {
     pub setup: String,
     /// What each step that was taken with the heights of a file came to.
     pub prepared: Vec<String>,
-    /// Why the numbers may mean little.
-    pub warnings: Vec<String>,
+    /// Why the numbers may mean little, first those of the surface, then those of the surface beside.
+    pub warnings: Vec<RunWarning>,
     pub knobs: Knobs,
     /// Whether solver and recording have ended.
     pub ended: bool,
@@ -67,6 +68,15 @@ pub struct RunReport {
     pub exact: Option<ExactNumbers>,
     /// The surface beside, under the same mean pressure.
     pub beside: Option<Beside>,
+}
+
+/// A warning about one of the surfaces of a run.
+#[derive(Clone, Serialize)]
+pub struct RunWarning {
+    /// Whether it is about the surface beside.
+    pub is_beside: bool,
+    #[serde(flatten)]
+    pub warning: Warning,
 }
 
 /// What is told of the surface beside.
@@ -128,8 +138,8 @@ pub struct SweepPoint {
     pub number: usize,
     #[serde(flatten)]
     pub observables: Observables,
-    /// Persson's relative area.
-    pub persson: f64,
+    /// Persson's relative area, of a rough flat on an elastic half-space.
+    pub persson: Option<f64>,
     pub exact: Option<ExactNumbers>,
 }
 

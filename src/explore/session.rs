@@ -184,6 +184,7 @@ impl Session {
         let none = || Refusal("there is no file of heights to describe: drop one on the page, or open it".into());
         let (file, description) = self.lock().heights.clone().ok_or_else(none)?;
         description.check(&knobs)?;
+        knobs.check()?;
         self.describe_as(file, knobs)
     }
 

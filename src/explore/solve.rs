@@ -3,15 +3,15 @@
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::reel::Reel;
-use super::report::{Beside, ExactNumbers, Numbers, RunReport, file_stem};
+use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
 use super::session::Turn;
 use super::step_numbers::StepNumbers;
 use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
 use crate::error::{SetupError, SolveError};
+use crate::job::{self, Job, JobRun, Pass, Solved};
 use crate::record::{Ghost, Options, Recording, Scene};
 use crate::setup::{Setup, command};
 use crate::surface::Surface;
-use crate::warning::Warning;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -24,7 +24,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let beside = beside.map(|beside| pressed_alike(beside, &problem)).transpose()?;
     let rank = setup.surface.rank(&setup.grid)?;
     let scene = Scene::of(&setup, &problem);
-    let title = format!("{}, p* = {}", scene.title, knobs.load);
+    let (title, exact) = (format!("{}, p* = {}", scene.title, knobs.load), scene.exact.clone());
     let report = RunReport {
         id: format!("run-{}", turn.number),
         file_stem: file_stem(&scene.title, &format!("p{}", knobs.load), setup.solver.name()),
@@ -32,38 +32,43 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         command: command(&setup),
         setup: setup.to_toml(),
         prepared: prepared(&setup, problem.surface())?,
-        warnings: warnings(&setup, &problem, beside.as_ref()),
+        warnings: Vec::new(),
         knobs,
         ended: false,
         numbers: None,
-        exact: scene.exact.as_ref().map(ExactNumbers::from),
+        exact: exact.as_ref().map(ExactNumbers::from),
         beside: beside
             .as_ref()
             .map(|(setup, problem)| Beside { title: Scene::of(setup, problem).title, numbers: None }),
     };
-    let (id, exact) = (report.id.clone(), scene.exact.clone());
-    let file_stem = report.file_stem.clone();
+    let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
     let options = Options { ghost: turn.ghost(), ..turn.options(&setup.record) };
-    let name = "beside".into();
-    let other = beside.as_ref().map(|(setup, problem)| Scene { name, ..Scene::of(setup, problem) });
-    let scenes: Vec<Scene<'_>> = [Scene { title, ..scene }].into_iter().chain(other).collect();
-    let (recording, live) = Recording::live(&id, &scenes, options)?;
-    turn.keep(Reel::new(&id, &file_stem, live));
-    turn.tell(|news| news.run = Some(report));
-    let mut curves = Ghost::new(&format!("pinned {id}"));
-    let (mut steps, mut motion) = (StepNumbers::default(), Motion::default());
-    let mut watch = Watch { turn, reported: Instant::now() };
-    let solver = setup.solver.solver();
-    let mut kept = (&mut curves, &mut steps, &mut motion);
-    let contact = solver.solve(&problem, &setup.stop, &mut (recording.recorder(0), &mut kept, &mut watch))?;
-    let other = match &beside {
-        Some((setup, problem)) => Some(solver.solve(problem, &setup.stop, &mut (recording.recorder(1), watch))?),
-        None => None,
+    let job = Job::from_run(JobRun { title: Some(title), problem: Some(problem), ..JobRun::new(setup) });
+    let job = beside.into_iter().fold(job, |job, (setup, problem)| {
+        job.beside(JobRun { name: "beside".into(), problem: Some(problem), ..JobRun::new(setup) })
+    });
+    let job = job.recorded_with(options, |scenes, options| {
+        let (recording, live) = Recording::live(&id, scenes, options)?;
+        turn.keep(Reel::new(&id, &file_stem, live));
+        turn.tell(|news| news.run = Some(report));
+        Ok(recording)
+    });
+    let mut watch = RunCollector {
+        turn,
+        reported: Instant::now(),
+        curves: Ghost::new(&format!("pinned {id}")),
+        steps: StepNumbers::default(),
+        motion: Motion::default(),
     };
-    recording.finish()?;
+    let solved = job.run(&mut watch)?.solved;
+    let doubts = doubts(&solved);
+    turn.tell(|news| news.run.iter_mut().for_each(|run| run.warnings.clone_from(&doubts)));
+    let mut contacts = solved.into_iter().map(|solved| solved.contact);
+    let (contact, other) = (contacts.next().expect("a job solves its first run"), contacts.next());
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
     }
+    let RunCollector { curves, steps, motion, .. } = watch;
     turn.finish(rank, contact, exact, other, curves, (steps, motion));
     Ok(())
 }
@@ -75,11 +80,12 @@ fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Fail
     Ok((setup, problem))
 }
 
-/// Why the numbers may mean little, those of the surface beside among them.
-fn warnings(setup: &Setup, problem: &Problem, beside: Option<&(Setup, Problem)>) -> Vec<String> {
-    let of_beside = beside.map(|(setup, problem)| setup.surface.warnings(problem.surface())).unwrap_or_default();
-    let of_beside = of_beside.iter().map(|warning| format!("of the surface beside: {warning}"));
-    setup.surface.warnings(problem.surface()).iter().map(Warning::to_string).chain(of_beside).collect()
+/// Reasons to doubt the surfaces and contacts, those of the surface beside among them.
+fn doubts(solved: &[Solved]) -> Vec<RunWarning> {
+    let of_run = |(i, it): (usize, &Solved)| -> Vec<RunWarning> {
+        it.warnings().into_iter().map(|warning| RunWarning { is_beside: i > 0, warning }).collect()
+    };
+    solved.iter().enumerate().flat_map(of_run).collect()
 }
 
 /// What each step of the preparation came to.
@@ -88,19 +94,38 @@ fn prepared(setup: &Setup, surface: &Surface) -> Result<Vec<String>, SetupError>
     setup.surface.height.as_ref().map_or(Ok(Vec::new()), of)
 }
 
-/// Reports where a solve stands, and ends it when its turn is over.
-struct Watch<'a> {
+/// What a run collects of its steps, and where it stands.
+struct RunCollector<'a> {
     turn: Turn<'a>,
     reported: Instant,
+    curves: Ghost,
+    steps: StepNumbers,
+    motion: Motion,
 }
 
-impl Observer for Watch<'_> {
+/// Reports where a solve stands, and ends it when its turn is over.
+struct ProgressReport<'w, 'a> {
+    turn: Turn<'a>,
+    reported: &'w mut Instant,
+}
+
+impl job::Watcher for RunCollector<'_> {
+    fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
+        let progress = ProgressReport { turn: self.turn, reported: &mut self.reported };
+        match pass {
+            Pass::Solve(_, 0) => Box::new(((&mut self.curves, &mut self.steps, &mut self.motion), progress)),
+            _ => Box::new(progress),
+        }
+    }
+}
+
+impl Observer for ProgressReport<'_, '_> {
     fn step(&mut self, step: &Step<'_>) -> Wish {
         if !self.turn.goes_on() {
             return Ok(ControlFlow::Break(()));
         }
         if self.reported.elapsed() >= INTERVAL {
-            self.reported = Instant::now();
+            *self.reported = Instant::now();
             let numbers = Numbers::of_step(step);
             self.turn.tell(|news| {
                 if let Some(run) = &mut news.run {

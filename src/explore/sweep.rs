@@ -6,11 +6,11 @@ use super::reel::Reel;
 use super::report::{ExactNumbers, SweepPoint, SweepReport, file_stem};
 use super::section::Section;
 use super::session::Turn;
-use crate::contact::{Contact, Each, Failure, Load, Multilevel, Observables, Problem, Solver, Step};
+use crate::contact::{Contact, Each, Failure, Law, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
 use crate::plot::Colour;
 use crate::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Output, Scene};
-use crate::setup::{Part, Setup};
+use crate::setup::{Part, Setup, Solid};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
 
@@ -27,24 +27,29 @@ const FEWEST_NODES: usize = 4;
 type PointCurve = (&'static str, &'static str, CurveKind, Colour, fn(&SweepPoint) -> f64);
 
 const AREA: &str = "Relative area a_rel";
-const KAPPA: &str = "kappa_r and kappa";
+const KAPPA_R: &str = "kappa_r";
+const KAPPA: &str = "kappa";
 const GREY: Colour = Colour([0x80; 3]);
 
-/// Curves of every sweep, and behind them those of an exact solution.
-const CURVES: [PointCurve; 5] = [
+/// Curves of every sweep, behind them those of Persson's theory where it applies, and those of an exact solution where there is one.
+const CURVES: [PointCurve; 3] = [
     (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_area().unwrap_or(f64::NAN)),
-    (AREA, "Persson", CurveKind::Theory, GREY, |point| point.persson),
-    (KAPPA, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| {
+    (KAPPA_R, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| {
         point.observables.resolved_kappa_r().unwrap_or(f64::NAN)
     }),
     (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_kappa().unwrap_or(f64::NAN)),
-    (KAPPA, "Persson", CurveKind::Theory, GREY, |point| point.persson / point.observables.reduced_pressure),
+];
+const PERSSON: [PointCurve; 2] = [
+    (AREA, "Persson", CurveKind::Theory, GREY, |point| point.persson.unwrap_or(f64::NAN)),
+    (KAPPA, "Persson", CurveKind::Theory, GREY, |point| {
+        point.persson.unwrap_or(f64::NAN) / point.observables.reduced_pressure
+    }),
 ];
 const EXACT: [PointCurve; 2] = [
     (AREA, "exact", CurveKind::Exact, Colour::GREEN, |point| {
         point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)
     }),
-    (KAPPA, "exact kappa_r", CurveKind::Exact, Colour::GREEN, |point| {
+    (KAPPA_R, "exact kappa_r", CurveKind::Exact, Colour::GREEN, |point| {
         point.exact.as_ref().and_then(|exact| exact.kappa_r).unwrap_or(f64::NAN)
     }),
 ];
@@ -53,10 +58,9 @@ const EXACT: [PointCurve; 2] = [
 pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let loads: Vec<f64> = loads().collect();
     let problem = at_load(&setup.problem()?, FIRST)?;
-    let curves: Vec<PointCurve> = match exact(&setup, &problem) {
-        Some(_) => CURVES.into_iter().chain(EXACT).collect(),
-        None => CURVES.to_vec(),
-    };
+    let persson = is_rough_flat(&setup).then_some(PERSSON).into_iter().flatten();
+    let exact = exact(&setup, &problem).map(|_| EXACT).into_iter().flatten();
+    let curves: Vec<PointCurve> = CURVES.into_iter().chain(persson).chain(exact).collect();
     let surface = setup.surface.title(problem.surface().grid());
     let report = SweepReport {
         id: format!("sweep-{}", turn.number),
@@ -90,6 +94,14 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
 fn loads() -> impl Iterator<Item = f64> {
     let steps = (PER_DECADE * (LAST / FIRST).log10()).round() as i32;
     (0..=steps).map(|i| FIRST * 10f64.powf(f64::from(i) / PER_DECADE))
+}
+
+/// Whether Persson's theory is about a surface: it is for rough flats on an elastic half-space, random or measured.
+fn is_rough_flat(setup: &Setup) -> bool {
+    let Setup { surface, solid, law, .. } = setup;
+    let is_half_space = !matches!(solid, Some(Solid::Layer { .. }));
+    let is_rough = surface.spectrum.is_some() || surface.height.is_some();
+    is_half_space && *law == Law::HardWall && is_rough && surface.indenter.is_none()
 }
 
 /// The load that the pictures have room for: contact is full there, if the surface is rough.
@@ -181,7 +193,7 @@ impl Press<'_> {
         let point = SweepPoint {
             number,
             observables: Observables::of(contact),
-            persson: persson::relative_area(load),
+            persson: is_rough_flat(self.setup).then(|| persson::relative_area(load)),
             exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),
         };
         let values: Vec<f64> = self.curves.iter().map(|(.., of)| of(&point)).collect();

@@ -33,7 +33,7 @@ pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
 }
 
 /// The reduced pressure, if the load tells it.
-fn reduced_pressure(problem: &Problem) -> Option<f64> {
+pub fn reduced_pressure(problem: &Problem) -> Option<f64> {
     match problem.load() {
         Load::ReducedPressure(reduced_pressure) => Some(reduced_pressure),
         _ => Some(problem.mean_pressure()? / problem.contact_modulus() / problem.rms_gradient()),

@@ -4,7 +4,8 @@ use super::flattened::Flattened;
 use crate::contact::{Contact, Load, Observer, Problem};
 use crate::error::{SetupError, StudyError};
 use crate::setup::{Cost, Extras, Setup, Table};
-use crate::surface::Field;
+use crate::surface::{Field, Surface};
+use std::sync::Arc;
 
 /// A contact under one load after the other, each solved from the contact before.
 ///
@@ -71,7 +72,15 @@ impl LoadCurve {
     /// # Errors
     /// The errors of [`Setup::problem`], under any of the loads.
     pub fn problem(&self) -> Result<Problem, SetupError> {
-        let any = self.setup.problem()?;
+        self.problem_of(self.setup.surface()?)
+    }
+
+    /// The same problem of heights that are at hand, in the place of those that the setup describes.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::problem_of`], under any of the loads.
+    pub fn problem_of(&self, surface: impl Into<Arc<Surface>>) -> Result<Problem, SetupError> {
+        let any = self.setup.problem_of(surface)?;
         let under = |load: &Load| any.clone().with_load(*load);
         let all = self.loads.iter().map(under).collect::<Result<Vec<_>, _>>()?;
         let heaviest = all.into_iter().max_by(|a, b| a.expected_mean_pressure().total_cmp(&b.expected_mean_pressure()));
@@ -89,19 +98,45 @@ impl LoadCurve {
         mut watch: impl FnMut(usize) -> O,
         mut each: impl FnMut(usize, &Contact) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut start: Option<Field> = None;
-        let mut flattened: Option<Flattened> = None;
+        let mut loading = Loading::default();
         for (number, &load) in self.loads.iter().enumerate() {
-            let problem = problem.clone().with_load(load).map_err(SetupError::from).map_err(StudyError::from)?;
-            let elastic = flattened.as_ref().map_or(Ok(None), |it| it.elastic(&problem))?;
-            let problem = elastic.unwrap_or(problem);
+            let problem = loading.problem(problem, load)?;
             let (solver, stop) = (self.setup.solver.solver(), &self.setup.stop);
-            let contact = solver.solve_from(start.as_ref(), &problem, stop, &mut watch(number));
+            let contact = solver.solve_from(loading.start(), &problem, stop, &mut watch(number));
             let contact = contact.map_err(StudyError::from)?;
             each(number, &contact)?;
-            flattened = Flattened::by(&contact).or(flattened);
-            start = Some(contact.pressure);
+            loading.take(contact);
         }
         Ok(())
+    }
+}
+
+/// What a contact carries from one load to the next: its pressure, from which the next solve starts, and what has yielded.
+#[derive(Default)]
+pub struct Loading {
+    start: Option<Field>,
+    flattened: Option<Flattened>,
+}
+
+impl Loading {
+    /// `problem` under the next load, on the surface that the loads before have left.
+    ///
+    /// # Errors
+    /// For a load that cannot be, such as a mean gap after the surface has yielded.
+    pub fn problem(&self, problem: &Problem, load: Load) -> Result<Problem, StudyError> {
+        let problem = problem.clone().with_load(load).map_err(SetupError::from)?;
+        let elastic = self.flattened.as_ref().map_or(Ok(None), |it| it.elastic(&problem))?;
+        Ok(elastic.unwrap_or(problem))
+    }
+
+    /// The pressure to start the next solve from, shape `(ny, nx)`.
+    pub fn start(&self) -> Option<&Field> {
+        self.start.as_ref()
+    }
+
+    /// Takes the contact under a load.
+    pub fn take(&mut self, contact: Contact) {
+        self.flattened = Flattened::by(&contact).or(self.flattened.take());
+        self.start = Some(contact.pressure);
     }
 }

@@ -41,7 +41,7 @@ pub use estimate::Estimate;
 pub use expense::Expense;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
-pub use load_curve::LoadCurve;
+pub use load_curve::{LoadCurve, Loading};
 pub use plan::{Plan, Row};
 pub use point::Point;
 pub use realisation::Realisation;

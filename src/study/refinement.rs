@@ -77,13 +77,24 @@ impl Refinement {
     ///
     /// # Errors
     /// Those of `solve`, and of the first grid.
-    pub fn settle<E: From<SetupError>>(
+    pub fn settle<E: From<SetupError>>(&self, solve: impl FnMut(&Setup) -> Result<Contact, E>) -> Result<Settled, E> {
+        let check =
+            |setup: &Setup| Ok(setup.cost(&Extras::default()).and_then(|cost| cost.check(setup.solver.name()))?);
+        self.settle_if(check, solve)
+    }
+
+    /// The same where `check` says whether there is memory for a grid, for heights that no setup describes.
+    ///
+    /// # Errors
+    /// Those of `solve`, and of `check` on the first grid.
+    pub fn settle_if<E>(
         &self,
+        mut check: impl FnMut(&Setup) -> Result<(), E>,
         mut solve: impl FnMut(&Setup) -> Result<Contact, E>,
     ) -> Result<Settled, E> {
         let mut last = None;
         for setup in self.setups() {
-            let fits = setup.cost(&Extras::default()).and_then(|cost| cost.check(setup.solver.name()));
+            let fits = check(&setup);
             if let (Err(_), Some(settled)) = (&fits, last.take()) {
                 return Ok(settled);
             }

@@ -21,6 +21,7 @@ pub use formats::{
 };
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
+pub use plateau::Plateaus;
 pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Resample, Scan};
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
@@ -30,7 +31,6 @@ use crate::chunks;
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use ndarray::{Array2, ArrayView1};
-use plateau::Plateaus;
 
 /// Values on a grid, shape `(ny, nx)`, row by row.
 pub type Field = Array2<f64>;
@@ -57,15 +57,32 @@ impl Surface {
     /// # Errors
     /// [`SurfaceError::Shape`] if the array does not fit the grid, [`SurfaceError::NonFinite`] for a NaN or infinity.
     pub fn new(grid: Grid, height: Field) -> Result<Self, SurfaceError> {
-        if height.shape() != grid.shape() {
-            return Err(SurfaceError::Shape { found: height.shape().to_vec(), expected: grid.shape() });
-        }
-        if let Some(((row, column), &value)) = height.indexed_iter().find(|(_, h)| !h.is_finite()) {
-            return Err(SurfaceError::NonFinite { index: [row, column], value });
-        }
-        let mut height = if height.is_standard_layout() { height } else { height.as_standard_layout().into_owned() };
+        let mut height = checked(&grid, height)?;
         let mean_height = centre(height.as_slice_mut().expect("standard layout"));
         Ok(Self { grid, height, mean_height, seed: None, plateaus: None })
+    }
+
+    /// The surface that another one's parts make, the same to the last bit: its heights about their mean, their mean, its seed and its
+    /// plateaus. It serves to carry a surface to another process.
+    ///
+    /// # Errors
+    /// The errors of [`Surface::new`].
+    ///
+    /// ```
+    /// use asperity::{Grid, Surface};
+    /// let one = Surface::line(ndarray::arr1(&[1.0, 3.0, 5.0, 4.0]).view(), 1.0)?;
+    /// let parts = (one.height().clone(), one.mean_height(), one.seed(), one.plateaus().cloned());
+    /// assert_eq!(Surface::from_parts(*one.grid(), parts.0, parts.1, parts.2, parts.3)?, one);
+    /// # Ok::<(), asperity::error::SurfaceError>(())
+    /// ```
+    pub fn from_parts(
+        grid: Grid,
+        height: Field,
+        mean_height: f64,
+        seed: Option<u64>,
+        plateaus: Option<Plateaus>,
+    ) -> Result<Self, SurfaceError> {
+        Ok(Self { grid, height: checked(&grid, height)?, mean_height, seed, plateaus })
     }
 
     /// A line of given heights and period.
@@ -200,10 +217,26 @@ impl Surface {
         (chunks::sum(n, self.square_gradient()) / n as f64).sqrt()
     }
 
+    /// The plateaus that the heights had before they were interpolated on this grid, if they were.
+    pub fn plateaus(&self) -> Option<&Plateaus> {
+        self.plateaus.as_ref()
+    }
+
     /// The seed of a random surface.
     pub fn seed(&self) -> Option<u64> {
         self.seed
     }
+}
+
+/// The heights in standard layout, if they fit the grid and are finite.
+fn checked(grid: &Grid, height: Field) -> Result<Field, SurfaceError> {
+    if height.shape() != grid.shape() {
+        return Err(SurfaceError::Shape { found: height.shape().to_vec(), expected: grid.shape() });
+    }
+    if let Some(((row, column), &value)) = height.indexed_iter().find(|(_, h)| !h.is_finite()) {
+        return Err(SurfaceError::NonFinite { index: [row, column], value });
+    }
+    Ok(if height.is_standard_layout() { height } else { height.as_standard_layout().into_owned() })
 }
 
 /// Refuses the first of some named values that is not positive and finite.

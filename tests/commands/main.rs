@@ -6,6 +6,7 @@ mod certify;
 mod cli;
 #[path = "../common/command.rs"]
 mod command;
+mod guide;
 mod inspect;
 #[allow(dead_code, reason = "the numerics compare more of a peer than certify does")]
 #[path = "../common/peer.rs"]

@@ -27,12 +27,14 @@ const LAYERS: &[(&str, u8)] = &[
     ("plot", 5),
     ("study", 5),
     ("record", 6),
-    ("explore", 7),
-    ("lab", 7),
-    ("paper", 7),
-    ("cli", 8),
-    ("lib", 8),
-    ("main", 8),
+    ("job", 7),
+    ("explore", 8),
+    ("guide", 9),
+    ("lab", 8),
+    ("paper", 8),
+    ("cli", 9),
+    ("lib", 9),
+    ("main", 9),
 ];
 
 /// Crates, and the only places that may name them.
@@ -99,9 +101,20 @@ fn arrows<'a>(circle: &[usize], uses: &[BTreeSet<usize>], name: impl Fn(usize) -
 
 #[test]
 fn no_files_go_round_in_a_circle() {
-    let uses = Uses::of(&Source::all(), false);
-    let found: Vec<String> = uses.circles().iter().map(|circle| arrows(circle, &uses.of, |i| &uses.files[i])).collect();
-    assert!(found.is_empty(), "{} circles:\n{}", found.len(), found.join("\n"));
+    for sources in [Source::all(), Source::of_python()] {
+        let uses = Uses::of(&sources, false);
+        let circles = uses.circles();
+        let found: Vec<String> = circles.iter().map(|circle| arrows(circle, &uses.of, |i| &uses.files[i])).collect();
+        assert!(found.is_empty(), "{} circles:\n{}", found.len(), found.join("\n"));
+    }
+}
+
+#[test]
+fn uses_are_found_in_the_python_package() {
+    let uses = Uses::of(&Source::of_python(), false);
+    let index = |path: &str| uses.files.iter().position(|file| file == path).unwrap();
+    assert!(uses.of[index("solve.rs")].contains(&index("contact.rs")));
+    assert!(!uses.of[index("contact.rs")].contains(&index("solve.rs")));
 }
 
 #[test]
@@ -159,7 +172,7 @@ fn names_of_the_viewer_that_pass_stay_in_one_file() {
 
 #[test]
 fn files_are_short_and_say_what_they_are() {
-    for source in Source::all() {
+    for source in Source::all().into_iter().chain(Source::of_python()) {
         let lines = source.text.lines().count();
         assert!(lines <= LONGEST_FILE, "{} has {lines} lines", source.path);
         assert!(source.text.starts_with("//! "), "{} does not begin with its documentation", source.path);

@@ -11,7 +11,23 @@ pub struct Source {
 impl Source {
     /// All files of the crate.
     pub fn all() -> Vec<Self> {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+        let sources = Self::below("src");
+        assert!(sources.len() > 30, "only {} files found", sources.len());
+        sources
+    }
+
+    /// All files of the Python package that are written in Rust.
+    pub fn of_python() -> Vec<Self> {
+        let mut sources = Self::below("python/src");
+        assert!(sources.len() > 15, "only {} files found", sources.len());
+        // in `src` this name is the crate itself, here it is another crate
+        sources.iter_mut().for_each(|source| source.text = source.text.replace("asperity::", "library::"));
+        sources
+    }
+
+    /// The files below a folder of the repository.
+    fn below(folder: &str) -> Vec<Self> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
         let mut folders = vec![root.clone()];
         let mut sources = Vec::new();
         while let Some(folder) = folders.pop() {
@@ -26,7 +42,6 @@ impl Source {
                 }
             }
         }
-        assert!(sources.len() > 30, "only {} files found", sources.len());
         sources.sort_by(|a, b| a.path.cmp(&b.path));
         sources
     }

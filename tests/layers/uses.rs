@@ -116,7 +116,9 @@ impl Map<'_> {
         let inner = (0..=path.len()).rev().find(|&i| self.modules.contains_key(&path[..i]))?;
         let (module, rest) = path.split_at(inner);
         let here = self.imports.get(module).into_iter().flatten();
-        match rest.first().and_then(|name| here.into_iter().find(|import| import.name == *name)) {
+        // an item that a module inside of its own file imports stands where it is
+        let mut others = here.filter(|import| import.path[..] != path[..path.len().min(inner + 1)]);
+        match rest.first().and_then(|name| others.find(|import| import.name == *name)) {
             Some(import) => self.file(&[&import.path, &rest[1..]].concat(), doors + 1),
             None => self.modules.get(module).copied(),
         }

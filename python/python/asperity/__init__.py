@@ -6,15 +6,16 @@
     >>> contact.converged
     True
 
-- `solve` presses heights on a solid; the `Contact` has fields as numpy arrays, measures, and a `Certificate` that bounds its error.
-- `Surface`, `Problem` and `Setup` describe a contact, the last as text that repeats it to the last bit.
-- `study` solves a setup with lists, here or on the workers of Dask, and returns a `Table` for numpy, pandas and Arrow.
-- `certify` judges a result of any other code, and `Recorder` each step of a loop of your own.
-- `theory` has closed forms; `show` looks at contacts and recordings in a notebook.
+- `solve` presses heights on a solid and returns a `Contact`: fields as numpy arrays, measures, and a `Certificate` that bounds its error. With a
+  list of loads it returns a `LoadCurve`.
+- `Surface`, `Problem` and `Setup` describe a contact. A `Setup` is text that repeats it to the last bit.
+- `study` solves a setup with lists, in this process or on the workers of Dask, and returns a `Table` for numpy, pandas and Arrow.
+- `certify` checks a result of any other code, and `Recorder` each step of your own loop.
+- `theory` has closed forms. `show` displays contacts and recordings in a notebook.
 
-Conventions: heights are positive towards the solid, pressure in compression, displacement into the solid; the gap is the displacement
-less the heights plus a datum. Wavenumbers are 2 pi / wavelength. Any consistent set of units will do; texts such as "160 um" and
-"1 GPa" become metres and pascals. Results do not depend on who watches, nor on the number of threads (RAYON_NUM_THREADS).
+Conventions: heights are positive towards the solid, pressure in compression, displacement into the solid. The gap is displacement minus
+height plus a datum. Wavenumbers are 2 pi / wavelength. Any consistent set of units works; texts such as "160 um" and "1 GPa" become metres and
+pascals. Callbacks, recordings and the number of threads (RAYON_NUM_THREADS) do not change results.
 """
 
 from __future__ import annotations
@@ -26,10 +27,14 @@ from asperity._asperity import (
     AsperityError,
     AsperityWarning,
     Batch,
+    CancelToken,
     Certificate,
+    Certification,
     Contact,
-    Halt,
     Ledger,
+    LoadCurve,
+    NotConverged,
+    PartialSlip,
     Problem,
     Recorder,
     Setup,
@@ -37,23 +42,24 @@ from asperity._asperity import (
     Study,
     Surface,
     Table,
-    Verdict,
     Work,
     observables,
 )
 
-# type checkers take this name for true; to import `typing` would take as long as all the rest
+# type checkers read this name as true; importing `typing` would take as long as all the rest
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
-    from typing import Any, Callable, Literal, Mapping, Sequence, Union
+    from typing import Any, Callable, Literal, Mapping, Sequence, Union, overload
 
     import numpy as np
     from numpy.typing import ArrayLike
+    from typing_extensions import Unpack
 
     from asperity import notebook
-    from asperity.campaign import study
+    from asperity._asperity import ListOfLoads, Load, Loads, SolveOptions
     from asperity.notebook import show
+    from asperity.studies import study
 
     Length = Union[float, str]
     """A number, or a text with a unit such as "160 um"."""
@@ -61,15 +67,35 @@ if TYPE_CHECKING:
     """A number, or a text with a unit such as "1 GPa"."""
     Keys = Mapping[str, Any]
     """A section of a scene, with `_` for `-` in its keys."""
+    Heights = Union[ArrayLike, Surface, os.PathLike[str], str]
+    """An array of heights, a Surface, or a file of heights."""
+
+    class PressOptions(SolveOptions, total=False):
+        """The keywords of `solve` besides heights, size and load."""
+
+        boundary: Literal["periodic", "free"] | Sequence[str] | None
+        datum: Length | None
+        solid: Pressure | Keys | None
+        law: Keys | None
+        friction: Keys | None
+        progress: bool
+
+    class Press(Load, PressOptions, total=False): ...
+
+    class PressSeveral(ListOfLoads, PressOptions, total=False): ...
 
 __all__ = [
     "AsperityError",
     "AsperityWarning",
     "Batch",
+    "CancelToken",
     "Certificate",
+    "Certification",
     "Contact",
-    "Halt",
     "Ledger",
+    "LoadCurve",
+    "NotConverged",
+    "PartialSlip",
     "Problem",
     "Recorder",
     "Setup",
@@ -77,7 +103,6 @@ __all__ = [
     "Study",
     "Surface",
     "Table",
-    "Verdict",
     "Work",
     "certify",
     "notebook",
@@ -90,90 +115,113 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    # what takes long to import, or is read from disk, waits until it is asked for
+    # modules that take long to import are imported when they are first used
     if name == "notebook":
         return import_module("asperity.notebook")
     if name == "show":
         return import_module("asperity.notebook").show
     if name == "study":
-        return import_module("asperity.campaign").study
+        return import_module("asperity.studies").study
     if name == "__version__":
         return import_module("importlib.metadata").version("asperity")
     raise AttributeError(f"module 'asperity' has no attribute {name!r}")
 
 
+if TYPE_CHECKING:
+    @overload
+    def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[Press]) -> Contact: ...
+    @overload
+    def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressSeveral]) -> LoadCurve: ...
+
+
 def solve(
-    height: ArrayLike | Surface | os.PathLike[str] | str,
+    height: Heights,
     size: Length | Sequence[Length] | None = None,
     *,
-    mean_pressure: Pressure | None = None,
-    reduced_pressure: float | None = None,
-    mean_gap: Length | None = None,
-    force: float | str | None = None,
-    approach: Length | None = None,
+    mean_pressure: Pressure | Loads | None = None,
+    reduced_pressure: float | Loads | None = None,
+    mean_gap: Length | Loads | None = None,
+    force: float | str | Loads | None = None,
+    approach: Length | Loads | None = None,
     boundary: Literal["periodic", "free"] | Sequence[str] | None = None,
     datum: Length | None = None,
     solid: Pressure | Keys | None = None,
     law: Keys | None = None,
+    friction: Keys | None = None,
     solver: str | Keys | None = None,
     tolerance: float | None = None,
     pressure_tolerance: float | None = None,
     max_iterations: int | None = None,
+    refine: Literal["auto"] | None = None,
+    area_tolerance: float | None = None,
     start: ArrayLike | None = None,
     callback: Callable[[Step], bool | None] | None = None,
+    progress: bool = False,
     record: os.PathLike[str] | str | None = None,
     recording: Keys | None = None,
     live: bool = False,
     stream: Callable[[bytes], object] | None = None,
     diagnose: bool = False,
-) -> Contact:
+) -> Contact | LoadCurve:
     """Presses heights on an elastic solid, and returns the contact.
 
-    height: heights of a line, shape (n), or of a surface, shape (ny, nx), a length each, peaks towards the solid positive; or a Surface, or
-        a file of heights.
-    size: length of the cell, or the lengths along y and x; none where a file says its own.
-    mean_pressure, reduced_pressure (mean pressure over rms gradient and contact modulus), mean_gap, force (of a line per length), approach:
-        the load, one of them.
-    boundary: "periodic" (the cell repeats itself) or "free" (nothing presses the solid beyond the cell), or one for each axis.
-    datum: distance from a line load at which the surface stands still, of a line on a free boundary.
-    solid: contact modulus E / (1 - nu^2), or a dictionary: contact_modulus, or young and poisson (two each for two bodies), and of a layer
-        its thickness as layer, and base. Without one pressures are over the contact modulus.
-    law: {"hardness": pressure} of the softer body; else it is elastic at any pressure.
+    height: heights of a line, shape (n), or of a surface, shape (ny, nx), as lengths, with peaks towards the solid positive; or a Surface; or a
+        file of heights.
+    size: length of the cell, or the lengths along y and x. It is not needed where a file contains it.
+    mean_pressure, reduced_pressure (mean pressure divided by rms gradient and contact modulus), mean_gap, force (of a line: force per length),
+        approach: the load, one of them. A list of loads returns a LoadCurve; each load is solved from the contact before.
+    boundary: "periodic" (the cell repeats) or "free" (nothing presses the solid outside the cell), or one for each axis.
+    datum: on a free boundary of a line, the distance from a line load at which the surface does not move.
+    solid: contact modulus E / (1 - nu^2), or a dictionary: contact_modulus, or young and poisson (two each for two bodies); for a layer also its
+        thickness as layer, and base. Without a solid, pressures are in units of the contact modulus.
+    law: {"hardness": pressure} of the softer body. Without it the solid is elastic at any pressure.
+    friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip says what sticks and what slips.
     solver: "multilevel" (the fast one), "polonsky-keer" or "gfmd", or a dictionary with its method and settings.
-    tolerance: the certificate to reach, 1e-8 if none is given; pressure_tolerance: the bound of the relative error of the pressure.
-    start: a pressure to start from, such as that under a neighbouring load.
-    callback: called with every Step; the run ends when it returns False.
-    record: a file .rrd that gets every step, for the Rerun viewer; recording: the keys of the section `record` of a scene; live: shows the
-        steps in the installed viewer; stream: a callable that takes the recording as bytes, piece by piece as it grows, such as
-        `asperity.notebook.Viewer()`.
-    diagnose: solves twice, and the contact says what held the solver up.
+    tolerance: the certificate to reach (1e-8). pressure_tolerance: the bound of the relative error of the pressure to reach.
+    refine: "auto" refines the grid until the estimated errors of area and kappa_r are below area_tolerance (0.01).
+    start: a pressure to start from, such as the solution under a similar load.
+    callback: called with every Step; the run ends when it returns False. progress: shows a bar by tqdm.
+    record: a file .rrd for all steps, to be opened in the Rerun viewer. recording: keys of the section `record` of a scene. live: shows the steps
+        in the installed viewer. stream: a callable that takes the recording as bytes, piece by piece, such as `asperity.notebook.Viewer()`.
+    diagnose: solves twice; Contact.diagnosis then says what slows the solver down.
 
-    Raises AsperityError for what makes no contact. Ctrl-C ends the run.
+    Raises AsperityError, a ValueError, for invalid input, and FileNotFoundError for a missing file. Warns with AsperityWarning of results to
+    doubt. Ctrl-C ends the run.
     """
-    surface = _surface(height, size, boundary, datum)
-    problem = Problem(
-        surface,
-        solid=solid,
-        law=law,
-        mean_pressure=mean_pressure,
-        reduced_pressure=reduced_pressure,
-        mean_gap=mean_gap,
-        force=force,
-        approach=approach,
-    )
-    return problem.solve(
-        solver=solver,
-        tolerance=tolerance,
-        pressure_tolerance=pressure_tolerance,
-        max_iterations=max_iterations,
-        start=start,
-        callback=callback,
-        record=record,
-        recording=recording,
-        live=live,
-        stream=stream,
-        diagnose=diagnose,
-    )
+    keys: dict[str, Any] = {
+        "solid": solid,
+        "law": law,
+        "friction": friction,
+        "mean_pressure": mean_pressure,
+        "reduced_pressure": reduced_pressure,
+        "mean_gap": mean_gap,
+        "force": force,
+        "approach": approach,
+    }
+    problem: Problem[Any] = Problem(_surface(height, size, boundary, datum), **keys)
+    options: SolveOptions = {
+        "solver": solver,
+        "tolerance": tolerance,
+        "pressure_tolerance": pressure_tolerance,
+        "max_iterations": max_iterations,
+        "refine": refine,
+        "area_tolerance": area_tolerance,
+        "start": start,
+        "callback": callback,
+        "record": record,
+        "recording": recording,
+        "live": live,
+        "stream": stream,
+        "diagnose": diagnose,
+    }
+    if not progress:
+        solved: Contact | LoadCurve = problem.solve(**options)
+        return solved
+    from asperity.progress import show_steps
+
+    with show_steps(callback, tolerance) as options["callback"]:
+        solved = problem.solve(**options)
+    return solved
 
 
 def certify(
@@ -192,11 +240,11 @@ def certify(
     datum: Length | None = None,
     solid: Pressure | Keys | None = None,
     law: Keys | None = None,
-) -> Verdict:
-    """Certifies somebody's result: bounds its error, and recognises everyday mistakes from the numbers.
+) -> Certification:
+    """Certifies a result of another code: bounds its error, and recognises common mistakes.
 
-    One of pressure (positive in compression), gap and displacement (lengths) is the result, of the shape of the heights. Without a load it
-    is certified under its own: the mean of the pressure, or of the gap. All else is as in `solve`.
+    The result is one of pressure (positive in compression), gap and displacement (lengths), of the shape of the heights. Without a load, the
+    mean of the pressure or of the gap is the load. The other keywords are those of `solve`.
     """
     loads = (mean_pressure, reduced_pressure, mean_gap, force, approach)
     if all(load is None for load in loads):
@@ -216,11 +264,11 @@ def certify(
 
 
 def _surface(height: Any, size: Any, boundary: Any, datum: Any) -> Surface:
-    """The surface of heights, whatever they come as."""
+    """The surface of heights that are an array, a Surface or a file."""
     if isinstance(height, Surface):
         given = {"size": size, "boundary": boundary, "datum": datum}
         if named := [name for name, value in given.items() if value is not None]:
-            raise AsperityError(f"a Surface has its own {named[0]}: give it to the Surface")
+            raise AsperityError(f"a Surface has its own {named[0]}: give {named[0]} to the Surface")
         return height
     if isinstance(height, str) or hasattr(height, "__fspath__"):
         return Surface.read(height, size=size, boundary=boundary, datum=datum)

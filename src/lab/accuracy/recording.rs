@@ -1,11 +1,12 @@
 //! The solvers side by side in one recording.
 
 use super::experiment::Experiment;
-use crate::contact::{Multilevel, Solver};
+use crate::contact::{Contact, Multilevel, Observer, Solver};
 use crate::diagnosis::Reference;
 use crate::error::SetupError;
+use crate::job::{self, Job, JobRun, Pass};
 use crate::lab::{Rival, Watch};
-use crate::record::{Options, Recording, Scene};
+use crate::record::Recording;
 use crate::setup::{Part, Record, Setup};
 use std::path::Path;
 use std::sync::Arc;
@@ -17,10 +18,8 @@ use std::sync::Arc;
 /// # Errors
 /// The errors of [`Experiment::check`], and for a file that cannot be written.
 pub fn record(path: &Path, experiment: &Experiment, what: &[Part], watch: Watch) -> Result<(), SetupError> {
-    let stop = experiment.stop;
     let record = Record { what: what.into(), length_unit: "L".into(), ..Record::default() };
-    let options = Options::from(&record);
-    let setup = Setup { stop, record, ..experiment.realised()?.setup(experiment.finest())? };
+    let setup = Setup { stop: experiment.stop, record, ..experiment.realised()?.setup(experiment.finest())? };
     let problem = setup.problem()?;
     let reference = if what.contains(&Part::Waterfall) {
         let end = Multilevel.solve(&problem, &experiment.reference, &mut watch("solving for the end"))?;
@@ -28,19 +27,29 @@ pub fn record(path: &Path, experiment: &Experiment, what: &[Part], watch: Watch)
     } else {
         None
     };
-    let setups = Rival::ALL.map(|rival| Setup { solver: rival.method, ..setup.clone() });
-    let scene = |(rival, setup): (&Rival, _)| {
-        let [name, title] = [rival.title; 2].map(String::from);
-        Scene { name, title, exact: None, reference: reference.clone(), ..Scene::of(setup, &problem) }
-    };
-    let scenes: Vec<Scene<'_>> = Rival::ALL.iter().zip(&setups).map(scene).collect();
-    let recording = Recording::create(path, &scenes, options)?;
-    for (i, rival) in Rival::ALL.iter().enumerate() {
-        let observer = &mut (recording.recorder(i), watch(&format!("recording {}", rival.title)));
-        let contact = rival.method.solver().solve(&problem, &stop, observer)?;
-        if let Some(fault) = contact.fault().filter(|_| contact.failure.is_some()) {
-            return Err(fault.into());
+    let [first, rest @ ..] = Rival::ALL.map(|rival| JobRun {
+        name: rival.title.into(),
+        title: Some(rival.title.into()),
+        problem: Some(problem.clone()),
+        reference: reference.clone(),
+        shows_exact: false,
+        ..JobRun::new(Setup { solver: rival.method, ..setup.clone() })
+    });
+    let job = rest.into_iter().fold(Job::from_run(first), Job::beside);
+    let job = job.recorded(|scenes, options| Recording::create(path, scenes, options));
+    let outcome = job.run(&mut Titled(watch))?;
+    let failed = outcome.solved.iter().map(|it| &it.contact).find(|contact| contact.failure.is_some());
+    failed.and_then(Contact::fault).map_or(Ok(()), |fault| Err(fault.into()))
+}
+
+/// Watches each run of a job under its title.
+struct Titled(Watch);
+
+impl job::Watcher for Titled {
+    fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
+        match pass {
+            Pass::Solve(run, _) => (self.0)(&format!("recording {}", run.label())),
+            Pass::Grid(_) | Pass::Reference(_) | Pass::Stick(_) => Box::new(()),
         }
     }
-    Ok(recording.finish()?)
 }

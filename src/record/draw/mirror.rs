@@ -6,6 +6,9 @@ use crate::record::scene::Scene;
 use crate::surface::Mirror;
 use rerun::{Radius, RecordingStream, RecordingStreamResult};
 
+/// Edges of a mesh along a dash of the outline.
+const DASH: usize = 3;
+
 /// The measured part of heights, all others being its mirror images.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeasuredPart {
@@ -24,6 +27,20 @@ impl MeasuredPart {
         };
         let is_line = scene.problem.surface().grid().is_line();
         Some(Self { share: [0, 1].map(|axis| if is_along(axis) && !(is_line && axis == 0) { 0.5 } else { 1.0 }) })
+    }
+
+    /// The outline in a mesh of so many rows and columns over the whole cell: the numbers of its vertices, in pieces with room between.
+    pub fn dashes(&self, [rows, columns]: [usize; 2]) -> Vec<Vec<usize>> {
+        let [top, right] =
+            [(0, rows), (1, columns)].map(|(axis, n)| (self.share[axis] * (n - 1) as f64).round() as usize);
+        let sides = [
+            (0..=right).collect::<Vec<_>>(),
+            (0..=top).map(|row| row * columns + right).collect(),
+            (0..=right).map(|column| top * columns + column).collect(),
+            (0..=top).map(|row| row * columns).collect(),
+        ];
+        let dashes = |side: &Vec<usize>| side.chunks(DASH + 1).step_by(2).map(<[usize]>::to_vec).collect::<Vec<_>>();
+        sides.iter().flat_map(dashes).filter(|dash| dash.len() > 1).collect()
     }
 
     /// Records its outline, in dashes on a dark or light line, over a box of a width and a height, whose lower left corner is node 0.

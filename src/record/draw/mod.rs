@@ -56,6 +56,4 @@ pub use stage::{Stage, level};
 pub use step_image::StepImage;
 pub use surface_relief::SurfaceRelief;
 pub use survey_picture::figure as survey_figure;
-pub use traces::{
-    COMPARED, PHASE, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_off_scale, log_run_style, title, traced,
-};
+pub use traces::{COMPARED, PHASE, SECONDS, STEP, TRANSFORMS, Traces, drawn, log_run_style, title, traced};

@@ -3,6 +3,7 @@
 use super::canvas::{self, style};
 use super::fill::zigzag;
 use super::load_axis::LoadAxis;
+use super::mirror::MeasuredPart;
 use super::palette::Palette;
 use crate::plot::Frame;
 use rerun::{Radius, RecordingStream, RecordingStreamResult, Transform3D};
@@ -18,13 +19,21 @@ pub struct PatchMap {
     frame: Frame,
     palette: &'static Palette,
     loads: LoadAxis,
+    measured: Option<MeasuredPart>,
     pub root: String,
 }
 
 impl PatchMap {
-    /// The map under `root` of a line under `loads`, beside pictures in `frame`.
-    pub fn new(frame: &Frame, palette: &'static Palette, root: &str, loads: LoadAxis) -> Self {
-        Self { frame: Frame { y: loads.whole(), ..frame.clone() }, palette, loads, root: format!("{root}/patches") }
+    /// The map under `root` of a line under `loads`, of which a part may be measured, beside pictures in `frame`.
+    pub fn new(
+        frame: &Frame,
+        palette: &'static Palette,
+        root: &str,
+        loads: LoadAxis,
+        measured: Option<MeasuredPart>,
+    ) -> Self {
+        let frame = Frame { y: loads.whole(), ..frame.clone() };
+        Self { frame, palette, loads, measured, root: format!("{root}/patches") }
     }
 
     /// Gives it the proportions of the pictures beside it, whose frame is given.
@@ -33,6 +42,8 @@ impl PatchMap {
     }
 
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        let entity = format!("{}/measured", self.root);
+        self.measured.map_or(Ok(()), |measured| measured.log(to, &entity, self.frame.size, self.palette))?;
         canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)
     }
 

@@ -4,6 +4,7 @@ use super::canvas::{LETTER, PANE};
 use super::eye::Eye;
 use super::fields::{Fields, range};
 use super::fill;
+use super::mirror::MeasuredPart;
 use super::palette::{FAINT, Map, Palette, colour};
 use super::reduce::Blocks;
 use super::ruler::measured;
@@ -23,6 +24,8 @@ const NAME: f64 = 0.6;
 const NAME_GAP: f32 = 0.6;
 /// Height of the final relief.
 const RELIEF: f64 = 1.6;
+/// Height of the outline of the measured part above the relief, which would hide it else.
+const ABOVE: f32 = 0.02;
 
 /// A mesh over the cell. Its heights are exaggerated so that the final relief is [`RELIEF`] high.
 ///
@@ -41,6 +44,8 @@ pub struct Relief {
     palette: &'static Palette,
     /// Lengths along y and x, in words.
     lengths: [String; 2],
+    /// The part that was measured, if the rest is its mirror images.
+    measured: Option<MeasuredPart>,
     /// Width and height of its pane.
     pane: [f64; 2],
     root: String,
@@ -50,7 +55,8 @@ impl Relief {
     /// The relief of the solid in a scene.
     pub fn new(scene: &Scene<'_>, forecast: Forecast, palette: &'static Palette, root: &str, unit: &str) -> Self {
         let problem = scene.problem;
-        Self::over(problem.surface().grid(), problem.height(), forecast.max_pressure, palette, root, unit)
+        let relief = Self::over(problem.surface().grid(), problem.height(), forecast.max_pressure, palette, root, unit);
+        Self { measured: MeasuredPart::of(scene), ..relief }
     }
 
     /// The relief of what lies at a gap below heights, coloured up to the highest pressure.
@@ -79,6 +85,7 @@ impl Relief {
             shades: Map::inferno(),
             palette,
             lengths: [0, 1].map(|axis| measured(["y", "x"][axis], unit, grid.size()[axis])),
+            measured: None,
             pane: PANE,
             root: format!("{root}/relief"),
         }
@@ -110,6 +117,10 @@ impl Relief {
     /// Records triangles and the outline of the cell.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         to.log_static(self.mesh(), &Mesh3D::update_fields().with_triangle_indices(self.triangles()))?;
+        if self.measured.is_some() {
+            let style = LineStrips3D::update_fields().with_colors([colour(self.palette.exact)]);
+            to.log_static(self.measured(), &style.with_radii([Radius::new_ui_points(1.5)]))?;
+        }
         let [y, x] = self.size.map(|length| length / 2.0);
         let base = -RELIEF as f32;
         let outline = [[-x, -y, base], [x, -y, base], [x, y, base], [-x, y, base], [-x, -y, base]];
@@ -126,6 +137,12 @@ impl Relief {
 
     pub fn log_frame(&self, to: &RecordingStream, fields: &Fields<'_>) -> RecordingStreamResult<()> {
         let vertices = self.vertices(fields);
+        if let Some(measured) = &self.measured {
+            let above = |vertex: usize| (vertices[vertex] + ABOVE * Vec3::Z).to_array();
+            let dashes =
+                measured.dashes(self.counts()).into_iter().map(|dash| dash.into_iter().map(above).collect::<Vec<_>>());
+            to.log(self.measured(), &LineStrips3D::update_fields().with_strips(dashes))?;
+        }
         let mesh = Mesh3D::update_fields()
             .with_vertex_normals(self.normals(&vertices, fields.stride).into_iter().map(|n| n.to_array()))
             .with_vertex_positions(vertices.into_iter().map(|v| v.to_array()))
@@ -146,6 +163,11 @@ impl Relief {
 
     fn mesh(&self) -> String {
         format!("{}/solid", self.root)
+    }
+
+    /// The outline of the measured part, which is stretched with the mesh.
+    fn measured(&self) -> String {
+        format!("{}/measured", self.mesh())
     }
 
     /// Vertices along y and x, with the ones that close the period.

@@ -8,13 +8,14 @@ use super::ghost::Ghost;
 use super::instruments::Instruments;
 use super::line::LinePicture;
 use super::load_axis::LoadAxis;
+use super::mirror::MeasuredPart;
 use super::palette::Palette;
 use super::patches::PatchMap;
 use super::picture::Picture;
 use super::spectrum::SpectrumPicture;
 use super::surface::SurfacePicture;
 use super::traces::{self, ExactValues};
-use crate::contact::{Contact, Observables, Phase};
+use crate::contact::{Contact, Observables, Phase, Resolved};
 use crate::grid::Grid;
 use crate::record::description;
 use crate::record::options::Options;
@@ -24,6 +25,18 @@ use crate::record::scene::Scene;
 use crate::record::setups::SETUP;
 use crate::setup::Part;
 use rerun::{AnyValues, RecordingStream, RecordingStreamResult, TextDocument};
+use std::sync::{Mutex, PoisonError};
+
+/// `kappa_r` of rough surfaces, where no exact value is known.
+const KAPPA_R: f64 = 1.6;
+/// The end of the axis of a curve that settles over its last value.
+const ROOM: f64 = 1.6;
+/// The end of an axis over the last value of a curve from which on the curve is too flat to be read.
+const FLAT: f64 = 4.0;
+/// The largest ratio of a relative area to its forecast that is common.
+const DOUBT: f64 = 1.5;
+/// The end of an axis of the relative area of full contact.
+const WHOLE: f64 = 1.05;
 
 /// The drawings of a scene and all else that its recorder and its layout need, without the problem itself.
 pub struct Stage {
@@ -43,10 +56,9 @@ pub struct Stage {
     pub exact: ExactValues,
     /// Whether an earlier solve stands beside it.
     pub has_ghost: bool,
-    /// Upper end of the axis of `kappa` and `kappa_r`, known before solving so that the first steps do not dwarf the last.
-    pub most_kappa: f64,
-    /// Upper end of the axis of the relative area.
-    pub most_area: f64,
+    /// The highest pressure that is expected.
+    pub highest_pressure: f64,
+    ends: Mutex<Ends>,
     pub picture: Box<dyn Picture>,
     /// Pictures of the whole run, if they are asked for.
     pub instruments: Option<Instruments>,
@@ -58,8 +70,37 @@ pub struct Stage {
     pub below: Option<StressPicture>,
     /// The map of contact patches over loads, once there are loads.
     pub patches: Option<PatchMap>,
+    /// The part that was measured, if the rest is its mirror image.
+    measured: Option<MeasuredPart>,
     /// Height of the window that the pictures are drawn for, in points.
     pub window_height: f64,
+}
+
+/// Upper ends of axes of curves that settle, known before solving so that the first steps do not dwarf the last.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ends {
+    pub kappa_r: f64,
+    pub relative_area: f64,
+    /// That of `kappa`, where the reduced pressure is known.
+    pub kappa: Option<f64>,
+}
+
+impl Ends {
+    /// The ends for curves that settle at some `kappa_r` and relative area.
+    fn new(kappa_r: f64, relative_area: f64, reduced_pressure: Option<f64>) -> Self {
+        let area = ROOM * relative_area;
+        Self {
+            kappa_r: ROOM * kappa_r,
+            relative_area: area.min(WHOLE),
+            kappa: reduced_pressure.map(|load| area / load),
+        }
+    }
+
+    /// Whether curves that would have these ends can be read on axes with the ends of `other`.
+    fn are_read_on(&self, other: &Self) -> bool {
+        let is_read = |own: f64, other: f64| (own / ROOM..=own * FLAT / ROOM).contains(&other);
+        is_read(self.kappa_r, other.kappa_r) && is_read(self.relative_area, other.relative_area)
+    }
 }
 
 impl Stage {
@@ -85,23 +126,47 @@ impl Stage {
             grid,
             exact: [kappa_r, exact.map(|exact| exact.relative_area)],
             has_ghost: options.ghost.is_some(),
-            most_kappa: kappa_r.map_or(4.0, |kappa_r| 1.6 * kappa_r),
-            most_area: (2.5 * forecast.relative_area).min(1.05),
+            highest_pressure: forecast.max_pressure,
+            ends: Mutex::new(Ends::new(
+                kappa_r.unwrap_or(KAPPA_R),
+                DOUBT * forecast.relative_area,
+                properties::reduced_pressure(scene.problem),
+            )),
             instruments: Instruments::new(scene, &root, &options, picture.frame()),
             picture,
             spectrum: options.what.has(Part::Spectrum).then(|| SpectrumPicture::new(scene, palette, &root)),
             density: options.what.has(Part::Error).then(|| DensityPicture::new(scene, &root, &options)),
             below: StressPicture::new(scene, forecast, &root, &options),
             patches: None,
+            measured: MeasuredPart::of(scene),
             window_height: options.window[1],
             root,
         }
     }
 
+    /// The upper ends of axes of curves.
+    pub fn ends(&self) -> Ends {
+        *self.ends.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Fits the axes of curves to the end of a run, and returns whether that was necessary: the layout must then be sent again.
+    pub fn fit_curves(&self, contact: &Contact) -> bool {
+        let Resolved { kappa_r, relative_area, .. } = contact.resolved();
+        let reduced_pressure = contact.counted().reduced_pressure;
+        let ends = Ends::new(kappa_r, relative_area, Some(reduced_pressure));
+        let is_known = kappa_r > 0.0 && kappa_r.is_finite();
+        let is_needed = is_known && !ends.are_read_on(&self.ends());
+        if is_needed {
+            *self.ends.lock().unwrap_or_else(PoisonError::into_inner) = ends;
+        }
+        is_needed
+    }
+
     /// Adds the map of contact patches of a line under `loads`, if contacts are recorded.
     pub fn map_patches(&mut self, loads: &LoadAxis) {
         let is_mapped = self.grid.is_line() && self.what.has(Part::Mask);
-        self.patches = is_mapped.then(|| PatchMap::new(self.picture.frame(), self.palette, &self.root, loads.clone()));
+        self.patches = is_mapped
+            .then(|| PatchMap::new(self.picture.frame(), self.palette, &self.root, loads.clone(), self.measured));
     }
 
     /// Gives each picture the proportions of its pane, whose size in points `pane` tells by the root of the picture; the pictures of

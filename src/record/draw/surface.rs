@@ -158,6 +158,9 @@ impl Picture for SurfacePicture {
             to.log_static(format!("{contact}/contour"), &line)?;
         }
         if self.what.has_mask_alone() {
+            let Image { frame, colours, .. } = &self.pressure;
+            let entity = format!("{contact}/measured");
+            self.measured.map_or(Ok(()), |measured| measured.log(to, &entity, frame.size, colours.palette))?;
             canvas::log_axes(to, self.pressure.colours.palette, &format!("{contact}/axes"), &self.pressure.frame)?;
         }
         self.relief.as_ref().map_or(Ok(()), |relief| relief.log_static(to))

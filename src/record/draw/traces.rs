@@ -262,12 +262,6 @@ fn is_exact(entity: &str) -> bool {
     entity.ends_with("_theory")
 }
 
-/// Says in the legend that the curve of `kappa` ends above its axis.
-pub fn log_off_scale(to: &RecordingStream, root: &str, kappa: f64) -> RecordingStreamResult<()> {
-    let name = format!("kappa: {kappa:.1}, off the scale");
-    to.log_static(format!("{root}/trace/kappa"), &SeriesLines::update_fields().with_names([name]))
-}
-
 /// Records name and colour of the curve of a run among others, or of exact values if it has no number.
 pub fn log_run_style(
     to: &RecordingStream,

@@ -23,7 +23,7 @@ pub struct Recording {
     pub(super) stages: Arc<[Stage]>,
     pub(super) options: Options,
     /// All that does not change, on its way.
-    statics: Option<Task>,
+    statics: Arc<Task>,
 }
 
 impl Recording {
@@ -85,13 +85,13 @@ impl Recording {
                 output.fail(io::Error::other(failure));
             }
         };
-        Ok(Self { statics: Some(Task::start(write)), ..recording })
+        Ok(Self { statics: Arc::new(Task::start(write)), ..recording })
     }
 
     /// Begins a recording with no more than its name. One that has an identity comes soon after it is made.
     pub(super) fn open(output: Output, name: &Name, stages: Vec<Stage>, options: Options) -> Result<Self, FileError> {
         let stream = stream(output.clone(), name).map_err(|failure| output.error(io::Error::other(failure)))?;
-        Ok(Self { stream, output, stages: stages.into(), options, statics: None })
+        Ok(Self { stream, output, stages: stages.into(), options, statics: Arc::default() })
     }
 
     /// Writes what is left, and the index of the file.
@@ -121,12 +121,12 @@ impl Recording {
     /// What writes the solve of scene number `scene`.
     pub(super) fn scribe(&self, scene: usize) -> Scribe {
         let target = (self.stream.clone(), self.output.clone());
-        Scribe::new(target, (Arc::clone(&self.stages), scene), self.options.every)
+        Scribe::new(target, (Arc::clone(&self.stages), scene), Arc::clone(&self.statics), self.options.every)
     }
 
     /// Waits until the layout and all that does not change are written.
     pub(super) fn wait_for_statics(&self) {
-        self.statics.iter().for_each(Task::wait);
+        self.statics.wait();
     }
 
     /// Reports an earlier failure to write.

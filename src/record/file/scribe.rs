@@ -3,11 +3,11 @@
 use super::output::Output;
 use super::pace::Waiting;
 use super::schedule::{Schedule, Thinning};
+use super::task::Task;
 use crate::contact::{Contact, Phase, Problem, Solver, Step, Stop, Work};
 use crate::record::description;
-use crate::record::draw::{
-    Fields, Instruments, Readings, SECONDS, STEP, Stage, TRANSFORMS, Traces, level, log_off_scale,
-};
+use crate::record::draw::{Extent, Fields, Instruments, Readings, SECONDS, STEP, Stage, TRANSFORMS, Traces, level};
+use crate::record::layout;
 use crate::record::properties;
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
@@ -16,6 +16,10 @@ use std::sync::Arc;
 
 /// The result of a run until there is one.
 pub const UNFINISHED: &str = "still running, or ended by force";
+
+/// The end of an axis of a run that goes on, over the highest pressure: where the axis is fitted to it, and the most that it may be later.
+const ROOM: f64 = 1.5;
+const LOWEST: f64 = 3.0;
 
 /// Writes the solve of one scene, as far as the options ask for it: numbers at every step, fields at those that they pick and
 /// at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are written.
@@ -36,6 +40,10 @@ pub struct Scribe {
     /// The latest state of a coarse grid, as long as it is not drawn.
     undrawn: Option<(Work, Phase, Fields<'static>)>,
     waiting: Waiting,
+    /// What replaces the axes of the beginning must come after them.
+    statics: Arc<Task>,
+    /// The highest pressure that the axes are fitted to.
+    axis_end: f64,
     /// Rows on the run in the table of parameters.
     run: String,
 }
@@ -46,6 +54,7 @@ impl Scribe {
     pub fn new(
         (stream, output): (RecordingStream, Output),
         (stages, scene): (Arc<[Stage]>, usize),
+        statics: Arc<Task>,
         every: Option<usize>,
     ) -> Self {
         let stage = &stages[scene];
@@ -57,6 +66,8 @@ impl Scribe {
             has_phases: false,
             undrawn: None,
             waiting: Waiting::new(output.pace()),
+            statics,
+            axis_end: stage.highest_pressure,
             run: String::new(),
             stream,
             output,
@@ -133,10 +144,8 @@ impl Scribe {
         let fields = &Fields::of_contact(contact);
         if let Some(traces) = &mut self.traces {
             traces.observables.add_certificate(contact);
-            let kappa = contact.resolved().relative_area / contact.counted().reduced_pressure;
-            let stage = &self.stages[self.scene];
-            if kappa > stage.most_kappa {
-                log_off_scale(&self.stream, &stage.root, kappa)?;
+            if self.stages[self.scene].fit_curves(contact) {
+                layout::send_steps(&self.stages, &self.stream)?;
             }
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
@@ -200,12 +209,28 @@ impl Scribe {
         }
     }
 
+    /// Fits the axes to a state whose pressure they cut off, or which they show too low, so that a run can be followed whose end is far
+    /// from its forecast.
+    fn fit_axes(&mut self, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        let highest = fields.pressure.iter().copied().fold(0.0, f64::max);
+        if highest > 0.0 && !(highest..=LOWEST * highest).contains(&self.axis_end) {
+            self.axis_end = ROOM * highest;
+            self.statics.wait();
+            let extent = self.stage().extent(fields);
+            self.stage().settle(&self.stream, Extent { pressure: self.axis_end, ..extent })?;
+        }
+        Ok(())
+    }
+
     fn log_description(&self, result: &str) -> RecordingStreamResult<()> {
         let stage = self.stage();
         self.stream.log_static(stage.description(), &stage.described(result, &self.run))
     }
 
-    fn log_frame(&self, work: Work, phase: Phase, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+    fn log_frame(&mut self, work: Work, phase: Phase, fields: &Fields<'_>) -> RecordingStreamResult<()> {
+        if phase.level == 0 {
+            self.fit_axes(fields)?;
+        }
         let (stream, stage) = (&self.stream, self.stage());
         stream.set_time_sequence(STEP, work.iterations as i64);
         stream.set_duration_secs(SECONDS, work.seconds);

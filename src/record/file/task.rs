@@ -4,7 +4,8 @@ use std::panic::resume_unwind;
 use std::sync::{Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 
-/// Work on a thread of its own, which ends before the task is dropped.
+/// Work on a thread of its own, which ends before the task is dropped; the default is no work.
+#[derive(Default)]
 pub struct Task(Mutex<Option<JoinHandle<()>>>);
 
 impl Task {
@@ -13,7 +14,7 @@ impl Task {
         Self(Mutex::new(Some(thread::spawn(work))))
     }
 
-    /// Waits for the end of the work, and passes on its panic.
+    /// Waits for the end of the work, and passes on its panic; others who wait at the same time see the end as well.
     pub fn wait(&self) {
         if let Err(panic) = self.join() {
             resume_unwind(panic);
@@ -21,8 +22,8 @@ impl Task {
     }
 
     fn join(&self) -> thread::Result<()> {
-        let thread = self.0.lock().unwrap_or_else(PoisonError::into_inner).take();
-        thread.map_or(Ok(()), JoinHandle::join)
+        let mut thread = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        thread.take().map_or(Ok(()), JoinHandle::join)
     }
 }
 

@@ -94,8 +94,8 @@ impl View {
         Pane::View(Self { picture: Some(root.into()), ..view.with("Background", ground(palette)) })
     }
 
-    /// Curves of all times on an axis over `range`, with the legend in a corner that they leave free.
-    pub fn settling(title: &str, contents: Vec<String>, range: [f64; 2], legend: Corner) -> Pane {
+    /// Curves of all times on an axis over `range`. Without a legend, the title must say which curve is which.
+    pub fn settling(title: &str, contents: Vec<String>, range: [f64; 2], legend: Option<Corner>) -> Pane {
         let range = rerun::components::Range1D(range.into());
         let view = Self::curves(title, contents, legend);
         Pane::View(view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)))
@@ -103,13 +103,22 @@ impl View {
 
     /// Curves of all times on an axis that fits them; the legend stands where nothing is, if they fall.
     pub fn falling(title: &str, contents: Vec<String>) -> Pane {
-        Pane::View(Self::curves(title, contents, Corner::RightTop))
+        Pane::View(Self::curves(title, contents, Some(Corner::RightTop)))
     }
 
-    fn curves(title: &str, contents: Vec<String>, legend: Corner) -> Self {
+    /// One curve of all times, which the title names, on an axis that fits it.
+    pub fn single(title: &str, entity: String) -> Pane {
+        Pane::View(Self::curves(title, vec![entity], None))
+    }
+
+    fn curves(title: &str, contents: Vec<String>, legend: Option<Corner>) -> Self {
         let time = panes::TimeAxis::new().with_link(components::LinkAxis::Independent);
+        let legend = match legend {
+            Some(corner) => panes::PlotLegend::new().with_corner(corner),
+            None => panes::PlotLegend::new().with_visible(false),
+        };
         Self::new(CURVES, title, "/", contents)
-            .with("PlotLegend", panes::PlotLegend::new().with_corner(legend))
+            .with("PlotLegend", legend)
             .with("TimeAxis", time.with_view_range(TimeRange::EVERYTHING))
     }
 
@@ -134,17 +143,14 @@ fn ground(palette: &Palette) -> panes::Background {
 
 /// Writes the blueprint of its viewer into `recording`: `panes`, as tabs if there are several, and the
 /// timeline that is active at first with its frames per second.
-/// Curves lie on the ground of `palette`, or on that of the viewer.
-pub fn send(
-    panes: Vec<Pane>,
-    clock: (&'static str, f64),
-    palette: Option<&'static Palette>,
-    recording: &RecordingStream,
-) -> RecordingStreamResult<()> {
+///
+/// Views of curves keep the ground of the viewer, as numbers, grid and legend are drawn in the colours of the viewer, which no
+/// recording can set: on a ground of our own they would be unreadable in the other theme.
+pub fn send(panes: Vec<Pane>, clock: (&'static str, f64), recording: &RecordingStream) -> RecordingStreamResult<()> {
     let Some(shown) = recording.store_info() else { return Ok(()) };
     let (store, storage) = layout(shown.application_id())?;
     store.set_time_sequence("blueprint", 0);
-    let mut blueprint = Blueprint { store, palette, panes: 0 };
+    let mut blueprint = Blueprint { store, panes: 0 };
     blueprint.log(panes, clock)?;
     let Some(info) = blueprint.store.store_info() else { return Ok(()) };
     let command = BlueprintActivationCommand { blueprint_id: info.store_id, make_active: true, make_default: true };
@@ -155,7 +161,6 @@ pub fn send(
 /// A blueprint in the making, whose panes are named by their paths.
 struct Blueprint {
     store: RecordingStream,
-    palette: Option<&'static Palette>,
     panes: u16,
 }
 
@@ -180,10 +185,6 @@ impl Blueprint {
         let path = format!("view/{}", self.next_id(&view.class));
         let contents = view.contents.into_iter().map(|entities| components::QueryExpression(entities.into()));
         self.store.log(format!("{path}/ViewContents"), &panes::ViewContents::new(contents))?;
-        if let Some(palette) = self.palette.filter(|_| view.class == CURVES) {
-            let ground = panes::PlotBackground::new().with_color(colour(palette.ground));
-            self.store.log(format!("{path}/PlotBackground"), &ground)?;
-        }
         let pane = panes::ViewBlueprint::new(view.class).with_display_name(view.title).with_space_origin(view.origin);
         self.store.log(path.as_str(), &pane)?;
         for (name, property) in view.properties {
@@ -247,12 +248,12 @@ mod tests {
     fn a_blueprint_arrives_and_its_store_ends_with_it() {
         let (recording, storage) = layout(&"test".into()).unwrap();
         let text = View::text("text", "/text".into());
-        send(vec![text], ("step", 1.0), None, &recording).unwrap();
+        send(vec![text], ("step", 1.0), &recording).unwrap();
         assert!(!storage.take().is_empty());
         recording.disconnect();
         let (store, storage) = layout(&"test".into()).unwrap();
         let weak = store.clone_weak();
-        drop((Blueprint { store, palette: None, panes: 0 }, storage));
+        drop((Blueprint { store, panes: 0 }, storage));
         assert_eq!(weak.ref_count(), 0);
     }
 }

@@ -28,12 +28,12 @@ pub fn send_comparison(
     let right = Pane::container(Kind::Vertical, "curves", first.into_iter().chain([(rest, 1.0)]).collect());
     let left = Pane::even(Kind::Vertical, "curves", settling.into_iter().map(view).collect());
     let comparison = Pane::even(Kind::Horizontal, "Comparison", vec![left, right]);
-    send([comparison].into_iter().chain(recordings).collect(), (STEP, FRAMES_PER_SEC), None, stream)
+    send([comparison].into_iter().chain(recordings).collect(), (STEP, FRAMES_PER_SEC), stream)
 }
 
 fn view(Compared { title, entities, most }: Compared) -> Pane {
     match most {
-        Some(most) => View::settling(&title, entities, [0.0, most], Corner::RightBottom),
+        Some(most) => View::settling(&title, entities, [0.0, most], Some(Corner::RightBottom)),
         None => View::falling(&title, entities),
     }
 }

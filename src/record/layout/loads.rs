@@ -39,8 +39,7 @@ pub fn send_loads(
     curves: &Curves,
     stream: &RecordingStream,
 ) -> RecordingStreamResult<()> {
-    let palette = charts.first().map(|chart| chart.palette).or(stages.first().map(|stage| stage.palette));
-    send(vec![layout(stages, figure, charts, curves)], (LOAD, LOADS_PER_SEC), palette, stream)
+    send(vec![layout(stages, figure, charts, curves)], (LOAD, LOADS_PER_SEC), stream)
 }
 
 fn layout(stages: &[Stage], figure: Option<&FigurePicture>, charts: &[Chart], curves: &Curves) -> Pane {
@@ -48,24 +47,27 @@ fn layout(stages: &[Stage], figure: Option<&FigurePicture>, charts: &[Chart], cu
     let room = stages.first().filter(|_| !is_line).map_or(CONTACT, width);
     let contacts: Vec<Pane> = stages.iter().filter(|stage| stage.what.has_pictures()).map(pictures).collect();
     let contacts = (!contacts.is_empty()).then(|| (Pane::even(Kind::Tabs, "contacts", contacts), room));
-    let mut rows = rows(figure, charts.iter().map(chart).collect());
-    rows.push((Pane::even(Kind::Tabs, "more", texts(stages, curves)), 1.0));
+    let (mut rows, others) = rows(figure, charts.iter().map(chart).collect());
+    let texts = texts(stages, curves);
+    let load = View::text("Load", TEXT.into());
+    let more = [load].into_iter().chain(others).chain(texts).collect();
+    rows.push((Pane::even(Kind::Tabs, "more", more), 1.0));
     let panes = contacts.into_iter().chain([(Pane::container(Kind::Vertical, "curves", rows), 1.0)]).collect();
     Pane::container(Kind::Horizontal, "loads", panes)
 }
 
-/// The panels of the figure above all charts in one row, or charts in rows of their own.
-fn rows(figure: Option<&FigurePicture>, mut charts: Vec<Pane>) -> Vec<(Pane, f32)> {
+/// The panels of the figure above all charts in one row, or the first charts in rows of their own, and the other charts.
+fn rows(figure: Option<&FigurePicture>, mut charts: Vec<Pane>) -> (Vec<(Pane, f32)>, Vec<Pane>) {
     let Some(figure) = figure else {
         let others = charts.split_off(ROWS.min(charts.len()));
-        let others = (!others.is_empty()).then(|| Pane::even(Kind::Tabs, "charts", others));
-        return charts.into_iter().chain(others).map(|chart| (chart, 1.0)).collect();
+        return (charts.into_iter().map(|chart| (chart, 1.0)).collect(), others);
     };
     let panels = figure.panels().map(|(title, root, bounds)| {
         View::plane(title, &root, vec![format!("{root}/**")], (root.clone(), bounds), figure.palette)
     });
     let charts = (!charts.is_empty()).then(|| (Pane::even(Kind::Tabs, "charts", charts), 1.0));
-    [(Pane::even(Kind::Tabs, "figure", panels.collect()), 2.0)].into_iter().chain(charts).collect()
+    let rows = [(Pane::even(Kind::Tabs, "figure", panels.collect()), 2.0)].into_iter().chain(charts);
+    (rows.collect(), Vec::new())
 }
 
 fn chart(chart: &Chart) -> Pane {
@@ -73,10 +75,10 @@ fn chart(chart: &Chart) -> Pane {
     View::plane(&chart.title(), &chart.root, vec![format!("{}/**", chart.root)], picture, chart.palette)
 }
 
-/// The text of the current load, the scenes, and the curves against the number of the load, where a click picks one.
+/// The scenes in words, and the curves against the number of the load, where a click picks one.
 fn texts(stages: &[Stage], curves: &Curves) -> Vec<Pane> {
     let scenes = stages.iter().map(|stage| View::text(&stage.title, stage.description()));
     let numbered = curves.views().into_iter();
     let numbered = numbered.map(|(title, entities)| View::falling(&format!("{title}, load by load"), entities));
-    [View::text("Load", TEXT.into())].into_iter().chain(scenes).chain(numbered).collect()
+    scenes.chain(numbered).collect()
 }

@@ -16,8 +16,12 @@ const PICTURES_OF_SURFACE: f32 = 2.1;
 const NARROW: f32 = 0.65;
 /// Height of the stress below a line, whose proportions are those in space, beside pictures of the height 1.
 const STRESS: f32 = 1.4;
-/// The least height of a picture of a line, in points, of which there are at most two where three would be lower.
-const LEAST_ROW: f64 = 150.0;
+/// The least height of a row of pictures or curves, in points of the window: where rows would be lower, some of them become tabs.
+const LEAST_ROW: f64 = 200.0;
+/// Rows of the curves of a scene.
+const ROWS_OF_CURVES: usize = 3;
+/// Rows of the grid of the pictures of a surface.
+const ROWS_OF_GRID: usize = 2;
 /// Height of a row of pictures in the overview, which leaves them about the proportions that they have beside their curves; and of all rows at
 /// the most.
 const OVERVIEW_ROW: f32 = 0.38;
@@ -31,7 +35,7 @@ pub fn fit_steps(stages: &mut [Stage], window: [f64; 2]) {
 
 /// Lays out all scenes.
 pub fn send_steps(stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
-    send(tabs(stages), (STEP, FRAMES_PER_SEC), stages.first().map(|stage| stage.palette), recording)
+    send(tabs(stages), (STEP, FRAMES_PER_SEC), recording)
 }
 
 /// A tab for each scene after an overview; alone, a scene fills the window. The instruments of a scene that has pictures, too, have a tab of
@@ -51,8 +55,9 @@ fn overview(stages: &[Stage]) -> Pane {
     }
     if stages.iter().any(|stage| stage.what.has(Part::Traces)) {
         let all = |name: &str| stages.iter().map(|stage| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
-        let most = stages.iter().map(|stage| stage.most_kappa).fold(0.0, f64::max);
-        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most], Corner::RightBottom);
+        let most = stages.iter().map(|stage| stage.ends().kappa_r).fold(0.0, f64::max);
+        let corner = Some(Corner::RightBottom);
+        let kappa_r = View::settling("kappa_r of all scenes", all("kappa_r"), [0.0, most], corner);
         let certificate = View::falling("log10 certificate of all scenes", all("certificate_log10"));
         panes.push((Pane::even(Kind::Horizontal, "curves", vec![kappa_r, certificate]), 1.0 - height));
     }
@@ -84,11 +89,10 @@ fn run(stage: &Stage) -> Option<Pane> {
 }
 
 /// The views of the pictures. Those of a line stand one below the other, in front of the second row the map of patches, and in a low window
-/// those of the third row; those of a surface stand in a grid.
+/// those of the third row; those of a surface stand in a grid, and in a low window they are tabs.
 pub fn pictures(stage: &Stage) -> Pane {
     let mut rows = views(stage);
-    let is_low = stage.window_height < LEAST_ROW * rows.len() as f64;
-    if stage.grid.is_line() && rows.len() > 2 && is_low {
+    if stage.grid.is_line() && rows.len() > 2 && is_low(stage, rows.len()) {
         let further = rows.remove(2);
         rows[1].splice(0..0, further);
     }
@@ -105,6 +109,9 @@ pub fn pictures(stage: &Stage) -> Pane {
         let rows = rows.into_iter().zip(heights).filter(|(row, _)| !row.is_empty());
         let rows = rows.map(|(row, height)| (Pane::even(Kind::Tabs, "pictures", row), height));
         return Pane::container(Kind::Vertical, &stage.title, rows.collect());
+    }
+    if rows.len() > 1 && is_low(stage, ROWS_OF_GRID) {
+        return Pane::even(Kind::Tabs, &stage.title, rows.into_iter().flatten().collect());
     }
     let mut panes: Vec<Pane> = rows.into_iter().map(|row| Pane::even(Kind::Tabs, "pictures", row)).collect();
     if panes.len() == 3 {
@@ -253,9 +260,26 @@ fn beside_earlier(stage: &Stage, names: &[&str]) -> Vec<String> {
     traces.chain(stage.has_ghost.then(|| entity_under(&stage.root, names[0]))).collect()
 }
 
+/// Whether so many rows would be too low in the window of a scene.
+fn is_low(stage: &Stage, rows: usize) -> bool {
+    stage.window_height < LEAST_ROW * rows as f64
+}
+
 fn area(stage: &Stage) -> Pane {
     let curves = beside_earlier(stage, &["relative_area", "relative_area_counted", "relative_area_theory"]);
-    View::settling("Relative contact area", curves, [0.0, stage.most_area], Corner::RightTop)
+    View::settling(&titled("Relative area", stage), curves, [0.0, stage.ends().relative_area], None)
+}
+
+fn kappa_r(stage: &Stage) -> Pane {
+    let curves = beside_earlier(stage, &["kappa_r", "kappa_r_counted", "kappa_r_theory"]);
+    View::settling(&titled("kappa_r", stage), curves, [0.0, stage.ends().kappa_r], None)
+}
+
+/// The title of curves whose edges are resolved, with the colours of those beside them: a legend would cover curves that settle.
+fn titled(name: &str, stage: &Stage) -> String {
+    let exact = if stage.exact.iter().any(Option::is_some) { "; green: exact" } else { "" };
+    let earlier = if stage.has_ghost { " and earlier solve" } else { "" };
+    format!("{name} (grey: nodes counted{earlier}{exact})")
 }
 
 fn certificate(stage: &Stage) -> Pane {
@@ -270,16 +294,30 @@ fn curves(stage: &Stage) -> Pane {
         return Pane::even(Kind::Vertical, "curves", ritz.into_iter().chain([text]).collect());
     }
     let traces = |names: &[&str]| names.iter().map(|name| format!("{}/trace/{name}", stage.root)).collect::<Vec<_>>();
-    let kappa = beside_earlier(stage, &["kappa_r", "kappa", "kappa_r_counted", "kappa_r_theory"]);
     let free = |title: &str, names: &[&str]| View::falling(title, traces(names));
-    let is_elsewhere = |name: &str| {
-        ["kappa", "kappa_r", "kappa_r_counted", "relative_area", "relative_area_counted", "certificate"].contains(&name)
-    };
-    let others = traced().filter(|observable| !is_elsewhere(observable.name)).map(|it| free(&title(it), &[&drawn(it)]));
-    let mut more: Vec<Pane> = [text, area(stage)].into_iter().chain(others).collect();
+    let mut more: Vec<Pane> = [text, area(stage)].into_iter().chain(others(stage)).collect();
     more.push(free("energy", &["complementary_energy", "potential_energy"]));
     more.push(free("Grid level, outer and inner steps", &[PHASE]));
     more.extend(ritz);
-    let kappa = View::settling("Proportionality kappa_r, kappa", kappa, [0.0, stage.most_kappa], Corner::RightBottom);
-    Pane::even(Kind::Vertical, "curves", vec![kappa, certificate(stage), Pane::even(Kind::Tabs, "more", more)])
+    let mut rows = vec![kappa_r(stage)];
+    if is_low(stage, ROWS_OF_CURVES) {
+        more.insert(0, certificate(stage));
+    } else {
+        rows.push(certificate(stage));
+    }
+    rows.push(Pane::even(Kind::Tabs, "more", more));
+    Pane::even(Kind::Vertical, "curves", rows)
+}
+
+/// Views of observables that are not beside others: `kappa` on the axis of the area over the reduced pressure, the others on axes that
+/// fit them.
+fn others(stage: &Stage) -> impl Iterator<Item = Pane> {
+    let elsewhere = ["kappa_r", "kappa_r_counted", "relative_area", "relative_area_counted", "certificate"];
+    traced().filter(move |observable| !elsewhere.contains(&observable.name)).map(|observable| {
+        let entity = format!("{}/trace/{}", stage.root, drawn(observable));
+        match (observable.name, stage.ends().kappa) {
+            ("kappa", Some(most)) => View::settling(&title(observable), vec![entity], [0.0, most], None),
+            _ => View::single(&title(observable), entity),
+        }
+    })
 }

@@ -23,7 +23,7 @@ pub fn send_survey(
     text: &str,
     stream: &RecordingStream,
 ) -> RecordingStreamResult<()> {
-    send(vec![layout(relief, figure, text)], (STEP, 1.0), Some(figure.palette), stream)
+    send(vec![layout(relief, figure, text)], (STEP, 1.0), stream)
 }
 
 fn layout(relief: Option<(&str, Eye)>, figure: &FigurePicture, text: &str) -> Pane {

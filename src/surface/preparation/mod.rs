@@ -21,7 +21,7 @@ pub use resample::Resample;
 pub use scan::Scan;
 
 use crate::error::PreparationError;
-use crate::quantity::some_length;
+use crate::quantity::{number_in_words, some_length};
 use serde::{Deserialize, Serialize};
 
 /// The steps that make a surface of measured heights, in the order in which they are taken. None is taken unless it is given, and each
@@ -187,5 +187,6 @@ fn step(name: &str, value: Option<impl std::fmt::Debug>) -> Option<String> {
 
 /// The rms gradient before and after a step.
 fn gradients(before: &Scan, after: &Scan) -> String {
-    format!("the rms gradient was {:.4e} and is {:.4e}", before.rms_gradient(), after.rms_gradient())
+    let [before, after] = [before, after].map(|scan| number_in_words(scan.rms_gradient()));
+    format!("the rms gradient was {before} and is {after}")
 }

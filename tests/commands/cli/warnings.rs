@@ -121,7 +121,10 @@ fn lengths_that_may_be_swapped_and_patches_of_few_nodes_are_told() {
         let output = folder.run(&format!("solve {ROUGH_LINE} --reduced-pressure {load} --json"));
         let share = number(&json(&output), "unresolved_share");
         assert_eq!(share > 0.25, is_told, "{share}");
-        assert_eq!(warnings(&output).iter().any(|it| it.contains("is in patches too small to trust")), is_told);
+        assert_eq!(
+            warnings(&output).iter().any(|it| it.contains("is in patches that are too small to trust")),
+            is_told
+        );
     }
 }
 

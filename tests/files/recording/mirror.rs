@@ -3,9 +3,17 @@
 use super::rows;
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::Setup;
-use rerun::LineStrips2D;
-use rerun::components::LineStrip2D;
+use rerun::components::{LineStrip2D, LineStrip3D};
+use rerun::{LineStrips2D, LineStrips3D};
 use std::path::Path;
+
+/// Left, right, lower and upper end of what is drawn in space under an entity, as it lies in the cell; nothing where nothing is.
+fn ends_in_space(path: &Path, entity: &str) -> Option<[f32; 4]> {
+    let rows = rows::<LineStrip3D>(path, entity, LineStrips3D::descriptor_strips());
+    let points: Vec<[f32; 3]> = rows.last()?.1.iter().flat_map(|it| &it.0).map(|p| [p.x(), p.y(), p.z()]).collect();
+    let end = |axis: usize, pick: fn(f32, f32) -> f32| points.iter().map(|p| p[axis]).reduce(pick);
+    Some([end(0, f32::min)?, end(0, f32::max)?, end(1, f32::min)?, end(1, f32::max)?])
+}
 
 /// Left, right, upper and lower end of what is drawn under an entity; nothing where nothing is.
 fn ends(path: &Path, entity: &str) -> Option<[f32; 4]> {
@@ -16,8 +24,8 @@ fn ends(path: &Path, entity: &str) -> Option<[f32; 4]> {
     Some([end(0, f32::min)?, end(0, f32::max)?, end(1, f32::min)?, end(1, f32::max)?])
 }
 
-/// The outline in the picture of the pressure of heights in a file that are prepared in some way.
-fn outline(text: &str, prepare: &str) -> Option<[f32; 4]> {
+/// The outlines in the picture of the pressure and in the relief of heights in a file that are prepared in some way.
+fn outlines(text: &str, prepare: &str) -> [Option<[f32; 4]>; 2] {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("heights.txt");
     std::fs::write(&file, text).unwrap();
@@ -31,7 +39,7 @@ fn outline(text: &str, prepare: &str) -> Option<[f32; 4]> {
     let recording = Recording::create(&path, &[Scene::of(&setup, &problem)], Options::default()).unwrap();
     setup.solver.solver().solve(&problem, &setup.stop, &mut recording.recorder(0)).unwrap();
     recording.finish().unwrap();
-    ends(&path, "/contact/pressure/measured")
+    [ends(&path, "/contact/pressure/measured"), ends_in_space(&path, "/contact/relief/solid/measured")]
 }
 
 #[test]
@@ -41,9 +49,23 @@ fn the_measured_part_of_mirrored_heights_is_outlined() {
         (0..ny).map(|y| (0..24).map(|x| height(y, x)).collect::<Vec<_>>().join(" ") + "\n").collect::<String>()
     };
     // A unit is a node of the map, 46 x 46 with its images, and rows are counted upwards.
-    assert_eq!(outline(&rows(24), "mirror = \"both\""), Some([0.0, 23.0, 23.0, 46.0]));
-    assert_eq!(outline(&rows(24), "mirror = \"x\""), Some([0.0, 23.0, 0.0, 24.0]));
-    assert_eq!(outline(&rows(24), "detrend = \"plane\""), None);
-    let [left, right, ..] = outline(&rows(1).replace(' ', "\n"), "mirror = \"both\"").unwrap();
-    assert!(left == 0.0 && (right - 500.0).abs() < 1.0, "a half of the line: {right}");
+    assert_eq!(outlines(&rows(24), "mirror = \"both\"")[0], Some([0.0, 23.0, 23.0, 46.0]));
+    assert_eq!(outlines(&rows(24), "mirror = \"x\"")[0], Some([0.0, 23.0, 0.0, 24.0]));
+    assert_eq!(outlines(&rows(24), "detrend = \"plane\""), [None, None]);
+    let [line, relief] = outlines(&rows(1).replace(' ', "\n"), "mirror = \"both\"");
+    let [left, right, ..] = line.unwrap();
+    assert!(left == 0.0 && (right - 500.0).abs() < 1.0 && relief.is_none(), "a half of the line: {right}");
+}
+
+#[test]
+fn the_measured_part_is_outlined_on_the_relief() {
+    let height = |y: usize, x: usize| format!("{:.4}", 0.01 * ((x * x + 3 * y) as f64 * 0.21).sin());
+    let row = |y: usize| (0..24).map(|x| height(y, x)).collect::<Vec<_>>().join(" ") + "\n";
+    let map: String = (0..24).map(row).collect();
+    // the cell is 10 units long around the middle
+    let around = |found: [f32; 4], expected: [f32; 4]| (0..4).all(|i| (found[i] - expected[i]).abs() < 0.01);
+    let quarter = outlines(&map, "mirror = \"both\"")[1].unwrap();
+    assert!(around(quarter, [-5.0, 0.0, -5.0, 0.0]), "{quarter:?}");
+    let half = outlines(&map, "mirror = \"y\"")[1].unwrap();
+    assert!((half[3] - half[2]) / (half[1] - half[0]) > 0.9, "{half:?}: 24 by 23 nodes");
 }

@@ -66,7 +66,7 @@ fn grounds_and_words_of_all_pictures_follow_the_theme() {
                 let grounds = colours(&path, StoreKind::Blueprint, &Background::descriptor_color(), "");
                 assert_eq!(grounds, [ground].into(), "{theme:?}");
                 let curves = colours(&path, StoreKind::Blueprint, &PlotBackground::descriptor_color(), "");
-                assert_eq!(curves, [ground].into(), "{theme:?}");
+                assert!(curves.is_empty(), "the viewer draws words in colours of its own on {curves:?}");
                 let lines = rerun::LineStrips2D::descriptor_colors();
                 let words = colours(&path, StoreKind::Recording, &lines, "/words");
                 assert_eq!(words, [ink].into(), "{theme:?}");

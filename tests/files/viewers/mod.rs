@@ -14,9 +14,9 @@ use std::path::{Path, PathBuf};
 
 /// The versions that a recording must open in: that of our own SDK, and the newest one that was tried.
 const VERSIONS: &str = include_str!("versions.txt");
-const README: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md"));
+const GUIDE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/guide/recordings.md"));
 
-/// The end of the README's snippet: asserts that it has read what it says.
+/// The end of the program of the guide: asserts that it has read what it says.
 const ASSERTIONS: &str = "
 assert certificate[last][0] <= 1e-8, certificate
 assert len(x[last]) == len(pressure[last]) == 513 and max(pressure[last]) > 0, (x, pressure)
@@ -71,9 +71,9 @@ fn spoiled_passes(python: &Python, line: &Path, folder: &Path) -> Result<Option<
     Ok((!is_found).then(|| format!("a recording with a component of two types: {found}")))
 }
 
-/// The program of the README that reads a recording.
+/// The program of the guide that reads a recording.
 fn snippet() -> String {
-    let blocks = README.split("```python\n").skip(1).map(|rest| rest.split("```").next().unwrap());
+    let blocks = GUIDE.split("```python\n").skip(1).map(|rest| rest.split("```").next().unwrap());
     let program = blocks.into_iter().find(|block| block.contains("RrdReader")).unwrap();
     program.replace("profile.rrd", "line.rrd") + ASSERTIONS
 }

@@ -24,7 +24,7 @@ fn controls_and_hand_work(page: &mut Page) {
     let after = page.value(area).as_f64().unwrap();
     assert!(after > before, "{before} to {after}");
     page.press_at("press", "ArrowDown");
-    page.until("grip === null", 20);
+    page.until("grip === null");
     rested(page);
     assert!(page.value(area).as_f64().unwrap() > after);
 }
@@ -32,14 +32,14 @@ fn controls_and_hand_work(page: &mut Page) {
 /// Steps and loads are scrubbed through the numbers.
 fn steps_are_scrubbed(page: &mut Page) {
     page.press_at("scrub", "Home");
-    page.until("moment !== null", 20);
+    page.until("moment !== null");
     assert!(page.value("moment.numbers.iterations").as_f64().unwrap() <= 1.0);
     page.press_at("scrub", "End");
-    page.until("moment === null", 20);
+    page.until("moment === null");
     page.click("sweep");
-    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
+    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'");
     page.press_at("chart-area", "ArrowRight");
-    page.until("moment && moment.numbers.number !== undefined", 20);
+    page.until("moment && moment.numbers.number !== undefined");
 }
 
 #[test]

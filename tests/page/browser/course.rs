@@ -80,7 +80,7 @@ const LOAD: &str = "document.getElementById('control-load')";
 
 /// Waits until the run of a load is shown in the table.
 fn shows(page: &mut Page, load: f64) {
-    page.until(&format!("shownOrLatest()?.knobs.load === {load} && document.body.dataset.run === shownRun"), 30);
+    page.until(&format!("shownOrLatest()?.knobs.load === {load} && document.body.dataset.run === shownRun"));
     let shown = page.text("document.querySelector('#numbers td[data-number=kappa]').innerText");
     let solved = page.text("figure(solvedRun(knobs).numbers.kappa)");
     assert_eq!(shown, solved);
@@ -88,9 +88,9 @@ fn shows(page: &mut Page, load: f64) {
 
 /// The lesson is walked through, its load turned; `draws` says whether the viewer follows.
 fn a_lesson_is_taken(page: &mut Page, draws: bool) {
-    page.until("document.body.dataset.run !== undefined", 30);
+    page.until("document.body.dataset.run !== undefined");
     page.press_at("lesson", "t");
-    page.until("document.body.dataset.lesson === '0'", 10);
+    page.until("document.body.dataset.lesson === '0'");
     shows(page, 0.05);
     assert_eq!(
         page.value(&format!("[{LOAD}.min, {LOAD}.max, {LOAD}.value, {LOAD}.disabled]")),
@@ -104,9 +104,9 @@ fn a_lesson_is_taken(page: &mut Page, draws: bool) {
     page.press_at("control-load", "ArrowLeft");
     shows(page, 0.02);
     page.press_at("control-solver", "ArrowDown");
-    page.until("latest().knobs.solver.method === 'polonsky-keer'", 10);
+    page.until("latest().knobs.solver.method === 'polonsky-keer'");
     page.press_at("control-solver", "Home");
-    page.until("latest().knobs.solver.method === 'multilevel'", 10);
+    page.until("latest().knobs.solver.method === 'multilevel'");
     let idle = "['hurst', 'seed', 'points', 'domain', 'body', 'tolerance'].filter((id) => !document.getElementById(`control-${id}`).disabled)";
     assert_eq!(page.value(idle), json!([]));
     assert_eq!(
@@ -114,15 +114,15 @@ fn a_lesson_is_taken(page: &mut Page, draws: bool) {
         json!([])
     );
     page.press_at("play", "d");
-    page.until(&format!("{FAULT}.startsWith('This course page cannot show that. It can show: p* 0.02')"), 10);
+    page.until(&format!("{FAULT}.startsWith('This course page cannot show that. It can show: p* 0.02')"));
     if draws {
-        page.until("document.body.dataset.shown !== undefined && !isReading()", 60);
+        page.until("document.body.dataset.shown !== undefined && !isReading()");
         page.settled();
     }
     page.click("lesson-next");
     shows(page, 0.02);
     page.click("lesson-next");
-    page.until("document.body.dataset.sweep === 'ended'", 30);
+    page.until("document.body.dataset.sweep === 'ended'");
     assert_eq!(page.value("document.querySelectorAll('#chart-area polyline.computed').length"), 1);
     page.click("lesson-back");
     shows(page, 0.02);
@@ -138,7 +138,7 @@ fn a_course_needs_no_server_of_its_own() {
     let mut page = Page { chromium: Chromium::start(&program) };
     page.resize(ROOMY);
     page.open(&format!("{origin}/courses/contact/?renderer=webgl&theme=dark"));
-    page.until("document.body.dataset.viewer === 'started'", 120);
+    page.until("document.body.dataset.viewer === 'started'");
     a_lesson_is_taken(&mut page, true);
     let own = format!("{origin}/courses/contact/");
     let is_own = |url: &str| ["data:", "blob:", "about:", &own].iter().any(|start| url.starts_with(start));
@@ -152,7 +152,7 @@ fn a_course_needs_no_server_of_its_own() {
     let outward: Vec<&str> = sent.map(|it| it["request"]["url"].as_str().unwrap()).filter(|url| !is_own(url)).collect();
     assert_eq!(outward, [""; 0]);
     page.open(&format!("file://{}?theme=dark", site.join("index.html").display()));
-    page.until("document.body.dataset.viewer === 'failed'", 60);
+    page.until("document.body.dataset.viewer === 'failed'");
     let note = page.text("document.getElementById('viewer-note').innerText");
     assert!(note.starts_with("Browsers do not let a page from a folder read files"), "{note}");
     a_lesson_is_taken(&mut page, false);

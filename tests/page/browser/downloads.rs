@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Saves by a button what goes by `name`, and returns where it is.
 pub fn save(page: &mut Page, button: &str, name: &str) -> PathBuf {
-    page.until(&format!("!document.getElementById('{button}').disabled"), 10);
+    page.until(&format!("!document.getElementById('{button}').disabled"));
     let known = page.chromium.events("Browser.downloadWillBegin").count();
     page.click(button);
     let begun = page.chromium.told_after(known, "Browser.downloadWillBegin");

@@ -85,7 +85,7 @@ fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
     let mut page = Page { chromium };
     page.resize(ROOMY);
     page.follow(&format!("{}/?renderer=webgl&theme=dark{more}", explorer.origin()));
-    page.until("['started', 'failed'].includes(document.body.dataset.viewer)", 120);
+    page.until("['started', 'failed'].includes(document.body.dataset.viewer)");
     rested(&mut page);
     explorer.session = page.text("session");
     (explorer, page)
@@ -99,7 +99,5 @@ pub fn rested(page: &mut Page) {
            const seen = document.body.dataset; \
            const shown = seen.viewer === 'started' && seen.view !== 'picture' ? (seen.shown || '').split(' ')[0] : seen.section; \
            return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) && shown === run.id \
-             && (seen.viewer === 'started' ? JSON.stringify(knobs) === JSON.stringify(run.knobs) : words(knobs) === words(run.knobs)); })",
-        120,
-    );
+             && (seen.viewer === 'started' ? JSON.stringify(knobs) === JSON.stringify(run.knobs) : words(knobs) === words(run.knobs)); })");
 }

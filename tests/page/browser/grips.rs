@@ -17,7 +17,7 @@ fn load(page: &mut Page) -> f64 {
 /// Waits until the page's own picture is that of the latest run.
 fn pictured(page: &mut Page) {
     rested(page);
-    page.until("document.body.dataset.section === latest().id", 60);
+    page.until("document.body.dataset.section === latest().id");
 }
 
 /// Drags from a place by some pixels, and waits in the middle until the contact has been solved under the hand.
@@ -28,7 +28,7 @@ fn drag(page: &mut Page, [x, y]: [f64; 2], [dx, dy]: [f64; 2]) {
         let share = f64::from(part) / 8.0;
         page.mouse("mouseMoved", [x + share * dx, y + share * dy]);
     }
-    page.until(&format!("Number(document.body.dataset.held) > {before} && !holding"), 60);
+    page.until(&format!("Number(document.body.dataset.held) > {before} && !holding"));
     page.mouse("mouseReleased", [x + dx, y + dy]);
 }
 
@@ -70,7 +70,7 @@ fn lifting_lets_go(page: &mut Page) {
     assert_eq!(page.value("section.solid.some((z) => z !== 0)"), false, "the solid is not flat");
     assert!(page.value(BENT).as_f64().unwrap() < 1e-5);
     page.mouse("mouseMoved", [grip[0], grip[1]]);
-    page.until("Math.max(...section.pressure) > 0 && !holding", 60);
+    page.until("Math.max(...section.pressure) > 0 && !holding");
     assert!(page.value(BENT).as_f64().unwrap() < 1e-5, "{}", page.value(BENT));
     page.mouse("mouseReleased", grip);
     pictured(page);
@@ -103,7 +103,7 @@ fn nothing_stale_stands_beside_the_hand(page: &mut Page) {
     assert_ne!(page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r\"]').innerText"), "");
     page.mouse("mousePressed", grip);
     page.mouse("mouseMoved", [grip[0], grip[1] + 6.0]);
-    page.until(&format!("Number(document.body.dataset.held) > {before} && !holding"), 60);
+    page.until(&format!("Number(document.body.dataset.held) > {before} && !holding"));
     assert_eq!(page.text("document.querySelector('#numbers td[data-number=\"exact kappa_r\"]').innerText"), "");
     let title = page.text("document.getElementById('title').innerText");
     assert!(title.starts_with("Held by hand: p* = "), "{title}");
@@ -152,7 +152,7 @@ fn a_dragged_point_follows_the_hand(page: &mut Page) {
     page.mouse("mousePressed", grip);
     page.mouse("mouseMoved", [grip[0], grip[1] + 4.5]);
     page.mouse("mouseMoved", [grip[0], grip[1] + 9.0]);
-    page.until(&format!("Number(document.body.dataset.held) > {held} && !holding"), 60);
+    page.until(&format!("Number(document.body.dataset.held) > {held} && !holding"));
     let (handle, moved) = (middle(page.place("bend")), page.value(profile).as_f64().unwrap() - before);
     assert!((moved - 9.0).abs() < 1.0, "the profile moved by {moved} pixels, the hand by 9");
     assert!((handle[1] - grip[1] - moved).abs() < 0.1, "the handle moved from {grip:?} to {handle:?}");
@@ -200,7 +200,7 @@ fn patches_are_picked(page: &mut Page) {
     let [x, y, width, height] = page.place("section");
     page.mouse("mousePressed", [x + 0.3 * width, y + 0.95 * height]);
     page.mouse("mouseReleased", [x + 0.3 * width, y + 0.95 * height]);
-    page.until("document.body.dataset.patch !== 'none' && document.body.dataset.patch", 20);
+    page.until("document.body.dataset.patch !== 'none' && document.body.dataset.patch");
     let picked = page.text("document.body.dataset.patch");
     let twin = page.value("chosen.twin");
     let [half, most, share, mean, whole] = [
@@ -221,7 +221,7 @@ fn patches_are_picked(page: &mut Page) {
     page.value(&format!(
         "heardViewer(JSON.stringify({{ type: 'selection_change', recording_id: shownRun, items: [{item}] }}))"
     ));
-    page.until(&format!("document.body.dataset.patch === '{picked}'"), 20);
+    page.until(&format!("document.body.dataset.patch === '{picked}'"));
     page.click("patch-close");
     assert_eq!(page.value("document.getElementById('patch').hidden"), true);
 }
@@ -229,23 +229,23 @@ fn patches_are_picked(page: &mut Page) {
 /// A load that is clicked in a chart is the one of viewer, table and picture; so is one that the viewer goes to.
 fn loads_are_picked(page: &mut Page) {
     page.click("sweep");
-    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
-    page.until("viewer.get_timeline_time_range(report.sweep.id, 'load')", 60);
+    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'");
+    page.until("viewer.get_timeline_time_range(report.sweep.id, 'load')");
     let [x, y, width, height] = page.place("chart-area");
     let place = [x + 0.55 * width, y + 0.5 * height];
     page.mouse("mousePressed", place);
     page.mouse("mouseReleased", place);
-    page.until("moment && moment.numbers.number !== undefined", 20);
-    page.until("viewer.get_time_for_timeline(report.sweep.id, 'load') === moment.numbers.number", 20);
+    page.until("moment && moment.numbers.number !== undefined");
+    page.until("viewer.get_time_for_timeline(report.sweep.id, 'load') === moment.numbers.number");
     let area = page.value("moment.numbers.relative_area").as_f64().unwrap();
     let shown = page.text("document.querySelector('#numbers td[data-number=\"relative_area\"]').innerText");
     assert!((shown.parse::<f64>().unwrap() / area - 1.0).abs() < 1e-4);
     let number = page.value("moment.numbers.number").as_u64().unwrap();
     page.press_at("chart-kappa", "ArrowRight");
-    page.until(&format!("moment.numbers.number === {}", number + 1), 20);
+    page.until(&format!("moment.numbers.number === {}", number + 1));
     page.value("byId('canvas').dispatchEvent(new PointerEvent('pointerdown'))");
     page.value(&format!("viewer.set_time_for_timeline(report.sweep.id, 'load', {}); wake()", number - 3));
-    page.until(&format!("moment.numbers.number === {}", number - 3), 20);
+    page.until(&format!("moment.numbers.number === {}", number - 3));
     page.value("showRun(latest().id)");
     assert_eq!(page.value("moment"), Value::Null);
 }
@@ -259,9 +259,9 @@ fn surfaces_stand_side_by_side(page: &mut Page) {
     pictured(page);
     assert_eq!(page.value("document.getElementById('section-beside-box').hidden"), false);
     page.click("fringes");
-    page.until("section.shear && beside.shear", 20);
+    page.until("section.shear && beside.shear");
     page.click("fringes");
-    page.until("!section.shear", 20);
+    page.until("!section.shear");
     let pressure = |page: &mut Page, of: &str| page.value(&format!("{of}.pressure.reduce((sum, p) => sum + p, 0)"));
     let [one, other] = ["section", "beside"].map(|of| pressure(page, of).as_f64().unwrap());
     assert!((one / other - 1.0).abs() < 0.2, "the sums over columns are {one} and {other}");

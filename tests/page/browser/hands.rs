@@ -33,7 +33,7 @@ fn the_focus_is_never_trapped(page: &mut Page) {
 
 fn the_skip_link_leads_to_the_numbers(page: &mut Page) {
     page.press_at("skip", "Enter");
-    page.until("document.activeElement.id === 'results'", 10);
+    page.until("document.activeElement.id === 'results'");
 }
 
 /// The keys do what they say, wherever the focus is, and letters in a list belong to the list.
@@ -46,9 +46,9 @@ fn keys_work_inside_the_viewer_too(page: &mut Page) {
         rested(page);
     }
     page.press_at("canvas", "p");
-    page.until("pinned !== null", 10);
+    page.until("pinned !== null");
     page.press_at("canvas", "p");
-    page.until("pinned === null", 10);
+    page.until("pinned === null");
     let before = seed(page);
     page.press_at("control-seed", "d");
     assert_eq!(seed(page), before);
@@ -98,8 +98,8 @@ fn commas_are_decimal_marks(page: &mut Page) {
 fn a_refused_value_is_put_back(page: &mut Page) {
     page.type_into("control-hardness-value", "1e-9");
     let sentence = "The mean pressure is 0.00002 E*, above the hardness of 1e-9 E*. Lower p* or raise the hardness.";
-    page.until(&format!("document.getElementById('fault').innerText === '{sentence}'"), 20);
-    page.until("knobs.hardness === 0", 10);
+    page.until(&format!("document.getElementById('fault').innerText === '{sentence}'"));
+    page.until("knobs.hardness === 0");
     assert_eq!(page.text("document.getElementById('control-hardness-value').value"), "0");
     page.type_into("control-load-value", "0.03");
     rested(page);

@@ -37,7 +37,7 @@ fn fault(page: &mut Page) -> String {
 fn a_dropped_file_is_pressed(page: &mut Page) {
     let before = page.picture("section");
     drop_on(page, "section", "<img src=x onerror=document.title='run'>.txt", &map());
-    page.until("knobs.body === 'file' && description.name.startsWith('<img')", 60);
+    page.until("knobs.body === 'file' && description.name.startsWith('<img')");
     rested(page);
     let told = page.text("document.getElementById('heights').innerText");
     for words in [
@@ -64,7 +64,7 @@ fn steps_are_taken_by_hand(page: &mut Page) {
         page.value(&format!(
             "(() => {{ const it = document.getElementById('{id}'); it.value = '{value}'; it.dispatchEvent(new Event('change')); }})()"
         ));
-        page.until("!knobs.heights.auto", 30);
+        page.until("!knobs.heights.auto");
         rested(page);
     }
     assert_eq!(page.text("document.getElementById('heights-auto').value"), "false");
@@ -72,9 +72,9 @@ fn steps_are_taken_by_hand(page: &mut Page) {
     let warning = page.text("document.getElementById('warnings').innerText");
     assert!(warning.contains("across the period along x"), "{warning}");
     page.type_into("heights-low-pass", "1 nm");
-    page.until("!document.getElementById('fault').hidden", 60);
+    page.until("!document.getElementById('fault').hidden");
     page.type_into("heights-low-pass", "wide");
-    page.until("document.getElementById('fault').innerText.startsWith('Low-pass cannot be wide')", 60);
+    page.until("document.getElementById('fault').innerText.startsWith('Low-pass cannot be wide')");
     page.type_into("heights-low-pass", "400 nm");
     rested(page);
     assert_eq!(page.value("latest().knobs.heights.prepare['low-pass']"), 4e-7);
@@ -93,14 +93,14 @@ fn news_do_not_interrupt(page: &mut Page) {
     assert_eq!(page.text("byId('heights-low-pass').value"), "300 n");
     page.press("m");
     page.press("Enter");
-    page.until("knobs.heights.prepare['low-pass'] === 3e-7", 60);
+    page.until("knobs.heights.prepare['low-pass'] === 3e-7");
     rested(page);
 }
 
 /// What cannot be read is refused in one sentence, and the file before stays.
 fn what_is_no_file_of_heights_is_refused(page: &mut Page) {
     drop_on(page, "controls", "prose.txt", "<b>no numbers</b> at all");
-    page.until("document.getElementById('fault').innerText.startsWith('prose.txt is not')", 30);
+    page.until("document.getElementById('fault').innerText.startsWith('prose.txt is not')");
     assert!(fault(page).contains("no text of numbers"), "{}", fault(page));
     assert!(page.text("description.name").starts_with("<img"));
 }
@@ -116,7 +116,7 @@ fn a_file_is_opened_by_the_keyboard(page: &mut Page) {
     let asked = page.chromium.told("Page.fileChooserOpened", |event| event["mode"] == "selectSingle");
     let node: Value = asked["backendNodeId"].clone();
     page.chromium.page("DOM.setFileInputFiles", json!({"files": [path], "backendNodeId": node}));
-    page.until("description.name === 'profile.txt'", 60);
+    page.until("description.name === 'profile.txt'");
     rested(page);
     assert_eq!(page.text("latest().knobs.domain"), "line");
     assert!(page.text("document.getElementById('title').innerText").starts_with("profile, p* ="));

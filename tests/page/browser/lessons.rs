@@ -40,7 +40,7 @@ fn why(page: &mut Page) -> String {
 
 /// What is asked about is shown as it is before it is pressed, with no numbers and nothing of the run before.
 fn is_unpressed(page: &mut Page) {
-    page.until("document.body.dataset.unpressed === document.body.dataset.lesson", 60);
+    page.until("document.body.dataset.unpressed === document.body.dataset.lesson");
     let seen = "section.solid.every((z) => z === 0) && section.pressure.every((p) => p === 0) && Math.min(...section.rigid) > 0 \
         && document.querySelector('#numbers td[data-number=relative_area]').innerText === '–' && byId('press').hidden";
     assert_eq!(page.value(seen), true, "the contact is shown before the answer");
@@ -90,7 +90,7 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
             means.press(page, &format!("answer-{}", ask["right"]));
         }
         "act" => {
-            page.until("latest()?.ended && words(latest().knobs) === words(knobs)", 60);
+            page.until("latest()?.ended && words(latest().knobs) === words(knobs)");
             assert_eq!(page.text("document.body.dataset.asked"), "true", "it is done before it is done");
             // the middle of the goal, by the control that leads there
             let [control, value] = match ask["goal"]["reduced_pressure"].is_array() {
@@ -103,7 +103,7 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
         _ => {
             page.value("document.querySelector('#lesson-answers input').focus()");
             page.press("End");
-            page.until("document.querySelector('#results polyline.guess')", 10);
+            page.until("document.querySelector('#results polyline.guess')");
             let target = page.text("guess.target");
             let [x, y, width, height] = page.place(&target);
             page.mouse("mousePressed", [x + 0.5 * width, y + 0.4 * height]);
@@ -114,7 +114,7 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
             means.press(page, "answer-1");
         }
     }
-    page.until("document.body.dataset.asked === 'false'", 10);
+    page.until("document.body.dataset.asked === 'false'");
     assert_eq!(page.value("document.getElementById('lesson-ask').checkVisibility()"), false, "the question stays");
     page.text("document.getElementById('lesson-verdict').innerText")
 }
@@ -122,8 +122,8 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
 /// Viewer and table show what the step asks for.
 fn followed(explorer: &Explorer, page: &mut Page, step: &Value) {
     if step["sweep"] == true {
-        page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
-        page.until("(document.body.dataset.shown || '').startsWith('sweep-')", 60);
+        page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'");
+        page.until("(document.body.dataset.shown || '').startsWith('sweep-')");
         assert_eq!(page.value("document.querySelectorAll('#results polyline.second').length"), 1);
         return;
     }
@@ -142,9 +142,7 @@ fn judged(page: &mut Page, ask: &Value, verdict: &str) {
         "number" => {
             let told = format!("figure(latest().numbers.{})", ask["of"].as_str().unwrap());
             page.until(
-                &format!("document.getElementById('lesson-verdict').innerText.includes(`The run gives ${{{told}}}. Your guess is `)"),
-                30,
-            );
+                &format!("document.getElementById('lesson-verdict').innerText.includes(`The run gives ${{{told}}}. Your guess is `)"));
             let verdict = page.text("document.getElementById('lesson-verdict').innerText");
             assert!(verdict.ends_with(" too large.") || verdict.ends_with(" too small."), "{verdict}");
         }
@@ -154,7 +152,7 @@ fn judged(page: &mut Page, ask: &Value, verdict: &str) {
 
 /// A lesson ends with what was seen, the lesson that follows, and mostly something to do.
 fn ended(page: &mut Page, lesson: &Value) {
-    page.until("document.body.dataset.lesson === 'end'", 10);
+    page.until("document.body.dataset.lesson === 'end'");
     let text = page.text("document.getElementById('lesson-text').innerText");
     assert!(text.starts_with(lesson["end"]["seen"]["en"].as_str().unwrap()), "{text}");
     let next = page.text("document.getElementById('lesson-next').innerText");
@@ -169,7 +167,7 @@ fn ended(page: &mut Page, lesson: &Value) {
     }
     if lesson["name"] == "hertz-and-rough" {
         page.value("Object.assign(knobs, { rolloff: 6, seed: 3, load: 0.0175 }); show(); changed()");
-        page.until("byId('lesson-challenge').innerText.startsWith('You have done it: ')", 60);
+        page.until("byId('lesson-challenge').innerText.startsWith('You have done it: ')");
     }
 }
 
@@ -180,7 +178,7 @@ fn play(explorer: &Explorer, page: &mut Page, lesson: &Value, means: Means) {
     ));
     let steps = lesson["steps"].as_array().unwrap();
     for (at, step) in steps.iter().enumerate() {
-        page.until(&format!("document.body.dataset.lesson === '{at}'"), 20);
+        page.until(&format!("document.body.dataset.lesson === '{at}'"));
         let verdict = if step["ask"].is_object() { guess(page, &step["ask"], means) } else { String::new() };
         followed(explorer, page, step);
         if step["ask"].is_object() {

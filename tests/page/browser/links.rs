@@ -21,7 +21,7 @@ fn link(page: &mut Page) -> String {
     let allow = json!({"permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"], "origin": origin});
     page.chromium.browser("Browser.grantPermissions", allow);
     page.click("copy-link");
-    page.until("byId('hint').innerText.startsWith('Copied: the address')", 10);
+    page.until("byId('hint').innerText.startsWith('Copied: the address')");
     page.text("linked()")
 }
 
@@ -31,7 +31,7 @@ fn elsewhere(program: &Path, link: &str) -> Value {
     let mut page = Page { chromium: Chromium::without_graphics(program) };
     let (_, state) = link.split_once('#').unwrap();
     page.follow(&format!("{}/?renderer=webgl&theme=dark&language=de#{state}", explorer.origin()));
-    page.until("isOpened", 120);
+    page.until("isOpened");
     rested(&mut page);
     assert_eq!(page.text("document.documentElement.lang"), "de", "the reader's language stays");
     assert_eq!(page.value("byId('fault').hidden"), true);
@@ -43,18 +43,18 @@ fn links_of_a_person(program: &Path) -> Vec<(String, Value)> {
     let (_explorer, mut page) = sketched(program, "");
     let mut links = Vec::new();
     page.click("pin");
-    page.until("pinned !== null", 10);
+    page.until("pinned !== null");
     page.type_into("control-seed", "77");
     page.type_into("control-load-value", "0.037");
-    page.until("knobs.seed === 77 && knobs.load === 0.037", 10);
+    page.until("knobs.seed === 77 && knobs.load === 0.037");
     rested(&mut page);
     let copied = link(&mut page);
     assert!(!copied.contains('?'), "{copied} holds what is the reader's own");
     links.push((copied, seen(&mut page)));
     page.click("pin");
-    page.until("pinned === null", 10);
+    page.until("pinned === null");
     page.value("openLesson('coating', 1)");
-    page.until("document.body.dataset.lesson === '1'", 10);
+    page.until("document.body.dataset.lesson === '1'");
     page.click("answer-2");
     rested(&mut page);
     links.push((link(&mut page), seen(&mut page)));
@@ -75,7 +75,7 @@ fn a_link_shows_the_same_numbers_elsewhere() {
     let explorer = Explorer::start();
     let mut page = Page { chromium: Chromium::without_graphics(&program) };
     page.follow(&format!("{}/?renderer=webgl&theme=dark#{state}", explorer.origin()));
-    page.until("document.body.dataset.lesson === '1'", 120);
+    page.until("document.body.dataset.lesson === '1'");
     page.click("answer-2");
     rested(&mut page);
     let other = seen(&mut page);
@@ -115,7 +115,7 @@ fn addresses_that_are_none_do_no_harm() {
         page.value(&format!(
             "(() => {{ const e = (it) => encodeURIComponent(JSON.stringify(it)); fault(''); location.hash = {address}; }})()"
         ));
-        page.until("!byId('fault').hidden", 60);
+        page.until("!byId('fault').hidden");
         let said = page.text("byId('fault').innerText");
         assert!(said.starts_with("This address is none of the page: "), "{address}: {said}");
         assert!(said.contains(words) && said.len() < 1000, "{address}: {said}");
@@ -126,9 +126,9 @@ fn addresses_that_are_none_do_no_harm() {
     let hash = page.text("encodeURIComponent(JSON.stringify({ knobs: { ...knobs, load: 1e99 } }))");
     page.open("about:blank");
     page.follow(&format!("{}/?renderer=webgl&theme=dark#{hash}", explorer.origin()));
-    page.until("isOpened && byId('fault').innerText.includes('p* cannot be 1e+99')", 60);
+    page.until("isOpened && byId('fault').innerText.includes('p* cannot be 1e+99')");
     page.click("dice");
-    page.until("byId('fault').hidden", 20);
+    page.until("byId('fault').hidden");
     rested(&mut page);
     assert_eq!(page.text("document.body.dataset.status"), "converged");
 }

@@ -147,7 +147,7 @@ fn rate() {
         rested(&mut page);
         for deep in [false, true] {
             page.value(&format!("byId('fringes').checked = {deep}"));
-            page.until("document.body.dataset.section === latest().id && !isAwake()", 60);
+            page.until("document.body.dataset.section === latest().id && !isAwake()");
             let rates = page.value(&format!("({PRESS})(200)"));
             println!("{domain} of {points}, stress below {deep}: {rates} contacts and frames a second");
             rested(&mut page);

@@ -36,12 +36,12 @@ fn the_first_half_minute(page: &mut Page) {
     assert_eq!(page.value("byId('welcome').checkVisibility()"), true);
     names_stand_where_they_belong(page);
     page.click("welcome-lesson");
-    page.until("document.body.dataset.asked === 'true' && byId('welcome').hidden", 10);
+    page.until("document.body.dataset.asked === 'true' && byId('welcome').hidden");
     assert_eq!(page.text("byId('lesson').value"), "hertz-and-rough");
     page.click("lesson-close");
     rested(page);
     page.value("globalThis.isOld = true; location.reload(); true");
-    page.until("typeof isOld === 'undefined' && document.readyState === 'complete' && typeof byId === 'function' && latest()?.ended", 60);
+    page.until("typeof isOld === 'undefined' && document.readyState === 'complete' && typeof byId === 'function' && latest()?.ended");
     assert_eq!(page.value("byId('welcome').hidden"), true, "who has begun is not asked again");
 }
 
@@ -49,9 +49,9 @@ fn the_first_half_minute(page: &mut Page) {
 fn a_telephone(page: &mut Page) {
     let has_axe = load_axe(page);
     page.resize([390, 844]);
-    page.until("innerWidth === 390 && document.body.dataset.view === 'picture'", 10);
+    page.until("innerWidth === 390 && document.body.dataset.view === 'picture'");
     page.value("openLesson('yield', 0)");
-    page.until("document.body.dataset.unpressed === '0'", 20);
+    page.until("document.body.dataset.unpressed === '0'");
     let tops = tops(page, &["lesson-card", "own", "player", "control-load", "numbers", "group-solver"]);
     assert!(tops.is_sorted_by(|a, b| a < b), "{tops:?}");
     assert_eq!(page.value(WIDE), json!([]));
@@ -78,9 +78,9 @@ fn a_telephone(page: &mut Page) {
 /// With a lesson the picture has nearly half the height of a small laptop, and all else its place below.
 fn a_small_laptop(page: &mut Page) {
     page.resize([1024, 768]);
-    page.until("innerWidth === 1024", 10);
+    page.until("innerWidth === 1024");
     page.value("openLesson('coating', 0)");
-    page.until("document.body.dataset.unpressed === '0'", 20);
+    page.until("document.body.dataset.unpressed === '0'");
     let share = height(page, "own") / 768.0;
     assert!(share > 0.4, "the picture has {share} of the height");
     assert_eq!(page.value(CUT), json!([]));
@@ -91,15 +91,15 @@ fn a_small_laptop(page: &mut Page) {
 /// Presets are solved, and undone.
 fn presets_and_undo(page: &mut Page) {
     page.resize([1440, 900]);
-    page.until("innerWidth === 1440", 10);
+    page.until("innerWidth === 1440");
     for (preset, body, layer) in [("coating", "flat", 0.02), ("hertz", "round", 0.0), ("rough", "flat", 0.0)] {
         page.click(&format!("preset-{preset}"));
-        page.until(&format!("latest().knobs.body === '{body}' && latest().knobs.layer === {layer}"), 20);
+        page.until(&format!("latest().knobs.body === '{body}' && latest().knobs.layer === {layer}"));
         rested(page);
-        page.until("states.length && words(states.at(-1)) === words(knobs)", 10);
+        page.until("states.length && words(states.at(-1)) === words(knobs)");
     }
     page.click("undo");
-    page.until("latest().knobs.body === 'round'", 20);
+    page.until("latest().knobs.body === 'round'");
     rested(page);
     assert_eq!(page.text("byId('title').innerText"), "Cylinder, p* = 0.01: converged; exact: cylinder, periodic");
     let exact = "(() => { const { exact, pressure } = section; const most = Math.max(...exact); \
@@ -110,15 +110,15 @@ fn presets_and_undo(page: &mut Page) {
 /// A sweep plays in the page's own picture, and its point moves on the curves.
 fn a_sweep_plays(page: &mut Page) {
     page.click("sweep");
-    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 60);
+    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'");
     page.value(
         "byId('duration').value = 0.9; globalThis.touching = []; globalThis.dots = new Set(); \
         globalThis.watch = setInterval(() => { touching.push(section.pressure.filter((p) => p > 0).length); \
-            dots.add(document.querySelector('#chart-kappa circle.of-second')?.getAttribute('cx')); }, 20); true",
+            dots.add(document.querySelector('#chart-kappa circle.of-second')?.getAttribute('cx')); }); true",
     );
     page.press_at("scrub", "Home");
     page.click("play");
-    page.until("playing === null && touching.length > 20", 60);
+    page.until("playing === null && touching.length > 20");
     let growth = page.value("clearInterval(watch), touching.slice(5)");
     let growth: Vec<u64> = growth.as_array().unwrap().iter().map(|n| n.as_u64().unwrap()).collect();
     assert!(growth.is_sorted() && growth.last() > growth.first(), "contact grows with the load: {growth:?}");
@@ -131,9 +131,9 @@ fn a_slow_run_is_explained(page: &mut Page) {
         "Object.assign(knobs, { body: 'flat', roughness: 0.001, points: 1024, load: 0.05, \
         solver: { method: 'gfmd', masses: 'uniform', dynamics: 'damped', 'time-step': 0.5, damping: 8 } }); show(); changed()",
     );
-    page.until("latest().knobs.points === 1024 && latest().ended", 60);
+    page.until("latest().knobs.points === 1024 && latest().ended");
     page.click("why");
-    page.until("document.body.dataset.why === latest().id", 60);
+    page.until("document.body.dataset.why === latest().id");
     let told = page.text("byId('why-causes').innerText");
     assert!(told.starts_with("The damping is too strong: 8 times the best one for the longest wave"), "{told}");
     assert!(told.contains("All waves have the same mass") && told.contains("Area and κ_r stand within 1 %"), "{told}");
@@ -189,13 +189,13 @@ fn a_person_who_switches_pictures() {
     page.click("view-picture");
     assert_eq!(page.value("[viewer, byId('own').checkVisibility()]"), json!([null, true]));
     page.type_into("control-load-value", "0.2");
-    page.until("latest().knobs.load === 0.2 && latest().ended && sectionRun === latest().id", 60);
+    page.until("latest().knobs.load === 0.2 && latest().ended && sectionRun === latest().id");
     page.click("view-viewer");
-    page.until("byId('own').checkVisibility() === false && document.body.dataset.shown?.startsWith(latest().id)", 60);
+    page.until("byId('own').checkVisibility() === false && document.body.dataset.shown?.startsWith(latest().id)");
     page.click("view-both");
     rested(&mut page);
     page.resize([1024, 768]);
-    page.until("document.body.dataset.view === 'picture' && viewer === null", 10);
+    page.until("document.body.dataset.view === 'picture' && viewer === null");
     page.resize([1440, 900]);
-    page.until("document.body.dataset.view === 'both' && viewer !== null", 10);
+    page.until("document.body.dataset.view === 'both' && viewer !== null");
 }

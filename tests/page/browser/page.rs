@@ -19,6 +19,9 @@ const KEYS: &[(&str, u32, &str)] = &[
     ("Tab", 9, ""),
 ];
 
+/// How long a state is waited for: no test passes or fails by the time that a busy machine takes.
+const PATIENCE: Duration = Duration::from_secs(240);
+
 /// What the page shows, and what its viewer is about.
 const SEEN: &str = "({ ...document.body.dataset, text: document.body.innerText.slice(0, 2000), \
     ...(typeof awake === 'object' && viewer && { awake, now: performance.now(), read: read(), shownRun }) })";
@@ -38,13 +41,13 @@ impl Page {
     /// Goes to an address.
     pub fn open(&mut self, address: &str) {
         self.chromium.page("Page.navigate", json!({"url": address}));
-        self.until(&format!("location.href === {} && document.readyState === 'complete'", json!(address)), 30);
+        self.until(&format!("location.href === {} && document.readyState === 'complete'", json!(address)));
     }
 
     /// Follows a link, to a page that may then write its address anew.
     pub fn follow(&mut self, address: &str) {
         self.chromium.page("Page.navigate", json!({"url": address}));
-        self.until("document.readyState === 'complete' && typeof byId === 'function'", 60);
+        self.until("document.readyState === 'complete' && typeof byId === 'function'");
     }
 
     /// The value of an expression in the page, awaited.
@@ -61,12 +64,12 @@ impl Page {
     }
 
     /// Waits until a condition holds.
-    pub fn until(&mut self, condition: &str, seconds: u64) {
-        let deadline = Instant::now() + Duration::from_secs(seconds);
+    pub fn until(&mut self, condition: &str) {
+        let deadline = Instant::now() + PATIENCE;
         while !self.is_so(condition) {
             if Instant::now() > deadline {
                 let seen = self.value(SEEN);
-                panic!("after {seconds} s it is not so: {condition}\n{seen:#}");
+                panic!("after {PATIENCE:?} it is not so: {condition}\n{seen:#}");
             }
             std::thread::sleep(Duration::from_millis(20));
         }
@@ -157,8 +160,8 @@ impl Page {
 
     /// The picture of the viewer, once it stands still.
     pub fn settled(&mut self) -> Vec<[u8; 3]> {
-        let deadline = Instant::now() + Duration::from_secs(60);
-        self.until("!isAwake() && (!current().ended || wholeRuns.has(current().id))", 60);
+        let deadline = Instant::now() + PATIENCE;
+        self.until("!isAwake() && (!current().ended || wholeRuns.has(current().id))");
         let mut before = self.picture("canvas");
         while Instant::now() < deadline {
             let now = self.picture("canvas");
@@ -172,7 +175,7 @@ impl Page {
 
     /// Waits until more than a share of the viewer's pixels are others than they were.
     pub fn until_redrawn(&mut self, before: &[[u8; 3]], share: f64) {
-        let deadline = Instant::now() + Duration::from_secs(60);
+        let deadline = Instant::now() + PATIENCE;
         loop {
             let changed = difference(before, &self.settled());
             if changed > share {

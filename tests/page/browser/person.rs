@@ -84,9 +84,9 @@ fn runs_are_compared(explorer: &Explorer, page: &mut Page) {
     assert_ne!(first["knobs"]["seed"], second["knobs"]["seed"]);
     let shown = |run: &Value| format!("document.body.dataset.run === {}", run["id"]);
     page.click("swap");
-    page.until(&shown(&first), 10);
+    page.until(&shown(&first));
     page.click("swap");
-    page.until(&shown(&second), 10);
+    page.until(&shown(&second));
     page.click("pin");
     assert_eq!(page.value("document.getElementById('runs').options.length"), 6);
 }
@@ -98,17 +98,16 @@ const LAST: &str = "viewer.get_timeline_time_range(shownRun, 'step').max";
 fn a_run_plays(page: &mut Page) {
     page.settled();
     page.value("seek(1)");
-    page.until(&format!("{STEP} === {LAST}"), 20);
+    page.until(&format!("{STEP} === {LAST}"));
     let picture = page.settled();
     page.press_at("scrub", "Home");
     assert_eq!(page.text("document.getElementById('scrub-step').value"), "step 0");
-    page.until(&format!("{STEP} === 0"), 20);
+    page.until(&format!("{STEP} === 0"));
     page.until_redrawn(&picture, 0.001);
     page.value("document.getElementById('duration').value = 0.9");
     page.click("play");
     page.until(
         "document.getElementById('play').textContent === 'Play' && document.getElementById('scrub').value === '1000'",
-        60,
     );
 }
 
@@ -119,17 +118,17 @@ fn a_picked_step_is_shown(page: &mut Page) {
         format!("heardViewer(JSON.stringify({{ type: 'selection_change', recording_id: shownRun, items: [{item}] }}))")
     };
     page.value("seek(1)");
-    page.until(&format!("{STEP} === {LAST}"), 20);
+    page.until(&format!("{STEP} === {LAST}"));
     page.value(&pick("pressure/image"));
     page.settled();
     assert_eq!(page.value(&format!("{STEP} === {LAST}")), true, "a click into a field went to a step");
     page.value(&pick("raster/image"));
-    page.until(&format!("{STEP} === Math.floor(({LAST} + 1) / 4)"), 20);
+    page.until(&format!("{STEP} === Math.floor(({LAST} + 1) / 4)"));
 }
 
 fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
     page.click("sweep");
-    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
+    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'");
     let points = explorer.state()["sweep"]["points"].as_array().unwrap().clone();
     assert!(points.last().unwrap()["relative_area"].as_f64().unwrap() > 0.9999);
     for curve in ["chart-area polyline.computed", "chart-kappa polyline.second"] {
@@ -138,7 +137,7 @@ fn a_sweep_draws_its_curves(explorer: &Explorer, page: &mut Page) {
     }
     tables_and_charts_are_saved(&points, page);
     let id = explorer.state()["sweep"]["id"].as_str().unwrap().to_owned();
-    page.until(&format!("(document.body.dataset.shown || '').startsWith('{id} ')"), 60);
+    page.until(&format!("(document.body.dataset.shown || '').startsWith('{id} ')"));
     let (name, store) = recording(&save(page, "save-rrd", "rough-line_sweep_multilevel.rrd"));
     let mut curves =
         store.iter_physical_chunks().filter(|chunk| chunk.entity_path().to_string().starts_with("/curve/"));
@@ -173,7 +172,7 @@ fn what_is_saved_opens(explorer: &Explorer, page: &mut Page) {
 fn all_buttons_save_the_run_that_is_shown(explorer: &Explorer, page: &mut Page) {
     let latest = run(explorer);
     page.click("swap");
-    page.until(&format!("document.body.dataset.run !== {}", latest["id"]), 10);
+    page.until(&format!("document.body.dataset.run !== {}", latest["id"]));
     let (id, stem) = (page.text("current().id"), page.text("current().file_stem"));
     let (name, _) = recording(&save(page, "save-rrd", &format!("{stem}.rrd")));
     assert_eq!(name, id);

@@ -82,10 +82,9 @@ fn pages_of_others_get_nothing() {
         sent("body")
     );
     assert_eq!(page.value(&solve), 200, "the explorer refuses its own origin");
-    page.until(
-        &format!("fetch('{session}/state').then((it) => it.json()).then((state) => !state.busy && state.run && state.run.ended)"),
-        60,
-    );
+    page.until(&format!(
+        "fetch('{session}/state').then((it) => it.json()).then((state) => !state.busy && state.run && state.run.ended)"
+    ));
     for address in [stranger(), "data:text/html,<title>nowhere</title><body></body>".into()] {
         page.open(&address);
         tries(&mut page, &explorer);

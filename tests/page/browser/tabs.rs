@@ -12,7 +12,7 @@ const FAULT: &str = "document.getElementById('fault').innerText";
 fn open_tab(explorer: &Explorer, page: &mut Page) -> String {
     let before = page.chromium.open_tab();
     page.open(&format!("{}{OPTIONS}", explorer.origin()));
-    page.until("['there', 'full'].includes(document.body.dataset.server)", 60);
+    page.until("['there', 'full'].includes(document.body.dataset.server)");
     before
 }
 
@@ -40,11 +40,11 @@ fn a_tab_finds_its_runs_again(explorer: &Explorer, page: &mut Page) {
     let (session, before) = (page.text("session"), loads(page));
     page.value("window.isOld = true");
     page.chromium.page("Page.reload", json!({}));
-    page.until("!window.isOld && document.readyState === 'complete' && document.body.dataset.server === 'there'", 60);
+    page.until("!window.isOld && document.readyState === 'complete' && document.body.dataset.server === 'there'");
     assert_eq!((page.text("session"), loads(page)), (session.clone(), before));
     let address = format!("{}{OPTIONS}&copy", explorer.origin());
     let original = page.chromium.open_copy(&address);
-    page.until("document.readyState === 'complete' && document.body.dataset.server === 'there'", 60);
+    page.until("document.readyState === 'complete' && document.body.dataset.server === 'there'");
     assert_ne!(page.text("session"), session, "the copy of a tab has its session");
     rested(page);
     page.chromium.page("Page.close", json!({}));
@@ -57,13 +57,13 @@ fn a_tab_too_many_waits(explorer: &Explorer, page: &mut Page) {
         "(async () => { for (;;) await answered(fetch('api/session', sent('0'))); })().catch((error) => error.status)";
     assert_eq!(page.value(take), 503);
     let before = open_tab(explorer, page);
-    page.until("document.body.dataset.server === 'full'", 60);
+    page.until("document.body.dataset.server === 'full'");
     assert!(page.text(FAULT).starts_with("4 tabs are open here"), "{}", page.text(FAULT));
     let waiting = page.chromium.switch_to(before);
     page.value("location.href = 'about:blank'; true");
-    page.until("location.href === 'about:blank'", 30);
+    page.until("location.href === 'about:blank'");
     page.chromium.switch_to(waiting);
-    page.until("document.body.dataset.server === 'there'", 30);
+    page.until("document.body.dataset.server === 'there'");
     rested(page);
     assert_eq!(page.value("document.getElementById('fault').hidden"), true);
 }
@@ -85,25 +85,25 @@ fn a_server_that_comes_back_is_found() {
     page.type_into("control-load-value", "0.02");
     rested(&mut page);
     page.click("pin");
-    page.until("pinned === 'run-2'", 10);
+    page.until("pinned === 'run-2'");
     page.type_into("control-load-value", "0.1");
     rested(&mut page);
     page.click("sweep");
-    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'", 120);
+    page.until("document.body.dataset.sweep === 'ended' && document.body.dataset.busy === 'false'");
     let shown = "[document.getElementById('numbers').innerText, document.querySelectorAll('#results polyline').length]";
     let before = page.value(shown);
     let read = "['run-1', 'run-2', 'run-3'].every((id) => viewer.get_timeline_time_range(id, 'step')) && viewer.get_timeline_time_range('sweep-4', 'load') !== null";
-    page.until(read, 60);
-    page.until("runs.length === 4 && runs.every((run) => run.ended && run.followed)", 60);
+    page.until(read);
+    page.until("runs.length === 4 && runs.every((run) => run.ended && run.followed)");
     let port = explorer.kill();
-    page.until("document.body.dataset.server === 'gone'", 60);
+    page.until("document.body.dataset.server === 'gone'");
     assert!(page.text(FAULT).starts_with("The server has ended: start asperity explore again"), "{}", page.text(FAULT));
     assert_eq!(page.value(shown), before);
     assert_eq!(page.value(read), true);
     page.type_into("control-load-value", "0.2");
-    page.until("document.body.dataset.server === 'gone' && !document.getElementById('fault').hidden", 10);
+    page.until("document.body.dataset.server === 'gone' && !document.getElementById('fault').hidden");
     let _explorer = Explorer::start_at(port);
-    page.until("document.body.dataset.server === 'there' && document.getElementById('fault').hidden", 60);
+    page.until("document.body.dataset.server === 'there' && document.getElementById('fault').hidden");
     rested(&mut page);
     assert_eq!(page.value("[latest().knobs.load, latest().id]"), json!([0.2, "run-6"]));
     assert_eq!(page.value("[pinned, runOf(pinned).knobs.load]"), json!(["run-5", 0.02]));

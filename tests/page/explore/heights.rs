@@ -171,7 +171,8 @@ fn heights_that_jump_are_warned_of_and_voids_refused() {
     let raw = json!({"auto": false, "prepare": {"fill": "harmonic"}});
     let run = page.press(&raw);
     let warnings = run["warnings"].as_array().unwrap();
-    assert!(warnings[0].as_str().unwrap().contains("rms steps across the period along x"), "{warnings:?}");
+    assert!(warnings[0]["statement"].as_str().unwrap().contains("rms steps across the period along x"), "{warnings:?}");
+    assert_eq!(warnings[0]["remedies"][0]["key"], "surface.prepare.steps");
     assert_eq!(page.press(&told["knobs"])["warnings"], json!([]));
     let knobs = with(json!({"body": "file", "heights": {"auto": false}}));
     page.order("/api/solve", &knobs);
@@ -245,12 +246,13 @@ fn files_of_anyone_get_a_sentence_and_leave_the_one_before() {
         "{\"channel\": \"none\"}",
         "{\"prepare\": {\"crop\": [-1]}}",
         "{\"width\": \"wide\"}",
+        "{\"width\": -1.0}",
+        "{\"unit\": 0}",
+        "{\"prepare\": {\"low-pass\": -1e-9}}",
     ] {
         assert_eq!(page.post("/api/describe", knobs).status, 400, "{knobs}");
     }
-    for knobs in
-        [json!({"auto": false, "prepare": {"crop": [30, 99, 0, 9]}}), json!({"unit": 1}), json!({"width": -1.0})]
-    {
+    for knobs in [json!({"auto": false, "prepare": {"crop": [30, 99, 0, 9]}}), json!({"unit": 1})] {
         let told = page.post("/api/describe", &knobs.to_string());
         assert_eq!(told.status, 200, "{knobs}: {}", told.text());
         assert!(told.json()["fault"].is_string(), "{knobs}: {}", told.json());

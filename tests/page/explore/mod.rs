@@ -3,11 +3,13 @@
 mod bodies;
 mod export;
 mod facets;
+mod front_ends;
 mod hand;
 mod heights;
 mod lessons;
 mod played;
 mod scenes;
+mod schema;
 mod scripts;
 mod sessions;
 mod texts;
@@ -244,7 +246,7 @@ fn the_page_names_nothing_outside() {
 }
 
 #[test]
-fn page_and_readme_explain_the_same_symbols() {
+fn page_and_guide_explain_the_same_symbols() {
     let page = Page::open();
     let html = page.get("/");
     let words = html.text().split("<dt>").skip(1).filter_map(|rest| rest.split("</dt>").next());
@@ -252,7 +254,8 @@ fn page_and_readme_explain_the_same_symbols() {
     assert_eq!(words.collect::<Vec<_>>(), symbols);
     for symbol in ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`"] {
         assert!(
-            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).contains(&format!("| {symbol} | ")),
+            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/guide/words.md"))
+                .contains(&format!("| {symbol} | ")),
             "{symbol}"
         );
     }
@@ -305,31 +308,39 @@ fn malformed_input_gets_a_sentence() {
         ("null".into(), "null cannot be: give a table"),
         ("\u{0}".into(), "expected value"),
         (json!({"load": 1}).to_string(), "missing field"),
-        (with(json!({"file": "/etc/passwd"})).to_string(), "unknown field"),
+        (with(json!({"file": "/etc/passwd"})).to_string(), "there is no `file` here: choose one of `domain`"),
         (with(json!({"points": -1})).to_string(), "-1 cannot be: give a whole number, not negative"),
         (with(json!({"points": 1e300})).to_string(), "cannot be: give a whole number, not negative"),
-        (with(json!({"points": 1 << 30})).to_string(), "too many"),
-        (with(json!({"points": 2048, "domain": "surface"})).to_string(), "too many"),
-        (with(json!({"points": 2, "roughness": 0, "body": "round"})).to_string(), "too few"),
-        (with(json!({"load": 0})).to_string(), "the load p*"),
-        (with(json!({"load": -1})).to_string(), "the load p*"),
-        (with(json!({"load": 1e300})).to_string(), "the load p*"),
+        (with(json!({"points": 1 << 30})).to_string(), "`points` cannot be 1073741824: give a whole number from 4"),
+        (with(json!({"points": 2048, "domain": "surface"})).to_string(), "`points` cannot be 2048 for a surface"),
+        (with(json!({"points": 2, "roughness": 0, "body": "round"})).to_string(), "`points` cannot be 2: "),
+        (with(json!({"load": 0})).to_string(), "`load` cannot be 0: give a number from 1e-5 to 1000"),
+        (with(json!({"load": -1})).to_string(), "`load` cannot be -1: "),
+        (with(json!({"load": 1e300})).to_string(), "`load` cannot be 1e300: "),
         (with(json!({"load": null})).to_string(), "null cannot be: give a number"),
-        (with(json!({"hurst": 2})).to_string(), "Hurst"),
-        (with(json!({"cutoff": 1e9})).to_string(), "cut-off"),
-        (with(json!({"rolloff": 500, "cutoff": 100})).to_string(), "cut-off"),
-        (with(json!({"rolloff": 0})).to_string(), "roll"),
-        (with(json!({"roughness": -1})).to_string(), "gradient"),
+        (with(json!({"hurst": 2})).to_string(), "`hurst` cannot be 2: "),
+        (with(json!({"cutoff": 1e9})).to_string(), "`cutoff` cannot be 1000000000: "),
+        (
+            with(json!({"rolloff": 500, "cutoff": 100})).to_string(),
+            "`cutoff` cannot be 100: give more than `rolloff`, which is 500",
+        ),
+        (with(json!({"rolloff": 0})).to_string(), "`rolloff` cannot be 0: "),
+        (
+            with(json!({"cutoff": 3000})).to_string(),
+            "`cutoff` cannot be 3000: give at most half of `points`, which is 4096",
+        ),
+        (with(json!({"hardness": -1})).to_string(), "`hardness` cannot be -1: "),
+        (with(json!({"roughness": -1})).to_string(), "`roughness` cannot be -1: "),
         (with(json!({"roughness": 0})).to_string(), "flat"),
         (with(json!({"body": "cube"})).to_string(), "unknown variant"),
         (with(json!({"body": "power-law", "exponent": -1})).to_string(), "exponent"),
         (with(json!({"solver": {"method": "gfmd", "damping": 0}})).to_string(), "damping"),
-        (with(json!({"solver": {"method": "gfmd", "time-step": 1}})).to_string(), "time step"),
+        (with(json!({"solver": {"method": "gfmd", "time-step": 1}})).to_string(), "`solver.time-step` cannot be 1: "),
         (with(json!({"solver": {"method": "gfmd", "file": 1}})).to_string(), "unknown field"),
         (with(json!({"solver": {"method": "magic"}})).to_string(), "unknown variant"),
         (with(json!({"stop": stop(0.0, 10)})).to_string(), "tolerance"),
         (with(json!({"stop": stop(1e-8, 0)})).to_string(), "iteration cap"),
-        (with(json!({"stop": stop(1e-8, 1 << 40)})).to_string(), "too many"),
+        (with(json!({"stop": stop(1e-8, 1u64 << 40)})).to_string(), "`stop.max-iterations` cannot be "),
         (with(json!({"record": ["everything"]})).to_string(), "unknown variant"),
     ];
     for (body, offence) in &wrong {
@@ -521,9 +532,11 @@ fn a_sweep_is_recorded_load_by_load() {
     assert_eq!(page.get("/api/runs").json()[0]["points"], sweep["points"]);
     let (id, rows) = recorded(&saved.body);
     assert_eq!(sweep["id"], id);
-    for curve in [0, 1, 2, 3, 4, 5, 6].map(|curve| format!("/curve/{curve}")) {
+    for curve in [0, 1, 2, 3, 4].map(|curve| format!("/curve/{curve}")) {
         assert_eq!(rows[&curve], points.len(), "{curve}");
     }
+    assert!(!rows.contains_key("/curve/5"), "a sine has a curve of Persson's theory, which is about rough flats");
+    assert!(points.iter().all(|point| point["persson"].is_null()));
     assert!(rows["/contact/contact/contact"] >= points.len());
     assert!(!rows.keys().any(|entity| entity.contains("pressure")), "{rows:?}");
 }

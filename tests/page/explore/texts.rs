@@ -178,6 +178,11 @@ fn told() -> Texts {
     texts(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/explore/texts/told.de.json")))
 }
 
+/// What the server tells in English, and what the English page says in its place.
+fn told_in_english() -> Texts {
+    texts(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/explore/texts/told.en.json")))
+}
+
 /// The words of a sentence between its places.
 fn words(sentence: &str) -> Vec<&str> {
     sentence.split(['{', '}']).step_by(2).collect()
@@ -219,10 +224,12 @@ fn code() -> String {
 #[test]
 fn what_the_server_tells_is_told_in_each_language() {
     let (told, code) = (told(), code());
-    for (english, german) in &told {
-        assert_eq!(places(english), places(german), "{english}");
-        let longest = words(english).into_iter().map(str::trim).max_by_key(|part| part.len()).unwrap();
+    for (english, own) in told.iter().chain(&told_in_english()) {
+        assert_eq!(places(english), places(own), "{english}");
+        let clauses = words(english).into_iter().flat_map(|part| part.split(',')).map(str::trim);
+        let longest = clauses.max_by_key(|part| part.len()).unwrap();
         assert!(code.contains(longest), "nobody tells {english:?}");
+        assert!(told.contains_key(english), "{english:?} is not told in German");
     }
     // Those that no knob of the page leads to are not asked for.
     let of_page = ["GridError", "SurfaceError", "ProblemError", "PreparationError"];

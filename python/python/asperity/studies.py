@@ -8,16 +8,17 @@ import warnings
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from typing import Any, Callable, Iterator, Mapping
 
-from asperity._asperity import AsperityError, AsperityWarning, Batch, Halt, Ledger, Study, Table, free_memory
+from asperity._asperity import AsperityError, AsperityWarning, Batch, CancelToken, Ledger, Study, Table, free_memory
 from asperity._asperity import threads as threads_here
+from asperity.progress import show_rows
 
 MEMORY = 0.8
-"""The share of what is free, or of the limit of a worker, that realisations may fill."""
+"""The share of the free memory, or of the limit of a worker, that realisations may use."""
 REFRESH = 1.0
-"""Seconds between two looks at which workers there are."""
+"""Seconds between two queries for the workers."""
 
 Rows = Future[list[str]]
-"""The rows of a batch, once they are there."""
+"""The rows of a batch."""
 
 
 def study(
@@ -28,24 +29,24 @@ def study(
     workers: int | None = None,
     threads: int = 1,
     memory: float | None = None,
-    progress: Callable[[int, int], object] | None = None,
+    progress: Callable[[int, int], object] | bool = False,
 ) -> Table:
-    """Solves a study, a setup with lists, and returns the table of its rows: the same to the last bit wherever they are solved.
+    """Solves a study, which is a setup with lists, and returns the table of its rows. The table is the same to the last bit on all engines.
 
     study: a Study, the file of one, or a dictionary of its sections.
-    out: a file .csv for the table, beside which NAME.parquet, NAME.svg and NAME.png come. What it holds already is not solved again, so that a
-        study that was ended goes on where it was.
-    client: a client of dask.distributed, or an executor of concurrent.futures with its workers in other processes; without one the study is
-        solved by threads of this process. Workers of Dask that die are survived, and those that come are used. Height files must be found
-        at the same paths everywhere.
-    workers: realisations that are solved at a time, or with Dask the workers that are used; as many as there are if it is not given.
-    threads: threads that each realisation is solved on; more than one is worth it where realisations are large and few.
-    memory: bytes that realisations may take together, on each worker of Dask or on this machine; four fifths of its limit, or of what is
-        free, if it is not given.
-    progress: called with the rows that are known and those that there are, whenever some come in.
+    out: a file .csv for the table; NAME.parquet, NAME.svg and NAME.png are written beside it. Rows that it already holds are not solved again, so
+        a study that was stopped continues.
+    client: a client of dask.distributed, or an executor of concurrent.futures with workers in other processes. Without one, threads of this
+        process solve the study. The study survives the death of Dask workers and uses new ones. All workers must find height files at the same
+        paths.
+    workers: realisations that are solved at the same time, or with Dask the workers that are used; all of them if it is not given.
+    threads: threads for each realisation. More than one helps if realisations are large and few.
+    memory: bytes that all realisations together may use on each worker of Dask or on this machine; 80 % of its limit, or of the free memory, if
+        it is not given.
+    progress: called with the numbers of solved rows and of all rows after each batch; True shows a bar by tqdm.
 
-    Raises AsperityError for what makes no study, and for a realisation that no worker has the memory for. Rows that did not converge are
-    kept, their status says so, and an AsperityWarning tells how many they are. Ctrl-C ends it.
+    Raises AsperityError for an invalid study, and for a realisation that no worker has the memory for. Rows that did not converge stay in the
+    table with their status, and an AsperityWarning gives their number. Ctrl-C stops the study.
     """
     if not isinstance(study, Study):
         study = Study(**study) if isinstance(study, Mapping) else Study.read(study)
@@ -55,12 +56,13 @@ def study(
     ledger = Ledger(study, out)
     engine = _engine(client, workers, threads, memory)
     try:
-        _carry_out(study, ledger, engine, {"threads": threads, **engine.keywords}, progress)
+        with show_rows(progress, ledger.rows) as report:
+            _solve(study, ledger, engine, {"threads": threads, **engine.keywords}, report)
     finally:
         engine.close()
     table = ledger.finish()
     if unsettled := sum(status != "converged" for status in table["status"]):
-        warnings.warn(f"{unsettled} of {len(table)} rows did not converge: see their status", AsperityWarning, stacklevel=2)
+        warnings.warn(f"{unsettled} of {len(table)} rows did not converge. See their status.", AsperityWarning, stacklevel=2)
     return table
 
 
@@ -78,11 +80,11 @@ class _Place:
 
 
 class _Here:
-    """One place: an executor, or threads of this process, whose runs can be ended."""
+    """One place: an executor, or threads of this process, whose runs can be cancelled."""
 
     def __init__(self, executor: Executor | None, slots: int, memory: float | None) -> None:
-        self.halt = None if executor else Halt()
-        self.keywords = {"halt": self.halt} if self.halt else {}
+        self.cancel = None if executor else CancelToken()
+        self.keywords = {"cancel": self.cancel} if self.cancel else {}
         free = free_memory()
         limit = memory or (MEMORY * free if free else float("inf"))
         self.place = _Place(executor or ThreadPoolExecutor(slots), slots, limit)
@@ -91,8 +93,8 @@ class _Here:
         return [self.place]
 
     def close(self) -> None:
-        if self.halt:
-            self.halt.pull()
+        if self.cancel:
+            self.cancel.cancel()
             self.place.executor.shutdown(cancel_futures=True)
 
 
@@ -110,16 +112,16 @@ class _Dask:
 
     def places(self) -> list[_Place]:
         if time.monotonic() - self.looked > REFRESH:
-            told = self.client.scheduler_info(n_workers=-1)["workers"]
-            self.known = {address: self.known.get(address) or self._place(address, it) for address, it in told.items()}
+            workers = self.client.scheduler_info(n_workers=-1)["workers"]
+            self.known = {address: self.known.get(address) or self._place(address, it) for address, it in workers.items()}
             self.looked = time.monotonic()
         return list(self.known.values())[: self.workers]
 
-    def _place(self, address: str, told: Mapping[str, Any]) -> _Place:
-        # what was meant for a worker that dies is solved by others; one batch more waits at each, so that none is idle
+    def _place(self, address: str, worker: Mapping[str, Any]) -> _Place:
+        # other workers solve the batches of one that dies; one more batch waits at each, so that none is idle
         executor = self.client.get_executor(workers=[address], allow_other_workers=True, pure=False)
-        limit = told["memory_limit"]
-        return _Place(executor, told["nthreads"] + 1, self.memory or (MEMORY * limit if limit else float("inf")))
+        limit = worker["memory_limit"]
+        return _Place(executor, worker["nthreads"] + 1, self.memory or (MEMORY * limit if limit else float("inf")))
 
     def close(self) -> None:
         for place in self.known.values():
@@ -136,14 +138,14 @@ def _engine(client: Any, workers: int | None, threads: int, memory: float | None
     raise AsperityError(f"client is {client!r}: give a client of dask.distributed, or an executor of concurrent.futures")
 
 
-def _carry_out(
+def _solve(
     study: Study,
     ledger: Ledger,
     engine: _Here | _Dask,
     keywords: Mapping[str, Any],
     progress: Callable[[int, int], object] | None,
 ) -> None:
-    """Has all solved that is missing, the largest first, as far as memory goes."""
+    """Solves all missing realisations, the largest first, as far as memory allows."""
     places = engine.places()
     waiting = ledger.batches(sum(place.slots for place in places))
     _check_memory(waiting, places)
@@ -152,17 +154,17 @@ def _carry_out(
         for place, batch in _assign(waiting, engine.places()):
             running[place.executor.submit(study.solve, batch.realisations, **keywords)] = place, batch
         if not running:
-            time.sleep(REFRESH)  # until there are workers again
+            time.sleep(REFRESH)  # until new workers come
         for future in wait(running, timeout=REFRESH, return_when=FIRST_COMPLETED).done:
             place, batch = running.pop(future)
-            ledger.enter(batch.realisations, _rows(future, batch))
+            ledger.add(batch.realisations, _rows(future, batch))
             place.give_back(batch)
             if progress:
-                progress(ledger.known, ledger.rows)
+                progress(ledger.completed, ledger.rows)
 
 
 def _assign(waiting: list[Batch], places: list[_Place]) -> Iterator[tuple[_Place, Batch]]:
-    """Takes one batch after the other out of those that wait, the first that fits where most are free, until none fits anywhere."""
+    """Assigns waiting batches, each the first that fits in the place with the most free slots, until none fits anywhere."""
     while places := [place for place in places if place.slots > 0]:
         place = max(places, key=lambda it: (it.slots, it.free))
         fitting = (number for number, batch in enumerate(waiting) if batch.bytes <= place.free)
@@ -179,12 +181,12 @@ def _rows(future: Rows, batch: Batch) -> list[str]:
     try:
         return future.result()
     except Exception as error:
-        # the class is that of a package that need not be here
+        # the class belongs to a package that may not be installed
         if type(error).__name__ != "KilledWorker":
             raise
         raise AsperityError(
-            f"one worker after the other died of {len(batch.realisations)} realisations that should take {batch.bytes / 1e9:.2g} GB: "
-            "see what their logs say, or give each more memory"
+            f"several workers died while solving {len(batch.realisations)} realisations, which should take {batch.bytes / 1e9:.2g} GB: "
+            "read the logs of the workers, or give each of them more memory"
         ) from error
 
 
@@ -193,5 +195,5 @@ def _check_memory(batches: list[Batch], places: list[_Place]) -> None:
     most = max(place.memory for place in places)
     if needed > most:
         raise AsperityError(
-            f"a realisation needs {needed / 1e9:.2g} GB, and may have {most / 1e9:.2g} GB: allow more (memory), or give fewer points"
+            f"a realisation needs {needed / 1e9:.2g} GB, but only {most / 1e9:.2g} GB may be used: allow more (memory), or give fewer points"
         )

@@ -1,23 +1,24 @@
 //! The recording of contacts under one load after the other.
 
-use super::outputs::Outputs;
-use anyhow::Result;
-use asperity::contact::{Contact, Load, Observables, Problem};
-use asperity::plot::Colour;
-use asperity::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Scene};
-use asperity::setup::Setup;
-use asperity::study::LoadCurve;
+use crate::contact::{Contact, Load, Observables, Problem};
+use crate::error::FileError;
+use crate::plot::Colour;
+use crate::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Scene};
+use crate::setup::Setup;
+use crate::study::LoadCurve;
+use std::path::Path;
 
 /// A curve over the loads: its view, name and colour, and its value.
 type LoadTrace = (&'static str, &'static str, Colour, fn(&Observables) -> f64);
 
 const AREA: &str = "Relative area";
-const KAPPA: &str = "kappa_r and kappa";
+const KAPPA_R: &str = "kappa_r";
+const KAPPA: &str = "kappa";
 const GAP: &str = "Mean gap over rms height";
 
 const CURVES: [LoadTrace; 4] = [
     (AREA, "a_rel", Colour::SKY, |it| it.resolved_area().unwrap_or(f64::NAN)),
-    (KAPPA, "kappa_r", Colour::ORANGE, |it| it.resolved_kappa_r().unwrap_or(f64::NAN)),
+    (KAPPA_R, "kappa_r", Colour::ORANGE, |it| it.resolved_kappa_r().unwrap_or(f64::NAN)),
     (KAPPA, "kappa", Colour::SKY, |it| it.resolved_kappa().unwrap_or(f64::NAN)),
     (GAP, "<g> / h_rms", Colour::ORANGE, |it| it.mean_gap_over_rms_height),
 ];
@@ -26,9 +27,11 @@ const CURVES: [LoadTrace; 4] = [
 pub struct CurveRecording(LoadRecording);
 
 impl CurveRecording {
-    /// Begins the recording that is asked for, if one is, with room for the contact of `problem`, the heaviest.
-    pub fn begin(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Option<Self>> {
-        let Some(path) = outputs.recording() else { return Ok(None) };
+    /// Begins the recording of a curve in a file, with room for the contact of `problem`, the heaviest.
+    ///
+    /// # Errors
+    /// [`FileError::Target`] and [`FileError::Write`] for a file that cannot be made or written.
+    pub fn create(path: &Path, curve: &LoadCurve, problem: &Problem) -> Result<Self, FileError> {
         let setup = Setup { load: problem.load(), ..curve.setup.clone() };
         let scene = Scene { exact: None, ..Scene::of(&setup, problem) };
         let loads = Loads {
@@ -47,18 +50,24 @@ impl CurveRecording {
             figure: None,
             scenes: &[scene],
         };
-        Ok(Some(Self(LoadRecording::create(path, &loads, Options::from(&curve.setup.record))?)))
+        Ok(Self(LoadRecording::create(path, &loads, Options::from(&curve.setup.record))?))
     }
 
-    /// Records the contact under load number `load`, from 0.
-    pub fn add(&self, load: usize, contact: &Contact, observables: &Observables) -> Result<()> {
+    /// Records the contact under load number `load`, from 0, and its numbers.
+    ///
+    /// # Errors
+    /// [`FileError::Write`].
+    pub fn add(&self, load: usize, contact: &Contact, observables: &Observables) -> Result<(), FileError> {
         self.0.values(load, &CURVES.map(|(.., of)| of(observables)))?;
-        Ok(self.0.contact(0, load, contact)?)
+        self.0.contact(0, load, contact)
     }
 
     /// Ends the file.
-    pub fn finish(self) -> Result<()> {
-        Ok(self.0.finish()?)
+    ///
+    /// # Errors
+    /// [`FileError::Write`].
+    pub fn finish(self) -> Result<(), FileError> {
+        self.0.finish()
     }
 }
 

@@ -1,18 +1,18 @@
-//! Fields out of and into numpy.
+//! Arrays of numpy, as fields of the library and made from them.
 
-use crate::refusal::refused;
+use crate::error::{bail, py_error};
 use asperity::error::ClaimError;
 use asperity::surface::Field;
 use numpy::ndarray::{ArrayD, ArrayView2, Axis, Ix2};
-use numpy::{AllowTypeChange, PyArray1, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{AllowTypeChange, Element, PyArray1, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::Borrowed;
 use pyo3::prelude::*;
 use std::ops::Deref;
 
-/// An array of numpy, or what numpy makes one of. Values that are masked are void, and refused.
-pub struct Given<'py>(PyArrayLikeDyn<'py, f64, AllowTypeChange>);
+/// An array of numpy, or whatever numpy makes an array of. An array with masked values is refused.
+pub struct ArrayLike<'py>(PyArrayLikeDyn<'py, f64, AllowTypeChange>);
 
-impl<'py> Deref for Given<'py> {
+impl<'py> Deref for ArrayLike<'py> {
     type Target = PyArrayLikeDyn<'py, f64, AllowTypeChange>;
 
     fn deref(&self) -> &Self::Target {
@@ -20,7 +20,7 @@ impl<'py> Deref for Given<'py> {
     }
 }
 
-impl<'a, 'py> FromPyObject<'a, 'py> for Given<'py> {
+impl<'a, 'py> FromPyObject<'a, 'py> for ArrayLike<'py> {
     type Error = PyErr;
 
     fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
@@ -29,39 +29,39 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Given<'py> {
             let masked: usize = masks.call_method1("count_masked", (given,))?.extract()?;
             if masked > 0 {
                 let all: usize = given.getattr("size")?.extract()?;
-                return Err(refused(format!("{masked} of {all} values are masked: fill them or crop them away")));
+                return bail(format!("{masked} of {all} values are masked: fill them or crop them away"));
             }
         }
         Ok(Self(given.extract()?))
     }
 }
 
-/// Rows and columns of an array, copied once; one of a single axis is a row.
-pub fn rows(given: &Given<'_>) -> PyResult<Field> {
+/// A copy of an array as a field of rows and columns. An array with one axis becomes one row.
+pub fn field(given: &ArrayLike<'_>) -> PyResult<Field> {
     let array = given.as_array().to_owned();
     let array = if array.ndim() == 1 { array.insert_axis(Axis(0)) } else { array };
     let shape = array.shape().to_vec();
     array.into_dimensionality::<Ix2>().map_err(|_| {
-        refused(format!("an array of shape {shape:?} is neither a line nor a surface: give one or two axes"))
+        py_error(format!("an array of shape {shape:?} is neither a line nor a surface: give one or two axes"))
     })
 }
 
-/// Rows and columns of an array of finite numbers that fit a grid of some shape.
-pub fn rows_on(given: &Given<'_>, expected: [usize; 2], quantity: &'static str) -> PyResult<Field> {
-    let field = rows(given)?;
+/// A copy of an array of finite numbers that fits a grid.
+pub fn field_on(given: &ArrayLike<'_>, expected: [usize; 2], quantity: &'static str) -> PyResult<Field> {
+    let field = field(given)?;
     let found: [usize; 2] = field.dim().into();
     if found != expected {
         let is_transposed = found == [expected[1], expected[0]];
-        return Err(refused(ClaimError::Shape { quantity, found: given.shape().to_vec(), expected, is_transposed }));
+        return Err(py_error(ClaimError::Shape { quantity, found: given.shape().to_vec(), expected, is_transposed }));
     }
     match field.indexed_iter().find(|(_, value)| !value.is_finite()) {
-        Some(((row, column), &value)) => Err(refused(ClaimError::NonFinite { quantity, index: [row, column], value })),
+        Some(((row, column), &value)) => Err(py_error(ClaimError::NonFinite { quantity, index: [row, column], value })),
         None => Ok(field),
     }
 }
 
-/// A field of an object that never changes, as an array of numpy that shares its memory, keeps the object alive and cannot be written.
-pub fn shared<'py>(field: &Field, rank: usize, owner: Bound<'py, PyAny>) -> Bound<'py, PyArrayDyn<f64>> {
+/// A field of an object that never changes, as an array of numpy that shares its memory, keeps the object alive and is read-only.
+pub fn view<'py>(field: &Field, rank: usize, owner: Bound<'py, PyAny>) -> Bound<'py, PyArrayDyn<f64>> {
     let rows: ArrayView2<'_, f64> = field.view();
     let view = if rank == 1 { rows.index_axis(Axis(0), 0).into_dyn() } else { rows.into_dyn() };
     // SAFETY: the owner, a frozen class, holds the field and is kept alive by the array, and nobody can write through it
@@ -71,20 +71,20 @@ pub fn shared<'py>(field: &Field, rank: usize, owner: Bound<'py, PyAny>) -> Boun
     array
 }
 
-/// A new field, row by row, as an array of numpy that takes its memory over.
-pub fn taken<'py>(py: Python<'py>, values: Vec<f64>, shape: [usize; 2], rank: usize) -> Bound<'py, PyArrayDyn<f64>> {
+/// Values of all nodes, row by row, as a new array of numpy.
+pub fn owned<T: Element>(py: Python<'_>, values: Vec<T>, shape: [usize; 2], rank: usize) -> Bound<'_, PyArrayDyn<T>> {
     let shape = if rank == 1 { vec![shape[0] * shape[1]] } else { shape.to_vec() };
     let array = ArrayD::from_shape_vec(shape, values).expect("one value per node");
     PyArrayDyn::from_owned_array(py, array)
 }
 
-/// A list of numbers as an array of numpy that takes its memory over.
-pub fn list(py: Python<'_>, values: Vec<f64>) -> Bound<'_, PyArray1<f64>> {
+/// Numbers as a new array of numpy.
+pub fn vector(py: Python<'_>, values: Vec<f64>) -> Bound<'_, PyArray1<f64>> {
     PyArray1::from_vec(py, values)
 }
 
 /// A function of a number, or of each number of an array.
-pub fn over<'py>(py: Python<'py>, of: &Given<'py>, function: impl Fn(f64) -> f64) -> PyResult<Bound<'py, PyAny>> {
+pub fn map<'py>(py: Python<'py>, of: &ArrayLike<'py>, function: impl Fn(f64) -> f64) -> PyResult<Bound<'py, PyAny>> {
     let values = of.as_array().mapv(function);
     match values.ndim() {
         0 => Ok(values.sum().into_pyobject(py)?.into_any()),

@@ -1,0 +1,98 @@
+//! Sections and keys of setups, converted from and to objects of Python.
+//!
+//! `pythonize` is not used: it knows neither the scalars of numpy and xarray nor paths, and it has no release for this version of pyo3.
+
+use crate::error::{bail, py_error};
+use asperity::setup::Table;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyString};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+/// Sections and keys of a setup.
+pub type Sections = Map<String, Value>;
+
+/// The entries of a dictionary, with `-` for `_` in their names. Entries that are `None` are left out.
+pub fn sections_from_dict(dict: &Bound<'_, PyDict>) -> PyResult<Sections> {
+    let given = dict.iter().filter(|(_, value)| !value.is_none());
+    given.map(|(key, it)| Ok((key_from_py(&key)?, value_from_py(&it, &key_from_py(&key)?)?))).collect()
+}
+
+/// The entries of keywords, which may be missing altogether.
+pub fn sections_from_keywords(keywords: Option<&Bound<'_, PyDict>>) -> PyResult<Sections> {
+    keywords.map_or(Ok(Sections::new()), sections_from_dict)
+}
+
+fn key_from_py(key: &Bound<'_, PyAny>) -> PyResult<String> {
+    Ok(key.extract::<String>()?.replace('_', "-"))
+}
+
+/// The value of the key `at`: a text, a truth value, a number, a path, a list or a dictionary. Scalars of numpy and xarray are numbers.
+pub fn value_from_py(it: &Bound<'_, PyAny>, at: &str) -> PyResult<Value> {
+    if let Ok(entries) = it.cast::<PyDict>() {
+        return Ok(Value::Object(sections_from_dict(entries)?));
+    }
+    if it.is_instance_of::<PyString>() {
+        return Ok(Value::String(it.extract()?));
+    }
+    if it.is_instance_of::<PyBool>() {
+        return Ok(Value::Bool(it.extract()?));
+    }
+    if it.is_instance_of::<PyInt>() {
+        return Ok(Value::from(it.extract::<i64>()?));
+    }
+    if it.is_instance_of::<PyFloat>() {
+        return number(it.extract()?, at);
+    }
+    if is_scalar(it)? {
+        return value_from_py(&it.call_method0("item")?, at);
+    }
+    if it.hasattr("__fspath__")? {
+        return Ok(Value::String(it.call_method0("__fspath__")?.extract()?));
+    }
+    match it.try_iter() {
+        Ok(items) => Ok(Value::Array(items.map(|item| value_from_py(&item?, at)).collect::<PyResult<_>>()?)),
+        Err(_) if it.hasattr("__float__")? => number(it.extract()?, at),
+        Err(_) => bail(format!("{at} is {}: give a number, a text, a list or a dictionary", it.repr()?)),
+    }
+}
+
+/// Whether an object is an array without axes, such as a scalar of numpy or a DataArray of xarray that holds one number.
+fn is_scalar(it: &Bound<'_, PyAny>) -> PyResult<bool> {
+    Ok(it.hasattr("item")? && it.hasattr("ndim")? && it.getattr("ndim")?.extract::<usize>().is_ok_and(|axes| axes == 0))
+}
+
+fn number(number: f64, at: &str) -> PyResult<Value> {
+    match serde_json::Number::from_f64(number) {
+        Some(number) => Ok(Value::Number(number)),
+        None => bail(format!("{at} is {number}: give a finite number")),
+    }
+}
+
+/// The table that some sections make.
+pub fn table_from_sections(sections: &Sections) -> PyResult<Table> {
+    Table::from_json(&Value::Object(sections.clone()).to_string()).map_err(py_error)
+}
+
+/// The sections of a setup or a table.
+pub fn sections_of(described: &impl Serialize) -> Sections {
+    match serde_json::to_value(described) {
+        Ok(Value::Object(sections)) => sections,
+        _ => Sections::new(),
+    }
+}
+
+/// The section `name`, which is made if it is missing.
+pub fn section_mut<'a>(sections: &'a mut Sections, name: &str) -> &'a mut Sections {
+    let section = sections.entry(name).or_insert_with(|| Value::Object(Map::new()));
+    if !section.is_object() {
+        *section = Value::Object(Map::new());
+    }
+    section.as_object_mut().expect("an object was just put there")
+}
+
+/// Whatever can be written as JSON, as dictionaries and lists of Python.
+pub fn to_python<'py>(py: Python<'py>, it: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
+    let text = serde_json::to_string(it).map_err(py_error)?;
+    py.import("json")?.call_method1("loads", (text,))
+}

@@ -1,0 +1,132 @@
+//! Contacts under one load after the other.
+
+use crate::arrays::vector;
+use crate::contact::Contact;
+use crate::conversion::sections_of;
+use crate::error::{BoxedError, py_error};
+use crate::setup::Setup;
+use asperity::contact::archive_of_loads;
+use asperity::files::{check_named, write_beside};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyIterator, PyTuple};
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// The contacts under a list of loads, in the order of the loads: a sequence of Contact.
+///
+/// curve[0] is the contact under the first load, curve.measures["kappa_r"] holds kappa_r under all loads.
+#[pyclass(frozen, sequence, module = "asperity")]
+pub struct LoadCurve {
+    contacts: Py<PyTuple>,
+    setup: Setup,
+}
+
+impl LoadCurve {
+    /// The curve of some contacts, with the setup that repeats it.
+    pub fn new(py: Python<'_>, contacts: Vec<Contact>, setup: Setup) -> PyResult<Self> {
+        let contacts = contacts.into_iter().map(|it| Py::new(py, it)).collect::<PyResult<Vec<_>>>()?;
+        Ok(Self { contacts: PyTuple::new(py, contacts)?.unbind(), setup })
+    }
+
+    fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Vec<PyRef<'py, Contact>>> {
+        self.contacts.bind(py).iter().map(|it| Ok(it.cast::<Contact>()?.borrow())).collect()
+    }
+}
+
+#[pymethods]
+impl LoadCurve {
+    /// The values of the loads, in the form in which they were given.
+    #[getter]
+    fn loads<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
+        vector(py, self.setup.loads.iter().flatten().map(|load| load.value()).collect()).into_any()
+    }
+
+    /// All observables by their names, each an array with a number for every load.
+    #[getter]
+    fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let contacts: Vec<Py<Contact>> = self.contacts(py)?.into_iter().map(Into::into).collect();
+        let rows = py.detach(|| contacts.iter().map(|it| it.get().numbers()).collect::<Vec<_>>());
+        let measures = PyDict::new(py);
+        for (i, (name, _)) in rows.first().into_iter().flatten().enumerate() {
+            measures.set_item(name, vector(py, rows.iter().map(|row| row[i].1).collect()))?;
+        }
+        Ok(measures)
+    }
+
+    /// Whether the solver converged under all loads.
+    #[getter]
+    fn converged(&self, py: Python<'_>) -> PyResult<bool> {
+        Ok(self.contacts(py)?.iter().all(|it| it.contact.is_converged()))
+    }
+
+    /// The setup that repeats the curve. Heights that were given as an array have the name array.npy in it.
+    #[getter]
+    fn setup(&self) -> Setup {
+        self.setup.clone()
+    }
+
+    /// Writes the fields and numbers under all loads, with the setup, to a file whose name ends in .npz.
+    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        let contacts: Vec<Py<Contact>> = self.contacts(py)?.into_iter().map(Into::into).collect();
+        let write = || -> Result<(), BoxedError> {
+            check_named(&path, &["npz"])?;
+            let rank = contacts.first().map_or(1, |it| it.get().rank);
+            let contacts: Vec<_> = contacts.iter().map(|it| it.get().contact.clone()).collect();
+            let bytes = archive_of_loads(&contacts, rank, &self.setup.to_toml());
+            Ok(write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
+        };
+        py.detach(write).map_err(py_error)
+    }
+
+    /// The measures as a data frame of pandas, with a row for every load.
+    fn to_pandas<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("pandas")?.call_method1("DataFrame", (slf.get().measures(slf.py())?,))
+    }
+
+    /// The fields and measures as a Dataset of xarray, over the loads and the positions of the nodes.
+    fn to_xarray<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.export")?.call_method1("curve_to_xarray", (slf,))
+    }
+
+    /// A figure of relative area, kappa_r and mean gap over the reduced pressure, by matplotlib.
+    fn plot<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.plotting")?.call_method1("plot_curve", (slf,))
+    }
+
+    fn __len__(&self, py: Python<'_>) -> usize {
+        self.contacts.bind(py).len()
+    }
+
+    fn __getitem__<'py>(&self, py: Python<'py>, index: Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.contacts.bind(py).as_any().get_item(index)
+    }
+
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        self.contacts.bind(py).try_iter()
+    }
+
+    fn __eq__(&self, py: Python<'_>, other: &Self) -> PyResult<bool> {
+        Ok(self.setup == other.setup && self.contacts.bind(py).eq(other.contacts.bind(py))?)
+    }
+
+    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Py<PyTuple>, Setup))> {
+        let Self { contacts, setup } = slf.get();
+        Ok((slf.get_type().getattr("_from_parts")?, (contacts.clone_ref(slf.py()), setup.clone())))
+    }
+
+    /// The curve that the values of a pickle describe.
+    #[staticmethod]
+    fn _from_parts(contacts: Bound<'_, PyTuple>, setup: Setup) -> PyResult<Self> {
+        contacts.iter().try_for_each(|it| it.cast::<Contact>().map(drop).map_err(PyErr::from))?;
+        Ok(Self { contacts: contacts.unbind(), setup })
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let kind = sections_of(&self.setup.setup.load).keys().next().cloned().unwrap_or_default();
+        let [count, converged] = {
+            let contacts = self.contacts(py)?;
+            [contacts.len(), contacts.iter().filter(|it| it.contact.is_converged()).count()]
+        };
+        Ok(format!("LoadCurve({count} loads by {}, {converged} converged)", kind.replace('-', "_")))
+    }
+}

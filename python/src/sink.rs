@@ -1,0 +1,115 @@
+//! Where a recording goes.
+
+use crate::error::{bail, py_error};
+use asperity::error::FileError;
+use asperity::files::check_named;
+use asperity::record::{Options, Pieces, Recording, Scene};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// The shortest time between two pieces of a stream: smaller pieces are put together.
+const PIECE_INTERVAL: Duration = Duration::from_millis(50);
+
+/// Where a recording goes: to a file, to the installed viewer, in pieces to a callable, or nowhere.
+#[derive(Default)]
+pub struct RecordingSink {
+    pub path: Option<PathBuf>,
+    pub is_live: bool,
+    stream: Option<Stream>,
+}
+
+/// A callable that takes a recording in pieces.
+struct Stream {
+    pieces: Pieces,
+    state: Mutex<State>,
+}
+
+struct State {
+    /// The callable, until it raises an exception.
+    callable: Option<Py<PyAny>>,
+    last_piece: Instant,
+}
+
+impl RecordingSink {
+    /// The sink that writes a file, if there is a path, and shows the recording in the installed viewer, if it is live.
+    pub fn new(path: Option<PathBuf>, is_live: bool) -> Self {
+        Self { path, is_live, stream: None }
+    }
+
+    /// Adds a callable that takes the recording as bytes.
+    pub fn stream_to(&mut self, callable: &Bound<'_, PyAny>) -> PyResult<()> {
+        if !callable.is_callable() {
+            return Err(PyTypeError::new_err(format!(
+                "stream must be a callable that takes bytes, not {}",
+                callable.get_type().name()?
+            )));
+        }
+        let state = State { callable: Some(callable.clone().unbind()), last_piece: Instant::now() };
+        self.stream = Some(Stream { pieces: Pieces::default(), state: Mutex::new(state) });
+        Ok(())
+    }
+
+    /// Refuses a wrong file name, and a stream beside the viewer.
+    pub fn check(&self) -> PyResult<()> {
+        if self.is_live && self.stream.is_some() {
+            return bail("a recording is shown in the installed viewer or streamed: give live or stream, not both");
+        }
+        self.path.as_deref().map_or(Ok(()), |path| check_named(path, &["rrd"])).map_err(py_error)
+    }
+
+    /// Whether anything is recorded.
+    pub fn is_active(&self) -> bool {
+        self.path.is_some() || self.is_live || self.stream.is_some()
+    }
+
+    /// A new recording to this sink, if anything is recorded.
+    pub fn recording(
+        &self,
+        scenes: &[Scene<'_>],
+        options: impl FnOnce() -> Options,
+    ) -> Result<Option<Recording>, FileError> {
+        let path = self.path.as_deref();
+        match (&self.stream, path) {
+            (Some(stream), _) => Recording::streamed(path, stream.pieces.clone(), scenes, options()),
+            (None, _) if self.is_live => Recording::shown(path, scenes, options()),
+            (None, Some(path)) => Recording::create(path, scenes, options()),
+            (None, None) => return Ok(None),
+        }
+        .map(Some)
+    }
+
+    /// Passes on what was recorded since the last piece, unless that was just now.
+    pub fn flush(&self, py: Python<'_>) -> PyResult<()> {
+        match &self.stream {
+            Some(stream) if stream.state().last_piece.elapsed() >= PIECE_INTERVAL => stream.flush(py),
+            _ => Ok(()),
+        }
+    }
+
+    /// Passes on the rest of the recording.
+    pub fn finish(&self, py: Python<'_>) -> PyResult<()> {
+        self.stream.as_ref().map_or(Ok(()), |stream| stream.flush(py))
+    }
+}
+
+impl Stream {
+    fn flush(&self, py: Python<'_>) -> PyResult<()> {
+        let Some(callable) = self.state().callable.as_ref().map(|it| it.clone_ref(py)) else { return Ok(()) };
+        let piece = py.detach(|| self.pieces.next_piece()).map_err(py_error)?;
+        let sent = piece.map_or(Ok(()), |piece| callable.call1(py, (PyBytes::new(py, &piece),)).map(drop));
+        let mut state = self.state();
+        state.last_piece = Instant::now();
+        if sent.is_err() {
+            state.callable = None;
+        }
+        sent
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

@@ -1,0 +1,86 @@
+//! Stick and slip under a tangential load.
+
+use crate::arrays::owned;
+use crate::contact::Contact;
+use asperity::contact;
+use numpy::PyArrayDyn;
+use pyo3::prelude::*;
+
+/// A contact under a normal and a tangential load: a part of it sticks, the rest slips (Cattaneo, Mindlin, Ciavarella, Jäger).
+///
+/// The tangential load acts along x. Contact.slip returns it where a contact was solved with `friction`.
+#[pyclass(frozen, module = "asperity")]
+pub struct PartialSlip {
+    slip: contact::PartialSlip,
+    stick: Py<Contact>,
+    rank: usize,
+}
+
+#[pymethods]
+impl PartialSlip {
+    /// Coefficient of friction.
+    #[getter]
+    fn coefficient(&self) -> f64 {
+        self.slip.friction.coefficient
+    }
+
+    /// The tangential load, in the form of the normal load: a pressure beside a mean pressure, a force beside a force.
+    #[getter]
+    fn tangential(&self) -> f64 {
+        self.slip.friction.tangential
+    }
+
+    /// The tangential load divided by the one at which the whole contact slides.
+    #[getter]
+    fn tangential_over_sliding(&self) -> f64 {
+        self.slip.ratio
+    }
+
+    /// Tangential traction along x on the surface of the solid, a pressure, of the shape of the heights.
+    #[getter]
+    fn traction<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        let traction = self.slip.traction();
+        owned(py, traction.iter().copied().collect(), traction.dim().into(), self.rank)
+    }
+
+    /// Nodes that stick, as truth values of the shape of the heights.
+    #[getter]
+    fn stick<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<bool>> {
+        let sticks = self.slip.sticks();
+        owned(py, sticks.iter().copied().collect(), sticks.dim().into(), self.rank)
+    }
+
+    /// The area that sticks divided by the area of the cell, with edges interpolated between the nodes.
+    #[getter]
+    fn stick_area(&self, py: Python<'_>) -> f64 {
+        py.detach(|| self.slip.stick().relative_area)
+    }
+
+    /// The area that slips divided by the area of the cell, with edges interpolated between the nodes.
+    #[getter]
+    fn slip_area(&self, py: Python<'_>) -> f64 {
+        py.detach(|| self.slip.slip_area())
+    }
+
+    /// The contact under the smaller normal load `P - Q / mu`: its nodes in contact are those that stick.
+    #[getter]
+    fn stick_contact(&self, py: Python<'_>) -> Py<Contact> {
+        self.stick.clone_ref(py)
+    }
+
+    fn __repr__(&self) -> String {
+        let contact::PartialSlip { ratio, stuck, .. } = &self.slip;
+        format!("PartialSlip(tangential_over_sliding={ratio:.4}, eta={:.1e}, {})", stuck.certificate.eta, stuck.status)
+    }
+}
+
+#[pymethods]
+impl Contact {
+    /// What sticks and what slips, if the contact was solved with `friction` and converged; otherwise None.
+    #[getter]
+    fn slip(&self, py: Python<'_>) -> PyResult<Option<PartialSlip>> {
+        let Some(slip) = &self.slip else { return Ok(None) };
+        let stick = Py::new(py, self.stick(slip))?;
+        Ok(Some(PartialSlip { slip: slip.clone(), stick, rank: self.rank }))
+    }
+}

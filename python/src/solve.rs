@@ -1,0 +1,269 @@
+//! Solves of problems and setups.
+
+use crate::background::{Foreground, StepCallback, StepHandle, StepSender, run_in_background};
+use crate::contact::Contact;
+use crate::error::{BoxedError, py_error};
+use crate::load_curve::LoadCurve;
+use crate::problem::Problem;
+use crate::setup::Setup;
+use crate::solve_options::SolveOptions;
+use crate::step::Step;
+use crate::warnings::{warn, warn_sentence, warning_of_failure, warnings_about};
+use asperity::contact::{Load, PartialSlip, Status};
+use asperity::diagnosis::{Diagnosis, Reference};
+use asperity::error::StudyError;
+use asperity::record::{Options, Recording, Scene};
+use asperity::setup::{self, Auto, Cost, Part};
+use asperity::study::{self, Refinement, Settled};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::sync::Arc;
+
+/// Fields of a recording or a result in memory, besides those of a solver.
+const FIELDS: f64 = 4.0;
+/// Fields of each contact of a load curve.
+const FIELDS_OF_CONTACT: f64 = 3.0;
+
+/// One solve: a problem, its setup with the keywords laid over it, and the options.
+struct Solve<'a> {
+    problem: &'a Problem,
+    setup: &'a Setup,
+    options: &'a SolveOptions,
+}
+
+/// What came out of a solve under one load.
+struct Outcome {
+    contact: asperity::Contact,
+    surface: Arc<asperity::Surface>,
+    setup: setup::Setup,
+    slip: Option<PartialSlip>,
+    diagnosis: Option<String>,
+    /// Whether the grid is fine enough, if it was to be found.
+    is_settled: bool,
+}
+
+/// Why a load curve ends before its last load.
+enum Ended {
+    ByCallback,
+    By(StudyError),
+}
+
+impl From<StudyError> for Ended {
+    fn from(error: StudyError) -> Self {
+        Self::By(error)
+    }
+}
+
+#[pymethods]
+impl Problem {
+    /// Solves the problem. The contact is returned whether the solver converged or not, with a warning if it did not; a list of loads returns
+    /// a LoadCurve.
+    ///
+    /// `solver` is "multilevel", "polonsky-keer" or "gfmd", or a dictionary with its method and settings. It stops at a certificate
+    /// `eta <= tolerance` (1e-8); with a pressure_tolerance it also waits for this bound of the relative error of the pressure. With
+    /// refine="auto" the grid is refined until the estimated errors of area and kappa_r are below area_tolerance (0.01). callback(step) is
+    /// called with every step and ends the run by returning False. `start` is a pressure to start from. `record` is the file of a recording,
+    /// `live` shows it in the installed viewer, `stream` is a callable that takes it as bytes, piece by piece. With diagnose=True the problem is
+    /// solved twice, and the contact says what slows the solver down.
+    #[pyo3(signature = (**options), text_signature = "($self, *, solver='multilevel', tolerance=1e-8, pressure_tolerance=None, max_iterations=100000, refine=None, area_tolerance=None, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
+    pub fn solve(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Py<PyAny>> {
+        let (options, setup) = SolveOptions::from_keywords(options, &self.setup, self.problem.surface().grid())?;
+        let solve = Solve { problem: self, setup: &setup, options: &options };
+        match &setup.loads {
+            Some(loads) => Ok(Py::new(py, solve.curve(py, loads)?)?.into_any()),
+            None => Ok(Py::new(py, solve.contact(py)?)?.into_any()),
+        }
+    }
+}
+
+#[pymethods]
+impl Setup {
+    /// Solves what the setup describes, by its own solver unless another one is given. The keywords are those of Problem.solve. It returns a
+    /// Contact, or a LoadCurve if the setup has a list of loads.
+    #[pyo3(signature = (**options), text_signature = "($self, *, solver=None, tolerance=None, pressure_tolerance=None, max_iterations=None, refine=None, area_tolerance=None, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
+    fn solve(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Py<PyAny>> {
+        self.problem(py)?.solve(py, options)
+    }
+}
+
+impl Solve<'_> {
+    /// Solves under one load.
+    fn contact(&self, py: Python<'_>) -> PyResult<Contact> {
+        self.check_memory(1, self.problem.problem.surface().grid())?;
+        let outcome = self.in_background(py, |steps| match self.setup.refinement {
+            Some(auto) => self.settled(auto, steps),
+            None => self.watched(&self.problem.problem, &self.setup.setup, &self.problem.surface, steps),
+        })?;
+        let Outcome { contact, surface, setup, slip, diagnosis, is_settled } = outcome;
+        let contact = Contact { contact, surface, setup, rank: self.problem.rank, diagnosis, slip };
+        if !is_settled {
+            warn(py, &[Refinement::warning()])?;
+        }
+        let stuck = contact.slip.as_ref().map(|slip| &slip.stuck);
+        [Some(&contact.contact), stuck]
+            .into_iter()
+            .flatten()
+            .filter_map(warning_of_failure)
+            .try_for_each(|it| warn_sentence(py, &it))?;
+        warn_about(py, &[&contact])?;
+        Ok(contact)
+    }
+
+    /// Solves under one load after the other.
+    fn curve(&self, py: Python<'_>, loads: &[Load]) -> PyResult<LoadCurve> {
+        self.check_memory(loads.len(), self.problem.problem.surface().grid())?;
+        let contacts = self.in_background(py, |steps| self.pressed(loads, steps))?;
+        let contacts: Vec<Contact> = contacts.into_iter().map(|contact| self.under_its_load(contact)).collect();
+        let unfinished = contacts.iter().filter_map(|it| warning_of_failure(&it.contact)).count();
+        if unfinished > 0 {
+            let loads = contacts.len();
+            warn_sentence(
+                py,
+                &format!(
+                    "The solver did not converge under {unfinished} of {loads} loads. See the status of the contacts."
+                ),
+            )?;
+        }
+        warn_about(py, &contacts.iter().collect::<Vec<_>>())?;
+        LoadCurve::new(py, contacts, self.setup.clone())
+    }
+
+    /// The contact of a curve as an object of Python.
+    fn under_its_load(&self, contact: asperity::Contact) -> Contact {
+        let setup = setup::Setup { load: contact.problem.load(), ..self.setup.setup.clone() };
+        let Problem { surface, rank, .. } = self.problem;
+        Contact { contact, surface: surface.clone(), setup, rank: *rank, diagnosis: None, slip: None }
+    }
+
+    /// Does some work in the background, shows its steps to the callback and passes on its recording.
+    fn in_background<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&mut StepSender) -> Result<T, BoxedError> + Send,
+    ) -> PyResult<T> {
+        let on_step = |py: Python<'_>, step: &StepHandle| self.call_back(py, step);
+        let on_step: Option<&StepCallback<'_>> = if self.options.callback.is_some() { Some(&on_step) } else { None };
+        let on_idle = |py: Python<'_>| self.options.sink.flush(py);
+        let done = run_in_background(py, Foreground { on_step, on_idle: &on_idle }, work);
+        self.options.sink.finish(py)?;
+        done?.map_err(py_error)
+    }
+
+    /// Calls the callback with a step, and returns whether the run goes on.
+    fn call_back(&self, py: Python<'_>, step: &StepHandle) -> PyResult<bool> {
+        let (Some(callback), Some(step)) = (&self.options.callback, Step::new(step, self.problem.rank)) else {
+            return Ok(true);
+        };
+        let answer = callback.bind(py).call1((step,))?;
+        Ok(answer.is_none() || answer.is_truthy()?)
+    }
+
+    /// Refuses a grid that does not fit in memory, with some contacts on it.
+    fn check_memory(&self, contacts: usize, grid: &asperity::Grid) -> PyResult<()> {
+        self.memory(contacts, grid).map_err(py_error)
+    }
+
+    fn memory(&self, contacts: usize, grid: &asperity::Grid) -> Result<(), BoxedError> {
+        let solver = &self.setup.setup.solver;
+        let kept = FIELDS_OF_CONTACT * contacts.saturating_sub(1) as f64;
+        Ok(Cost::of_fields(grid, solver.fields(grid, 0.0).max(3.0) + FIELDS + kept).check(solver.name())?)
+    }
+
+    /// Solves on ever finer grids, and once more on the last one to record or diagnose it.
+    fn settled(&self, auto: Auto, steps: &mut StepSender) -> Result<Outcome, BoxedError> {
+        let refinement = Refinement::new(self.setup.setup.clone(), auto);
+        let first = self.setup.setup.grid.refine();
+        let surface = |setup: &setup::Setup| -> Result<Arc<asperity::Surface>, BoxedError> {
+            let factor = setup.grid.refine() / first;
+            match self.problem.is_array() {
+                true => Ok(self.problem.surface.refined(factor)?.into()),
+                false => Ok(setup.surface()?.into()),
+            }
+        };
+        let mut last = self.problem.surface.clone();
+        let check = |setup: &setup::Setup| {
+            let factor = setup.grid.refine() / first;
+            self.memory(1, &self.problem.surface.grid().refined(factor)?)
+        };
+        let settled = refinement.settle_if(check, |setup| -> Result<_, BoxedError> {
+            last = surface(setup)?;
+            let problem = setup.problem_of(last.clone())?;
+            Ok(setup.solver.solver().solve(&problem, &setup.stop, steps)?)
+        })?;
+        let Settled { setup, contact, is_within } = settled;
+        if self.options.diagnose || self.options.sink.is_active() {
+            let again = self.watched(&contact.problem, &setup, &last, steps)?;
+            return Ok(Outcome { is_settled: is_within, ..again });
+        }
+        self.with_slip(
+            Outcome { contact, surface: last, setup, slip: None, diagnosis: None, is_settled: is_within },
+            steps,
+        )
+    }
+
+    /// Solves on one grid, recorded and diagnosed if that is asked for.
+    fn watched(
+        &self,
+        problem: &asperity::Problem,
+        setup: &setup::Setup,
+        surface: &Arc<asperity::Surface>,
+        steps: &mut StepSender,
+    ) -> Result<Outcome, BoxedError> {
+        let SolveOptions { sink, diagnose, start, .. } = self.options;
+        let (solver, stop) = (setup.solver.solver(), &setup.stop);
+        let needs_end = *diagnose || sink.is_active() && setup.record.what.contains(&Part::Waterfall);
+        let end = match needs_end {
+            true => Some(Arc::new(Reference::of(&solver.solve(problem, stop, &mut steps.silent())?))),
+            false => None,
+        };
+        let mut diagnosis = diagnose.then(|| Diagnosis::new(problem, end.clone()));
+        let scenes = [Scene { reference: end, ..Scene::of(setup, problem) }];
+        let recording = sink.recording(&scenes, || Options::from(&setup.record))?;
+        let mut recorder = recording.as_ref().map(|recording| recording.recorder(0));
+        let mut observers = (&mut recorder, &mut diagnosis, &mut *steps);
+        let mut contact = solver.solve_from(start.as_ref(), problem, stop, &mut observers)?;
+        drop(recorder);
+        if let Some(Err(failure)) = recording.map(Recording::finish) {
+            contact.fail(failure);
+        }
+        let diagnosis = diagnosis.map(|diagnosis| diagnosis.findings().to_string());
+        let (surface, setup) = (surface.clone(), setup.clone());
+        self.with_slip(Outcome { contact, surface, setup, slip: None, diagnosis, is_settled: true }, steps)
+    }
+
+    /// Finds what sticks and what slips, if there is friction and the contact has converged.
+    fn with_slip(&self, outcome: Outcome, steps: &StepSender) -> Result<Outcome, BoxedError> {
+        let Outcome { contact, setup, .. } = &outcome;
+        let Some(friction) = setup.friction.filter(|_| contact.fault().is_none()) else { return Ok(outcome) };
+        let (solver, stop) = (setup.solver.solver(), &setup.stop);
+        let slip = PartialSlip::of(contact.clone(), friction, solver, stop, &mut steps.silent())?;
+        Ok(Outcome { slip: Some(slip), ..outcome })
+    }
+
+    /// The contacts under one load after the other, up to the one at which the callback ends the run.
+    fn pressed(&self, loads: &[Load], steps: &mut StepSender) -> Result<Vec<asperity::Contact>, BoxedError> {
+        let curve = study::LoadCurve { setup: self.setup.setup.clone(), loads: loads.to_vec() };
+        let mut contacts = Vec::with_capacity(loads.len());
+        let ended = curve.press(
+            &self.problem.problem,
+            |_| steps.clone(),
+            |_, contact| {
+                contacts.push(contact.clone());
+                if contact.status == Status::StoppedByObserver { Err(Ended::ByCallback) } else { Ok(()) }
+            },
+        );
+        match ended {
+            Err(Ended::By(error)) => Err(error.into()),
+            Ok(()) | Err(Ended::ByCallback) => Ok(contacts),
+        }
+    }
+}
+
+/// Warns of what makes the numbers of contacts doubtful, unless somebody has stopped the run.
+fn warn_about(py: Python<'_>, contacts: &[&Contact]) -> PyResult<()> {
+    if contacts.iter().any(|it| it.contact.status == Status::StoppedByObserver) {
+        return Ok(());
+    }
+    let warnings = py.detach(|| warnings_about(contacts));
+    warn(py, &warnings)
+}

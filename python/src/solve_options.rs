@@ -1,0 +1,97 @@
+//! Keywords of a solve.
+
+use crate::arrays::field_on;
+use crate::conversion::{Sections, section_mut, value_from_py};
+use crate::error::{bail, py_error};
+use crate::setup::Setup;
+use crate::sink::RecordingSink;
+use asperity::grid::Grid;
+use asperity::surface::Field;
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// What is asked of a solve, beside its setup.
+#[derive(Default)]
+pub struct SolveOptions {
+    /// Called with every step.
+    pub callback: Option<Py<PyAny>>,
+    /// Where the recording goes.
+    pub sink: RecordingSink,
+    /// Whether the contact is solved twice, to find what slows the solver down.
+    pub diagnose: bool,
+    /// A pressure to start from.
+    pub start: Option<Field>,
+}
+
+impl SolveOptions {
+    /// The options of some keywords, and the setup with the solver, the stop and the refinement that they name.
+    pub fn from_keywords(keywords: Option<&Bound<'_, PyDict>>, setup: &Setup, grid: &Grid) -> PyResult<(Self, Setup)> {
+        let (mut options, mut sections) = (Self::default(), setup.sections());
+        for (key, it) in keywords.into_iter().flatten().filter(|(_, it)| !it.is_none()) {
+            options.read(&key.extract::<String>()?, &it, &mut sections, grid.shape())?;
+        }
+        let setup = Setup::from_sections(&sections)?;
+        setup.setup.solver.check().and_then(|()| setup.setup.stop.check()).map_err(py_error)?;
+        setup.setup.record.check(grid).map_err(py_error)?;
+        options.sink.check()?;
+        options.check(&setup)?;
+        Ok((options, setup))
+    }
+
+    fn read(&mut self, key: &str, it: &Bound<'_, PyAny>, sections: &mut Sections, shape: [usize; 2]) -> PyResult<()> {
+        match key {
+            "solver" => {
+                let solver = value_from_py(it, key)?;
+                let named = solver.as_str().map(|name| serde_json::json!({ "method": name }));
+                sections.insert(key.into(), named.unwrap_or(solver));
+            }
+            "tolerance" | "pressure_tolerance" | "max_iterations" => {
+                section_mut(sections, "stop").insert(key.replace('_', "-"), value_from_py(it, key)?);
+            }
+            "refine" => {
+                let refine = value_from_py(it, key)?;
+                if refine != "auto" {
+                    return bail(format!("refine is {refine}: give 'auto' here, or a number to the surface"));
+                }
+                section_mut(sections, "grid").insert(key.into(), refine);
+            }
+            "area_tolerance" => {
+                section_mut(sections, "grid").insert("area-tolerance".into(), value_from_py(it, key)?);
+            }
+            "recording" => {
+                sections.insert("record".into(), value_from_py(it, key)?);
+            }
+            "callback" => self.callback = Some(it.clone().unbind()),
+            "record" => self.sink.path = Some(it.extract()?),
+            "live" => self.sink.is_live = it.extract()?,
+            "stream" => self.sink.stream_to(it)?,
+            "diagnose" => self.diagnose = it.extract()?,
+            "start" => self.start = Some(field_on(&it.extract()?, shape, "pressure to start from")?),
+            other => return Err(PyTypeError::new_err(format!("solve() got an unexpected keyword argument '{other}'"))),
+        }
+        Ok(())
+    }
+
+    /// Refuses options that go with one load, or with a grid that is given, only.
+    fn check(&self, setup: &Setup) -> PyResult<()> {
+        let only_once = [
+            ("record, live and stream show", self.sink.is_active()),
+            ("diagnose looks at", self.diagnose),
+            ("start belongs to", self.start.is_some()),
+            ("friction belongs to", setup.setup.friction.is_some()),
+        ];
+        match only_once.iter().find(|(_, is_given)| *is_given) {
+            Some((what, _)) if setup.loads.is_some() => {
+                bail(format!("{what} one load, but a list of loads is given: give one load"))
+            }
+            _ if setup.loads.is_some() && setup.refinement.is_some() => {
+                bail("refine='auto' finds the grid for one load, but a list of loads is given: give one load")
+            }
+            _ if self.start.is_some() && setup.refinement.is_some() => {
+                bail("start belongs to one grid, but refine='auto' tries several: leave one of them out")
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Stresses below a contact.
+
+use crate::arrays::vector;
+use crate::contact::Contact;
+use crate::error::{bail, py_error};
+use crate::warnings;
+use asperity::elastic::stress::{Stress, USUAL_POISSON};
+use asperity::setup::Cost;
+use numpy::PyArray2;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Values in memory for each column and depth.
+const VALUES: f64 = 16.0;
+
+#[pymethods]
+impl Contact {
+    /// The stress below a row of the contact, in the vertical cut along x, as arrays by name.
+    ///
+    /// `row` is the row of a surface, that of the largest pressure if it is not given; a line has none. `depths` are depths below the surface,
+    /// lengths. `poisson` is Poisson's ratio, that of the solid if it is not given. Stresses are positive in tension, in the unit of the
+    /// pressure. They have the shape (depths, nx): sigma_xx, sigma_yy, sigma_zz, tau_xz, tau_xy, tau_yz, the largest shear stress tau_max and
+    /// the equivalent stress von_mises. The entries x, depth, pressure, row and poisson say where they are.
+    #[pyo3(signature = (*, row=None, depths=None, poisson=None))]
+    fn stress<'py>(
+        &self,
+        py: Python<'py>,
+        row: Option<usize>,
+        depths: Option<Vec<f64>>,
+        poisson: Option<f64>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let row = self.checked_row(row)?;
+        let depths = checked_depths(depths.unwrap_or_else(|| self.contact.usual_depths()))?;
+        let grid = self.contact.problem.surface().grid();
+        let fields = VALUES * depths.len() as f64 / grid.shape()[0] as f64;
+        Cost::of_fields(grid, fields).check("the stress").map_err(py_error)?;
+        let known = poisson.or(self.setup.poisson());
+        if known.is_none() {
+            warnings::warn(py, self.setup.warning_of_stress().as_slice())?;
+        }
+        let solved = py.detach(|| self.contact.stress(row, known.unwrap_or(USUAL_POISSON), &depths));
+        let table = self.stress_table(py, &solved.map_err(py_error)?)?;
+        table.set_item("pressure", vector(py, self.contact.pressure.row(row).to_vec()))?;
+        table.set_item("row", row)?;
+        Ok(table)
+    }
+}
+
+impl Contact {
+    /// The row that is asked for, or that of the largest pressure.
+    fn checked_row(&self, row: Option<usize>) -> PyResult<usize> {
+        let grid = self.contact.problem.surface().grid();
+        let rows = grid.shape()[0];
+        match row {
+            Some(_) if grid.is_line() => bail("row chooses a row of a surface, but this is a line: leave it out"),
+            Some(row) if row >= rows => bail(format!("row is {row}: give 0 to {}", rows - 1)),
+            Some(row) => Ok(row),
+            None => Ok(self.contact.highest_row()),
+        }
+    }
+
+    /// The stresses by name, where they are, and Poisson's ratio.
+    fn stress_table<'py>(&self, py: Python<'py>, stress: &Stress) -> PyResult<Bound<'py, PyDict>> {
+        let table = PyDict::new(py);
+        table.set_item("x", vector(py, self.contact.problem.surface().grid().x().collect()))?;
+        table.set_item("depth", vector(py, stress.depth.clone()))?;
+        let (tau_max, von_mises) = py.detach(|| (stress.tau_max(), stress.von_mises()));
+        let fields = [
+            ("sigma_xx", &stress.xx),
+            ("sigma_yy", &stress.yy),
+            ("sigma_zz", &stress.zz),
+            ("tau_xz", &stress.xz),
+            ("tau_xy", &stress.xy),
+            ("tau_yz", &stress.yz),
+            ("tau_max", &tau_max),
+            ("von_mises", &von_mises),
+        ];
+        fields.into_iter().try_for_each(|(name, field)| table.set_item(name, PyArray2::from_array(py, field)))?;
+        table.set_item("poisson", stress.poisson)?;
+        Ok(table)
+    }
+}
+
+/// Depths that are finite and not above the surface.
+fn checked_depths(depths: Vec<f64>) -> PyResult<Vec<f64>> {
+    match depths.iter().find(|depth| !(depth.is_finite() && **depth >= 0.0)) {
+        Some(depth) => bail(format!("a depth is {depth}: give finite depths from 0 on")),
+        None if depths.is_empty() => bail("no depths are given: give at least one"),
+        None => Ok(depths),
+    }
+}

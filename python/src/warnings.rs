@@ -1,0 +1,58 @@
+//! Warnings of the library as warnings of Python, with keywords as remedies.
+
+use crate::contact::Contact;
+use crate::error::AsperityWarning;
+use asperity::contact::{Observables, Status, warning_of_rim, warnings_of};
+use asperity::warning::{Remedy, Warning};
+use pyo3::prelude::*;
+use std::ffi::CString;
+
+/// Warnings about contacts under one load or several, and about their surface.
+pub fn warnings_about(contacts: &[&Contact]) -> Vec<Warning> {
+    let Some(first) = contacts.first() else { return Vec::new() };
+    let found: Vec<Observables> = contacts.iter().map(|it| Observables::of(&it.contact)).collect();
+    let mut warnings = first.setup.surface.warnings(&first.surface);
+    warnings.extend(warnings_of(&found.iter().collect::<Vec<_>>(), first.contact.problem.law()));
+    warnings.extend(contacts.iter().find_map(|it| warning_of_rim(&it.contact)));
+    warnings.extend(first.setup.warning_of_coupling());
+    warnings
+}
+
+/// The warning that a solver did not converge, or that its recording failed. There is none for a run that somebody has stopped.
+pub fn warning_of_failure(contact: &asperity::Contact) -> Option<String> {
+    contact.fault().filter(|_| contact.status != Status::StoppedByObserver).map(|fault| fault.to_string())
+}
+
+/// Raises warnings.
+pub fn warn(py: Python<'_>, warnings: &[Warning]) -> PyResult<()> {
+    warnings.iter().try_for_each(|warning| warn_sentence(py, &warning.in_words(keyword)))
+}
+
+/// Raises a warning with one sentence, at the line of code outside of the package that has called it.
+pub fn warn_sentence(py: Python<'_>, sentence: &str) -> PyResult<()> {
+    PyErr::warn(py, &py.get_type::<AsperityWarning>(), &CString::new(sentence)?, stack_level(py)?)
+}
+
+/// The level of the stack at which the calling code stands: above the functions of the package.
+fn stack_level(py: Python<'_>) -> PyResult<i32> {
+    let frame = py.import("sys")?.call_method1("_getframe", (0,))?;
+    let module = frame.getattr("f_globals")?.get_item("__name__")?;
+    Ok(if module.extract::<String>()? == "asperity" { 2 } else { 1 })
+}
+
+/// The keyword of a remedy, such as `refine='auto'` or `law={'hardness': ...}`.
+fn keyword(remedy: &Remedy) -> Option<String> {
+    let (section, key) = remedy.key.rsplit_once('.')?;
+    let key = key.replace('-', "_");
+    let value = match remedy.value.as_deref() {
+        None => "...".into(),
+        Some(value) if value.parse::<f64>().is_ok() => value.into(),
+        Some(values) if values.contains(',') => format!("({})", values.replace(',', ", ")),
+        Some(name) => format!("'{name}'"),
+    };
+    Some(match section {
+        "grid" | "stop" => format!("{key}={value}"),
+        "surface.prepare" if key == "steps" => format!("prepare={value}"),
+        _ => format!("{}={{'{key}': {value}}}", section.rsplit('.').next()?),
+    })
+}

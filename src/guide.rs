@@ -1,0 +1,46 @@
+//! The guide: one page for each task or concept.
+//!
+//! Start with [`first_contact`]. The pages are files in `assets/guide`; their examples in Rust and their commands are run as tests.
+
+/// Declares the pages. Links between pages are references, whose targets here come before those in the files. Only the documentation reads the
+/// files, so that a change of a page does not build the crate again.
+macro_rules! pages {
+    ($($name:ident $path:literal)*) => {
+        $(
+            #[doc = "[boundaries-and-solids]: crate::guide::boundaries_and_solids"]
+            #[doc = "[explorer]: crate::guide::explorer"]
+            #[doc = "[first-contact]: crate::guide::first_contact"]
+            #[doc = "[hardness]: crate::guide::hardness"]
+            #[doc = "[history]: crate::guide::history"]
+            #[doc = "[how-it-works]: crate::guide::how_it_works"]
+            #[doc = "[measured-surfaces]: crate::guide::measured_surfaces"]
+            #[doc = "[other-solvers]: crate::guide::other_solvers"]
+            #[doc = "[python]: crate::guide::python"]
+            #[doc = "[recordings]: crate::guide::recordings"]
+            #[doc = "[slow-solvers]: crate::guide::slow_solvers"]
+            #[doc = "[studies]: crate::guide::studies"]
+            #[doc = "[trust]: crate::guide::trust"]
+            #[doc = "[words]: crate::guide::words"]
+            #[doc = ""]
+            #[cfg_attr(doc, doc = include_str!(concat!("../", $path)))]
+            pub mod $name {}
+        )*
+    };
+}
+
+pages! {
+    first_contact "assets/guide/first-contact.md"
+    measured_surfaces "assets/guide/measured-surfaces.md"
+    boundaries_and_solids "assets/guide/boundaries-and-solids.md"
+    hardness "assets/guide/hardness.md"
+    history "assets/guide/history.md"
+    recordings "assets/guide/recordings.md"
+    studies "assets/guide/studies.md"
+    explorer "assets/guide/explorer.md"
+    other_solvers "assets/guide/other-solvers.md"
+    slow_solvers "assets/guide/slow-solvers.md"
+    python "assets/guide/python.md"
+    how_it_works "assets/guide/how-it-works.md"
+    trust "assets/guide/trust.md"
+    words "assets/guide/words.md"
+}

@@ -1,0 +1,47 @@
+//! What comes out of a job.
+
+use crate::contact::{Contact, Observables, PartialSlip, warning_of_rim, warnings_of};
+use crate::diagnosis::Findings;
+use crate::setup::Setup;
+use crate::study::Refinement;
+use crate::warning::Warning;
+
+/// What comes out of a job.
+pub struct Outcome {
+    /// The contact of each run, in their order.
+    pub solved: Vec<Solved>,
+    /// What held the first run up, if that is asked for.
+    pub diagnosis: Option<Findings>,
+}
+
+/// The contact of one run. A recording that could not be finished stands in [`Contact::failure`]; the contact is whole all the same.
+pub struct Solved {
+    /// The setup that was solved, on the grid that was found.
+    pub setup: Setup,
+    /// The contact.
+    pub contact: Contact,
+    /// What sticks and what slips under the tangential load of the setup; none for a contact that is not converged.
+    pub slip: Option<PartialSlip>,
+    /// Whether the contact has settled on the last grid, where a grid was to be found.
+    pub is_settled: bool,
+}
+
+impl Solved {
+    /// Reasons to doubt the surface and the contact.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let Self { setup, contact, is_settled, .. } = self;
+        let mut warnings = setup.surface.warnings(contact.problem.surface());
+        warnings.extend(warnings_of(&[&Observables::of(contact)], contact.problem.law()));
+        warnings.extend(warning_of_rim(contact));
+        warnings.extend(setup.warning_of_coupling());
+        warnings.extend((!is_settled).then(Refinement::warning));
+        warnings
+    }
+}
+
+impl Outcome {
+    /// Reasons to doubt the surfaces and contacts of all runs.
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.solved.iter().flat_map(Solved::warnings).collect()
+    }
+}

@@ -1,0 +1,151 @@
+//! A job whose surfaces are made.
+
+use super::Job;
+use super::outcome::{Outcome, Solved};
+use super::run::JobRun;
+use super::watch::{Pass, Watcher};
+use crate::contact::{Contact, Observer, PartialSlip, Problem};
+use crate::diagnosis::{Diagnosis, Reference};
+use crate::error::SetupError;
+#[cfg(feature = "record")]
+use crate::record::Recording;
+use crate::study::Settled;
+use crate::warning::Warning;
+use std::sync::Arc;
+
+/// A job whose surfaces and problems are made, so that they can be judged before anything is solved.
+pub struct Ready<'a> {
+    pub(super) job: Job<'a>,
+}
+
+impl Ready<'_> {
+    /// The problem of the first run.
+    pub fn problem(&self) -> &Problem {
+        problem(&self.job.runs[0])
+    }
+
+    /// Reasons to doubt the surfaces.
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.job.runs.iter().flat_map(|run| run.setup.surface.warnings(problem(run).surface())).collect()
+    }
+
+    /// Finds the grid, solves, records and diagnoses. The contacts always come back, converged or not; what went wrong with a recording stands
+    /// in their [`Contact::failure`].
+    ///
+    /// # Errors
+    /// For a recording that cannot be begun, and the errors of [`Solver::solve`](crate::contact::Solver::solve).
+    pub fn run(mut self, watch: &mut dyn Watcher) -> Result<Outcome, SetupError> {
+        let settled = self.settle(watch)?;
+        let is_settled = settled.as_ref().is_none_or(|settled| settled.is_within);
+        if let Some(Settled { setup, contact, .. }) = settled {
+            let first = &mut self.job.runs[0];
+            (first.setup, first.problem) = (setup, Some(contact.problem.clone()));
+            if !(self.job.is_diagnosed || self.job.is_recorded() || self.job.runs.len() > 1) {
+                let solved = self.solved(0, contact, is_settled, watch)?;
+                return Ok(Outcome { solved: vec![solved], diagnosis: None });
+            }
+        }
+        self.find_references(watch)?;
+        let run = &self.job.runs[0];
+        let mut diagnosis = self.job.is_diagnosed.then(|| Diagnosis::new(problem(run), run.reference.clone()));
+        let contacts = self.solve(&mut diagnosis, watch)?;
+        let solved = contacts.into_iter().enumerate();
+        let solved = solved.map(|(i, contact)| self.solved(i, contact, i > 0 || is_settled, watch));
+        Ok(Outcome {
+            solved: solved.collect::<Result<_, _>>()?,
+            diagnosis: diagnosis.map(|diagnosis| diagnosis.findings()),
+        })
+    }
+
+    /// Solves on ever finer grids, if a grid is to be found.
+    fn settle(&self, watch: &mut dyn Watcher) -> Result<Option<Settled>, SetupError> {
+        let Some(refinement) = &self.job.refinement else { return Ok(None) };
+        let settled = refinement.settle(|setup| {
+            let run = JobRun::new(setup.clone());
+            let contact = run.solver().solve(&setup.problem()?, &setup.stop, &mut watch.observer(Pass::Grid(&run)))?;
+            Ok::<_, SetupError>(contact)
+        })?;
+        Ok(Some(settled))
+    }
+
+    /// Finds the final states that steps are compared with, each by a pass of its own.
+    fn find_references(&mut self, watch: &mut dyn Watcher) -> Result<(), SetupError> {
+        for i in 0..self.job.runs.len() {
+            let run = &self.job.runs[i];
+            if self.job.needs_reference(run) {
+                let mut observer = watch.observer(Pass::Reference(run));
+                let contact = run.solver().solve(problem(run), &run.setup.stop, &mut observer)?;
+                drop(observer);
+                self.job.runs[i].reference = Some(Arc::new(Reference::of(&contact)));
+            }
+        }
+        Ok(())
+    }
+
+    /// Solves all runs one after the other, and records them if that is asked for.
+    fn solve(
+        &mut self,
+        diagnosis: &mut Option<Diagnosis>,
+        watch: &mut dyn Watcher,
+    ) -> Result<Vec<Contact>, SetupError> {
+        #[cfg(feature = "record")]
+        if let Some((open, options)) = self.job.recorded.take() {
+            let scenes: Vec<_> = self.job.runs.iter().map(|run| run.scene(problem(run))).collect();
+            let recording = open(&scenes, options)?;
+            return self.solve_recorded(recording, diagnosis, watch);
+        }
+        (0..self.job.runs.len()).map(|i| self.solve_run(i, &mut (), diagnosis, watch)).collect()
+    }
+
+    #[cfg(feature = "record")]
+    fn solve_recorded(
+        &self,
+        recording: Recording,
+        diagnosis: &mut Option<Diagnosis>,
+        watch: &mut dyn Watcher,
+    ) -> Result<Vec<Contact>, SetupError> {
+        let solve = |i| self.solve_run(i, &mut recording.recorder(i), diagnosis, watch);
+        let mut contacts = (0..self.job.runs.len()).map(solve).collect::<Result<Vec<_>, _>>()?;
+        if let (Err(failure), Some(last)) = (recording.finish(), contacts.last_mut()) {
+            last.fail(failure);
+        }
+        Ok(contacts)
+    }
+
+    /// Solves run number `i`, shown to a recorder, to the diagnosis if it is the first, and to its own observer.
+    fn solve_run(
+        &self,
+        i: usize,
+        recorder: &mut dyn Observer,
+        diagnosis: &mut Option<Diagnosis>,
+        watch: &mut dyn Watcher,
+    ) -> Result<Contact, SetupError> {
+        let (run, is_first) = (&self.job.runs[i], i == 0);
+        let mut seen = (recorder, is_first.then_some(diagnosis), watch.observer(Pass::Solve(run, i)));
+        let start = self.job.start.filter(|_| is_first);
+        Ok(run.solver().solve_from(start, problem(run), &run.setup.stop, &mut seen)?)
+    }
+
+    /// A contact with what sticks in it under the tangential load of its setup.
+    fn solved(
+        &self,
+        i: usize,
+        contact: Contact,
+        is_settled: bool,
+        watch: &mut dyn Watcher,
+    ) -> Result<Solved, SetupError> {
+        let run = &self.job.runs[i];
+        let friction = run.setup.friction.filter(|_| run.is_repeatable() && contact.fault().is_none());
+        let stick = |friction| {
+            let (solver, stop) = (run.solver(), &run.setup.stop);
+            PartialSlip::of(contact.clone(), friction, solver, stop, &mut watch.observer(Pass::Stick(run)))
+        };
+        let slip = friction.map(stick).transpose()?;
+        Ok(Solved { setup: run.setup.clone(), contact, slip, is_settled })
+    }
+}
+
+/// The problem of a run, which is there once the job is ready.
+fn problem<'r>(run: &'r JobRun<'_>) -> &'r Problem {
+    run.problem.as_ref().expect("a job that is ready has posed its problems")
+}
