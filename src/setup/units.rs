@@ -50,9 +50,15 @@ fn words(value: Option<&Value>) -> Vec<String> {
     match value {
         Some(Value::Array(values)) => values.iter().flat_map(|value| words(Some(value))).collect(),
         Some(Value::String(text)) => vec![text.clone()],
-        Some(Value::Integer(0)) | None => Vec::new(),
-        Some(value) => vec![value.to_string()],
+        Some(Value::Integer(_) | Value::Float(_)) if value.and_then(number) != Some(0.0) => {
+            value.map(Value::to_string).into_iter().collect()
+        }
+        _ => Vec::new(),
     }
+}
+
+fn number(value: &Value) -> Option<f64> {
+    value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
 }
 
 /// Whether a quantity, or a range of them such as `1e5..1e6:4`, ends in a unit.
