@@ -143,7 +143,7 @@ impl Scribe {
     fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
         let fields = &Fields::of_contact(contact);
         if let Some(traces) = &mut self.traces {
-            traces.observables.add_certificate(contact);
+            traces.observables.end(contact);
             if self.stages[self.scene].fit_curves(contact) {
                 layout::send_steps(&self.stages, &self.stream)?;
             }
