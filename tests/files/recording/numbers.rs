@@ -8,7 +8,7 @@ use asperity::setup::{Cell, Part, Recipe, Setup, Solid};
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter, Problem, Stop};
 use rerun::StoreKind;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -88,7 +88,7 @@ fn traces_are_in_their_own_units() {
 }
 
 /// The share of nodes in contact and the mean gap of each frame of a line, once around its period.
-fn drawn(path: &Path) -> Vec<(i64, [f64; 2])> {
+fn drawn(path: &Path) -> BTreeMap<i64, [f64; 2]> {
     let around = |values: &[f32]| values[1..].iter().map(|value| f64::from(*value)).collect::<Vec<_>>();
     let frames = curve(path, "pressure", "pressure").into_iter().zip(curve(path, "gap", "gap"));
     let share = |pressure: &[f64]| pressure.iter().filter(|p| **p > 0.0).count() as f64 / pressure.len() as f64;
