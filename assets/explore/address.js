@@ -59,6 +59,8 @@ async function openAddress(instead) {
   }
 }
 
+/** Shows what a wish stands for: a lesson and its step, or knobs and what is pinned.
+ * @param {any} wish */
 async function carryOut({ lesson: name, step: place, knobs: wanted, pinned: kept }) {
   if (name !== undefined) return openLessonAt(name, place);
   if (kept) {

@@ -40,8 +40,8 @@ const recordingAddress = (run) => nextTo(below(`run/${run.id}.rrd`, run.session)
 /** The address under which something of a run is saved, by its ending. */
 const savingAddress = (run, ending) => nextTo(below(`${solved ? "run" : "save"}/${run.id}.${ending}`, run.session));
 
-/** Whether the server still has what belongs to a run: it lost the runs of sessions before. */
-const isKept = (run) => run.session === session;
+/** Whether there still is what belongs to a run: a server lost the runs of sessions before, a course page keeps all. */
+const isKept = (run) => Boolean(solved) || run.session === session;
 
 /** Takes the session that this tab had before, if there is one that no other tab has, or a new one. */
 async function joinSession() {

@@ -120,6 +120,6 @@ function offerSolved() {
 /** What can be turned to from here: controls and their values. */
 function solvedList() {
   const turnable = CONTROLS.filter((control) => control.kind !== "checks").map((control) => [control, [...alternatives(control).keys()]]);
-  const named = turnable.filter(([, values]) => values.length > 1).map(([control, values]) => `${labelOf(control)} ${values.map((value) => control.kind === "select" ? optionOf(control, value) : inLocale(String(value))).join("; ")}`);
+  const named = turnable.filter(([, values]) => values.length > 1).map(([control, values]) => `${labelOf(control)} ${values.map((value) => control.kind === "select" ? optionOf(control, value) : inLocale(String(value))).join(say("solved.comma"))}`);
   return named.join("; ") || say("solved.this");
 }

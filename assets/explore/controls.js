@@ -1,6 +1,8 @@
 "use strict";
 // The controls, and the knobs that they turn.
 
+/** An element of the page, of the kind that the page gives it.
+ * @type {(id: string) => any} */
 const byId = (id) => document.getElementById(id);
 const isGfmd = (k) => k.solver.method === "gfmd";
 const isMade = (k) => !["file", "scene"].includes(k.body);
@@ -136,13 +138,14 @@ function typed(control, input) {
   changed();
 }
 
-/** Why a typed number cannot be, in a sentence; none where it can. */
-function faultOf(label, text, value, [least, most], isWhole) {
+/** Why a typed number cannot be, in a sentence; none where it can.
+ * @type {(label: string, text: string, value: number, range: number[], isWhole?: boolean) => string} */
+const faultOf = (label, text, value, [least, most], isWhole = false) => {
   if (Number.isNaN(value)) return say("fault.number", { label });
   if (value >= least && value <= most && (!isWhole || Number.isInteger(value))) return "";
   const places = { label, value: text.trim(), least: inLocale(String(least)), most: most === Infinity ? "∞" : inLocale(String(most)) };
   return isWhole ? say("fault.typed.whole", places) : say("fault.typed", places);
-}
+};
 
 /** The fault of the first knob of a state that cannot be, in its words; none where all can. */
 function faultOfKnobs(wanted) {

@@ -3,7 +3,8 @@
 
 const isView = document.body.dataset.mode === "view";
 
-/** The viewer follows the theme of the system and no other: here the page answers for the system. */
+/** The viewer follows the theme of the system and no other: here the page answers for the system.
+ * @type {Map<string, any>} */
 const THEMES = new Map(["dark", "light"].map((theme) => [`(prefers-color-scheme: ${theme})`, new EventTarget()]));
 window.matchMedia = (query) => THEMES.get(query) || askSystem(query);
 
@@ -43,7 +44,7 @@ function isTyping({ target, key }) {
 }
 
 function leaveViewer() {
-  document.activeElement.blur();
+  /** @type {HTMLElement} */ (document.activeElement).blur();
   (isView ? byId("theme") : byId("play")).focus();
 }
 

@@ -44,7 +44,7 @@ const deepened = ({ section, shear, beside, shear_beside: shearBeside }) => [{ .
 const named = (name, { status }) => ["converged", undefined].includes(status) ? name : `${name}: ${statusOf({ numbers: { status } })}`;
 
 function showHeld(contact) {
-  document.body.dataset.held = ++heldCount;
+  document.body.dataset.held = String(++heldCount);
   fault("");
   if (!grip || isClear(grip.gap)) return;
   const { numbers: told } = contact;

@@ -4,7 +4,8 @@
 /** The largest file that the server takes, in bytes. */
 const LARGEST = 2 ** 26;
 
-/** The controls of the file, of which those with `step` set a step of its preparation. Fields hold lengths, or lists of whole numbers. */
+/** The controls of the file, of which those with `step` set a step of its preparation. Fields hold lengths, or lists of whole numbers.
+ * @type {any[]} */
 const HEIGHT_CONTROLS = [
   { id: "channel", kind: "select", shown: (it) => it.channels.length > 1, names: (it) => it.channels },
   { id: "unit", kind: "text", isLength: true, example: "1 µm", shown: (it) => !it.is_in_metres },

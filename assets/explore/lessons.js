@@ -36,7 +36,7 @@ async function openLesson(name, at = 0) {
 /** Leaves the page as a lesson left it; what was asked about and not shown yet is solved. */
 function endLesson() {
   const wasAsked = document.body.dataset.asked === "true";
-  document.body.dataset.asked = false;
+  document.body.dataset.asked = "false";
   setMoment(null);
   if (runOf(suspended.pinned)) setPin(suspended.pinned);
   if (wasAsked) changed(); else writeAddress();

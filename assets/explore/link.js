@@ -25,7 +25,7 @@ function goToPlace(recording, share) {
   if (!range) return;
   const step = Math.floor(share * stepsShown(range.max + 1));
   goTo(recording, "step", Math.min(step, range.max));
-  document.body.dataset.picked = step;
+  document.body.dataset.picked = String(step);
 }
 
 /** The steps of all columns of an image, the last of which may not be full. */

@@ -32,7 +32,7 @@ async function momentOfLoad(point) {
   if (!point || moment?.numbers === point) return;
   setMoment({ name: say("moment.load", { load: figure(point.reduced_pressure, 3) }), numbers: point, exact: point.exact });
   charts();
-  const { sweep: its } = report;
+  const its = runOf(report.sweep.id) ?? report.sweep;
   const show = (...sections) => {
     if (moment?.numbers !== point || grip) return;
     sectionRun = null;

@@ -43,7 +43,7 @@ function drawSections() {
 
 /** Puts the names of what is drawn beside it, once there is a picture. */
 function placeLabels() {
-  for (const label of document.querySelectorAll(".label")) label.hidden = !section;
+  for (const label of allOf(".label")) label.hidden = !section;
   if (!section) return;
   const at = frame(byId("section"));
   byId("label-pressure").textContent = say("section.scale", { pressure: figure(axes.pressure, 3) });

@@ -289,7 +289,8 @@ function figure(value, digits = 5) {
   return inLocale(size < 1e-3 || size >= 1e6 ? Number(value.toPrecision(Math.min(3, digits))).toExponential() : String(Number(value.toPrecision(digits))));
 }
 
-/** Units of lengths in metres, the longest first. */
+/** Units of lengths in metres, the longest first.
+ * @type {[string, number][]} */
 const LENGTHS = [["m", 1], ["mm", 1e-3], ["µm", 1e-6], ["nm", 1e-9]];
 
 /** A length in metres with the unit that makes it a number of one to three digits before its mark. */

@@ -56,13 +56,17 @@ function inLanguage(words) {
   return typeof words === "string" ? words : words[language] ?? words.en ?? Object.values(words)[0];
 }
 
+/** All elements of the page that a selector finds.
+ * @type {(selector: string) => NodeListOf<HTMLElement>} */
+const allOf = (selector) => document.querySelectorAll(selector);
+
 /** Gives the elements of the page their texts: `data-text` is what they say, `data-tip` what the pointer is told, `data-name` what a
  * screen reader is. */
 function sayAll() {
   document.documentElement.lang = language;
-  for (const it of document.querySelectorAll("[data-text]")) it.textContent = say(it.dataset.text);
-  for (const it of document.querySelectorAll("[data-tip]")) it.title = say(it.dataset.tip);
-  for (const it of document.querySelectorAll("[data-name]")) it.ariaLabel = say(it.dataset.name);
+  for (const it of allOf("[data-text]")) it.textContent = say(it.dataset.text);
+  for (const it of allOf("[data-tip]")) it.title = say(it.dataset.tip);
+  for (const it of allOf("[data-name]")) it.ariaLabel = say(it.dataset.name);
 }
 
 /** A page in another language is the same page opened anew: its address holds what one sees. */
@@ -75,7 +79,7 @@ function changeLanguage(wish) {
 }
 
 function offerLanguages() {
-  const list = document.getElementById("language");
+  const list = /** @type {HTMLSelectElement} */ (document.getElementById("language"));
   list.replaceChildren(...LANGUAGES.map((it) => new Option(TEXTS[it].language, it, false, it === language)));
   list.addEventListener("change", () => changeLanguage(list.value));
 }

@@ -129,7 +129,7 @@ function noteWhole({ name }) {
 function giveBack(focused) {
   byId("viewer").querySelectorAll("input").forEach((field) => { field.tabIndex = -1; field.ariaHidden = "true"; });
   if (!inViewer(document.activeElement)) return;
-  document.activeElement.blur();
+  /** @type {HTMLElement} */ (document.activeElement).blur();
   document.body.tabIndex = -1;
   focused.focus(); // where the next Tab goes on from
   document.body.removeAttribute("tabindex");

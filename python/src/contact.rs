@@ -345,7 +345,7 @@ impl Contact {
     fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
         let it = slf.get();
         let Self { contact, rank, .. } = it;
-        if contact.problem.surface() != &*it.surface {
+        if contact.problem.surface() != &it.surface {
             return bail(
                 "this contact lies on a surface that has yielded under a higher load, which a pickle does not hold: save it in place of \
                  pickling it",

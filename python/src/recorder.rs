@@ -11,9 +11,9 @@ use crate::setup::Setup;
 use crate::sink::RecordingSink;
 use asperity::contact::{Multilevel, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
-use asperity::error::{Failure, FileError};
+use asperity::error::Failure;
 use asperity::foreign::{Distance, Distances, Frame, Quantity, Replay};
-use asperity::record::{Options, Parts, Recording, Scene};
+use asperity::job::{Job, JobRun, ShowSteps};
 use asperity::setup;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -99,31 +99,21 @@ impl Plan {
         let end = reference.as_ref().map(|contact| Arc::new(Reference::of(contact)));
         let mut diagnosis = Diagnosis::new(problem, end.clone());
         let mut distances = reference.as_ref().map(Distances::new);
-        let recording = self.recording(end)?;
-        let mut recorder = recording.as_ref().map(|recording| recording.recorder(0));
         let replay = Replay::new(&self.name, self.quantity, frames.map(Ok::<_, Failure>));
-        let mut observers = (&mut recorder, &mut diagnosis, &mut distances);
-        let mut contact = replay.solve(problem, &self.setup.stop, &mut observers)?;
-        drop(recorder);
-        if let Some(Err(failure)) = recording.map(Recording::finish) {
-            contact.fail(failure);
-        }
+        let title = format!("{}, {}", self.setup.surface.title(problem.surface().grid()), self.name);
+        let steps = JobRun::from_other(&title, self.setup.clone(), problem.clone(), &replay);
+        let job = Job::from_run(JobRun { reference: end, ..steps });
+        let job = match self.sink.is_active() {
+            true => job.recorded(|scenes, options| self.sink.recording(scenes, options)),
+            false => job,
+        };
+        let outcome = job.run(&mut ShowSteps(&mut (&mut diagnosis, &mut distances)))?;
+        let contact = outcome.solved.into_iter().next().expect("a job solves its run").contact;
         if let Some(fault) = contact.fault().filter(|_| contact.failure.is_some()) {
             return Err(fault.into());
         }
         let distances = distances.map(|distances| distances.steps).unwrap_or_default();
         Ok(Output { contact, distances, findings: diagnosis.findings() })
-    }
-
-    fn recording(&self, end: Option<Arc<Reference>>) -> Result<Option<Recording>, FileError> {
-        let mut options = Options::from(&self.setup.record);
-        if self.setup.record.what.is_empty() {
-            options.what = Parts::OF_OTHERS;
-        }
-        let title = format!("{}, {}", self.setup.surface.title(self.problem.surface().grid()), self.name);
-        // no setup: it would name a solver that has not made this recording
-        let scenes = [Scene { title, reference: end, ..Scene::new("contact", &self.problem) }];
-        self.sink.recording(&scenes, || options)
     }
 }
 

@@ -67,19 +67,13 @@ impl RecordingSink {
     }
 
     /// A new recording to this sink, if anything is recorded.
-    pub fn recording(
-        &self,
-        scenes: &[Scene<'_>],
-        options: impl FnOnce() -> Options,
-    ) -> Result<Option<Recording>, FileError> {
+    pub fn recording(&self, scenes: &[Scene<'_>], options: Options) -> Result<Recording, FileError> {
         let path = self.path.as_deref();
         match (&self.stream, path) {
-            (Some(stream), _) => Recording::streamed(path, stream.pieces.clone(), scenes, options()),
-            (None, _) if self.is_live => Recording::shown(path, scenes, options()),
-            (None, Some(path)) => Recording::create(path, scenes, options()),
-            (None, None) => return Ok(None),
+            (Some(stream), _) => Recording::streamed(path, stream.pieces.clone(), scenes, options),
+            (None, Some(path)) if !self.is_live => Recording::create(path, scenes, options),
+            (None, _) => Recording::shown(path, scenes, options),
         }
-        .map(Some)
     }
 
     /// Passes on what was recorded since the last piece, unless that was just now.

@@ -9,15 +9,13 @@ use crate::setup::Setup;
 use crate::solve_options::SolveOptions;
 use crate::step::Step;
 use crate::warnings::{warn, warn_sentence, warning_of_failure, warnings_about};
-use asperity::contact::{Load, PartialSlip, Status};
-use asperity::diagnosis::{Diagnosis, Reference};
+use asperity::contact::{Load, Observer, Status};
 use asperity::error::StudyError;
-use asperity::record::{Options, Recording, Scene};
-use asperity::setup::{self, Auto, Cost, Part};
-use asperity::study::{self, Refinement, Settled};
+use asperity::job::{Job, JobRun, Outcome, Pass, Solved, Watcher};
+use asperity::setup::{self, Cost};
+use asperity::study;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::sync::Arc;
 
 /// Fields of a recording or a result in memory, besides those of a solver.
 const FIELDS: f64 = 4.0;
@@ -31,15 +29,16 @@ struct Solve<'a> {
     options: &'a SolveOptions,
 }
 
-/// What came out of a solve under one load.
-struct Outcome {
-    contact: asperity::Contact,
-    surface: Arc<asperity::Surface>,
-    setup: setup::Setup,
-    slip: Option<PartialSlip>,
-    diagnosis: Option<String>,
-    /// Whether the grid is fine enough, if it was to be found.
-    is_settled: bool,
+/// Shows the steps of the solves that are asked for to the callback, and of the passes besides them none.
+struct Steps<'s>(&'s StepSender);
+
+impl Watcher for Steps<'_> {
+    fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
+        match pass {
+            Pass::Grid(_) | Pass::Solve(..) => Box::new(self.0.clone()),
+            Pass::Reference(_) | Pass::Stick(_) => Box::new(self.0.silent()),
+        }
+    }
 }
 
 /// Why a load curve ends before its last load.
@@ -89,29 +88,44 @@ impl Setup {
 impl Solve<'_> {
     /// Solves under one load.
     fn contact(&self, py: Python<'_>) -> PyResult<Contact> {
-        self.check_memory(1, self.problem.problem.surface().grid())?;
-        let outcome = self.in_background(py, |steps| match self.setup.refinement {
-            Some(auto) => self.settled(auto, steps),
-            None => self.watched(&self.problem.problem, &self.setup.setup, &self.problem.surface, steps),
-        })?;
-        let Outcome { contact, surface, setup, slip, diagnosis, is_settled } = outcome;
-        let contact = Contact { contact, surface, setup, rank: self.problem.rank, diagnosis, slip };
-        if !is_settled {
-            warn(py, &[Refinement::warning()])?;
-        }
-        let stuck = contact.slip.as_ref().map(|slip| &slip.stuck);
-        [Some(&contact.contact), stuck]
+        let outcome = self.in_background(py, |steps| Ok(self.job().run(&mut Steps(steps))?))?;
+        let Outcome { mut solved, diagnosis } = outcome;
+        let solved = solved.swap_remove(0);
+        let stuck = solved.slip.as_ref().map(|slip| &slip.stuck);
+        [Some(&solved.contact), stuck]
             .into_iter()
             .flatten()
             .filter_map(warning_of_failure)
             .try_for_each(|it| warn_sentence(py, &it))?;
-        warn_about(py, &[&contact])?;
-        Ok(contact)
+        if solved.contact.status != Status::StoppedByObserver {
+            warn(py, &py.detach(|| solved.warnings()))?;
+        }
+        let Solved { setup, contact, slip, .. } = solved;
+        let surface = contact.problem.surface().clone();
+        let diagnosis = diagnosis.map(|findings| findings.to_string());
+        Ok(Contact { contact, surface, setup, rank: self.problem.rank, diagnosis, slip })
+    }
+
+    /// The job that the keywords ask for.
+    fn job(&self) -> Job<'_> {
+        let SolveOptions { sink, diagnose, start, .. } = self.options;
+        let Problem { problem, surface, .. } = self.problem;
+        let run = JobRun {
+            heights: self.problem.is_array().then(|| surface.clone()),
+            problem: Some(problem.clone()),
+            ..JobRun::new(self.setup.setup.clone())
+        };
+        let job = Job::from_run(run).diagnosed(*diagnose).started_from(start.as_ref());
+        let job = match self.setup.refinement {
+            Some(auto) => job.refined(auto),
+            None => job,
+        };
+        if sink.is_active() { job.recorded(|scenes, options| sink.recording(scenes, options)) } else { job }
     }
 
     /// Solves under one load after the other.
     fn curve(&self, py: Python<'_>, loads: &[Load]) -> PyResult<LoadCurve> {
-        self.check_memory(loads.len(), self.problem.problem.surface().grid())?;
+        self.check_memory(loads.len())?;
         let contacts = self.in_background(py, |steps| self.pressed(loads, steps))?;
         let contacts: Vec<Contact> = contacts.into_iter().map(|contact| self.under_its_load(contact)).collect();
         let unfinished = contacts.iter().filter_map(|it| warning_of_failure(&it.contact)).count();
@@ -159,85 +173,11 @@ impl Solve<'_> {
     }
 
     /// Refuses a grid that does not fit in memory, with some contacts on it.
-    fn check_memory(&self, contacts: usize, grid: &asperity::Grid) -> PyResult<()> {
-        self.memory(contacts, grid).map_err(py_error)
-    }
-
-    fn memory(&self, contacts: usize, grid: &asperity::Grid) -> Result<(), BoxedError> {
-        let solver = &self.setup.setup.solver;
+    fn check_memory(&self, contacts: usize) -> PyResult<()> {
+        let (grid, solver) = (self.problem.problem.surface().grid(), &self.setup.setup.solver);
         let kept = FIELDS_OF_CONTACT * contacts.saturating_sub(1) as f64;
-        Ok(Cost::of_fields(grid, solver.fields(grid, 0.0).max(3.0) + FIELDS + kept).check(solver.name())?)
-    }
-
-    /// Solves on ever finer grids, and once more on the last one to record or diagnose it.
-    fn settled(&self, auto: Auto, steps: &mut StepSender) -> Result<Outcome, BoxedError> {
-        let refinement = Refinement::new(self.setup.setup.clone(), auto);
-        let first = self.setup.setup.grid.refine();
-        let surface = |setup: &setup::Setup| -> Result<Arc<asperity::Surface>, BoxedError> {
-            let factor = setup.grid.refine() / first;
-            match self.problem.is_array() {
-                true => Ok(self.problem.surface.refined(factor)?.into()),
-                false => Ok(setup.surface()?.into()),
-            }
-        };
-        let mut last = self.problem.surface.clone();
-        let check = |setup: &setup::Setup| {
-            let factor = setup.grid.refine() / first;
-            self.memory(1, &self.problem.surface.grid().refined(factor)?)
-        };
-        let settled = refinement.settle_if(check, |setup| -> Result<_, BoxedError> {
-            last = surface(setup)?;
-            let problem = setup.problem_of(last.clone())?;
-            Ok(setup.solver.solver().solve(&problem, &setup.stop, steps)?)
-        })?;
-        let Settled { setup, contact, is_within } = settled;
-        if self.options.diagnose || self.options.sink.is_active() {
-            let again = self.watched(&contact.problem, &setup, &last, steps)?;
-            return Ok(Outcome { is_settled: is_within, ..again });
-        }
-        self.with_slip(
-            Outcome { contact, surface: last, setup, slip: None, diagnosis: None, is_settled: is_within },
-            steps,
-        )
-    }
-
-    /// Solves on one grid, recorded and diagnosed if that is asked for.
-    fn watched(
-        &self,
-        problem: &asperity::Problem,
-        setup: &setup::Setup,
-        surface: &Arc<asperity::Surface>,
-        steps: &mut StepSender,
-    ) -> Result<Outcome, BoxedError> {
-        let SolveOptions { sink, diagnose, start, .. } = self.options;
-        let (solver, stop) = (setup.solver.solver(), &setup.stop);
-        let needs_end = *diagnose || sink.is_active() && setup.record.what.contains(&Part::Waterfall);
-        let end = match needs_end {
-            true => Some(Arc::new(Reference::of(&solver.solve(problem, stop, &mut steps.silent())?))),
-            false => None,
-        };
-        let mut diagnosis = diagnose.then(|| Diagnosis::new(problem, end.clone()));
-        let scenes = [Scene { reference: end, ..Scene::of(setup, problem) }];
-        let recording = sink.recording(&scenes, || Options::from(&setup.record))?;
-        let mut recorder = recording.as_ref().map(|recording| recording.recorder(0));
-        let mut observers = (&mut recorder, &mut diagnosis, &mut *steps);
-        let mut contact = solver.solve_from(start.as_ref(), problem, stop, &mut observers)?;
-        drop(recorder);
-        if let Some(Err(failure)) = recording.map(Recording::finish) {
-            contact.fail(failure);
-        }
-        let diagnosis = diagnosis.map(|diagnosis| diagnosis.findings().to_string());
-        let (surface, setup) = (surface.clone(), setup.clone());
-        self.with_slip(Outcome { contact, surface, setup, slip: None, diagnosis, is_settled: true }, steps)
-    }
-
-    /// Finds what sticks and what slips, if there is friction and the contact has converged.
-    fn with_slip(&self, outcome: Outcome, steps: &StepSender) -> Result<Outcome, BoxedError> {
-        let Outcome { contact, setup, .. } = &outcome;
-        let Some(friction) = setup.friction.filter(|_| contact.fault().is_none()) else { return Ok(outcome) };
-        let (solver, stop) = (setup.solver.solver(), &setup.stop);
-        let slip = PartialSlip::of(contact.clone(), friction, solver, stop, &mut steps.silent())?;
-        Ok(Outcome { slip: Some(slip), ..outcome })
+        let cost = Cost::of_fields(grid, solver.fields(grid, 0.0).max(3.0) + FIELDS + kept);
+        cost.check(solver.name()).map_err(py_error)
     }
 
     /// The contacts under one load after the other, up to the one at which the callback ends the run.

@@ -54,7 +54,7 @@ pub fn write(plan: &Plan<'_>, out: &mut impl Write) -> io::Result<()> {
 #[cfg(feature = "record")]
 fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Result<()> {
     let options = Options::from(&setup.record);
-    let size = Size::of(options.what, &cost.grid);
+    let size = Size::new(options.what, &cost.grid);
     let numbers = bytes_in_words(1e3 * size.step);
     let frame = bytes_in_words(size.frame);
     let pictures = match options.every {
@@ -75,7 +75,7 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
 /// Writes how large the recording over so many loads would become.
 #[cfg(feature = "record")]
 fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut impl Write) -> io::Result<()> {
-    let size = Size::of(Options::from(&setup.record).what, &cost.grid);
+    let size = Size::new(Options::from(&setup.record).what, &cost.grid);
     let most = bytes_in_words(size.still + loads as f64 * size.frame);
     writeln!(out, "  recording   at most about {most}: {loads} frames of {}", bytes_in_words(size.frame))
 }

@@ -242,7 +242,7 @@ impl Problem {
     }
 
     /// The rigid surface.
-    pub fn surface(&self) -> &Surface {
+    pub fn surface(&self) -> &Arc<Surface> {
         &self.surface
     }
 

@@ -9,7 +9,7 @@ use super::session::Turn;
 use crate::contact::{Contact, Each, Failure, Law, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
 use crate::plot::Colour;
-use crate::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Output, Scene};
+use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Output, RecordedCurve, Scene};
 use crate::setup::{Part, Setup, Solid};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
@@ -135,7 +135,7 @@ fn record(
         captions: loads.iter().map(|load| Load::ReducedPressure(*load).to_string()).collect(),
         curves: curves
             .iter()
-            .map(|&(view, name, kind, colour, _)| Curve {
+            .map(|&(view, name, kind, colour, _)| RecordedCurve {
                 view: view.into(),
                 name: name.into(),
                 colour: colour.0,

@@ -3,7 +3,7 @@
 use crate::contact::{Contact, Load, Observables, Problem};
 use crate::error::FileError;
 use crate::plot::Colour;
-use crate::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Scene};
+use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene};
 use crate::setup::Setup;
 use crate::study::LoadCurve;
 use std::path::Path;
@@ -39,7 +39,7 @@ impl CurveRecording {
             description: format!("{}, each load from the contact before.", curve.setup.surface.description()),
             captions: curve.loads.iter().map(Load::to_string).collect(),
             curves: CURVES
-                .map(|(view, name, colour, _)| Curve {
+                .map(|(view, name, colour, _)| RecordedCurve {
                     view: view.into(),
                     name: name.into(),
                     colour: colour.0,

@@ -9,6 +9,7 @@ use crate::diagnosis::{Diagnosis, Reference};
 use crate::error::SetupError;
 #[cfg(feature = "record")]
 use crate::record::Recording;
+use crate::setup::{Extras, Setup};
 use crate::study::Settled;
 use crate::warning::Warning;
 use std::sync::Arc;
@@ -60,10 +61,11 @@ impl Ready<'_> {
     /// Solves on ever finer grids, if a grid is to be found.
     fn settle(&self, watch: &mut dyn Watcher) -> Result<Option<Settled>, SetupError> {
         let Some(refinement) = &self.job.refinement else { return Ok(None) };
-        let settled = refinement.settle(|setup| {
-            let run = JobRun::new(setup.clone());
-            let contact = run.solver().solve(&setup.problem()?, &setup.stop, &mut watch.observer(Pass::Grid(&run)))?;
-            Ok::<_, SetupError>(contact)
+        let first = &self.job.runs[0];
+        let check = |setup: &Setup| first.check_memory(setup, &Extras::default());
+        let settled = refinement.settle_if(check, |setup| {
+            let (solver, problem) = (first.solver(), first.problem_of(setup)?);
+            Ok::<_, SetupError>(solver.solve(&problem, &setup.stop, &mut watch.observer(Pass::Grid(first)))?)
         })?;
         Ok(Some(settled))
     }

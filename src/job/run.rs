@@ -5,8 +5,14 @@ use crate::diagnosis::Reference;
 use crate::error::SetupError;
 #[cfg(feature = "record")]
 use crate::record::{Options, Parts, Scene};
-use crate::setup::{Extras, Setup};
+use crate::setup::{Cost, Extras, Setup};
+use crate::surface::Surface;
 use std::sync::Arc;
+
+/// Fields of a result.
+const RESULT_FIELDS: f64 = 3.0;
+/// Fields of heights and of what watches, besides those of a solver.
+const OTHER_FIELDS: f64 = 4.0;
 
 /// One solve of a job: a setup, and how it is shown in a recording.
 #[derive(Clone)]
@@ -17,6 +23,8 @@ pub struct JobRun<'a> {
     pub title: Option<String>,
     /// What is solved.
     pub setup: Setup,
+    /// Heights at hand that no file holds, in place of those that the setup names. Finer grids interpolate them.
+    pub heights: Option<Arc<Surface>>,
     /// The problem of the setup, where it is at hand already.
     pub problem: Option<Problem>,
     /// The state that each step is compared with, where it is at hand already.
@@ -34,6 +42,7 @@ impl<'a> JobRun<'a> {
             name: "contact".into(),
             title: None,
             setup,
+            heights: None,
             problem: None,
             reference: None,
             shows_exact: true,
@@ -62,13 +71,38 @@ impl<'a> JobRun<'a> {
         self.other.is_none()
     }
 
-    /// Makes the problem if it is not at hand.
+    /// Makes the problem if it is not at hand, and if there is memory for the solve.
     pub(super) fn pose(&mut self, extras: &Extras) -> Result<(), SetupError> {
         if self.problem.is_none() {
-            self.setup.cost(extras)?.check(self.setup.solver.name())?;
-            self.problem = Some(self.setup.problem()?);
+            self.check_memory(&self.setup, extras)?;
+            self.problem = Some(self.problem_of(&self.setup)?);
         }
         Ok(())
+    }
+
+    /// The problem of the setup, or of the same one on a finer grid.
+    pub(super) fn problem_of(&self, setup: &Setup) -> Result<Problem, SetupError> {
+        match &self.heights {
+            Some(heights) => setup.problem_of(heights.refined(self.refinement_to(setup))?),
+            None => setup.problem(),
+        }
+    }
+
+    /// Refuses a solve of the setup, or of the same one on a finer grid, that does not fit in memory.
+    pub(super) fn check_memory(&self, setup: &Setup, extras: &Extras) -> Result<(), SetupError> {
+        let cost = match &self.heights {
+            Some(heights) => {
+                let grid = heights.grid().refined(self.refinement_to(setup))?;
+                Cost::of_fields(&grid, setup.solver.fields(&grid, 0.0).max(RESULT_FIELDS) + OTHER_FIELDS)
+            }
+            None => setup.cost(extras)?,
+        };
+        cost.check(setup.solver.name())
+    }
+
+    /// Points of a finer grid for each of that of the heights at hand, along each axis.
+    fn refinement_to(&self, finer: &Setup) -> usize {
+        (finer.grid.refine() / self.setup.grid.refine()).max(1)
     }
 
     /// The options of a recording that the setup names; of the steps of another code the density of the error is shown as well,

@@ -4,7 +4,7 @@ use super::reproduction::{Ramp, RampCurve};
 use crate::contact::Problem;
 use crate::error::StudyError;
 use crate::plot::Figure;
-use crate::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Scene};
+use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene};
 use crate::study::Realisation;
 use std::path::Path;
 
@@ -54,6 +54,6 @@ fn scene<'a>((contact, problem): (&Realisation, &'a Problem)) -> Scene<'a> {
     Scene { name: title.clone(), title, exact: None, ..Scene::of(&contact.setup, problem) }
 }
 
-fn curve(RampCurve { view, name, colour, .. }: &RampCurve) -> Curve {
-    Curve { view: (*view).into(), name: name.clone(), colour: colour.0, kind: CurveKind::Computed }
+fn curve(RampCurve { view, name, colour, .. }: &RampCurve) -> RecordedCurve {
+    RecordedCurve { view: (*view).into(), name: name.clone(), colour: colour.0, kind: CurveKind::Computed }
 }

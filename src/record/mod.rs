@@ -40,14 +40,14 @@ mod file;
 mod layout;
 mod options;
 mod parts;
+mod playback;
 mod properties;
 mod scene;
 mod sdk;
 mod setups;
 mod size;
-mod tape;
 
-pub use draw::{Curve, CurveKind, Ghost, LoadAxis};
+pub use draw::{CurveKind, Ghost, LoadAxis, RecordedCurve};
 pub use file::{LoadRecording, Loads, Output, Pieces, Recorder, Recording, compare, record_survey};
 pub use options::Options;
 pub use parts::Parts;

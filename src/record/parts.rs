@@ -17,10 +17,8 @@ impl Parts {
 
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
-        let own = if grid.is_line() { Part::Profile } else { Part::Mesh };
-        let own =
-            [Part::Traces, own, Part::Fields, Part::Mask, Part::Spectrum, Part::Error, Part::Stress, Part::Fringes];
-        Part::OF_A_RUN.into_iter().chain(own).collect()
+        let other = if grid.is_line() { Part::Mesh } else { Part::Profile };
+        Part::all().filter(|part| *part != other).collect()
     }
 
     /// The parts in both sets.
@@ -45,7 +43,8 @@ impl Parts {
 
     /// Whether anything that shows the gap is in the set.
     pub(super) fn has_gap(self) -> bool {
-        self.has_any([Part::Profile, Part::Fields, Part::Mesh, Part::Spectrum, Part::Error])
+        let without_gap = Self::from_iter([Part::Traces, Part::Mask, Part::Stress, Part::Fringes]);
+        self.has_any(Part::all().filter(|part| !without_gap.has(*part) && !Part::OF_A_RUN.contains(part)))
     }
 
     /// Whether the contact has a picture of its own, for want of others to lie in.
@@ -60,7 +59,7 @@ impl Parts {
 
     /// Whether anything drawn from the fields of a step is in the set.
     pub(super) fn has_pictures(self) -> bool {
-        self.has_planes() || self.has_any([Part::Mesh, Part::Spectrum, Part::Error, Part::Stress, Part::Fringes])
+        self.has_any(Part::all().filter(|part| *part != Part::Traces && !Part::OF_A_RUN.contains(part)))
     }
 }
 

@@ -61,6 +61,11 @@ impl Part {
     /// The parts that show every step of a run at once, of a solve under one load.
     pub const OF_A_RUN: [Self; 5] = [Self::Raster, Self::Waterfall, Self::Energy, Self::Decisions, Self::Ritz];
 
+    /// All parts.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter()
+    }
+
     /// Its name in scenes.
     pub fn name(self) -> &'static str {
         Self::PARTS[self as usize].0

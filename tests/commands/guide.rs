@@ -9,6 +9,7 @@ use crate::command::{Folder, text};
 use assert_cmd::Command;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Why a block cannot run in a test.
 const REASONS: [&str; 4] = ["interactive", "install", "python", "slow"];
@@ -18,6 +19,9 @@ const MOST_NOT_RUN: usize = 16;
 
 /// The largest relative difference between a number on a page and the one that is printed.
 const TOLERANCE: f64 = 0.01;
+
+/// After which the commands of a block count as hung, on a machine that is busy with other things.
+const PATIENCE: Duration = Duration::from_secs(300);
 
 /// Values below this are errors that were pushed down to a tolerance: their digits depend on the processor.
 const ROUNDING: f64 = 1e-6;
@@ -119,8 +123,9 @@ fn run_block(path: &str, block: &Block, folder: &Folder) -> String {
             .chain(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()).collect::<Vec<PathBuf>>()),
     );
     let script = format!("exec 2>&1\n{}", block.lines.join("\n"));
-    let output =
-        folder.finish(Command::new("bash").args(["-euo", "pipefail", "-c", &script]).env("PATH", search.unwrap()));
+    let mut shell = Command::new("bash");
+    shell.args(["-euo", "pipefail", "-c", &script]).env("PATH", search.unwrap()).current_dir(folder.join(""));
+    let output = shell.timeout(PATIENCE).output().unwrap();
     let printed = text(&output.stdout).to_owned();
     assert!(output.status.success(), "{path}: {}\n{printed}", block.lines.join("\n"));
     printed

@@ -1,10 +1,10 @@
 //! The fields of a frame, and how far they reach.
 
-use super::reduce::has_contour;
 use crate::chunks::positive;
 use crate::contact::{Contact, Edge, Edges, Patch, Problem, Step};
 use crate::diagnosis::ContactHistory;
 use crate::grid::Grid;
+use crate::record::draw::ink::reduce::has_contour;
 use crate::record::parts::Parts;
 use crate::setup::Part;
 use std::borrow::Cow;
@@ -13,7 +13,7 @@ use std::borrow::Cow;
 const MOST_PATCHES: usize = 256;
 
 /// The fields of a frame, row by row.
-pub struct Fields<'a> {
+pub struct FrameFields<'a> {
     /// Distance of their nodes along y and x, in nodes of the scene: 1 on its own grid, a power of two on coarser ones.
     pub stride: [usize; 2],
     pub pressure: Cow<'a, [f64]>,
@@ -44,7 +44,7 @@ pub struct Outline {
 
 impl Outline {
     /// The outline of the contact of a `pressure` on `grid`; of a surface only where each node has a pixel.
-    fn of<G: Fn(usize) -> f64 + Sync>(grid: &Grid, pressure: &[f64], edges: &Edges<'_, G>) -> Self {
+    fn new<G: Fn(usize) -> f64 + Sync>(grid: &Grid, pressure: &[f64], edges: &Edges<'_, G>) -> Self {
         if grid.is_line() {
             let touching = positive(pressure, 0..grid.len());
             return Self { edges: touching.flat_map(|node| edges.around(node)).collect(), contour: Vec::new() };
@@ -61,11 +61,11 @@ impl Outline {
     }
 }
 
-impl<'a> Fields<'a> {
+impl<'a> FrameFields<'a> {
     /// The fields of `step` that `parts` show.
-    pub fn of(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
+    pub fn from_step(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
         let gap = if parts.has_gap() { step.gap() } else { &[] };
-        let outline = || Outline::of(step.problem().surface().grid(), step.pressure(), &step.edges());
+        let outline = || Outline::new(step.problem().surface().grid(), step.pressure(), &step.edges());
         let outline = if parts.has(Part::Mask) { outline() } else { Outline::default() };
         let patches = if parts.has(Part::Mask) { largest(step.problem(), step.pressure()) } else { Vec::new() };
         Self { stride, pressure: step.pressure().into(), gap: gap.into(), outline, patches }
@@ -79,17 +79,17 @@ impl<'a> Fields<'a> {
         self
     }
 
-    pub fn of_contact(contact: &'a Contact) -> Self {
+    pub fn from_contact(contact: &'a Contact) -> Self {
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
-        let outline = Outline::of(contact.problem.surface().grid(), pressure, &contact.edges());
+        let outline = Outline::new(contact.problem.surface().grid(), pressure, &contact.edges());
         let patches = largest(&contact.problem, pressure);
         Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into(), outline, patches }
     }
 
     /// A copy that outlives its step.
-    pub fn into_owned(self) -> Fields<'static> {
+    pub fn into_owned(self) -> FrameFields<'static> {
         let [pressure, gap] = [self.pressure, self.gap].map(|values| values.into_owned().into());
-        Fields { stride: self.stride, pressure, gap, outline: self.outline, patches: self.patches }
+        FrameFields { stride: self.stride, pressure, gap, outline: self.outline, patches: self.patches }
     }
 }
 
@@ -103,7 +103,7 @@ fn largest(problem: &Problem, pressure: &[f64]) -> Vec<PatchReading> {
 
 /// The reach of the fields of some states: the largest pressure, the largest gap, the largest shear stress below.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extent {
+pub struct FieldExtent {
     pub pressure: f64,
     pub gap: f64,
     pub shear: f64,
@@ -111,7 +111,7 @@ pub struct Extent {
     pub relief: [f64; 2],
 }
 
-impl Extent {
+impl FieldExtent {
     pub const NONE: Self = Self { pressure: 0.0, gap: 0.0, shear: 0.0, relief: [f64::INFINITY, f64::NEG_INFINITY] };
 
     pub fn and(self, other: Self) -> Self {
@@ -133,9 +133,9 @@ mod tests {
 
     #[test]
     fn extents_reach_as_far_as_all_states() {
-        let near = Extent { pressure: 1.0, gap: 5.0, shear: 0.5, relief: [0.0, 1.0] };
-        let far = Extent { pressure: 3.0, gap: 2.0, shear: 0.1, relief: [-1.0, 0.5] };
-        assert_eq!(near.and(far), Extent { pressure: 3.0, gap: 5.0, shear: 0.5, relief: [-1.0, 1.0] });
-        assert_eq!(Extent::NONE.and(far), far);
+        let near = FieldExtent { pressure: 1.0, gap: 5.0, shear: 0.5, relief: [0.0, 1.0] };
+        let far = FieldExtent { pressure: 3.0, gap: 2.0, shear: 0.1, relief: [-1.0, 0.5] };
+        assert_eq!(near.and(far), FieldExtent { pressure: 3.0, gap: 5.0, shear: 0.5, relief: [-1.0, 1.0] });
+        assert_eq!(FieldExtent::NONE.and(far), far);
     }
 }

@@ -6,7 +6,7 @@ use crate::contact::Observable;
 use crate::error::FileError;
 use crate::record::draw::{COMPARED, drawn, log_run_style, title, traced};
 use crate::record::layout::{Compared, copy, send_comparison};
-use crate::record::tape::Tape;
+use crate::record::playback::Playback;
 use crate::setup::differences;
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 use std::collections::BTreeSet;
@@ -31,22 +31,22 @@ const ROOM: f64 = 1.8;
 /// [`FileError::Read`] for a file that is missing, unreadable or damaged, [`FileError::Incomparable`] for one that is no
 /// recording or has no traces; [`FileError::Target`] if no file can be made at `out`, [`FileError::Write`] if writing fails.
 pub fn compare<P: AsRef<Path>>(recordings: &[P], out: &Path) -> Result<(), FileError> {
-    let tapes = recordings.iter().map(|path| Tape::read(path.as_ref())).collect::<Result<Vec<_>, _>>()?;
-    let runs = runs(&tapes);
+    let recordings = recordings.iter().map(|path| Playback::read(path.as_ref())).collect::<Result<Vec<_>, _>>()?;
+    let runs = runs(&recordings);
     let output = Output::create(out)?;
     let failure = |failure| output.error(io::Error::other(failure));
     let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
-    let identities: Vec<String> = tapes.iter().map(|tape| tape.name.clone()).collect();
+    let identities: Vec<String> = recordings.iter().map(|playback| playback.name.clone()).collect();
     let name = Name::made_of(format!("Comparison: {}", names.join("; ")), &identities);
     let stream = stream(output.clone(), &name).map_err(failure)?;
-    log(&stream, &tapes, &runs).map_err(failure)?;
+    log(&stream, &recordings, &runs).map_err(failure)?;
     stream.flush_blocking().map_err(|failure| output.error(io::Error::other(failure)))?;
     output.finish()
 }
 
 /// A scene of a recording.
-struct Run<'a> {
-    tape: &'a Tape,
+struct ComparedRun<'a> {
+    playback: &'a Playback,
     root: String,
     name: String,
     /// What its setup has that those of the others have not.
@@ -54,69 +54,75 @@ struct Run<'a> {
 }
 
 /// All runs, named by what tells their setups apart as long as that is short, or else by their files.
-fn runs(tapes: &[Tape]) -> Vec<Run<'_>> {
-    let scenes: Vec<_> = tapes.iter().flat_map(|tape| tape.roots().into_iter().map(move |root| (tape, root))).collect();
-    let setups: Option<Vec<_>> = scenes.iter().map(|(tape, root)| tape.setup(root)).collect();
+fn runs(recordings: &[Playback]) -> Vec<ComparedRun<'_>> {
+    let scenes: Vec<_> =
+        recordings.iter().flat_map(|playback| playback.roots().into_iter().map(move |root| (playback, root))).collect();
+    let setups: Option<Vec<_>> = scenes.iter().map(|(playback, root)| playback.setup(root)).collect();
     let told = setups.map_or_else(|| vec![String::new(); scenes.len()], |setups| differences(&setups));
     let is_short = told.iter().all(|words| (1..=LONGEST_NAME).contains(&words.len()));
     let is_enough = is_short && told.iter().collect::<BTreeSet<_>>().len() == told.len();
     let mut runs = Vec::new();
-    for ((tape, root), differences) in scenes.into_iter().zip(told) {
-        let name = if is_enough { differences.clone() } else { place(tapes, tape, &root) };
-        runs.push(Run { tape, root, name, differences });
+    for ((playback, root), differences) in scenes.into_iter().zip(told) {
+        let name = if is_enough { differences.clone() } else { place(recordings, playback, &root) };
+        runs.push(ComparedRun { playback, root, name, differences });
     }
     runs
 }
 
 /// The file of a run and, where it holds several, its scene.
-fn place(tapes: &[Tape], tape: &Tape, root: &str) -> String {
-    let stems: BTreeSet<String> = tapes.iter().map(Tape::stem).collect();
-    let file = if stems.len() == tapes.len() { tape.stem() } else { tape.path.display().to_string() };
-    if tape.roots().len() > 1 { format!("{file}{root}") } else { file }
+fn place(recordings: &[Playback], playback: &Playback, root: &str) -> String {
+    let stems: BTreeSet<String> = recordings.iter().map(Playback::stem).collect();
+    let file = if stems.len() == recordings.len() { playback.stem() } else { playback.path.display().to_string() };
+    if playback.roots().len() > 1 { format!("{file}{root}") } else { file }
 }
 
-impl Run<'_> {
+impl ComparedRun<'_> {
     /// Records one of its traces as `entity`.
     fn copy_trace(&self, to: &RecordingStream, name: &str, entity: &str) {
-        let chunks = self.tape.trace(&self.root, name);
+        let chunks = self.playback.trace(&self.root, name);
         to.send_chunks(chunks.map(|chunk| chunk.clone_with_new_entity_path(entity.into())));
     }
 
     /// A row about it, in Markdown.
     fn row(&self) -> String {
-        let text = self.tape.text(format!("{}/description", self.root)).unwrap_or_default();
+        let text = self.playback.text(format!("{}/description", self.root)).unwrap_or_default();
         let result = text.lines().find_map(|line| line.strip_prefix("**Result**: ")).unwrap_or("-");
-        let Self { name, tape, differences, .. } = self;
-        format!("| {name} | {} | {result} | {differences} |\n", tape.path.display())
+        let Self { name, playback, differences, .. } = self;
+        format!("| {name} | {} | {result} | {differences} |\n", playback.path.display())
     }
 }
 
-fn log(to: &RecordingStream, tapes: &[Tape], runs: &[Run<'_>]) -> RecordingStreamResult<()> {
-    let mut recordings = Vec::new();
-    for (number, tape) in (1..).zip(tapes) {
+fn log(to: &RecordingStream, recordings: &[Playback], runs: &[ComparedRun<'_>]) -> RecordingStreamResult<()> {
+    let mut layouts = Vec::new();
+    for (number, playback) in (1..).zip(recordings) {
         let root = format!("/recording_{number}");
-        for chunk in &tape.chunks {
+        for chunk in &playback.chunks {
             to.send_chunk(chunk.clone_with_new_entity_path(format!("{root}{}", chunk.entity_path()).into()));
         }
-        let name = tape.path.file_stem().unwrap_or_default().to_string_lossy();
-        recordings
-            .extend(tape.blueprint.as_ref().and_then(|blueprint| copy(blueprint, &root)).map(|it| it.titled(&name)));
+        let name = playback.path.file_stem().unwrap_or_default().to_string_lossy();
+        layouts.extend(
+            playback.blueprint.as_ref().and_then(|blueprint| copy(blueprint, &root)).map(|it| it.titled(&name)),
+        );
     }
     let mut observables: Vec<&Observable> = traced().collect();
     observables.sort_by_key(|observable| !COMPARED.contains(&observable.name));
     let curves = observables.into_iter().map(|observable| log_curves(to, runs, observable));
     let curves = curves.collect::<RecordingStreamResult<Vec<_>>>()?;
-    let rows: String = runs.iter().map(Run::row).collect();
+    let rows: String = runs.iter().map(ComparedRun::row).collect();
     let about = "All curves are drawn over the active timeline: pick `transforms` or `seconds` instead of `step` to compare work.";
     let text = TextDocument::from_markdown(format!(
         "| run | recording | result | differs in |\n|---|---|---|---|\n{rows}\n{about}"
     ));
     to.log_static(TEXT, &text)?;
-    send_comparison(curves, TEXT.into(), recordings, to)
+    send_comparison(curves, TEXT.into(), layouts, to)
 }
 
 /// Records the curves of an observable of all runs, and those of its exact values as far as they differ.
-fn log_curves(to: &RecordingStream, runs: &[Run<'_>], observable: &Observable) -> RecordingStreamResult<Compared> {
+fn log_curves(
+    to: &RecordingStream,
+    runs: &[ComparedRun<'_>],
+    observable: &Observable,
+) -> RecordingStreamResult<Compared> {
     let (name, root) = (drawn(observable), format!("/compare/{}", drawn(observable)));
     let mut entities = Vec::new();
     for (number, run) in runs.iter().enumerate() {
@@ -126,8 +132,8 @@ fn log_curves(to: &RecordingStream, runs: &[Run<'_>], observable: &Observable) -
         entities.push(entity);
     }
     let exact = format!("{name}_theory");
-    let last = |name| move |run: &&Run<'_>| run.tape.last(&run.root, name);
-    let mut with_exact: Vec<&Run<'_>> = runs.iter().filter(|run| last(&exact)(run).is_some()).collect();
+    let last = |name| move |run: &&ComparedRun<'_>| run.playback.last(&run.root, name);
+    let mut with_exact: Vec<&ComparedRun<'_>> = runs.iter().filter(|run| last(&exact)(run).is_some()).collect();
     with_exact.dedup_by_key(|run| last(&exact)(run).map(f64::to_bits));
     for (number, run) in with_exact.iter().enumerate() {
         let entity = format!("{root}/exact_{:02}", number + 1);

@@ -8,7 +8,9 @@ use super::recording::{Name, Recording, stages};
 use crate::contact::Contact;
 use crate::error::FileError;
 use crate::plot;
-use crate::record::draw::{Chart, Curve, Curves, Extent, Fields, FigurePicture, LOAD, LoadAxis, Palette, Stage};
+use crate::record::draw::{
+    Chart, Curves, FieldExtent, FigurePicture, FrameFields, LOAD, LoadAxis, Palette, RecordedCurve, Stage,
+};
 use crate::record::layout::{TEXT, fit_loads, send_loads};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
@@ -33,7 +35,7 @@ pub struct Loads<'a> {
     /// The quantity that grows from load to load: the axis of curves and patches, and of the panels of the figure.
     pub axis: LoadAxis,
     /// Curves over the loads.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<RecordedCurve>,
     /// A figure with the loads along x.
     pub figure: Option<&'a plot::Figure>,
     /// Contacts that grow; each problem is the one under the heaviest load, as is its exact solution.
@@ -50,13 +52,13 @@ pub struct LoadRecording {
     axis: LoadAxis,
     curves: Curves,
     figure: Option<FigurePicture>,
-    progress: Mutex<Progress>,
+    progress: Mutex<LoadsSoFar>,
 }
 
 /// The loads so far, the extents of the contacts of each scene, and the charts of the curves.
-struct Progress {
+struct LoadsSoFar {
     loads: BTreeSet<usize>,
-    extents: Vec<Extent>,
+    extents: Vec<FieldExtent>,
     charts: Vec<Chart>,
 }
 
@@ -88,18 +90,18 @@ impl LoadRecording {
         for stage in &mut stages {
             stage.map_patches(&loads.axis);
         }
-        let palette = Palette::of(options.theme);
-        let extents = vec![Extent::NONE; stages.len()];
+        let palette = Palette::new(options.theme);
+        let extents = vec![FieldExtent::NONE; stages.len()];
         let mut charts = Chart::all(&curves, &loads.axis, palette);
         let mut figure = loads.figure.map(|figure| FigurePicture::new(figure, loads.axis.values.clone(), palette));
         let curves = Curves(curves);
         fit_loads(&mut stages, figure.as_mut(), &mut charts, &curves, options.window);
         let recording = Self {
-            recording: Recording::open(output, &Name::of(loads.title.clone(), loads.scenes, id), stages, options)?,
+            recording: Recording::open(output, &Name::new(loads.title.clone(), loads.scenes, id), stages, options)?,
             description: loads.description.clone(),
             captions: loads.captions.clone(),
             axis: loads.axis.clone(),
-            progress: Mutex::new(Progress { loads: BTreeSet::new(), extents, charts }),
+            progress: Mutex::new(LoadsSoFar { loads: BTreeSet::new(), extents, charts }),
             curves,
             figure,
         };
@@ -142,13 +144,13 @@ impl LoadRecording {
             if stage.what.has_planes() {
                 stage.log_caption(stream, &self.captions[load])?;
             }
-            let fields = Fields::of_contact(contact);
+            let fields = FrameFields::from_contact(contact);
             let extent = stage.extent(&fields);
             let extents = &mut self.progress().extents;
             extents[scene] = extents[scene].and(extent);
             stage.log_frame(stream, &fields)?;
             let Some(patches) = &stage.patches else { return Ok(()) };
-            patches.log(stream, load, &stage.picture.segments(&fields))
+            patches.log(stream, load, &fields)
         })
     }
 
@@ -162,8 +164,8 @@ impl LoadRecording {
     }
 
     fn settle(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
-        let Progress { loads, extents, charts } = &mut *self.progress();
-        for (stage, extent) in self.recording.stages.iter().zip(extents).filter(|(_, it)| **it != Extent::NONE) {
+        let LoadsSoFar { loads, extents, charts } = &mut *self.progress();
+        for (stage, extent) in self.recording.stages.iter().zip(extents).filter(|(_, it)| **it != FieldExtent::NONE) {
             stage.settle(stream, *extent)?;
             if let Some(patches) = &stage.patches {
                 patches.settle(stream, loads.iter().copied())?;
@@ -182,7 +184,7 @@ impl LoadRecording {
         if let Some(figure) = figure {
             figure.log_static(stream)?;
         }
-        recording.stages.iter().try_for_each(|stage| stage.log_static(stream, None))
+        recording.stages.iter().try_for_each(|stage| stage.log_static(stream))
     }
 
     /// Sets the time to a load; at its first use caption and cursor are recorded.
@@ -207,7 +209,7 @@ impl LoadRecording {
         TextDocument::from_markdown(format!("# {caption}\n\nLoad {number} of {all}.\n\n{table}\n\n{description}"))
     }
 
-    fn progress(&self) -> MutexGuard<'_, Progress> {
+    fn progress(&self) -> MutexGuard<'_, LoadsSoFar> {
         self.progress.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -1,5 +1,6 @@
 //! Streams of recordings into files and viewers, and the observers that fill them.
 
+mod background_task;
 mod comparison;
 mod loads;
 mod output;
@@ -8,10 +9,9 @@ mod pieces;
 mod recorder;
 mod recording;
 mod schedule;
-mod scribe;
 mod survey;
-mod task;
-mod worker;
+mod writer;
+mod writer_thread;
 
 pub use comparison::compare;
 pub use loads::{LoadRecording, Loads};

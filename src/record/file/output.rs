@@ -1,6 +1,6 @@
 //! The file behind a recording.
 
-use super::pace::Pace;
+use super::pace::FlushPace;
 use crate::error::FileError;
 use crate::files::check_target;
 use rerun::SpawnOptions;
@@ -29,13 +29,13 @@ pub struct Output {
     path: Arc<Path>,
     /// Where the file is until it is whole.
     grown_at: Arc<Path>,
-    pace: Pace,
+    pace: FlushPace,
     /// The first failure, apart from the rest so that nobody waits for a message on its way into the file.
     failure: Arc<OnceLock<io::Error>>,
-    state: Arc<Mutex<State>>,
+    state: Arc<Mutex<OutputState>>,
 }
 
-struct State {
+struct OutputState {
     encoder: Encoder<File>,
     /// Another handle of the file; all handles share one place in it.
     file: File,
@@ -50,13 +50,13 @@ impl Output {
     /// Makes the file at `path`, or beside an older one there.
     pub(super) fn create(path: &Path) -> Result<Self, FileError> {
         check_target(path)?;
-        Self::named(path, Pace::Filed, None)
+        Self::named(path, FlushPace::Filed, None)
     }
 
     /// A temporary file. It has no name where the system allows that, and goes with its last `Output`, or with the process.
     #[cfg(feature = "explore")]
     pub(super) fn temporary() -> Result<Self, FileError> {
-        Self::new(&std::env::temp_dir(), tempfile::tempfile(), Pace::LIVE, None)
+        Self::new(&std::env::temp_dir(), tempfile::tempfile(), FlushPace::LIVE, None)
     }
 
     /// Makes the file at `path`, if there is one, and shows what it gets in the installed viewer, or in the one that runs.
@@ -68,10 +68,10 @@ impl Output {
     /// Makes the file at `path`, if there is one; `viewer` gets each message as well.
     pub(super) fn seen(path: Option<&Path>, viewer: Box<dyn LogSink>) -> Result<Self, FileError> {
         path.map_or(Ok(()), check_target)?;
-        Self::named(path.unwrap_or(Path::new(NOWHERE)), Pace::SHOWN, Some(viewer))
+        Self::named(path.unwrap_or(Path::new(NOWHERE)), FlushPace::SHOWN, Some(viewer))
     }
 
-    fn named(path: &Path, pace: Pace, viewer: Option<Box<dyn LogSink>>) -> Result<Self, FileError> {
+    fn named(path: &Path, pace: FlushPace, viewer: Option<Box<dyn LogSink>>) -> Result<Self, FileError> {
         let is_taken = path.metadata().is_ok_and(|file| file.is_file() && file.len() > 0);
         let grown_at = if is_taken { path.with_extension(PART) } else { path.to_owned() };
         let output = Self::new(path, File::create(&grown_at), pace, viewer)?;
@@ -81,14 +81,14 @@ impl Output {
     fn new(
         path: &Path,
         file: io::Result<File>,
-        pace: Pace,
+        pace: FlushPace,
         viewer: Option<Box<dyn LogSink>>,
     ) -> Result<Self, FileError> {
         let begin = |file: File| {
             let (version, mut end) = (rerun::build_info().version, file.try_clone()?);
             let encoder = Encoder::new_eager(version, EncodingOptions::PROTOBUF_COMPRESSED, file).map_err(io_error)?;
             let written = end.stream_position()?;
-            Ok(State { encoder, file: end, written, is_finished: false, viewer })
+            Ok(OutputState { encoder, file: end, written, is_finished: false, viewer })
         };
         let error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
         let state = file.and_then(begin).map_err(error)?;
@@ -102,7 +102,7 @@ impl Output {
     }
 
     /// When what waits is written.
-    pub(super) fn pace(&self) -> Pace {
+    pub(super) fn pace(&self) -> FlushPace {
         self.pace
     }
 
@@ -154,7 +154,7 @@ impl Output {
         FileError::Write { path: self.path.to_path_buf(), source }
     }
 
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, OutputState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

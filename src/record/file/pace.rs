@@ -15,7 +15,7 @@ const LONGEST: Duration = Duration::from_secs(10);
 
 /// When what waits is written.
 #[derive(Clone, Copy)]
-pub enum Pace {
+pub enum FlushPace {
     /// As steps come, so that a file does not depend on how busy the machine is. A run that is killed keeps half of its steps at the
     /// least, after the first few, and all but those of its last ten seconds where steps take long.
     Filed,
@@ -23,7 +23,7 @@ pub enum Pace {
     Watched(Duration),
 }
 
-impl Pace {
+impl FlushPace {
     /// The pace of a viewer that runs.
     pub const SHOWN: Self = Self::Watched(Duration::from_millis(200));
     /// The pace of the explorer, in which things are turned by hand.
@@ -41,7 +41,7 @@ impl Pace {
 
 /// Steps that wait to be written.
 pub struct Waiting {
-    pace: Pace,
+    pace: FlushPace,
     since: Instant,
     /// Nodes of all steps so far, and those at which all is written next.
     nodes: usize,
@@ -49,7 +49,7 @@ pub struct Waiting {
 }
 
 impl Waiting {
-    pub fn new(pace: Pace) -> Self {
+    pub fn new(pace: FlushPace) -> Self {
         Self { pace, since: Instant::now(), nodes: 0, due: FIRST }
     }
 
@@ -57,8 +57,8 @@ impl Waiting {
     pub fn add(&mut self, nodes: usize) -> bool {
         self.nodes += nodes.max(LEAST);
         let is_due = match self.pace {
-            Pace::Filed => self.nodes >= self.due || self.since.elapsed() >= LONGEST,
-            Pace::Watched(interval) => self.since.elapsed() >= interval,
+            FlushPace::Filed => self.nodes >= self.due || self.since.elapsed() >= LONGEST,
+            FlushPace::Watched(interval) => self.since.elapsed() >= interval,
         };
         if is_due {
             self.due = self.nodes + self.nodes.min(MOST);
@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     fn written(nodes: usize, steps: usize) -> Vec<usize> {
-        let mut waiting = Waiting::new(Pace::Filed);
+        let mut waiting = Waiting::new(FlushPace::Filed);
         (1..=steps).filter(|_| waiting.add(nodes)).collect()
     }
 

@@ -1,8 +1,8 @@
 //! The observer that records a solve.
 
 use super::recording::Recording;
-use super::scribe::Scribe;
-use super::worker::Worker;
+use super::writer::Writer;
+use super::writer_thread::WriterThread;
 use crate::contact::{Contact, Failure, Observer, Problem, Solver, Step, Stop, Wish};
 use std::ops::ControlFlow;
 use std::panic::resume_unwind;
@@ -14,9 +14,9 @@ use std::panic::resume_unwind;
 /// one of the next steps or at its end.
 pub struct Recorder<'r> {
     recording: &'r Recording,
-    /// The scribe, unless it is with the worker.
-    scribe: Option<Scribe>,
-    worker: Option<Worker>,
+    /// The writer, unless it is with the worker.
+    writer: Option<Writer>,
+    worker: Option<WriterThread>,
 }
 
 impl Recording {
@@ -25,36 +25,36 @@ impl Recording {
     /// # Panics
     /// If there is no such scene.
     pub fn recorder(&self, scene: usize) -> Recorder<'_> {
-        Recorder { recording: self, scribe: Some(self.scribe(scene)), worker: None }
+        Recorder { recording: self, writer: Some(self.writer(scene)), worker: None }
     }
 }
 
 impl Recorder<'_> {
-    /// The scribe, once it has written all that was shown; none after a panic.
-    fn scribe(&mut self) -> Option<&mut Scribe> {
+    /// The writer, once it has written all that was shown; none after a panic.
+    fn writer(&mut self) -> Option<&mut Writer> {
         if let Some(worker) = self.worker.take() {
-            self.scribe = Some(worker.end().unwrap_or_else(|panic| resume_unwind(panic)));
+            self.writer = Some(worker.end().unwrap_or_else(|panic| resume_unwind(panic)));
         }
-        self.scribe.as_mut()
+        self.writer.as_mut()
     }
 }
 
 impl Observer for Recorder<'_> {
     fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) -> Result<(), Failure> {
-        if let Some(scribe) = self.scribe() {
-            scribe.begin(solver, problem, stop);
+        if let Some(writer) = self.writer() {
+            writer.begin(solver, problem, stop);
         }
         Ok(self.recording.check()?)
     }
 
     fn step(&mut self, step: &Step<'_>) -> Wish {
         self.recording.check()?;
-        if let Some(scribe) = self.scribe.take_if(|scribe| scribe.sees_every_step()) {
-            self.worker = Some(Worker::start(scribe));
+        if let Some(writer) = self.writer.take_if(|writer| writer.sees_every_step()) {
+            self.worker = Some(WriterThread::start(writer));
         }
         if !self.worker.as_mut().is_some_and(|worker| worker.step(step)) {
-            // the scribe is here, or has panicked, which goes on from here
-            self.scribe().into_iter().for_each(|scribe| scribe.step(step));
+            // the writer is here, or has panicked, which goes on from here
+            self.writer().into_iter().for_each(|writer| writer.step(step));
         }
         Ok(ControlFlow::Continue(()))
     }
@@ -64,8 +64,8 @@ impl Observer for Recorder<'_> {
     fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
         // what is fitted to the end comes after what it replaces
         self.recording.wait_for_statics();
-        if let Some(scribe) = self.scribe() {
-            scribe.end(contact);
+        if let Some(writer) = self.writer() {
+            writer.end(contact);
         }
         Ok(self.recording.flush()?)
     }
@@ -75,8 +75,8 @@ impl Observer for Recorder<'_> {
 impl Drop for Recorder<'_> {
     fn drop(&mut self) {
         let written = self.worker.take().and_then(|worker| worker.end().ok());
-        if let Some(mut scribe) = written.or(self.scribe.take()) {
-            scribe.flush_traces();
+        if let Some(mut writer) = written.or(self.writer.take()) {
+            writer.flush_traces();
         }
     }
 }

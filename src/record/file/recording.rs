@@ -1,9 +1,9 @@
 //! Recordings over the steps of solvers.
 
+use super::background_task::BackgroundTask;
 use super::output::Output;
 use super::pieces::Pieces;
-use super::scribe::{Scribe, UNFINISHED};
-use super::task::Task;
+use super::writer::{UNFINISHED, Writer};
 use crate::error::FileError;
 use crate::record::description;
 use crate::record::draw::{Ghost, Stage};
@@ -23,7 +23,7 @@ pub struct Recording {
     pub(super) stages: Arc<[Stage]>,
     pub(super) options: Options,
     /// All that does not change, on its way.
-    statics: Arc<Task>,
+    statics: Arc<BackgroundTask>,
 }
 
 impl Recording {
@@ -69,7 +69,7 @@ impl Recording {
     }
 
     fn begin(output: Output, id: Option<&str>, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
-        let name = Name::of(description::name(scenes), scenes, id);
+        let name = Name::new(description::name(scenes), scenes, id);
         let mut stages = stages(scenes, "", &options);
         layout::fit_steps(&mut stages, options.window);
         let recording = Self::open(output, &name, stages, options)?;
@@ -85,7 +85,7 @@ impl Recording {
                 output.fail(io::Error::other(failure));
             }
         };
-        Ok(Self { statics: Arc::new(Task::start(write)), ..recording })
+        Ok(Self { statics: Arc::new(BackgroundTask::start(write)), ..recording })
     }
 
     /// Begins a recording with no more than its name. One that has an identity comes soon after it is made.
@@ -119,9 +119,9 @@ impl Recording {
     }
 
     /// What writes the solve of scene number `scene`.
-    pub(super) fn scribe(&self, scene: usize) -> Scribe {
+    pub(super) fn writer(&self, scene: usize) -> Writer {
         let target = (self.stream.clone(), self.output.clone());
-        Scribe::new(target, (Arc::clone(&self.stages), scene), Arc::clone(&self.statics), self.options.every)
+        Writer::new(target, (Arc::clone(&self.stages), scene), Arc::clone(&self.statics), self.options.every)
     }
 
     /// Waits until the layout and all that does not change are written.
@@ -144,8 +144,8 @@ impl Recording {
 
 /// Writes all that does not change from step to step.
 fn log_static(stream: &RecordingStream, stages: &[Stage], ghost: Option<&Ghost>) -> RecordingStreamResult<()> {
-    for (i, stage) in stages.iter().enumerate() {
-        stage.log_static(stream, (stages.len() > 1).then_some(i))?;
+    for stage in stages {
+        stage.log_static(stream)?;
         if let Some(ghost) = ghost {
             stage.log_ghost(stream, ghost)?;
         }
@@ -165,7 +165,7 @@ pub struct Name {
 
 impl Name {
     /// The name of a recording of some scenes.
-    pub(super) fn of(title: String, scenes: &[Scene<'_>], id: Option<&str>) -> Self {
+    pub(super) fn new(title: String, scenes: &[Scene<'_>], id: Option<&str>) -> Self {
         let application = description::application(&title, scenes);
         let application = id.map_or(application.clone(), |id| format!("{application}-{id}"));
         Self { title, application, id: id.map(String::from) }
@@ -187,12 +187,12 @@ pub(super) fn stream(output: Output, name: &Name) -> RecordingStreamResult<Recor
 /// The scenes, prepared to be recorded under `above`, each under a root of its own of safe characters only.
 pub(super) fn stages(scenes: &[Scene<'_>], above: &str, options: &Options) -> Vec<Stage> {
     let mut stages: Vec<Stage> = Vec::new();
-    for scene in scenes {
+    for (i, scene) in scenes.iter().enumerate() {
         let safe = |c: char| if c.is_ascii_alphanumeric() || c == '_' || c == '-' { c } else { '_' };
         let root = format!("{above}/{}", scene.name.chars().map(safe).collect::<String>());
         let is_taken = scene.name.is_empty() || stages.iter().any(|stage| stage.root == root);
         let root = if is_taken { format!("{root}_{}", stages.len()) } else { root };
-        stages.push(Stage::new(scene, root, options));
+        stages.push(Stage::new(scene, root, options, (scenes.len() > 1).then_some(i)));
     }
     stages
 }

@@ -30,7 +30,7 @@ pub fn record_survey(
     unit: &str,
     text: &str,
 ) -> Result<(), FileError> {
-    let palette = Palette::of(Theme::Dark);
+    let palette = Palette::new(Theme::Dark);
     let mut relief = (!surface.grid().is_line()).then(|| SurfaceRelief::new(surface, palette, RELIEF, unit));
     let mut figure = FigurePicture::new(&survey_figure(surface, survey, unit), Vec::new(), palette);
     fit_survey(relief.as_mut(), &mut figure, TEXT, WINDOW);

@@ -1,8 +1,8 @@
 //! The layout of a comparison: the curves of all runs over each other, and behind them each recording as it was.
 
-use super::blueprint::{Corner, Kind, Pane, View, send};
+use super::blueprint::send;
 use super::steps::FRAMES_PER_SEC;
-use crate::record::draw::STEP;
+use crate::record::draw::{ContainerKind, Corner, Pane, PaneView, STEP};
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Curves of one quantity.
@@ -23,17 +23,17 @@ pub fn send_comparison(
     let (settling, falling): (Vec<_>, Vec<_>) = curves.into_iter().partition(|curves| curves.most.is_some());
     let mut falling = falling.into_iter().map(view);
     let first = falling.next().map(|first| (first, 1.0));
-    let text = View::text("Runs", text);
-    let rest = Pane::even(Kind::Tabs, "more", [text].into_iter().chain(falling).collect());
-    let right = Pane::container(Kind::Vertical, "curves", first.into_iter().chain([(rest, 1.0)]).collect());
-    let left = Pane::even(Kind::Vertical, "curves", settling.into_iter().map(view).collect());
-    let comparison = Pane::even(Kind::Horizontal, "Comparison", vec![left, right]);
+    let text = PaneView::text("Runs", text);
+    let rest = Pane::even(ContainerKind::Tabs, "more", [text].into_iter().chain(falling).collect());
+    let right = Pane::container(ContainerKind::Vertical, "curves", first.into_iter().chain([(rest, 1.0)]).collect());
+    let left = Pane::even(ContainerKind::Vertical, "curves", settling.into_iter().map(view).collect());
+    let comparison = Pane::even(ContainerKind::Horizontal, "Comparison", vec![left, right]);
     send([comparison].into_iter().chain(recordings).collect(), (STEP, FRAMES_PER_SEC), stream)
 }
 
 fn view(Compared { title, entities, most }: Compared) -> Pane {
     match most {
-        Some(most) => View::settling(&title, entities, [0.0, most], Some(Corner::RightBottom)),
-        None => View::falling(&title, entities),
+        Some(most) => PaneView::settling(&title, entities, [0.0, most], Some(Corner::RightBottom)),
+        None => PaneView::falling(&title, entities),
     }
 }

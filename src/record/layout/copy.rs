@@ -1,6 +1,6 @@
 //! Layouts read back from recordings, for entities that have moved to another root.
 
-use super::blueprint::{Kind, Pane, View};
+use crate::record::draw::{ContainerKind, Pane, PaneView};
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::log::Chunk;
 use rerun::{AsComponents, ChunkStore, Component, ComponentDescriptor, SerializedComponentBatch};
@@ -33,19 +33,19 @@ impl Copy<'_> {
     fn container(&self, path: &str) -> Option<Pane> {
         type Archetype = panes::ContainerBlueprint;
         let path = &absolute(path);
-        let kind: Kind = self.first(path, Archetype::descriptor_container_kind())?;
+        let kind: ContainerKind = self.first(path, Archetype::descriptor_container_kind())?;
         let title = self.first::<rerun::components::Name>(path, Archetype::descriptor_display_name());
         let contents = self.all::<components::IncludedContent>(path, Archetype::descriptor_contents());
         let shares: Vec<f32> = match kind {
-            Kind::Horizontal => {
+            ContainerKind::Horizontal => {
                 let shares = self.all::<components::ColumnShare>(path, Archetype::descriptor_col_shares());
                 shares.into_iter().map(|share| share.0.0).collect()
             }
-            Kind::Vertical => {
+            ContainerKind::Vertical => {
                 let shares = self.all::<components::RowShare>(path, Archetype::descriptor_row_shares());
                 shares.into_iter().map(|share| share.0.0).collect()
             }
-            Kind::Tabs | Kind::Grid => Vec::new(),
+            ContainerKind::Tabs | ContainerKind::Grid => Vec::new(),
         };
         let shares = shares.into_iter().chain(std::iter::repeat(1.0));
         let panes =
@@ -53,7 +53,7 @@ impl Copy<'_> {
         Some(Pane::container(kind, title.as_ref().map_or("", |title| title.as_str()), panes.collect()))
     }
 
-    fn view(&self, path: &str) -> Option<View> {
+    fn view(&self, path: &str) -> Option<PaneView> {
         type Archetype = panes::ViewBlueprint;
         let path = &absolute(path);
         let class = self.first::<components::ViewClass>(path, Archetype::descriptor_class_identifier())?;
@@ -61,7 +61,7 @@ impl Copy<'_> {
         let origin = self.first::<components::ViewOrigin>(path, Archetype::descriptor_space_origin());
         let contents = format!("{path}/ViewContents");
         let contents = self.all::<components::QueryExpression>(&contents, panes::ViewContents::descriptor_query());
-        Some(View {
+        Some(PaneView {
             class: class.0.to_string(),
             title: title.map_or_else(String::new, |title| title.to_string()),
             origin: format!("{}{}", self.root, absolute(origin.as_ref().map_or("", |origin| origin.0.as_str()))),

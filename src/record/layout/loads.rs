@@ -1,9 +1,9 @@
 //! The layout of a recording over loads: contacts on the left, figure, charts and text on the right.
 
-use super::blueprint::{Kind, Pane, View, send};
+use super::blueprint::send;
 use super::steps::{pictures, width};
 use super::window::Sizes;
-use crate::record::draw::{Chart, Curves, FigurePicture, LOAD, PANE, Stage};
+use crate::record::draw::{Chart, ContainerKind, Curves, FigurePicture, LOAD, PANE, Pane, PaneView, Stage};
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Entity of the text about the current load.
@@ -46,14 +46,14 @@ fn layout(stages: &[Stage], figure: Option<&FigurePicture>, charts: &[Chart], cu
     let is_line = stages.iter().all(|stage| stage.grid.is_line());
     let room = stages.first().filter(|_| !is_line).map_or(CONTACT, width);
     let contacts: Vec<Pane> = stages.iter().filter(|stage| stage.what.has_pictures()).map(pictures).collect();
-    let contacts = (!contacts.is_empty()).then(|| (Pane::even(Kind::Tabs, "contacts", contacts), room));
+    let contacts = (!contacts.is_empty()).then(|| (Pane::even(ContainerKind::Tabs, "contacts", contacts), room));
     let (mut rows, others) = rows(figure, charts.iter().map(chart).collect());
     let texts = texts(stages, curves);
-    let load = View::text("Load", TEXT.into());
+    let load = PaneView::text("Load", TEXT.into());
     let more = [load].into_iter().chain(others).chain(texts).collect();
-    rows.push((Pane::even(Kind::Tabs, "more", more), 1.0));
-    let panes = contacts.into_iter().chain([(Pane::container(Kind::Vertical, "curves", rows), 1.0)]).collect();
-    Pane::container(Kind::Horizontal, "loads", panes)
+    rows.push((Pane::even(ContainerKind::Tabs, "more", more), 1.0));
+    let panes = contacts.into_iter().chain([(Pane::container(ContainerKind::Vertical, "curves", rows), 1.0)]).collect();
+    Pane::container(ContainerKind::Horizontal, "loads", panes)
 }
 
 /// The panels of the figure above all charts in one row, or the first charts in rows of their own, and the other charts.
@@ -63,22 +63,22 @@ fn rows(figure: Option<&FigurePicture>, mut charts: Vec<Pane>) -> (Vec<(Pane, f3
         return (charts.into_iter().map(|chart| (chart, 1.0)).collect(), others);
     };
     let panels = figure.panels().map(|(title, root, bounds)| {
-        View::plane(title, &root, vec![format!("{root}/**")], (root.clone(), bounds), figure.palette)
+        PaneView::plane(title, &root, vec![format!("{root}/**")], (root.clone(), bounds), figure.palette)
     });
-    let charts = (!charts.is_empty()).then(|| (Pane::even(Kind::Tabs, "charts", charts), 1.0));
-    let rows = [(Pane::even(Kind::Tabs, "figure", panels.collect()), 2.0)].into_iter().chain(charts);
+    let charts = (!charts.is_empty()).then(|| (Pane::even(ContainerKind::Tabs, "charts", charts), 1.0));
+    let rows = [(Pane::even(ContainerKind::Tabs, "figure", panels.collect()), 2.0)].into_iter().chain(charts);
     (rows.collect(), Vec::new())
 }
 
 fn chart(chart: &Chart) -> Pane {
     let picture = (chart.root.clone(), chart.bounds());
-    View::plane(&chart.title(), &chart.root, vec![format!("{}/**", chart.root)], picture, chart.palette)
+    PaneView::plane(&chart.title(), &chart.root, vec![format!("{}/**", chart.root)], picture, chart.palette)
 }
 
 /// The scenes in words, and the curves against the number of the load, where a click picks one.
 fn texts(stages: &[Stage], curves: &Curves) -> Vec<Pane> {
-    let scenes = stages.iter().map(|stage| View::text(&stage.title, stage.description()));
+    let scenes = stages.iter().map(|stage| PaneView::text(&stage.title, stage.description()));
     let numbered = curves.views().into_iter();
-    let numbered = numbered.map(|(title, entities)| View::falling(&format!("{title}, load by load"), entities));
+    let numbered = numbered.map(|(title, entities)| PaneView::falling(&format!("{title}, load by load"), entities));
     scenes.chain(numbered).collect()
 }

@@ -3,6 +3,7 @@
 mod blueprint;
 mod comparison;
 mod copy;
+mod curves;
 mod loads;
 mod steps;
 mod survey;

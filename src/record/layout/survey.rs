@@ -1,8 +1,8 @@
 //! The layout of a surface: its relief above a text on the left, the figure on the right.
 
-use super::blueprint::{Kind, Pane, View, send};
+use super::blueprint::send;
 use super::window::Sizes;
-use crate::record::draw::{Eye, FigurePicture, STEP, SurfaceRelief};
+use crate::record::draw::{ContainerKind, Eye, FigurePicture, Pane, PaneView, STEP, SurfaceRelief};
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Gives relief and figure the proportions of their panes in a window.
@@ -29,12 +29,12 @@ pub fn send_survey(
 fn layout(relief: Option<(&str, Eye)>, figure: &FigurePicture, text: &str) -> Pane {
     let palette = figure.palette;
     let panels = figure.panels().map(|(title, root, bounds)| {
-        View::plane(title, &root, vec![format!("{root}/**")], (root.clone(), bounds), palette)
+        PaneView::plane(title, &root, vec![format!("{root}/**")], (root.clone(), bounds), palette)
     });
     let mut panels: Vec<Pane> = panels.collect();
-    let heights = relief.map_or_else(|| panels.remove(0), |relief| View::space("Heights", relief, palette));
-    let left = vec![(heights, 2.0), (View::text("Description", text.into()), 1.0)];
-    let left = Pane::container(Kind::Vertical, "heights", left);
-    let right = Pane::even(Kind::Vertical, "figure", panels);
-    Pane::container(Kind::Horizontal, "surface", vec![(left, 1.3), (right, 1.0)])
+    let heights = relief.map_or_else(|| panels.remove(0), |relief| PaneView::space("Heights", relief, palette));
+    let left = vec![(heights, 2.0), (PaneView::text("Description", text.into()), 1.0)];
+    let left = Pane::container(ContainerKind::Vertical, "heights", left);
+    let right = Pane::even(ContainerKind::Vertical, "figure", panels);
+    Pane::container(ContainerKind::Horizontal, "surface", vec![(left, 1.3), (right, 1.0)])
 }

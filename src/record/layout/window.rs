@@ -1,6 +1,6 @@
 //! The sizes of panes in a window, so that pictures can be drawn in the proportions of theirs.
 
-use super::blueprint::{GRID_COLUMNS, Kind, Pane};
+use crate::record::draw::{ContainerKind, GRID_COLUMNS, Pane};
 use crate::record::options::{Options, WINDOW};
 use std::collections::BTreeMap;
 
@@ -39,10 +39,10 @@ impl Sizes {
     fn add(&mut self, pane: &Pane, [width, height]: [f64; 2]) {
         match pane {
             Pane::View(view) => self.enter(view.picture.as_deref(), [width - MARGIN, height - TITLE - MARGIN]),
-            Pane::Container(Kind::Tabs, _, panes) => {
+            Pane::Container(ContainerKind::Tabs, _, panes) => {
                 panes.iter().for_each(|(pane, _)| self.add_tab(pane, [width, height]));
             }
-            Pane::Container(Kind::Grid, _, panes) => {
+            Pane::Container(ContainerKind::Grid, _, panes) => {
                 let columns = panes.len().min(GRID_COLUMNS);
                 let rows = panes.len().div_ceil(columns.max(1));
                 let size = [part(width, 1.0, columns as f64, columns), part(height, 1.0, rows as f64, rows)];
@@ -52,7 +52,7 @@ impl Sizes {
                 let all: f32 = panes.iter().map(|(_, share)| share).sum();
                 let along = |length, share: f32| part(length, f64::from(share), f64::from(all), panes.len());
                 for (pane, share) in panes {
-                    let is_row = *kind == Kind::Horizontal;
+                    let is_row = *kind == ContainerKind::Horizontal;
                     let size = if is_row { [along(width, *share), height] } else { [width, along(height, *share)] };
                     self.add(pane, size);
                 }
@@ -82,22 +82,22 @@ fn part(length: f64, share: f64, all: f64, panes: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::blueprint::View;
     use super::*;
     use crate::record::draw::Palette;
+    use crate::record::draw::PaneView;
     use crate::setup::Theme;
 
     fn picture(root: &str) -> Pane {
-        View::plane(root, "/", Vec::new(), (root.into(), [0.0; 4]), Palette::of(Theme::Dark))
+        PaneView::plane(root, "/", Vec::new(), (root.into(), [0.0; 4]), Palette::new(Theme::Dark))
     }
 
     #[test]
     fn panes_share_the_window_and_titles_take_their_part() {
         let [a, b, c] = ["a", "b", "c"].map(picture);
-        let tabs = Pane::container(Kind::Tabs, "", vec![(b, 1.0), (c, 1.0)]);
-        let column = Pane::container(Kind::Vertical, "", vec![(a, 1.0), (tabs, 3.0)]);
-        let text = View::text("", "/".into());
-        let whole = Pane::container(Kind::Horizontal, "", vec![(column, 3.0), (text, 1.0)]);
+        let tabs = Pane::container(ContainerKind::Tabs, "", vec![(b, 1.0), (c, 1.0)]);
+        let column = Pane::container(ContainerKind::Vertical, "", vec![(a, 1.0), (tabs, 3.0)]);
+        let text = PaneView::text("", "/".into());
+        let whole = Pane::container(ContainerKind::Horizontal, "", vec![(column, 3.0), (text, 1.0)]);
         let sizes = Sizes::new(&[whole], [1601.0, 1058.0]);
         assert_eq!(sizes.of("a"), Some([1194.0, 220.0]));
         assert_eq!((sizes.of("b"), sizes.of("c")), (Some([1194.0, 720.0]), Some([1194.0, 720.0])));
@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn a_picture_in_two_panes_has_the_size_of_the_smaller_one() {
-        let grid = Pane::even(Kind::Grid, "", vec![picture("a"), picture("b"), picture("c")]);
+        let grid = Pane::even(ContainerKind::Grid, "", vec![picture("a"), picture("b"), picture("c")]);
         let sizes = Sizes::new(&[grid, picture("a")], [1601.0, 1058.0]);
         assert_eq!((sizes.of("a"), sizes.of("c")), (Some([794.0, 458.0]), Some([794.0, 458.0])));
     }

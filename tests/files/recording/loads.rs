@@ -4,7 +4,7 @@ use super::{chunks, cylinder, row_counts, stores};
 use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
 use asperity::error::FileError;
 use asperity::plot::{Axis, Figure, Panel};
-use asperity::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Parts, Scene};
+use asperity::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, Parts, RecordedCurve, Scene};
 use asperity::setup::Part;
 use asperity::{Grid, Indenter, Problem, Stop};
 use rerun::components::{LineStrip2D, Position2D, Radius, Scale3D, Text, Translation3D};
@@ -26,8 +26,8 @@ fn figure() -> Figure {
     Figure { title: "figure".into(), panels: vec![panel] }
 }
 
-fn curve(view: &str, name: &str) -> Curve {
-    Curve { view: view.into(), name: name.into(), colour: [0, 0, 0], kind: CurveKind::Computed }
+fn curve(view: &str, name: &str) -> RecordedCurve {
+    RecordedCurve { view: view.into(), name: name.into(), colour: [0, 0, 0], kind: CurveKind::Computed }
 }
 
 fn loads<'a>(scenes: &'a [Scene<'a>], figure: Option<&'a Figure>) -> Loads<'a> {

@@ -3,7 +3,7 @@
 use super::{cylinder, rough_surface, stores};
 use asperity::contact::{PolonskyKeer, Solver};
 use asperity::plot::{Axis, Figure, Panel};
-use asperity::record::{Curve, CurveKind, LoadAxis, LoadRecording, Loads, Options, Recording, Scene};
+use asperity::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Recording, Scene};
 use asperity::setup::Theme;
 use asperity::{Problem, Stop};
 use rerun::components::Color;
@@ -30,7 +30,7 @@ fn record_loads(path: &Path, problem: &Problem, theme: Theme) {
         description: "about".into(),
         captions: vec!["light".into()],
         axis: LoadAxis::log("x", vec![0.1]),
-        curves: vec![Curve { view: "y".into(), name: "y".into(), colour: [0; 3], kind: CurveKind::Computed }],
+        curves: vec![RecordedCurve { view: "y".into(), name: "y".into(), colour: [0; 3], kind: CurveKind::Computed }],
         figure: Some(&figure),
         scenes: &[Scene::new("it", problem)],
     };

@@ -25,6 +25,10 @@ const LESSON: &str = r#"
     knobs.roughness = 0
     turn = {}
     sweep = true
+    [[step]]
+    text = "It is there."
+    turn = {}
+    ask = { kind = "choose", question = "Is it there?", choices = ["Yes", "No"], right = 1 }
 "#;
 
 /// Exports the lesson into a folder.
@@ -127,6 +131,19 @@ fn a_lesson_is_taken(page: &mut Page, draws: bool) {
     page.click("lesson-back");
     shows(page, 0.02);
     assert_eq!(page.value("document.getElementById('fault').hidden"), true);
+    a_question_is_answered(page);
+}
+
+/// The step that asks shows its surface before it is pressed, and its contact after the answer.
+fn a_question_is_answered(page: &mut Page) {
+    page.click("lesson-next");
+    page.until("document.body.dataset.lesson === '2' && !byId('lesson-next').disabled");
+    page.click("lesson-next");
+    page.until("document.body.dataset.unpressed === '3'");
+    assert_eq!(page.value("section.pressure.some((pressure) => pressure > 0)"), false);
+    page.click("answer-1");
+    shows(page, 0.05);
+    page.until("section.pressure.some((pressure) => pressure > 0)");
 }
 
 #[test]

@@ -250,9 +250,11 @@ fn page_and_guide_explain_the_same_symbols() {
     let page = Page::open();
     let html = page.get("/");
     let words = html.text().split("<dt>").skip(1).filter_map(|rest| rest.split("</dt>").next());
-    let symbols = ["a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r"];
+    let symbols = ["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "t, L"];
     assert_eq!(words.collect::<Vec<_>>(), symbols);
-    for symbol in ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`"] {
+    for symbol in
+        ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`", "`E*`", "`h_rms`", "`H_c`, `t`, `L`"]
+    {
         assert!(
             include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/guide/words.md"))
                 .contains(&format!("| {symbol} | ")),
@@ -336,7 +338,7 @@ fn malformed_input_gets_a_sentence() {
         (with(json!({"body": "power-law", "exponent": -1})).to_string(), "exponent"),
         (with(json!({"solver": {"method": "gfmd", "damping": 0}})).to_string(), "damping"),
         (with(json!({"solver": {"method": "gfmd", "time-step": 1}})).to_string(), "`solver.time-step` cannot be 1: "),
-        (with(json!({"solver": {"method": "gfmd", "file": 1}})).to_string(), "unknown field"),
+        (with(json!({"solver": {"method": "gfmd", "file": 1}})).to_string(), "there is no `file` here"),
         (with(json!({"solver": {"method": "magic"}})).to_string(), "unknown variant"),
         (with(json!({"stop": stop(0.0, 10)})).to_string(), "tolerance"),
         (with(json!({"stop": stop(1e-8, 0)})).to_string(), "iteration cap"),

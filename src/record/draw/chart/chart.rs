@@ -1,0 +1,245 @@
+//! Charts: curves over the loads, on axes of their own.
+
+use crate::plot::{Align, Axis, Colour, Frame, Sheet, width};
+use crate::record::draw::chart::curves::{CurveKind, RecordedCurve};
+use crate::record::draw::chart::load_axis::LoadAxis;
+use crate::record::draw::fields::range;
+use crate::record::draw::ink::canvas::{self, PANE, strips};
+use crate::record::draw::ink::palette::{Palette, colour};
+use rerun::{LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
+use std::collections::BTreeMap;
+use std::ops::RangeBounds;
+
+/// Timeline of loads.
+pub const LOAD: &str = "load";
+
+/// From the box to the legend, the length of a line in it, and the room before a name, over the size of words.
+const LEGEND: [f64; 3] = [1.0, 1.6, 0.5];
+/// Distance of the entries of the legend at the most, over the size of words.
+const ENTRY: f64 = 1.6;
+/// The legend takes so much of the width of its pane at the most; longer names are drawn smaller.
+const MOST_LEGEND: f64 = 0.4;
+
+/// Radii of the dot of a load, and of the marker at the current one.
+const DOT: f32 = 2.0;
+const MARKER: f32 = 4.5;
+/// Ratio of the largest value to the smallest from which on the axis is logarithmic.
+const WIDE: f64 = 12.0;
+/// Share of the largest value below which the smallest one has zero beside it on the axis.
+const NEAR_ZERO: f64 = 0.5;
+/// Share of a value that an axis around it alone reaches to either side.
+const ALONE: f64 = 0.1;
+
+/// Curves of one view, drawn up to the current load, where they have a marker.
+///
+/// Axes grow with what they show: then all loads are drawn again.
+pub struct Chart {
+    name: String,
+    pub root: String,
+    pub palette: &'static Palette,
+    /// Curves and their numbers among all curves.
+    curves: Vec<(usize, RecordedCurve)>,
+    loads: LoadAxis,
+    /// Room for the legend, over the size of words.
+    aside: f64,
+    frame: Frame,
+    /// Values of all curves of the recording by their loads.
+    values: BTreeMap<usize, Vec<f64>>,
+}
+
+impl Chart {
+    /// A chart for each view of `curves`, in the order in which they come first.
+    pub fn all(curves: &[RecordedCurve], loads: &LoadAxis, palette: &'static Palette) -> Vec<Self> {
+        let mut charts: Vec<Self> = Vec::new();
+        for (number, curve) in curves.iter().enumerate() {
+            let member = (number, curve.clone());
+            match charts.iter_mut().find(|chart| chart.name == curve.view) {
+                Some(chart) => chart.curves.push(member),
+                None => charts.push(Self {
+                    name: curve.view.clone(),
+                    root: format!("/chart/{}", charts.len()),
+                    palette,
+                    curves: vec![member],
+                    loads: loads.clone(),
+                    aside: 0.0,
+                    frame: canvas::frame(PANE, [loads.whole(), around(&curve.view, [])], 0.0),
+                    values: BTreeMap::new(),
+                }),
+            }
+        }
+        charts.iter_mut().for_each(|chart| chart.fit(PANE));
+        charts
+    }
+
+    /// Gives it the proportions of a pane of so many points.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        let longest = self.curves.iter().map(|(_, curve)| width(&curve.name, 1.0)).fold(0.0, f64::max);
+        self.aside = (LEGEND.iter().sum::<f64>() + longest).min(MOST_LEGEND * pane[0] / canvas::TEXT);
+        canvas::fit(&mut self.frame, pane, self.aside);
+    }
+
+    /// What is drawn against what.
+    pub fn title(&self) -> String {
+        format!("{} against {}", self.name, self.loads.name)
+    }
+
+    pub fn bounds(&self) -> [f64; 4] {
+        canvas::bounds(&self.frame, self.aside)
+    }
+
+    /// Records axes and legend.
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
+        let Frame { size: [right, height], text, .. } = self.frame;
+        let pitch = (ENTRY * text).min(height / self.curves.len() as f64);
+        let [gap, sample, before] = LEGEND.map(|length| length * text);
+        let room = self.aside * text - gap - sample - before;
+        let mut words = Sheet::default();
+        let mut samples = Vec::new();
+        for (i, (_, curve)) in self.curves.iter().enumerate() {
+            let (left, y) = (right + gap, pitch * (i as f64 + 0.5));
+            let sample_ends = [left, left + sample].map(|x| [x as f32, y as f32]);
+            samples.push((sample_ends.to_vec(), colour(self.colour(curve)), Radius::new_ui_points(2.0)));
+            let size = text * (room / width(&curve.name, text)).min(1.0);
+            words.words(&curve.name, [left + sample + before, y], size, Align::Left);
+        }
+        to.log_static(format!("{}/legend/lines", self.root), &strips(samples))?;
+        to.log_static(format!("{}/legend/words", self.root), &canvas::written(self.palette, &words))
+    }
+
+    /// Adds the values of all curves of the recording under a load, and draws them at that load and at heavier ones.
+    pub fn add(&mut self, to: &RecordingStream, load: usize, values: &[f64]) -> RecordingStreamResult<()> {
+        self.values.insert(load, values.to_vec());
+        let y = around(&self.name, self.curves.iter().flat_map(|(number, _)| self.known(*number)));
+        if y == self.frame.y {
+            return self.values.range(load..).try_for_each(|(&load, _)| self.draw(to, load));
+        }
+        self.frame.y = y;
+        self.draw_again(to)
+    }
+
+    /// Fits the axis of the loads to those that came.
+    pub fn settle(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        self.frame.x = self.loads.over(self.values.keys().copied());
+        self.draw_again(to)
+    }
+
+    fn draw_again(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        self.log_static(to)?;
+        self.values.keys().try_for_each(|&load| self.draw(to, load))
+    }
+
+    /// Draws curves up to a load at the time of that load.
+    fn draw(&self, to: &RecordingStream, load: usize) -> RecordingStreamResult<()> {
+        to.set_time_sequence(LOAD, load as i64 + 1);
+        to.log(format!("{}/lines", self.root), &self.lines(load))?;
+        to.log(format!("{}/dots", self.root), &self.dots(load))?;
+        if !self.curves.iter().any(|(_, curve)| curve.kind == CurveKind::Exact) {
+            return Ok(());
+        }
+        to.log(format!("{}/exact", self.root), &self.dashes(load))
+    }
+
+    /// All curves but exact ones.
+    fn lines(&self, load: usize) -> LineStrips2D {
+        let curves = self.curves.iter().filter(|(_, curve)| curve.kind != CurveKind::Exact);
+        let line = |(number, curve): &(usize, RecordedCurve)| {
+            let points = self.points(*number, ..=load).map(|(_, point)| point.map(|p| p as f32)).collect();
+            let width = if curve.kind == CurveKind::Computed { 1.3 } else { 0.9 };
+            (points, colour(self.colour(curve)), Radius::new_ui_points(width))
+        };
+        strips(curves.map(line)).with_draw_order(30.0)
+    }
+
+    fn dashes(&self, load: usize) -> LineStrips2D {
+        let curves = self.curves.iter().filter(|(_, curve)| curve.kind == CurveKind::Exact);
+        let dashes = curves.flat_map(|(number, _)| {
+            canvas::dashed(&self.points(*number, ..=load).map(|(_, point)| point).collect::<Vec<_>>())
+        });
+        LineStrips2D::new(dashes)
+            .with_colors([colour(self.palette.exact)])
+            .with_radii([Radius::new_ui_points(1.0)])
+            .with_draw_order(38.0)
+    }
+
+    /// Dots of what is computed, and a marker on every curve at the load itself.
+    fn dots(&self, load: usize) -> Points2D {
+        let dots = self.curves.iter().flat_map(|(number, curve)| {
+            let first = if curve.kind == CurveKind::Computed { 0 } else { load };
+            let radius = move |at: usize| Radius::new_ui_points(if at == load { MARKER } else { DOT });
+            let colour = colour(self.colour(curve));
+            self.points(*number, first..=load).map(move |(at, point)| (point.map(|p| p as f32), (colour, radius(at))))
+        });
+        let (points, styles): (Vec<_>, Vec<_>) = dots.unzip();
+        let (colours, radii): (Vec<_>, Vec<_>) = styles.into_iter().unzip();
+        Points2D::new(points).with_colors(colours).with_radii(radii).with_draw_order(36.0)
+    }
+
+    /// Finite values of a curve.
+    fn known(&self, number: usize) -> impl Iterator<Item = f64> {
+        self.values.values().filter_map(move |values| values.get(number).copied()).filter(|value| value.is_finite())
+    }
+
+    /// Where a curve lies under some loads, with these.
+    fn points(&self, number: usize, loads: impl RangeBounds<usize>) -> impl Iterator<Item = (usize, [f64; 2])> {
+        let frame = &self.frame;
+        self.values.range(loads).filter_map(move |(&load, values)| {
+            let places = frame.places(*self.loads.values.get(load)?, *values.get(number)?);
+            places.iter().all(|place| place.is_finite()).then(|| (load, frame.position(places)))
+        })
+    }
+
+    fn colour(&self, curve: &RecordedCurve) -> Colour {
+        match curve.kind {
+            CurveKind::Exact => self.palette.exact,
+            CurveKind::Computed | CurveKind::Theory => self.palette.on_ground(Colour(curve.colour)),
+        }
+    }
+}
+
+/// An axis around values: over whole decades if they are positive and far apart, else over whole steps between ticks.
+fn around(name: &str, values: impl IntoIterator<Item = f64>) -> Axis {
+    let [low, high] = range(values);
+    if low > high {
+        return Axis::linear(name, [0.0, 1.0]);
+    }
+    if low > 0.0 && high > WIDE * low {
+        return Axis::log(name, [low.log10().floor(), high.log10().ceil()].map(|decade| 10f64.powf(decade)));
+    }
+    let low = if low > 0.0 && low < NEAR_ZERO * high { 0.0 } else { low };
+    let room = if high > low { 0.0 } else { (ALONE * high.abs()).max(f64::MIN_POSITIVE) };
+    let [low, high] = [low - room, high + room];
+    match Axis::linear(name, [low, high]).ticks().as_slice() {
+        [(first, _), (second, _), ..] => {
+            let step = second - first;
+            Axis::linear(name, [(low / step).floor() * step, (high / step).ceil() * step])
+        }
+        _ => Axis::linear(name, [low, high]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_reach_around_values_over_whole_steps_or_decades() {
+        let ranges = [
+            (vec![], [0.0, 1.0]),
+            (vec![1.42, 1.71], [1.4, 1.75]),
+            (vec![0.2, 1.7], [0.0, 2.0]),
+            (vec![3e-4, 0.9], [1e-4, 1.0]),
+            (vec![1.1, 84.0], [1.0, 100.0]),
+            (vec![1.47, 38.0], [1.0, 100.0]),
+            (vec![-3.2, -0.4], [-3.5, 0.0]),
+        ];
+        for (values, expected) in ranges {
+            let found = around("y", values.clone()).range;
+            assert!((0..2).all(|end| (found[end] - expected[end]).abs() < 1e-9), "{values:?}: {found:?}");
+        }
+        let [low, high] = around("y", [2.0]).range;
+        assert!(low < 2.0 && 2.0 < high);
+        let [low, high] = around("y", [0.0]).range;
+        assert!(low <= 0.0 && 0.0 < high);
+    }
+}

@@ -1,0 +1,80 @@
+//! Curves over the loads.
+
+use crate::plot::Colour;
+use crate::record::draw::ink::legible;
+use crate::record::draw::ink::palette;
+use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, SeriesPoints};
+
+/// A curve over the loads.
+#[derive(Debug, Clone)]
+pub struct RecordedCurve {
+    /// Title of the view that the curve shares with others.
+    pub view: String,
+    /// Name in the legend.
+    pub name: String,
+    /// Red, green and blue, as on paper: on other grounds it is drawn as pale or dark as it must be to be seen.
+    pub colour: [u8; 3],
+    /// What it stands for.
+    pub kind: CurveKind,
+}
+
+/// What a curve stands for, and so its look.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CurveKind {
+    /// Results of solves: a line with dots.
+    Computed,
+    /// A theory that leaves something out: a fine line.
+    Theory,
+    /// An exact solution: dashes over everything else, in the colour of exact values instead of its own.
+    Exact,
+}
+
+/// The curves of a recording.
+pub struct Curves(pub Vec<RecordedCurve>);
+
+impl Curves {
+    /// Titles of the views and the entities in each, in the order in which they come first.
+    pub fn views(&self) -> Vec<(&str, Vec<String>)> {
+        let mut views: Vec<(&str, Vec<String>)> = Vec::new();
+        for (i, curve) in self.0.iter().enumerate() {
+            match views.iter_mut().find(|(title, _)| *title == curve.view) {
+                Some((_, entities)) => entities.push(entity(i)),
+                None => views.push((&curve.view, vec![entity(i)])),
+            }
+        }
+        views
+    }
+
+    /// Records names and colours.
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        for (i, RecordedCurve { name, colour, .. }) in self.0.iter().enumerate() {
+            let (name, colour) = (name.as_str(), palette::colour(legible(Colour(*colour))));
+            let line = SeriesLines::new().with_names([name]).with_colors([colour]).with_widths([1.8]);
+            let points = SeriesPoints::new().with_names([name]).with_colors([colour]).with_marker_sizes([3.0]);
+            to.log_static(entity(i), &[&line as &dyn rerun::AsComponents, &points])?;
+        }
+        Ok(())
+    }
+
+    /// Records values at the current time.
+    pub fn log(&self, to: &RecordingStream, values: &[f64]) -> RecordingStreamResult<()> {
+        let mut finite = values.iter().take(self.0.len()).enumerate().filter(|(_, value)| value.is_finite());
+        finite.try_for_each(|(i, &value)| to.log(entity(i), &Scalars::single(value)))
+    }
+
+    /// The values with their names, in Markdown.
+    pub fn table(&self, values: &[f64]) -> String {
+        let finite = self.0.iter().zip(values).filter(|(_, value)| value.is_finite());
+        let rows: String = finite.map(|(curve, value)| format!("| {} | {} |\n", curve.name, number(*value))).collect();
+        if rows.is_empty() { rows } else { format!("| curve | value |\n|---|---|\n{rows}") }
+    }
+}
+
+fn entity(i: usize) -> String {
+    format!("/curve/{i}")
+}
+
+/// A number of five digits, in powers of ten where it is far from 1.
+fn number(value: f64) -> String {
+    if (1e-3..1e4).contains(&value.abs()) { format!("{value:.4}") } else { format!("{value:.4e}") }
+}

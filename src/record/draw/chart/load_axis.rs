@@ -1,0 +1,110 @@
+//! The axis of the loads of a recording.
+
+use crate::plot::{Axis, Scale};
+
+/// The quantity that tells loads apart, and its value at each of them, in their order. A value that has no place on the axis
+/// leaves its load without one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadAxis {
+    /// Name of the quantity, with its unit.
+    pub name: String,
+    /// Spacing of the values.
+    pub scale: Scale,
+    /// Values of all loads.
+    pub values: Vec<f64>,
+}
+
+/// Half of the room of a load that is alone, in decades or over its value.
+const ALONE: f64 = 0.5;
+
+impl LoadAxis {
+    /// Loads on a logarithmic axis.
+    pub fn log(name: impl Into<String>, values: Vec<f64>) -> Self {
+        Self { name: name.into(), scale: Scale::Log, values }
+    }
+
+    /// Loads on a linear axis.
+    pub fn linear(name: impl Into<String>, values: Vec<f64>) -> Self {
+        Self { name: name.into(), scale: Scale::Linear, values }
+    }
+
+    /// The axis over the rooms of some loads.
+    pub(in crate::record) fn over(&self, loads: impl IntoIterator<Item = usize>) -> Axis {
+        let rooms = loads.into_iter().filter_map(|load| self.room(load)).flatten();
+        let ends = rooms.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], end| [low.min(end), high.max(end)]);
+        match ends {
+            [low, high] if low < high => Axis { name: self.name.clone(), scale: self.scale, range: ends },
+            _ => Axis::linear(self.name.as_str(), [0.0, 1.0]),
+        }
+    }
+
+    /// The axis over all loads.
+    pub(in crate::record) fn whole(&self) -> Axis {
+        self.over(0..self.values.len())
+    }
+
+    /// The values half-way from a load to those beside it, the smaller one first.
+    pub(in crate::record) fn room(&self, load: usize) -> Option<[f64; 2]> {
+        let own = self.level(load)?;
+        let beside = [load.checked_sub(1), load.checked_add(1)].map(|other| Some(0.5 * (self.level(other?)? - own)));
+        let alone = match self.scale {
+            Scale::Log => ALONE,
+            Scale::Linear if own == 0.0 => ALONE,
+            Scale::Linear => ALONE * own.abs(),
+        };
+        let [before, after] = match beside {
+            [Some(before), Some(after)] if before * after > 0.0 => [before, -after], // where the load turns back
+            [Some(before), Some(after)] => [before, after],
+            [Some(one), None] | [None, Some(one)] => [-one, one],
+            [None, None] => [-alone, alone],
+        };
+        let ends = [own + before, own + after].map(|level| match self.scale {
+            Scale::Linear => level,
+            Scale::Log => 10f64.powf(level),
+        });
+        Some([ends[0].min(ends[1]), ends[0].max(ends[1])])
+    }
+
+    /// The value of a load, or its logarithm, where it has one.
+    fn level(&self, load: usize) -> Option<f64> {
+        let value = *self.values.get(load)?;
+        let level = match self.scale {
+            Scale::Linear => value,
+            Scale::Log => value.log10(),
+        };
+        level.is_finite().then_some(level)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_load_that_turns_back_has_room_on_both_sides() {
+        let there_and_back = LoadAxis::linear("d", vec![1.0, 2.0, 1.0]);
+        assert_eq!(there_and_back.room(1), Some([1.5, 2.5]));
+    }
+
+    #[test]
+    fn rooms_of_neighbours_meet_half_way() {
+        let loads = LoadAxis::log("p*", vec![1e-4, 1e-2, 1e-1]);
+        let rooms = [0, 1, 2].map(|load| loads.room(load).unwrap().map(f64::log10));
+        for (room, expected) in rooms.into_iter().zip([[-5.0, -3.0], [-3.0, -1.5], [-1.5, -0.5]]) {
+            assert!((0..2).all(|end| (room[end] - expected[end]).abs() < 1e-9), "{room:?}");
+        }
+        let falling = LoadAxis::linear("d", vec![3.0, 2.0, 1.0]);
+        assert_eq!([0, 1, 2].map(|load| falling.room(load).unwrap()), [[2.5, 3.5], [1.5, 2.5], [0.5, 1.5]]);
+    }
+
+    #[test]
+    fn axes_reach_over_the_loads_that_are_there() {
+        let loads = LoadAxis::log("p*", vec![1e-4, 1e-2, f64::NAN, 1.0]);
+        let range = loads.over([1]).range.map(f64::log10);
+        assert!((range[0] + 3.0).abs() < 1e-9 && (range[1] + 1.0).abs() < 1e-9, "{range:?}");
+        assert_eq!((loads.room(2), loads.room(9)), (None, None));
+        assert!(loads.whole().range[1] > 1.0);
+        assert_eq!(loads.over([2]).range, [0.0, 1.0]);
+        assert_eq!(LoadAxis::linear("p", vec![4.0]).whole().range, [2.0, 6.0]);
+    }
+}

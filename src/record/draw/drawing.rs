@@ -1,0 +1,157 @@
+//! What every part of a recording is: a drawing.
+
+use super::fields::{FieldExtent, FrameFields};
+use super::ink::palette::Palette;
+use super::ink::pane::Pane;
+use super::plane::Plane;
+use crate::contact::{Contact, Forecast, Phase, Step};
+use crate::diagnosis::Diagnosis;
+use crate::grid::Grid;
+use crate::record::options::Options;
+use crate::record::scene::Scene;
+use crate::setup::Part;
+use rerun::{RecordingStream, RecordingStreamResult};
+
+/// What a drawing is made from: a scene, what is expected of it, and how it is to be drawn.
+pub struct Subject<'a> {
+    pub scene: &'a Scene<'a>,
+    pub forecast: Forecast,
+    /// Root of the entities of the scene, with a leading `/`.
+    pub root: &'a str,
+    /// Options, whose parts are those that the scene can show.
+    pub options: &'a Options,
+    pub palette: &'static Palette,
+    /// The canvas that the flat pictures of the scene share.
+    pub plane: &'a Plane,
+    /// The place of the scene among several.
+    pub place: Option<usize>,
+}
+
+impl Subject<'_> {
+    pub fn grid(&self) -> &Grid {
+        self.scene.problem.surface().grid()
+    }
+
+    /// Whether a part is recorded.
+    pub fn has(&self, part: Part) -> bool {
+        self.options.what.has(part)
+    }
+}
+
+/// A part of the recording of a scene.
+///
+/// A drawing is made before the solve, is fitted to its panes, and is recorded once. Then it draws the fields of the frames that are
+/// picked, and at the end its axes are fitted to what they show.
+pub trait Drawing: Send + Sync {
+    /// The panes that it wants, and where they stand.
+    fn panes(&self) -> Vec<(Place, Pane)>;
+
+    /// Gives its pictures the proportions of their panes, whose width and height in points `size` finds by the root of a picture.
+    fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>);
+
+    /// Records everything that stays: axes, styles, names.
+    fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()>;
+
+    /// Records a state at the current time.
+    fn log_frame(&self, _to: &RecordingStream, _fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
+        Ok(())
+    }
+
+    /// Records the pressure of an earlier solve along the same line, on any number of nodes.
+    fn log_earlier(&self, _to: &RecordingStream, _pressure: &[f64]) -> RecordingStreamResult<()> {
+        Ok(())
+    }
+
+    /// How far the axes must reach to show a state.
+    fn extent(&self, _fields: &FrameFields<'_>) -> FieldExtent {
+        FieldExtent::NONE
+    }
+
+    /// Fits axes and scales to what they show, for all times.
+    fn settle(&self, _to: &RecordingStream, _extent: FieldExtent) -> RecordingStreamResult<()> {
+        Ok(())
+    }
+
+    /// What it collects of every step of a run, if it draws more than frames.
+    fn run(&self) -> Option<Box<dyn RunDrawing>> {
+        None
+    }
+}
+
+/// Where a pane stands in the layout of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// A row or cell of its own.
+    Main,
+    /// A field: on a surface a cell of its own, on a line beside the other fields.
+    Field,
+    /// Behind all other pictures of the state.
+    Further,
+    /// There, too, in a higher row: its proportions are those in space.
+    Deep,
+    /// Pictures of the whole run, step by step: the contact, the decisions, the wavelengths.
+    RunContact,
+    RunDecisions,
+    RunWavelengths,
+    /// Curves of the whole run beside those of its convergence.
+    RunCurves,
+}
+
+/// What a drawing collects of every step of one run, and records of it.
+pub trait RunDrawing: Send {
+    /// Adds a step.
+    fn add(&mut self, step: &RunStep<'_, '_>);
+
+    /// Records images of all steps so far anew.
+    fn show(&mut self, _to: &RecordingStream, _diagnosis: &Diagnosis) -> RecordingStreamResult<()> {
+        Ok(())
+    }
+
+    /// Sends what was collected since the last time.
+    fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()>;
+
+    /// Adds the contact that came out.
+    fn end(&mut self, _contact: &Contact) {}
+}
+
+/// A step of a run, and what is known of the run so far.
+pub struct RunStep<'a, 's> {
+    pub step: &'a Step<'s>,
+    /// The place in the scheme of the solver, of those that use coarse grids or inner steps.
+    pub phase: Option<Phase>,
+    /// The grid level, 0 for the finest.
+    pub level: usize,
+    /// The diagnosis of the run, if a drawing needs it.
+    pub diagnosis: Option<&'a Diagnosis>,
+}
+
+/// A part in the table of parts: which one it is, how it is drawn, and what it costs.
+pub struct PartRow {
+    pub part: Part,
+    /// The drawing of a scene, if the part can show it.
+    pub draw: fn(&Subject<'_>) -> Option<Box<dyn Drawing>>,
+    pub bytes: fn(&Grid) -> Bytes,
+}
+
+/// Bytes of a part in a recording, about: packing makes pictures smaller by up to half, most at low loads.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Bytes {
+    /// What does not change, and the images of a whole run, which are recorded anew whenever the run has become twice as long.
+    pub still: f64,
+    /// The pictures of a frame.
+    pub frame: f64,
+    /// The numbers of a step.
+    pub step: f64,
+}
+
+impl Bytes {
+    /// Of a part that is drawn in frames only.
+    pub fn of_frames(frame: f64) -> Self {
+        Self { frame, ..Self::default() }
+    }
+
+    /// Of a part that shows a whole run.
+    pub fn of_run(still: f64) -> Self {
+        Self { still, ..Self::default() }
+    }
+}

@@ -1,0 +1,54 @@
+//! Pictures of fields: pressure, gap, the surface of the solid, its spectrum, the stress below it, and where the error sits.
+
+mod curves;
+mod error_density;
+mod fringes;
+mod images;
+pub mod relief;
+mod spectrum;
+mod stress;
+pub mod surface_relief;
+
+use super::drawing::{Bytes, Drawing, PartRow, Subject};
+use super::ink::reduce::{Columns, curve_points, pixels};
+use super::plane::Plane;
+use crate::grid::Grid;
+use crate::setup::Part;
+
+/// The parts of this group, in the order of their panes.
+pub const PARTS: &[PartRow] = &[
+    PartRow {
+        part: Part::Mesh,
+        draw: relief::draw,
+        bytes: |grid| Bytes::of_frames(28.0 * relief::vertices(grid) as f64),
+    },
+    PartRow { part: Part::Fields, draw: fields, bytes: bytes_of_fields },
+    PartRow { part: Part::Stress, draw: stress::draw, bytes: |_| Bytes::of_frames((4 * stress::MOST_PIXELS) as f64) },
+    PartRow {
+        part: Part::Fringes,
+        draw: stress::draw_fringes,
+        bytes: |_| Bytes::of_frames((4 * stress::MOST_PIXELS) as f64),
+    },
+    PartRow { part: Part::Spectrum, draw: spectrum::draw, bytes: |_| Bytes::of_frames(2e3) },
+    PartRow { part: Part::Error, draw: error_density::draw, bytes: bytes_of_error },
+];
+
+/// Pressure and gap: curves of a line, images of a surface.
+fn fields(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+    Some(match subject.plane {
+        Plane::Line(plane) => Box::new(curves::FieldCurves::new(subject, plane)),
+        Plane::Surface(plane) => Box::new(images::FieldImages::new(subject, plane)),
+    })
+}
+
+fn bytes_of_fields(grid: &Grid) -> Bytes {
+    Bytes::of_frames(if grid.is_line() {
+        16.0 * curve_points(grid) + 40.0 * Columns::new(grid.len()).count() as f64
+    } else {
+        8.0 * pixels(grid) as f64
+    })
+}
+
+fn bytes_of_error(grid: &Grid) -> Bytes {
+    Bytes::of_frames(if grid.is_line() { 12.0 * curve_points(grid) } else { 4.0 * pixels(grid) as f64 })
+}

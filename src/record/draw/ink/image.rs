@@ -1,0 +1,84 @@
+//! Fields in colours, with axes and a scale.
+
+use super::canvas;
+use super::palette::{ColourMap, Palette};
+use super::pane::{Pane, PaneView};
+use super::reduce::Blocks;
+use super::ruler::Ruler;
+use super::scale::ColourScale;
+use crate::grid::Grid;
+use crate::plot::{Axis, Frame};
+use crate::record::sdk::{ChannelDatatype, ImageFormat};
+use rerun::components::{MagnificationFilter, ValueRange};
+use rerun::{DepthImage, RecordingStream, RecordingStreamResult};
+
+/// A field in colours, its frame and its scale.
+pub struct Image {
+    pub root: String,
+    pub frame: Frame,
+    pub colours: ColourScale,
+    pub scale: Ruler,
+}
+
+impl Image {
+    /// The image under `root` in a frame, with its scale and its colours.
+    pub fn new(root: String, frame: &Frame, palette: &'static Palette, scale: Ruler, map: ColourMap) -> Self {
+        let colours = ColourScale { root: format!("{root}/scale"), palette, map };
+        Self { root, frame: frame.clone(), colours, scale }
+    }
+
+    /// Makes it as large as a pane allows, width and height in points.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        canvas::fit_image(&mut self.frame, pane);
+    }
+
+    /// The view of the image alone.
+    pub fn pane(&self, title: &str) -> Pane {
+        let bounds = canvas::bounds(&self.frame, canvas::SCALE_ROOM);
+        let contents = vec![format!("{}/**", self.root)];
+        PaneView::plane(title, &self.root, contents, (self.root.clone(), bounds), self.colours.palette)
+    }
+
+    fn pixels(&self) -> String {
+        format!("{}/image", self.root)
+    }
+
+    /// Records axes, scale and style.
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        canvas::log_axes(to, self.colours.palette, &format!("{}/axes", self.root), &self.frame)?;
+        let style = DepthImage::update_fields()
+            .with_format(format(&self.frame, ChannelDatatype::F32))
+            .with_meter(1.0)
+            .with_colormap(self.colours.map.viewer)
+            .with_magnification_filter(MagnificationFilter::Nearest)
+            .with_draw_order(0.0);
+        to.log_static(self.pixels(), &style)?;
+        self.log_scale(to, &self.scale.axis)
+    }
+
+    /// Records the values of the pixels, row by row from above, at the current time.
+    pub fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
+        let bytes: Vec<u8> = values.flat_map(|value| (value as f32).to_le_bytes()).collect();
+        to.log(self.pixels(), &DepthImage::update_fields().with_buffer(bytes))
+    }
+
+    /// Records the range of the colours, and beside the image the bar that explains it.
+    pub fn log_scale(&self, to: &RecordingStream, scale: &Axis) -> RecordingStreamResult<()> {
+        let range = ValueRange::from(scale.range.map(|number| number * self.scale.unit));
+        let range = DepthImage::update_fields().with_depth_range(range);
+        to.log_static(self.pixels(), &range)?;
+        self.colours.log(to, &self.frame, scale)
+    }
+}
+
+/// The frame of an image of a surface, a unit for each of its blocks.
+pub fn frame(grid: &Grid, blocks: &Blocks, length_unit: &str) -> Frame {
+    let [height, width] = blocks.cells.map(|n| n as f64);
+    let axes = [1, 0].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
+    canvas::image_frame(canvas::PANE, axes, [width, height])
+}
+
+/// The format of an image that fills a frame with a unit for each pixel.
+pub fn format(frame: &Frame, datatype: ChannelDatatype) -> ImageFormat {
+    ImageFormat::depth(frame.size.map(|n| n as u32), datatype)
+}

@@ -1,0 +1,19 @@
+//! What drawings share: canvases, colours, axes, images, panes, and fewer points than nodes.
+
+pub mod canvas;
+mod contrast;
+pub mod eye;
+pub mod fill;
+pub mod image;
+pub mod line_plane;
+pub mod mirror;
+pub mod palette;
+pub mod pane;
+pub mod reduce;
+pub mod ruler;
+pub mod scale;
+pub mod strips;
+pub mod surface_plane;
+pub mod window;
+
+pub use contrast::legible;

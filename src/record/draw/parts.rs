@@ -1,0 +1,23 @@
+//! The parts of recordings, each a row of the table of its group.
+
+use super::drawing::PartRow;
+use super::{chart, field, instrument, patch, profile};
+
+/// All parts, in the order of their panes.
+pub fn all() -> impl Iterator<Item = &'static PartRow> {
+    [chart::PARTS, profile::PARTS, field::PARTS, patch::PARTS, instrument::PARTS].into_iter().flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::setup::Part;
+
+    #[test]
+    fn each_part_has_one_row() {
+        for (name, _) in Part::PARTS {
+            let part = Part::named(name).unwrap();
+            assert_eq!(all().filter(|row| row.part == part).count(), 1, "{name}");
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! The contacts of a line under all loads, one row above the other: how patches grow and merge.
+
+use crate::plot::Frame;
+use crate::record::draw::chart::load_axis::LoadAxis;
+use crate::record::draw::fields::FrameFields;
+use crate::record::draw::ink::canvas::{self, style};
+use crate::record::draw::ink::fill::zigzag;
+use crate::record::draw::ink::line_plane::LinePlane;
+use crate::record::draw::ink::pane::Pane;
+use rerun::{Radius, RecordingStream, RecordingStreamResult, Transform3D};
+
+/// Half of the width of the bars that fill a row: in a small window still wide enough to leave no pixel out.
+const BAR: f32 = 2.0;
+/// Share of its room that a row leaves free, and the room from which on it does so.
+const FREE: f32 = 0.14;
+const ROOMY: f32 = 12.0;
+
+/// A map of the contact, the position to the right and the load upwards. It grows with the load.
+pub struct PatchMap {
+    frame: Frame,
+    plane: LinePlane,
+    loads: LoadAxis,
+    root: String,
+}
+
+impl PatchMap {
+    /// The map of a line under `loads`, on the canvas of its pictures.
+    pub fn new(plane: &LinePlane, loads: LoadAxis) -> Self {
+        let frame = plane.frame_with(&loads.whole());
+        let root = format!("{}/patches", plane.root);
+        Self { frame, plane: plane.clone(), loads, root }
+    }
+
+    /// Takes the proportions of its pane, width and height in points.
+    pub fn fit(&mut self, pane: [f64; 2]) {
+        self.plane.fit(pane);
+        self.frame = self.plane.frame_with(&self.frame.y);
+    }
+
+    /// The view of the map.
+    pub fn pane(&self) -> Pane {
+        self.plane.pane("patches", "Contact patches, load upwards", false)
+    }
+
+    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+        self.plane.log_measured(to, "patches")?;
+        canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &self.frame)
+    }
+
+    /// Records the contact under load number `load` at the current time; it stays for heavier loads.
+    pub fn log(&self, to: &RecordingStream, load: usize, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
+        let Some(room) = self.loads.room(load) else { return Ok(()) };
+        let [bottom, top] = room.map(|end| self.frame.position([0.0, self.frame.y.place(end)])[1] as f32);
+        let free = if bottom - top > ROOMY { 0.5 * FREE * (bottom - top) + BAR } else { 0.0 };
+        let ends = [bottom - free, top + free];
+        let row = style(self.plane.palette.contact, Radius::new_scene_units(BAR), 10.0);
+        let row = row.with_strips(self.plane.segments(fields).into_iter().map(|segment| filled(segment, ends)));
+        to.log(format!("{}/row/{}", self.root, load + 1), &row)?;
+        let width = self.frame.size[0] as f32;
+        let cursor = style(self.plane.palette.ink, Radius::new_ui_points(2.0), 30.0);
+        let sides = [0.0, width].map(|x| ends.map(|y| [x, y]));
+        to.log(format!("{}/cursor", self.root), &cursor.with_strips(sides))
+    }
+
+    /// Stretches the map to the loads that came, for all times.
+    pub fn settle(&self, to: &RecordingStream, loads: impl IntoIterator<Item = usize>) -> RecordingStreamResult<()> {
+        let y = self.loads.over(loads);
+        let [low, high] = y.range.map(|end| self.frame.y.place(end));
+        let stretch = 1.0 / (high - low);
+        let shift = self.frame.size[1] * (1.0 - (1.0 - low) * stretch);
+        let transform = Transform3D::from_translation([0.0, shift as f32, 0.0]).with_scale([1.0, stretch as f32, 1.0]);
+        for stretched in ["row", "cursor"] {
+            to.log_static(format!("{}/{stretched}", self.root), &transform)?;
+        }
+        canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &Frame { y, ..self.frame.clone() })
+    }
+}
+
+/// Bars between the heights `ends`, side by side from `left` to `right` so that they do not stick out; one or two where that
+/// is narrower than they are.
+fn filled([left, right]: [f32; 2], ends: [f32; 2]) -> Vec<[f32; 2]> {
+    let reach = (0.5 * (right - left) - BAR).max(0.0);
+    let steps = (2.0 * reach / BAR).ceil().max(1.0);
+    let (middle, half_pitch) = (left.midpoint(right), reach / steps);
+    let outer = reach + half_pitch;
+    zigzag([middle - outer, middle + outer], steps as usize + 1, |_, _| ends)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bars_fill_a_patch_from_side_to_side_and_no_more() {
+        let points = filled([10.0, 31.0], [60.0, 40.0]);
+        let ends = |axis: usize| {
+            let values = points.iter().map(|point| point[axis]);
+            values.fold([f32::MAX, f32::MIN], |[low, high], value| [low.min(value), high.max(value)])
+        };
+        for (found, expected) in [(ends(0), [10.0 + BAR, 31.0 - BAR]), (ends(1), [40.0, 60.0])] {
+            assert!((0..2).all(|end| (found[end] - expected[end]).abs() < 1e-4), "{found:?}");
+        }
+        assert!(points.windows(2).all(|pair| (pair[1][0] - pair[0][0]).abs() < 1.01 * BAR));
+        let narrow = filled([5.0, 5.5], [60.0, 40.0]);
+        assert!(narrow.iter().all(|point| (point[0] - 5.25).abs() < 1e-4), "{narrow:?}");
+    }
+}

@@ -1,0 +1,34 @@
+//! Work that is done beside other work.
+
+use std::panic::resume_unwind;
+use std::sync::{Mutex, PoisonError};
+use std::thread::{self, JoinHandle};
+
+/// Work on a thread of its own, which ends before the task is dropped; the default is no work.
+#[derive(Default)]
+pub struct BackgroundTask(Mutex<Option<JoinHandle<()>>>);
+
+impl BackgroundTask {
+    /// Begins to work.
+    pub fn start(work: impl FnOnce() + Send + 'static) -> Self {
+        Self(Mutex::new(Some(thread::spawn(work))))
+    }
+
+    /// Waits for the end of the work, and passes on its panic; others who wait at the same time see the end as well.
+    pub fn wait(&self) {
+        if let Err(panic) = self.join() {
+            resume_unwind(panic);
+        }
+    }
+
+    fn join(&self) -> thread::Result<()> {
+        let mut thread = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        thread.take().map_or(Ok(()), JoinHandle::join)
+    }
+}
+
+impl Drop for BackgroundTask {
+    fn drop(&mut self) {
+        self.join().ok(); // a panic that nobody waited for has been told by the thread itself
+    }
+}

@@ -1,0 +1,225 @@
+//! What is written of a solve, step by step.
+
+use super::background_task::BackgroundTask;
+use super::output::Output;
+use super::pace::Waiting;
+use super::schedule::{Schedule, Thinning};
+use crate::contact::{Contact, Phase, Problem, Solver, Step, Stop, Work};
+use crate::record::description;
+use crate::record::draw::{FieldExtent, FrameFields, Run, SECONDS, STEP, Stage, TRANSFORMS, level};
+use crate::record::layout;
+use crate::record::properties;
+use crate::setup::Part;
+use rerun::{RecordingStream, RecordingStreamResult};
+use std::io;
+use std::sync::Arc;
+
+/// The result of a run until there is one.
+pub const UNFINISHED: &str = "still running, or ended by force";
+
+/// The end of an axis of a run that goes on, over the highest pressure: where the axis is fitted to it, and the most that it may be later.
+const ROOM: f64 = 1.5;
+const LOWEST: f64 = 3.0;
+
+/// Writes the solve of one scene, as far as the options ask for it: numbers at every step, fields at those that they pick and
+/// at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are written.
+///
+/// A failure is kept by the output, after which no more is written.
+pub struct Writer {
+    stream: RecordingStream,
+    output: Output,
+    stages: Arc<[Stage]>,
+    /// The number of the scene.
+    scene: usize,
+    thinning: Thinning,
+    steps: Run,
+    phase: Phase,
+    /// Whether the solver was seen on a coarse grid or at an inner step; only of such solvers phases are written.
+    has_phases: bool,
+    /// The latest state of a coarse grid, as long as it is not drawn.
+    undrawn: Option<(Work, Phase, FrameFields<'static>)>,
+    waiting: Waiting,
+    /// What replaces the axes of the beginning must come after them.
+    statics: Arc<BackgroundTask>,
+    /// The highest pressure that the axes are fitted to.
+    axis_end: f64,
+    /// Rows on the run in the table of parameters.
+    run: String,
+}
+
+impl Writer {
+    /// Writes into `stream` and its `output` what comes of scene number `scene` of `stages`: fields of each n-th step if
+    /// `every` is given.
+    pub fn new(
+        (stream, output): (RecordingStream, Output),
+        (stages, scene): (Arc<[Stage]>, usize),
+        statics: Arc<BackgroundTask>,
+        every: Option<usize>,
+    ) -> Self {
+        let stage = &stages[scene];
+        Self {
+            thinning: Thinning::new(every, Schedule::on(&stage.grid)),
+            steps: Run::new(stage),
+            phase: Phase { level: 0, outer: 0, inner: 0 },
+            has_phases: false,
+            undrawn: None,
+            waiting: Waiting::new(output.pace()),
+            statics,
+            axis_end: stage.highest_pressure,
+            run: String::new(),
+            stream,
+            output,
+            stages,
+            scene,
+        }
+    }
+
+    /// Writes who solves.
+    pub fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) {
+        self.run = description::of_run(solver, stop);
+        self.steps.begin(solver, problem, stop);
+        let properties = properties::of_run(solver, stop);
+        self.attempt(|writer| {
+            properties::send(&writer.stream, &writer.stage().root, &properties)?;
+            writer.log_description(UNFINISHED)
+        });
+    }
+
+    /// Writes a step, and has it in the file soon, at the pace of the output.
+    pub fn step(&mut self, step: &Step<'_>) {
+        self.attempt(|writer| writer.record(step));
+        if self.waiting.add(step.problem().surface().grid().len()) {
+            self.flush_traces();
+            self.stream.flush_async().ok(); // a failure shows at the next flush
+        }
+    }
+
+    /// Writes the returned state as the last frame and how the run ended, and fits the axes to it. A contact on another grid than
+    /// the scene's, of a solver inside the solver, is left out.
+    pub fn end(&mut self, contact: &Contact) {
+        if contact.problem.surface().grid() == &self.stage().grid {
+            self.attempt(|writer| writer.log_last(contact));
+        }
+    }
+
+    /// Sends the numbers that wait.
+    pub fn flush_traces(&mut self) {
+        self.attempt(|writer| writer.steps.flush(&writer.stream));
+    }
+
+    /// Whether it writes something of every step, not only of those that it draws.
+    pub fn sees_every_step(&self) -> bool {
+        self.steps.sees_every_step()
+    }
+
+    /// Nodes of the finest grid.
+    pub fn nodes(&self) -> usize {
+        self.stage().grid.len()
+    }
+
+    /// Writes by `log`, unless there was a failure before.
+    fn attempt(&mut self, log: impl FnOnce(&mut Self) -> RecordingStreamResult<()>) {
+        if self.output.check().is_ok()
+            && let Err(failure) = log(self)
+        {
+            self.output.fail(io::Error::other(failure));
+        }
+    }
+
+    fn stage(&self) -> &Stage {
+        &self.stages[self.scene]
+    }
+
+    fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
+<<<<<<< HEAD:src/record/file/scribe.rs
+        let fields = &Fields::of_contact(contact);
+        if let Some(traces) = &mut self.traces {
+            traces.observables.end(contact);
+            if self.stages[self.scene].fit_curves(contact) {
+                layout::send_steps(&self.stages, &self.stream)?;
+            }
+=======
+        let fields = &FrameFields::from_contact(contact);
+        if self.stage().what.has(Part::Traces) && self.stage().fit_curves(contact) {
+            layout::send_steps(&self.stages, &self.stream)?;
+>>>>>>> main:src/record/file/writer.rs
+        }
+        self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
+        self.stage().settle(&self.stream, self.stage().extent(fields))?;
+        let found = self.steps.end(&self.stream, contact)?.map_or_else(String::new, |found| {
+            let words = found.to_string();
+            format!("\n\n**What held it up**: {}\n\n{}", words.trim_end().replace('\n', "\n\n"), found.table())
+        });
+        self.log_description(&(Stage::result(contact) + &found))?;
+        properties::send(&self.stream, &self.stage().root, &properties::of_contact(contact))
+    }
+
+    fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {
+        let stride = self.stage().grid.stride(step.problem().surface().grid());
+        self.phase = Phase { level: stride.map_or(step.phase().level, level), ..step.phase() };
+        self.has_phases |= self.phase.level > 0 || self.phase.inner > 0;
+        self.steps.add(&self.stream, step, self.phase.level, self.has_phases.then_some(self.phase))?;
+        if let Some(stride) = stride.filter(|_| self.stage().what.has_pictures()) {
+            self.draw(step, stride)?;
+        }
+        Ok(())
+    }
+
+    /// Draws a step if it is its turn, and before the first one of a level the last one of the level before.
+    fn draw(&mut self, step: &Step<'_>, stride: [usize; 2]) -> RecordingStreamResult<()> {
+        if self.thinning.is_new(self.phase.level)
+            && let Some((work, phase, fields)) = self.undrawn.take()
+        {
+            self.log_frame(work, phase, &fields)?;
+        }
+        if self.thinning.picks(step.index(), self.phase.level) {
+            self.undrawn = None;
+            self.log_frame(step.work(), self.phase, &self.fields(step, stride))?;
+        } else if self.phase.level > 0 && self.phase.inner == 0 {
+            let fields = self.fields(step, stride).into_owned();
+            self.undrawn = Some((step.work(), self.phase, fields));
+        }
+        Ok(())
+    }
+
+    /// The fields of a step, with the past of its patches if that is watched.
+    fn fields<'a>(&self, step: &'a Step<'_>, stride: [usize; 2]) -> FrameFields<'a> {
+        let fields = FrameFields::from_step(step, stride, self.stage().what);
+        match self.steps.contact() {
+            Some(contact) => fields.with_past(contact),
+            None => fields,
+        }
+    }
+
+    /// Fits the axes to a state whose pressure they cut off, or which they show too low, so that a run can be followed whose end is far
+    /// from its forecast.
+    fn fit_axes(&mut self, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
+        let highest = fields.pressure.iter().copied().fold(0.0, f64::max);
+        if highest > 0.0 && !(highest..=LOWEST * highest).contains(&self.axis_end) {
+            self.axis_end = ROOM * highest;
+            self.statics.wait();
+            let extent = self.stage().extent(fields);
+            self.stage().settle(&self.stream, FieldExtent { pressure: self.axis_end, ..extent })?;
+        }
+        Ok(())
+    }
+
+    fn log_description(&self, result: &str) -> RecordingStreamResult<()> {
+        let stage = self.stage();
+        self.stream.log_static(stage.description(), &stage.described(result, &self.run))
+    }
+
+    fn log_frame(&mut self, work: Work, phase: Phase, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
+        if phase.level == 0 {
+            self.fit_axes(fields)?;
+        }
+        let (stream, stage) = (&self.stream, self.stage());
+        stream.set_time_sequence(STEP, work.iterations as i64);
+        stream.set_duration_secs(SECONDS, work.seconds);
+        stream.set_time_sequence(TRANSFORMS, work.transforms as i64);
+        if self.has_phases && stage.what.has_planes() {
+            stage.log_caption(stream, &stage.caption(phase, fields.stride))?;
+        }
+        stage.log_frame(stream, fields)
+    }
+}
