@@ -301,6 +301,22 @@ pub enum SetupError {
         "no surface is given: give a height file, an indenter or a spectrum (a Hurst exponent with its wavelengths)"
     )]
     NoSurface,
+    /// A unit for one quantity and none for another of its kind.
+    #[error(
+        "the {without} {number} has no unit, but the {with} {unit} has one: give a unit for every {kind}, or for none"
+    )]
+    MixedUnits {
+        /// `pressure` or `length`.
+        kind: &'static str,
+        /// The quantity without a unit.
+        without: String,
+        /// Its value.
+        number: String,
+        /// The quantity with a unit.
+        with: String,
+        /// Its value.
+        unit: String,
+    },
     /// Nothing says how hard it is pressed.
     #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
     NoLoad,

@@ -97,6 +97,11 @@ impl<E: Extent> Scene<E> {
     /// The setup as it was given, its sections and keys apart.
     pub fn table(&self) -> Result<Table> {
         let mut table = self.file.as_deref().map_or_else(|| Ok(Table::default()), read)?;
+        // a saved scene has numbers in SI, over which flags may lay quantities with units
+        table.check_units()?;
+        let mut flags = Table::default();
+        lay(&self.given, &mut flags);
+        flags.check_units()?;
         lay(&self.given, &mut table);
         warnings::print_reasons(&table.choose_preparation()?);
         Ok(table)

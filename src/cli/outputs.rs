@@ -66,6 +66,7 @@ impl Outputs {
             is_recorded: self.recording().is_some(),
             is_diagnosed: false,
             has_stiffness: self.stiffness,
+            has_stress: self.stress.is_some(),
             archived: if self.archive().is_some() { loads } else { 0 },
         }
     }

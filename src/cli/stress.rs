@@ -1,27 +1,23 @@
 //! The stress below the contact that a solve has found, in a file.
 
+use super::manners::remark;
 use super::outcome::{Usage, usage};
 use anyhow::Result;
 use asperity::Grid;
 use asperity::contact::{Contact, archive_of_stress};
 use asperity::elastic::stress::USUAL_POISSON;
 use asperity::files::write_beside;
-use asperity::setup::{Cost, Setup};
+use asperity::setup::Setup;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Values that are held for each column and depth, those of the file in memory included.
-const VALUES: f64 = 16.0;
-/// Depths, as the contact chooses them.
-const DEPTHS: f64 = 64.0;
-
-/// Refuses a row that a grid does not have, and a stress that does not fit in memory.
+/// Refuses a row that a grid does not have.
 pub fn check(grid: &Grid, row: Option<usize>) -> Result<()> {
     let ny = grid.shape()[0];
     match row {
         Some(_) if grid.is_line() => usage("--stress-row chooses a row of a surface, but this is a line: leave it out"),
         Some(row) if row >= ny => Err(Usage(format!("--stress-row is {row}: give 0 to {}", ny - 1)).into()),
-        _ => Ok(Cost::of_fields(grid, VALUES * DEPTHS / ny as f64).check("the stress")?),
+        _ => Ok(()),
     }
 }
 
@@ -30,5 +26,14 @@ pub fn write(path: &Path, setup: &Setup, contact: &Contact, row: Option<usize>) 
     let row = row.unwrap_or_else(|| contact.highest_row());
     let stress = contact.stress(row, setup.poisson().unwrap_or(USUAL_POISSON), &contact.usual_depths())?;
     let bytes = archive_of_stress((contact, row), &stress, setup.poisson().is_none(), &setup.to_toml());
-    Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
+    write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
+    let (confined, highest) = (contact.confined_stress(stress.poisson), contact.max_pressure());
+    if confined != 0.0 {
+        remark(format!(
+            "note: The mean pressure is carried without lateral strain. For a body that is free to strain along x, subtract sigma_confined = \
+             {confined:.3e} ({:.1} % of the largest pressure) from sigma_xx.",
+            100.0 * confined.abs() / highest
+        ));
+    }
+    Ok(())
 }

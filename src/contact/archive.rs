@@ -66,6 +66,7 @@ pub fn archive_of_slip(slip: &PartialSlip, rank: usize, setup: Option<&str>) -> 
 /// | `sigma_xx`, `sigma_yy`, `sigma_zz`, `tau_xz`        | `(depths, nx)` | stresses, positive in tension                  |
 /// | `tau_xy`, `tau_yz`, of surfaces                     | `(depths, nx)` | the others, which are zero below lines         |
 /// | `tau_max`, `von_mises`                              | `(depths, nx)` | see [`Stress`]                                 |
+/// | `sigma_confined`                                    | `()`           | the part of `sigma_xx` by the mean pressure without lateral strain, see [`Contact::confined_stress`] |
 /// | `row`                                               | `()`           | the row, from 0                                |
 /// | `poisson`, `poisson_is_assumed`                     | `()`           | Poisson's ratio, and whether nobody gave it    |
 /// | `setup`                                             | bytes          | the text of the setup that repeats it          |
@@ -90,6 +91,7 @@ pub fn archive_of_stress(
     }
     npz.add_array("tau_max", &stress.tau_max())?;
     npz.add_array("von_mises", &stress.von_mises())?;
+    npz.add_array("sigma_confined", &arr0(contact.confined_stress(stress.poisson)))?;
     npz.add_array("row", &arr0(row as u64))?;
     npz.add_array("poisson", &arr0(stress.poisson))?;
     npz.add_array("poisson_is_assumed", &arr0(poisson_is_assumed))?;

@@ -38,6 +38,13 @@ impl Contact {
         }
     }
 
+    /// The normal stress along `x` and `y` that the mean pressure makes at all depths of a periodic solid, which cannot strain to its
+    /// sides: `-nu/(1 - nu) <p>`; 0 without periods. Less this value, `sigma_xx` is that of a solid that is free to strain along `x`.
+    pub fn confined_stress(&self, poisson: f64) -> f64 {
+        let is_periodic = self.problem.surface().grid().is_periodic();
+        if is_periodic { -poisson / (1.0 - poisson) * self.mean_pressure() } else { 0.0 }
+    }
+
     /// The row of the largest pressure.
     pub fn highest_row(&self) -> usize {
         let pressure = self.pressure.as_slice().expect("results are made in standard layout");

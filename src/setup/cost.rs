@@ -10,17 +10,24 @@ use crate::grid::Grid;
 const SYNTHESIS_FIELDS: [f64; 2] = [5.9, 3.8];
 /// Fields that are held for each contact while an archive is made in memory: lines, with positions and spectra of as many values, and
 /// surfaces; for each node of a surface in contact its contour besides.
-const ARCHIVE_FIELDS: [f64; 2] = [13.0, 8.3];
+const ARCHIVE_FIELDS: [f64; 2] = [13.0, 8.8];
 const CONTOUR_FIELDS: f64 = 3.5;
 /// Fields of a contact that is kept.
 const KEPT_FIELDS: f64 = 3.0;
 /// Fields that a diagnosis adds to a solve: lines, surfaces.
 const DIAGNOSIS_FIELDS: [f64; 2] = [13.0, 8.7];
-/// Bytes of the plans of transforms, of threads and of what the allocator keeps.
-const OVERHEAD: f64 = 8e6;
-/// Bytes that the pictures of a recording take for each of their points, and the most points: lines, surfaces.
-const PICTURE_BYTES: [f64; 2] = [8e3, 280.0];
-const PICTURE_POINTS: [f64; 2] = [4096.0, 262_144.0];
+/// Values that are held for each column and depth of a stress, those of its file included; the depths; and the fields of the spectra
+/// below a surface.
+const STRESS_VALUES: f64 = 13.5;
+const DEPTHS: f64 = 64.0;
+const STRESS_FIELDS: [f64; 2] = [0.0, 2.5];
+/// Fields that the search for the nodes that yield takes.
+const YIELD_FIELDS: f64 = 1.0;
+/// The most bytes, and fields, of the plans of transforms, of threads and of what the allocator keeps.
+const OVERHEAD: f64 = 6e6;
+const OVERHEAD_FIELDS: f64 = 2.0;
+/// Bytes that a recording takes at least, that each point along its pictures adds, and the most of these points: lines, surfaces.
+const PICTURES: [[f64; 3]; 2] = [[10.5e6, 6.6e3, 2048.0], [18e6, 0.11e6, 512.0]];
 
 /// The memory and the grids that a solve takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,6 +49,8 @@ pub struct Extras {
     pub is_diagnosed: bool,
     /// Whether the contact stiffness is found.
     pub has_stiffness: bool,
+    /// Whether the stress below the contact is found.
+    pub has_stress: bool,
     /// Contacts that are kept until their fields are written.
     pub archived: usize,
 }
@@ -58,20 +67,25 @@ impl Setup {
         let (of_dimension, archived) = (usize::from(!grid.is_line()), extras.archived as f64);
         let one = |is_done: bool, fields: f64| if is_done { fields } else { 0.0 };
         // the heights, the solver or the three fields of the result, and what watches
-        let solving = 1.0 + solid + self.solver.fields(&grid, area).max(KEPT_FIELDS);
+        let yielding = one(self.law.hardness().is_some(), YIELD_FIELDS);
+        let solving = 1.0 + solid + self.solver.fields(&grid, area).max(KEPT_FIELDS) + yielding;
         let recorded = one(extras.is_recorded, self.solver.recorded_fields());
         let diagnosed = one(extras.is_diagnosed, DIAGNOSIS_FIELDS[of_dimension]);
         let kept = (archived - 1.0).max(0.0) * KEPT_FIELDS;
         let contour = if grid.is_line() { 0.0 } else { CONTOUR_FIELDS * area };
+        let stress = STRESS_VALUES * DEPTHS / grid.shape()[0] as f64 + STRESS_FIELDS[of_dimension];
         let phases = [
             one(self.surface.is_random(), SYNTHESIS_FIELDS[of_dimension]),
             solving + recorded + diagnosed + kept,
+            one(extras.has_stress, 1.0 + KEPT_FIELDS + solid + stress),
             // the stiffness is found by the correction of the multilevel solver
             one(extras.has_stiffness, 1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area)),
             archived * (ARCHIVE_FIELDS[of_dimension] + contour),
         ];
-        let pictures = PICTURE_BYTES[of_dimension] * PICTURE_POINTS[of_dimension].min(grid.len() as f64);
-        let bytes = bytes(&grid, phases.into_iter().fold(0.0, f64::max)) + OVERHEAD + one(extras.is_recorded, pictures);
+        let [least, each, most] = PICTURES[of_dimension];
+        let pictures = least + each * most.min(grid.shape()[1] as f64);
+        let overhead = OVERHEAD.min(bytes(&grid, OVERHEAD_FIELDS));
+        let bytes = bytes(&grid, phases.into_iter().fold(0.0, f64::max)) + overhead + one(extras.is_recorded, pictures);
         Ok(Cost { grid, coarse_grids: self.solver.coarse_grids(&grid), bytes })
     }
 }

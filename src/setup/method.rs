@@ -98,8 +98,8 @@ impl Method {
     /// multilevel solver has fields to be made that others have at hand.
     pub(super) fn recorded_fields(&self) -> f64 {
         match self {
-            Self::Multilevel {} => 3.5,
-            Self::PolonskyKeer {} | Self::Gfmd(_) => 1.0,
+            Self::Multilevel {} => 4.0,
+            Self::PolonskyKeer {} | Self::Gfmd(_) => 1.5,
         }
     }
 

@@ -48,6 +48,7 @@ mod recipe;
 mod solid;
 mod text;
 mod theme;
+mod units;
 mod warnings;
 mod words;
 

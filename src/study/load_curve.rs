@@ -62,7 +62,9 @@ impl LoadCurve {
     pub fn cost(&self, extras: &Extras) -> Result<Cost, SetupError> {
         let largest = self.loads.iter().copied().max_by(|a, b| a.value().total_cmp(&b.value()));
         let setup = Setup { load: largest.unwrap_or(self.setup.load), ..self.setup.clone() };
-        setup.cost(extras)
+        let cost = setup.cost(extras)?;
+        // the pressure of the load before included
+        Ok(Cost { bytes: cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes, ..cost })
     }
 
     /// The problem under the heaviest of the loads, all of which are checked.

@@ -31,7 +31,7 @@ fn a_load_curve_is_that_of_its_single_loads() {
 #[test]
 fn a_load_curve_is_written_and_repeated_from_its_setup() {
     let folder = Folder::new();
-    let run = "--modulus 1GPa --pressure 1e6,1e7,30MPa --tolerance 1e-10";
+    let run = "--modulus 1GPa --pressure 1MPa,10MPa,30MPa --tolerance 1e-10";
     let output = folder.run(&format!("solve {ROUGH_LINE} {run} --out curve.csv --save-setup curve.toml"));
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert_eq!(text(&output.stdout).lines().last().unwrap().split_whitespace().nth(1), Some("3.0000e7"));

@@ -5,6 +5,7 @@ mod interruption;
 mod load_curves;
 mod manners;
 mod measured;
+mod memory;
 mod pictures;
 mod plain_names;
 mod refine;

@@ -293,7 +293,7 @@ fn friction_and_stress_that_cannot_be_are_refused() {
     refuse_in_one_sentence(&folder, &format!("{line} --friction 0.5"), "--tangential");
     let apart = format!("solve {CYLINDER} --mean-gap 0.1 {OUTPUTS} --friction 0.5 --tangential 1e-3");
     refuse_in_one_sentence(&folder, &apart, "give a mean pressure");
-    let line_in_metres = "solve --indenter cylinder --radius 1 --points 64 --size 1m --modulus 1GPa --friction 0.5";
+    let line_in_metres = "solve --indenter cylinder --radius 1m --points 64 --size 1m --modulus 1GPa --friction 0.5";
     for (load, tangential, form) in [
         ("--force 500kN/m", "100kPa", "which is a force: give a force as well"),
         ("--pressure 1MPa", "1N", "which is a mean-pressure: give a mean-pressure as well"),

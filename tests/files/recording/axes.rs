@@ -129,13 +129,13 @@ fn kappa_r_has_an_axis_without_kappa_and_both_end_within_their_axes() {
     ] {
         let known = exact.as_ref().map(|exact| exact.kappa_r);
         record(&path, &problem, &PolonskyKeer, exact, None);
-        for name in ["kappa_r_resolved", "kappa_resolved", "relative_area_resolved"] {
+        for name in ["kappa_r", "kappa", "relative_area"] {
             let view = view_of(&path, name);
             let last = *trace(&path, name, "step").last_key_value().unwrap().1;
             let [low, high] = view.range.unwrap();
             assert!(low == 0.0 && (last..=4.0 * last).contains(&high), "{known:?} {name} {last}: {view:?}");
         }
-        assert!(!view_of(&path, "kappa_r_resolved").entities.iter().any(|it| it.ends_with("/kappa_resolved")));
+        assert!(!view_of(&path, "kappa_r").entities.iter().any(|it| it.ends_with("/kappa")));
     }
 }
 
@@ -146,7 +146,7 @@ fn no_legend_covers_curves_that_settle_and_their_titles_say_what_they_are() {
     let window = [900.0, 420.0];
     for problem in [rough_line(), rough_surface()] {
         record_with(&path, &problem, &PolonskyKeer, None, Options { window, ..Options::default() });
-        for name in ["kappa_r_resolved", "relative_area_resolved"] {
+        for name in ["kappa_r", "relative_area"] {
             let view = view_of(&path, name);
             assert!(!view.has_legend && view.title.contains("grey: nodes counted"), "{view:?}");
         }

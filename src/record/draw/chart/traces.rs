@@ -90,10 +90,13 @@ impl ObservableTraces {
         }
     }
 
-    /// Adds the certificate of the final state.
-    pub fn add_certificate(&mut self, contact: &Contact) {
-        for (_, trace) in self.0.iter_mut().filter(|(observable, _)| is_logarithmic(observable)) {
-            trace.add(contact.work, Some(contact.certificate.eta));
+    /// Ends with the numbers of the contact, whose fields are the last frame: they take the place of those of the last step, which may be
+    /// another state.
+    pub fn end(&mut self, contact: &Contact) {
+        let state = State::from(contact);
+        for (observable, trace) in &mut self.0 {
+            trace.0.pop_if(|(work, _)| work.iterations == contact.work.iterations);
+            trace.add(contact.work, Some((observable.value)(&state)));
         }
     }
 }

@@ -1,0 +1,67 @@
+//! Units that are given for some quantities and not for others.
+
+use super::Table;
+use crate::error::SetupError;
+use toml::Value;
+
+/// The keys of all pressures, and of all lengths, of which numbers alone mean the same unit.
+const KINDS: [(&str, &[&str]); 2] = [
+    ("pressure", &["solid.contact-modulus", "solid.young", "law.hardness", "load.mean-pressure"]),
+    (
+        "length",
+        &[
+            "surface.indenter.radius",
+            "surface.indenter.amplitude",
+            "surface.indenter.half-width",
+            "surface.indenter.depth",
+            "surface.spectrum.rolloff-wavelength",
+            "surface.spectrum.short-cutoff",
+            "grid.size",
+            "solid.layer",
+            "load.mean-gap",
+            "load.approach",
+        ],
+    ),
+];
+
+impl Table {
+    /// Refuses a setup in which some pressures, or some lengths, have a unit and others have none: a number alone would be in pascals or
+    /// metres there, which is seldom what is meant.
+    ///
+    /// # Errors
+    /// [`SetupError::MixedUnits`].
+    pub fn check_units(&self) -> Result<(), SetupError> {
+        for (kind, keys) in KINDS {
+            let given = keys.iter().flat_map(|key| words(self.find(key)).into_iter().map(move |word| (*key, word)));
+            let (with, without): (Vec<_>, Vec<_>) = given.partition(|(_, word)| has_unit(word));
+            if let (Some((with, unit)), Some((without, number))) = (with.first(), without.first()) {
+                let [with, without] =
+                    [with, without].map(|key| key.rsplit('.').next().unwrap_or(key).replace('-', " "));
+                let number = number.clone();
+                return Err(SetupError::MixedUnits { kind, without, number, with, unit: unit.clone() });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The numbers and quantities of a value, as they are written; zero needs no unit.
+fn words(value: Option<&Value>) -> Vec<String> {
+    match value {
+        Some(Value::Array(values)) => values.iter().flat_map(|value| words(Some(value))).collect(),
+        Some(Value::String(text)) => vec![text.clone()],
+        Some(Value::Integer(_) | Value::Float(_)) if value.and_then(number) != Some(0.0) => {
+            value.map(Value::to_string).into_iter().collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn number(value: &Value) -> Option<f64> {
+    value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
+}
+
+/// Whether a quantity, or a range of them such as `1e5..1e6:4`, ends in a unit.
+fn has_unit(word: &str) -> bool {
+    word.split(':').next().is_some_and(|ends| ends.trim_end().ends_with(|letter: char| letter.is_alphabetic()))
+}
