@@ -302,20 +302,14 @@ pub enum SetupError {
     )]
     NoSurface,
     /// A unit for one quantity and none for another of its kind.
-    #[error(
-        "the {without} {number} has no unit, but the {with} {unit} has one: give a unit for every {kind}, or for none"
-    )]
+    #[error("the {without} has no unit, but the {with} has one: give a unit for every {kind}, or for none")]
     MixedUnits {
         /// `pressure` or `length`.
         kind: &'static str,
-        /// The quantity without a unit.
+        /// The quantity without a unit, and its value.
         without: String,
-        /// Its value.
-        number: String,
-        /// The quantity with a unit.
+        /// The quantity with a unit, and its value.
         with: String,
-        /// Its value.
-        unit: String,
     },
     /// Nothing says how hard it is pressed.
     #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
