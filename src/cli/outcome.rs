@@ -47,9 +47,9 @@ pub fn untold(failure: Failure) -> anyhow::Error {
     failure.downcast::<FileError>().map_or_else(|other| anyhow!(other), |file| anyhow::Error::new(*file))
 }
 
-/// Ctrl-C came before anything was finished.
+/// Ctrl-C came before the first of several loads was solved.
 #[derive(Debug, thiserror::Error)]
-#[error("interrupted: nothing was finished, and nothing is written")]
+#[error("interrupted before the first load was solved: no result is written")]
 pub struct Interrupted;
 
 /// Options that do not go together, in one sentence.

@@ -172,7 +172,7 @@ fn texts_of_holographic_microscopes_are_metres() {
 #[test]
 fn an_error_in_the_first_line_of_a_matrix_is_no_head() {
     let rows = "1 2 3 4\n5 6 7 8\n9 9 9 9\n";
-    for first in ["1 2 3x 4", "1,5 2 3 4", "a 2 3 4"] {
+    for first in ["1 2 3x 4", "a 2 3 4"] {
         let error = Measurement::of(format!("{first}\n{rows}").as_bytes(), None).map(|it| it.height.dim());
         assert!(error.as_ref().is_err_and(|error| error.to_string().starts_with("line 1 holds")), "{first}: {error:?}");
     }

@@ -100,7 +100,7 @@ fn however_a_study_is_cut_the_bits_are_the_same() {
     assert!(matches!(plan.merge(&shards), Err(StudyError::Overlap { path, other, .. }) if path == other));
     // the same setup under other loads is another study: what a load leaves depends on those before
     let other = Plan::from_toml(&STUDY.replace("[0.001, 0.01, 0.002]", "[0.001, 0.01, 0.003]")).unwrap();
-    assert!(matches!(other.merge(&shards[1..]), Err(StudyError::OtherStudy { .. })));
+    assert!(matches!(other.merge(&shards[1..]), Err(StudyError::OtherShare { .. })));
 }
 
 #[test]
