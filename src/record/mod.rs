@@ -1,15 +1,15 @@
 //! Recordings for the Rerun viewer: every relaxation step of one or more solves, with the layout in which they open.
 //!
 //! ```text
-//! Scene --> draw::Stage { pictures, ranges } --> Recording (layout and statics in the file)
-//!                                                    |
-//! Solver --(Step)--> Recorder: traces of every step, frames of the steps that its Schedule picks
+//! Scene --> draw::Stage { drawings } --> Recording (layout and statics in the file)
+//!                                           |
+//! Solver --(Step)--> Recorder: numbers of every step, frames of the steps that its Schedule picks
 //! ```
 //!
 //! A recording carries the setups of its scenes, from which [`setups`] takes them back. A recording over loads instead of
 //! steps is a [`LoadRecording`], whose curves stand against the quantity of its [`LoadAxis`]; [`compare`] lays the traces of
-//! several recordings over each other. `draw` holds the drawings, `layout` the places of their views in the viewer, `file` the
-//! streams into files. What is known of a scene as a whole are properties of its recording.
+//! several recordings over each other. `draw` holds the drawings, one for each part of a
+//! recording, `layout` the places of their views in the viewer, `file` the streams into files. What is known of a scene as a whole are properties of its recording.
 //!
 //! Timelines: `step`, `seconds` (of the solver, observers left out) and `transforms`; scenes share them. Pictures are drawn in
 //! coordinates of their canvas, with axes for pressures over `E*`, gaps over the rms height and lengths, each in the power of a

@@ -47,6 +47,21 @@ fn a_result_of_a_peer_is_certified() {
 }
 
 #[test]
+fn a_tension_of_rounding_is_called_that() {
+    let folder = Folder::new();
+    let peer = peer("line_rough_h08");
+    let (pressure, line) = (&peer.pressure, problem(&peer.name, 160e-6));
+    let highest = pressure.iter().copied().fold(0.0, f64::max);
+    for (share, words) in [(1e-16, "none but rounding"), (1e-3, "down to -")] {
+        let spoiled = pressure.mapv(|p| if p == 0.0 { -share * highest / 1e3 } else { p });
+        write(&folder, "p.npy", &spoiled);
+        let output = folder.run(&format!("certify {line} --pressure p.npy"));
+        let told = text(&output.stdout).lines().find(|line| line.trim().starts_with("tension")).unwrap();
+        assert!(told.contains(words), "{told}");
+    }
+}
+
+#[test]
 fn spoiled_results_are_refused_with_the_reason() {
     let folder = Folder::new();
     let peer = peer("surface_rough_h08");

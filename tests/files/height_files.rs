@@ -224,6 +224,32 @@ fn heights_are_read_from_archives_and_broken_ones_say_why() {
 }
 
 #[test]
+fn arrays_of_other_names_are_listed_and_can_be_chosen() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("other.npz");
+    let (z, phase) = (arr2(&[[1.0, 2.5], [3.0, -4.0]]), arr2(&[[0.0, 1.0], [1.0, 0.0]]));
+    let write = |arrays: &[(&str, &ndarray::Array2<f64>)]| {
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        arrays.iter().for_each(|(name, array)| npz.add_array(*name, *array).unwrap());
+        npz.finish().unwrap();
+    };
+    let read = |channel: Option<&str>| Measurement::read(&path, channel).map(|it| it.height);
+    write(&[("phase", &phase), ("z", &z)]);
+    let refused = read(None).unwrap_err().to_string();
+    assert!(refused.contains("without the array \"height\": choose one of its channels phase, z"), "{refused}");
+    for channel in ["z", "2"] {
+        assert_eq!(read(Some(channel)).unwrap(), z);
+        assert_eq!(Measurement::read_layout(&path, Some(channel)).unwrap().shape, [2, 2]);
+    }
+    assert_eq!(Measurement::read(&path, Some("z")).unwrap().channels, ["phase", "z"]);
+    assert!(read(Some("y")).unwrap_err().to_string().contains("without the array \"y\""));
+    write(&[("arr_0", &z)]);
+    assert_eq!(read(None).unwrap(), z);
+    write(&[("height", &z), ("pressure", &phase)]);
+    assert_eq!((read(None).unwrap(), read(Some("pressure")).unwrap()), (z, phase));
+}
+
+#[test]
 fn sizes_of_members_may_be_long_as_numpy_writes_them() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("x.npz");

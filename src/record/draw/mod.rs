@@ -1,6 +1,7 @@
 //! The drawings of a recording, grouped by what is drawn, and the scenes that they show.
 //!
-//! A part of a recording is a [`drawing::Drawing`] in a file of its own, with a row in the table of its group.
+//! A part of a recording is a [`drawing::Drawing`] in a file of its own, with a row in the table of its group. A new part needs these
+//! two and its name and sentence in [`crate::setup::Part`]: layout, size and recorder find it in the table.
 
 mod chart;
 mod curve_ends;

@@ -6,7 +6,7 @@ use crate::contact::{Contact, Observer, Phase, Problem, Solver, Step, Stop};
 use crate::diagnosis::{ContactHistory, Diagnosis, Findings};
 use rerun::{RecordingStream, RecordingStreamResult};
 
-/// Images of a run are recorded anew whenever it has become so many times as long.
+/// Images of a run are recorded anew whenever the number of steps has grown by this factor.
 const GROWTH: usize = 2;
 /// Steps after which they are recorded first.
 const FIRST: usize = 16;

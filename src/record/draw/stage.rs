@@ -227,7 +227,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn levels_are_told_by_the_coarser_side() {
+    fn the_coarser_side_decides_the_level() {
         assert_eq!([[1, 1], [4, 4], [1, 8]].map(level), [0, 2, 3]);
     }
 }

@@ -29,6 +29,6 @@ impl BackgroundTask {
 
 impl Drop for BackgroundTask {
     fn drop(&mut self) {
-        self.join().ok(); // a panic that nobody waited for has been told by the thread itself
+        self.join().ok(); // the thread has reported a panic that nobody waited for
     }
 }

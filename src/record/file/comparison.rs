@@ -58,11 +58,11 @@ fn runs(recordings: &[Playback]) -> Vec<ComparedRun<'_>> {
     let scenes: Vec<_> =
         recordings.iter().flat_map(|playback| playback.roots().into_iter().map(move |root| (playback, root))).collect();
     let setups: Option<Vec<_>> = scenes.iter().map(|(playback, root)| playback.setup(root)).collect();
-    let told = setups.map_or_else(|| vec![String::new(); scenes.len()], |setups| differences(&setups));
-    let is_short = told.iter().all(|words| (1..=LONGEST_NAME).contains(&words.len()));
-    let is_enough = is_short && told.iter().collect::<BTreeSet<_>>().len() == told.len();
+    let differing = setups.map_or_else(|| vec![String::new(); scenes.len()], |setups| differences(&setups));
+    let is_short = differing.iter().all(|words| (1..=LONGEST_NAME).contains(&words.len()));
+    let is_enough = is_short && differing.iter().collect::<BTreeSet<_>>().len() == differing.len();
     let mut runs = Vec::new();
-    for ((playback, root), differences) in scenes.into_iter().zip(told) {
+    for ((playback, root), differences) in scenes.into_iter().zip(differing) {
         let name = if is_enough { differences.clone() } else { place(recordings, playback, &root) };
         runs.push(ComparedRun { playback, root, name, differences });
     }

@@ -53,7 +53,7 @@ impl Waiting {
         Self { pace, since: Instant::now(), nodes: 0, due: FIRST }
     }
 
-    /// Adds a step on so many nodes, and returns whether it is time to write what waits.
+    /// Adds a step on a number of nodes, and returns whether it is time to write what waits.
     pub fn add(&mut self, nodes: usize) -> bool {
         self.nodes += nodes.max(LEAST);
         let is_due = match self.pace {

@@ -20,6 +20,8 @@ pub const UNFINISHED: &str = "still running, or ended by force";
 /// The end of an axis of a run that goes on, over the highest pressure: where the axis is fitted to it, and the most that it may be later.
 const ROOM: f64 = 1.5;
 const LOWEST: f64 = 3.0;
+/// The highest pressure of a frame over that of the frame before from which on it grows.
+const GROWING: f64 = 1.05;
 
 /// Writes the solve of one scene, as far as the options ask for it: numbers at every step, fields at those that they pick and
 /// at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are written.
@@ -41,8 +43,9 @@ pub struct Writer {
     waiting: Waiting,
     /// What replaces the axes of the beginning must come after them.
     statics: Arc<BackgroundTask>,
-    /// The highest pressure that the axes are fitted to.
+    /// The highest pressure that the axes are fitted to, and that of the last frame.
     axis_end: f64,
+    highest: f64,
     /// Rows on the run in the table of parameters.
     run: String,
 }
@@ -66,6 +69,7 @@ impl Writer {
             waiting: Waiting::new(output.pace()),
             statics,
             axis_end: stage.highest_pressure,
+            highest: 0.0,
             run: String::new(),
             stream,
             output,
@@ -182,11 +186,14 @@ impl Writer {
         }
     }
 
-    /// Fits the axes to a state whose pressure they cut off, or which they show too low, so that a run can be followed whose end is far
-    /// from its forecast.
+    /// Fits the axes to a state whose pressure they cut off, or which they show too low once the pressure no longer grows, so that a
+    /// run can be followed whose end is far from its forecast.
     fn fit_axes(&mut self, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
         let highest = fields.pressure.iter().copied().fold(0.0, f64::max);
-        if highest > 0.0 && !(highest..=LOWEST * highest).contains(&self.axis_end) {
+        let is_cut_off = highest > self.axis_end;
+        let is_low = highest > 0.0 && self.axis_end > LOWEST * highest && highest <= GROWING * self.highest;
+        self.highest = highest;
+        if is_cut_off || is_low {
             self.axis_end = ROOM * highest;
             self.statics.wait();
             let extent = self.stage().extent(fields);

@@ -19,7 +19,7 @@ const PATIENCE: Duration = Duration::from_millis(10);
 
 /// A writer on a thread of its own, to which few states are on their way at a time.
 ///
-/// Nothing is dropped: the solver waits where the writer is so many states behind. Their memory is used again and again.
+/// Nothing is dropped: the solver waits if the writer is more than these states behind. The memory of written states is used again.
 pub struct WriterThread {
     states: Sender<Vec<Snapshot>>,
     /// States that are written, whose memory is free.

@@ -29,7 +29,9 @@ fn titled(name: &str, stage: &Stage) -> String {
 
 /// The certificate.
 pub fn certificate(stage: &Stage) -> Pane {
-    PaneView::falling("Certificate: log10 of the error bound eta", beside_earlier(stage, &["certificate_log10"]))
+    let earlier = if stage.has_ghost { " (grey: earlier solve)" } else { "" };
+    let title = format!("Certificate: log10 of the error bound eta{earlier}");
+    PaneView::named(&title, beside_earlier(stage, &["certificate_log10"]))
 }
 
 /// Curves of every step and the text, or the text alone; in a low window the certificate is a tab.
@@ -63,7 +65,7 @@ fn others(stage: &Stage) -> impl Iterator<Item = Pane> {
         let entity = format!("{}/trace/{}", stage.root, drawn(observable));
         match (observable.name, stage.ends().kappa) {
             ("kappa", Some(most)) => PaneView::settling(&title(observable), vec![entity], [0.0, most], None),
-            _ => PaneView::single(&title(observable), entity),
+            _ => PaneView::named(&title(observable), vec![entity]),
         }
     })
 }

@@ -152,7 +152,7 @@ fn tabs_of(group: Vec<(Place, Pane)>) -> Vec<Pane> {
     group.into_iter().map(|(_, pane)| pane).collect()
 }
 
-/// Whether so many rows would be too low in the window of a scene.
+/// Whether a number of rows would be too low in the window of a scene.
 fn is_low(stage: &Stage, rows: usize) -> bool {
     stage.window_height < LEAST_ROW * rows as f64
 }

@@ -18,7 +18,7 @@ const GAP: f64 = 1.0;
 pub struct Sizes(BTreeMap<String, [f64; 2]>);
 
 impl Sizes {
-    /// The sizes of the pictures of a layout in a window of so many points.
+    /// The sizes of the pictures of a layout in a window, width and height in points.
     pub fn new(panes: &[Pane], [width, height]: [f64; 2]) -> Self {
         let mut sizes = Self(BTreeMap::new());
         let scale = (width / WINDOW[0]).min(height / WINDOW[1]).clamp(LEAST_SCALE, 1.0);
@@ -75,7 +75,7 @@ impl Sizes {
     }
 }
 
-/// The length of a pane with a share of `length` among so many panes.
+/// The length of a pane with a share of `length` among a number of panes.
 fn part(length: f64, share: f64, all: f64, panes: usize) -> f64 {
     (length - GAP * panes.saturating_sub(1) as f64) * share / all
 }

@@ -71,7 +71,7 @@ impl Chart {
         charts
     }
 
-    /// Gives it the proportions of a pane of so many points.
+    /// Gives it the proportions of a pane, width and height in points.
     pub fn fit(&mut self, pane: [f64; 2]) {
         let longest = self.curves.iter().map(|(_, curve)| width(&curve.name, 1.0)).fold(0.0, f64::max);
         self.aside = (LEGEND.iter().sum::<f64>() + longest).min(MOST_LEGEND * pane[0] / canvas::TEXT);

@@ -5,7 +5,7 @@ use crate::plot::Colour;
 use crate::record::draw::drawing::{Drawing, Place, RunDrawing, RunStep, Subject};
 use crate::record::draw::ink::palette::{self, SERIES};
 use crate::record::draw::ink::pane::Pane;
-use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TimeColumn};
+use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, SeriesPoints, TimeColumn};
 use std::borrow::Cow;
 
 /// Timeline of relaxation steps.
@@ -29,6 +29,8 @@ const COARSE_WIDTH: f32 = 0.7;
 const FINE_WIDTH: f32 = 1.8;
 /// The width of what stands in the background.
 const FAINT_WIDTH: f32 = 1.0;
+/// The size of the dots of the certificate.
+const CERTIFICATE_DOT: f32 = 2.5;
 
 /// Entities under `trace` besides those of the observables, and the names of their curves. Those of exact values come after the
 /// computed ones in the alphabet, as the viewer draws in its order.
@@ -293,9 +295,17 @@ fn log_styles(
     for (i, (of, entity, name, width)) in observables.chain(besides).enumerate().filter(|(_, (of, ..))| is_drawn(of)) {
         let rgb = if is_exact(of) { palette::EXACT } else { series_colour(of, i, scene) };
         let name = scene.map_or_else(|| name.clone(), |(_, title)| format!("{name}, {title}"));
-        let style = SeriesLines::new().with_names([name]).with_colors([palette::colour(rgb)]);
+        let style = SeriesLines::new().with_names([name.as_str()]).with_colors([palette::colour(rgb)]);
         let style = if let Some(width) = width { style.with_widths([width]) } else { style };
         to.log_static(format!("{root}/trace/{entity}"), &style)?;
+        if of == "certificate" {
+            // it is computed at some steps only, at times at a single one, where a line alone would show nothing
+            let points = SeriesPoints::new()
+                .with_names([name.as_str()])
+                .with_colors([palette::colour(rgb)])
+                .with_marker_sizes([CERTIFICATE_DOT]);
+            to.log_static(format!("{root}/trace/{entity}"), &points)?;
+        }
     }
     let style =
         SeriesLines::new().with_names(OF_PHASE).with_colors(SERIES.map(palette::colour)[..OF_PHASE.len()].to_vec());

@@ -28,7 +28,7 @@ pub fn light(tau: &[f64], width: usize, per_order: f64) -> Vec<f64> {
     (0..tau.len()).map(mean).collect()
 }
 
-/// The contrast that is left of fringes of which so many cross a pixel: that of their mean.
+/// The contrast of the mean over a pixel that a number of fringes crosses.
 fn contrast(fringes: f64) -> f64 {
     match fringes {
         0.0 => 1.0,

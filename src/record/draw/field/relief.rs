@@ -260,8 +260,7 @@ impl Drawing for Relief {
     }
 }
 
-/// The lines that fill the letters of words, each end of which lies where `place` puts it: it is told how far it is from their middle
-/// along the words, and below.
+/// The lines that fill the letters of words. `place` puts each end from its distance from the middle along the words, and below it.
 fn lines(words: &str, place: impl Fn([f32; 2]) -> [f32; 3]) -> Vec<[[f32; 3]; 2]> {
     let half = 0.5 * width(words, NAME) as f32;
     let pitch = f64::from(LETTER[0]) * NAME;

@@ -15,7 +15,7 @@ use rerun::{AnyValues, AsComponents, Color, LineStrips2D, Radius, RecordingStrea
 pub const WIDTH: f64 = 1000.0;
 /// Size of words in points of the viewer, which can be read from afar.
 pub const TEXT: f64 = 16.0;
-/// Width and height of a pane whose size nobody has told.
+/// Width and height of a pane of unknown size, in points.
 pub const PANE: [f64; 2] = [1040.0, 420.0];
 /// Least width and height of a box, in points of the viewer.
 const LEAST: f64 = 40.0;

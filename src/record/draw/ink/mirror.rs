@@ -29,7 +29,7 @@ impl MeasuredPart {
         Some(Self { share: [0, 1].map(|axis| if is_along(axis) && !(is_line && axis == 0) { 0.5 } else { 1.0 }) })
     }
 
-    /// The outline in a mesh of so many rows and columns over the whole cell: the numbers of its vertices, in pieces with room between.
+    /// The outline in a mesh over the whole cell with a number of rows and columns: the numbers of its vertices, as dashes.
     pub fn dashes(&self, [rows, columns]: [usize; 2]) -> Vec<Vec<usize>> {
         let [top, right] =
             [(0, rows), (1, columns)].map(|(axis, n)| (self.share[axis] * (n - 1) as f64).round() as usize);

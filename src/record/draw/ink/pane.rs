@@ -106,9 +106,9 @@ impl PaneView {
         Pane::View(Self::curves(title, contents, Some(Corner::RightTop)))
     }
 
-    /// One curve of all times, which the title names, on an axis that fits it.
-    pub fn single(title: &str, entity: String) -> Pane {
-        Pane::View(Self::curves(title, vec![entity], None))
+    /// Curves of all times on an axis that fits them, without a legend: the title names them.
+    pub fn named(title: &str, contents: Vec<String>) -> Pane {
+        Pane::View(Self::curves(title, contents, None))
     }
 
     fn curves(title: &str, contents: Vec<String>, legend: Option<Corner>) -> Self {

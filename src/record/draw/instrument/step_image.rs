@@ -70,7 +70,7 @@ impl StepImage {
         PaneView::plane(title, &self.root, contents, (self.root.clone(), bounds), self.palette)
     }
 
-    /// Records an image of so many rows with its axes, for all times.
+    /// Records an image with a number of rows, and its axes, for all times.
     pub fn log(
         &self,
         to: &RecordingStream,
