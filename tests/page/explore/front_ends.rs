@@ -22,7 +22,7 @@ contact-modulus = 1e9
 [law]
 hardness = 3e7
 [load]
-reduced-pressure = 0.05
+reduced-pressure = 0.02
 "#;
 
 const NUMBERS: [&str; 5] = ["mean_pressure", "relative_area", "kappa_r", "max_pressure", "certificate"];

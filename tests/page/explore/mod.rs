@@ -341,7 +341,7 @@ fn malformed_input_gets_a_sentence() {
         (with(json!({"solver": {"method": "gfmd", "file": 1}})).to_string(), "there is no `file` here"),
         (with(json!({"solver": {"method": "magic"}})).to_string(), "unknown variant"),
         (with(json!({"stop": stop(0.0, 10)})).to_string(), "tolerance"),
-        (with(json!({"stop": stop(1e-8, 0)})).to_string(), "iteration cap"),
+        (with(json!({"stop": stop(1e-8, 0)})).to_string(), "`stop.max-iterations` cannot be 0: "),
         (with(json!({"stop": stop(1e-8, 1u64 << 40)})).to_string(), "`stop.max-iterations` cannot be "),
         (with(json!({"record": ["everything"]})).to_string(), "unknown variant"),
     ];
