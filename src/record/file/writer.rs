@@ -131,18 +131,9 @@ impl Writer {
     }
 
     fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
-<<<<<<< HEAD:src/record/file/scribe.rs
-        let fields = &Fields::of_contact(contact);
-        if let Some(traces) = &mut self.traces {
-            traces.observables.end(contact);
-            if self.stages[self.scene].fit_curves(contact) {
-                layout::send_steps(&self.stages, &self.stream)?;
-            }
-=======
         let fields = &FrameFields::from_contact(contact);
         if self.stage().what.has(Part::Traces) && self.stage().fit_curves(contact) {
             layout::send_steps(&self.stages, &self.stream)?;
->>>>>>> main:src/record/file/writer.rs
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
         self.stage().settle(&self.stream, self.stage().extent(fields))?;

@@ -46,9 +46,9 @@ impl Observer for Ghost {
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Adds the certificate of the final state and, of a line, its pressure.
+    /// Adds the numbers of the final state and, of a line, its pressure.
     fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
-        self.traces.add_certificate(contact);
+        self.traces.end(contact);
         let is_line = contact.problem.surface().grid().is_line();
         self.pressure = is_line.then(|| contact.pressure.iter().copied().collect());
         Ok(())

@@ -260,7 +260,7 @@ impl RunDrawing for TracesOfRun {
     }
 
     fn end(&mut self, contact: &Contact) {
-        self.observables.add_certificate(contact);
+        self.observables.end(contact);
     }
 }
 
