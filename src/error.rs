@@ -225,6 +225,18 @@ pub enum SlipError {
     NeedsPressure { load: String },
 }
 
+/// What is missing of the constants of bodies.
+fn bodies_in_words(young: usize, poisson: usize) -> String {
+    match (young, poisson) {
+        (_, 0) => "Poisson's ratio is missing: give one value per body".into(),
+        (0, _) => "Young's modulus is missing: give one value per body".into(),
+        (2, 1) => "2 Young's moduli and 1 Poisson's ratio are given: give one of each per body; a study that varies one body takes lists \
+                   of lists, such as young = [[210e9], [70e9]]"
+            .into(),
+        _ => format!("{young} Young's moduli and {poisson} Poisson's ratios are given: give one of each per body"),
+    }
+}
+
 /// Elastic constants that make no solid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SolidError {
@@ -237,7 +249,7 @@ pub enum SolidError {
     )]
     Both,
     /// Constants that are missing, or too many.
-    #[error("{young} Young's moduli and {poisson} Poisson's ratios are given: give one of each for every elastic body")]
+    #[error("{}", bodies_in_words(*young, *poisson))]
     Bodies { young: usize, poisson: usize },
     #[error("Young's modulus is {young:?}: give a positive, finite value")]
     Young { young: f64 },
@@ -290,20 +302,14 @@ pub enum SetupError {
     )]
     NoSurface,
     /// A unit for one quantity and none for another of its kind.
-    #[error(
-        "the {without} {number} has no unit, but the {with} {unit} has one: give a unit for every {kind}, or for none"
-    )]
+    #[error("the {without} has no unit, but the {with} has one: give a unit for every {kind}, or for none")]
     MixedUnits {
         /// `pressure` or `length`.
         kind: &'static str,
-        /// The quantity without a unit.
+        /// The quantity without a unit, and its value.
         without: String,
-        /// Its value.
-        number: String,
-        /// The quantity with a unit.
+        /// The quantity with a unit, and its value.
         with: String,
-        /// Its value.
-        unit: String,
     },
     /// Nothing says how hard it is pressed.
     #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]

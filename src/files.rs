@@ -28,9 +28,9 @@ pub fn check_target(path: &Path) -> Result<(), FileError> {
 /// let refused = check_apart([result, same], [heights]).unwrap_err();
 /// assert_eq!(refused.to_string(), "cannot write ./a.npz: another output has the same name, give each its own");
 /// ```
-pub fn check_apart<'a>(
+pub fn check_apart<'a, 'b>(
     written: impl IntoIterator<Item = &'a Path>,
-    read: impl IntoIterator<Item = &'a Path>,
+    read: impl IntoIterator<Item = &'b Path>,
 ) -> Result<(), FileError> {
     let mut taken: Vec<(PathBuf, &str)> =
         read.into_iter().map(|path| (place(path), "it is read, and would be lost: give another name")).collect();
@@ -134,7 +134,7 @@ fn check_folder(path: &Path) -> Result<(), FileError> {
 ///
 /// # Errors
 /// [`FileError::Target`] for a folder that is there and not empty, or cannot be made; the errors of `fill`, and [`FileError::Write`]
-/// for the rest. None leaves anything behind.
+/// for the rest. None leaves anything behind. The draft of a process that was killed is removed by the next one that fills the folder.
 ///
 /// ```
 /// use asperity::files::fill_folder;
@@ -148,8 +148,11 @@ fn check_folder(path: &Path) -> Result<(), FileError> {
 pub fn fill_folder(path: &Path, fill: impl FnOnce(&Path) -> Result<(), Failure>) -> Result<(), Failure> {
     check_folder(path)?;
     let failed = |source| FileError::Write { path: path.into(), source };
-    let name = format!(".asperity-{}-folder", std::process::id());
-    let draft = path.with_file_name(name);
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let draft = path.with_file_name(format!(".{name}.unfinished"));
+    if draft.is_dir() {
+        std::fs::remove_dir_all(&draft).map_err(failed)?;
+    }
     std::fs::create_dir(&draft).map_err(failed)?;
     let filled = fill(&draft).and_then(|()| {
         if path.is_dir() {

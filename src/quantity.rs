@@ -59,11 +59,45 @@ pub fn bytes_in_words(bytes: f64) -> String {
 /// Units in which lengths are told, the longest first, in metres.
 const UNITS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
 
+/// Units of areas, the largest first, in square metres.
+const AREAS: [(&str, f64); 4] = [("m²", 1.0), ("mm²", 1e-6), ("µm²", 1e-12), ("nm²", 1e-18)];
+
+/// Units of pressures, the largest first, in pascals.
+const PRESSURES: [(&str, f64); 4] = [("GPa", 1e9), ("MPa", 1e6), ("kPa", 1e3), ("Pa", 1.0)];
+
 /// A length in metres with the unit that makes it a number of one to three digits before its point, for reading.
 pub fn length_in_words(metres: f64) -> String {
-    let fits = |unit: &&(&str, f64)| metres.abs() >= 0.9995 * unit.1;
-    let (name, unit) = UNITS.iter().find(fits).unwrap_or(if metres == 0.0 { &UNITS[0] } else { &UNITS[3] });
-    format!("{} {name}", number_in_words(metres / unit))
+    in_words(metres, &UNITS, "m")
+}
+
+/// An area in square metres with the unit that fits it, for reading.
+pub fn area_in_words(square_metres: f64) -> String {
+    in_words(square_metres, &AREAS, "m²")
+}
+
+/// A pressure in pascals with the unit that fits it, for reading.
+pub fn pressure_in_words(pascals: f64) -> String {
+    in_words(pascals, &PRESSURES, "Pa")
+}
+
+/// A value in the largest of the units that is not larger than it, or else in the smallest one; 0 in the unit `base`.
+fn in_words(value: f64, units: &[(&str, f64); 4], base: &str) -> String {
+    if value == 0.0 {
+        return format!("0 {base}");
+    }
+    let fits = |unit: &&(&str, f64)| value.abs() >= 0.9995 * unit.1;
+    let (name, unit) = units.iter().find(fits).unwrap_or(&units[3]);
+    format!("{} {name}", number_in_words(value / unit))
+}
+
+/// Whether a text is a length with its unit, such as `160 um`.
+pub fn has_length_unit(text: &str) -> bool {
+    units::length(text).is_some()
+}
+
+/// Whether a text is a pressure with its unit, such as `1 GPa`.
+pub fn has_pressure_unit(text: &str) -> bool {
+    units::pressure(text).is_some()
 }
 
 /// A number to four digits, for reading.
@@ -173,6 +207,8 @@ mod tests {
     fn lengths_are_told_in_the_unit_that_fits_them() {
         let told = [1e-5, 9.9996e-7, 2.5e-10, 3.0, 0.0, 1.25e-4, 160e-6].map(length_in_words);
         assert_eq!(told, ["10 µm", "1 µm", "0.25 nm", "3 m", "0 m", "125 µm", "160 µm"]);
+        assert_eq!([11.547e6, 2e9, 0.5, 0.0].map(pressure_in_words), ["11.55 MPa", "2 GPa", "0.5 Pa", "0 Pa"]);
+        assert_eq!([1.5e-11, 3.0, 2e-20].map(area_in_words), ["15 µm²", "3 m²", "0.02 nm²"]);
         let told = [0.1, 1e9, 0.01471, 2.1e-4, 1500.0, -0.05].map(number_in_words);
         assert_eq!(told, ["0.1", "1e9", "0.01471", "2.1e-4", "1500", "-0.05"]);
     }

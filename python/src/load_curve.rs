@@ -21,6 +21,9 @@ pub struct LoadCurve {
     setup: Setup,
 }
 
+/// The values that make a curve again: the contacts and the setup.
+type Parts = (Py<PyTuple>, Setup);
+
 impl LoadCurve {
     /// The curve of some contacts, with the setup that repeats it.
     pub fn new(py: Python<'_>, contacts: Vec<Contact>, setup: Setup) -> PyResult<Self> {
@@ -109,7 +112,7 @@ impl LoadCurve {
         Ok(self.setup == other.setup && self.contacts.bind(py).eq(other.contacts.bind(py))?)
     }
 
-    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Py<PyTuple>, Setup))> {
+    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
         let Self { contacts, setup } = slf.get();
         Ok((slf.get_type().getattr("_from_parts")?, (contacts.clone_ref(slf.py()), setup.clone())))
     }

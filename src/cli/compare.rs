@@ -1,6 +1,7 @@
 //! `asperity compare`: the traces of several recordings over each other.
 
 use super::outcome::{Outcome, usage};
+use super::warnings::print_if_cut_off;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::{check_apart, check_named};
@@ -33,6 +34,7 @@ impl Compare {
         check_named(out, &["rrd"])?;
         check_apart([out.as_path()], recordings.iter().map(PathBuf::as_path))?;
         record::compare(recordings, out)?;
+        recordings.iter().try_for_each(|path| print_if_cut_off(path))?;
         wrote(out);
         Ok(Outcome::Done)
     }

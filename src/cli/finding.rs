@@ -1,12 +1,13 @@
 //! The findings of a solve under one load: status, observables, and the exact solution where there is one.
 
+use super::units::{Units, significant};
 use asperity::contact::{Contact, OBSERVABLES, Observables, Plasticity, Status};
 use asperity::setup::Setup;
 use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const TOLD: [&str; 34] = [
+const TOLD: [&str; 37] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
@@ -28,6 +29,9 @@ const TOLD: [&str; 34] = [
     "kappa_r_error",
     "mean_gap",
     "mean_gap_over_rms_height",
+    "elastic_energy",
+    "approach",
+    "plastic_area",
     "max_pressure",
     "patches",
     "nodes_per_patch",
@@ -53,9 +57,6 @@ pub struct Finding {
     #[serde(flatten)]
     pub observables: Observables,
     pub seconds: f64,
-    /// The approach, where the solid has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub approach: Option<f64>,
     /// What yields, where there is a hardness.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub plasticity: Option<Plasticity>,
@@ -70,44 +71,51 @@ impl Finding {
             status: contact.status,
             observables: Observables::of(contact),
             seconds: contact.work.seconds,
-            approach: contact.approach(),
             plasticity: setup.law.hardness().map(|_| contact.plasticity()),
             exact: setup.exact(contact.problem.surface().grid(), contact.mean_pressure()),
         }
     }
 
     /// Names and values for reading.
-    pub fn rows(&self) -> Vec<(String, String)> {
-        let rows = self.contact().into_iter().chain(self.solution());
+    pub fn rows(&self, units: Units) -> Vec<(String, String)> {
+        let rows = self.contact().into_iter().chain(self.solution(units));
         let stiffness = Some(&self.observables).filter(|it| !it.stiffness.is_nan()).map(|it| {
-            let load = within(", mean pressure within", it.mean_pressure_error);
+            let load = plus_or_minus(", mean pressure", it.mean_pressure_error);
             ("contact stiffness", format!("{:.6e}{load}", it.stiffness))
         });
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
-        let approach = self.approach.map(|approach| ("approach", format!("{approach:.6e}")));
+        let approach = Some(self.observables.approach).filter(|it| !it.is_nan());
+        let approach = approach.map(|approach| ("approach", units.length(approach)));
+        let energy = Some(self.observables.elastic_energy).filter(|it| !it.is_nan());
+        let energy = energy.map(|energy| ("elastic energy per area", units.energy_per_area(energy)));
         let plasticity = self.plasticity.iter().flat_map(|it| {
             [
-                ("plastic area", format!("{:.6} ({} of the load)", it.area, percent(it.load_share))),
-                ("plastic overlap", format!("{:.6e}, mean over the cell", it.overlap)),
+                ("plastic area", format!("{} ({} of the load)", significant(it.area), percent(it.load_share))),
+                ("plastic overlap", format!("{}, mean over the cell", units.length(it.overlap))),
             ]
         });
         let rows = rows
             .chain(approach)
+            .chain(energy)
             .chain(plasticity)
             .chain(stiffness)
             .chain(exact)
             .map(|(name, value)| (name.to_owned(), value));
-        rows.chain(self.others()).collect()
+        rows.chain(self.others(units)).collect()
     }
 
     /// Area, gradient and what follows from them, with resolved edges first, and how good the grid is for them.
     fn contact(&self) -> [(&'static str, String); 7] {
         let it = &self.observables;
-        let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {v:.6}"));
+        let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {}", significant(v)));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
         let of_shape = match it.edges_of_shape > MANY_OF_SHAPE {
             true => format!(", {} of its edges given by the shape", percent(it.edges_of_shape)),
+            false => String::new(),
+        };
+        let small = match it.unresolved_share > 0.0 {
+            true => format!(", {} of the contact in those with too few nodes", percent(it.unresolved_share)),
             false => String::new(),
         };
         [
@@ -126,37 +134,37 @@ impl Finding {
                 "grid error, estimated",
                 format!("area {}, kappa_r {}", percent(it.relative_area_error), percent(it.kappa_r_error)),
             ),
-            (
-                "contact patches",
-                format!(
-                    "{} ({:.2} nodes each, {} of the contact in those too small to trust){of_shape}",
-                    it.patches,
-                    it.nodes_per_patch,
-                    percent(it.unresolved_share)
-                ),
-            ),
+            ("contact patches", format!("{} ({:.2} nodes each{small}){of_shape}", it.patches, it.nodes_per_patch)),
         ]
     }
 
     /// Gap and pressure with their bounds, and the work.
-    fn solution(&self) -> [(&'static str, String); 4] {
+    fn solution(&self, units: Units) -> [(&'static str, String); 5] {
         let it = &self.observables;
-        let gap = within(", within", it.mean_gap_error_bound);
-        let left = within(", of what is left of the gap", it.certificate_gap);
+        let error = plus_or_minus("", it.mean_gap_error_bound);
+        let gap = format!("{} ({:.4}{error} rms heights)", units.length(it.mean_gap), it.mean_gap_over_rms_height);
+        let left = match it.certificate_gap > 0.0 {
+            true => format!(", {:.1e} of the remaining gap", it.certificate_gap),
+            false => String::new(),
+        };
+        let bound = format!("relative error of the pressure at most {:.1e}", it.pressure_error_bound);
         [
-            ("mean gap", format!("{:.6e} ({:.4} rms heights{gap})", it.mean_gap, it.mean_gap_over_rms_height)),
-            ("pressure, mean and max", format!("{:.6e} {:.6e}", it.mean_pressure, it.max_pressure)),
-            ("certificate", format!("{:.2e} (pressure within {:.1e}{left})", it.certificate, it.pressure_error_bound)),
+            ("mean gap", gap),
+            ("mean pressure", units.pressure(it.mean_pressure)),
+            ("largest pressure", units.pressure(it.max_pressure)),
+            ("certificate", format!("{:.2e} ({bound}{left})", it.certificate)),
             ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
         ]
     }
 
     /// The observables that no other row holds.
-    fn others(&self) -> impl Iterator<Item = (String, String)> {
+    fn others(&self, units: Units) -> impl Iterator<Item = (String, String)> {
         let values = serde_json::to_value(self.observables).unwrap_or_default();
         let others = OBSERVABLES.iter().filter(|observable| !TOLD.contains(&observable.name));
         others.filter_map(move |observable| {
-            Some((observable.name.replace('_', " "), format!("{:.6e}", values[observable.name].as_f64()?)))
+            let value = values[observable.name].as_f64()?;
+            let words = if observable.unit == "length" { units.length(value) } else { format!("{value:.6e}") };
+            Some((observable.name.replace('_', " "), words))
         })
     }
 }
@@ -164,14 +172,19 @@ impl Finding {
 /// A quantity with resolved edges, and beside it that of counted nodes.
 fn resolved(resolved: Option<f64>, counted: f64, corrected: f64) -> String {
     match resolved {
-        None => format!("not resolved (counted {counted:.6})"),
-        Some(resolved) => format!("{resolved:.6} (counted {counted:.6}, corrected {corrected:.6})"),
+        None => format!("not resolved (counted {})", significant(counted)),
+        Some(resolved) => format!(
+            "{} (counted {}, corrected {})",
+            significant(resolved),
+            significant(counted),
+            significant(corrected)
+        ),
     }
 }
 
-/// Words and an error; none of what is prescribed.
-fn within(words: &str, error: f64) -> String {
-    if error > 0.0 { format!("{words} {error:.1e}") } else { String::new() }
+/// Words and a relative error behind its sign; nothing where there is no error.
+fn plus_or_minus(words: &str, error: f64) -> String {
+    if error > 0.0 { format!("{words} ± {error:.1e}") } else { String::new() }
 }
 
 fn percent(share: f64) -> String {

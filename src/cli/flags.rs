@@ -2,7 +2,10 @@
 
 use super::choice::one_of;
 use super::outcome::usage;
+use super::units::Units;
 use super::warnings;
+#[cfg(feature = "record")]
+use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, Recipe, Table, Value, lay};
 use asperity::surface::HeightFile;
@@ -104,6 +107,15 @@ impl<E: Extent> Scene<E> {
         Ok(table)
     }
 
+    /// The units that the scene and the flags state, and those of a height file in the surface.
+    pub fn units(&self, surface: &Recipe) -> Units {
+        let is_text = |path: &&Path| path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("rrd"));
+        let table = self.file.as_deref().filter(is_text).map(Table::read);
+        let mut table = table.and_then(Result::ok).unwrap_or_default();
+        lay(&self.given, &mut table);
+        Units::new(&table, surface)
+    }
+
     fn flags() -> impl Iterator<Item = &'static Flag> {
         FLAGS.iter().filter(|flag| E::takes(flag))
     }
@@ -113,6 +125,7 @@ impl<E: Extent> Scene<E> {
 fn read(path: &Path) -> Result<Table> {
     #[cfg(feature = "record")]
     if let Some(setups) = asperity::record::setups(path)? {
+        print_if_cut_off(path)?;
         return match setups.as_slice() {
             [setup] => Ok(Table::from_toml(setup)?),
             more => usage(format!("{} holds {} setups: give a recording of one contact", path.display(), more.len())),
@@ -172,7 +185,7 @@ impl<E: Extent> clap::Args for Scene<E> {
 }
 
 /// Heading of the flags of the load.
-pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several as 1e5,1e6 or 1e-3..1e-1:13)";
+pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several as 1e5,1e6 or 1e-3..1e-1:13, which are 13 loads evenly spaced in their logarithm)";
 
 /// A flag as the parser takes it.
 fn arg<E: Extent>(flag: &'static Flag) -> Arg {

@@ -2,6 +2,7 @@
 
 use super::finding::Finding;
 use super::output::{write_diagnosis, write_rows};
+use super::units::Units;
 use super::verdict::points;
 use asperity::diagnosis::Findings;
 use asperity::foreign::{Distance, Quantity};
@@ -54,7 +55,7 @@ impl Iteration {
             writeln!(out, "  {:>8}{}{numbers}", it.step, seconds(format!("{:.3}", it.seconds)))?;
         }
         writeln!(out, "the last step")?;
-        write_rows(self.last.rows().into_iter().filter(|(name, _)| name != "work"), out)?;
+        write_rows(self.last.rows(Units::default()).into_iter().filter(|(name, _)| name != "work"), out)?;
         write_diagnosis(self.diagnosis.as_ref(), out)
     }
 

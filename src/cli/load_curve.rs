@@ -1,12 +1,15 @@
 //! `asperity solve` under one load after the other.
 
 use super::finding::Finding;
-use super::outcome::{Outcome, settle, usage};
+use super::interrupt::{Interruption, interrupted};
+use super::outcome::{Interrupted, Outcome, settle, usage};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
+use super::picture;
 use super::plan::{self, Plan};
 use super::progress::Progress;
 use super::subject::Subject;
+use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -18,6 +21,7 @@ use asperity::setup::{Part, Table};
 use asperity::study::LoadCurve;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
+use std::sync::Arc;
 
 /// Everything that a script may want to know about contacts under one load after the other, and the setup that repeats them.
 #[derive(Serialize)]
@@ -27,13 +31,15 @@ struct Summary {
     loads: Vec<Finding>,
     warnings: Vec<String>,
     setup: Table,
+    #[serde(skip)]
+    units: Units,
 }
 
 /// A row of the table, before its observables.
 #[derive(Serialize)]
 struct Row {
     /// Number of the load, from 1.
-    load: usize,
+    load_number: usize,
     status: Status,
 }
 
@@ -46,7 +52,7 @@ struct Pressed {
 }
 
 /// Solves the contacts of a curve, and writes and prints them.
-pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome> {
+pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> Result<Outcome> {
     #[cfg(feature = "record")]
     if outputs.live {
         return usage("--live shows the steps under one load: give one, or --record FILE.rrd instead");
@@ -75,20 +81,32 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, is_dry: bool) -> Result<Outcome
     }
     let pressed = press(curve, &problem, outputs)?;
     let outcome = pressed.outcome;
-    write(curve, &problem, pressed, outputs)?;
+    let solved = LoadCurve { loads: curve.loads[..pressed.findings.len()].into(), ..curve.clone() };
+    write(&solved, &problem, pressed, outputs, units)?;
+    if outcome == Outcome::Interrupted {
+        warnings::print(&[format!(
+            "interrupted: {} of {} loads are solved and written",
+            solved.loads.len(),
+            curve.loads.len()
+        )]);
+    }
     Ok(outcome)
 }
 
-/// Solves and records the contacts.
+/// Solves and records the contacts. Ctrl-C ends it after the last load that is solved.
 fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pressed> {
     #[cfg(feature = "record")]
     let recording = outputs.recording().map(|path| CurveRecording::create(path, curve, problem)).transpose()?;
     let mut pressed = Pressed { findings: Vec::new(), contacts: Vec::new(), outcome: Outcome::Done };
     let title = |number: usize| format!("load {} of {}", number + 1, curve.loads.len());
-    curve.press(
+    let interrupted = interrupted()?;
+    let ended = curve.press(
         problem,
-        |number| Progress::new(&title(number)),
+        |number| (Interruption(Arc::clone(&interrupted)), Progress::new(&title(number))),
         |_, contact| -> Result<()> {
+            if contact.status == Status::StoppedByObserver {
+                return Err(Interrupted.into());
+            }
             outputs.complete(contact);
             pressed.outcome = pressed.outcome.max(settle(contact)?);
             let finding = Finding::of(&curve.setup, contact);
@@ -98,14 +116,20 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
             pressed.contacts.extend(outputs.archive().map(|_| contact.clone()));
             Ok(())
         },
-    )?;
+    );
+    match ended {
+        Err(error) if error.is::<Interrupted>() && !pressed.findings.is_empty() => {
+            pressed.outcome = Outcome::Interrupted
+        }
+        ended => ended?,
+    }
     #[cfg(feature = "record")]
     recording.map_or(Ok(()), CurveRecording::finish)?;
     Ok(pressed)
 }
 
 /// Writes and prints what came out.
-fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outputs) -> Result<()> {
+fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outputs, units: Units) -> Result<()> {
     let (subject, setup) = (Subject::of(&curve.setup, problem)?, curve.to_table());
     let Pressed { findings, contacts, .. } = pressed;
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
@@ -118,13 +142,16 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     if let Some(path) = outputs.table() {
-        let row = |(i, it): (usize, &Finding)| (Row { load: i + 1, status: it.status }, it.observables);
+        let row = |(i, it): (usize, &Finding)| (Row { load_number: i + 1, status: it.status }, it.observables);
         write_csv(path, findings.iter().enumerate().map(row))?;
+    }
+    if let Some(path) = outputs.picture() {
+        picture::write(path, &picture::of_loads(&subject.title, &observables))?;
     }
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;
     }
-    let summary = Summary { subject, loads: findings, warnings, setup };
+    let summary = Summary { subject, loads: findings, warnings, setup, units };
     if outputs.json {
         write_json(&summary, &mut stdout())?
     } else {
@@ -140,7 +167,7 @@ impl Summary {
     fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         let loads = self.loads.len();
         writeln!(out, "{}: {loads} loads, area, kappa and kappa_r with resolved edges", self.subject.line())?;
-        write_rows(self.subject.rows(), out)?;
+        write_rows(self.subject.rows(self.units), out)?;
         writeln!(
             out,
             "\n{:>12} {:>12} {:>12} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9}",

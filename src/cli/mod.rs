@@ -26,6 +26,7 @@ mod outcome;
 mod output;
 mod outputs;
 mod paper;
+mod picture;
 mod plan;
 mod progress;
 #[cfg(feature = "record")]
@@ -41,6 +42,7 @@ mod study_table;
 mod subject;
 mod surface;
 mod survey;
+mod units;
 mod verdict;
 #[cfg(feature = "explore")]
 mod view;
@@ -54,7 +56,8 @@ use std::io::{self, Write, stderr};
 
 /// Rough contact: press a rigid surface on an elastic half-space and watch it relax.
 ///
-/// Exit codes: 0 converged, 2 bad input, 3 not converged (outputs are written all the same), 1 any other failure.
+/// Exit codes: 0 converged, 2 bad input, 3 not converged (outputs are written all the same), 130 interrupted by Ctrl-C, 1 any other
+/// failure.
 #[derive(Parser)]
 #[command(version, long_version = BUILD, max_term_width = 110)]
 struct Cli {
@@ -79,7 +82,7 @@ enum Command {
     Accuracy(accuracy::Accuracy),
     /// Time the solvers on chosen cases
     Bench(bench::Bench),
-    /// Certify somebody's pressure, gap or displacement
+    /// Certify the pressure, gap or displacement of another code
     ///
     /// The certificate bounds the error of the result, whatever code has made it. Where it fails, everyday mistakes are recognised
     /// from the numbers: signs, forces for pressures, wrong moduli, transposed arrays. The result holds if the certificate is within --tolerance,

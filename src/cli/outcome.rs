@@ -15,14 +15,17 @@ pub enum Outcome {
     Done,
     /// All is written, but a solver did not converge.
     NotConverged,
+    /// Ctrl-C ended the work; what was finished is written.
+    Interrupted,
 }
 
 impl Outcome {
-    /// 0 if all is well, 3 if a solver did not converge.
+    /// 0 if all is well, 3 if a solver did not converge, 130 after Ctrl-C.
     pub fn exit_code(self) -> u8 {
         match self {
             Self::Done => 0,
             Self::NotConverged => 3,
+            Self::Interrupted => 130,
         }
     }
 }
@@ -43,6 +46,11 @@ pub fn settle(contact: &Contact) -> Result<Outcome> {
 pub fn untold(failure: Failure) -> anyhow::Error {
     failure.downcast::<FileError>().map_or_else(|other| anyhow!(other), |file| anyhow::Error::new(*file))
 }
+
+/// Ctrl-C came before the first of several loads was solved.
+#[derive(Debug, thiserror::Error)]
+#[error("interrupted before the first load was solved: no result is written")]
+pub struct Interrupted;
 
 /// Options that do not go together, in one sentence.
 #[derive(Debug, thiserror::Error)]
@@ -71,8 +79,11 @@ pub fn remedy(error: &anyhow::Error) -> &'static str {
     }
 }
 
-/// 2 for what the person at the keyboard can mend, 1 for the rest.
+/// 2 for what the person at the keyboard can mend, 130 for Ctrl-C, 1 for the rest.
 pub fn exit_code(error: &anyhow::Error) -> u8 {
+    if error.is::<Interrupted>() {
+        return Outcome::Interrupted.exit_code();
+    }
     let is_input = error.is::<Usage>()
         || error.is::<GridError>()
         || error.is::<SurfaceError>()

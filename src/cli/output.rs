@@ -3,6 +3,7 @@
 use super::finding::Finding;
 use super::slip::SlipFinding;
 use super::subject::Subject;
+use super::units::Units;
 use anyhow::Result;
 use asperity::diagnosis::Findings;
 use asperity::setup::Setup;
@@ -24,6 +25,8 @@ pub struct Summary {
     pub diagnosis: Option<Findings>,
     pub warnings: Vec<String>,
     pub setup: Setup,
+    #[serde(skip)]
+    pub units: Units,
 }
 
 impl Summary {
@@ -31,8 +34,21 @@ impl Summary {
     pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.subject.line(), self.finding.status)?;
         let slip = self.slip.iter().flat_map(SlipFinding::rows);
-        write_rows(self.subject.rows().into_iter().chain(self.finding.rows()).chain(slip), out)?;
+        let found = self.finding.rows(self.units);
+        write_rows(self.subject.rows(self.units).into_iter().chain(self.size()).chain(found).chain(slip), out)?;
         write_diagnosis(self.diagnosis.as_ref(), out)
+    }
+
+    /// How large the contact is: on a line its half-width, or the width of all patches together; on a surface its area.
+    fn size(&self) -> Option<(String, String)> {
+        let (it, units) = (&self.finding.observables, self.units);
+        let size = it.relative_area * self.subject.size.iter().product::<f64>();
+        let (name, size) = match (self.subject.size.len(), it.patches) {
+            (1, 1) => ("half-width of the contact", units.length(0.5 * size)),
+            (1, patches) => ("width of the contact", format!("{} in {patches} patches", units.length(size))),
+            _ => ("area of the contact", units.area(size)),
+        };
+        (it.relative_area > 0.0).then(|| (name.to_owned(), size))
     }
 }
 

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// Endings of the names of the files.
 const RECORDING: &[&str] = &["rrd"];
-const RESULT: &[&str] = &["npz", "csv"];
+const RESULT: &[&str] = &["npz", "csv", "svg", "png"];
 const SCENE: &[&str] = &["toml"];
 const STRESS: &[&str] = &["npz"];
 
@@ -25,7 +25,8 @@ pub struct Outputs {
     #[cfg(feature = "record")]
     #[arg(long)]
     pub live: bool,
-    /// Write the fields, distributions, spectra, numbers and setup (.npz), or a table (.csv): of the nodes of a line, or of several loads
+    /// Write the fields, distributions, spectra, numbers and setup (.npz), a table (.csv): of the nodes of a line, or of several loads, or a
+    /// picture of the contact or of the load curve (.svg, .png)
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Write the stress in the solid at 64 depths below the contact, of a surface in a vertical cut along x: components, tau_max, von Mises
@@ -78,6 +79,11 @@ impl Outputs {
     /// The archive, if one is asked for.
     pub fn archive(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| has_ending(path, "npz"))
+    }
+
+    /// The picture, if one is asked for.
+    pub fn picture(&self) -> Option<&Path> {
+        self.out.as_deref().filter(|path| has_ending(path, "svg") || has_ending(path, "png"))
     }
 
     /// The files to write, in their order.

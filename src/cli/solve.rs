@@ -7,6 +7,7 @@ use super::nodes::write_nodes;
 use super::outcome::{Outcome, settle, usage};
 use super::output::{Summary, write_json};
 use super::outputs::Outputs;
+use super::picture;
 use super::plan::{self, Plan};
 use super::progress::Bars;
 #[cfg(feature = "record")]
@@ -21,7 +22,7 @@ use asperity::contact::{PartialSlip, archive, archive_of_slip};
 use asperity::diagnosis::Findings;
 use asperity::files::{check_apart, write_beside};
 use asperity::job::{Job, Solved};
-use asperity::setup::{Auto, Extras, Setup};
+use asperity::setup::{Auto, Extras, Setup, Table};
 use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write, stdout};
@@ -54,9 +55,11 @@ pub struct Solve {
 impl Solve {
     pub fn run(&self) -> Result<Outcome> {
         let mut table = self.scene.table()?;
+        refuse_study(&table)?;
         let (loads, auto) = (table.take_loads()?, table.take_auto()?);
         let setup = table.setup()?;
         check_apart(self.outputs.files(), self.scene.files(&setup.surface))?;
+        let units = self.scene.units(&setup.surface);
         match loads {
             Some(_) if auto.is_some() => {
                 usage("a grid is found under one load, but several are given: give one, or a number for --refine")
@@ -71,9 +74,9 @@ impl Solve {
                 usage("--stress is that under one load, but several are given: give one")
             }
             Some(loads) if self.unload => {
-                load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, self.dry_run)
+                load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, units, self.dry_run)
             }
-            Some(loads) => load_curve::run(&LoadCurve { setup, loads }, &self.outputs, self.dry_run),
+            Some(loads) => load_curve::run(&LoadCurve { setup, loads }, &self.outputs, units, self.dry_run),
             None if self.unload => {
                 usage("--unload goes back through several loads, but there is one: give more, such as 1e-3..1e-1:13")
             }
@@ -149,14 +152,25 @@ impl Solve {
         if let Some(path) = outputs.table() {
             write_nodes(path, &contact)?;
         }
+        let units = self.scene.units(&setup.surface);
+        if let Some(path) = outputs.picture() {
+            picture::write(path, &picture::of_contact(&subject.title, &contact, units))?;
+        }
         if let Some(path) = &outputs.stress {
             stress::write(path, &full, &contact, outputs.stress_row)?;
         }
         if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
         }
-        let summary =
-            Summary { subject, finding, slip: slip.as_ref().map(SlipFinding::from), diagnosis, warnings, setup: full };
+        let summary = Summary {
+            subject,
+            finding,
+            slip: slip.as_ref().map(SlipFinding::from),
+            diagnosis,
+            warnings,
+            setup: full,
+            units,
+        };
         if outputs.json {
             write_json(&summary, &mut stdout())?
         } else {
@@ -167,5 +181,17 @@ impl Solve {
         outputs.files().filter(is_whole).for_each(wrote);
         let stuck = slip.map_or(Ok(Outcome::Done), |PartialSlip { stuck, .. }| settle(&stuck))?;
         Ok(settle(&contact)?.max(stuck))
+    }
+}
+
+/// Refuses a setup with lists of values, which is a study.
+fn refuse_study(table: &Table) -> Result<()> {
+    match table.clone().take_axes()?.first() {
+        Some(axis) => usage(format!(
+            "`{}` has {} values, which make a study of this scene: run it by `asperity study`, or give one value",
+            axis.path(),
+            axis.len()
+        )),
+        None => Ok(()),
     }
 }

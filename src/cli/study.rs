@@ -72,6 +72,7 @@ impl Study {
         let plan = Plan::read(&self.study)?;
         #[cfg(feature = "record")]
         if let (Some(row), Some(path)) = (self.record_row, &self.record) {
+            check_apart([path.as_path()], [self.study.as_path()])?;
             return study_row::record(&plan, row, path);
         }
         let campaign = self.campaign();
@@ -80,6 +81,7 @@ impl Study {
             return Ok(Outcome::Done);
         }
         let table = Table::new(self.table()?);
+        check_outputs(&table, [self.study.as_path()])?;
         plan.check()?;
         if self.fresh {
             table.read()?; // what is no table of a study is not ours to replace
@@ -124,6 +126,12 @@ pub fn table_of(study: &Path, given: Option<&Path>) -> Result<PathBuf> {
     check_named(&path, &["csv"])?;
     check_target(&path)?;
     Ok(path)
+}
+
+/// Refuses a table that is, or whose drawings are, one of the files that are read.
+fn check_outputs<'a>(table: &Table, read: impl IntoIterator<Item = &'a Path>) -> Result<()> {
+    let views = table.views();
+    Ok(check_apart([table.path()].into_iter().chain(views.iter().map(PathBuf::as_path)), read)?)
 }
 
 /// Writes all of a whole study but its table, and prints what is found.
@@ -192,7 +200,7 @@ impl Merge {
                 Usage(format!("there is no table {}: solve that share, or leave it out", share.display())).into()
             );
         }
-        check_apart([path.as_path()], self.shares.iter().map(PathBuf::as_path))?;
+        check_outputs(&Table::new(&path), self.shares.iter().chain([&self.study]).map(PathBuf::as_path))?;
         let tables: Vec<Table> = self.shares.iter().map(Table::new).collect();
         let points = plan.merge(&tables)?;
         let all: Vec<usize> = (0..plan.realisations()).collect();

@@ -1,5 +1,6 @@
 //! The subject of a solve: surface, grid, solid and solver, which are the same under all loads.
 
+use super::units::Units;
 use asperity::contact::Problem;
 use asperity::error::SetupError;
 use asperity::setup::{Method, Setup};
@@ -66,16 +67,18 @@ impl Subject {
     }
 
     /// Names and values for reading.
-    pub fn rows(&self) -> Vec<(String, String)> {
-        let hardness = self.hardness.map(|hardness| ("hardness H_c", format!("{hardness:.6e}, the highest pressure")));
+    pub fn rows(&self, units: Units) -> Vec<(String, String)> {
+        let hardness = self
+            .hardness
+            .map(|hardness| ("hardness H_c", format!("{}, the highest pressure", units.pressure(hardness))));
         let rows = [
             ("source", self.source.clone()),
-            ("spacing", along_axes(&self.spacing, |length| format!("{length:.6e}"))),
+            ("spacing", along_axes(&self.spacing, |length| units.length(length))),
             (
                 "jump across the period",
                 format!("{} rms steps", along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"))),
             ),
-            ("contact modulus E*", format!("{:.6e} ({})", self.contact_modulus, self.solid)),
+            ("contact modulus E*", format!("{} ({})", units.pressure(self.contact_modulus), self.solid)),
             ("solver", self.solver.solver().settings()),
             ("prescribed", self.prescribed.to_owned()),
         ];

@@ -146,8 +146,8 @@ fn even(recipe: &mut Recipe) -> Result<Option<String>> {
     }
     recipe.prepare.resample = Some(Resample::Linear);
     Ok(Some(
-        "the positions are not evenly spaced, and no contact can be solved with them: this is told of heights at even ones, as --resample linear \
-         makes them"
+        "The positions are not evenly spaced, and no contact can be solved with them. This describes the heights at even positions, as \
+         --resample linear makes them."
             .into(),
     ))
 }

@@ -2,6 +2,7 @@
 
 use super::finding::Finding;
 use super::output::write_rows;
+use super::units::Units;
 use asperity::contact::Load;
 use asperity::foreign::{Assessment, Disagreement, Mistake, Quantity, Spot};
 use asperity::grid::Grid;
@@ -12,7 +13,7 @@ use std::path::PathBuf;
 
 /// Rows on the contact that do not concern the result of another code, or that stand in other words.
 const LEFT_OUT: [&str; 3] = ["work", "penetration", "load error"];
-/// Errors of a load that are rounding.
+/// Errors of a load, and shares of tension, that are rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// All that is known of a result.
@@ -49,7 +50,8 @@ impl Verdict {
             ("finding", "no everyday mistake explains it: it is not converged, or solves another problem".into())
         });
         let own = mistakes.chain(unexplained).chain(self.own());
-        let numbers = self.finding.rows().into_iter().filter(|(name, _)| !LEFT_OUT.contains(&name.as_str()));
+        let numbers =
+            self.finding.rows(Units::default()).into_iter().filter(|(name, _)| !LEFT_OUT.contains(&name.as_str()));
         write_rows(own.map(|(name, value)| (name.to_owned(), value)).chain(numbers), out)
     }
 
@@ -70,7 +72,12 @@ impl Verdict {
                 },
             ),
         ];
-        if tension.nodes > 0 {
+        if tension.nodes > 0 && tension.share <= ROUNDING {
+            rows.push((
+                "tension",
+                format!("none but rounding: {} nodes, {:.1e} of all pressure", tension.nodes, tension.share),
+            ));
+        } else if tension.nodes > 0 {
             let worst = place(tension.node);
             rows.push((
                 "tension",

@@ -2,6 +2,7 @@
 
 use super::explore::PageArgs;
 use super::outcome::{Outcome, usage};
+use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::explore::Viewing;
 use asperity::record::{compare, is_recording};
@@ -24,6 +25,7 @@ impl View {
                 let file = file.display();
                 return usage(format!("{file} is no recording: give a file that `asperity solve --record` wrote"));
             }
+            print_if_cut_off(file)?;
         }
         match self.files.as_slice() {
             [only] => self.show(only),

@@ -6,6 +6,8 @@ use anyhow::Result;
 use asperity::setup::FLAGS;
 use asperity::warning::{Remedy, Warning};
 use std::io::{Write, stderr};
+#[cfg(feature = "record")]
+use std::path::Path;
 
 /// Warnings as texts with the flags that help.
 pub fn in_flags(warnings: &[Warning]) -> Vec<String> {
@@ -24,6 +26,21 @@ pub fn print(warnings: &[String]) {
     for warning in warnings {
         writeln!(stderr(), "warning: {warning}").ok();
     }
+}
+
+/// Warns of a recording that has no end, on standard error.
+///
+/// # Errors
+/// For a file that cannot be read.
+#[cfg(feature = "record")]
+pub fn print_if_cut_off(path: &Path) -> Result<()> {
+    if asperity::record::is_cut_off(path)? {
+        let path = path.display();
+        print(&[format!(
+            "{path} was cut off or is still written: it holds what was recorded before, and axes are not fitted to it."
+        )]);
+    }
+    Ok(())
 }
 
 /// Makes an error of warnings where `--strict` asks for that.

@@ -25,7 +25,7 @@ use std::io::Cursor;
 /// | those of [`OBSERVABLES`]                             | `()`                 | load, area and all else, by their names     |
 /// | `converged`                                          | `()`                 | whether the certificate met the tolerance   |
 /// | `yielding`, where there is a hardness                | `(ny, nx)` or `(nx)` | whether the nodes yield                     |
-/// | `hardness`, `plastic_area`, `plastic_overlap`, `plastic_load_share` | `()`  | it, and the [`Plasticity`](crate::contact::Plasticity) |
+/// | `hardness`, `plastic_overlap`, `plastic_load_share` | `()`  | it, and the [`Plasticity`](crate::contact::Plasticity) |
 /// | `setup`                                              | bytes                | the text of the setup that repeats it       |
 ///
 /// The text is `bytes(npz["setup"]).decode()` in Python.
@@ -177,8 +177,7 @@ const FIELDS: [(&str, FieldOf); 3] = [
 type NumberOf = fn(&Contact) -> f64;
 
 /// What yields.
-const PLASTICITY: [(&str, NumberOf); 3] = [
-    ("plastic_area", |contact| contact.plasticity().area),
+const PLASTICITY: [(&str, NumberOf); 2] = [
     ("plastic_overlap", |contact| contact.plasticity().overlap),
     ("plastic_load_share", |contact| contact.plasticity().load_share),
 ];

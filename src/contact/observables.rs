@@ -50,6 +50,9 @@ pub struct State<'a> {
     mean_gap: Lazy<'a, f64>,
     /// The elastic energy; NaN where it is not known.
     elastic_energy: Lazy<'a, f64>,
+    /// The approach; NaN where it is not known, or the solid sinks without end.
+    approach: Lazy<'a, f64>,
+    plastic_area: Lazy<'a, f64>,
     mean_pressure: Lazy<'a, f64>,
     max_pressure: Lazy<'a, f64>,
 }
@@ -163,6 +166,10 @@ observables! {
         "Mean gap over the rms height.";
     elastic_energy: f64, "U", "pressure length", false, |it| *it.elastic_energy,
         "Elastic energy per area, half the mean of pressure times displacement.";
+    approach: f64, "d", "length", false, |it| *it.approach,
+        "Approach, how far the surface has moved on from where its highest peak touched the undeformed solid; known where the solid does not sink without end.";
+    plastic_area: f64, "a_pl", "1", false, |it| *it.plastic_area,
+        "Relative plastic area, the share of nodes that yield under the hardness.";
     max_pressure: f64, "p_max", "pressure", false, |it| *it.max_pressure,
         "Largest pressure.";
     max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
@@ -261,6 +268,8 @@ impl<'a> From<&'a Contact> for State<'a> {
             coarser: contact.coarser.as_ref(),
             mean_gap: lazy(|| contact.mean_gap()),
             elastic_energy: lazy(|| contact.elastic_energy()),
+            approach: lazy(|| contact.approach().unwrap_or(f64::NAN)),
+            plastic_area: lazy(|| contact.plasticity().area),
             mean_pressure: lazy(|| contact.mean_pressure()),
             max_pressure: lazy(|| contact.max_pressure()),
         }
@@ -281,6 +290,11 @@ impl<'a> From<&'a Step<'_>> for State<'a> {
             coarser: None,
             mean_gap: lazy(|| step.mean_gap()),
             elastic_energy: lazy(|| f64::NAN),
+            approach: lazy(|| f64::NAN),
+            plastic_area: lazy(move || {
+                let yielding = pressure().iter().filter(|p| step.problem().law().yields(**p)).count();
+                yielding as f64 / pressure().len() as f64
+            }),
             mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),
             max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),
         }

@@ -74,7 +74,7 @@ fn loose(found: &[&Observables]) -> Option<Warning> {
     Some(
         Warning::new(
             format!(
-                "The pressure is known to {:.0} % only{}, although the certificate meets its tolerance",
+                "The pressure is known to {:.0} % only{}, whatever its certificate",
                 100.0 * largest,
                 under(bounds.len(), found)
             ),

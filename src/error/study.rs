@@ -27,6 +27,9 @@ pub enum StudyError {
     /// Lists whose product is out of reach.
     #[error("the lists make {rows} rows, and a study has at most {most}: give fewer values, or several studies")]
     TooManyRows { rows: u128, most: usize },
+    /// A tangential load, of which the rows of a study say nothing.
+    #[error("a study solves normal loads only: leave the friction out, or solve the setups one by one")]
+    Friction,
     /// A number that no row has.
     #[error("there is no row {number}: give a number from 1 to {rows}")]
     NoRow { number: usize, rows: usize },
@@ -58,4 +61,10 @@ pub enum StudyError {
         path.display()
     )]
     OtherStudy { path: PathBuf, points: usize },
+    /// The table of a share of another study, or of this one before it was changed.
+    #[error(
+        "{} holds {points} points of other setups, loads or versions: solve this share again, or give the study as it was when the share was solved",
+        path.display()
+    )]
+    OtherShare { path: PathBuf, points: usize },
 }

@@ -11,6 +11,9 @@ use axum::http::header::{
     X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::{Method, Response, StatusCode};
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
 use std::future::poll_fn;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
@@ -23,8 +26,10 @@ use std::time::Duration;
 const THREADS: usize = 32;
 /// Ports tried after the one asked for.
 const FURTHER_PORTS: u16 = 32;
-/// Longest time that the body of a request may take.
+/// Longest time that the head of a request, and its body, may take.
 const PATIENCE: Duration = Duration::from_secs(10);
+/// Time until a connection is accepted again after one could not be.
+const PAUSE: Duration = Duration::from_millis(50);
 /// Longest time that open connections go on at the end.
 const FAREWELL: Duration = Duration::from_millis(500);
 
@@ -83,10 +88,26 @@ impl Server {
         let listener = tokio::net::TcpListener::from_std(self.listener)?;
         let router = Router::new().fallback(answer).with_state((Arc::new(site), self.port, Arc::default()));
         tokio::select! {
-            served = axum::serve(listener, router) => served,
+            served = accept(listener, router) => served,
             interrupted = tokio::signal::ctrl_c() => interrupted,
             ended = termination() => ended,
         }
+    }
+}
+
+/// Answers the requests of all connections. One whose next request is not there to the end of its head in time is closed.
+async fn accept(listener: tokio::net::TcpListener, router: Router) -> io::Result<()> {
+    loop {
+        let Ok((stream, _)) = listener.accept().await else {
+            tokio::time::sleep(PAUSE).await; // too many open files, for example: connections that end make room
+            continue;
+        };
+        let service = TowerToHyperService::new(router.clone());
+        let mut http = http1::Builder::new();
+        http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
+        tokio::spawn(async move {
+            http.serve_connection(TokioIo::new(stream), service).await.ok(); // a connection that breaks concerns nobody else
+        });
     }
 }
 

@@ -35,10 +35,9 @@ pub use watch::{Pass, ShowSteps, Watcher};
 
 #[cfg(feature = "record")]
 use crate::error::FileError;
-use crate::error::SetupError;
 #[cfg(feature = "record")]
 use crate::record::{Options, Recording, Scene};
-use crate::setup::{Auto, Extras, Part, Setup};
+use crate::setup::{Auto, Part, Setup};
 use crate::study::Refinement;
 use crate::surface::Field;
 
@@ -130,25 +129,6 @@ impl<'a> Job<'a> {
     /// Whether a first pass finds the final state that the steps of a run are compared with.
     pub fn is_passed_twice(&self) -> bool {
         self.runs.iter().any(|run| self.needs_reference(run))
-    }
-
-    /// Makes the surfaces and the problems of all runs.
-    ///
-    /// # Errors
-    /// The errors of [`Setup::problem`], and [`SetupError::Memory`] for a run that does not fit in memory.
-    pub fn prepare(mut self) -> Result<Ready<'a>, SetupError> {
-        let extras =
-            Extras { is_recorded: self.is_recorded(), is_diagnosed: self.is_passed_twice(), ..Extras::default() };
-        self.runs.iter_mut().try_for_each(|run| run.pose(&extras))?;
-        Ok(Ready { job: self })
-    }
-
-    /// Does it all: see [`Job::prepare`] and [`Ready::run`].
-    ///
-    /// # Errors
-    /// The errors of both.
-    pub fn run(self, watch: &mut dyn Watcher) -> Result<Outcome, SetupError> {
-        self.prepare()?.run(watch)
     }
 
     fn is_recorded(&self) -> bool {

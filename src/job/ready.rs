@@ -19,6 +19,27 @@ pub struct Ready<'a> {
     pub(super) job: Job<'a>,
 }
 
+impl<'a> Job<'a> {
+    /// Makes the surfaces and the problems of all runs.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::problem`], and [`SetupError::Memory`] for a run that does not fit in memory.
+    pub fn prepare(mut self) -> Result<Ready<'a>, SetupError> {
+        let extras =
+            Extras { is_recorded: self.is_recorded(), is_diagnosed: self.is_passed_twice(), ..Extras::default() };
+        self.runs.iter_mut().try_for_each(|run| run.pose(&extras))?;
+        Ok(Ready { job: self })
+    }
+
+    /// Does it all: see [`Job::prepare`] and [`Ready::run`].
+    ///
+    /// # Errors
+    /// The errors of both.
+    pub fn run(self, watch: &mut dyn Watcher) -> Result<Outcome, SetupError> {
+        self.prepare()?.run(watch)
+    }
+}
+
 impl Ready<'_> {
     /// The problem of the first run.
     pub fn problem(&self) -> &Problem {

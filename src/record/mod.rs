@@ -52,5 +52,5 @@ pub use file::{LoadRecording, Loads, Output, Pieces, Recorder, Recording, compar
 pub use options::Options;
 pub use parts::Parts;
 pub use scene::Scene;
-pub use setups::{is_recording, setups};
+pub use setups::{is_cut_off, is_recording, setups};
 pub use size::Size;

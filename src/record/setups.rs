@@ -3,11 +3,18 @@
 use crate::error::FileError;
 use rerun::{ChunkStore, ChunkStoreConfig, StoreKind, TextDocument};
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// First bytes of a recording.
 const MAGIC: &[u8] = b"RRF";
+
+/// The mark at the end of a recording that is whole, and the bytes that follow it: the number of its indices.
+///
+/// # Source
+/// `StreamFooter` of the crate `re_log_encoding`.
+const END: &[u8] = b"RRF2FOOT";
+const AFTER_END: usize = 4;
 
 /// Name of the entities that hold the setups, below the roots of the scenes.
 pub(super) const SETUP: &str = "setup";
@@ -45,4 +52,21 @@ pub fn is_recording(path: &Path) -> Result<bool, FileError> {
     let file = File::open(path).map_err(unreadable)?;
     file.take(MAGIC.len() as u64).read_to_end(&mut first).map_err(unreadable)?;
     Ok(first == MAGIC)
+}
+
+/// Whether a recording was cut off: it has no end, since its program was killed, its disk was full, or it is still written. What is in it
+/// up to there can be read.
+///
+/// # Errors
+/// [`FileError::Read`] for a file that is missing or unreadable.
+pub fn is_cut_off(path: &Path) -> Result<bool, FileError> {
+    let end = || {
+        let mut file = File::open(path)?;
+        let length = file.seek(SeekFrom::End(0))?;
+        file.seek(SeekFrom::Start(length.saturating_sub((END.len() + AFTER_END) as u64)))?;
+        let mut end = Vec::new();
+        file.read_to_end(&mut end).map(|_| end)
+    };
+    let end = end().map_err(|source| FileError::Read { path: path.into(), source })?;
+    Ok(is_recording(path)? && !end.starts_with(END))
 }

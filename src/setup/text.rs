@@ -14,12 +14,16 @@ use std::path::Path;
 pub struct Table(toml::Table);
 
 impl Table {
-    /// The sections and keys of a TOML text.
+    /// The sections and keys of a TOML text, or of one inline table in braces as [`Table::to_line`] writes it.
     ///
     /// # Errors
     /// [`SetupError::Text`] with the line for a text that is no TOML.
     pub fn from_toml(text: &str) -> Result<Self, SetupError> {
-        text.parse().map(Self).map_err(|error: toml::de::Error| {
+        let parsed = match text.trim_start().starts_with('{') {
+            true => toml::de::ValueDeserializer::parse(text.trim()).and_then(toml::Table::deserialize),
+            false => text.parse(),
+        };
+        parsed.map(Self).map_err(|error: toml::de::Error| {
             let line = error.span().map_or(1, |span| text[..span.start.min(text.len())].lines().count().max(1));
             SetupError::Text { place: format!("line {line}: "), reason: one_line(error.message()) }
         })
@@ -58,7 +62,8 @@ impl Table {
 
     fn read_scene(path: &Path) -> Result<Self, SetupError> {
         let text = std::fs::read_to_string(path).map_err(|source| FileError::Read { path: path.into(), source })?;
-        let table = match text.trim_start().starts_with('{') {
+        let is_json = text.trim_start().strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}']));
+        let table = match is_json {
             #[cfg(feature = "units")]
             true => Self::from_json(&text),
             _ => Self::from_toml(&text),
@@ -99,6 +104,19 @@ impl Table {
     /// The sections and keys as TOML, all numbers to the last bit.
     pub fn to_toml(&self) -> String {
         toml::to_string(&self.0).expect("a table has a form in TOML")
+    }
+
+    /// The sections and keys as one inline table of TOML on a single line, all numbers to the last bit.
+    ///
+    /// ```
+    /// use asperity::setup::Table;
+    /// let table = Table::from_toml("load.reduced-pressure = 0.1\ngrid.points = 64")?;
+    /// assert_eq!(table.to_line(), "{ grid = { points = 64 }, load = { reduced-pressure = 0.1 } }");
+    /// assert_eq!(Table::from_toml(&table.to_line())?, table);
+    /// # Ok::<(), asperity::error::SetupError>(())
+    /// ```
+    pub fn to_line(&self) -> String {
+        toml::Value::Table(self.0.clone()).to_string()
     }
 
     /// Writes the sections and keys as a scene.
@@ -144,6 +162,21 @@ impl Table {
         let mut keys = path.split('.');
         let first = self.0.get(keys.next()?);
         keys.try_fold(first?, |value, key| value.get(key))
+    }
+
+    /// All texts among the values, those in lists as well.
+    pub fn texts(&self) -> Vec<&str> {
+        fn add<'a>(value: &'a toml::Value, texts: &mut Vec<&'a str>) {
+            match value {
+                toml::Value::String(text) => texts.push(text),
+                toml::Value::Array(values) => values.iter().for_each(|value| add(value, texts)),
+                toml::Value::Table(table) => table.values().for_each(|value| add(value, texts)),
+                _ => {}
+            }
+        }
+        let mut texts = Vec::new();
+        self.0.values().for_each(|value| add(value, &mut texts));
+        texts
     }
 
     /// Whether there is a load.

@@ -34,11 +34,11 @@ impl Table {
         for (kind, keys) in KINDS {
             let given = keys.iter().flat_map(|key| words(self.find(key)).into_iter().map(move |word| (*key, word)));
             let (with, without): (Vec<_>, Vec<_>) = given.partition(|(_, word)| has_unit(word));
-            if let (Some((with, unit)), Some((without, number))) = (with.first(), without.first()) {
-                let [with, without] =
-                    [with, without].map(|key| key.rsplit('.').next().unwrap_or(key).replace('-', " "));
-                let number = number.clone();
-                return Err(SetupError::MixedUnits { kind, without, number, with, unit: unit.clone() });
+            if let (Some(with), Some(without)) = (with.first(), without.first()) {
+                let named = |(key, word): &(&str, String)| {
+                    format!("{} {word}", key.rsplit('.').next().unwrap_or(key).replace('-', " "))
+                };
+                return Err(SetupError::MixedUnits { kind, without: named(without), with: named(with) });
             }
         }
         Ok(())

@@ -49,12 +49,17 @@ impl Setup {
 }
 
 impl Recipe {
-    /// Warnings about the surface that was made: jumps across the period, unequal spacings, gradients of a wrong unit, and noise.
+    /// Warnings about the surface that was made: jumps across the period, unequal spacings, gradients of a wrong unit, noise,
+    /// and what the file contradicts.
     pub fn warnings(&self, surface: &Surface) -> Vec<Warning> {
         let measured = self.height.as_ref().map(|file| {
             let refined = refinement(self, file, surface);
+            let of_file = file.measurement(self.channel.as_deref()).map(|it| it.warnings).unwrap_or_default();
             let found = [spacing(surface), gradient(surface), spacing_of_file(self, file, surface, refined)];
-            found.into_iter().flatten().chain(warning_of_noise(&Scales::of_surface(surface, refined)))
+            of_file
+                .into_iter()
+                .chain(found.into_iter().flatten())
+                .chain(warning_of_noise(&Scales::of_surface(surface, refined)))
         });
         self.warnings_of_jumps(surface.jumps()).into_iter().chain(measured.into_iter().flatten()).collect()
     }

@@ -91,7 +91,7 @@ impl Plan {
     /// Puts the tables of shares together, and returns the points of all rows in their order.
     ///
     /// # Errors
-    /// [`StudyError::OtherStudy`] for a table with points of another study, [`StudyError::Overlap`] for a row that is there twice,
+    /// [`StudyError::OtherShare`] for a table with points of another study, [`StudyError::Overlap`] for a row that is there twice,
     /// [`StudyError::Missing`] for rows that are in no table, and the errors of [`Table::read`].
     pub fn merge(&self, tables: &[Table]) -> Result<Vec<Point>, StudyError> {
         let all: Vec<usize> = (0..self.realisations()).collect();
@@ -104,7 +104,7 @@ impl Plan {
             let known = Known::of(&points);
             let foreign = known.foreign(&identities);
             if foreign > 0 {
-                return Err(StudyError::OtherStudy { path: table.path().into(), points: foreign });
+                return Err(StudyError::OtherShare { path: table.path().into(), points: foreign });
             }
             for (i, found) in known.find_all(&identities).into_iter().enumerate() {
                 let Some(found) = found else { continue };

@@ -57,7 +57,7 @@ struct Told<'a> {
 
 impl Plan {
     /// The columns of some rows, of which `points` came out: the number of the row, what is chosen from the lists, the load, all that a
-    /// [`Point`] holds, and as `scene` the setup of the row in TOML. The seconds, which are never the same twice, are left out.
+    /// [`Point`] holds, and as `scene` the setup of the row, an inline table of TOML on one line. The seconds, which are never the same twice, are left out.
     ///
     /// # Errors
     /// The errors of [`Plan::realisation`].
@@ -94,7 +94,7 @@ impl Plan {
             number("rolloff_wavelength", &|it| it.point.rolloff_wavelength),
             number("short_cutoff", &|it| it.point.short_cutoff),
             whole("seed", &|it| it.point.seed),
-            whole("load", &|it| Some(it.point.load as u64)),
+            whole("load_number", &|it| Some(it.point.load as u64)),
             number("tolerance", &|it| Some(it.point.tolerance)),
             text("status", &|it| it.point.status.name().into()),
             text("setup", &|it| it.point.setup.clone()),
@@ -108,7 +108,7 @@ impl Plan {
                 false => column(it.name, Values::Number(values.map(Some).collect())),
             }
         }));
-        columns.push(text("scene", &|it| it.setup.to_toml()));
+        columns.push(text("scene", &|it| it.setup.to_line()));
         Ok(columns)
     }
 

@@ -97,6 +97,9 @@ impl Plan {
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;
         let first = table.clone().setup().map_err(located)?;
+        if first.friction.is_some() {
+            return Err(StudyError::Friction);
+        }
         let loads = loads.unwrap_or_else(|| vec![first.load]);
         let rows = axes.iter().fold(loads.len() as u128, |rows, axis| rows.saturating_mul(axis.len().into()));
         if rows > Self::MOST_ROWS as u128 {

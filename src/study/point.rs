@@ -28,6 +28,7 @@ pub struct Point {
     /// Seed of the random surface.
     pub seed: Option<u64>,
     /// Number of the load in its realisation, from 1.
+    #[serde(rename = "load_number")]
     pub load: usize,
     /// Certificate `eta` that was asked for.
     pub tolerance: f64,

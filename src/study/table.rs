@@ -104,12 +104,18 @@ impl Table {
         remove(self.unfinished_path())
     }
 
-    /// Removes all files of the table.
+    /// Removes all files of the table, and what was drawn or written of it beside it: `NAME.parquet`, `NAME.svg` and `NAME.png`.
     ///
     /// # Errors
     /// [`FileError::Write`].
     pub fn clear(&self) -> Result<(), FileError> {
-        [self.path.clone(), self.seconds_path(), self.unfinished_path()].into_iter().try_for_each(remove)
+        let views = self.views().into_iter();
+        [self.path.clone(), self.seconds_path(), self.unfinished_path()].into_iter().chain(views).try_for_each(remove)
+    }
+
+    /// The paths of what goes beside the table of a whole study.
+    pub fn views(&self) -> [PathBuf; 3] {
+        ["parquet", "svg", "png"].map(|ending| self.path.with_extension(ending))
     }
 
     fn seconds_path(&self) -> PathBuf {

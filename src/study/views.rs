@@ -2,6 +2,7 @@
 
 use super::plan::Plan;
 use super::point::Point;
+use super::table::Table;
 use crate::error::FileError;
 use crate::plot::{write_png, write_svg};
 use std::path::{Path, PathBuf};
@@ -12,7 +13,7 @@ impl Plan {
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
     pub fn write_views(&self, table: &Path, points: &[Point]) -> Result<[PathBuf; 3], FileError> {
-        let paths = ["parquet", "svg", "png"].map(|ending| table.with_extension(ending));
+        let paths = Table::new(table).views();
         let [parquet, svg, png] = &paths;
         let all: Vec<usize> = (0..self.realisations()).collect();
         self.write_parquet(parquet, &all, points)?;

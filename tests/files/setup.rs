@@ -214,8 +214,8 @@ fn what_is_wrong_is_said_in_one_sentence() {
             "modulus = 1.0, young = 1, poisson = 0",
             "solid: a contact modulus and elastic constants are given",
         ),
-        ("contact-modulus = 1.0", "young = 1", "solid: 1 Young's moduli and 0 Poisson's ratios are given"),
-        ("contact-modulus = 1.0", "young = [1, 2], poisson = 0.3", "2 Young's moduli and 1 Poisson's ratios are given"),
+        ("contact-modulus = 1.0", "young = 1", "solid: Poisson's ratio is missing: give one value per body"),
+        ("contact-modulus = 1.0", "young = [1, 2], poisson = 0.3", "2 Young's moduli and 1 Poisson's ratio are given"),
         ("contact-modulus = 1.0", "young = 0, poisson = 0.3", "Young's modulus is 0.0: give a positive, finite value"),
         (
             "contact-modulus = 1.0",

@@ -16,11 +16,11 @@ mod profile;
 mod run;
 mod stage;
 
-pub use chart::chart::{Chart, LOAD};
 pub use chart::curves::{CurveKind, Curves, RecordedCurve};
 pub use chart::figure::FigurePicture;
 pub use chart::ghost::{Ghost, entity_under};
 pub use chart::load_axis::LoadAxis;
+pub use chart::load_chart::{Chart, LOAD};
 pub use chart::survey_figure::figure as survey_figure;
 pub use chart::traces::{COMPARED, PHASE, SECONDS, STEP, TRANSFORMS, drawn, log_run_style, title, traced};
 pub use drawing::Place;

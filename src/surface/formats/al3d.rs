@@ -1,6 +1,6 @@
 //! The AL3D files of Alicona's focus variation microscopes.
 
-use super::bytes::{Bytes, nodes};
+use super::bytes::{Bytes, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -34,10 +34,12 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let depth = depth(at, number(&tags, "DepthImageOffset")?)?;
     let shape = nodes(number(&tags, "Rows")?, number(&tags, "Cols")?, 4, depth.len())?;
     let void = void(&tags)?;
+    let doubts = doubts(&tags, bytes.len(), shape)?;
     Ok(vec![Channel {
         spacing: Some([number(&tags, "PixelSizeYMeter")?, number(&tags, "PixelSizeXMeter")?]),
         lateral_unit: Some(1.0),
         unit: Some(1.0),
+        doubts,
         header: tags.into_iter().filter(|it| !FILLING.contains(&it.0.as_str())).collect(),
         ..Channel::map("depth", shape, move || heights(depth, shape, void))
     }])
@@ -49,6 +51,21 @@ fn depth(header_end: Bytes<'_>, place: usize) -> io::Result<&[u8]> {
         true => Err(malformed(format!("it says that its depth image is at byte {place}, where its header is"))),
         false => Ok(header_end.seek(place)?.rest()),
     }
+}
+
+/// The doubt that the depth image ends where its rows and columns say: at the next image, or else at the end of the file.
+fn doubts(tags: &[(String, String)], length: usize, [ny, nx]: [usize; 2]) -> io::Result<Vec<String>> {
+    let start: usize = number(tags, "DepthImageOffset")?;
+    let end = start + ny * (4 * nx).next_multiple_of(8);
+    let places = tags.iter().filter(|it| it.0.ends_with("Offset")).filter_map(|it| it.1.parse().ok());
+    let next = places.filter(|place: &usize| *place > start && *place <= length).min().unwrap_or(length);
+    Ok(match next.checked_sub(end) {
+        Some(rest) => left_over(rest, "the depth image").into_iter().collect(),
+        None => vec![format!(
+            "the depth image of {ny} rows of {nx} points reaches {} bytes into what follows it",
+            end - next
+        )],
+    })
 }
 
 /// Names and values of all tags, and the comment if there is one.

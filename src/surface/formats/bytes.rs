@@ -66,6 +66,11 @@ impl<'a> Bytes<'a> {
     }
 }
 
+/// The statement that bytes are left over behind something, if there are any.
+pub(super) fn left_over(count: usize, behind: &str) -> Option<String> {
+    (count > 0).then(|| format!("{count} bytes are left over behind {behind}"))
+}
+
 /// Readers of numbers of one type, the first byte the least significant one.
 macro_rules! numbers {
     ($($kind:ident)*) => {

@@ -26,6 +26,8 @@ pub(super) struct Channel<'a> {
     pub unit: Option<f64>,
     /// What else the file says of it: names and values.
     pub header: Vec<(String, String)>,
+    /// Statements about what the file contradicts, such as bytes that no count accounts for.
+    pub doubts: Vec<String>,
     /// Values row by row, NaN where there are none.
     pub values: Box<dyn FnOnce() -> io::Result<Vec<f64>> + 'a>,
 }
@@ -34,9 +36,9 @@ impl<'a> Channel<'a> {
     /// A channel of heights on a map, without units, distances and header.
     pub fn map(name: impl Into<String>, shape: [usize; 2], values: impl FnOnce() -> io::Result<Vec<f64>> + 'a) -> Self {
         let (is_height, is_profile, values) = (true, false, Box::new(values));
-        let (spacing, positions, lateral_unit, unit, header) = Default::default();
+        let (spacing, positions, lateral_unit, unit, header, doubts) = Default::default();
         let name = name.into();
-        Self { name, is_height, shape, is_profile, spacing, positions, lateral_unit, unit, header, values }
+        Self { name, is_height, shape, is_profile, spacing, positions, lateral_unit, unit, header, doubts, values }
     }
 }
 

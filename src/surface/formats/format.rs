@@ -10,9 +10,9 @@ pub trait Source: Read + Seek {}
 impl<T: Read + Seek> Source for T {}
 
 /// The array that is wanted of a file.
-pub struct Wanted {
+pub struct Wanted<'a> {
     /// What it holds, and its name in an archive.
-    pub name: &'static str,
+    pub name: &'a str,
     /// The ranks that it may have.
     pub ranks: RangeInclusive<usize>,
 }

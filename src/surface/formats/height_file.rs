@@ -6,9 +6,10 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
 use std::path::{Display, Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
-/// A file of heights: its path, or a name and bytes that are nowhere but in memory. As text it is the path or the name.
+/// A file of heights: its path, or a name and bytes that are nowhere but in memory. As text it is the path or the name. What was read of
+/// it is kept, and shared with its clones, so that it is read and understood once.
 ///
 /// ```
 /// use asperity::surface::HeightFile;
@@ -17,18 +18,32 @@ use std::sync::Arc;
 /// assert_eq!(file.measurement(None)?.height[[1, 0]], 4.0);
 /// # Ok::<(), asperity::error::FileError>(())
 /// ```
-#[derive(Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize)]
 #[serde(from = "PathBuf", into = "PathBuf")]
 pub struct HeightFile {
     path: PathBuf,
     /// What is in it, where it is not on disk.
     bytes: Option<Arc<[u8]>>,
+    kept: Arc<Mutex<Kept>>,
+}
+
+/// What was read of a file: of the channel that was asked for last.
+#[derive(Default)]
+struct Kept {
+    layout: Option<(Option<String>, Layout)>,
+    measurement: Option<(Option<String>, Measurement)>,
+}
+
+impl PartialEq for HeightFile {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.path, &self.bytes) == (&other.path, &other.bytes)
+    }
 }
 
 impl HeightFile {
     /// A file of some name that is not on disk.
     pub fn in_memory(name: impl Into<PathBuf>, bytes: impl Into<Arc<[u8]>>) -> Self {
-        Self { path: name.into(), bytes: Some(bytes.into()) }
+        Self { path: name.into(), bytes: Some(bytes.into()), kept: Arc::default() }
     }
 
     /// The path, or the name of one in memory.
@@ -46,10 +61,17 @@ impl HeightFile {
     /// # Errors
     /// The errors of [`Measurement::read`].
     pub fn measurement(&self, channel: Option<&str>) -> Result<Measurement, FileError> {
-        match &self.bytes {
-            None => Measurement::read(&self.path, channel),
-            Some(bytes) => Measurement::of(bytes, channel).map_err(|error| explained(&self.path, "height", error)),
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, measurement)) = kept.measurement.as_ref().filter(|it| it.0.as_deref() == channel) {
+            return Ok(measurement.clone());
         }
+        let measurement = match &self.bytes {
+            None => Measurement::read(&self.path, channel)?,
+            Some(bytes) => Measurement::of(bytes, channel).map_err(|error| explained(&self.path, "height", error))?,
+        };
+        kept.layout = Some((channel.map(str::to_owned), measurement.layout()));
+        kept.measurement = Some((channel.map(str::to_owned), measurement.clone()));
+        Ok(measurement)
     }
 
     /// Shape and spacing of what is in it, see [`Measurement::read_layout`].
@@ -57,12 +79,18 @@ impl HeightFile {
     /// # Errors
     /// The errors of [`Measurement::read`].
     pub fn layout(&self, channel: Option<&str>) -> Result<Layout, FileError> {
-        match &self.bytes {
-            None => Measurement::read_layout(&self.path, channel),
-            Some(bytes) => {
-                Measurement::layout_of(bytes, channel).map_err(|error| explained(&self.path, "height", error))
-            }
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, layout)) = kept.layout.as_ref().filter(|it| it.0.as_deref() == channel) {
+            return Ok(layout.clone());
         }
+        let layout = match &self.bytes {
+            None => Measurement::read_layout(&self.path, channel)?,
+            Some(bytes) => {
+                Measurement::layout_of(bytes, channel).map_err(|error| explained(&self.path, "height", error))?
+            }
+        };
+        kept.layout = Some((channel.map(str::to_owned), layout.clone()));
+        Ok(layout)
     }
 
     /// All bytes of it.
@@ -89,7 +117,7 @@ impl HeightFile {
 
 impl From<PathBuf> for HeightFile {
     fn from(path: PathBuf) -> Self {
-        Self { path, bytes: None }
+        Self { path, bytes: None, kept: Arc::default() }
     }
 }
 

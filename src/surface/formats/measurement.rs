@@ -4,9 +4,10 @@ use super::channel::{Channel, choose};
 use super::format::{Source, malformed};
 use super::instrument::Instrument;
 use super::layout::Layout;
-use super::{INSTRUMENTS, npy, npz, open, profile_of, shape_of};
+use super::{HEIGHTS, INSTRUMENTS, npy, npz, open, profile_of, shape_of};
 use crate::error::FileError;
 use crate::surface::Field;
+use crate::warning::Warning;
 use ndarray::Axis;
 use std::fs::File;
 use std::io::{self, Cursor, Read, Seek};
@@ -36,6 +37,8 @@ pub struct Measurement {
     pub is_in_metres: bool,
     /// What else the file says: names and values.
     pub header: Vec<(String, String)>,
+    /// What the file contradicts, such as a count of points that is not that of the data.
+    pub warnings: Vec<Warning>,
 }
 
 impl Measurement {
@@ -49,7 +52,11 @@ impl Measurement {
         let path = path.as_ref();
         let read = || {
             let mut file = open(path)?;
-            if is_array(&mut file) { Self::of_arrays(&mut file) } else { Self::of_instrument(&whole(file)?, channel) }
+            if is_array(&mut file) {
+                Self::of_arrays(&mut file, channel)
+            } else {
+                Self::of_instrument(&whole(file)?, channel)
+            }
         };
         read().map_err(|error| super::explained(path, "height", error))
     }
@@ -60,7 +67,7 @@ impl Measurement {
     /// Of the kind [`io::ErrorKind::InvalidData`], with what is wrong with them.
     pub fn of(bytes: &[u8], channel: Option<&str>) -> io::Result<Self> {
         let mut source = Cursor::new(bytes);
-        if is_array(&mut source) { Self::of_arrays(&mut source) } else { Self::of_instrument(bytes, channel) }
+        if is_array(&mut source) { Self::of_arrays(&mut source, channel) } else { Self::of_instrument(bytes, channel) }
     }
 
     /// Shape and spacing of what [`Measurement::read`] reads, of most formats by their header alone.
@@ -71,7 +78,11 @@ impl Measurement {
         let path = path.as_ref();
         let read = || {
             let mut file = open(path)?;
-            if is_array(&mut file) { layout_of_arrays(&mut file) } else { layout_of_instrument(&whole(file)?, channel) }
+            if is_array(&mut file) {
+                layout_of_arrays(&mut file, channel)
+            } else {
+                layout_of_instrument(&whole(file)?, channel)
+            }
         };
         read().map_err(|error| super::explained(path, "height", error))
     }
@@ -82,7 +93,11 @@ impl Measurement {
     /// The errors of [`Measurement::of`].
     pub(super) fn layout_of(bytes: &[u8], channel: Option<&str>) -> io::Result<Layout> {
         let mut source = Cursor::new(bytes);
-        if is_array(&mut source) { layout_of_arrays(&mut source) } else { layout_of_instrument(bytes, channel) }
+        if is_array(&mut source) {
+            layout_of_arrays(&mut source, channel)
+        } else {
+            layout_of_instrument(bytes, channel)
+        }
     }
 
     /// The measurement in a file of an instrument.
@@ -93,17 +108,18 @@ impl Measurement {
         Self::new(instrument.name, channels, choose(all, channel)?)
     }
 
-    /// The heights of arrays, and the positions beside them if there are any.
-    fn of_arrays(source: &mut dyn Source) -> io::Result<Self> {
-        let (array, positions) = profile_of(source)?;
+    /// The heights of an array of a file, and the positions beside them if there are any.
+    fn of_arrays(source: &mut dyn Source, channel: Option<&str>) -> io::Result<Self> {
+        let (channels, name) = array_names(source, channel)?;
+        let (array, positions) = profile_of(source, &name)?;
         let is_profile = array.ndim() == 1;
         let array = if is_profile { array.insert_axis(Axis(0)) } else { array };
         let height: Field = array.into_dimensionality().map_err(|error| malformed(error.to_string()))?;
         let shape = height.dim().into();
         let values = move || Ok(height.into_iter().collect());
         let positions = positions.map(|it| it.to_vec());
-        let channel = Channel { is_profile, positions, ..Channel::map("height", shape, values) };
-        Self::new("NumPy", vec!["height".into()], channel)
+        let channel = Channel { is_profile, positions, ..Channel::map(name, shape, values) };
+        Self::new("NumPy", channels, channel)
     }
 
     /// Shape and spacing.
@@ -122,7 +138,7 @@ impl Measurement {
     /// The measurement in a channel.
     fn new(format: &'static str, channels: Vec<String>, channel: Channel) -> io::Result<Self> {
         let (layout, positions) = Layout::of(&channel)?;
-        let Channel { name, unit, header, values, .. } = channel;
+        let Channel { name, unit, header, doubts, values, .. } = channel;
         let Layout { shape, is_profile, spacing, is_in_metres, is_even } = layout;
         let values = values()?;
         let found = values.len();
@@ -136,7 +152,21 @@ impl Measurement {
             None => height,
         };
         let positions = positions.filter(|_| !is_even).map(|it| it.x);
-        Ok(Self { format, channels, channel: name, height, is_profile, spacing, positions, is_in_metres, header })
+        let advice =
+            "The file may be damaged or incomplete: compare the shape and the heights with those of the instrument";
+        let warnings = doubts.into_iter().map(|doubt| Warning::new(format!("In the file, {doubt}"), advice)).collect();
+        Ok(Self {
+            format,
+            channels,
+            channel: name,
+            height,
+            is_profile,
+            spacing,
+            positions,
+            is_in_metres,
+            header,
+            warnings,
+        })
     }
 }
 
@@ -151,11 +181,38 @@ fn is_array(source: &mut dyn Source) -> bool {
     npz::holds_arrays(source) || npy::is_array(source)
 }
 
-fn layout_of_arrays(source: &mut dyn Source) -> io::Result<Layout> {
-    match *shape_of(source)? {
+fn layout_of_arrays(source: &mut dyn Source, channel: Option<&str>) -> io::Result<Layout> {
+    let (_, name) = array_names(source, channel)?;
+    match *shape_of(source, &name)? {
         [ny, nx] => Ok(Layout::map([ny, nx])),
-        _ => Ok(Measurement::of_arrays(source)?.layout()),
+        _ => Ok(Measurement::of_arrays(source, channel)?.layout()),
     }
+}
+
+/// The names of the arrays to choose from, and of the one that is chosen by its name or its number from 1 on; by default `height`, or the
+/// only one of an archive.
+fn array_names(source: &mut dyn Source, channel: Option<&str>) -> io::Result<(Vec<String>, String)> {
+    if !npz::is_archive(source) {
+        return Ok((vec![HEIGHTS.name.into()], HEIGHTS.name.into()));
+    }
+    let names = npz::names(source)?;
+    let has = |name: &str| names.iter().any(|it| it == name);
+    let by_number = |number: usize| number.checked_sub(1).and_then(|i| names.get(i)).cloned();
+    let chosen = match channel {
+        Some(name) if has(name) => Some(name.to_owned()),
+        Some(name) => name.parse().ok().and_then(by_number),
+        None if has(HEIGHTS.name) => return Ok((vec![HEIGHTS.name.into()], HEIGHTS.name.into())),
+        None => names.first().filter(|_| names.len() == 1).cloned(),
+    };
+    let missing = || {
+        let name = channel.unwrap_or(HEIGHTS.name);
+        malformed(format!(
+            "it is an archive without the array {name:?}: choose one of its channels {}",
+            names.join(", ")
+        ))
+    };
+    let chosen = chosen.ok_or_else(missing)?;
+    Ok((names, chosen))
 }
 
 fn layout_of_instrument(bytes: &[u8], channel: Option<&str>) -> io::Result<Layout> {

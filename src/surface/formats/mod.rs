@@ -65,7 +65,7 @@ const INSTRUMENTS: &[Instrument] = &[
 ];
 
 /// Heights of a line or a surface.
-const HEIGHTS: Wanted = Wanted { name: "height", ranks: 1..=2 };
+const HEIGHTS: Wanted<'static> = Wanted { name: "height", ranks: 1..=2 };
 
 /// Reads heights from a NumPy `.npy` file of integers, singles or doubles, of rank 1 (a line) or 2 (rows of a surface), in C or
 /// Fortran order and either byte order; from the array `height` of an `.npz` archive, such as a result; or from a text of
@@ -80,13 +80,13 @@ pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
 }
 
 /// The heights of arrays like [`read_heights`], and the positions beside them, evenly spaced or not, if there are any.
-fn profile_of(arrays: &mut dyn Source) -> io::Result<(ArrayD<f64>, Option<Array1<f64>>)> {
-    (format(arrays).read)(arrays, &HEIGHTS).map(profile::split)
+fn profile_of(arrays: &mut dyn Source, name: &str) -> io::Result<(ArrayD<f64>, Option<Array1<f64>>)> {
+    (format(arrays).read)(arrays, &Wanted { name, ..HEIGHTS }).map(profile::split)
 }
 
 /// The shape of the heights of arrays, as their header says.
-fn shape_of(arrays: &mut dyn Source) -> io::Result<Vec<usize>> {
-    (format(arrays).shape)(arrays, &HEIGHTS).map(profile::shape)
+fn shape_of(arrays: &mut dyn Source, name: &str) -> io::Result<Vec<usize>> {
+    (format(arrays).shape)(arrays, &Wanted { name, ..HEIGHTS }).map(profile::shape)
 }
 
 /// Reads a field such as `pressure` like [`read_heights`], from the array of that name of an archive.
@@ -131,7 +131,7 @@ pub fn has_field(path: impl AsRef<Path>, name: &'static str) -> Result<bool, Fil
 /// # Errors
 /// The errors of [`read_heights`].
 pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
-    with_file(path.as_ref(), &HEIGHTS, |file, _| shape_of(file))
+    with_file(path.as_ref(), &HEIGHTS, |file, _| shape_of(file, HEIGHTS.name))
 }
 
 /// Reads the text that an archive carries as an array of bytes; none from any other file.
@@ -150,7 +150,7 @@ pub fn read_text(path: impl AsRef<Path>, name: &str) -> Result<Option<String>, F
 /// Reads what is wanted of a file by its format.
 fn with_file<T>(
     path: &Path,
-    wanted: &Wanted,
+    wanted: &Wanted<'static>,
     read: impl FnOnce(&mut dyn Source, &Format) -> io::Result<T>,
 ) -> Result<T, FileError> {
     let opened = open(path).and_then(|mut file| {

@@ -1,6 +1,6 @@
 //! The image files of Nanoscope atomic force microscopes of Digital Instruments, Veeco and Bruker.
 
-use super::bytes::{Bytes, latin, nodes};
+use super::bytes::{Bytes, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -126,13 +126,16 @@ fn bracketed(text: &str, [open, close]: [char; 2]) -> (Option<&str>, &str) {
 fn channel<'a>(bytes: &'a [u8], name: String, kind: &str, image: &List, lists: &[List]) -> io::Result<Channel<'a>> {
     let data = Bytes::new(bytes).seek(image.number("Data offset")?)?.rest();
     let length: usize = image.number("Data length")?;
+    let missing = length.saturating_sub(data.len());
+    let missing = (missing > 0).then(|| format!("{length} bytes are counted for {name:?}, and {missing} are missing"));
     let data = data.get(..length).unwrap_or(data);
     let [rows, columns] = [image.number("Number of lines")?, image.number("Samps/line")?];
     let [ny, nx] = nodes(rows, columns, 2, data.len())?;
     let (scaled, stored) = widths(image, lists, data.len() / (ny * nx))?;
     nodes(rows, columns, stored, data.len())?;
+    let rest = left_over(data.len() - ny * nx * stored, &format!("the points of {name:?}"));
     let values = move || values(data, [ny, nx], stored);
-    let map = Channel::map(name, [ny, nx], values);
+    let map = Channel { doubts: missing.into_iter().chain(rest).collect(), ..Channel::map(name, [ny, nx], values) };
     let range = range(image, lists)?.filter(|_| matches!(kind, "Height" | "ZSensor") || map.name.contains("Height"));
     let Some(range) = range else { return Ok(Channel { is_height: false, ..map }) };
     if !range.is_finite() || range == 0.0 {

@@ -14,6 +14,8 @@ pub(super) const FORMAT: Format = Format {
 
 /// The start of an archive and of each of its members.
 const MARK: [u8; 4] = *b"PK\x03\x04";
+/// Names of arrays at the most, for people to choose from.
+const MOST: usize = 64;
 /// Bytes before the name of a member.
 const HEAD: usize = 30;
 
@@ -44,9 +46,15 @@ pub(super) fn text(file: &mut dyn Source, name: &str) -> io::Result<String> {
 /// The bytes of a member within an archive.
 ///
 /// # Errors
-/// The reason, where there is no such member, and those of [`find_member`].
+/// The names of all arrays, where there is none of that name, and the errors of [`find_member`].
 fn member(file: &mut dyn Source, name: &str) -> io::Result<Range<u64>> {
-    find_member(file, name)?.ok_or_else(|| malformed(format!("it is an archive without the array `{name}`")))
+    match find_member(file, name)? {
+        Some(place) => Ok(place),
+        None => {
+            let names = names(file)?.join(", ");
+            Err(malformed(format!("it is an archive without the array `{name}`: it holds {names}")))
+        }
+    }
 }
 
 /// The bytes of a member within an archive, if it has one of that name. Nothing of a claimed size is allocated.
@@ -54,36 +62,64 @@ fn member(file: &mut dyn Source, name: &str) -> io::Result<Range<u64>> {
 /// # Errors
 /// The reason, where the member is compressed, or the archive is cut short.
 pub(super) fn find_member(file: &mut dyn Source, name: &str) -> io::Result<Option<Range<u64>>> {
-    let cut_short = |error: io::Error| malformed(format!("it is a broken archive ({error})"));
-    let bytes = file.seek(SeekFrom::End(0))?;
     let mut at = 0;
-    loop {
-        let mut head = [0; HEAD];
-        let is_read = file.seek(SeekFrom::Start(at)).and_then(|_| file.read_exact(&mut head)).is_ok();
-        if !is_read || head[..MARK.len()] != MARK {
-            return Ok(None);
-        }
-        let mut found = vec![0; number(&head[26..28]) as usize];
-        let mut extra = vec![0; number(&head[28..30]) as usize];
-        file.read_exact(&mut found).and_then(|()| file.read_exact(&mut extra)).map_err(cut_short)?;
-        let start = at + (HEAD + found.len() + extra.len()) as u64;
-        let size = match number(&head[18..22]) {
-            size if size == u64::from(u32::MAX) => long_size(&extra),
-            size => Some(size),
-        };
-        let end = size.and_then(|size| start.checked_add(size)).filter(|&end| end <= bytes);
-        let is_plain = head[6] & 0b1001 == 0;
-        let cut = || malformed("it is an archive that is cut short, encrypted or streamed");
-        at = end.filter(|_| is_plain).ok_or_else(cut)?;
-        if found.strip_suffix(b".npy") == Some(name.as_bytes()) {
-            let is_stored = number(&head[8..10]) == 0;
-            return if is_stored {
-                Ok(Some(start..at))
-            } else {
-                Err(malformed("it is compressed: save it by numpy.savez"))
+    while let Some(member) = next(file, at)? {
+        if member.array.as_deref() == Some(name) {
+            return match member.is_stored {
+                true => Ok(Some(member.place)),
+                false => Err(malformed("it is compressed: save it by numpy.savez")),
             };
         }
+        at = member.place.end;
     }
+    Ok(None)
+}
+
+/// The names of all arrays of an archive, at most [`MOST`].
+///
+/// # Errors
+/// The reason, where the archive is cut short.
+pub(super) fn names(file: &mut dyn Source) -> io::Result<Vec<String>> {
+    let (mut names, mut at) = (Vec::new(), 0);
+    while let Some(member) = next(file, at)?.filter(|_| names.len() < MOST) {
+        names.extend(member.array);
+        at = member.place.end;
+    }
+    Ok(names)
+}
+
+/// A member of an archive.
+struct Member {
+    /// The name, if it is an array.
+    array: Option<String>,
+    place: Range<u64>,
+    /// Whether it is not compressed.
+    is_stored: bool,
+}
+
+/// The member that begins at a place, if one does.
+fn next(file: &mut dyn Source, at: u64) -> io::Result<Option<Member>> {
+    let cut_short = |error: io::Error| malformed(format!("it is a broken archive ({error})"));
+    let bytes = file.seek(SeekFrom::End(0))?;
+    let mut head = [0; HEAD];
+    let is_read = file.seek(SeekFrom::Start(at)).and_then(|_| file.read_exact(&mut head)).is_ok();
+    if !is_read || head[..MARK.len()] != MARK {
+        return Ok(None);
+    }
+    let mut found = vec![0; number(&head[26..28]) as usize];
+    let mut extra = vec![0; number(&head[28..30]) as usize];
+    file.read_exact(&mut found).and_then(|()| file.read_exact(&mut extra)).map_err(cut_short)?;
+    let start = at + (HEAD + found.len() + extra.len()) as u64;
+    let size = match number(&head[18..22]) {
+        size if size == u64::from(u32::MAX) => long_size(&extra),
+        size => Some(size),
+    };
+    let end = size.and_then(|size| start.checked_add(size)).filter(|&end| end <= bytes);
+    let is_plain = head[6] & 0b1001 == 0;
+    let cut = || malformed("it is an archive that is cut short, encrypted or streamed");
+    let end = end.filter(|_| is_plain).ok_or_else(cut)?;
+    let array = found.strip_suffix(b".npy").map(|name| String::from_utf8_lossy(name).into_owned());
+    Ok(Some(Member { array, place: start..end, is_stored: number(&head[8..10]) == 0 }))
 }
 
 /// The size of a member that does not fit 32 bits, from what stands beside its name.

@@ -13,7 +13,7 @@ use std::io;
 ///
 /// | columns | what they are |
 /// |---------|---------------|
-/// | any, below a head that says the width of the map | heights row by row, the first row at `y = 0`, as Gwyddion exports them |
+/// | any, below a head that says the width of the map or the size of a pixel | heights row by row, the first row at `y = 0`, as Gwyddion exports them |
 /// | 1 (or one row) | heights of a profile |
 /// | 2 | positions and heights of a profile |
 /// | 3 | x, y and height of the points of a map, in any order, evenly spaced; those that are missing are void |
@@ -33,25 +33,36 @@ fn is_it(bytes: &[u8]) -> bool {
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let table = Table::of(&latin(bytes))?;
     let mut remarks = Remarks::of(&table.head);
+    let doubts = doubts(&table, &remarks);
     let said = std::mem::take(&mut remarks.said);
     let name = remarks.channel.clone().unwrap_or_else(|| "height".into());
     let channel = match table.shape() {
-        _ if remarks.width.is_some() => sized(table, &remarks),
+        _ if remarks.width.is_some() || remarks.pixel.is_some() => sized(table, &remarks),
         [_, 1] | [1, _] => profile(table, &remarks),
         [_, 2] => positions(table, &remarks),
         [_, 3] => points(&table, &remarks)?,
         shape => Channel::map("", shape, move || Ok(table.values)),
     };
-    Ok(vec![Channel { name, header: said, ..channel }])
+    Ok(vec![Channel { name, header: said, doubts, ..channel }])
+}
+
+/// What the head says of the numbers of rows and columns, where the table has others.
+fn doubts(table: &Table, remarks: &Remarks) -> Vec<String> {
+    let [found_rows, found_columns] = table.shape();
+    let rows = [table.rows, remarks.shape[0]].into_iter().flatten().find(|rows| *rows != found_rows);
+    let rows = rows.map(|rows| format!("the head says {rows} rows, and there are {found_rows}"));
+    let columns = remarks.shape[1].filter(|columns| *columns != found_columns);
+    let columns = columns.map(|columns| format!("the head says {columns} columns, and there are {found_columns}"));
+    rows.into_iter().chain(columns).collect()
 }
 
 /// A map whose head says its size.
 fn sized(table: Table, remarks: &Remarks) -> Channel<'static> {
     let [ny, nx] = table.shape();
-    let width = remarks.width.unwrap_or(f64::NAN);
-    let height = remarks.height.unwrap_or(width / nx as f64 * ny as f64);
+    let across = remarks.width.map(|width| width / nx as f64).or(remarks.pixel).unwrap_or(f64::NAN);
+    let along = remarks.height.map_or(across, |height| height / ny as f64);
     Channel {
-        spacing: Some([height / ny as f64, width / nx as f64]),
+        spacing: Some([along, across]),
         lateral_unit: Some(1.0),
         unit: remarks.value_unit,
         ..Channel::map("", [ny, nx], move || Ok(table.values))

@@ -1,6 +1,6 @@
 //! The OPD files of Wyko interferometers.
 
-use super::bytes::{Bytes, latin, nodes};
+use super::bytes::{Bytes, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -32,13 +32,18 @@ fn is_it(bytes: &[u8]) -> bool {
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    let blocks = blocks(bytes)?;
+    let (blocks, rest) = blocks(bytes)?;
     let arrays: Vec<&Block> = blocks.iter().filter(|it| it.kind == ARRAY).collect();
     let heights = arrays.iter().filter(|it| it.is_height()).count();
     if heights > MOST {
         return Err(malformed(format!("it holds {heights} arrays of heights, and {MOST} at the most are read")));
     }
-    arrays.into_iter().map(|array| if array.is_height() { map(array, &blocks) } else { array.channel() }).collect()
+    let channels =
+        arrays.into_iter().map(|array| if array.is_height() { map(array, &blocks) } else { array.channel() });
+    let mut channels = channels.collect::<io::Result<Vec<_>>>()?;
+    let rest = left_over(rest, "the last block");
+    channels.iter_mut().for_each(|it| it.doubts.extend(rest.clone()));
+    Ok(channels)
 }
 
 /// A part of the file.
@@ -48,8 +53,8 @@ struct Block<'a> {
     bytes: &'a [u8],
 }
 
-/// All parts that are not empty.
-fn blocks(bytes: &[u8]) -> io::Result<Vec<Block<'_>>> {
+/// All parts that are not empty, and how many bytes follow them.
+fn blocks(bytes: &[u8]) -> io::Result<(Vec<Block<'_>>, usize)> {
     let mut directory = Bytes::new(bytes).seek(2)?;
     let (_, _, length) = entry(&mut directory)?;
     let mut data = directory.seek(length.saturating_add(2))?;
@@ -60,7 +65,7 @@ fn blocks(bytes: &[u8]) -> io::Result<Vec<Block<'_>>> {
             blocks.push(Block { name, kind, bytes: data.take(length)? });
         }
     }
-    Ok(blocks)
+    Ok((blocks, data.rest().len()))
 }
 
 /// Name, type and length of a block.
@@ -107,7 +112,9 @@ impl<'a> Block<'a> {
         let shape = nodes(rows.into(), columns.into(), size, rest.len())?;
         let stored = rest.chunks_exact(size).take(shape[0] * shape[1]);
         let values = move || rows_of(stored.map(value).collect::<io::Result<_>>()?, shape);
-        Ok(Channel { is_height: false, ..Channel::map(&*self.name, shape, values) })
+        let rest = left_over(rest.len() - shape[0] * shape[1] * size, &format!("the points of {:?}", self.name));
+        let doubts = rest.into_iter().collect();
+        Ok(Channel { is_height: false, doubts, ..Channel::map(&*self.name, shape, values) })
     }
 }
 

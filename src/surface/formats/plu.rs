@@ -7,7 +7,7 @@ use super::instrument::Instrument;
 use std::io;
 
 /// Fixed fields of 500 bytes: a date as text and as number, a comment, distances and origins of the axes, and settings. Then each layer: rows,
-/// columns, heights row by row in single precision, the smallest and the largest of them, and pictures. All lengths are micrometres. A height of
+/// columns, heights row by row in single precision, the smallest and the largest of them, and pictures. Behind the last layer there is more. All lengths are micrometres. A height of
 /// 1000001 is void. Profiles and topographies are read; images, series of profiles and maps of coordinates are refused.
 ///
 /// # Source
@@ -42,6 +42,8 @@ fn is_like(byte: u8, like: u8) -> bool {
 struct Fields {
     spacing: [f64; 2],
     is_profile: bool,
+    /// Rows and columns, which each layer says again.
+    counts: [u32; 2],
     layers: u8,
     pictures: u8,
     header: Vec<(String, String)>,
@@ -64,6 +66,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
             lateral_unit: Some(MICROMETRE),
             unit: Some(MICROMETRE),
             header: fields.header.clone(),
+            doubts: doubt(&fields, &name, shape).into_iter().collect(),
             ..Channel::map(name, shape, values)
         });
         if layer < fields.layers {
@@ -73,11 +76,19 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     Ok(channels)
 }
 
+/// The doubt that a layer of a topography has other counts than the fields.
+fn doubt(fields: &Fields, name: &str, [ny, nx]: [usize; 2]) -> Option<String> {
+    let [rows, columns] = fields.counts;
+    let is_other = !fields.is_profile && rows > 0 && columns > 0 && [rows as usize, columns as usize] != [ny, nx];
+    is_other.then(|| format!("the fields say {rows} rows of {columns} points, and {name} has {ny} rows of {nx}"))
+}
+
 fn fields(at: &mut Bytes) -> io::Result<Fields> {
     let date = at.text(128)?;
     at.u32()?; // the date as a number
     let comment = at.text(256)?;
-    at.take(12)?; // counts of points, which each layer says
+    let counts = [at.u32()?, at.u32()?];
+    at.u32()?; // number of profiles in a series
     at.f32()?; // distance of profiles in a series
     let [x, y, x_0, y_0] = [at.f32()?, at.f32()?, at.f32()?, at.f32()?];
     at.f32()?; // distance of points in a cut
@@ -103,7 +114,7 @@ fn fields(at: &mut Bytes) -> io::Result<Fields> {
         ("Z0", format!("{z_0} µm")),
     ];
     let header = header.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-    Ok(Fields { spacing, is_profile, layers, pictures, header })
+    Ok(Fields { spacing, is_profile, counts, layers, pictures, header })
 }
 
 fn is_profile(kind: u32) -> io::Result<bool> {

@@ -1,6 +1,6 @@
 //! The surface data file of ISO 25178-71 and of its predecessor, in text and binary.
 
-use super::bytes::{Bytes, latin, nodes};
+use super::bytes::{Bytes, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -173,11 +173,15 @@ fn binary(bytes: &[u8]) -> io::Result<Channel<'_>> {
     let (numbers, is_iso) = (numbers(kind)?, is_iso(bytes));
     let [ny, nx] = nodes(rows, columns, numbers.size, at.rest().len())?;
     let rest = heights(at.rest(), ny * nx * numbers.size);
-    header.extend(rest.get(ny * nx * numbers.size..).and_then(|it| remarks(&latin(it))));
+    let trailer = rest.get(ny * nx * numbers.size..).unwrap_or_default();
+    let is_text = trailer.iter().all(|byte| matches!(*byte, 0 | b'\t' | b'\n' | b'\r' | b' '..=b'~'));
+    let doubts = left_over(if is_text { 0 } else { trailer.len() }, "the heights").into_iter().collect();
+    header.extend(remarks(&latin(trailer)));
     let value = move |bytes| Ok(numbers.known((numbers.read)(Bytes::new(bytes))?, is_iso));
     let values = move || rest.chunks_exact(numbers.size).take(ny * nx).map(value).collect();
     let shape = [rows, columns];
-    Header { shape, scale, compression, check, header }.channel(numbers.size, rest.len(), values)
+    let channel = Header { shape, scale, compression, check, header }.channel(numbers.size, rest.len(), values)?;
+    Ok(Channel { doubts, ..channel })
 }
 
 /// Heights of so many bytes and the trailer, without what a writer puts before them.

@@ -1,6 +1,6 @@
 //! Surfaces and profiles of Digital Surf's Mountains and of the instruments that write for it.
 
-use super::bytes::{Bytes, latin, nodes};
+use super::bytes::{Bytes, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -41,6 +41,8 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     for i in 1..count {
         channels.push(Object::new(&mut at)?.channel(kind, i)?);
     }
+    let rest = left_over(at.rest().len(), "the last object");
+    channels.iter_mut().for_each(|it| it.doubts.extend(rest.clone()));
     Ok(channels)
 }
 
@@ -93,6 +95,8 @@ struct Object<'a> {
     size: usize,
     smallest: i32,
     shape: [i64; 2],
+    /// Points as the header counts them again.
+    total: i64,
     /// Numbers at each place of the map: more than one for spectra.
     depth: usize,
     steps: [f32; 3],
@@ -124,7 +128,7 @@ impl<'a> Object<'a> {
         at.take(2 + 4)?; // absolute heights, resolution of the gauge
         let depth = at.i32()?.max(1) as usize;
         let bits = at.i16()?;
-        let [smallest, _, columns, rows, _] = [at.i32()?, at.i32()?, at.i32()?, at.i32()?, at.i32()?];
+        let [smallest, _, columns, rows, total] = [at.i32()?, at.i32()?, at.i32()?, at.i32()?, at.i32()?];
         let steps = [at.f32()?, at.f32()?, at.f32()?];
         let [x, y, name] = [at.text(16)?, at.text(16)?, at.text(16)?];
         let units = [at.text(16)?, at.text(16)?, at.text(16)?];
@@ -160,8 +164,24 @@ impl<'a> Object<'a> {
         };
         let shape = [rows, columns].map(i64::from);
         let points = if is_packed { Points::packed(at)? } else { plain(at, shape, size, depth)? };
+        let total = i64::from(total);
         let count = objects.max(1) as usize * parts.max(1) as usize;
-        Ok(Self { count, kind, has_voids, size, smallest, shape, depth, steps, offset, name, units, header, points })
+        Ok(Self {
+            count,
+            kind,
+            has_voids,
+            size,
+            smallest,
+            shape,
+            total,
+            depth,
+            steps,
+            offset,
+            name,
+            units,
+            header,
+            points,
+        })
     }
 
     /// The channel of an object by its place in a file of a kind.
@@ -183,9 +203,12 @@ impl<'a> Object<'a> {
             let bytes = points.bytes(count * size)?;
             bytes.chunks_exact(size).take(count).map(|it| Ok(height(number(it)?))).collect()
         };
+        let doubt = (self.total > 0 && self.total != count as i64)
+            .then(|| format!("{} points are counted, and {} rows of {} are {count}", self.total, shape[0], shape[1]));
         Ok(Channel {
             is_height,
             is_profile,
+            doubts: doubt.into_iter().collect(),
             spacing: Some([across, x]),
             lateral_unit: along_x,
             unit,

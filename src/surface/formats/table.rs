@@ -12,7 +12,8 @@ const VOIDS: [&str; 4] = ["BAD", "---", "N/A", "#N/A"];
 /// Rows of equally many numbers, and the lines above them.
 ///
 /// Numbers are told apart by white space, semicolons or commas. Where something else parts them, a comma is a decimal one. Lines
-/// before the first number are the head; empty ones and those that begin with `#` or `%` are no rows anywhere.
+/// before the first row are the head, and so is a whole number on a line of its own above rows of several numbers, which counts them;
+/// empty lines and those that begin with `#` or `%` are no rows anywhere.
 pub(super) struct Table {
     /// The lines before the first number, and those that begin with `#` or `%`.
     pub head: Vec<String>,
@@ -20,6 +21,8 @@ pub(super) struct Table {
     pub columns: usize,
     /// The numbers row by row, NaN where none was measured.
     pub values: Vec<f64>,
+    /// The number of rows that a line above them says.
+    pub rows: Option<usize>,
 }
 
 impl Table {
@@ -32,18 +35,39 @@ impl Table {
         let is_remark = |line: &str| line.is_empty() || line.starts_with(['#', '%']);
         let lines = || text.lines().map(str::trim).enumerate();
         let is_row = |line: &str| !is_remark(line) && Comma::KINDS.iter().any(|comma| comma.reads(line));
-        let Some((start, _)) = lines().find(|(_, line)| is_row(line)) else { return Err(no_numbers(text)) };
+        let Some((first, _)) = lines().find(|(_, line)| is_row(line)) else { return Err(no_numbers(text)) };
+        let mut rows = lines().skip(first).filter(|(_, line)| !is_remark(line));
+        let count = rows.next().and_then(|(_, line)| line.parse::<usize>().ok());
+        let next = rows.next().filter(|(_, line)| words(line) > 1 && is_row(line)).map(|(at, _)| at);
+        let (start, count) = count.zip(next).map_or((first, None), |(count, next)| (next, Some(count)));
         let rows = || lines().skip(start).filter(|(_, line)| !is_remark(line));
         refuse_doubtful(rows().map(|(_, line)| line))?;
         let head = || lines().filter(|(at, line)| !line.is_empty() && (*at < start || is_remark(line)));
         let read = |comma| {
             let head = head().map(|(_, line)| line.to_owned()).collect();
-            let mut table = Self { head, columns: 0, values: Vec::new() };
+            let mut table = Self { head, columns: 0, values: Vec::new(), rows: count };
             rows().try_for_each(|(at, line)| table.add(at + 1, line, comma))?;
+            lines()
+                .take(first)
+                .filter(|(_, line)| !is_remark(line))
+                .try_for_each(|(at, line)| table.refuse_row(at + 1, line, comma))?;
             Ok(table)
         };
         let [parts, decimal] = Comma::KINDS;
         read(parts).or_else(|error| read(decimal).map_err(|_| error))
+    }
+
+    /// Refuses a line of the head that has as many words as a row, most of them numbers: it is a row with an error in it.
+    fn refuse_row(&self, place: usize, line: &str, comma: Comma) -> io::Result<()> {
+        let words: Vec<Result<f64, &str>> = comma.numbers(line).collect();
+        let wrong = words.iter().find_map(|word| word.err());
+        let numbers = words.iter().filter(|word| word.is_ok()).count();
+        match wrong {
+            Some(word) if words.len() == self.columns && 2 * numbers >= words.len() => {
+                Err(malformed(format!("line {place} holds {word:?}, which is no number")))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Adds the numbers of the line at some place, which must be as many as those before.
@@ -128,6 +152,11 @@ fn is_doubtful(line: &str) -> bool {
     line.split_once(',').is_some_and(|(a, b)| {
         [a, b].iter().all(|part| part.trim_start_matches(['-', '+']).bytes().all(|c| c.is_ascii_digit()))
     })
+}
+
+/// Words of a line.
+fn words(line: &str) -> usize {
+    line.split([' ', '\t', ';', ',']).filter(|word| !word.is_empty()).count()
 }
 
 fn no_numbers(text: &str) -> io::Error {

@@ -1,19 +1,21 @@
 //! Surfaces and profiles in archives with a description in XML.
 
 use super::axis::{Axis, Kind, child, find, number};
-use super::bytes::{latin, nodes};
+use super::bytes::{latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
+use md5::{Context, Digest};
 use roxmltree::{Document, Node};
-use std::io::{self, BufReader, Cursor, Read};
+use std::io::{self, Cursor, Read};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
 /// An archive whose `main.xml` describes three axes and the numbers of points along them, and holds the points as a list or names a file
 /// of the archive with them, x fastest, then y, the least significant byte first. Only coordinates along absolute axes are stored, and
 /// a coordinate in metres is offset plus number times increment. Void points are NaN, empty in a list, or those whose bit in a file of
-/// valid points, the least significant bit first, is zero. Check sums are those of the archive; those in MD5 are not looked at.
+/// valid points, the least significant bit first, is zero. Points whose MD5 check sum is not that of the description are refused; a description
+/// that was changed after its own sum was made is read, with a doubt.
 ///
 /// # Source
 /// ISO 25178-72:2017 and ISO 5436-2:2012, and the published schema and descriptions of openGPS. Layers, point clouds and surfaces that are
@@ -22,6 +24,10 @@ pub(super) const INSTRUMENT: Instrument = Instrument { name: "ISO 25178-72 (X3P)
 
 /// The name of the description.
 const MAIN: &str = "main.xml";
+/// The name of the file with the check sum of the description.
+const SUM: &str = "md5checksum.hex";
+/// Points that are unpacked at a time.
+const PIECE: usize = 1 << 16;
 /// Bytes that a byte of an archive can stand for at most: the limit of its compression.
 const LARGEST_RATIO: usize = 1032;
 /// Bytes of a description that a byte of an archive may stand for: many more make a document that is larger than anything of use.
@@ -55,25 +61,43 @@ fn missing(name: &str) -> impl Fn(ZipError) -> io::Error {
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let mut archive: Archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
-    let text = description(&mut archive, bytes.len() as u64)?;
+    let (text, found) = description(&mut archive, bytes.len() as u64)?;
+    let sum = archive.by_name(SUM).ok().map(|sum| bytes_of(sum, TEXT)).transpose()?;
     let document = Document::parse(&text)
         .map_err(|error| malformed(format!("it holds a {MAIN} that cannot be understood: {error}")))?;
     let root = document.root_element();
     let surface = Surface::new(root, bytes.len().saturating_mul(LARGEST_RATIO))?;
-    Ok(vec![surface.channel(archive, header(root))?])
+    let doubts = sum.filter(|sum| !is_sum(found, &latin(sum))).map(|_| {
+        format!("the {MAIN} is not the one of which {SUM} holds the check sum: it was changed after it was written")
+    });
+    let channel = surface.channel(archive, header(root))?;
+    Ok(vec![Channel { doubts: channel.doubts.into_iter().chain(doubts).collect(), ..channel }])
 }
 
-/// The text of the description.
-fn description(archive: &mut Archive, length: u64) -> io::Result<String> {
+/// Whether a text such as `d41d...427e *main.xml` begins with a check sum. One that begins with no sum says nothing.
+fn is_sum(sum: Digest, text: &str) -> bool {
+    let word = text.split_whitespace().next().unwrap_or_default();
+    let is_hexadecimal = word.len() == 32 && word.bytes().all(|it| it.is_ascii_hexdigit());
+    !is_hexadecimal || word.eq_ignore_ascii_case(&format!("{sum:x}"))
+}
+
+/// The text of the description, and its check sum.
+fn description(archive: &mut Archive, length: u64) -> io::Result<(String, Digest)> {
     let limit = TEXT + TEXT_RATIO.saturating_mul(length);
-    let mut text = Vec::new();
-    archive.by_name(MAIN).map_err(damaged)?.take(limit).read_to_end(&mut text).map_err(damaged)?;
-    if text.len() as u64 == limit {
-        return Err(malformed(format!("it holds a {MAIN} of more than {limit} bytes")));
-    }
+    let text = bytes_of(archive.by_name(MAIN).map_err(damaged)?, limit)?;
     match text.iter().filter(|byte| **byte == b'=').count() {
-        ..=ATTRIBUTES => Ok(latin(&text)),
+        ..=ATTRIBUTES => Ok((latin(&text), md5::compute(&text))),
         count => Err(malformed(format!("it holds a {MAIN} with {count} attributes, more than {ATTRIBUTES}"))),
+    }
+}
+
+/// The bytes of a file of an archive, fewer than `limit`.
+fn bytes_of(file: impl Read, limit: u64) -> io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    file.take(limit).read_to_end(&mut text).map_err(damaged)?;
+    match text.len() as u64 == limit {
+        true => Err(malformed(format!("it holds a description of more than {limit} bytes"))),
+        false => Ok(text),
     }
 }
 
@@ -102,8 +126,50 @@ fn header(root: Node) -> Vec<(String, String)> {
 enum Points {
     /// In the description: one text for each.
     List(Vec<String>),
-    /// In files of the archive of these names: coordinates and valid points.
-    Files(String, Option<String>),
+    /// In files of the archive: coordinates and valid points.
+    Files(Link, Option<Link>),
+}
+
+/// A file of the archive by its name, and its check sum in MD5 if the description says it.
+struct Link {
+    name: String,
+    sum: Option<String>,
+}
+
+impl Link {
+    /// The link and its sum at paths of names in the third record; none where there is no name.
+    fn find(record: Node, name: &str, sum: &str) -> Option<Self> {
+        let name = find(record, name).filter(|it| !it.is_empty())?.to_owned();
+        Some(Self { name, sum: find(record, sum).map(str::to_owned) })
+    }
+
+    /// Unpacks pieces of a file, each of a whole number of points of `size` bytes, `count` points in all, and checks the check sums.
+    fn unpack(
+        &self,
+        archive: &mut Archive,
+        (count, size): (usize, usize),
+        mut each: impl FnMut(&[u8]) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let mut file = archive.by_name(&self.name).map_err(missing(&self.name))?;
+        let (mut sum, mut left, mut piece) = (Context::new(), count, Vec::new());
+        while left > 0 {
+            let points = left.min(PIECE);
+            piece.resize(points * size, 0);
+            file.read_exact(&mut piece).map_err(damaged)?;
+            sum.consume(&piece);
+            each(&piece)?;
+            left -= points;
+        }
+        // an archive compares its own check sum at the end of a file; more than the points is left to a doubt
+        let is_at_end = file.read(&mut [0]).map_err(damaged)? == 0;
+        match &self.sum {
+            Some(told) if is_at_end && !is_sum(sum.finalize(), told) => Err(malformed(format!(
+                "its file {:?} has another MD5 check sum than its {MAIN} says: the points were changed or damaged",
+                self.name
+            ))),
+            _ => Ok(()),
+        }
+    }
 }
 
 /// A surface or profile as the description has it.
@@ -127,8 +193,9 @@ impl Surface {
         }
         let axes = child(first, "Axes").ok_or_else(|| missing("Axes"))?;
         let axes = [Axis::new(axes, "CX")?, Axis::new(axes, "CY")?, Axis::new(axes, "CZ")?];
-        let points = match (find(third, "DataLink/PointDataLink"), child(third, "DataList")) {
-            (Some(link), _) => Points::Files(link.into(), find(third, "DataLink/ValidPointsLink").map(str::to_owned)),
+        let link = |name: &str, sum: &str| Link::find(third, &format!("DataLink/{name}"), &format!("DataLink/{sum}"));
+        let points = match (link("PointDataLink", "MD5ChecksumPointData"), child(third, "DataList")) {
+            (Some(points), _) => Points::Files(points, link("ValidPointsLink", "MD5ChecksumValidPoints")),
             (None, Some(list)) => Points::List(data(list)),
             (None, None) => return Err(missing("DataLink and no DataList")),
         };
@@ -160,6 +227,7 @@ impl Surface {
         let positions = x.kind.is_some().then(|| self.coordinates(&mut archive, 0)).transpose()?;
         let spacing = [if is_profile { x } else { y }, x].map(|it| it.increment);
         let spacing = positions.is_none().then_some(spacing);
+        let doubts = self.doubt(&mut archive)?.into_iter().collect();
         let values = move || self.coordinates(&mut archive, 2);
         let [lateral_unit, unit] = [Some(1.0); 2];
         Ok(Channel {
@@ -169,6 +237,7 @@ impl Surface {
             lateral_unit,
             unit,
             header,
+            doubts,
             ..Channel::map("height", shape, values)
         })
     }
@@ -179,12 +248,32 @@ impl Surface {
             Points::List(list) => list.iter().take(self.count()).map(|point| self.listed(point, axis)).collect(),
             Points::Files(link, valid) => {
                 let mut coordinates = self.stored(archive, link, axis)?;
-                if let Some(valid) = valid.as_ref().filter(|it| !it.is_empty()) {
+                if let Some(valid) = valid {
                     blank(archive, valid, &mut coordinates)?;
                 }
                 Ok(coordinates)
             }
         }
+    }
+
+    /// The doubt that there are more points than the description counts.
+    fn doubt(&self, archive: &mut Archive) -> io::Result<Option<String>> {
+        Ok(match &self.points {
+            Points::List(list) => {
+                let rest = list.len() - self.count();
+                (rest > 0).then(|| format!("{rest} points are left over behind the {} that are counted", self.count()))
+            }
+            Points::Files(link, _) => {
+                let stored = archive.by_name(&link.name).map_err(missing(&link.name))?.size();
+                let rest = stored.saturating_sub((self.count() * self.size()) as u64);
+                left_over(rest as usize, &format!("the points in {:?}", link.name))
+            }
+        })
+    }
+
+    /// Bytes of a point.
+    fn size(&self) -> usize {
+        self.axes.iter().filter_map(|it| it.kind).map(Kind::size).sum()
     }
 
     /// The number of points.
@@ -204,25 +293,19 @@ impl Surface {
     }
 
     /// The coordinates along an absolute axis in a file of the archive.
-    fn stored(&self, archive: &mut Archive, link: &str, axis: usize) -> io::Result<Vec<f64>> {
-        let sizes = self.axes.map(|it| it.kind.map_or(0, Kind::size));
-        let (before, size): (usize, usize) = (sizes.iter().take(axis).sum(), sizes.iter().sum());
+    fn stored(&self, archive: &mut Archive, link: &Link, axis: usize) -> io::Result<Vec<f64>> {
+        let before: usize = self.axes.iter().take(axis).filter_map(|it| it.kind).map(Kind::size).sum();
         let kind = self.axes[axis].kind.ok_or_else(|| malformed("its heights are not stored"))?;
-        let mut file = BufReader::new(archive.by_name(link).map_err(missing(link))?);
-        let mut point = [0; 24];
-        let mut next = || {
-            file.read_exact(&mut point[..size]).map_err(damaged)?;
-            Ok(self.axes[axis].metres(kind.number(&point[before..size])?))
-        };
-        let coordinates = (0..self.count()).map(|_| next()).collect::<io::Result<_>>()?;
-        ended(file)?;
+        let size = self.size();
+        let mut coordinates = Vec::new();
+        link.unpack(archive, (self.count(), size), |piece| {
+            for point in piece.chunks_exact(size) {
+                coordinates.push(self.axes[axis].metres(kind.number(&point[before..])?));
+            }
+            Ok(())
+        })?;
         Ok(coordinates)
     }
-}
-
-/// Reads on behind the last point: an archive compares its check sum at the end of a file.
-fn ended(mut file: impl Read) -> io::Result<()> {
-    file.read(&mut [0]).map(|_| ()).map_err(damaged)
 }
 
 /// The points of a list.
@@ -248,13 +331,14 @@ fn shape(record: Node, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
 }
 
 /// Makes those coordinates void whose bit in a file of the archive is zero.
-fn blank(archive: &mut Archive, link: &str, coordinates: &mut [f64]) -> io::Result<()> {
-    let mut file = BufReader::new(archive.by_name(link).map_err(missing(link))?);
-    for part in coordinates.chunks_mut(8) {
-        let mut bits = [0];
-        file.read_exact(&mut bits).map_err(damaged)?;
-        let void = part.iter_mut().enumerate().filter(|(i, _)| bits[0] >> i & 1 == 0);
-        void.for_each(|(_, coordinate)| *coordinate = f64::NAN);
-    }
-    ended(file)
+fn blank(archive: &mut Archive, link: &Link, coordinates: &mut [f64]) -> io::Result<()> {
+    let mut parts = coordinates.chunks_mut(8);
+    let bytes = parts.len();
+    link.unpack(archive, (bytes, 1), |piece| {
+        for (bits, part) in piece.iter().zip(parts.by_ref()) {
+            let void = part.iter_mut().enumerate().filter(|(i, _)| bits >> i & 1 == 0);
+            void.for_each(|(_, coordinate)| *coordinate = f64::NAN);
+        }
+        Ok(())
+    })
 }

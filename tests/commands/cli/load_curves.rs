@@ -36,7 +36,7 @@ fn a_load_curve_is_written_and_repeated_from_its_setup() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert_eq!(text(&output.stdout).lines().last().unwrap().split_whitespace().nth(1), Some("3.0000e7"));
     let table = std::fs::read_to_string(folder.join("curve.csv")).unwrap();
-    assert!(table.starts_with("load,status,mean_pressure,") && table.lines().count() == 4, "{table}");
+    assert!(table.starts_with("load_number,status,mean_pressure,") && table.lines().count() == 4, "{table}");
     let status = folder.run("solve curve.toml --out again.csv").status;
     assert_eq!((status.code(), std::fs::read_to_string(folder.join("again.csv")).unwrap()), (Some(0), table));
     // a single load takes the place of the list

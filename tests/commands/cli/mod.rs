@@ -1,10 +1,12 @@
 //! What a user does at the command line, run for real on small contacts.
 
 mod below;
+mod interruption;
 mod load_curves;
 mod manners;
 mod measured;
 mod memory;
+mod pictures;
 mod plain_names;
 mod refine;
 mod studies;

@@ -83,6 +83,7 @@ fn a_study_is_a_table_a_figure_and_the_setup_of_each_row() {
         [&row["row"], &row["surface.spectrum.hurst"], &row["surface.seed"], &row["grid.points"]],
         ["17", "0.8", "3", "1024"]
     );
+    assert!(!row["scene"].contains('\n'), "{}", row["scene"]);
     std::fs::write(folder.join("row.toml"), &row["scene"]).unwrap();
     let (alone, _) = solve(&folder, "row.toml");
     assert_close(number(&alone, "kappa_r"), row["kappa_r"].parse().unwrap(), 1e-9, "kappa_r of row 17");
@@ -128,7 +129,9 @@ fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
     assert!(twice.contains(" is in study.") && twice.contains(" and again in study.csv: give"), "{twice}");
     std::fs::write(folder.join("other.toml"), STUDY.replace("0.8", "0.7")).unwrap();
     let foreign = refused(&folder, &format!("merge other.toml {} --out no.csv", shares.join(" ")));
-    assert!(foreign.contains("points of other setups, loads or versions"), "{foreign}");
+    assert!(foreign.contains("points of other setups, loads or versions: solve this share again"), "{foreign}");
+    let own = refused(&folder, "merge study.toml study.1-of-5.csv --out study.1-of-5.csv");
+    assert!(own.contains("study.1-of-5.csv: it is read"), "{own}");
     let absent = refused(&folder, "merge study.toml study.9-of-9.csv --out no.csv");
     assert!(absent.contains("there is no table study.9-of-9.csv"), "{absent}");
     assert!(!folder.join("no.csv").exists());
@@ -210,6 +213,19 @@ fn wrong_studies_are_refused_with_line_and_value() {
         assert_eq!(output.status.code(), Some(2), "{flags}");
         assert!(text(&output.stderr).contains(expected), "{flags}: {}", text(&output.stderr));
     }
+    let solved = refused(&folder, "solve study.toml");
+    assert!(
+        solved.contains("`surface.spectrum.hurst` has 2 values") && solved.contains("`asperity study`"),
+        "{solved}"
+    );
+    let bodies = STUDY.replace("load =", "solid = { young = ['210 GPa', '70 GPa'], poisson = 0.3 }\nload =");
+    std::fs::write(folder.join("bodies.toml"), &bodies).unwrap();
+    let said = refused(&folder, "study bodies.toml --dry-run");
+    assert!(said.contains("a study that varies one body takes lists of lists"), "{said}");
+    let varied = bodies.replace("['210 GPa', '70 GPa']", "[['210 GPa'], ['70 GPa']]");
+    std::fs::write(folder.join("bodies.toml"), varied).unwrap();
+    let said = folder.run("study bodies.toml --dry-run");
+    assert!(text(&said.stdout).contains("rows          48 of 48"), "{}{}", text(&said.stdout), text(&said.stderr));
     std::fs::write(folder.join("study.csv"), "a,b\n1,2\n").unwrap();
     for line in ["study study.toml", "study study.toml --fresh"] {
         assert!(refused(&folder, line).contains("something else than the points of a study"));

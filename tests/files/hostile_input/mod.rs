@@ -448,7 +448,7 @@ fn height_files_that_are_no_surface_are_not_described() {
         }
     }
     for (described, words) in
-        [("nan.npy", "1 of 48 heights are void"), ("uneven.npy", "the positions are not evenly spaced")]
+        [("nan.npy", "1 of 48 heights are void"), ("uneven.npy", "The positions are not evenly spaced")]
     {
         let output = folder.run(&format!("surface --height {described} --size 1"));
         assert!(output.status.success() && text(&output.stderr).contains(words), "{output:?}");
@@ -541,11 +541,12 @@ fn extreme_but_possible_contacts_end_with_numbers() {
             let output = folder.run(&line);
             assert!(matches!(output.status.code(), Some(0 | 3)), "{line}: {}", text(&output.stderr));
             let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-            // a pressure that does not deform the solid has no bound of its error, nobody asks for the stiffness, and what is not
-            // resolved, or that of a punch, has neither gradient nor errors
+            // a pressure that does not deform the solid has no bound of its error, nobody asks for the stiffness, a periodic half-space has
+            // no approach, and what is not resolved, or that of a punch, has neither gradient nor errors
             let unknown = [
                 "pressure_error_bound",
                 "stiffness",
+                "approach",
                 "rms_gradient_contact",
                 "kappa_r",
                 "relative_area_error",

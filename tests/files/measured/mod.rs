@@ -3,6 +3,7 @@
 pub mod binaries;
 mod contained;
 pub mod containers;
+mod doubts;
 mod exports;
 mod made;
 mod mutants;

@@ -100,7 +100,7 @@ fn however_a_study_is_cut_the_bits_are_the_same() {
     assert!(matches!(plan.merge(&shards), Err(StudyError::Overlap { path, other, .. }) if path == other));
     // the same setup under other loads is another study: what a load leaves depends on those before
     let other = Plan::from_toml(&STUDY.replace("[0.001, 0.01, 0.002]", "[0.001, 0.01, 0.003]")).unwrap();
-    assert!(matches!(other.merge(&shards[1..]), Err(StudyError::OtherStudy { .. })));
+    assert!(matches!(other.merge(&shards[1..]), Err(StudyError::OtherShare { .. })));
 }
 
 #[test]
@@ -109,6 +109,12 @@ fn too_much_memory_is_refused() {
     let tight = Campaign { memory: Some(1e3), ..ALONE };
     let refused = plan.run(&tight, &Table::new(folder.path().join("x.csv")), &|_| ()).unwrap_err();
     assert!(matches!(refused, StudyError::Memory { memory, .. } if memory == 1e3), "{refused}");
+}
+
+#[test]
+fn a_tangential_load_is_refused() {
+    let refused = Plan::from_toml(&format!("{STUDY}\n[friction]\ncoefficient = 0.5\ntangential = 1e-4\n")).unwrap_err();
+    assert!(matches!(refused, StudyError::Friction), "{refused}");
 }
 
 #[test]

@@ -249,8 +249,8 @@ fn the_theme_changes_during_a_sweep(page: &mut Page) {
     sweep(page);
     let all = page.value("report.sweep.points.length");
     page.value(
-        "globalThis.told = []; globalThis.first = report.sweep.id; globalThis.theme = knobs.theme; \
-        globalThis.watch = setInterval(() => told.push([knobs.theme, report.sweep.points.length])); true",
+        "globalThis.counts = []; globalThis.first = report.sweep.id; globalThis.theme = knobs.theme; \
+        globalThis.watch = setInterval(() => counts.push([knobs.theme, report.sweep.points.length])); true",
     );
     page.click("sweep");
     page.until("report.sweep.id !== first && report.sweep.points.length > 1");
@@ -259,8 +259,8 @@ fn the_theme_changes_during_a_sweep(page: &mut Page) {
         "report.sweep.ended && !report.busy && report.sweep.knobs.theme === knobs.theme && knobs.theme !== theme",
     );
     let [drawn, least] = [
-        "Math.max(...told.filter(([it]) => it === theme).map(([, points]) => points).slice(-1))",
-        "Math.min(...told.filter(([it]) => it !== theme).map(([, points]) => points))",
+        "Math.max(...counts.filter(([it]) => it === theme).map(([, points]) => points).slice(-1))",
+        "Math.min(...counts.filter(([it]) => it !== theme).map(([, points]) => points))",
     ]
     .map(|count| page.value(count).as_u64().unwrap());
     page.value("clearInterval(watch), true");

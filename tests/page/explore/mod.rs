@@ -376,6 +376,26 @@ fn hostile_requests_leave_it_running() {
 }
 
 #[test]
+fn requests_that_stop_halfway_are_closed() {
+    let page = Page::open();
+    let head = format!("GET / HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n", page.port);
+    let open = |_| {
+        let mut stream = TcpStream::connect(("127.0.0.1", page.port)).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(50))).unwrap();
+        stream.write_all(head.as_bytes()).unwrap();
+        stream
+    };
+    let half: Vec<TcpStream> = (0..200).map(open).collect();
+    assert_eq!(page.get("/").status, 200);
+    for mut stream in half {
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).expect("the page closes the connection");
+        assert!(!answer.starts_with(b"HTTP/1.1 200"));
+    }
+    assert_eq!(page.get("/").status, 200);
+}
+
+#[test]
 fn a_solve_gives_the_numbers_of_the_library() {
     let page = Page::open();
     let run = page.solve(&with(json!({})));

@@ -1,10 +1,10 @@
 //! Curves: numbers of every step, and numbers over loads.
 
-pub mod chart;
 pub mod curves;
 pub mod figure;
 pub mod ghost;
 pub mod load_axis;
+pub mod load_chart;
 mod ritz;
 pub mod survey_figure;
 pub mod traces;

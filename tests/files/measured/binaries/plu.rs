@@ -9,7 +9,7 @@ fn fields(kind: u32, layers: u8, pictures: u8) -> Vec<u8> {
     let file = [
         filled("Fri Mar 10 16:35:59 2023", 128 + 4),
         filled("steel", 256),
-        vec![0; 12],
+        [POINTS[1], POINTS[0], POINTS[0]].iter().flat_map(|count| (*count as u32).to_le_bytes()).collect(),
         axes,
         settings,
         vec![0; 40],

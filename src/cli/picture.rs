@@ -1,0 +1,150 @@
+//! Pictures of contacts, and of load curves.
+
+use super::units::Units;
+use asperity::contact::{Contact, Observables};
+use asperity::error::FileError;
+use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, write_png, write_svg};
+use std::cmp::Ordering;
+use std::path::Path;
+
+/// Dots of a curve at the most.
+const DOTS: usize = 4096;
+/// Room beyond the extreme values of a curve, over their distance.
+const ROOM: f64 = 0.05;
+/// Units of lengths and of pressures, the largest first.
+const LENGTHS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
+const PRESSURES: [(&str, f64); 4] = [("GPa", 1e9), ("MPa", 1e6), ("kPa", 1e3), ("Pa", 1.0)];
+
+/// Writes a picture as SVG or PNG, by the ending of its name.
+pub fn write(path: &Path, figure: &Figure) -> Result<(), FileError> {
+    let is_svg = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"));
+    if is_svg { write_svg(path, figure) } else { write_png(path, figure) }
+}
+
+/// The picture of a contact. Of a line: both surfaces, and the pressure along it. Of a surface: the outline of the contact, and the
+/// pressure along the row of the highest one.
+pub fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
+    let grid = contact.problem.surface().grid();
+    let first = if grid.is_line() { profile(contact, units) } else { outline(contact, units) };
+    Figure { title: title.into(), panels: vec![first, pressure(contact, units)] }
+}
+
+/// The picture of contacts under several loads: area and `kappa_r` over the mean pressure.
+pub fn of_loads(title: &str, found: &[&Observables]) -> Figure {
+    let loads = range(found.iter().map(|it| it.reduced_pressure));
+    let panel = |name: &str, label: &str, of: fn(&Observables) -> f64| {
+        let values = range(found.iter().map(|it| of(it)).chain([0.0]));
+        let mut panel =
+            Panel::new(name, Axis::log("p*", [loads[0] / 1.2, loads[1] * 1.2]), Axis::linear(label, wider(values)));
+        let mark = Mark::Joined { symbol: Symbol::Circle, filled: true };
+        panel.add("", Colour::ORANGE, mark, found.iter().map(|it| Dot::at(it.reduced_pressure, of(it))));
+        panel
+    };
+    let area = panel("relative contact area", "a_rel", |it| it.resolved_area().unwrap_or(f64::NAN));
+    let kappa_r = panel("area per load", "kappa_r", |it| it.resolved_kappa_r().unwrap_or(f64::NAN));
+    Figure { title: title.into(), panels: vec![area, kappa_r] }
+}
+
+/// The rigid surface above the solid along a line.
+fn profile(contact: &Contact, units: Units) -> Panel {
+    let solid: Vec<f64> = contact.displacement.row(0).iter().map(|u| -u).collect();
+    let rigid: Vec<f64> = contact.gap.row(0).iter().zip(&solid).map(|(gap, solid)| gap + solid).collect();
+    let (x, heights) = (positions(contact, units), range(solid.iter().chain(&rigid).copied()));
+    let (unit, size) = unit(units.metres, &LENGTHS, heights[1] - heights[0]);
+    let y = Axis::linear(label("height", unit), wider(heights.map(|height| height / size)));
+    let mut panel = Panel::new("surfaces", x.axis(), y);
+    panel.add("rigid surface", Colour::SKY, Mark::Line, x.dots(&rigid, f64::min, size));
+    panel.add("elastic solid", Colour::ORANGE, Mark::Line, x.dots(&solid, f64::max, size));
+    panel
+}
+
+/// The outline of the contact of a surface.
+fn outline(contact: &Contact, units: Units) -> Panel {
+    let grid = contact.problem.surface().grid();
+    let ([dy, dx], x) = (grid.spacing(), positions(contact, units));
+    let end = |[row, column]: [f64; 2]| Dot::at(column * dx / x.size, row * dy / x.size);
+    let gap = Dot::at(f64::NAN, f64::NAN);
+    let lines = contact.edges().contour().into_iter().flat_map(|[a, b]| [end(a), end(b), gap]);
+    let mut panel = Panel::new(
+        "outline of the contact",
+        x.axis(),
+        Axis::linear(label("y", x.unit), [0.0, grid.size()[0] / x.size]),
+    );
+    panel.add("", Colour::ORANGE, Mark::Line, lines.collect::<Vec<_>>());
+    panel
+}
+
+/// The pressure along the row of the highest one.
+fn pressure(contact: &Contact, units: Units) -> Panel {
+    let highest = contact.max_pressure();
+    let row = contact.pressure.rows().into_iter().position(|row| row.iter().any(|p| *p == highest)).unwrap_or(0);
+    let pressure = contact.pressure.row(row).to_vec();
+    let (x, (unit, size)) = (positions(contact, units), unit(units.pascals, &PRESSURES, highest));
+    let title = match contact.problem.surface().grid().is_line() {
+        true => "pressure".into(),
+        false => format!("pressure along row {row}"),
+    };
+    let y = Axis::linear(label("p", unit), [0.0, (1.0 + ROOM) * highest / size]);
+    let mut panel = Panel::new(title, x.axis(), y);
+    panel.add("", Colour::ORANGE, Mark::Line, x.dots(&pressure, f64::max, size));
+    panel
+}
+
+/// Positions along x in a unit.
+struct Positions {
+    length: f64,
+    spacing: f64,
+    unit: &'static str,
+    size: f64,
+}
+
+fn positions(contact: &Contact, units: Units) -> Positions {
+    let grid = contact.problem.surface().grid();
+    let (length, spacing) = (grid.size()[1], grid.spacing()[1]);
+    let (unit, size) = unit(units.metres, &LENGTHS, length);
+    Positions { length, spacing, unit, size }
+}
+
+impl Positions {
+    fn axis(&self) -> Axis {
+        Axis::linear(label("x", self.unit), [0.0, self.length / self.size])
+    }
+
+    /// The dots of a curve in a unit; of several nodes at a dot, the value that `pick` leaves of them.
+    fn dots(&self, values: &[f64], pick: fn(f64, f64) -> f64, unit: f64) -> Vec<Dot> {
+        let nodes = values.len().div_ceil(DOTS);
+        let dot = |(i, values): (usize, &[f64])| {
+            let middle = (i * nodes) as f64 + 0.5 * (values.len() - 1) as f64;
+            let value = values.iter().copied().reduce(pick).unwrap_or(f64::NAN);
+            Dot::at(middle * self.spacing / self.size, value / unit)
+        };
+        values.chunks(nodes).enumerate().map(dot).collect()
+    }
+}
+
+/// The name of the largest unit that is not larger than a value, and its size; none of unknown units.
+fn unit(is_known: bool, units: &[(&'static str, f64)], value: f64) -> (&'static str, f64) {
+    let fits = |unit: &&(&str, f64)| value.abs() >= unit.1;
+    if is_known { *units.iter().find(fits).unwrap_or(&units[units.len() - 1]) } else { ("", 1.0) }
+}
+
+fn label(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.into() } else { format!("{name} / {unit}") }
+}
+
+/// The least and the largest of the finite values, or two values around the only one.
+fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let ends = [f64::INFINITY, f64::NEG_INFINITY];
+    let [low, high] = values.filter(|it| it.is_finite()).fold(ends, |[low, high], it| [low.min(it), high.max(it)]);
+    match low.total_cmp(&high) {
+        Ordering::Less => [low, high],
+        Ordering::Equal if low != 0.0 => [low - 0.5 * low.abs(), high + 0.5 * high.abs()],
+        _ => [0.1, 1.0],
+    }
+}
+
+/// A range with some room at both ends.
+fn wider([low, high]: [f64; 2]) -> [f64; 2] {
+    let room = ROOM * (high - low);
+    [low - room, high + room]
+}

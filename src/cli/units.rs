@@ -1,0 +1,65 @@
+//! Units of the numbers in a summary.
+
+use asperity::quantity::{
+    area_in_words, has_length_unit, has_pressure_unit, length_in_words, number_in_words, pressure_in_words,
+};
+use asperity::setup::{Recipe, Table};
+
+/// Which numbers of a setup have known units: metres and pascals, or none that the program knows.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Units {
+    /// Whether lengths are metres.
+    pub metres: bool,
+    /// Whether pressures are pascals.
+    pub pascals: bool,
+}
+
+impl Units {
+    /// The units that the texts of a setup state, such as `160 um` and `1 GPa`, and those of a height file.
+    pub fn new(table: &Table, surface: &Recipe) -> Self {
+        let texts = table.texts();
+        let mut files = surface.files().map(|file| file.layout(surface.channel.as_deref()));
+        let mut is_file_in_metres = || files.any(|layout| layout.is_ok_and(|it| it.is_in_metres));
+        Self {
+            metres: texts.iter().any(|text| has_length_unit(text)) || is_file_in_metres(),
+            pascals: texts.iter().any(|text| has_pressure_unit(text)),
+        }
+    }
+
+    /// A length.
+    pub fn length(self, value: f64) -> String {
+        if self.metres { length_in_words(value) } else { plain(value) }
+    }
+
+    /// A pressure.
+    pub fn pressure(self, value: f64) -> String {
+        if self.pascals { pressure_in_words(value) } else { plain(value) }
+    }
+
+    /// An area.
+    pub fn area(self, value: f64) -> String {
+        if self.metres { area_in_words(value) } else { plain(value) }
+    }
+
+    /// An energy per area.
+    pub fn energy_per_area(self, value: f64) -> String {
+        match self {
+            Self { metres: true, pascals: true } => format!("{} J/m²", number_in_words(value)),
+            _ => plain(value),
+        }
+    }
+}
+
+/// A number without a known unit, in full.
+fn plain(value: f64) -> String {
+    format!("{value:.6e}")
+}
+
+/// A pure number with six digits behind its point, or with as many significant ones where it is small.
+pub fn significant(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".into(),
+        1e-2..1e6 => format!("{value:.6}"),
+        _ => format!("{value:.5e}"),
+    }
+}

@@ -1,0 +1,88 @@
+//! Pictures of contacts and of load curves, and the units in summaries.
+
+use super::*;
+
+/// Distances of the lines of a drawing that have a colour.
+fn lines(svg: &str) -> usize {
+    svg.matches("<polyline").count() + svg.matches("<path").count()
+}
+
+#[test]
+fn contacts_and_load_curves_are_drawn() {
+    let folder = Folder::new();
+    let runs = [
+        (format!("{ROUGH_LINE} --modulus 2GPa --pressure 10MPa"), "elastic solid"),
+        (format!("{ROUGH_SURFACE} --reduced-pressure 0.05"), "outline of the contact"),
+        (format!("{ROUGH_LINE} --reduced-pressure 1e-3..1e-1:5"), "area per load"),
+    ];
+    for (run, words) in runs {
+        let output = folder.run(&format!("solve {run} --out contact.svg"));
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        assert!(text(&output.stderr).contains("wrote contact.svg: any viewer of pictures"), "{}", text(&output.stderr));
+        let svg = std::fs::read_to_string(folder.join("contact.svg")).unwrap();
+        assert!(svg.starts_with("<svg") || svg.contains("<svg"), "{run}");
+        assert!(svg.contains(words) || lines(&svg) > 10, "{run}");
+        let output = folder.run(&format!("solve {run} --out contact.png"));
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        assert!(std::fs::read(folder.join("contact.png")).unwrap().starts_with(b"\x89PNG"));
+    }
+}
+
+/// The value of a row of a summary.
+fn row<'a>(output: &'a Output, name: &str) -> Option<&'a str> {
+    text(&output.stdout).lines().find_map(|line| line.trim().strip_prefix(name)).map(str::trim)
+}
+
+#[test]
+fn summaries_have_units_where_the_setup_has_them() {
+    let folder = Folder::new();
+    let cylinder = "solve --indenter cylinder --radius 100um --points 4096 --size 160um --young 210GPa --poisson 0.3";
+    let output = folder.run(&format!("{cylinder} --pressure 10MPa"));
+    // Hertz: a = sqrt(4 F R / (pi E*)) with F = 1600 N/m, p0 = 2 F / (pi a); the neighbours of a periodic contact change them by 1e-3
+    let modulus: f64 = 210e9 / (1.0 - 0.09);
+    let half_width = (4.0 * 1600.0 * 1e-4 / (std::f64::consts::PI * modulus)).sqrt();
+    let largest = 2.0 * 1600.0 / (std::f64::consts::PI * half_width);
+    let near = |found: Option<&str>, unit: &str, told: f64| {
+        let (number, found_unit) = found.unwrap().split_once(' ').unwrap();
+        let number: f64 = number.parse().unwrap();
+        assert!(found_unit == unit && (number / told - 1.0).abs() < 5e-3, "{number} {found_unit}, not {told} {unit}");
+    };
+    near(row(&output, "half-width of the contact"), "nm", half_width * 1e9);
+    near(row(&output, "largest pressure"), "GPa", largest * 1e-9);
+    near(row(&output, "mean pressure"), "MPa", 10.0);
+    assert!(row(&output, "elastic energy per area").unwrap().ends_with(" J/m²"));
+    let bare = folder.run("solve --indenter sphere --radius 1 --points 64,64 --size 4 --modulus 1 --pressure 1e-2");
+    assert!(row(&bare, "largest pressure").unwrap().parse::<f64>().is_ok(), "{}", text(&bare.stdout));
+    assert!(row(&bare, "area of the contact").unwrap().parse::<f64>().is_ok());
+    let layer = folder.run("solve --indenter cylinder --radius 1mm --points 512 --size 4mm --modulus 1GPa --poisson 0.3 --layer 1mm --pressure 1MPa");
+    assert!(row(&layer, "approach").unwrap().ends_with(" µm"), "{}{}", text(&layer.stdout), text(&layer.stderr));
+}
+
+#[test]
+fn small_areas_have_their_digits() {
+    let folder = Folder::new();
+    let output = folder.run("solve --indenter cylinder --radius 1 --points 65536 --size 4 --modulus 1 --pressure 1e-9");
+    let area = row(&output, "relative area").unwrap().split_whitespace().next().unwrap();
+    let digits = area.split('e').next().unwrap().trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit);
+    assert!(digits.count() >= 5, "{area}");
+}
+
+#[test]
+fn approach_and_plastic_area_are_in_tables_and_archives() {
+    let folder = Folder::new();
+    let run =
+        "--indenter cylinder --radius 1 --points 256 --size 4 --modulus 1 --poisson 0.3 --layer 1 --hardness 0.02";
+    let output = folder.run(&format!("solve {run} --pressure 1e-3,1e-2 --out curve.csv"));
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let mut table = csv::Reader::from_path(folder.join("curve.csv")).unwrap();
+    let names = table.headers().unwrap().clone();
+    let last = table.records().last().unwrap().unwrap();
+    let value = |name: &str| -> f64 { last[names.iter().position(|it| it == name).unwrap()].parse().unwrap() };
+    let (summary, _) = solve(&folder, &format!("{run} --pressure 1e-2"));
+    assert_close(value("approach"), number(&summary, "approach"), 1e-6, "approach");
+    assert_close(value("plastic_area"), summary["plasticity"]["area"].as_f64().unwrap(), 1e-12, "plastic area");
+    assert!(value("approach") > 0.0 && value("plastic_area") > 0.0);
+    let mut npz = NpzReader::new(File::open(folder.join("contact.npz")).unwrap()).unwrap();
+    let approach: ArrayD<f64> = npz.by_name("approach").unwrap();
+    assert_close(approach.sum(), number(&summary, "approach"), 0.0, "approach in the archive");
+}
