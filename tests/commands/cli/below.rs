@@ -98,3 +98,20 @@ fn a_tangential_load_is_carried_by_what_sticks_and_what_slips() {
     let line = pull.replace("--pressure 1e-4", "--reduced-pressure 1e-4");
     assert_eq!(json(&folder.run(&format!("solve {line} --json")))["slip"]["tangential_over_sliding"], 0.4);
 }
+
+/// Over a period the waves of the pressure have no mean: what is left of `sigma_xx` at any depth is the part of the mean pressure, which a
+/// periodic solid carries without lateral strain.
+#[test]
+fn the_stress_of_a_confined_mean_pressure_is_told_and_can_be_taken_off() {
+    let folder = Folder::new();
+    let line = "--indenter cylinder --radius 1 --points 4096 --size 4 --modulus 1 --pressure 1e-4 --stress s.npz";
+    let output = folder.run(&format!("solve {line}"));
+    assert!(text(&output.stderr).contains("without lateral strain"), "{}", text(&output.stderr));
+    let mut npz = open(&folder, "s.npz");
+    let (xx, confined) = (field(&mut npz, "sigma_xx"), scalar(&mut npz, "sigma_confined"));
+    assert!((confined / (-0.3 / 0.7 * 1e-4) - 1.0).abs() < 1e-9);
+    for depth in xx.rows() {
+        let mean = depth.mean().unwrap();
+        assert!((mean / confined - 1.0).abs() < 1e-9, "{mean} for {confined}");
+    }
+}

@@ -169,3 +169,21 @@ fn an_error_that_is_not_known_warns() {
     assert!(warned.iter().any(is_unknown), "{warned:?}");
     assert_eq!(folder.run(&format!("{solve} --strict")).status.code(), Some(2));
 }
+
+/// A number alone beside a quantity with a unit would be in pascals or metres.
+#[test]
+fn numbers_without_units_beside_units_are_refused() {
+    let folder = Folder::new();
+    let line = format!("solve {CYLINDER} --poisson 0.3");
+    let refused = folder.run(&format!("{line} --young 210 --pressure 1kPa"));
+    assert_eq!(refused.status.code(), Some(2));
+    let sentence = text(&refused.stderr);
+    assert!(sentence.contains("the young 210 has no unit, but the mean pressure 1kPa has one"), "{sentence}");
+    let lengths =
+        folder.run("solve --indenter sphere --radius 1mm --points 32,32 --size 2 --modulus 1GPa --pressure 1MPa");
+    assert!(lengths.status.code() == Some(2) && text(&lengths.stderr).contains("every length"), "{lengths:?}");
+    // a saved scene has numbers in SI, over which a flag may lay a quantity with a unit
+    let saved = folder.run(&format!("{line} --young 210GPa --pressure 1GPa --save-setup scene.toml"));
+    assert_eq!(saved.status.code(), Some(0), "{}", text(&saved.stderr));
+    assert_eq!(folder.run("solve scene.toml --pressure 2GPa").status.code(), Some(0));
+}
