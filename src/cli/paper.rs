@@ -89,7 +89,7 @@ impl Paper {
         let points = paper.all_points(&items)?;
         points.iter().filter(|point| !point.is_converged()).try_for_each(tell)?;
         wrote(&self.out);
-        settled(&points)
+        settled(&points, Point::has_contact)
     }
 
     /// The items asked for, each once.

@@ -94,7 +94,7 @@ impl Study {
             write_all(&plan, table.path(), &points)?;
         }
         wrote(table.path());
-        settled(&points)
+        settled(&points, Point::is_resolved)
     }
 
     /// How the study is solved.
@@ -143,8 +143,8 @@ pub fn write_all(plan: &Plan, table: &Path, points: &[Point]) -> Result<()> {
 }
 
 /// Says how many rows are not resolved, and how many did not converge, if any.
-pub fn settled(points: &[Point]) -> Result<Outcome> {
-    let unresolved = points.iter().filter(|point| point.is_converged() && !point.is_resolved()).count();
+pub fn settled(points: &[Point], is_used: impl Fn(&Point) -> bool) -> Result<Outcome> {
+    let unresolved = points.iter().filter(|point| point.is_converged() && !is_used(point)).count();
     if unresolved > 0 {
         super::warnings::print(&[format!(
             "{unresolved} of {} rows are not resolved, since their contact has too few nodes. They are left out of means and figures. Use more \
@@ -207,6 +207,6 @@ impl Merge {
         plan.finish(&Table::new(&path), &all, &points)?;
         write_all(&plan, &path, &points)?;
         wrote(&path);
-        settled(&points)
+        settled(&points, Point::is_resolved)
     }
 }

@@ -71,13 +71,15 @@ fn unknown(found: &[&Observables]) -> Option<Warning> {
 fn loose(found: &[&Observables]) -> Option<Warning> {
     let bounds: Vec<f64> = found.iter().map(|it| it.pressure_error_bound).filter(|it| *it > LARGEST_BOUND).collect();
     let largest = bounds.iter().copied().reduce(f64::max)?;
+    let under = under(bounds.len(), found);
     Some(
         Warning::new(
-            format!(
-                "The pressure is known to {:.0} % only{}, whatever its certificate",
-                100.0 * largest,
-                under(bounds.len(), found)
-            ),
+            match largest < 1.0 {
+                true => {
+                    format!("The pressure is known to {:.0} % only{under}, whatever its certificate", 100.0 * largest)
+                }
+                false => format!("The pressure may be off by its own size or more{under}, whatever its certificate"),
+            },
             "Set a tolerance of the pressure",
         )
         .with_remedy("stop.pressure-tolerance", Some("0.01")),

@@ -5,7 +5,7 @@ use crate::plot::Dot;
 use crate::study::{Estimate, GridValues, Limit, Point, Spread};
 use std::collections::BTreeMap;
 
-/// Solved points, all converged and resolved.
+/// Solved points, all converged, with a contact on their grid.
 pub struct Points(pub Vec<Point>);
 
 impl Points {
@@ -151,7 +151,7 @@ impl Points {
         for row in self.on(nx).filter(is_asked) {
             values.entry(row.seed.unwrap_or_default()).or_default().push(quantity(&row.observables));
         }
-        // a seed some of whose points are not resolved would be an average over others
+        // a seed some of whose points are left out would be an average over others
         let whole = values.values().map(Vec::len).max().unwrap_or(0);
         let values = values.into_iter().filter(|(_, values)| values.len() == whole);
         values.map(|(seed, values)| (seed, Spread::of(values).mean)).collect()

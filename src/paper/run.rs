@@ -132,7 +132,7 @@ impl Paper {
         Ok(seen)
     }
 
-    /// All points of some items. Those that are not resolved, see [`Point::is_resolved`], are left out of averages and figures.
+    /// All points of some items. Those without a contact, see [`Point::has_contact`], are left out of averages and figures.
     ///
     /// # Errors
     /// The errors of [`crate::study::Table::read`].
@@ -142,14 +142,14 @@ impl Paper {
         Ok(tables.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
     }
 
-    /// The points of an item, solved now or before, without those that are not resolved.
+    /// The points of an item, solved now or before, without those that have no contact on their grid.
     fn points(&self, item: Item, watch: Watch<'_>) -> Result<Points, StudyError> {
         let (sweep, table, clock) = (self.sweep(item)?, self.table(item), Instant::now());
         let new = sweep.points() - sweep.points_in(&table)?;
         watch(Event::Begin { item, nodes: sweep.nodes()? });
         let points = sweep.run(&table, &|point| watch(Event::Solved(point)))?;
         watch(Event::End { item, new, points: points.len(), seconds: clock.elapsed().as_secs_f64() });
-        Ok(Points(points.into_iter().filter(Point::is_resolved).collect()))
+        Ok(Points(points.into_iter().filter(Point::has_contact).collect()))
     }
 
     /// Writes the figure of an item, if it is one, and its recording.

@@ -77,6 +77,13 @@ impl Point {
         self.relative_area().is_some() && self.kappa_r().is_some()
     }
 
+    /// Whether the solver converged and the grid gives the contact an area and a gradient, however large their errors. That is enough for an
+    /// extrapolation over grids, which finds the error by itself.
+    pub fn has_contact(&self) -> bool {
+        let Observables { relative_area, kappa_r, .. } = self.observables;
+        self.is_converged() && relative_area > 0.0 && kappa_r > 0.0 && kappa_r.is_finite()
+    }
+
     /// The relative area, where the solver converged and the grid resolves the contact.
     pub fn relative_area(&self) -> Option<f64> {
         self.observables.resolved_area().filter(|_| self.is_converged())

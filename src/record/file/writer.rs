@@ -18,8 +18,8 @@ use std::sync::Arc;
 pub const UNFINISHED: &str = "still running, or ended by force";
 
 /// The end of an axis of a run that goes on, over the highest pressure: where the axis is fitted to it, and the most that it may be later.
-const ROOM: f64 = 1.5;
-const LOWEST: f64 = 3.0;
+const ROOM: f64 = 2.0;
+const LOWEST: f64 = 4.0;
 /// The highest pressure of a frame over that of the frame before from which on it grows.
 const GROWING: f64 = 1.05;
 

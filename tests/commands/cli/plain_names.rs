@@ -31,7 +31,7 @@ fn plain_names_are_the_resolved_values_in_json_archives_and_tables() {
     let loads = folder.run(&format!("solve {line} --pressure 0.003,0.004 --out loads.csv"));
     assert_eq!(loads.status.code(), Some(0));
     let study = "surface = { indenter = { shape = 'cylinder', radius = 1.0 } }\n\
-                 grid = { points = [64, 128], size = 4.0 }\nload = { mean-pressure = 0.003 }\nsolid = { modulus = 1.0 }\n";
+                 grid = { points = 64, size = 4.0 }\nload = { mean-pressure = [0.003, 0.004] }\nsolid = { contact-modulus = 1.0 }\n";
     std::fs::write(folder.join("study.toml"), study).unwrap();
     let studied = folder.run("study study.toml");
     assert_eq!(studied.status.code(), Some(0), "{}", text(&studied.stderr));

@@ -547,6 +547,7 @@ fn extreme_but_possible_contacts_end_with_numbers() {
                 "pressure_error_bound",
                 "stiffness",
                 "approach",
+                "reduced_pressure_contact",
                 "rms_gradient_contact",
                 "kappa_r",
                 "relative_area_error",
