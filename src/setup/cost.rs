@@ -10,7 +10,7 @@ use crate::grid::Grid;
 const SYNTHESIS_FIELDS: [f64; 2] = [5.9, 3.8];
 /// Fields that are held for each contact while an archive is made in memory: lines, with positions and spectra of as many values, and
 /// surfaces; for each node of a surface in contact its contour besides.
-const ARCHIVE_FIELDS: [f64; 2] = [13.0, 8.8];
+const ARCHIVE_FIELDS: [f64; 2] = [16.5, 8.8];
 const CONTOUR_FIELDS: f64 = 3.5;
 /// Fields of a contact that is kept.
 const KEPT_FIELDS: f64 = 3.0;

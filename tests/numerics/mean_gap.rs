@@ -213,7 +213,8 @@ fn heights_that_keep_a_mean_of_rounding_are_pressed_alike() {
     for solver in solvers() {
         let pressed = |mean: f64| {
             let problem = Problem::new(heights(mean), ContactModulus(1.0), Load::MeanGap(1.0 - 1e-10)).unwrap();
-            solve(solver.as_ref(), &problem, TOLERANCE)
+            // a gap that is known to the rounding of the heights has no better load
+            solve(solver.as_ref(), &problem, 1e-7)
         };
         let centred = pressed(0.0);
         for mean in [8e-13, -8e-13] {

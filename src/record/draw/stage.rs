@@ -96,6 +96,11 @@ impl Stage {
         *self.ends.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Whether no setup describes the scene, as of what another code has found: it may have no more than one step.
+    pub fn is_of_other_code(&self) -> bool {
+        self.setup.is_none()
+    }
+
     /// Fits the axes of curves to the end of a run, and returns whether that was necessary: the layout must then be sent again.
     pub fn fit_curves(&self, contact: &Contact) -> bool {
         let (ends, kappa_r) = (CurveEnds::after(contact), contact.resolved().kappa_r);

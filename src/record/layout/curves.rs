@@ -1,6 +1,8 @@
 //! The curves of a scene, beside its pictures.
 
-use crate::record::draw::{ContainerKind, PHASE, Pane, PaneView, Place, Stage, drawn, entity_under, title, traced};
+use crate::record::draw::{
+    ContainerKind, Corner, PHASE, Pane, PaneView, Place, Stage, drawn, entity_under, title, traced,
+};
 use crate::setup::Part;
 
 /// The entities of some traces, and behind them that of an earlier solve of the first one.
@@ -17,7 +19,12 @@ pub fn area(stage: &Stage) -> Pane {
 
 fn kappa_r(stage: &Stage) -> Pane {
     let curves = beside_earlier(stage, &["kappa_r", "kappa_r_counted", "kappa_r_theory"]);
-    PaneView::settling(&titled("kappa_r", stage), curves, [0.0, stage.ends().kappa_r], None)
+    PaneView::settling(&titled("kappa_r", stage), curves, [0.0, stage.ends().kappa_r], legend(stage))
+}
+
+/// The corner of a legend, which shows the name and colour of a curve of one step, where there is nothing else to see.
+fn legend(stage: &Stage) -> Option<Corner> {
+    stage.is_of_other_code().then_some(Corner::RightTop)
 }
 
 /// The title of curves whose edges are resolved, with the colours of those beside them: a legend would cover curves that settle.
@@ -31,7 +38,8 @@ fn titled(name: &str, stage: &Stage) -> String {
 pub fn certificate(stage: &Stage) -> Pane {
     let earlier = if stage.has_ghost { " (grey: earlier solve)" } else { "" };
     let title = format!("Certificate: log10 of the error bound eta{earlier}");
-    PaneView::named(&title, beside_earlier(stage, &["certificate_log10"]))
+    let curves = beside_earlier(stage, &["certificate_log10"]);
+    if stage.is_of_other_code() { PaneView::falling(&title, curves) } else { PaneView::named(&title, curves) }
 }
 
 /// Curves of every step and the text, or the text alone; in a low window the certificate is a tab.

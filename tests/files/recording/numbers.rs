@@ -41,7 +41,7 @@ fn is_number((entity, component): &(String, String)) -> bool {
         || !component.contains(':') && component != "words"
         || component.ends_with("Image:buffer")
         || component == "TextDocument:text"
-        || entity.starts_with("trace/") && !component.starts_with("SeriesLines:")
+        || entity.starts_with("trace/") && !component.starts_with("Series")
 }
 
 #[test]

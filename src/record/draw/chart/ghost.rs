@@ -1,7 +1,7 @@
 //! The curves of an earlier solve, in grey beside those of a later one.
 
 use crate::contact::{Contact, Failure, Observer, Step, Wish};
-use crate::record::draw::chart::traces::{COMPARED, ObservableTraces, drawn, title, traced};
+use crate::record::draw::chart::observable_traces::{COMPARED, ObservableTraces, drawn, title, traced};
 use crate::record::draw::ink::palette;
 use rerun::{RecordingStream, RecordingStreamResult, SeriesLines};
 use std::ops::ControlFlow;

@@ -5,6 +5,7 @@ pub mod figure;
 pub mod ghost;
 pub mod load_axis;
 pub mod load_chart;
+pub mod observable_traces;
 mod ritz;
 pub mod survey_figure;
 pub mod traces;

@@ -1,7 +1,7 @@
 //! The extreme Ritz values of conjugate gradients, as curves.
 
 use crate::contact::Work;
-use crate::record::draw::chart::traces::times;
+use crate::record::draw::chart::observable_traces::times;
 use crate::record::draw::drawing::{Drawing, Place, RunDrawing, RunStep, Subject};
 use crate::record::draw::ink::palette::{self, SERIES};
 use crate::record::draw::ink::pane::{Pane, PaneView};

@@ -1,28 +1,17 @@
 //! Numbers of every step, sent column by column.
 
-use crate::contact::{Contact, Energy, OBSERVABLES, Observable, Phase, State, Step, Work};
+use super::observable_traces::{
+    COMPARED, ObservableTraces, Trace, drawn, is_logarithmic, recorded, times, title, traced,
+};
+use crate::contact::{Contact, Energy, Observable, Phase, Work};
 use crate::plot::Colour;
 use crate::record::draw::drawing::{Drawing, Place, RunDrawing, RunStep, Subject};
 use crate::record::draw::ink::palette::{self, SERIES};
 use crate::record::draw::ink::pane::Pane;
-use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, SeriesPoints, TimeColumn};
-use std::borrow::Cow;
-
-/// Timeline of relaxation steps.
-pub const STEP: &str = "step";
-/// Timeline of seconds spent by the solver.
-pub const SECONDS: &str = "seconds";
-/// Timeline of transforms made by the solver.
-pub const TRANSFORMS: &str = "transforms";
-
-/// Observables that are compared between scenes and with an earlier solve.
-pub const COMPARED: [&str; 3] = ["kappa_r", "relative_area", "certificate"];
+use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, SeriesPoints};
 
 /// Observables that count nodes, drawn faintly beside those whose edges are resolved.
 const COUNTED: [&str; 2] = ["kappa_r_counted", "relative_area_counted"];
-
-/// Observables that are recorded for programs, and not drawn.
-const NOT_DRAWN: [&str; 2] = ["mean_gap", "kappa_counted"];
 
 /// Widths of curves: on coarse grids, whose values may leave the axis, and on the finest one.
 const COARSE_WIDTH: f32 = 0.7;
@@ -44,99 +33,6 @@ const BESIDES: [(&str, &str); 4] = [
 /// The entity under `trace` of the numbers of the phase, which are drawn together, and the names of their curves.
 pub const PHASE: &str = "phase";
 const OF_PHASE: [&str; 3] = ["grid level, 0 the finest", "outer step", "inner step"];
-
-/// The observables that are drawn step by step; the certificate as its logarithm.
-pub fn traced() -> impl Iterator<Item = &'static Observable> {
-    OBSERVABLES.iter().filter(|observable| observable.is_traced)
-}
-
-/// The observables that are recorded step by step.
-fn recorded() -> impl Iterator<Item = &'static Observable> {
-    OBSERVABLES.iter().filter(|observable| observable.is_traced || NOT_DRAWN.contains(&observable.name))
-}
-
-pub fn title(observable: &Observable) -> String {
-    let words = observable.name.replace('_', " ") + " ";
-    let name = words.replace("kappa r ", "kappa_r ").trim_end().to_owned();
-    let name = name.replace(" counted", ", nodes counted");
-    if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
-}
-
-fn is_logarithmic(observable: &Observable) -> bool {
-    observable.name == "certificate"
-}
-
-/// The name of the entity that is drawn for an observable.
-pub fn drawn(observable: &Observable) -> String {
-    let end = if is_logarithmic(observable) { "_log10" } else { "" };
-    format!("{}{end}", observable.name)
-}
-
-/// Curves of observables.
-#[derive(Debug, Clone)]
-pub struct ObservableTraces(pub Vec<(&'static Observable, Trace)>);
-
-/// A number of every step, each with the work up to it.
-#[derive(Debug, Clone, Default)]
-pub struct Trace(Vec<(Work, f64)>);
-
-impl ObservableTraces {
-    pub fn new(observables: impl Iterator<Item = &'static Observable>) -> Self {
-        Self(observables.map(|observable| (observable, Trace::default())).collect())
-    }
-
-    pub fn add(&mut self, step: &Step<'_>) {
-        let state = State::from(step);
-        for (observable, trace) in &mut self.0 {
-            trace.add(step.work(), Some((observable.value)(&state)));
-        }
-    }
-
-    /// Ends with the numbers of the contact, whose fields are the last frame: they take the place of those of the last step, which may be
-    /// another state.
-    pub fn end(&mut self, contact: &Contact) {
-        let state = State::from(contact);
-        for (observable, trace) in &mut self.0 {
-            trace.0.pop_if(|(work, _)| work.iterations == contact.work.iterations);
-            trace.add(contact.work, Some((observable.value)(&state)));
-        }
-    }
-}
-
-impl Trace {
-    /// The curve of an observable that is drawn of these values.
-    pub fn drawn(&self, observable: &Observable) -> Cow<'_, Self> {
-        if !is_logarithmic(observable) {
-            return Cow::Borrowed(self);
-        }
-        let logarithms = self.0.iter().map(|&(work, value)| (work, value.log10()));
-        Cow::Owned(Self(logarithms.filter(|(_, logarithm)| logarithm.is_finite()).collect()))
-    }
-
-    /// Adds a value; one that is not finite is left out.
-    fn add(&mut self, work: Work, value: Option<f64>) {
-        self.0.extend(value.filter(|value| value.is_finite()).map(|value| (work, value)));
-    }
-
-    /// Sends its values under `entity`, each at the time at which it was added.
-    pub fn log(&self, to: &RecordingStream, entity: String) -> RecordingStreamResult<()> {
-        if self.0.is_empty() {
-            return Ok(());
-        }
-        let times = times(&self.0);
-        to.send_columns(entity, times, Scalars::new(self.0.iter().map(|(_, value)| *value)).columns_of_unit_batches()?)
-    }
-}
-
-/// The times of values, each with the work up to it.
-pub fn times<T>(values: &[(Work, T)]) -> [TimeColumn; 3] {
-    let work = || values.iter().map(|(work, _)| work);
-    [
-        TimeColumn::new_sequence(STEP, work().map(|work| work.iterations as i64)),
-        TimeColumn::new_duration_secs(SECONDS, work().map(|work| work.seconds)),
-        TimeColumn::new_sequence(TRANSFORMS, work().map(|work| work.transforms as i64)),
-    ]
-}
 
 /// The curves of a scene.
 struct Traces {

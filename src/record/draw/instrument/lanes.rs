@@ -3,7 +3,7 @@
 use crate::contact::{Contact, Decision, Step, Work};
 use crate::diagnosis::{Change, Diagnosis, History};
 use crate::plot::{Align, Colour, Frame, Sheet, width};
-use crate::record::draw::chart::traces::times;
+use crate::record::draw::chart::observable_traces::times;
 use crate::record::draw::drawing::{Drawing, Place, RunDrawing, RunStep, Subject};
 use crate::record::draw::ink::canvas;
 use crate::record::draw::ink::palette::{FAINT, Palette, SERIES, colour, mixed};

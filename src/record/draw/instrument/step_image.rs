@@ -2,7 +2,7 @@
 
 use crate::contact::Work;
 use crate::plot::{Axis, Frame};
-use crate::record::draw::chart::traces::times;
+use crate::record::draw::chart::observable_traces::times;
 use crate::record::draw::ink::canvas;
 use crate::record::draw::ink::palette::{self, Palette};
 use crate::record::draw::ink::pane::{Pane, PaneView};

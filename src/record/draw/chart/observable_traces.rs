@@ -1,0 +1,111 @@
+//! Numbers of observables at every step, and how they are called.
+
+use crate::contact::{Contact, OBSERVABLES, Observable, State, Step, Work};
+use rerun::{RecordingStream, RecordingStreamResult, Scalars, TimeColumn};
+use std::borrow::Cow;
+
+/// Timeline of relaxation steps.
+pub const STEP: &str = "step";
+/// Timeline of seconds spent by the solver.
+pub const SECONDS: &str = "seconds";
+/// Timeline of transforms made by the solver.
+pub const TRANSFORMS: &str = "transforms";
+
+/// Observables that are compared between scenes and with an earlier solve.
+pub const COMPARED: [&str; 3] = ["kappa_r", "relative_area", "certificate"];
+
+/// Observables that are recorded for programs, and not drawn.
+const NOT_DRAWN: [&str; 2] = ["mean_gap", "kappa_counted"];
+
+/// The observables that are drawn step by step; the certificate as its logarithm.
+pub fn traced() -> impl Iterator<Item = &'static Observable> {
+    OBSERVABLES.iter().filter(|observable| observable.is_traced)
+}
+
+/// The observables that are recorded step by step.
+pub fn recorded() -> impl Iterator<Item = &'static Observable> {
+    OBSERVABLES.iter().filter(|observable| observable.is_traced || NOT_DRAWN.contains(&observable.name))
+}
+
+pub fn title(observable: &Observable) -> String {
+    let words = observable.name.replace('_', " ") + " ";
+    let name = words.replace("kappa r ", "kappa_r ").trim_end().to_owned();
+    let name = name.replace(" counted", ", nodes counted");
+    if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
+}
+
+pub fn is_logarithmic(observable: &Observable) -> bool {
+    observable.name == "certificate"
+}
+
+/// The name of the entity that is drawn for an observable.
+pub fn drawn(observable: &Observable) -> String {
+    let end = if is_logarithmic(observable) { "_log10" } else { "" };
+    format!("{}{end}", observable.name)
+}
+
+/// Curves of observables.
+#[derive(Debug, Clone)]
+pub struct ObservableTraces(pub Vec<(&'static Observable, Trace)>);
+
+/// A number of every step, each with the work up to it.
+#[derive(Debug, Clone, Default)]
+pub struct Trace(pub Vec<(Work, f64)>);
+
+impl ObservableTraces {
+    pub fn new(observables: impl Iterator<Item = &'static Observable>) -> Self {
+        Self(observables.map(|observable| (observable, Trace::default())).collect())
+    }
+
+    pub fn add(&mut self, step: &Step<'_>) {
+        let state = State::from(step);
+        for (observable, trace) in &mut self.0 {
+            trace.add(step.work(), Some((observable.value)(&state)));
+        }
+    }
+
+    /// Ends with the numbers of the contact, whose fields are the last frame: they take the place of those of the last step, which may be
+    /// another state.
+    pub fn end(&mut self, contact: &Contact) {
+        let state = State::from(contact);
+        for (observable, trace) in &mut self.0 {
+            trace.0.pop_if(|(work, _)| work.iterations == contact.work.iterations);
+            trace.add(contact.work, Some((observable.value)(&state)));
+        }
+    }
+}
+
+impl Trace {
+    /// The curve of an observable that is drawn of these values.
+    pub fn drawn(&self, observable: &Observable) -> Cow<'_, Self> {
+        if !is_logarithmic(observable) {
+            return Cow::Borrowed(self);
+        }
+        let logarithms = self.0.iter().map(|&(work, value)| (work, value.log10()));
+        Cow::Owned(Self(logarithms.filter(|(_, logarithm)| logarithm.is_finite()).collect()))
+    }
+
+    /// Adds a value; one that is not finite is left out.
+    pub fn add(&mut self, work: Work, value: Option<f64>) {
+        self.0.extend(value.filter(|value| value.is_finite()).map(|value| (work, value)));
+    }
+
+    /// Sends its values under `entity`, each at the time at which it was added.
+    pub fn log(&self, to: &RecordingStream, entity: String) -> RecordingStreamResult<()> {
+        if self.0.is_empty() {
+            return Ok(());
+        }
+        let times = times(&self.0);
+        to.send_columns(entity, times, Scalars::new(self.0.iter().map(|(_, value)| *value)).columns_of_unit_batches()?)
+    }
+}
+
+/// The times of values, each with the work up to it.
+pub fn times<T>(values: &[(Work, T)]) -> [TimeColumn; 3] {
+    let work = || values.iter().map(|(work, _)| work);
+    [
+        TimeColumn::new_sequence(STEP, work().map(|work| work.iterations as i64)),
+        TimeColumn::new_duration_secs(SECONDS, work().map(|work| work.seconds)),
+        TimeColumn::new_sequence(TRANSFORMS, work().map(|work| work.transforms as i64)),
+    ]
+}
