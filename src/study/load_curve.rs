@@ -24,7 +24,7 @@ use std::sync::Arc;
 /// let curve = LoadCurve { setup, loads: loads.into() }.and_back();
 /// let mut areas = Vec::new();
 /// curve.press(&curve.problem()?, |_| (), |_, contact| {
-///     areas.push(contact.resolved().relative_area);
+///     areas.push(contact.counted().relative_area);
 ///     Ok::<(), asperity::error::StudyError>(())
 /// })?;
 /// assert!(areas[0] < areas[1] && areas[1] < areas[2]);

@@ -1,8 +1,10 @@
 //! Axes suit the state that is shown: those of the fields while a run goes on, and those of curves at its end.
 
 use super::{cylinder, record, record_with, rough_line, rough_surface, rows, stores, trace};
-use asperity::contact::{Each, Gfmd, Multilevel, PolonskyKeer, Solver, Step};
+use asperity::contact::{Each, Gfmd, Load, Multilevel, PolonskyKeer, Solver, Step};
 use asperity::record::{Options, Recording, Scene};
+use asperity::setup::{Cell, Recipe, Setup};
+use asperity::surface::Spectrum;
 use asperity::theory::Exact;
 use asperity::{Grid, Indenter, Stop};
 use rerun::components::{LineStrip2D, Range1D, Scale3D};
@@ -144,8 +146,14 @@ fn no_legend_covers_curves_that_settle_and_their_titles_say_what_they_are() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.rrd");
     let window = [900.0, 420.0];
-    for problem in [rough_line(), rough_surface()] {
-        record_with(&path, &problem, &PolonskyKeer, None, Options { window, ..Options::default() });
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 0.1, rms_gradient: 0.01 };
+    for cell in [Cell::line(512, 1.0), Cell::surface([32, 32], [1.0, 1.0])] {
+        let setup = Setup::new(Recipe::rough(spectrum, 5), cell, Load::ReducedPressure(0.1));
+        let problem = setup.problem().unwrap();
+        let scene = Scene { name: "it".into(), ..Scene::of(&setup, &problem) };
+        let recording = Recording::create(&path, &[scene], Options { window, ..Options::default() }).unwrap();
+        PolonskyKeer.solve(&problem, &Stop::default(), &mut recording.recorder(0)).unwrap();
+        recording.finish().unwrap();
         for name in ["kappa_r", "relative_area"] {
             let view = view_of(&path, name);
             assert!(!view.has_legend && view.title.contains("grey: nodes counted"), "{view:?}");

@@ -69,7 +69,7 @@ fn values_are_typed(page: &mut Page) {
     assert_eq!(page.text("document.getElementById('control-rolloff').getAttribute('aria-valuetext')"), "4 waves");
     for (id, value, sentence) in [
         ("control-load-value", "0", "p* cannot be 0: give a number from 0.00001 to 1000."),
-        ("control-points-value", "100.5", "Points cannot be 100.5: give a whole number from 32 to 262144."),
+        ("control-points-value", "100.5", "Points cannot be 100.5: give a whole number from 4 to 262144."),
         ("control-load-value", "abc", "p* needs a number."),
         ("control-load-value", "1,000.5", "p* needs a number."),
         ("control-seed", "-3", "Seed cannot be -3: give a whole number from 0 to 4294967295."),

@@ -15,7 +15,7 @@ pub const TRANSFORMS: &str = "transforms";
 pub const COMPARED: [&str; 3] = ["kappa_r", "relative_area", "certificate"];
 
 /// Observables that are recorded for programs, and not drawn.
-const NOT_DRAWN: [&str; 2] = ["mean_gap", "kappa_counted"];
+const NOT_DRAWN: [&str; 1] = ["mean_gap"];
 
 /// The observables that are drawn step by step; the certificate as its logarithm.
 pub fn traced() -> impl Iterator<Item = &'static Observable> {
