@@ -1,6 +1,6 @@
 //! Axes suit the state that is shown: those of the fields while a run goes on, and those of curves at its end.
 
-use super::{cylinder, record, record_with, rough_line, rough_surface, rows, stores, trace};
+use super::{cylinder, record, rough_line, rough_surface, rows, stores, trace};
 use asperity::contact::{Each, Gfmd, Load, Multilevel, PolonskyKeer, Solver, Step};
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::{Cell, Recipe, Setup};
