@@ -225,7 +225,7 @@ pub enum SlipError {
     NeedsPressure { load: String },
 }
 
-/// What is missing of the constants of bodies.
+/// A sentence on elastic constants that are missing, or that do not fit the number of bodies.
 fn bodies_in_words(young: usize, poisson: usize) -> String {
     match (young, poisson) {
         (_, 0) => "Poisson's ratio is missing: give one value per body".into(),

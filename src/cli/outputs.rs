@@ -60,7 +60,7 @@ impl Outputs {
         None
     }
 
-    /// What is done besides solving under so many loads.
+    /// The work besides solving, for a number of loads.
     pub fn extras(&self, loads: usize) -> Extras {
         Extras {
             is_recorded: self.recording().is_some(),

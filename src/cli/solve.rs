@@ -22,7 +22,7 @@ use asperity::contact::{PartialSlip, archive, archive_of_slip};
 use asperity::diagnosis::Findings;
 use asperity::files::{check_apart, write_beside};
 use asperity::job::{Job, Solved};
-use asperity::setup::{Auto, Extras, Setup, Table};
+use asperity::setup::{Auto, Setup, Table};
 use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write, stdout};
@@ -87,9 +87,8 @@ impl Solve {
     /// Solves a setup under its one load, on a grid that is found first if it is not given.
     fn solve(&self, setup: Setup, auto: Option<Auto>) -> Result<Outcome> {
         let Self { outputs, .. } = self;
-        let job = self.job(setup, auto);
-        let is_passed_twice = job.is_passed_twice();
-        let cost = job.setup().cost(&Extras { is_diagnosed: is_passed_twice, ..outputs.extras(1) })?;
+        let job = self.job(setup, auto).with_extras(outputs.extras(1));
+        let cost = job.cost()?;
         outputs.check()?;
         if let Some(path) = outputs.table().filter(|_| !cost.grid.is_line()) {
             return usage(format!("{} can hold the nodes of a line only: give a .npz for a surface", path.display()));
@@ -99,13 +98,11 @@ impl Solve {
             stress::check(&cost.grid, outputs.stress_row)?;
         }
         if self.dry_run {
-            let setup = job.setup();
+            let (setup, is_passed_twice) = (job.setup(), job.is_passed_twice());
             let is_recorded = outputs.recording().is_some();
             plan::write(&Plan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice }, &mut stdout())?;
             job.refinement().map_or(Ok(()), |refinement| plan::write_grids(refinement, &mut stdout()))?;
-        }
-        cost.check(job.setup().solver.name())?;
-        if self.dry_run {
+            cost.check(setup.solver.name())?;
             return Ok(Outcome::Done);
         }
         let ready = job.prepare()?;

@@ -73,7 +73,7 @@ pub struct RunReport {
 /// A warning about one of the surfaces of a run.
 #[derive(Clone, Serialize)]
 pub struct RunWarning {
-    /// Whether it is about the surface beside.
+    /// Whether the warning is about the surface that is pressed beside the first one.
     pub is_beside: bool,
     #[serde(flatten)]
     pub warning: Warning,

@@ -94,7 +94,7 @@ fn prepared(setup: &Setup, surface: &Surface) -> Result<Vec<String>, SetupError>
     setup.surface.height.as_ref().map_or(Ok(Vec::new()), of)
 }
 
-/// What a run collects of its steps, and where it stands.
+/// Collects what the page shows of the steps of a run.
 struct RunCollector<'a> {
     turn: Turn<'a>,
     reported: Instant,
@@ -103,18 +103,21 @@ struct RunCollector<'a> {
     motion: Motion,
 }
 
-/// Reports where a solve stands, and ends it when its turn is over.
+/// Reports where a solve stands, if its numbers are those of the run, and ends it when its turn is over.
 struct ProgressReport<'w, 'a> {
     turn: Turn<'a>,
-    reported: &'w mut Instant,
+    reported: Option<&'w mut Instant>,
 }
 
 impl job::Watcher for RunCollector<'_> {
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
-        let progress = ProgressReport { turn: self.turn, reported: &mut self.reported };
+        let turn = self.turn;
         match pass {
-            Pass::Solve(_, 0) => Box::new(((&mut self.curves, &mut self.steps, &mut self.motion), progress)),
-            _ => Box::new(progress),
+            Pass::Solve(_, 0) => {
+                let progress = ProgressReport { turn, reported: Some(&mut self.reported) };
+                Box::new(((&mut self.curves, &mut self.steps, &mut self.motion), progress))
+            }
+            _ => Box::new(ProgressReport { turn, reported: None }),
         }
     }
 }
@@ -124,8 +127,8 @@ impl Observer for ProgressReport<'_, '_> {
         if !self.turn.goes_on() {
             return Ok(ControlFlow::Break(()));
         }
-        if self.reported.elapsed() >= INTERVAL {
-            *self.reported = Instant::now();
+        if let Some(reported) = self.reported.as_mut().filter(|reported| reported.elapsed() >= INTERVAL) {
+            **reported = Instant::now();
             let numbers = Numbers::of_step(step);
             self.turn.tell(|news| {
                 if let Some(run) = &mut news.run {

@@ -35,13 +35,14 @@ pub use watch::{Pass, ShowSteps, Watcher};
 
 #[cfg(feature = "record")]
 use crate::error::FileError;
+use crate::error::SetupError;
 #[cfg(feature = "record")]
 use crate::record::{Options, Recording, Scene};
-use crate::setup::{Auto, Part, Setup};
+use crate::setup::{Auto, Cost, Extras, Part, Setup};
 use crate::study::Refinement;
 use crate::surface::Field;
 
-/// What begins the recording of some scenes: in a file, in a viewer, or anywhere else.
+/// A function that begins a recording of scenes: in a file, in a viewer, or elsewhere.
 #[cfg(feature = "record")]
 pub type OpenRecording<'a> = Box<dyn FnOnce(&[Scene<'_>], Options) -> Result<Recording, FileError> + 'a>;
 
@@ -51,6 +52,7 @@ pub struct Job<'a> {
     refinement: Option<Refinement>,
     start: Option<&'a Field>,
     is_diagnosed: bool,
+    extras: Extras,
     #[cfg(feature = "record")]
     recorded: Option<(OpenRecording<'a>, Options)>,
 }
@@ -68,6 +70,7 @@ impl<'a> Job<'a> {
             refinement: None,
             start: None,
             is_diagnosed: false,
+            extras: Extras::default(),
             #[cfg(feature = "record")]
             recorded: None,
         }
@@ -97,6 +100,12 @@ impl<'a> Job<'a> {
     /// The job with a diagnosis of what held its first run up. A first pass finds the final state that the steps are compared with.
     pub fn diagnosed(self, is_diagnosed: bool) -> Self {
         Self { is_diagnosed, ..self }
+    }
+
+    /// The job with the memory counted of what the caller does with the contact of the first run, such as its stiffness or an archive. A
+    /// recording and a diagnosis are counted by the job itself.
+    pub fn with_extras(self, extras: Extras) -> Self {
+        Self { extras, ..self }
     }
 
     /// The job with every step recorded, with the parts that the setup of the first run names, by the recording that `open` begins.
@@ -129,6 +138,19 @@ impl<'a> Job<'a> {
     /// Whether a first pass finds the final state that the steps of a run are compared with.
     pub fn is_passed_twice(&self) -> bool {
         self.runs.iter().any(|run| self.needs_reference(run))
+    }
+
+    /// What the first run takes of memory.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::cost`].
+    pub fn cost(&self) -> Result<Cost, SetupError> {
+        self.setup().cost(&self.extras())
+    }
+
+    /// What is done besides solving.
+    fn extras(&self) -> Extras {
+        Extras { is_recorded: self.is_recorded(), is_diagnosed: self.is_passed_twice(), ..self.extras }
     }
 
     fn is_recorded(&self) -> bool {

@@ -1,4 +1,4 @@
-//! What comes out of a job.
+//! The results of a job.
 
 use crate::contact::{Contact, Observables, PartialSlip, warning_of_rim, warnings_of};
 use crate::diagnosis::Findings;
@@ -6,11 +6,11 @@ use crate::setup::Setup;
 use crate::study::Refinement;
 use crate::warning::Warning;
 
-/// What comes out of a job.
+/// The results of a job.
 pub struct Outcome {
     /// The contact of each run, in their order.
     pub solved: Vec<Solved>,
-    /// What held the first run up, if that is asked for.
+    /// Why the first run was slow, if the job has a diagnosis.
     pub diagnosis: Option<Findings>,
 }
 

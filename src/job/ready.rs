@@ -25,8 +25,7 @@ impl<'a> Job<'a> {
     /// # Errors
     /// The errors of [`Setup::problem`], and [`SetupError::Memory`] for a run that does not fit in memory.
     pub fn prepare(mut self) -> Result<Ready<'a>, SetupError> {
-        let extras =
-            Extras { is_recorded: self.is_recorded(), is_diagnosed: self.is_passed_twice(), ..Extras::default() };
+        let extras = self.extras();
         self.runs.iter_mut().try_for_each(|run| run.pose(&extras))?;
         Ok(Ready { job: self })
     }
