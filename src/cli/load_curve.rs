@@ -135,6 +135,9 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = curve.setup.surface.warnings(problem.surface());
     warnings.extend(warnings_of(&observables, problem.law()));
+    // a grid is found under one load only: several take a number
+    let refinements = warnings.iter_mut().flat_map(|it| &mut it.remedies).filter(|it| it.key == "grid.refine");
+    refinements.for_each(|it| it.value = None);
     let warnings = warnings::in_flags(&warnings);
     warnings::refuse_if_strict(&warnings, outputs.strict)?;
     if let Some(path) = outputs.archive() {

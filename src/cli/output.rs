@@ -42,13 +42,14 @@ impl Summary {
     /// How large the contact is: on a line its half-width, or the width of all patches together; on a surface its area.
     fn size(&self) -> Option<(String, String)> {
         let (it, units) = (&self.finding.observables, self.units);
-        let size = it.relative_area * self.subject.size.iter().product::<f64>();
+        let size = it.resolved_area()? * self.subject.size.iter().product::<f64>();
         let (name, size) = match (self.subject.size.len(), it.patches) {
             (1, 1) => ("half-width of the contact", units.length(0.5 * size)),
             (1, patches) => ("width of the contact", format!("{} in {patches} patches", units.length(size))),
             _ => ("area of the contact", units.area(size)),
         };
-        (it.relative_area > 0.0).then(|| (name.to_owned(), size))
+        let images = if self.setup.surface.prepare.mirror.is_some() { ", with its mirror images" } else { "" };
+        (it.relative_area > 0.0).then(|| (name.to_owned(), format!("{size}{images}")))
     }
 }
 

@@ -59,7 +59,7 @@ fn unknown(found: &[&Observables]) -> Option<Warning> {
     (count > 0).then(|| {
         Warning::new(
             format!(
-                "kappa_r and its error cannot be found{} on this grid, so kappa_r may be wrong by any amount",
+                "kappa_r and its error cannot be found on this grid, so kappa_r may be wrong by any amount{}",
                 under(count, found)
             ),
             "Use a finer grid, or heights that are neither rounded nor clipped",
@@ -76,9 +76,9 @@ fn loose(found: &[&Observables]) -> Option<Warning> {
         Warning::new(
             match largest < 1.0 {
                 true => {
-                    format!("The pressure is known to {:.0} % only{under}, whatever its certificate", 100.0 * largest)
+                    format!("The pressure is known to {:.0} % only, whatever its certificate{under}", 100.0 * largest)
                 }
-                false => format!("The pressure may be off by its own size or more{under}, whatever its certificate"),
+                false => format!("The pressure may be off by its own size or more, whatever its certificate{under}"),
             },
             "Set a tolerance of the pressure",
         )

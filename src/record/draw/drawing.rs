@@ -87,7 +87,7 @@ pub enum Place {
     Field,
     /// Behind all other pictures of the state.
     Further,
-    /// There, too, in a higher row: its proportions are those in space.
+    /// Behind all other pictures of the state, in a higher row, as its proportions are those in space.
     Deep,
     /// Pictures of the whole run, step by step: the contact, the decisions, the wavelengths.
     RunContact,
