@@ -147,7 +147,21 @@ impl Visitor<'_> for Quantity {
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<f64, E> {
         let number = text.trim().parse().ok();
-        number.or_else(|| (self.parse)(text)).ok_or_else(|| de::Error::invalid_value(de::Unexpected::Str(text), &self))
+        number.or_else(|| (self.parse)(text)).ok_or_else(|| match self.meant(text) {
+            Some(meant) => E::custom(format_args!("`{text}` is not {}: did you mean `{meant}`?", self.kind)),
+            None => E::invalid_value(de::Unexpected::Str(text), &self),
+        })
+    }
+}
+
+impl Quantity {
+    /// The same text with the unit that differs from its own in capital letters only.
+    fn meant(&self, text: &str) -> Option<String> {
+        let at = text.rfind(|c: char| c.is_ascii_digit() || c == '.' || c.is_whitespace())? + 1;
+        let (number, unit) = text.split_at_checked(at)?;
+        let names = PRESSURES.iter().chain(&UNITS).map(|(name, _)| *name).chain(["N", "kN", "N/m", "kN/m"]);
+        let meant = |name: &str| format!("{} {name}", number.trim());
+        names.filter(|name| name.eq_ignore_ascii_case(unit)).map(meant).find(|text| (self.parse)(text).is_some())
     }
 }
 
@@ -161,6 +175,9 @@ mod units {
 
     /// Units of engineers that are others with a prefix.
     const PER_MILLIMETRE: [(&str, &str); 4] = [("N/mm", "kN/m"), ("N/mm2", "MPa"), ("N/mm²", "MPa"), ("N/mm^2", "MPa")];
+
+    /// A unit that no contact needs, and that is a slip for the megapascal.
+    const MILLIPASCAL: &str = "mPa";
 
     pub fn length(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<Length>().ok().map(|one| one.get::<meter>()))
@@ -183,6 +200,9 @@ mod units {
         let (number, unit) = (0..=text.len()).rev().find_map(number)?;
         let unit = unit.strip_prefix(['u', 'μ']).map_or(unit.to_owned(), |rest| format!("µ{rest}"));
         let unit = PER_MILLIMETRE.iter().find(|(name, _)| *name == unit).map_or(unit, |(_, same)| (*same).into());
+        if unit == MILLIPASCAL {
+            return None;
+        }
         let size = one(&format!("1 {unit}"))?;
         let parts = size.recip().round();
         let is_part = parts > 1.0 && (size * parts - 1.0).abs() < 1e-12;
@@ -211,5 +231,16 @@ mod tests {
         assert_eq!([1.5e-11, 3.0, 2e-20].map(area_in_words), ["15 µm²", "3 m²", "0.02 nm²"]);
         let told = [0.1, 1e9, 0.01471, 2.1e-4, 1500.0, -0.05].map(number_in_words);
         assert_eq!(told, ["0.1", "1e9", "0.01471", "2.1e-4", "1500", "-0.05"]);
+    }
+
+    #[test]
+    #[cfg(feature = "units")]
+    fn a_unit_with_wrong_capitals_gets_the_right_ones() {
+        let read = |text: &'static str| pressure(de::value::StrDeserializer::<de::value::Error>::new(text));
+        assert_eq!(read("210 GPa"), Ok(210e9));
+        let refused = |text| read(text).unwrap_err().to_string();
+        assert_eq!(refused("210GPA"), "`210GPA` is not a pressure: did you mean `210 GPa`?");
+        assert_eq!(refused("10mPa"), "`10mPa` is not a pressure: did you mean `10 MPa`?");
+        assert!(refused("10 bananas").contains("such as \"1 GPa\""));
     }
 }

@@ -141,10 +141,10 @@ fn read(path: &Path) -> Result<Table> {
     }
 }
 
-/// Whether a file is called a scene or a result, whatever is in it.
+/// Whether a file is called a scene, a summary or a recording, whatever is in it. An archive may hold a result or heights.
 fn is_named_scene(path: &Path) -> bool {
     let ending = path.extension().unwrap_or_default();
-    ["toml", "json", "npz", "rrd"].iter().any(|it| ending.eq_ignore_ascii_case(it))
+    ["toml", "json", "rrd"].iter().any(|it| ending.eq_ignore_ascii_case(it))
 }
 
 impl<E: Extent> FromArgMatches for Scene<E> {

@@ -14,6 +14,7 @@ use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads, warnings_of};
+use asperity::error::FileError;
 use asperity::files::{write_beside, write_csv};
 #[cfg(feature = "record")]
 use asperity::job::CurveRecording;
@@ -21,6 +22,7 @@ use asperity::setup::{Part, Table};
 use asperity::study::LoadCurve;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Everything that a script may want to know about contacts under one load after the other, and the setup that repeats them.
@@ -49,6 +51,8 @@ struct Pressed {
     /// The contacts, if their fields are to be written.
     contacts: Vec<Contact>,
     outcome: Outcome,
+    /// Why the recording could not be finished, if it could not. The contacts are whole all the same.
+    failure: Option<FileError>,
 }
 
 /// Solves the contacts of a curve, and writes and prints them.
@@ -79,10 +83,12 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
         let warnings = warnings::in_flags(&curve.setup.surface.warnings(problem.surface()));
         warnings::refuse_if_strict(&warnings, true)?;
     }
-    let pressed = press(curve, &problem, outputs)?;
-    let outcome = pressed.outcome;
+    let mut pressed = press(curve, &problem, outputs)?;
+    let (outcome, failure) = (pressed.outcome, pressed.failure.take());
+    let is_whole = |path: &&Path| failure.is_none() || Some(*path) != outputs.recording();
     let solved = LoadCurve { loads: curve.loads[..pressed.findings.len()].into(), ..curve.clone() };
     write(&solved, &problem, pressed, outputs, units)?;
+    outputs.files().filter(is_whole).for_each(wrote);
     if outcome == Outcome::Interrupted {
         warnings::print(&[format!(
             "interrupted: {} of {} loads are solved and written",
@@ -90,14 +96,14 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
             curve.loads.len()
         )]);
     }
-    Ok(outcome)
+    failure.map_or(Ok(outcome), |failure| Err(failure.into()))
 }
 
 /// Solves and records the contacts. Ctrl-C ends it after the last load that is solved.
 fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pressed> {
     #[cfg(feature = "record")]
-    let recording = outputs.recording().map(|path| CurveRecording::create(path, curve, problem)).transpose()?;
-    let mut pressed = Pressed { findings: Vec::new(), contacts: Vec::new(), outcome: Outcome::Done };
+    let mut recording = outputs.recording().map(|path| CurveRecording::create(path, curve, problem)).transpose()?;
+    let mut pressed = Pressed { findings: Vec::new(), contacts: Vec::new(), outcome: Outcome::Done, failure: None };
     let title = |number: usize| format!("load {} of {}", number + 1, curve.loads.len());
     let interrupted = interrupted()?;
     let ended = curve.press(
@@ -111,7 +117,12 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
             pressed.outcome = pressed.outcome.max(settle(contact)?);
             let finding = Finding::of(&curve.setup, contact);
             #[cfg(feature = "record")]
-            recording.iter().try_for_each(|it| it.add(pressed.findings.len(), contact, &finding.observables))?;
+            if let Some(Err(failure)) =
+                recording.as_ref().map(|it| it.add(pressed.findings.len(), contact, &finding.observables))
+            {
+                recording = None;
+                pressed.failure = Some(failure);
+            }
             pressed.findings.push(finding);
             pressed.contacts.extend(outputs.archive().map(|_| contact.clone()));
             Ok(())
@@ -124,7 +135,9 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
         ended => ended?,
     }
     #[cfg(feature = "record")]
-    recording.map_or(Ok(()), CurveRecording::finish)?;
+    if let Some(Err(failure)) = recording.map(CurveRecording::finish) {
+        pressed.failure = Some(failure);
+    }
     Ok(pressed)
 }
 
@@ -161,7 +174,6 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
         summary.write_text(&mut stdout())?
     }
     warnings::print(&summary.warnings);
-    outputs.files().for_each(wrote);
     Ok(())
 }
 

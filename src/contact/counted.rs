@@ -1,7 +1,6 @@
 //! A contact as its nodes are counted, as the paper defines it.
 
 use crate::contact::{NODE_EXCESS_PER_SWITCH_LINE, Problem, chunks};
-use crate::surface::Surface;
 
 /// Excess of counted nodes of a surface per switch along rows and columns of a square grid, the mean over edges of all
 /// directions: [`crate::theory::counting_excess`] averages to 0.129078 spacings, and an edge has `4/pi` switches a spacing. It depends
@@ -18,14 +17,14 @@ pub const NODE_EXCESS_PER_SWITCH_SURFACE: f64 = 0.101_378;
 pub struct Counted {
     /// Nodes in contact.
     pub contact_nodes: usize,
-    /// Nodes in contact that lie on plateaus, see [`Surface::is_level`].
+    /// Nodes in contact that lie on plateaus, see [`Surface::is_level`](crate::surface::Surface::is_level).
     pub level_nodes: usize,
     /// Switches between contact and gap along rows (and columns): the length of the contact line in spacings.
     pub switches: usize,
     /// `a_rel`, the share of nodes in contact: what the paper plots.
     pub relative_area: f64,
-    /// `a_rel` less the excess of counting nodes, see [`NODE_EXCESS_PER_SWITCH_LINE`] and
-    /// [`NODE_EXCESS_PER_SWITCH_SURFACE`].
+    /// `a_rel` less the excess of counting nodes where the pressure falls to zero, see [`NODE_EXCESS_PER_SWITCH_LINE`] and
+    /// [`NODE_EXCESS_PER_SWITCH_SURFACE`]. At the edge of nodes that yield nothing is taken off.
     pub relative_area_corrected: f64,
     /// `gbar`, root-mean-square gradient of the whole surface (Eq. 8).
     pub rms_gradient: f64,
@@ -53,13 +52,13 @@ impl Counted {
     pub fn new(problem: &Problem, pressure: &[f64]) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
-        let Sums { nodes, level, squares, switches, switched_squares } = Sums::of(pressure, problem.surface());
+        let Sums { nodes, level, squares, switches, falling, falling_squares } = Sums::of(pressure, problem);
         let excess = if grid.is_line() { NODE_EXCESS_PER_SWITCH_LINE } else { NODE_EXCESS_PER_SWITCH_SURFACE };
-        let corrected = (nodes as f64 - excess * switches as f64).max(0.0);
+        let corrected = (nodes as f64 - excess * falling as f64).max(0.0);
         let relative_area = nodes as f64 / grid.len() as f64;
         let relative_area_corrected = corrected / grid.len() as f64;
         let rms_gradient_contact = rms(squares, nodes as f64);
-        let rms_gradient_contact_corrected = rms(squares - excess * switched_squares, corrected);
+        let rms_gradient_contact_corrected = rms(squares - excess * falling_squares, corrected);
         let strain = problem.mean_pressure_of(pressure) / problem.contact_modulus();
         let reduced_pressure = strain / problem.rms_gradient();
         Self {
@@ -94,12 +93,15 @@ struct Sums {
     /// Square gradients (Eq. 8).
     squares: f64,
     switches: usize,
-    /// Square gradients of the nodes in contact, once for each of their switches.
-    switched_squares: f64,
+    /// Switches at which the pressure falls to zero, as it does where the node in contact does not yield.
+    falling: usize,
+    /// Square gradients of the nodes in contact, once for each of these switches.
+    falling_squares: f64,
 }
 
 impl Sums {
-    fn of(pressure: &[f64], surface: &Surface) -> Self {
+    fn of(pressure: &[f64], problem: &Problem) -> Self {
+        let (surface, law) = (problem.surface(), problem.law());
         let (grid, square_gradient, is_level) = (surface.grid(), surface.square_gradient(), surface.is_level());
         let parts = chunks::visit(pressure.len(), |range| {
             let mut sums = Self::default();
@@ -111,7 +113,10 @@ impl Sums {
                 sums.level += usize::from(is_level(node));
                 sums.squares += square;
                 sums.switches += ends;
-                sums.switched_squares += ends as f64 * square;
+                if !law.yields(pressure[node]) {
+                    sums.falling += ends;
+                    sums.falling_squares += ends as f64 * square;
+                }
             }
             sums
         });
@@ -124,7 +129,8 @@ impl Sums {
             level: self.level + other.level,
             squares: self.squares + other.squares,
             switches: self.switches + other.switches,
-            switched_squares: self.switched_squares + other.switched_squares,
+            falling: self.falling + other.falling,
+            falling_squares: self.falling_squares + other.falling_squares,
         }
     }
 }

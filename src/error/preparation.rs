@@ -18,6 +18,11 @@ pub enum PreparationError {
     /// A wavelength that no filter separates.
     #[error("a filter at the wavelength {wavelength:?} separates nothing: give at least two spacings, {shortest:?}")]
     Wavelength { wavelength: f64, shortest: f64 },
+    /// A low-pass filter that leaves nothing of the heights.
+    #[error(
+        "a low-pass filter at the wavelength {wavelength:?} takes off all heights: give at most the longer side of the map, {longest:?}"
+    )]
+    LongWavelength { wavelength: f64, longest: f64 },
     /// A share of a taper that is too large or none.
     #[error("the taper is {share:?} of each side: give a share above 0 and at most 0.5")]
     Taper { share: f64 },

@@ -11,6 +11,7 @@ use asperity::study::LoadCurve;
 use asperity::surface::{Field, Spectrum, read_heights};
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
 use serde_json::Value;
+use std::sync::Arc;
 
 const TOLERANCE: f64 = 1e-11;
 
@@ -371,6 +372,32 @@ fn the_resolved_area_bears_the_load_at_the_hardness() {
             assert!(resolved.rms_gradient_contact.is_finite(), "{resolved:?}");
             let error = contact.resolution().relative_area_error;
             assert!(error < 1.0, "an error of {error}");
+        }
+    }
+}
+
+/// Nearly all of the load of a steep, soft surface lies on nodes that yield: its area is little above `<p> / H_c` on any grid, and the
+/// error that is told of it is no multiple of it, however light the load.
+#[test]
+fn the_area_of_yielded_contacts_is_known_on_coarse_grids() {
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 1.0 / 16.0, rms_gradient: 0.5 };
+    let hardness = 0.005 * 2.0;
+    for seed in 1..5 {
+        let coarse = Surface::rough(Grid::surface([128; 2], [1.0; 2]).unwrap(), &spectrum, seed).unwrap();
+        let fine = Arc::new(coarse.refined(4).unwrap());
+        for share in [0.002, 0.01, 0.1] {
+            let load = Load::MeanPressure(share * hardness);
+            let [found, truth] = [Arc::new(coarse.clone()), Arc::clone(&fine)].map(|surface| {
+                let wall = Problem::new(surface, ContactModulus(2.0), load).unwrap();
+                solve(&Multilevel, &below(&wall, hardness), 1e-8)
+            });
+            let errors = found.resolution();
+            let off = |of: fn(&Contact) -> f64| (of(&found) / of(&truth) - 1.0).abs();
+            let area = (errors.relative_area_error, off(|it| it.resolved().relative_area));
+            let kappa_r = (errors.kappa_r_error, off(|it| it.resolved().kappa_r));
+            for (told, wrong) in [area, kappa_r] {
+                assert!(told < 0.15 && wrong < told, "told {told} of an error of {wrong} at {share} of the hardness");
+            }
         }
     }
 }

@@ -67,6 +67,9 @@ const GOOD_START: f64 = 0.1;
 /// not better than the step between the grids, of which the own start is a measure.
 const COARSE_TOLERANCE: f64 = 1e-2;
 const COARSE_REDUCTION: f64 = 0.1;
+/// A coarse grid with a worse certificate has not found its contact, as below a hardness where that of light loads is smaller than a
+/// few of its nodes. The contact of the finest grid is not compared with it.
+const COMPARABLE: f64 = 0.1;
 /// Updates that a coarse grid gets at the most.
 const COARSE_UPDATES: usize = 12;
 
@@ -185,7 +188,7 @@ impl Cascade<'_> {
         };
         let (mut level, ended) = self.level_on(&coarse, depth + 1);
         let ended = self.relax(&mut level, depth + 1, ended);
-        self.run.coarser = (depth == 0).then(|| level.resolved());
+        self.run.coarser = (depth == 0 && level.certify().eta <= COMPARABLE).then(|| level.resolved());
         self.spent += self.share(&level) * level.response.transforms() as f64;
         let pressure = self.run.best.pressure.take().unwrap_or(level.pressure).spread();
         drop(level.response);

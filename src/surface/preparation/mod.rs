@@ -162,6 +162,10 @@ impl Prepared {
         if !(wavelength.is_finite() && wavelength >= shortest) {
             return Err(PreparationError::Wavelength { wavelength, shortest });
         }
+        let longest = 2.0 * self.scan.half();
+        if !is_high && wavelength > longest {
+            return Err(PreparationError::LongWavelength { wavelength, longest });
+        }
         Ok(if is_high { self.scan.high_pass(wavelength) } else { self.scan.low_pass(wavelength) })
     }
 

@@ -87,38 +87,55 @@ fn traces_are_in_their_own_units() {
     assert!(certificates.values().all(|&eta| eta > 0.0) && certificates.len() > 5);
 }
 
-/// The share of nodes in contact and the mean gap of each frame of a line, once around its period.
+/// The values of each frame of a field: of a line once around its period, of a surface at each pixel.
+fn frames(path: &Path, field: &'static str) -> BTreeMap<i64, Vec<f64>> {
+    let buffer = rerun::DepthImage::descriptor_buffer();
+    let images = rows::<rerun::components::ImageBuffer>(path, &format!("/it/{field}/image"), buffer);
+    let pixels = |bytes: &[u8]| -> Vec<f64> {
+        bytes.chunks_exact(4).map(|it| f32::from_le_bytes(it.try_into().unwrap()).into()).collect()
+    };
+    let images = images.into_iter().map(|(step, image)| (step, pixels(&image[0].0)));
+    let around = |values: &[f32]| values[1..].iter().map(|value| f64::from(*value)).collect();
+    let curves = curve(path, field, field).into_iter().map(|(step, values)| (step, around(&values)));
+    images.chain(curves).collect()
+}
+
+/// The share of nodes in contact and the mean gap of each frame.
 fn drawn(path: &Path) -> BTreeMap<i64, [f64; 2]> {
-    let around = |values: &[f32]| values[1..].iter().map(|value| f64::from(*value)).collect::<Vec<_>>();
-    let frames = curve(path, "pressure", "pressure").into_iter().zip(curve(path, "gap", "gap"));
+    let (pressure, gap) = (frames(path, "pressure"), frames(path, "gap"));
     let share = |pressure: &[f64]| pressure.iter().filter(|p| **p > 0.0).count() as f64 / pressure.len() as f64;
     let mean = |gap: &[f64]| gap.iter().sum::<f64>() / gap.len() as f64;
-    frames.map(|((step, pressure), (_, gap))| (step, [share(&around(&pressure)), mean(&around(&gap))])).collect()
+    pressure.iter().map(|(step, pressure)| (*step, [share(pressure), mean(&gap[step])])).collect()
 }
 
 /// The numbers of a step are those of the fields that are drawn of it, on coarse grids and at the end too.
 #[test]
 fn traces_are_those_of_the_fields_of_the_same_step() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.rrd");
-    let problem = rough_line();
     let short = Stop::new(1e-5, 400).unwrap();
-    for solver in [&Multilevel as &dyn Solver, &PolonskyKeer, &Gfmd::default()] {
-        for stop in [Stop::default(), short] {
-            let options = Options { every: Some(1), ..Options::default() };
-            let recording = Recording::create(&path, &[Scene::new("it", &problem)], options).unwrap();
-            solver.solve(&problem, &stop, &mut recording.recorder(0)).unwrap();
-            recording.finish().unwrap();
-            let [area, gap] = ["relative_area_counted", "mean_gap"].map(|name| trace(&path, name, "step"));
-            let frames = drawn(&path);
-            assert!(frames.len() > 3);
-            for (step, [share, mean]) in frames {
-                let what = format!("step {step} of {}", solver.name());
-                assert!((area[&step] - share).abs() < 1e-12, "area {} for {share} at {what}", area[&step]);
-                let apart = (gap[&step] - mean).abs() / problem.rms_height();
-                assert!(apart < 1e-6, "mean gap {} for {mean} at {what}", gap[&step]);
+    for problem in [rough_line(), rough(Grid::surface([32, 64], [1.0, 2.0]).unwrap())] {
+        for solver in [&Multilevel as &dyn Solver, &PolonskyKeer, &Gfmd::default()] {
+            for stop in [Stop::default(), short] {
+                check_traces(&problem, solver, &stop);
             }
         }
+    }
+}
+
+fn check_traces(problem: &Problem, solver: &dyn Solver, stop: &Stop) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.rrd");
+    let options = Options { every: Some(1), ..Options::default() };
+    let recording = Recording::create(&path, &[Scene::new("it", problem)], options).unwrap();
+    solver.solve(problem, stop, &mut recording.recorder(0)).unwrap();
+    recording.finish().unwrap();
+    let [area, gap] = ["relative_area_counted", "mean_gap"].map(|name| trace(&path, name, "step"));
+    let frames = drawn(&path);
+    assert!(frames.len() > 3);
+    for (step, [share, mean]) in frames {
+        let what = format!("step {step} of {} on {:?}", solver.name(), problem.surface().grid().shape());
+        assert!((area[&step] - share).abs() < 1e-12, "area {} for {share} at {what}", area[&step]);
+        let apart = (gap[&step] - mean).abs() / problem.rms_height();
+        assert!(apart < 1e-6, "mean gap {} for {mean} at {what}", gap[&step]);
     }
 }
 
