@@ -225,6 +225,12 @@ pub enum SlipError {
     NeedsPressure { load: String },
 }
 
+/// Why the system refused, without the number that it gives to the reason.
+fn reason(error: &std::io::Error) -> String {
+    let words = error.to_string();
+    words.split(" (os error").next().unwrap_or_default().to_owned()
+}
+
 /// A sentence on elastic constants that are missing, or that do not fit the number of bodies.
 fn bodies_in_words(young: usize, poisson: usize) -> String {
     match (young, poisson) {
@@ -414,7 +420,7 @@ pub enum SetupError {
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// The file is missing or unreadable.
-    #[error("cannot read {}: {source}", path.display())]
+    #[error("cannot read {}: {}", path.display(), reason(source))]
     Read { path: PathBuf, source: std::io::Error },
     /// The file is not what it should be.
     #[error("{} is not a usable {what} file: {reason}", path.display())]
@@ -426,7 +432,7 @@ pub enum FileError {
     #[error("cannot write {}: {reason}", path.display())]
     Target { path: PathBuf, reason: String },
     /// Writing failed on the way.
-    #[error("writing {} failed: {source}", path.display())]
+    #[error("writing {} failed: {}", path.display(), reason(source))]
     Write { path: PathBuf, source: std::io::Error },
     /// No viewer is installed that could show it.
     #[error(

@@ -188,5 +188,5 @@ fn plus_or_minus(words: &str, error: f64) -> String {
 }
 
 fn percent(share: f64) -> String {
-    if share.is_nan() { "unknown".into() } else { format!("{:.2} %", 100.0 * share) }
+    if share.is_finite() { format!("{:.2} %", 100.0 * share) } else { "unknown".into() }
 }

@@ -33,7 +33,7 @@ impl Summary {
     /// Writes the summary for reading.
     pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.subject.line(), self.finding.status)?;
-        let slip = self.slip.iter().flat_map(SlipFinding::rows);
+        let slip = self.slip.iter().flat_map(|it| it.rows(self.units));
         let found = self.finding.rows(self.units);
         write_rows(self.subject.rows(self.units).into_iter().chain(self.size()).chain(found).chain(slip), out)?;
         write_diagnosis(self.diagnosis.as_ref(), out)

@@ -1,5 +1,6 @@
 //! What sticks and what slips under a tangential load, for people and for scripts.
 
+use super::units::Units;
 use asperity::contact::PartialSlip;
 use serde::Serialize;
 
@@ -39,10 +40,12 @@ impl From<&PartialSlip> for SlipFinding {
 
 impl SlipFinding {
     /// Names and values for reading.
-    pub fn rows(&self) -> Vec<(String, String)> {
+    pub fn rows(&self, units: Units) -> Vec<(String, String)> {
+        let [mean, max] = [self.mean_traction, self.max_traction].map(|traction| units.pressure(traction));
         let rows = [
             ("tangential load", format!("{:.6e} of that at which all slides", self.tangential_over_sliding)),
-            ("traction, mean and max", format!("{:.6e} {:.6e}", self.mean_traction, self.max_traction)),
+            ("mean traction", mean),
+            ("largest traction", max),
             ("stick area", format!("{:.6} (certificate {:.2e})", self.stick_area, self.stick_certificate)),
             ("slip area", format!("{:.6}", self.slip_area)),
         ];

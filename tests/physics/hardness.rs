@@ -396,7 +396,10 @@ fn the_area_of_yielded_contacts_is_known_on_coarse_grids() {
             let area = (errors.relative_area_error, off(|it| it.resolved().relative_area));
             let kappa_r = (errors.kappa_r_error, off(|it| it.resolved().kappa_r));
             for (told, wrong) in [area, kappa_r] {
-                assert!(told < 0.15 && wrong < 2.0 * told, "told {told} of an error of {wrong} at {share} of the hardness");
+                assert!(
+                    told < 0.15 && wrong < 2.0 * told,
+                    "told {told} of an error of {wrong} at {share} of the hardness"
+                );
             }
         }
     }
