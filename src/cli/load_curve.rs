@@ -162,7 +162,7 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
         write_csv(path, findings.iter().enumerate().map(row))?;
     }
     if let Some(path) = outputs.picture() {
-        picture::write(path, &picture::of_loads(&subject.title, &observables))?;
+        picture::write(path, &picture::of_loads(&subject.title, &observables, units))?;
     }
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;

@@ -29,20 +29,67 @@ pub fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
     Figure { title: title.into(), panels: vec![first, pressure(contact, units)] }
 }
 
-/// The picture of contacts under several loads: area and `kappa_r` over the mean pressure.
-pub fn of_loads(title: &str, found: &[&Observables]) -> Figure {
-    let loads = range(found.iter().map(|it| it.reduced_pressure));
-    let panel = |name: &str, label: &str, of: fn(&Observables) -> f64| {
-        let values = range(found.iter().map(|it| of(it)).chain([0.0]));
-        let mut panel =
-            Panel::new(name, Axis::log("p*", [loads[0] / 1.2, loads[1] * 1.2]), Axis::linear(label, wider(values)));
-        let mark = Mark::Joined { symbol: Symbol::Circle, filled: true };
-        panel.add("", Colour::ORANGE, mark, found.iter().map(|it| Dot::at(it.reduced_pressure, of(it))));
-        panel
+/// The picture of contacts under several loads: area and `kappa_r` over the mean pressure, with their errors. What is not resolved is
+/// shown as it is counted, by open symbols.
+pub fn of_loads(title: &str, found: &[&Observables], units: Units) -> Figure {
+    let area = LoadPanel {
+        title: "relative contact area",
+        label: "a_rel",
+        resolved: |it| it.resolved_area(),
+        counted: |it| it.relative_area_counted,
+        error: |it| it.relative_area_error,
     };
-    let area = panel("relative contact area", "a_rel", |it| it.resolved_area().unwrap_or(f64::NAN));
-    let kappa_r = panel("area per load", "kappa_r", |it| it.resolved_kappa_r().unwrap_or(f64::NAN));
-    Figure { title: title.into(), panels: vec![area, kappa_r] }
+    let kappa_r = LoadPanel {
+        title: "area per load, over the rms gradient in contact",
+        label: "kappa_r",
+        resolved: |it| it.resolved_kappa_r(),
+        counted: |it| it.kappa_r_counted,
+        error: |it| it.kappa_r_error,
+    };
+    Figure { title: title.into(), panels: [area, kappa_r].map(|panel| panel.of(found, units)).into() }
+}
+
+/// A quantity over the mean pressure.
+struct LoadPanel {
+    title: &'static str,
+    label: &'static str,
+    resolved: fn(&Observables) -> Option<f64>,
+    counted: fn(&Observables) -> f64,
+    /// The relative error of the resolved value.
+    error: fn(&Observables) -> f64,
+}
+
+impl LoadPanel {
+    fn of(&self, found: &[&Observables], units: Units) -> Panel {
+        let highest = found.iter().map(|it| it.mean_pressure).fold(0.0, f64::max);
+        let (unit, size) = unit(units.pascals, &PRESSURES, highest);
+        let (name, load): (_, &dyn Fn(&Observables) -> f64) = match units.pascals {
+            true => (label("mean pressure", unit), &|it| it.mean_pressure / size),
+            false => ("p*".into(), &|it| it.reduced_pressure),
+        };
+        let loads = range(found.iter().map(|it| load(it)));
+        let resolved = |it: &&Observables| {
+            let value = (self.resolved)(it).unwrap_or(f64::NAN);
+            Dot { spread: value * (self.error)(it), ..Dot::at(load(it), value) }
+        };
+        let counted = |it: &&Observables| match (self.resolved)(it) {
+            Some(_) => Dot::at(load(it), f64::NAN),
+            None => Dot::at(load(it), (self.counted)(it)),
+        };
+        let dots: [Vec<Dot>; 2] = [found.iter().map(resolved).collect(), found.iter().map(counted).collect()];
+        let values = range(dots.iter().flatten().flat_map(|dot| [dot.y - dot.spread, dot.y + dot.spread]).chain([0.0]));
+        let x = Axis::log(name, [loads[0] / 1.2, loads[1] * 1.2]);
+        let mut panel = Panel::new(self.title, x, Axis::linear(self.label, wider(values)));
+        let is_counted = dots[1].iter().any(|dot| dot.y.is_finite());
+        let [resolved, counted] = dots;
+        let mark = Mark::Joined { symbol: Symbol::Circle, filled: true };
+        panel.add(if is_counted { "resolved" } else { "" }, Colour::ORANGE, mark, resolved);
+        if is_counted {
+            let mark = Mark::Symbol { symbol: Symbol::Circle, filled: false };
+            panel.add("counted, not resolved", Colour::SKY, mark, counted);
+        }
+        panel
+    }
 }
 
 /// The rigid surface above the solid along a line.
