@@ -71,3 +71,21 @@ fn a_load_curve_is_recorded_over_its_loads() {
         assert_close(number(&json(&again), "mean_gap"), last, 1e-6, "mean gap");
     }
 }
+
+/// A disk that is full ends the recording, not the contacts.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_load_curve_outlives_its_recording() {
+    let folder = Folder::new();
+    std::os::unix::fs::symlink("/dev/full", folder.join("part.rrd")).unwrap();
+    std::fs::write(folder.join("curve.rrd"), "an older file").unwrap();
+    std::fs::rename(folder.join("part.rrd"), folder.join("curve.part.rrd")).unwrap();
+    let output =
+        folder.run(&format!("solve {ROUGH_LINE} --reduced-pressure 0.01,0.1 --record curve.rrd --out curve.csv"));
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    let said = text(&output.stderr);
+    assert!(said.contains("writing curve.rrd failed: No space left on device\n"), "{said}");
+    assert!(said.contains("wrote curve.csv") && !said.contains("wrote curve.rrd"), "{said}");
+    assert_eq!(std::fs::read_to_string(folder.join("curve.csv")).unwrap().lines().count(), 3);
+    assert_eq!(std::fs::read_to_string(folder.join("curve.rrd")).unwrap(), "an older file");
+}

@@ -127,3 +127,36 @@ fn a_description_says_what_heights_are_like() {
     assert_eq!(survey["axes"][1]["scales"][0]["distance"].as_f64().unwrap(), 1e-6);
     assert!(survey["spectrum"].as_array().unwrap().len() > 10);
 }
+
+/// A filter that takes off all heights would leave a flat surface.
+#[test]
+fn a_low_pass_filter_longer_than_the_map_is_refused() {
+    let folder = Folder::new();
+    folder.run(&format!("surface {ROUGH_LINE} --out line.npy"));
+    let filtered = |wavelength: &str| folder.run(&format!("surface line.npy --size 1 --low-pass {wavelength}"));
+    assert_eq!(filtered("1").status.code(), Some(0));
+    let refused = filtered("1.5");
+    let sentence =
+        "a low-pass filter at the wavelength 1.5 takes off all heights: give at most the longer side of the map, 1.0";
+    assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains(sentence), "{}", text(&refused.stderr));
+}
+
+/// An archive of NumPy without a setup is one of heights, as with `--height`.
+#[test]
+fn an_archive_of_heights_stands_for_a_scene() {
+    let folder = Folder::new();
+    folder.run(&format!("surface {ROUGH_LINE} --out line.npy"));
+    let heights: ArrayD<f64> = read_npy(folder.join("line.npy")).unwrap();
+    let mut archive = ndarray_npy::NpzWriter::new(File::create(folder.join("other.npz")).unwrap());
+    archive.add_array("z", &heights).unwrap();
+    archive.finish().unwrap();
+    let refused = folder.run("solve other.npz --size 1 --reduced-pressure 0.01");
+    assert!(text(&refused.stderr).contains("choose one of its channels z"), "{}", text(&refused.stderr));
+    let numbers = ["solve other.npz", "solve --height line.npy"].map(|from| {
+        let channel = if from.ends_with("npz") { "--channel z" } else { "" };
+        let found = folder.run(&format!("{from} {channel} --size 1 --reduced-pressure 0.01 --json"));
+        assert_eq!(found.status.code(), Some(0), "{}", text(&found.stderr));
+        serde_json::from_slice::<Value>(&found.stdout).unwrap()["relative_area"].clone()
+    });
+    assert!(numbers[0].is_number() && numbers[0] == numbers[1], "{numbers:?}");
+}

@@ -187,3 +187,16 @@ fn numbers_without_units_beside_units_are_refused() {
     assert_eq!(saved.status.code(), Some(0), "{}", text(&saved.stderr));
     assert_eq!(folder.run("solve scene.toml --pressure 2GPa").status.code(), Some(0));
 }
+
+/// Units differ by capital letters: a slip is named, and no pressure in millipascals is taken for one in megapascals.
+#[test]
+fn units_with_wrong_capitals_are_refused_with_the_right_ones() {
+    let folder = Folder::new();
+    let refused = |given: &str| {
+        let output = folder.run(&format!("solve --indenter cylinder --radius 1mm --points 64 --size 4mm {given}"));
+        assert_eq!(output.status.code(), Some(2), "{given}");
+        text(&output.stderr).to_owned()
+    };
+    assert!(refused("--modulus 1GPa --pressure 10mPa").contains("`10mPa` is not a pressure: did you mean `10 MPa`?"));
+    assert!(refused("--modulus 210GPA --pressure 1MPa").contains("did you mean `210 GPa`?"));
+}
