@@ -91,21 +91,21 @@ fn pressure(contact: &Contact, units: Units) -> Panel {
 }
 
 /// Positions along x in a unit.
-struct Positions {
+struct NodePositions {
     length: f64,
     spacing: f64,
     unit: &'static str,
     size: f64,
 }
 
-fn positions(contact: &Contact, units: Units) -> Positions {
+fn positions(contact: &Contact, units: Units) -> NodePositions {
     let grid = contact.problem.surface().grid();
     let (length, spacing) = (grid.size()[1], grid.spacing()[1]);
     let (unit, size) = unit(units.metres, &LENGTHS, length);
-    Positions { length, spacing, unit, size }
+    NodePositions { length, spacing, unit, size }
 }
 
-impl Positions {
+impl NodePositions {
     fn axis(&self) -> Axis {
         Axis::linear(label("x", self.unit), [0.0, self.length / self.size])
     }

@@ -53,7 +53,8 @@ impl Counted {
     pub fn new(problem: &Problem, pressure: &[f64]) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
-        let Sums { nodes, level, squares, switches, switched_squares } = Sums::of(pressure, problem.surface());
+        let CountedSums { nodes, level, squares, switches, switched_squares } =
+            CountedSums::of(pressure, problem.surface());
         let excess = if grid.is_line() { NODE_EXCESS_PER_SWITCH_LINE } else { NODE_EXCESS_PER_SWITCH_SURFACE };
         let corrected = (nodes as f64 - excess * switches as f64).max(0.0);
         let relative_area = nodes as f64 / grid.len() as f64;
@@ -87,7 +88,7 @@ fn rms(squares: f64, count: f64) -> f64 {
 
 /// Sums over nodes in contact, and over switches between contact and gap.
 #[derive(Default)]
-struct Sums {
+struct CountedSums {
     nodes: usize,
     /// Nodes on plateaus.
     level: usize,
@@ -98,7 +99,7 @@ struct Sums {
     switched_squares: f64,
 }
 
-impl Sums {
+impl CountedSums {
     fn of(pressure: &[f64], surface: &Surface) -> Self {
         let (grid, square_gradient, is_level) = (surface.grid(), surface.square_gradient(), surface.is_level());
         let parts = chunks::visit(pressure.len(), |range| {
