@@ -3,15 +3,16 @@
 //! cargo run --release --example layer
 
 use asperity::contact::{Load, Multilevel, Solver};
-use asperity::elastic::{Base, HalfSpace, Layer, Solid};
+use asperity::elastic::{Base, ElasticSolid, HalfSpace, Layer};
 use asperity::{Grid, Indenter, Problem, Stop};
 use std::sync::Arc;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let sphere = Arc::new(Indenter::Sphere { radius: 1.0 }.surface(Grid::surface([256, 256], [1.0, 1.0])?)?);
     let load = Load::Force(1e-3);
-    let layer =
-        |thickness, base| -> Arc<dyn Solid> { Layer { contact_modulus: 1.0, poisson: 0.4, thickness, base }.into() };
+    let layer = |thickness, base| -> Arc<dyn ElasticSolid> {
+        Layer { contact_modulus: 1.0, poisson: 0.4, thickness, base }.into()
+    };
     let thicknesses = [0.5, 0.2, 0.1, 0.05, 0.02];
     let layers = thicknesses.into_iter().flat_map(|t| [layer(t, Base::Bonded), layer(t, Base::Sliding)]);
     println!("{:>10} {:>12} {:>12}  solid", "a", "p_max / E*", "approach");

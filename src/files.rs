@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// # Errors
 /// [`FileError::Target`] if `path` is a directory or a device, or nothing can be created in its folder.
 pub fn check_target(path: &Path) -> Result<(), FileError> {
-    Draft::beside(path).map(drop)
+    TemporaryFile::beside(path).map(drop)
 }
 
 /// Checks that no two of the files that are to be written are the same, and that none of them is one that is read, by whatever names.
@@ -84,7 +84,7 @@ pub fn write_beside(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
 ) -> Result<(), FileError> {
-    let mut draft = Draft::beside(path)?;
+    let mut draft = TemporaryFile::beside(path)?;
     let written = fill(&mut draft.file, write).and_then(|()| draft.rename(path));
     written.map_err(|source| FileError::Write { path: path.into(), source })
 }
@@ -167,13 +167,13 @@ pub fn fill_folder(path: &Path, fill: impl FnOnce(&Path) -> Result<(), Failure>)
 }
 
 /// A new file in the folder of its target, removed unless it is renamed.
-struct Draft {
+struct TemporaryFile {
     file: File,
     path: PathBuf,
     is_renamed: bool,
 }
 
-impl Draft {
+impl TemporaryFile {
     /// A draft in the folder of `path`, if a file can be made there.
     fn beside(path: &Path) -> Result<Self, FileError> {
         let unfit = |reason: String| FileError::Target { path: path.into(), reason };
@@ -213,7 +213,7 @@ impl Draft {
     }
 }
 
-impl Drop for Draft {
+impl Drop for TemporaryFile {
     fn drop(&mut self) {
         if !self.is_renamed {
             let _ = std::fs::remove_file(&self.path);

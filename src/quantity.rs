@@ -12,7 +12,7 @@ use std::fmt;
 /// # Errors
 /// For anything that is neither a number nor a length with a unit.
 pub fn length<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
-    from.deserialize_any(Quantity { kind: "a length", example: "\"160 um\"", parse: units::length })
+    from.deserialize_any(QuantityVisitor { kind: "a length", example: "\"160 um\"", parse: units::length })
 }
 
 /// Reads a length that need not be given, where it is.
@@ -28,7 +28,7 @@ pub fn some_length<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D:
 /// # Errors
 /// For anything that is neither a number nor a pressure with a unit.
 pub fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
-    from.deserialize_any(Quantity { kind: "a pressure", example: "\"1 GPa\"", parse: units::pressure })
+    from.deserialize_any(QuantityVisitor { kind: "a pressure", example: "\"1 GPa\"", parse: units::pressure })
 }
 
 /// Reads a force, or a force per length.
@@ -36,7 +36,7 @@ pub fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
 /// # Errors
 /// For anything that is neither a number nor a force with a unit.
 pub fn force<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
-    from.deserialize_any(Quantity { kind: "a force", example: "\"1 N\" or \"1 N/m\"", parse: units::force })
+    from.deserialize_any(QuantityVisitor { kind: "a force", example: "\"1 N\" or \"1 N/m\"", parse: units::force })
 }
 
 /// A length in a list of them, read as [`length`] reads one.
@@ -120,13 +120,13 @@ pub fn number_in_words(value: f64) -> String {
 }
 
 /// Reads a number or a text of one kind.
-struct Quantity {
+struct QuantityVisitor {
     kind: &'static str,
     example: &'static str,
     parse: fn(&str) -> Option<f64>,
 }
 
-impl Visitor<'_> for Quantity {
+impl Visitor<'_> for QuantityVisitor {
     type Value = f64;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -154,7 +154,7 @@ impl Visitor<'_> for Quantity {
     }
 }
 
-impl Quantity {
+impl QuantityVisitor {
     /// The same text with the unit that differs from its own in capital letters only.
     fn meant(&self, text: &str) -> Option<String> {
         let at = text.rfind(|c: char| c.is_ascii_digit() || c == '.' || c.is_whitespace())? + 1;

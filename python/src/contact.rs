@@ -35,14 +35,14 @@ pub struct Contact {
 }
 
 /// A number of each patch.
-type Column = fn(&Patch) -> f64;
+type PatchColumn = fn(&Patch) -> f64;
 
 /// Two arrays, such as the edges of bins and densities.
 type Pair<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// The values that make a contact again: fields, certificate and work, status and solver, the state on the next coarser grid, the diagnosis,
 /// and under friction its coefficient, the tangential load, the ratio of it to the load at which all slides, and the stick contact.
-type Parts<'py> = (
+type ContactParts<'py> = (
     Problem,
     [Bound<'py, PyArrayDyn<f64>>; 3],
     (Certificate, Work),
@@ -248,7 +248,7 @@ impl Contact {
         let table = PyDict::new(py);
         table.set_item("nodes", PyArray1::from_iter(py, patches.iter().map(|it| it.nodes as i64)))?;
         table.set_item("peak", PyArray1::from_iter(py, patches.iter().map(|it| it.peak as i64)))?;
-        let columns: [(&str, Column); 4] = [
+        let columns: [(&str, PatchColumn); 4] = [
             ("area", |it| it.area),
             ("load", |it| it.load),
             ("kappa_r", |it| it.kappa_r),
@@ -342,7 +342,7 @@ impl Contact {
         slf
     }
 
-    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
+    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, ContactParts<'py>)> {
         let it = slf.get();
         let Self { contact, rank, .. } = it;
         if contact.problem.surface() != &it.surface {

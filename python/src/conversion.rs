@@ -3,7 +3,7 @@
 //! `pythonize` is not used: it knows neither the scalars of numpy and xarray nor paths, and it has no release for this version of pyo3.
 
 use crate::error::{bail, py_error};
-use asperity::setup::Table;
+use asperity::setup::SetupTable;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyString};
 use serde::Serialize;
@@ -70,8 +70,8 @@ fn number(number: f64, at: &str) -> PyResult<Value> {
 }
 
 /// The table that some sections make.
-pub fn table_from_sections(sections: &Sections) -> PyResult<Table> {
-    Table::from_json(&Value::Object(sections.clone()).to_string()).map_err(py_error)
+pub fn table_from_sections(sections: &Sections) -> PyResult<SetupTable> {
+    SetupTable::from_json(&Value::Object(sections.clone()).to_string()).map_err(py_error)
 }
 
 /// The sections of a setup or a table.

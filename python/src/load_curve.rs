@@ -22,7 +22,7 @@ pub struct LoadCurve {
 }
 
 /// The values that make a curve again: the contacts and the setup.
-type Parts = (Py<PyTuple>, Setup);
+type LoadCurveParts = (Py<PyTuple>, Setup);
 
 impl LoadCurve {
     /// The curve of some contacts, with the setup that repeats it.
@@ -112,7 +112,7 @@ impl LoadCurve {
         Ok(self.setup == other.setup && self.contacts.bind(py).eq(other.contacts.bind(py))?)
     }
 
-    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
+    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, LoadCurveParts)> {
         let Self { contacts, setup } = slf.get();
         Ok((slf.get_type().getattr("_from_parts")?, (contacts.clone_ref(slf.py()), setup.clone())))
     }

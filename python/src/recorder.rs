@@ -40,11 +40,11 @@ const QUEUE_LENGTH: usize = 2;
 #[pyclass(frozen, module = "asperity")]
 pub struct Recorder {
     plan: Arc<Plan>,
-    state: Mutex<State>,
+    state: Mutex<RecorderState>,
 }
 
 /// A number of each step.
-type Column = fn(&Distance) -> f64;
+type DistanceColumn = fn(&Distance) -> f64;
 
 /// What is recorded, and how.
 struct Plan {
@@ -60,7 +60,7 @@ struct Plan {
 
 /// The state of a recorder: before, in and after its `with` block.
 #[derive(Default)]
-struct State {
+struct RecorderState {
     running: Option<Running>,
     finished: Option<Finished>,
 }
@@ -118,7 +118,7 @@ impl Plan {
 }
 
 impl Recorder {
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, RecorderState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -202,7 +202,7 @@ impl Recorder {
         let (frames, given) = sync_channel(QUEUE_LENGTH);
         let thread = thread::spawn(move || plan.run(reference, given.into_iter()));
         let running = Running { frames, thread, start: Instant::now(), own_time: Duration::ZERO };
-        *slf.get().state() = State { running: Some(running), finished: None };
+        *slf.get().state() = RecorderState { running: Some(running), finished: None };
         Ok(slf)
     }
 
@@ -248,7 +248,7 @@ impl Recorder {
     /// square) and energy_error (relative, in the energy norm). The arrays are empty without a reference.
     #[getter]
     fn distances<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let columns: [(&str, Column); 5] = [
+        let columns: [(&str, DistanceColumn); 5] = [
             ("step", |it| it.step as f64),
             ("seconds", |it| it.seconds),
             ("certificate", |it| it.certificate),
@@ -257,7 +257,7 @@ impl Recorder {
         ];
         self.result(|it| {
             let table = PyDict::new(py);
-            let column = |of: Column| vector(py, it.distances.iter().map(of).collect());
+            let column = |of: DistanceColumn| vector(py, it.distances.iter().map(of).collect());
             columns.into_iter().try_for_each(|(name, of)| table.set_item(name, column(of)))?;
             Ok(table)
         })

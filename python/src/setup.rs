@@ -4,7 +4,7 @@ use crate::conversion::{Sections, sections_from_keywords, sections_of, table_fro
 use crate::error::{bail, py_error};
 use crate::surface::Surface;
 use asperity::contact::Load;
-use asperity::setup::{self, Auto, Table};
+use asperity::setup::{self, Auto, SetupTable};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::Value;
@@ -33,7 +33,7 @@ impl Setup {
     }
 
     /// The setup that a table describes.
-    pub fn from_table(mut table: Table) -> PyResult<Self> {
+    pub fn from_table(mut table: SetupTable) -> PyResult<Self> {
         let loads = table.take_loads().map_err(py_error)?;
         let refinement = table.take_auto().map_err(py_error)?;
         Ok(Self { setup: table.setup().map_err(py_error)?, loads, refinement })
@@ -45,7 +45,7 @@ impl Setup {
     }
 
     /// The table with its list of loads and its request for a grid.
-    fn table(&self) -> Table {
+    fn table(&self) -> SetupTable {
         let mut table = self.setup.to_table();
         table.lay_loads(self.loads.as_deref().unwrap_or_default());
         if let Some(Auto { tolerance, axes }) = self.refinement {
@@ -75,20 +75,20 @@ impl Setup {
     /// The setup that a TOML text describes.
     #[staticmethod]
     pub fn from_toml(text: &str) -> PyResult<Self> {
-        Self::from_table(Table::from_toml(text).map_err(py_error)?)
+        Self::from_table(SetupTable::from_toml(text).map_err(py_error)?)
     }
 
     /// The setup that a JSON text describes: a scene, or a result that contains a setup.
     #[staticmethod]
     fn from_json(text: &str) -> PyResult<Self> {
-        Self::from_table(Table::from_json(text).map_err(py_error)?)
+        Self::from_table(SetupTable::from_json(text).map_err(py_error)?)
     }
 
     /// The setup in a scene (.toml, .json), or of a result that contains one (.npz, .json, .rrd).
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
         if !asperity::record::is_recording(&path).map_err(py_error)? {
-            return Self::from_table(Table::read(&path).map_err(py_error)?);
+            return Self::from_table(SetupTable::read(&path).map_err(py_error)?);
         }
         match asperity::record::setups(&path).map_err(py_error)?.as_deref() {
             Some([text]) => Self::from_toml(text),

@@ -25,10 +25,10 @@ pub struct RecordingSink {
 /// A callable that takes a recording in pieces.
 struct Stream {
     pieces: Pieces,
-    state: Mutex<State>,
+    state: Mutex<SinkState>,
 }
 
-struct State {
+struct SinkState {
     /// The callable, until it raises an exception.
     callable: Option<Py<PyAny>>,
     last_piece: Instant,
@@ -48,7 +48,7 @@ impl RecordingSink {
                 callable.get_type().name()?
             )));
         }
-        let state = State { callable: Some(callable.clone().unbind()), last_piece: Instant::now() };
+        let state = SinkState { callable: Some(callable.clone().unbind()), last_piece: Instant::now() };
         self.stream = Some(Stream { pieces: Pieces::default(), state: Mutex::new(state) });
         Ok(())
     }
@@ -103,7 +103,7 @@ impl Stream {
         sent
     }
 
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, SinkState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

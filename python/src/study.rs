@@ -4,7 +4,7 @@ use crate::cancel::CancelToken;
 use crate::conversion::{sections_from_keywords, table_from_sections};
 use crate::error::{bail, py_error};
 use crate::setup::Setup;
-use asperity::setup::Table;
+use asperity::setup::SetupTable;
 use asperity::study::{Plan, Point};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -24,7 +24,7 @@ pub struct Study {
 }
 
 impl Study {
-    fn from_table(table: Table) -> PyResult<Self> {
+    fn from_table(table: SetupTable) -> PyResult<Self> {
         let table = table.beside(&absolute("study.toml")?);
         let text = table.to_toml();
         let plan = Plan::from_table(table).map_err(py_error)?;
@@ -44,14 +44,14 @@ impl Study {
     #[staticmethod]
     fn from_toml(text: &str) -> PyResult<Self> {
         Plan::from_toml(text).map_err(py_error)?; // which names the line of what is wrong
-        Self::from_table(Table::from_toml(text).map_err(py_error)?)
+        Self::from_table(SetupTable::from_toml(text).map_err(py_error)?)
     }
 
     /// The study in a file. Height files are found beside it.
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
         Plan::read(&path).map_err(py_error)?;
-        Self::from_table(Table::read(&absolute(path)?).map_err(py_error)?)
+        Self::from_table(SetupTable::read(&absolute(path)?).map_err(py_error)?)
     }
 
     /// The study as TOML, with the full paths of height files.

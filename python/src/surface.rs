@@ -41,7 +41,7 @@ pub struct Surface {
 
 /// The values that make a surface again: heights about their mean, mean, lengths and periodicity along y and x, seed, plateaus, the sections
 /// as JSON, and the rank.
-type Parts<'py> = (
+type SurfaceParts<'py> = (
     Bound<'py, PyArrayDyn<f64>>,
     f64,
     [f64; 2],
@@ -259,7 +259,7 @@ impl Surface {
         slf
     }
 
-    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Parts<'py>)> {
+    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, SurfaceParts<'py>)> {
         let Self { surface, sections, rank } = slf.get();
         let grid = surface.grid();
         let plateaus = surface.plateaus().map(|it| (it.shape, it.factor, it.nodes.to_vec()));

@@ -4,7 +4,7 @@ use crate::arrays::vector;
 use crate::error::{bail, py_error};
 use arrow::array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, StringArray, UInt64Array};
 use arrow::ffi_stream::FFI_ArrowArrayStream;
-use asperity::study::{Column, Plan, Point, Values};
+use asperity::study::{Column, ColumnValues, Plan, Point};
 use numpy::PyArray1;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
@@ -101,9 +101,9 @@ impl Table {
         let py = slf.py();
         let columns = slf.get().columns.iter().map(|Column { name, values }| {
             let (kind, values) = match values {
-                Values::Whole(values) => ("whole", PyList::new(py, values)?),
-                Values::Number(values) => ("number", PyList::new(py, values)?),
-                Values::Text(values) => ("text", PyList::new(py, values)?),
+                ColumnValues::Whole(values) => ("whole", PyList::new(py, values)?),
+                ColumnValues::Number(values) => ("number", PyList::new(py, values)?),
+                ColumnValues::Text(values) => ("text", PyList::new(py, values)?),
             };
             Ok((name.clone(), kind.to_owned(), values.into_any()))
         });
@@ -115,9 +115,9 @@ impl Table {
     fn _from_columns(columns: Vec<PickledColumn<'_>>) -> PyResult<Self> {
         let columns = columns.into_iter().map(|(name, kind, values)| {
             let values = match kind.as_str() {
-                "whole" => Values::Whole(values.extract()?),
-                "number" => Values::Number(values.extract()?),
-                "text" => Values::Text(values.extract()?),
+                "whole" => ColumnValues::Whole(values.extract()?),
+                "number" => ColumnValues::Number(values.extract()?),
+                "text" => ColumnValues::Text(values.extract()?),
                 other => return bail(format!("there is no kind {other:?} of columns: give whole, number or text")),
             };
             Ok(Column { name, values })
@@ -133,11 +133,11 @@ impl Table {
 }
 
 /// Values as an array of numpy. Whole numbers become floating-point numbers if some of them are missing.
-fn array<'py>(py: Python<'py>, values: &Values) -> PyResult<Bound<'py, PyAny>> {
+fn array<'py>(py: Python<'py>, values: &ColumnValues) -> PyResult<Bound<'py, PyAny>> {
     Ok(match values {
-        Values::Number(values) => numbers(py, values.iter().copied()),
-        Values::Text(values) => py.import("numpy")?.call_method1("array", (values, "object"))?,
-        Values::Whole(values) => match values.iter().copied().collect::<Option<Vec<u64>>>() {
+        ColumnValues::Number(values) => numbers(py, values.iter().copied()),
+        ColumnValues::Text(values) => py.import("numpy")?.call_method1("array", (values, "object"))?,
+        ColumnValues::Whole(values) => match values.iter().copied().collect::<Option<Vec<u64>>>() {
             None => numbers(py, values.iter().map(|value| value.map(|value| value as f64))),
             Some(whole) => match whole.iter().map(|&value| i64::try_from(value)).collect::<Result<Vec<_>, _>>() {
                 Ok(whole) => PyArray1::from_vec(py, whole).into_any(),
@@ -152,19 +152,19 @@ fn numbers<'py>(py: Python<'py>, values: impl Iterator<Item = Option<f64>>) -> B
 }
 
 /// Whether values are the same to the last bit, so that a number that is not a number is the same as another one.
-fn is_identical(one: &Values, two: &Values) -> bool {
+fn is_identical(one: &ColumnValues, two: &ColumnValues) -> bool {
     let bits = |values: &[Option<f64>]| -> Vec<_> { values.iter().map(|it| it.map(f64::to_bits)).collect() };
     match (one, two) {
-        (Values::Number(one), Values::Number(two)) => bits(one) == bits(two),
+        (ColumnValues::Number(one), ColumnValues::Number(two)) => bits(one) == bits(two),
         (one, two) => one == two,
     }
 }
 
 /// Values as an array of Arrow.
-fn arrow(values: &Values) -> ArrayRef {
+fn arrow(values: &ColumnValues) -> ArrayRef {
     match values {
-        Values::Whole(values) => Arc::new(UInt64Array::from(values.clone())),
-        Values::Number(values) => Arc::new(Float64Array::from(values.clone())),
-        Values::Text(values) => Arc::new(StringArray::from_iter_values(values)),
+        ColumnValues::Whole(values) => Arc::new(UInt64Array::from(values.clone())),
+        ColumnValues::Number(values) => Arc::new(Float64Array::from(values.clone())),
+        ColumnValues::Text(values) => Arc::new(StringArray::from_iter_values(values)),
     }
 }

@@ -3,14 +3,14 @@
 #[cfg(feature = "record")]
 use super::choice::choice;
 use super::choice::count;
-use super::outcome::{Outcome, usage};
+use super::outcome::{ExitStatus, usage};
 use super::progress::bar;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::Stop;
 use asperity::error::FileError;
 use asperity::files::check_target;
-use asperity::lab::accuracy::{Experiment, Findings, Scene, figure, write_rows};
+use asperity::lab::accuracy::{AccuracyScene, Experiment, Measurements, figure, write_rows};
 use asperity::plot::{write_png, write_svg};
 #[cfg(feature = "record")]
 use asperity::setup::Part;
@@ -35,8 +35,8 @@ Area and kappa_r have resolved edges; the errors of counting nodes stand beside 
 #[command(after_help = HELP)]
 pub struct Accuracy {
     /// Scenes to solve, in this order
-    #[arg(value_enum, value_name = "SCENE", default_values_t = Scene::ALL)]
-    scenes: Vec<Scene>,
+    #[arg(value_enum, value_name = "SCENE", default_values_t = AccuracyScene::ALL)]
+    scenes: Vec<AccuracyScene>,
     /// Points along each side of the grids, coarsest first [default: those of the scene]
     #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
     points: Vec<usize>,
@@ -72,7 +72,7 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         let experiments = self.scenes.iter().map(|scene| self.experiment(*scene)).collect::<Result<Vec<_>>>()?;
         experiments.iter().try_for_each(Experiment::check)?;
         if let Some(folder) = &self.out {
@@ -101,10 +101,10 @@ impl Accuracy {
         self.out.iter().for_each(|folder| wrote(folder));
         let mut ends = all.iter().zip(&experiments);
         let is_converged = ends.all(|(findings, experiment)| findings.is_converged(&experiment.stop));
-        Ok(if is_converged { Outcome::Done } else { Outcome::NotConverged })
+        Ok(if is_converged { ExitStatus::Done } else { ExitStatus::NotConverged })
     }
 
-    fn experiment(&self, scene: Scene) -> Result<Experiment> {
+    fn experiment(&self, scene: AccuracyScene) -> Result<Experiment> {
         Ok(Experiment {
             scene,
             sides: if self.points.is_empty() { scene.sides(self.quick).into() } else { self.points.clone() },
@@ -129,7 +129,7 @@ fn make_folder(folder: &Path) -> Result<()> {
 }
 
 /// The table of all scenes so far, and the figure of the last one.
-fn write_files(folder: &Path, all: &[Findings]) -> Result<()> {
+fn write_files(folder: &Path, all: &[Measurements]) -> Result<()> {
     write_rows(&folder.join("accuracy.csv"), all)?;
     if let Some(findings) = all.last() {
         let path = |ending| folder.join(format!("{}.{ending}", findings.scene.name()));

@@ -1,7 +1,7 @@
 //! `asperity bench`: how fast the solvers are.
 
 use super::choice::{choice, count};
-use super::outcome::Outcome;
+use super::outcome::ExitStatus;
 use super::progress::bar;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -66,7 +66,7 @@ pub struct Bench {
 }
 
 impl Bench {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         if self.list {
             return self.list();
         }
@@ -90,10 +90,10 @@ impl Bench {
         }
         self.out.iter().for_each(|path| wrote(path));
         let all_converged = timings.iter().all(|timing| timing.status == Status::Converged);
-        Ok(if all_converged { Outcome::Done } else { Outcome::NotConverged })
+        Ok(if all_converged { ExitStatus::Done } else { ExitStatus::NotConverged })
     }
 
-    fn list(&self) -> Result<Outcome> {
+    fn list(&self) -> Result<ExitStatus> {
         for &group in &self.groups {
             writeln!(stdout(), "\n{}", self.title(group))?;
             let solvers: Vec<_> = self.methods(group).iter().map(Method::name).collect();
@@ -101,7 +101,7 @@ impl Bench {
                 writeln!(stdout(), "{:<14} {:>11} {}", contest.name, contest.points(), solvers.join(", "))?;
             }
         }
-        Ok(Outcome::Done)
+        Ok(ExitStatus::Done)
     }
 
     /// The name of a group and a few words on it.

@@ -3,13 +3,13 @@
 use super::density;
 use super::fields::{lay_load, poisson, rows};
 use super::finding::Finding;
-use super::flags::{OfProblem, Scene};
+use super::flags::{OfProblem, SceneArgs};
 use super::nodes::write_nodes;
-use super::outcome::{Outcome, usage};
+use super::outcome::{ExitStatus, usage};
 use super::output::write_json;
 #[cfg(feature = "record")]
-use super::shown::Shown;
-use super::verdict::Verdict;
+use super::shown::RecordingArgs;
+use super::verdict::ClaimReport;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -49,10 +49,10 @@ pub struct Certify {
     #[arg(long, value_name = "FILE", help_heading = RESULT)]
     displacement: Option<PathBuf>,
     #[command(flatten)]
-    scene: Scene<OfProblem>,
+    scene: SceneArgs<OfProblem>,
     #[cfg(feature = "record")]
     #[command(flatten)]
-    shown: Shown,
+    shown: RecordingArgs,
     /// Write the fields and numbers (.npz), or of a line the nodes (.csv) or a picture of where the error sits (.png, .svg)
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
@@ -62,7 +62,7 @@ pub struct Certify {
 }
 
 impl Certify {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         self.check()?;
         let (quantity, path) = self.claimed();
         let field = rows(read_field(path, quantity.name())?)?;
@@ -97,7 +97,7 @@ impl Certify {
         warnings.extend(warnings_of(&[&finding.observables], problem.law()));
         self.write(
             &contact,
-            &Verdict {
+            &ClaimReport {
                 file: path.into(),
                 quantity,
                 holds,
@@ -112,7 +112,7 @@ impl Certify {
                 grid,
             },
         )?;
-        Ok(if holds { Outcome::Done } else { Outcome::NotConverged })
+        Ok(if holds { ExitStatus::Done } else { ExitStatus::NotConverged })
     }
 
     /// Refuses places where nothing can be written, and names that promise another content.
@@ -149,7 +149,7 @@ impl Certify {
     }
 
     /// Writes and prints what came out.
-    fn write(&self, contact: &Contact, verdict: &Verdict) -> Result<()> {
+    fn write(&self, contact: &Contact, verdict: &ClaimReport) -> Result<()> {
         let setup = &verdict.setup;
         let figure = || density::figure(&setup.surface.title(&verdict.grid), contact);
         match (&self.out, self.ending().as_str()) {

@@ -1,6 +1,6 @@
 //! `asperity compare`: the traces of several recordings over each other.
 
-use super::outcome::{Outcome, usage};
+use super::outcome::{ExitStatus, usage};
 use super::warnings::print_if_cut_off;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -26,7 +26,7 @@ pub struct Compare {
 }
 
 impl Compare {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         let Self { recordings, out } = self;
         if let [only] = recordings.as_slice() {
             return usage(format!("{} alone cannot be compared: give two recordings or more", only.display()));
@@ -36,6 +36,6 @@ impl Compare {
         record::compare(recordings, out)?;
         recordings.iter().try_for_each(|path| print_if_cut_off(path))?;
         wrote(out);
-        Ok(Outcome::Done)
+        Ok(ExitStatus::Done)
     }
 }

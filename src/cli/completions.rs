@@ -1,6 +1,6 @@
 //! `asperity completions`: what a shell needs to complete commands and flags.
 
-use super::outcome::Outcome;
+use super::outcome::ExitStatus;
 use anyhow::Result;
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
@@ -21,10 +21,10 @@ pub struct Completions {
 }
 
 impl Completions {
-    pub fn run(&self, mut command: Command) -> Result<Outcome> {
+    pub fn run(&self, mut command: Command) -> Result<ExitStatus> {
         let mut script = Vec::new();
         generate(self.shell, &mut command, "asperity", &mut script);
         stdout().write_all(&script)?;
-        Ok(Outcome::Done)
+        Ok(ExitStatus::Done)
     }
 }

@@ -1,6 +1,6 @@
 //! `asperity demo`: Hertz beside rough contact.
 
-use super::outcome::{Outcome, settle};
+use super::outcome::{ExitStatus, settle};
 use super::progress::Bars;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -45,7 +45,7 @@ struct Exhibit {
 }
 
 impl Demo {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         check_named(&self.out, &["rrd"])?;
         let exhibits = exhibits();
         let run = |exhibit: &Exhibit| JobRun {
@@ -60,7 +60,7 @@ impl Demo {
         write_table(&exhibits, &solved)?;
         let outcome = solved
             .iter()
-            .try_fold(Outcome::Done, |outcome, it| Ok::<_, anyhow::Error>(outcome.max(settle(&it.contact)?)))?;
+            .try_fold(ExitStatus::Done, |outcome, it| Ok::<_, anyhow::Error>(outcome.max(settle(&it.contact)?)))?;
         wrote(&self.out);
         Ok(outcome)
     }

@@ -1,12 +1,12 @@
 //! `asperity explore`: turn a knob, watch the contact relax.
 
-use super::flags::{Scene, Whole};
+use super::flags::{OfSetup, SceneArgs};
 use super::interrupt::interrupted;
 use super::manners::remark;
-use super::outcome::{Outcome, Usage, untold, usage};
+use super::outcome::{ExitStatus, Usage, untold, usage};
 use super::warnings::print;
 use anyhow::Result;
-use asperity::explore::{Explorer, Export, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, Start};
+use asperity::explore::{Explorer, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, SiteExport, Start};
 use asperity::setup::Setup;
 use asperity::surface::HeightFile;
 use clap::{Args, ValueEnum};
@@ -65,7 +65,7 @@ pub struct PageArgs {
 }
 
 impl Explore {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         let lessons = match self.lessons.as_deref().map(Lesson::folder).transpose() {
             Ok(lessons) => lessons.unwrap_or_else(Lesson::all),
             Err(refusal) => return usage(refusal.to_string()),
@@ -86,7 +86,7 @@ impl Explore {
         let explorer = Explorer::new(sessions.clone(), knobs, lessons)?;
         let served = self.page.open().and_then(|server| Ok(server.run(explorer)?));
         sessions.close();
-        served.map(|()| Outcome::Done)
+        served.map(|()| ExitStatus::Done)
     }
 }
 
@@ -111,7 +111,7 @@ fn begin(text: &str) -> Result<Begin, String> {
 
 /// Sessions with the scene of a file, and the knobs to start with. What `solve` would refuse is refused in its words.
 fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
-    let mut table = Scene::<Whole>::of(path.into()).table()?;
+    let mut table = SceneArgs::<OfSetup>::of(path.into()).table()?;
     if table.take_loads()?.is_some() {
         return usage("the page presses under one load at a time, but several are given: give one");
     }
@@ -136,8 +136,8 @@ fn left_out(setup: &Setup) -> Vec<String> {
 }
 
 /// Writes lessons as a site, and says on standard error how far that is.
-fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<Outcome> {
-    let export = match Export::new(lessons) {
+fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<ExitStatus> {
+    let export = match SiteExport::new(lessons) {
         Ok(export) => export,
         Err(refusal) => return usage(refusal.to_string()),
     };
@@ -152,7 +152,7 @@ fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<Outcome> {
     };
     export.write(folder, &mut goes_on).map_err(untold)?;
     writeln!(stdout(), "{}: {} runs; put it on any web server", folder.display(), export.runs())?;
-    Ok(Outcome::Done)
+    Ok(ExitStatus::Done)
 }
 
 impl PageArgs {

@@ -4,7 +4,7 @@ use super::outcome::usage;
 use anyhow::Result;
 use asperity::error::ClaimError;
 use asperity::foreign::Quantity;
-use asperity::setup::{Setup, Solid, Table};
+use asperity::setup::{Setup, SetupTable, Solid};
 use asperity::surface::Field;
 use ndarray::{ArrayD, Axis, Ix2};
 
@@ -15,7 +15,7 @@ pub fn rows(array: ArrayD<f64>) -> Result<Field> {
 }
 
 /// Whether a setup has a load. One that has none gets that of a field of some quantity.
-pub fn lay_load(table: &mut Table, quantity: Quantity, field: &Field) -> Result<bool> {
+pub fn lay_load(table: &mut SetupTable, quantity: Quantity, field: &Field) -> Result<bool> {
     check_one_load(table)?;
     if table.has_load() {
         return Ok(true);
@@ -30,7 +30,7 @@ pub fn lay_load(table: &mut Table, quantity: Quantity, field: &Field) -> Result<
 }
 
 /// Refuses lists of loads.
-pub fn check_one_load(table: &mut Table) -> Result<()> {
+pub fn check_one_load(table: &mut SetupTable) -> Result<()> {
     match table.take_loads()? {
         Some(loads) if loads.len() > 1 => usage(format!("{} loads are given for one result: give one", loads.len())),
         _ => Ok(()),

@@ -7,7 +7,7 @@ use super::warnings;
 #[cfg(feature = "record")]
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
-use asperity::setup::{FLAGS, Flag, Recipe, Table, Value, lay};
+use asperity::setup::{FLAGS, Flag, FlagValue, Recipe, SetupTable, lay};
 use asperity::surface::HeightFile;
 use clap::{Arg, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
@@ -33,7 +33,7 @@ pub trait Extent {
 }
 
 /// All of a setup.
-pub struct Whole;
+pub struct OfSetup;
 
 /// The surface and its grid alone.
 pub struct OfSurface;
@@ -41,7 +41,7 @@ pub struct OfSurface;
 /// The problem that another code has solved, and what is asked of its result: a field of it may be called pressure.
 pub struct OfProblem;
 
-impl Extent for Whole {
+impl Extent for OfSetup {
     const LOAD: &'static str = LOAD;
 
     fn takes(flag: &Flag) -> bool {
@@ -62,7 +62,7 @@ impl Extent for OfProblem {
 
     fn takes(flag: &Flag) -> bool {
         let is_goal = ["tolerance", "pressure-tolerance"].contains(&flag.name);
-        is_goal || !["friction", "solver", "stop"].contains(&flag.section()) && Whole::takes(flag)
+        is_goal || !["friction", "solver", "stop"].contains(&flag.section()) && OfSetup::takes(flag)
     }
 
     fn name(flag: &'static Flag) -> &'static str {
@@ -75,14 +75,14 @@ impl Extent for OfProblem {
 }
 
 /// A scene and the flags that are laid over it.
-pub struct Scene<E> {
+pub struct SceneArgs<E> {
     /// A scene, or a result that carries one.
     file: Option<PathBuf>,
     given: Vec<(&'static Flag, Vec<String>)>,
     extent: PhantomData<E>,
 }
 
-impl<E: Extent> Scene<E> {
+impl<E: Extent> SceneArgs<E> {
     /// A scene as it is in its file.
     #[cfg(feature = "explore")]
     pub fn of(file: PathBuf) -> Self {
@@ -95,11 +95,11 @@ impl<E: Extent> Scene<E> {
     }
 
     /// The setup as it was given, its sections and keys apart.
-    pub fn table(&self) -> Result<Table> {
-        let mut table = self.file.as_deref().map_or_else(|| Ok(Table::default()), read)?;
+    pub fn table(&self) -> Result<SetupTable> {
+        let mut table = self.file.as_deref().map_or_else(|| Ok(SetupTable::default()), read)?;
         // a saved scene has numbers in SI, over which flags may lay quantities with units
         table.check_units()?;
-        let mut flags = Table::default();
+        let mut flags = SetupTable::default();
         lay(&self.given, &mut flags);
         flags.check_units()?;
         lay(&self.given, &mut table);
@@ -110,7 +110,7 @@ impl<E: Extent> Scene<E> {
     /// The units that the scene and the flags state, and those of a height file in the surface.
     pub fn units(&self, surface: &Recipe) -> Units {
         let is_text = |path: &&Path| path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("rrd"));
-        let table = self.file.as_deref().filter(is_text).map(Table::read);
+        let table = self.file.as_deref().filter(is_text).map(SetupTable::read);
         let mut table = table.and_then(Result::ok).unwrap_or_default();
         lay(&self.given, &mut table);
         Units::new(&table, surface)
@@ -122,18 +122,18 @@ impl<E: Extent> Scene<E> {
 }
 
 /// The setup in a scene or a result, or one of the heights in any other file.
-fn read(path: &Path) -> Result<Table> {
+fn read(path: &Path) -> Result<SetupTable> {
     #[cfg(feature = "record")]
     if let Some(setups) = asperity::record::setups(path)? {
         print_if_cut_off(path)?;
         return match setups.as_slice() {
-            [setup] => Ok(Table::from_toml(setup)?),
+            [setup] => Ok(SetupTable::from_toml(setup)?),
             more => usage(format!("{} holds {} setups: give a recording of one contact", path.display(), more.len())),
         };
     }
-    match Table::read(path) {
+    match SetupTable::read(path) {
         Err(_) if path.is_file() && !is_named_scene(path) => {
-            let mut table = Table::default();
+            let mut table = SetupTable::default();
             table.lay("surface.height", path.to_string_lossy().into_owned().into());
             Ok(table)
         }
@@ -147,7 +147,7 @@ fn is_named_scene(path: &Path) -> bool {
     ["toml", "json", "rrd"].iter().any(|it| ending.eq_ignore_ascii_case(it))
 }
 
-impl<E: Extent> FromArgMatches for Scene<E> {
+impl<E: Extent> FromArgMatches for SceneArgs<E> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let words = |flag: &'static Flag| {
             let words = matches.get_many::<String>(E::name(flag))?;
@@ -163,7 +163,7 @@ impl<E: Extent> FromArgMatches for Scene<E> {
     }
 }
 
-impl<E: Extent> clap::Args for Scene<E> {
+impl<E: Extent> clap::Args for SceneArgs<E> {
     fn augment_args(command: Command) -> Command {
         let path = |arg: Arg| arg.value_parser(clap::value_parser!(PathBuf));
         let command = command
@@ -196,10 +196,10 @@ fn arg<E: Extent>(flag: &'static Flag) -> Arg {
     let needs_recording = flag.section() == "record" && flag.name != "length-unit";
     let arg = if needs_recording { arg.requires("recorded") } else { arg };
     match flag.value {
-        Value::One => arg,
-        Value::List => arg.value_delimiter(','),
-        Value::Choice(names) | Value::Variant(names) => arg.value_parser(one_of(names.iter().copied())),
-        Value::Choices(names) => arg.value_delimiter(',').value_parser(one_of(names.iter().copied())),
+        FlagValue::One => arg,
+        FlagValue::List => arg.value_delimiter(','),
+        FlagValue::Choice(names) | FlagValue::Variant(names) => arg.value_parser(one_of(names.iter().copied())),
+        FlagValue::Choices(names) => arg.value_delimiter(',').value_parser(one_of(names.iter().copied())),
     }
 }
 

@@ -3,14 +3,14 @@
 use super::choice::choice;
 use super::fields::{check_one_load, rows};
 use super::finding::Finding;
-use super::flags::{OfProblem, Scene};
+use super::flags::{OfProblem, SceneArgs};
 use super::interrupt::interrupted;
 use super::iteration::Iteration;
-use super::outcome::{Outcome, settle};
+use super::outcome::{ExitStatus, settle};
 use super::output::write_json;
 use super::progress::Progress;
 #[cfg(feature = "record")]
-use super::shown::Shown;
+use super::shown::RecordingArgs;
 use super::warnings;
 use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, Solver, Stop};
@@ -63,10 +63,10 @@ pub struct Inspect {
     #[arg(long, value_name = "FILE", help_heading = "Steps")]
     reference: Option<PathBuf>,
     #[command(flatten)]
-    scene: Scene<OfProblem>,
+    scene: SceneArgs<OfProblem>,
     #[cfg(feature = "record")]
     #[command(flatten)]
-    shown: Shown,
+    shown: RecordingArgs,
     /// Say what held the iteration up: slow wavelengths, nodes that flip, plateaus, contacts that come back
     #[arg(long, help_heading = "Output")]
     diagnose: bool,
@@ -76,7 +76,7 @@ pub struct Inspect {
 }
 
 impl Inspect {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         #[cfg(feature = "record")]
         self.shown.check()?;
         let mut table = self.scene.table()?;
@@ -103,7 +103,7 @@ impl Inspect {
     }
 
     /// Replays steps that are all there.
-    fn replay(&self, setup: &Setup, problem: &Problem) -> Result<Outcome> {
+    fn replay(&self, setup: &Setup, problem: &Problem) -> Result<ExitStatus> {
         let files = step_files(&self.steps)?;
         let seconds = self.times.as_ref().map(|path| read_fields(path, "seconds")).transpose()?;
         let seconds: Option<Vec<f64>> = seconds.map(|seconds| seconds.into_iter().collect());
@@ -123,7 +123,7 @@ impl Inspect {
     }
 
     /// Replays steps as they are written into a folder.
-    fn follow(&self, folder: &Path, setup: &Setup, problem: &Problem) -> Result<Outcome> {
+    fn follow(&self, folder: &Path, setup: &Setup, problem: &Problem) -> Result<ExitStatus> {
         let interrupted = interrupted()?;
         let is_over = || interrupted.load(Ordering::Relaxed);
         let files = Follow::new(folder, self.kind.name(), self.idle, &is_over)?;
@@ -142,7 +142,7 @@ impl Inspect {
         setup: &Setup,
         problem: &Problem,
         steps: Steps<impl Iterator<Item = PathBuf>>,
-    ) -> Result<Outcome> {
+    ) -> Result<ExitStatus> {
         let reference = self.reference(problem)?;
         let mut distances = Distances::new(&reference);
         let replay = Replay::new(name, self.kind, steps);

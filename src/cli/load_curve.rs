@@ -2,13 +2,13 @@
 
 use super::finding::Finding;
 use super::interrupt::{Interruption, interrupted};
-use super::outcome::{Interrupted, Outcome, settle, usage};
+use super::outcome::{ExitStatus, Interrupted, settle, usage};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
 use super::picture;
-use super::plan::{self, Plan};
+use super::plan::{self, SolvePlan};
 use super::progress::Progress;
-use super::subject::Subject;
+use super::subject::ProblemSummary;
 use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
@@ -18,7 +18,7 @@ use asperity::error::FileError;
 use asperity::files::{write_beside, write_csv};
 #[cfg(feature = "record")]
 use asperity::job::CurveRecording;
-use asperity::setup::{Part, Table};
+use asperity::setup::{Part, SetupTable};
 use asperity::study::LoadCurve;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
@@ -27,19 +27,19 @@ use std::sync::Arc;
 
 /// Everything that a script may want to know about contacts under one load after the other, and the setup that repeats them.
 #[derive(Serialize)]
-struct Summary {
+struct LoadCurveSummary {
     #[serde(flatten)]
-    subject: Subject,
+    subject: ProblemSummary,
     loads: Vec<Finding>,
     warnings: Vec<String>,
-    setup: Table,
+    setup: SetupTable,
     #[serde(skip)]
     units: Units,
 }
 
 /// A row of the table, before its observables.
 #[derive(Serialize)]
-struct Row {
+struct LoadRow {
     /// Number of the load, from 1.
     load_number: usize,
     status: Status,
@@ -50,13 +50,13 @@ struct Pressed {
     findings: Vec<Finding>,
     /// The contacts, if their fields are to be written.
     contacts: Vec<Contact>,
-    outcome: Outcome,
+    outcome: ExitStatus,
     /// Why the recording could not be finished, if it could not. The contacts are whole all the same.
     failure: Option<FileError>,
 }
 
 /// Solves the contacts of a curve, and writes and prints them.
-pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> Result<Outcome> {
+pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> Result<ExitStatus> {
     #[cfg(feature = "record")]
     if outputs.live {
         return usage("--live shows the steps under one load: give one, or --record FILE.rrd instead");
@@ -71,12 +71,12 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
     outputs.check()?;
     if is_dry {
         let (loads, is_recorded) = (Some(curve.loads.len()), outputs.recording().is_some());
-        let plan = Plan { setup: &curve.setup, cost: &cost, loads, is_recorded, is_passed_twice: false };
+        let plan = SolvePlan { setup: &curve.setup, cost: &cost, loads, is_recorded, is_passed_twice: false };
         plan::write(&plan, &mut stdout())?;
     }
     cost.check(curve.setup.solver.name())?;
     if is_dry {
-        return Ok(Outcome::Done);
+        return Ok(ExitStatus::Done);
     }
     let problem = curve.problem()?;
     if outputs.strict {
@@ -89,7 +89,7 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
     let solved = LoadCurve { loads: curve.loads[..pressed.findings.len()].into(), ..curve.clone() };
     write(&solved, &problem, pressed, outputs, units)?;
     outputs.files().filter(is_whole).for_each(wrote);
-    if outcome == Outcome::Interrupted {
+    if outcome == ExitStatus::Interrupted {
         warnings::print(&[format!(
             "interrupted: {} of {} loads are solved and written",
             solved.loads.len(),
@@ -103,7 +103,7 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
 fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pressed> {
     #[cfg(feature = "record")]
     let mut recording = outputs.recording().map(|path| CurveRecording::create(path, curve, problem)).transpose()?;
-    let mut pressed = Pressed { findings: Vec::new(), contacts: Vec::new(), outcome: Outcome::Done, failure: None };
+    let mut pressed = Pressed { findings: Vec::new(), contacts: Vec::new(), outcome: ExitStatus::Done, failure: None };
     let title = |number: usize| format!("load {} of {}", number + 1, curve.loads.len());
     let interrupted = interrupted()?;
     let ended = curve.press(
@@ -130,7 +130,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
     );
     match ended {
         Err(error) if error.is::<Interrupted>() && !pressed.findings.is_empty() => {
-            pressed.outcome = Outcome::Interrupted
+            pressed.outcome = ExitStatus::Interrupted
         }
         ended => ended?,
     }
@@ -143,7 +143,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
 
 /// Writes and prints what came out.
 fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outputs, units: Units) -> Result<()> {
-    let (subject, setup) = (Subject::of(&curve.setup, problem)?, curve.to_table());
+    let (subject, setup) = (ProblemSummary::of(&curve.setup, problem)?, curve.to_table());
     let Pressed { findings, contacts, .. } = pressed;
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = curve.setup.surface.warnings(problem.surface());
@@ -158,7 +158,7 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     if let Some(path) = outputs.table() {
-        let row = |(i, it): (usize, &Finding)| (Row { load_number: i + 1, status: it.status }, it.observables);
+        let row = |(i, it): (usize, &Finding)| (LoadRow { load_number: i + 1, status: it.status }, it.observables);
         write_csv(path, findings.iter().enumerate().map(row))?;
     }
     if let Some(path) = outputs.picture() {
@@ -167,7 +167,7 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;
     }
-    let summary = Summary { subject, loads: findings, warnings, setup, units };
+    let summary = LoadCurveSummary { subject, loads: findings, warnings, setup, units };
     if outputs.json {
         write_json(&summary, &mut stdout())?
     } else {
@@ -177,7 +177,7 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     Ok(())
 }
 
-impl Summary {
+impl LoadCurveSummary {
     /// Writes the summary for reading.
     fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         let loads = self.loads.len();

@@ -1,6 +1,6 @@
 //! `asperity man`: the manual.
 
-use super::outcome::{Outcome, untold};
+use super::outcome::{ExitStatus, untold};
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::fill_folder;
@@ -23,7 +23,7 @@ pub struct Man {
 }
 
 impl Man {
-    pub fn run(&self, command: Command) -> Result<Outcome> {
+    pub fn run(&self, command: Command) -> Result<ExitStatus> {
         match &self.out {
             Some(folder) => {
                 let filled = fill_folder(folder, |draft| Ok(generate_to(command, draft)?));
@@ -32,7 +32,7 @@ impl Man {
             }
             None => stdout().write_all(&pages(command)?)?,
         }
-        Ok(Outcome::Done)
+        Ok(ExitStatus::Done)
     }
 }
 

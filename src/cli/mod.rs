@@ -50,7 +50,7 @@ mod warnings;
 mod wrote;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use outcome::{Outcome, exit_code, remedy};
+use outcome::{ExitStatus, exit_code, remedy};
 use std::ffi::OsString;
 use std::io::{self, Write, stderr};
 
@@ -121,7 +121,7 @@ enum Command {
     /// on where it was, and the CSV is the same to the last bit. With other Hurst exponents, seeds, loads and sizes the same
     /// command makes a study of your own. Lengths are those of the paper: a roll-off of 20 um, of which 8 fit a line and 4 a side
     /// of a surface.
-    Paper(Box<paper::Paper>),
+    Paper(Box<paper::PaperCommand>),
     /// Solve a contact under a load, or under one after the other
     Solve(Box<solve::Solve>),
     /// Solve stiff and extreme cases and check the results
@@ -144,7 +144,7 @@ enum Command {
 pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
     match carry_out(Cli::parse_from(words)) {
         Ok(outcome) => outcome.exit_code(),
-        Err(error) if is_unheard(&error) => Outcome::Done.exit_code(),
+        Err(error) if is_unheard(&error) => ExitStatus::Done.exit_code(),
         Err(error) => {
             writeln!(stderr(), "error: {error}{}", remedy(&error)).ok();
             exit_code(&error)
@@ -157,7 +157,7 @@ fn is_unheard(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
-fn carry_out(Cli { command, manners }: Cli) -> anyhow::Result<Outcome> {
+fn carry_out(Cli { command, manners }: Cli) -> anyhow::Result<ExitStatus> {
     manners.keep()?;
     match command {
         Command::Accuracy(accuracy) => accuracy.run(),

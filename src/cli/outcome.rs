@@ -10,7 +10,7 @@ use std::io::{Write, stderr};
 
 /// How a command ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Outcome {
+pub enum ExitStatus {
     /// All is well.
     Done,
     /// All is written, but a solver did not converge.
@@ -19,7 +19,7 @@ pub enum Outcome {
     Interrupted,
 }
 
-impl Outcome {
+impl ExitStatus {
     /// 0 if all is well, 3 if a solver did not converge, 130 after Ctrl-C.
     pub fn exit_code(self) -> u8 {
         match self {
@@ -31,13 +31,13 @@ impl Outcome {
 }
 
 /// How a solve ended. That it has not converged is said on standard error; the failure of an observer is an error.
-pub fn settle(contact: &Contact) -> Result<Outcome> {
+pub fn settle(contact: &Contact) -> Result<ExitStatus> {
     match contact.fault() {
-        None => Ok(Outcome::Done),
+        None => Ok(ExitStatus::Done),
         Some(fault) if contact.failure.is_some() => Err(fault.into()),
         Some(fault) => {
             writeln!(stderr(), "warning: {fault}").ok();
-            Ok(Outcome::NotConverged)
+            Ok(ExitStatus::NotConverged)
         }
     }
 }
@@ -82,7 +82,7 @@ pub fn remedy(error: &anyhow::Error) -> &'static str {
 /// 2 for what the person at the keyboard can mend, 130 for Ctrl-C, 1 for the rest.
 pub fn exit_code(error: &anyhow::Error) -> u8 {
     if error.is::<Interrupted>() {
-        return Outcome::Interrupted.exit_code();
+        return ExitStatus::Interrupted.exit_code();
     }
     let is_input = error.is::<Usage>()
         || error.is::<GridError>()

@@ -2,7 +2,7 @@
 
 use super::finding::Finding;
 use super::slip::SlipFinding;
-use super::subject::Subject;
+use super::subject::ProblemSummary;
 use super::units::Units;
 use anyhow::Result;
 use asperity::diagnosis::Findings;
@@ -14,7 +14,7 @@ use std::io::{self, Write};
 #[derive(Serialize)]
 pub struct Summary {
     #[serde(flatten)]
-    pub subject: Subject,
+    pub subject: ProblemSummary,
     #[serde(flatten)]
     pub finding: Finding,
     /// What sticks and what slips under a tangential load.

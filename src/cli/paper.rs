@@ -1,7 +1,7 @@
 //! `asperity paper`: the tables and figures of van Dokkum et al. (2018), made again.
 
 use super::choice::count;
-use super::outcome::Outcome;
+use super::outcome::ExitStatus;
 use super::progress::blank;
 use super::study::settled;
 use super::wrote::wrote;
@@ -25,7 +25,7 @@ Examples:
 
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Paper {
+pub struct PaperCommand {
     /// Tables and figures to make, in this order
     #[arg(value_name = "PART", default_value = "all", value_parser = parts())]
     parts: Vec<String>,
@@ -79,8 +79,8 @@ pub struct Paper {
     no_record: bool,
 }
 
-impl Paper {
-    pub fn run(&self) -> Result<Outcome> {
+impl PaperCommand {
+    pub fn run(&self) -> Result<ExitStatus> {
         let (items, paper, bar) =
             (self.items(), self.paper(), blank("{prefix} [{wide_bar}] {percent} %, {msg} ({eta} left)"));
         let comparison = paper.run(&items, &|event| show(&bar, event))?;

@@ -38,6 +38,7 @@ pub fn of_loads(title: &str, found: &[&Observables], units: Units) -> Figure {
         resolved: |it| it.resolved_area(),
         counted: |it| it.relative_area_counted,
         error: |it| it.relative_area_error,
+        is_logarithmic: true,
     };
     let kappa_r = LoadPanel {
         title: "area per load, over the rms gradient in contact",
@@ -45,6 +46,7 @@ pub fn of_loads(title: &str, found: &[&Observables], units: Units) -> Figure {
         resolved: |it| it.resolved_kappa_r(),
         counted: |it| it.kappa_r_counted,
         error: |it| it.kappa_r_error,
+        is_logarithmic: false,
     };
     Figure { title: title.into(), panels: [area, kappa_r].map(|panel| panel.of(found, units)).into() }
 }
@@ -57,6 +59,7 @@ struct LoadPanel {
     counted: fn(&Observables) -> f64,
     /// The relative error of the resolved value.
     error: fn(&Observables) -> f64,
+    is_logarithmic: bool,
 }
 
 impl LoadPanel {
@@ -77,9 +80,8 @@ impl LoadPanel {
             None => Dot::at(load(it), (self.counted)(it)),
         };
         let dots: [Vec<Dot>; 2] = [found.iter().map(resolved).collect(), found.iter().map(counted).collect()];
-        let values = range(dots.iter().flatten().flat_map(|dot| [dot.y - dot.spread, dot.y + dot.spread]).chain([0.0]));
         let x = Axis::log(name, [loads[0] / 1.2, loads[1] * 1.2]);
-        let mut panel = Panel::new(self.title, x, Axis::linear(self.label, wider(values)));
+        let mut panel = Panel::new(self.title, x, self.axis(dots.iter().flatten()));
         let is_counted = dots[1].iter().any(|dot| dot.y.is_finite());
         let [resolved, counted] = dots;
         let mark = Mark::Joined { symbol: Symbol::Circle, filled: true };
@@ -89,6 +91,16 @@ impl LoadPanel {
             panel.add("counted, not resolved", Colour::SKY, mark, counted);
         }
         panel
+    }
+
+    /// The axis upwards: of the values alone if it is logarithmic, else from 0 to the end of all error bars.
+    fn axis<'a>(&self, dots: impl Iterator<Item = &'a Dot>) -> Axis {
+        if self.is_logarithmic {
+            let [low, high] = range(dots.map(|dot| dot.y).filter(|y| *y > 0.0));
+            return Axis::log(self.label, [low / 1.2, high * 1.2]);
+        }
+        let ends = dots.flat_map(|dot| [dot.y - dot.spread, dot.y + dot.spread]);
+        Axis::linear(self.label, wider(range(ends.chain([0.0]))))
     }
 }
 
@@ -138,21 +150,21 @@ fn pressure(contact: &Contact, units: Units) -> Panel {
 }
 
 /// Positions along x in a unit.
-struct Positions {
+struct NodePositions {
     length: f64,
     spacing: f64,
     unit: &'static str,
     size: f64,
 }
 
-fn positions(contact: &Contact, units: Units) -> Positions {
+fn positions(contact: &Contact, units: Units) -> NodePositions {
     let grid = contact.problem.surface().grid();
     let (length, spacing) = (grid.size()[1], grid.spacing()[1]);
     let (unit, size) = unit(units.metres, &LENGTHS, length);
-    Positions { length, spacing, unit, size }
+    NodePositions { length, spacing, unit, size }
 }
 
-impl Positions {
+impl NodePositions {
     fn axis(&self) -> Axis {
         Axis::linear(label("x", self.unit), [0.0, self.length / self.size])
     }

@@ -8,7 +8,7 @@ use asperity::study::Refinement;
 use std::io::{self, Write};
 
 /// A solve that is described instead of made.
-pub struct Plan<'a> {
+pub struct SolvePlan<'a> {
     pub setup: &'a Setup,
     pub cost: &'a Cost,
     /// The length of a list of loads, if there is one.
@@ -19,8 +19,8 @@ pub struct Plan<'a> {
 }
 
 /// Writes what solving would cost, and how large its recording would become if one is made.
-pub fn write(plan: &Plan<'_>, out: &mut impl Write) -> io::Result<()> {
-    let Plan { setup, cost, loads, is_recorded, is_passed_twice } = *plan;
+pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
+    let SolvePlan { setup, cost, loads, is_recorded, is_passed_twice } = *plan;
     let shape = cost.grid.shape();
     writeln!(out, "Nothing is solved: this is what {} would take.", setup.solver.name())?;
     writeln!(out, "  points      {}", points(shape))?;

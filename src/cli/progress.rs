@@ -18,11 +18,11 @@ pub struct Progress {
     tolerance: f64,
     /// Levels above the finest one.
     coarse: usize,
-    level: Option<Level>,
+    level: Option<LevelProgress>,
 }
 
 /// The certificates of a level.
-struct Level {
+struct LevelProgress {
     number: usize,
     first: f64,
     last: f64,
@@ -71,7 +71,7 @@ impl Progress {
         self.coarse = self.coarse.max(phase.level);
         self.level.take_if(|level| level.number != phase.level);
         if let Some(eta) = certificate {
-            let fresh = Level { number: phase.level, first: eta, last: eta, trend: Trend::default() };
+            let fresh = LevelProgress { number: phase.level, first: eta, last: eta, trend: Trend::default() };
             let level = self.level.get_or_insert(fresh);
             level.last = eta;
             level.trend.add(seconds, eta.ln());
@@ -91,7 +91,7 @@ impl Progress {
     }
 }
 
-impl Level {
+impl LevelProgress {
     /// How far along the bar the certificate is.
     fn place(&self, tolerance: f64) -> u64 {
         let share = (self.first / self.last).ln() / (self.first / tolerance).ln();

@@ -16,7 +16,7 @@ use std::sync::Arc;
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
 #[cfg_attr(feature = "record", command(group = ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
-pub struct Shown {
+pub struct RecordingArgs {
     /// Record it for the Rerun viewer, as the steps of a solver are recorded
     #[arg(long, value_name = "FILE.rrd")]
     pub record: Option<PathBuf>,
@@ -25,7 +25,7 @@ pub struct Shown {
     pub live: bool,
 }
 
-impl Shown {
+impl RecordingArgs {
     /// Refuses a place where no recording can be written.
     pub fn check(&self) -> Result<(), FileError> {
         self.record.as_ref().map_or(Ok(()), |path| check_named(path, &["rrd"]))

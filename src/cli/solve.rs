@@ -1,20 +1,20 @@
 //! `asperity solve`: a contact under one load, or under one after the other.
 
 use super::finding::Finding;
-use super::flags::{Scene, Whole};
+use super::flags::{OfSetup, SceneArgs};
 use super::load_curve;
 use super::nodes::write_nodes;
-use super::outcome::{Outcome, settle, usage};
+use super::outcome::{ExitStatus, settle, usage};
 use super::output::{Summary, write_json};
 use super::outputs::Outputs;
 use super::picture;
-use super::plan::{self, Plan};
+use super::plan::{self, SolvePlan};
 use super::progress::Bars;
 #[cfg(feature = "record")]
 use super::shown::open;
 use super::slip::SlipFinding;
 use super::stress;
-use super::subject::Subject;
+use super::subject::ProblemSummary;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -22,7 +22,7 @@ use asperity::contact::{PartialSlip, archive, archive_of_slip};
 use asperity::diagnosis::Findings;
 use asperity::files::{check_apart, write_beside};
 use asperity::job::{Job, Solved};
-use asperity::setup::{Auto, Setup, Table};
+use asperity::setup::{Auto, Setup, SetupTable};
 use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write, stdout};
@@ -38,7 +38,7 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub struct Solve {
     #[command(flatten)]
-    scene: Scene<Whole>,
+    scene: SceneArgs<OfSetup>,
     /// Go back through several loads after the last one
     #[arg(long, help_heading = super::flags::LOAD)]
     unload: bool,
@@ -53,7 +53,7 @@ pub struct Solve {
 }
 
 impl Solve {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         let mut table = self.scene.table()?;
         refuse_study(&table)?;
         let (loads, auto) = (table.take_loads()?, table.take_auto()?);
@@ -85,7 +85,7 @@ impl Solve {
     }
 
     /// Solves a setup under its one load, on a grid that is found first if it is not given.
-    fn solve(&self, setup: Setup, auto: Option<Auto>) -> Result<Outcome> {
+    fn solve(&self, setup: Setup, auto: Option<Auto>) -> Result<ExitStatus> {
         let Self { outputs, .. } = self;
         let job = self.job(setup, auto).with_extras(outputs.extras(1));
         let cost = job.cost()?;
@@ -100,10 +100,10 @@ impl Solve {
         if self.dry_run {
             let (setup, is_passed_twice) = (job.setup(), job.is_passed_twice());
             let is_recorded = outputs.recording().is_some();
-            plan::write(&Plan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice }, &mut stdout())?;
+            plan::write(&SolvePlan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice }, &mut stdout())?;
             job.refinement().map_or(Ok(()), |refinement| plan::write_grids(refinement, &mut stdout()))?;
             cost.check(setup.solver.name())?;
-            return Ok(Outcome::Done);
+            return Ok(ExitStatus::Done);
         }
         let ready = job.prepare()?;
         if outputs.strict {
@@ -130,11 +130,11 @@ impl Solve {
     }
 
     /// Writes and prints what came out.
-    fn write(&self, solved: Solved, diagnosis: Option<Findings>) -> Result<Outcome> {
+    fn write(&self, solved: Solved, diagnosis: Option<Findings>) -> Result<ExitStatus> {
         let (outputs, full) = (&self.outputs, solved.setup.clone().with_full_path());
         let mut warnings = solved.warnings();
         let Solved { setup, contact, slip, .. } = solved;
-        let (subject, finding) = (Subject::of(&setup, &contact.problem)?, Finding::of(&setup, &contact));
+        let (subject, finding) = (ProblemSummary::of(&setup, &contact.problem)?, Finding::of(&setup, &contact));
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;
@@ -176,13 +176,13 @@ impl Solve {
         warnings::print(&summary.warnings);
         let is_whole = |path: &&Path| contact.failure.is_none() || Some(*path) != outputs.recording();
         outputs.files().filter(is_whole).for_each(wrote);
-        let stuck = slip.map_or(Ok(Outcome::Done), |PartialSlip { stuck, .. }| settle(&stuck))?;
+        let stuck = slip.map_or(Ok(ExitStatus::Done), |PartialSlip { stuck, .. }| settle(&stuck))?;
         Ok(settle(&contact)?.max(stuck))
     }
 }
 
 /// Refuses a setup with lists of values, which is a study.
-fn refuse_study(table: &Table) -> Result<()> {
+fn refuse_study(table: &SetupTable) -> Result<()> {
     match table.clone().take_axes()?.first() {
         Some(axis) => usage(format!(
             "`{}` has {} values, which make a study of this scene: run it by `asperity study`, or give one value",

@@ -1,7 +1,7 @@
 //! `asperity stability`: how the solvers bear stiff and extreme cases.
 
 use super::choice::choice;
-use super::outcome::{Outcome, usage};
+use super::outcome::{ExitStatus, usage};
 use super::progress::bar;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -63,7 +63,7 @@ pub struct Stability {
 }
 
 impl Stability {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         let trials = self.trials()?;
         if self.list {
             return self.list(&trials);
@@ -90,7 +90,7 @@ impl Stability {
         let tally = Tally::of(&reports, kernel.as_ref(), time_steps.as_ref());
         writeln!(stdout(), "\n{tally}")?;
         self.out.iter().for_each(|path| wrote(path));
-        Ok(if tally.is_stable() { Outcome::Done } else { Outcome::NotConverged })
+        Ok(if tally.is_stable() { ExitStatus::Done } else { ExitStatus::NotConverged })
     }
 
     /// The trials whose names were asked for.
@@ -115,12 +115,12 @@ impl Stability {
         }
     }
 
-    fn list(&self, trials: &[Trial]) -> Result<Outcome> {
+    fn list(&self, trials: &[Trial]) -> Result<ExitStatus> {
         for trial in trials {
             let demand = |rival: &Rival| format!("{} {}", rival.name, trial.demand_of(rival));
             let demands: Vec<_> = self.rivals(trial).iter().map(demand).collect();
             writeln!(stdout(), "{:<28} {}", trial.name, demands.join(", "))?;
         }
-        Ok(Outcome::Done)
+        Ok(ExitStatus::Done)
     }
 }

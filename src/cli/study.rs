@@ -1,7 +1,7 @@
 //! `asperity study`: a setup with lists, solved row by row on one machine or on many.
 
 use super::choice::{bytes, count};
-use super::outcome::{Outcome, Usage, usage};
+use super::outcome::{ExitStatus, Usage, usage};
 use super::progress::blank;
 #[cfg(feature = "record")]
 use super::study_row;
@@ -68,7 +68,7 @@ pub struct Study {
 }
 
 impl Study {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         let plan = Plan::read(&self.study)?;
         #[cfg(feature = "record")]
         if let (Some(row), Some(path)) = (self.record_row, &self.record) {
@@ -78,7 +78,7 @@ impl Study {
         let campaign = self.campaign();
         if self.dry_run {
             write_expenses(&plan, &campaign, &mut stdout())?;
-            return Ok(Outcome::Done);
+            return Ok(ExitStatus::Done);
         }
         let table = Table::new(self.table()?);
         check_outputs(&table, [self.study.as_path()])?;
@@ -143,7 +143,7 @@ pub fn write_all(plan: &Plan, table: &Path, points: &[Point]) -> Result<()> {
 }
 
 /// Says how many rows are not resolved, and how many did not converge, if any.
-pub fn settled(points: &[Point], is_used: impl Fn(&Point) -> bool) -> Result<Outcome> {
+pub fn settled(points: &[Point], is_used: impl Fn(&Point) -> bool) -> Result<ExitStatus> {
     let unresolved = points.iter().filter(|point| point.is_converged() && !is_used(point)).count();
     if unresolved > 0 {
         super::warnings::print(&[format!(
@@ -153,10 +153,10 @@ pub fn settled(points: &[Point], is_used: impl Fn(&Point) -> bool) -> Result<Out
         )]);
     }
     match points.iter().filter(|point| !point.is_converged()).count() {
-        0 => Ok(Outcome::Done),
+        0 => Ok(ExitStatus::Done),
         rows => {
             super::warnings::print(&[format!("{rows} of {} rows did not converge. See their status.", points.len())]);
-            Ok(Outcome::NotConverged)
+            Ok(ExitStatus::NotConverged)
         }
     }
 }
@@ -190,7 +190,7 @@ pub struct Merge {
 }
 
 impl Merge {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         let plan = Plan::read(&self.study)?;
         let path = table_of(&self.study, self.out.as_deref())?;
         if let Some(share) =

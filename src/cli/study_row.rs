@@ -1,6 +1,6 @@
 //! `asperity study --record-row`: the recording of one row.
 
-use super::outcome::{Outcome, settle};
+use super::outcome::{ExitStatus, settle};
 use super::progress::{Bars, Progress};
 use super::warnings;
 use super::wrote::wrote;
@@ -13,7 +13,7 @@ use asperity::study::{Loading, Plan};
 use std::path::Path;
 
 /// Solves a realisation up to a row, as the study does, and records the steps under the load of the row.
-pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<Outcome> {
+pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<ExitStatus> {
     let row = plan.row(number)?;
     check_named(path, &["rrd"])?;
     let setup = plan.setup(row)?;

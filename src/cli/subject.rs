@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// Surface, grid, solid and solver of a solve, for people and for scripts.
 #[derive(Serialize)]
-pub struct Subject {
+pub struct ProblemSummary {
     /// The parts of the surface, such as a file, in words.
     pub source: String,
     pub points: Vec<usize>,
@@ -37,7 +37,7 @@ pub struct Subject {
     pub rank: usize,
 }
 
-impl Subject {
+impl ProblemSummary {
     /// The subject of a setup and its problem.
     pub fn of(setup: &Setup, problem: &Problem) -> Result<Self, SetupError> {
         let (surface, rank) = (problem.surface(), setup.surface.rank(&setup.grid)?);

@@ -1,7 +1,7 @@
 //! `asperity surface`: makes a surface, or describes one.
 
-use super::flags::{OfSurface, Scene};
-use super::outcome::{Outcome, usage};
+use super::flags::{OfSurface, SceneArgs};
+use super::outcome::{ExitStatus, usage};
 use super::output::{write_json, write_rows};
 use super::subject::along_axes;
 use super::survey;
@@ -33,7 +33,7 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub struct Describe {
     #[command(flatten)]
-    scene: Scene<OfSurface>,
+    scene: SceneArgs<OfSurface>,
     /// Write the heights in metres, as the ending of the name says: .npy, .sdf, .x3p or .xyz
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
@@ -70,7 +70,7 @@ struct Statistics {
     seed: Option<u64>,
     /// What there is to say of heights without voids.
     #[serde(flatten)]
-    whole: Option<Whole>,
+    whole: Option<HeightStatistics>,
     warnings: Vec<String>,
 }
 
@@ -87,7 +87,7 @@ struct Origin {
 
 /// The statistics of heights without voids.
 #[derive(Serialize)]
-struct Whole {
+struct HeightStatistics {
     /// Jumps across the period along y and x, or of a line along it.
     jump_in_rms_steps: Vec<f64>,
     #[serde(flatten)]
@@ -95,7 +95,7 @@ struct Whole {
 }
 
 impl Describe {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         if let Some(path) = &self.out {
             check_named(path, &Scan::endings())?;
         }
@@ -133,7 +133,7 @@ impl Describe {
         #[cfg(feature = "record")]
         self.record.iter().for_each(|path| wrote(path));
         self.out.iter().for_each(|path| wrote(path));
-        Ok(Outcome::Done)
+        Ok(ExitStatus::Done)
     }
 }
 
@@ -179,7 +179,7 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     let surface = recipe.surface(*grid)?;
     let survey = Survey::of(&Scan::of(&surface, 1))?;
     let (jump_in_rms_steps, roughness) = (surface.jumps()[outer..].to_vec(), Roughness::of(&surface));
-    statistics.whole = Some(Whole { jump_in_rms_steps, roughness });
+    statistics.whole = Some(HeightStatistics { jump_in_rms_steps, roughness });
     let growth = recipe.is_measured().then(|| survey.warning_of_growth()).flatten();
     statistics.warnings.extend(in_flags(&recipe.warnings(&surface).into_iter().chain(growth).collect::<Vec<_>>()));
     statistics.survey = Some(survey);
@@ -263,12 +263,12 @@ impl Statistics {
         ];
         write_rows(rows.map(|(name, value)| (name.to_owned(), value)), out)?;
         write_rows(self.steps.iter().map(|step| ("prepared".to_owned(), step.clone())), out)?;
-        write_rows(self.whole.iter().flat_map(Whole::rows), out)?;
+        write_rows(self.whole.iter().flat_map(HeightStatistics::rows), out)?;
         self.survey.as_ref().map_or(Ok(()), |survey| survey::write(survey, out))
     }
 }
 
-impl Whole {
+impl HeightStatistics {
     fn rows(&self) -> Vec<(String, String)> {
         let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } = self.roughness;
         let jumps = along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"));

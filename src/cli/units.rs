@@ -3,7 +3,7 @@
 use asperity::quantity::{
     area_in_words, has_length_unit, has_pressure_unit, length_in_words, number_in_words, pressure_in_words,
 };
-use asperity::setup::{Recipe, Table};
+use asperity::setup::{Recipe, SetupTable};
 
 /// Which numbers of a setup have known units: metres and pascals, or none that the program knows.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub struct Units {
 
 impl Units {
     /// The units that the texts of a setup state, such as `160 um` and `1 GPa`, and those of a height file.
-    pub fn new(table: &Table, surface: &Recipe) -> Self {
+    pub fn new(table: &SetupTable, surface: &Recipe) -> Self {
         let texts = table.texts();
         let mut files = surface.files().map(|file| file.layout(surface.channel.as_deref()));
         let mut is_file_in_metres = || files.any(|layout| layout.is_ok_and(|it| it.is_in_metres));

@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-12;
 
 /// All that is known of a result.
 #[derive(Serialize)]
-pub struct Verdict {
+pub struct ClaimReport {
     pub file: PathBuf,
     pub quantity: Quantity,
     /// Whether it is within the tolerances.
@@ -38,7 +38,7 @@ pub struct Verdict {
     pub grid: Grid,
 }
 
-impl Verdict {
+impl ClaimReport {
     /// Writes the verdict for reading.
     pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         let holds = if self.holds { "within tolerance" } else { "not within tolerance" };

@@ -1,7 +1,7 @@
 //! `asperity view`: a recording in the viewer that is built in.
 
 use super::explore::PageArgs;
-use super::outcome::{Outcome, usage};
+use super::outcome::{ExitStatus, usage};
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::explore::Viewing;
@@ -19,7 +19,7 @@ pub struct View {
 }
 
 impl View {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self) -> Result<ExitStatus> {
         for file in &self.files {
             if !is_recording(file)? {
                 let file = file.display();
@@ -38,9 +38,9 @@ impl View {
         }
     }
 
-    fn show(&self, file: &Path) -> Result<Outcome> {
+    fn show(&self, file: &Path) -> Result<ExitStatus> {
         let viewing = Viewing::new(file.into())?;
         self.page.open()?.run(viewing)?;
-        Ok(Outcome::Done)
+        Ok(ExitStatus::Done)
     }
 }

@@ -99,8 +99,8 @@ pub fn archive_of_stress(
 }
 
 /// The archive of one contact, to which more can be added.
-fn of_one(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Archive, WriteNpzError> {
-    let mut archive = Archive::of(contact, rank, setup)?;
+fn of_one(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<ArchiveWriter, WriteNpzError> {
+    let mut archive = ArchiveWriter::of(contact, rank, setup)?;
     for (name, of) in CURVES {
         archive.npz.add_array(name, &ArrayView1::from(&of(contact)))?;
     }
@@ -133,7 +133,7 @@ pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Resul
     let Some(first) = contacts.first() else {
         return Ok(NpzWriter::new(Cursor::new(Vec::new())).finish()?.into_inner());
     };
-    let mut archive = Archive::of(first, rank, Some(setup))?;
+    let mut archive = ArchiveWriter::of(first, rank, Some(setup))?;
     for (name, of) in CURVES {
         let curves: Vec<Array1<f64>> = contacts.iter().map(|contact| of(contact).into()).collect();
         let curves: Vec<ArrayView1<f64>> = curves.iter().map(|curve| curve.view()).collect();
@@ -198,12 +198,12 @@ const CURVES: [(&str, CurveOf); 5] = [
 ];
 
 /// An archive on its way.
-struct Archive {
+struct ArchiveWriter {
     npz: NpzWriter<Cursor<Vec<u8>>>,
     rank: usize,
 }
 
-impl Archive {
+impl ArchiveWriter {
     /// An archive of what does not depend on the load.
     fn of(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
         let mut npz = NpzWriter::new(Cursor::new(Vec::new()));

@@ -2,7 +2,7 @@
 
 use crate::contact::rounding::Rounding;
 use crate::contact::slack::{Slack, level};
-use crate::contact::{Problem, Sums};
+use crate::contact::{CertificateSums, Problem};
 use serde::Serialize;
 
 /// Rigorous bounds of the error of a feasible pressure `p >= 0`, below the hardness if there is one, under the load that it carries: a duality gap, or Frank-Wolfe gap,
@@ -167,7 +167,7 @@ impl Certificate {
     /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is at hand from a transform pair, both row by
     /// row.
     pub fn of_displaced(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
-        let sums = Sums::of(problem, pressure, displacement);
+        let sums = CertificateSums::of(problem, pressure, displacement);
         match problem.law().hardness() {
             None => Self::of_sums(problem, &sums),
             Some(_) => Self::below_hardness(problem, &sums, &Slack::of(problem, pressure, displacement)),
@@ -175,12 +175,12 @@ impl Certificate {
     }
 
     /// The certificate of the state with these sums on a hard wall.
-    pub(super) fn of_sums(problem: &Problem, sums: &Sums) -> Self {
+    pub(super) fn of_sums(problem: &Problem, sums: &CertificateSums) -> Self {
         Self::of_bounds(problem, sums, |mean_pressure| Bounds::of(problem, sums, mean_pressure))
     }
 
     /// The certificate of the state with these sums below a hardness.
-    fn below_hardness(problem: &Problem, sums: &Sums, slack: &Slack) -> Self {
+    fn below_hardness(problem: &Problem, sums: &CertificateSums, slack: &Slack) -> Self {
         let above_hardness = problem.law().excess(slack.highest_pressure);
         if above_hardness > 0.0 {
             return Self { above_hardness, ..Self::NONE };
@@ -189,7 +189,7 @@ impl Certificate {
     }
 
     /// The certificate of the state with these sums, by the bounds under its mean pressure.
-    fn of_bounds(problem: &Problem, sums: &Sums, bounds: impl FnOnce(f64) -> Bounds) -> Self {
+    fn of_bounds(problem: &Problem, sums: &CertificateSums, bounds: impl FnOnce(f64) -> Bounds) -> Self {
         if !(sums.pressure > 0.0 && sums.pressure.is_finite()) {
             return Self::NONE;
         }
@@ -246,7 +246,7 @@ struct Bounds {
 }
 
 impl Bounds {
-    fn of(problem: &Problem, sums: &Sums, mean_pressure: f64) -> Self {
+    fn of(problem: &Problem, sums: &CertificateSums, mean_pressure: f64) -> Self {
         let (mean_v, gap) = (sums.pressure_v / sums.pressure, problem.datum());
         let depth = (mean_v - sums.lowest_v).max(0.0);
         let above_gap = gap.map_or(0.0, |gap| mean_v + (sums.reference_v + gap));
@@ -265,7 +265,7 @@ impl Bounds {
     }
 
     /// The bounds below a hardness; those of a hard wall hold as well, but for the datum of the gap.
-    fn below_hardness(problem: &Problem, sums: &Sums, slack: &Slack, mean_pressure: f64) -> Self {
+    fn below_hardness(problem: &Problem, sums: &CertificateSums, slack: &Slack, mean_pressure: f64) -> Self {
         let wall = Self::of(problem, sums, mean_pressure);
         let law = problem.law();
         if 2.0 * slack.highest_pressure <= law.ceiling() {

@@ -52,7 +52,8 @@ impl Counted {
     pub fn new(problem: &Problem, pressure: &[f64]) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
-        let Sums { nodes, level, squares, switches, falling, falling_squares } = Sums::of(pressure, problem);
+        let CountedSums { nodes, level, squares, switches, falling, falling_squares } =
+            CountedSums::of(pressure, problem);
         let excess = if grid.is_line() { NODE_EXCESS_PER_SWITCH_LINE } else { NODE_EXCESS_PER_SWITCH_SURFACE };
         let corrected = (nodes as f64 - excess * falling as f64).max(0.0);
         let relative_area = nodes as f64 / grid.len() as f64;
@@ -86,7 +87,7 @@ fn rms(squares: f64, count: f64) -> f64 {
 
 /// Sums over nodes in contact, and over switches between contact and gap.
 #[derive(Default)]
-struct Sums {
+struct CountedSums {
     nodes: usize,
     /// Nodes on plateaus.
     level: usize,
@@ -99,7 +100,7 @@ struct Sums {
     falling_squares: f64,
 }
 
-impl Sums {
+impl CountedSums {
     fn of(pressure: &[f64], problem: &Problem) -> Self {
         let (surface, law) = (problem.surface(), problem.law());
         let (grid, square_gradient, is_level) = (surface.grid(), surface.square_gradient(), surface.is_level());

@@ -10,7 +10,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 ///
 /// In a scene it is the section `law`: with a `hardness`, a pressure, or left out.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(from = "Keys", into = "Keys")]
+#[serde(from = "LawKeys", into = "LawKeys")]
 pub enum Law {
     /// A hard wall: `p >= 0`.
     #[default]
@@ -62,7 +62,7 @@ impl Law {
 /// The keys of the section `law`.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", expecting = "a section for the Law")]
-struct Keys {
+struct LawKeys {
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "some_pressure")]
     hardness: Option<f64>,
 }
@@ -71,13 +71,13 @@ fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::E
     quantity::pressure(from).map(Some)
 }
 
-impl From<Keys> for Law {
-    fn from(Keys { hardness }: Keys) -> Self {
+impl From<LawKeys> for Law {
+    fn from(LawKeys { hardness }: LawKeys) -> Self {
         hardness.map_or(Self::HardWall, Self::Hardness)
     }
 }
 
-impl From<Law> for Keys {
+impl From<Law> for LawKeys {
     fn from(law: Law) -> Self {
         Self { hardness: law.hardness() }
     }

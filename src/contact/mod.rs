@@ -44,7 +44,7 @@ mod sums;
 mod warnings;
 
 use crate::chunks;
-use sums::Sums;
+use sums::CertificateSums;
 
 pub use crate::error::Failure;
 pub use archive::{archive, archive_of_loads, archive_of_slip, archive_of_stress};

@@ -214,7 +214,7 @@ impl Contact {
 
     /// The approach, a length: how far the surface has moved on from where its highest peak touched the undeformed solid. None on a
     /// solid that sinks without end, a periodic half-space. Of a line on a free boundary it is taken from the datum of the solid, see
-    /// [`crate::elastic::Solid::datum`].
+    /// [`crate::elastic::ElasticSolid::datum`].
     pub fn approach(&self) -> Option<f64> {
         let displacement = self.displacement.as_slice().expect("results are made in standard layout");
         let datum = self.mean_gap() - mean(displacement);

@@ -258,10 +258,10 @@ impl<'a> Iterate<'a> {
     }
 
     /// The step of the pressure before it carries the load.
-    fn step(&mut self, datum: f64, tau: f64) -> Change {
+    fn step(&mut self, datum: f64, tau: f64) -> UpdateEffect {
         let (u, h, t, ceiling) = (&self.u, self.problem.height(), &self.t, self.ceiling);
         let parts = chunks::update_both(&mut self.p, &mut self.before, |range, p, before| {
-            let mut change = Change { load: 0.0, left: false, entered: false };
+            let mut change = UpdateEffect { load: 0.0, left: false, entered: false };
             let (u, h, t) = (&u[range.clone()], &h[range.clone()], &t[range]);
             for ((((p, before), u), h), t) in p.iter_mut().zip(before).zip(u).zip(h).zip(t) {
                 *before = *p;
@@ -281,7 +281,7 @@ impl<'a> Iterate<'a> {
             }
             change
         });
-        parts.into_iter().fold(Change { load: 0.0, left: false, entered: false }, |a, b| Change {
+        parts.into_iter().fold(UpdateEffect { load: 0.0, left: false, entered: false }, |a, b| UpdateEffect {
             load: a.load + b.load,
             left: a.left || b.left,
             entered: a.entered || b.entered,
@@ -366,7 +366,7 @@ impl<'a> Iterate<'a> {
 }
 
 /// The effect of an update on the nodes: their load afterwards, and whether any left the contact or entered it.
-struct Change {
+struct UpdateEffect {
     load: f64,
     left: bool,
     entered: bool,

@@ -1,7 +1,7 @@
 //! The problem that all solvers solve.
 
 use crate::contact::{Law, Load, chunks, feasible};
-use crate::elastic::{Compliance, HalfSpace, Response, Solid};
+use crate::elastic::{Compliance, ElasticSolid, HalfSpace, Response};
 use crate::error::ProblemError;
 use crate::surface::{Field, Surface};
 use std::sync::{Arc, OnceLock};
@@ -79,14 +79,14 @@ struct Yielded {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactModulus(pub f64);
 
-impl From<ContactModulus> for Arc<dyn Solid> {
+impl From<ContactModulus> for Arc<dyn ElasticSolid> {
     fn from(ContactModulus(contact_modulus): ContactModulus) -> Self {
         HalfSpace::new(contact_modulus).into()
     }
 }
 
 impl Problem {
-    /// Poses the problem of a surface, pressed by a load on a solid: a half-space of a [`ContactModulus`], or any other [`Solid`]. A mean
+    /// Poses the problem of a surface, pressed by a load on a solid: a half-space of a [`ContactModulus`], or any other [`ElasticSolid`]. A mean
     /// gap must lie between 0 and the highest peak above the mean height.
     ///
     /// # Errors
@@ -97,7 +97,7 @@ impl Problem {
     /// datum, and [`ProblemError::Grid`] for a solid that cannot be below this grid.
     pub fn new(
         surface: impl Into<Arc<Surface>>,
-        solid: impl Into<Arc<dyn Solid>>,
+        solid: impl Into<Arc<dyn ElasticSolid>>,
         load: Load,
     ) -> Result<Self, ProblemError> {
         let (surface, solid) = (surface.into(), solid.into());
@@ -252,7 +252,7 @@ impl Problem {
     }
 
     /// The solid.
-    pub fn solid(&self) -> &Arc<dyn Solid> {
+    pub fn solid(&self) -> &Arc<dyn ElasticSolid> {
         self.compliance.solid()
     }
 

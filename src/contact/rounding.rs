@@ -1,6 +1,6 @@
 //! What rounding can do to a certificate.
 
-use crate::contact::{Problem, Sums};
+use crate::contact::{CertificateSums, Problem};
 
 /// Root-mean-square error of one transform, relative to the root mean square of its values, for each doubling of its length. For
 /// powers of two a bound is 3.5 epsilon (Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, theorem 24.2); other
@@ -41,7 +41,7 @@ pub(super) struct Rounding {
 
 impl Rounding {
     /// The bounds for the sums of a state.
-    pub fn of(problem: &Problem, sums: &Sums) -> Self {
+    pub fn of(problem: &Problem, sums: &CertificateSums) -> Self {
         let n = problem.nodes() as f64;
         let epsilon = TRANSFORM * n.log2();
         let [softest, stiffest] = problem.compliance().stiffness_range();

@@ -40,10 +40,10 @@ pub enum Values<'a> {
     /// A field that the solver holds.
     AtHand(&'a [f64]),
     /// A field that is made when it is first asked for.
-    Lazy(Lazy<'a>),
+    Lazy(LazyField<'a>),
 }
 
-type Lazy<'a> = LazyCell<Vec<f64>, Box<dyn FnOnce() -> Vec<f64> + 'a>>;
+type LazyField<'a> = LazyCell<Vec<f64>, Box<dyn FnOnce() -> Vec<f64> + 'a>>;
 
 impl<'a> Values<'a> {
     /// The field that `make` will make.

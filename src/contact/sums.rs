@@ -5,7 +5,7 @@ use crate::contact::{Problem, chunks};
 /// Sums over pressure `p`, displacement `u` and `v = u - h`. `v` is taken relative to its value at one node in contact, the
 /// reference, so that its differences near the solution keep their digits.
 #[derive(Clone, Copy)]
-pub(super) struct Sums {
+pub(super) struct CertificateSums {
     pub reference_v: f64,
     pub pressure: f64,
     pub pressure_v: f64,
@@ -16,7 +16,7 @@ pub(super) struct Sums {
     pub lowest_pressure: f64,
 }
 
-impl Sums {
+impl CertificateSums {
     /// The sums over no nodes, with the value of `v` at the reference.
     pub fn none(reference_v: f64) -> Self {
         Self {

@@ -22,7 +22,7 @@ pub struct ContactHistory {
 
 /// Nodes that entered or left the contact by a step, on the grid of that step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Change {
+pub struct ContactChange {
     /// Nodes that entered.
     pub entered: usize,
     /// Nodes that left.
@@ -37,16 +37,18 @@ impl ContactHistory {
     }
 
     /// Adds a step; none changes from grid to grid, and steps on a grid that is no coarser version of the finest one are left out.
-    pub fn add(&mut self, step: &Step<'_>) -> Change {
+    pub fn add(&mut self, step: &Step<'_>) -> ContactChange {
         self.now = step.index() as u32;
         let grid = step.problem().surface().grid();
-        let Some(stride) = self.grid.stride(grid).filter(|_| step.phase().inner == 0) else { return Change::default() };
+        let Some(stride) = self.grid.stride(grid).filter(|_| step.phase().inner == 0) else {
+            return ContactChange::default();
+        };
         let pressure = step.pressure();
         let is_new = self.touches.is_empty();
         self.touches.resize(self.grid.len(), false);
         let counts = !is_new && self.nodes == grid.len();
         self.nodes = grid.len();
-        let mut change = Change::default();
+        let mut change = ContactChange::default();
         let [_, nx] = grid.shape();
         for (node, &p) in pressure.iter().enumerate() {
             let (first, touches) = ([node / nx * stride[0], node % nx * stride[1]], p > 0.0);

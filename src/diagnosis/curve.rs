@@ -12,7 +12,7 @@ const PACE: f64 = 0.25;
 
 /// A certified step.
 #[derive(Debug, Clone, Copy)]
-pub struct Point {
+pub struct CertifiedStep {
     pub step: usize,
     pub level: usize,
     pub eta: f64,
@@ -42,8 +42,8 @@ pub struct Next {
 }
 
 /// The longest plateau on the finest grid, if there is one.
-pub fn plateau(points: &[Point]) -> Option<Plateau> {
-    let finest: Vec<&Point> = points.iter().filter(|point| point.level == 0 && point.eta.is_finite()).collect();
+pub fn plateau(points: &[CertifiedStep]) -> Option<Plateau> {
+    let finest: Vec<&CertifiedStep> = points.iter().filter(|point| point.level == 0 && point.eta.is_finite()).collect();
     let best: Vec<f64> = finest
         .iter()
         .scan(f64::INFINITY, |best, point| {
@@ -80,9 +80,9 @@ pub fn plateau(points: &[Point]) -> Option<Plateau> {
 mod tests {
     use super::*;
 
-    fn points(eta: impl Fn(usize) -> f64, count: usize) -> Vec<Point> {
+    fn points(eta: impl Fn(usize) -> f64, count: usize) -> Vec<CertifiedStep> {
         (0..count)
-            .map(|step| Point { step, level: 0, eta: eta(step), decision: None, has_changed: step == 60 })
+            .map(|step| CertifiedStep { step, level: 0, eta: eta(step), decision: None, has_changed: step == 60 })
             .collect()
     }
 

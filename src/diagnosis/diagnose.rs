@@ -1,8 +1,8 @@
 //! The observer that finds out what held a run up.
 
 use super::cause::Cause;
-use super::contact_history::{Change, ContactHistory};
-use super::curve::{Point, plateau};
+use super::contact_history::{ContactChange, ContactHistory};
+use super::curve::{CertifiedStep, plateau};
 use super::rates::BandRate;
 use super::returns::Returns;
 use super::ritz::Ritz;
@@ -43,8 +43,8 @@ pub struct Diagnosis {
     values: Option<[f64; 2]>,
     /// The largest condition number seen on each level.
     conditions: Vec<f64>,
-    points: Vec<Point>,
-    change: Change,
+    points: Vec<CertifiedStep>,
+    change: ContactChange,
     has_changed: bool,
     returns: Returns,
     /// Step, area and `kappa_r` on the finest grid.
@@ -112,7 +112,7 @@ impl Diagnosis {
             values: None,
             conditions: Vec::new(),
             points: Vec::new(),
-            change: Change::default(),
+            change: ContactChange::default(),
             has_changed: false,
             returns: Returns::default(),
             results: Vec::new(),
@@ -133,7 +133,7 @@ impl Diagnosis {
     }
 
     /// Nodes that entered and left by the last step.
-    pub fn change(&self) -> Change {
+    pub fn change(&self) -> ContactChange {
         self.change
     }
 
@@ -248,7 +248,7 @@ impl Observer for Diagnosis {
         }
         if let Some(certificate) = step.certificate() {
             let (step, level, eta, decision) = (step.index(), phase.level, certificate.eta, step.decision());
-            self.points.push(Point { step, level, eta, decision, has_changed: self.has_changed });
+            self.points.push(CertifiedStep { step, level, eta, decision, has_changed: self.has_changed });
             self.has_changed = false;
         }
         if phase.level == 0 && phase.inner == 0 {

@@ -34,9 +34,9 @@ mod spectrogram;
 
 pub use bands::Bands;
 pub use cause::Cause;
-pub use contact_history::{Change, ContactHistory};
+pub use contact_history::{ContactChange, ContactHistory};
 pub use diagnose::{Diagnosis, Findings, Standing};
 pub use history::History;
 pub use rates::BandRate;
 pub use ritz::Ritz;
-pub use spectrogram::{Reference, Row, Spectrogram};
+pub use spectrogram::{Reference, Spectrogram, SpectrogramRow};

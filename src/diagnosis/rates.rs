@@ -1,6 +1,6 @@
 //! How fast the waves of each band came to rest, and which of them were the last.
 
-use super::spectrogram::{Row, Spectrogram};
+use super::spectrogram::{Spectrogram, SpectrogramRow};
 use crate::contact::Relaxation;
 use serde::Serialize;
 
@@ -20,8 +20,8 @@ pub struct BandRate {
 impl BandRate {
     /// The rates of all bands, from the longest waves on; none without a reference.
     pub(super) fn all(spectrogram: &Spectrogram, relaxation: Option<Relaxation>) -> Vec<Self> {
-        let of_finest = |row: &&Row| row.level == 0 && !row.error_energy.is_empty();
-        let rows: Vec<&Row> = spectrogram.history().columns().iter().filter(of_finest).collect();
+        let of_finest = |row: &&SpectrogramRow| row.level == 0 && !row.error_energy.is_empty();
+        let rows: Vec<&SpectrogramRow> = spectrogram.history().columns().iter().filter(of_finest).collect();
         if rows.is_empty() {
             return Vec::new();
         }
@@ -39,13 +39,13 @@ impl BandRate {
 }
 
 /// The band with the largest part of the error.
-fn worst(row: &Row) -> Option<usize> {
+fn worst(row: &SpectrogramRow) -> Option<usize> {
     (0..row.error_energy.len()).max_by(|&a, &b| row.error_energy[a].total_cmp(&row.error_energy[b]))
 }
 
 /// Digits that the error of a band lost in a step, in the later half of the run before the last tenth, in which the reference itself
 /// is no better.
-fn rate(rows: &[&Row], band: usize) -> Option<f64> {
+fn rate(rows: &[&SpectrogramRow], band: usize) -> Option<f64> {
     let (from, to) = (rows[rows.len() / 2], rows[rows.len() * 9 / 10]);
     let fall = 0.5 * (from.error_energy[band] / to.error_energy[band]).log10();
     (to.step > from.step && fall.is_finite()).then(|| fall / (to.step - from.step) as f64)

@@ -43,12 +43,12 @@ pub struct Spectrogram {
     waves: Waves,
     reference: Option<Arc<Reference>>,
     lens: Option<Lens>,
-    history: History<Row>,
+    history: History<SpectrogramRow>,
 }
 
 /// The spectra of a step, by bands; errors are missing without a reference, and all values on a grid of other nodes.
 #[derive(Debug, Clone, Default)]
-pub struct Row {
+pub struct SpectrogramRow {
     /// Number of the step.
     pub step: usize,
     /// Grid level.
@@ -92,7 +92,7 @@ impl Spectrogram {
     }
 
     /// The rows so far.
-    pub fn history(&self) -> &History<Row> {
+    pub fn history(&self) -> &History<SpectrogramRow> {
         &self.history
     }
 
@@ -106,19 +106,19 @@ impl Spectrogram {
             self.lens = Lens::new(&self.grid, &grid);
         }
         let row = self.row(step);
-        self.history.add(row.unwrap_or_else(|| Row {
+        self.history.add(row.unwrap_or_else(|| SpectrogramRow {
             step: step.index(),
             level: step.phase().level,
-            ..Row::default()
+            ..SpectrogramRow::default()
         }));
     }
 
-    fn row(&mut self, step: &Step<'_>) -> Option<Row> {
+    fn row(&mut self, step: &Step<'_>) -> Option<SpectrogramRow> {
         let lens = self.lens.as_mut()?;
         let pressure = lens.transform(step.pressure());
         let displacement = step.moves_surface().then(|| lens.transform(step.displacement()));
         let lens = &*lens;
-        let mut sums = Sums::none(self.bands.count());
+        let mut sums = BandSums::none(self.bands.count());
         for (mode, place) in lens.places.iter().enumerate() {
             let Some(wave) = place.and_then(|place| self.waves.at(place, &self.bands)) else { continue };
             let u = displacement.as_ref().map_or(pressure[mode] / wave.stiffness, |displacement| displacement[mode]);
@@ -135,8 +135,8 @@ impl Spectrogram {
                 sums.add(wave, end, end);
             }
         }
-        let row = Row { step: step.index(), level: step.phase().level, ..Row::default() };
-        Some(if self.reference.is_some() { sums.relative(row) } else { Row { energy: sums.energy, ..row } })
+        let row = SpectrogramRow { step: step.index(), level: step.phase().level, ..SpectrogramRow::default() };
+        Some(if self.reference.is_some() { sums.relative(row) } else { SpectrogramRow { energy: sums.energy, ..row } })
     }
 }
 
@@ -145,7 +145,7 @@ struct Waves(Vec<[f64; 2]>);
 
 /// A mode that belongs to a band.
 #[derive(Clone, Copy)]
-struct Wave {
+struct BandMode {
     place: usize,
     band: usize,
     stiffness: f64,
@@ -159,14 +159,14 @@ impl Waves {
     }
 
     /// The mode at a place, unless it is the mean.
-    fn at(&self, place: usize, bands: &Bands) -> Option<Wave> {
+    fn at(&self, place: usize, bands: &Bands) -> Option<BandMode> {
         let [stiffness, weight] = self.0[place];
-        Some(Wave { place, band: bands.modes()[place]?.into(), stiffness, weight })
+        Some(BandMode { place, band: bands.modes()[place]?.into(), stiffness, weight })
     }
 }
 
 /// Sums over the modes of each band.
-struct Sums {
+struct BandSums {
     energy: Vec<f64>,
     error_energy: Vec<f64>,
     /// Squares of the errors of pressure and displacement, and of both in the reference.
@@ -174,15 +174,15 @@ struct Sums {
     ends: [Vec<f64>; 2],
 }
 
-impl Sums {
+impl BandSums {
     fn none(bands: usize) -> Self {
         let zeros = || vec![0.0; bands];
         Self { energy: zeros(), error_energy: zeros(), errors: [zeros(), zeros()], ends: [zeros(), zeros()] }
     }
 
     /// Adds the errors of pressure and displacement of a mode, and both of the reference.
-    fn add(&mut self, wave: Wave, errors: [Complex; 2], ends: [Complex; 2]) {
-        let Wave { band, stiffness, weight, .. } = wave;
+    fn add(&mut self, wave: BandMode, errors: [Complex; 2], ends: [Complex; 2]) {
+        let BandMode { band, stiffness, weight, .. } = wave;
         self.error_energy[band] += weight * stiffness * errors[1].norm_sqr();
         for field in 0..2 {
             self.errors[field][band] += weight * errors[field].norm_sqr();
@@ -191,11 +191,11 @@ impl Sums {
     }
 
     /// The row of a step with errors over what they are errors of.
-    fn relative(self, row: Row) -> Row {
+    fn relative(self, row: SpectrogramRow) -> SpectrogramRow {
         let Self { energy, error_energy, errors: [dp, du], ends: [p, u] } = self;
         let relative =
             |error: Vec<f64>, of: Vec<f64>| error.iter().zip(of).map(|(error, of)| (error / of).sqrt()).collect();
-        Row { energy, error_energy, pressure: relative(dp, p), displacement: relative(du, u), ..row }
+        SpectrogramRow { energy, error_energy, pressure: relative(dp, p), displacement: relative(du, u), ..row }
     }
 }
 

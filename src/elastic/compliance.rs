@@ -2,7 +2,7 @@
 
 use super::free::FreeTable;
 use super::solid::stiffness;
-use super::{HalfSpace, Solid};
+use super::{ElasticSolid, HalfSpace};
 use crate::error::GridError;
 use crate::fourier::Filter;
 use crate::grid::Grid;
@@ -19,14 +19,14 @@ const SAMPLES: usize = 512;
 #[derive(Debug, Clone)]
 pub struct Compliance {
     pub(super) grid: Grid,
-    pub(super) solid: Arc<dyn Solid>,
-    pub(super) kind: Kind,
+    pub(super) solid: Arc<dyn ElasticSolid>,
+    pub(super) kind: ComplianceKind,
     range: [f64; 2],
 }
 
 /// How the compliance is kept.
 #[derive(Debug, Clone)]
-pub(super) enum Kind {
+pub(super) enum ComplianceKind {
     /// Stiffness `modulus q / 2`.
     HalfSpace { modulus: f64 },
     /// Stiffness by the places of the filter.
@@ -42,14 +42,14 @@ impl Compliance {
     /// # Errors
     /// [`GridError::FreeSolid`] for a solid other than a half-space on a grid that is not periodic, and [`GridError::TooManyPoints`] if
     /// what a free boundary adds is too much.
-    pub fn new(grid: &Grid, solid: Arc<dyn Solid>, with_uniform: bool) -> Result<Self, GridError> {
+    pub fn new(grid: &Grid, solid: Arc<dyn ElasticSolid>, with_uniform: bool) -> Result<Self, GridError> {
         let modulus = solid.contact_modulus();
         let (kind, range) = if !grid.is_periodic() {
             let table = FreeTable::new(grid, solid.as_ref())?;
             let range = [table.softest(), periodic_range(grid, solid.as_ref())[1]];
-            (Kind::Free(table), range)
+            (ComplianceKind::Free(table), range)
         } else if solid.is_half_space() {
-            (Kind::HalfSpace { modulus }, periodic_range(grid, solid.as_ref()))
+            (ComplianceKind::HalfSpace { modulus }, periodic_range(grid, solid.as_ref()))
         } else {
             let uniform = solid.uniform_compliance().filter(|_| with_uniform).map_or(0.0, f64::recip);
             let uniform = if uniform.is_finite() { uniform } else { 0.0 };
@@ -57,7 +57,7 @@ impl Compliance {
             if uniform > 0.0 {
                 range = [range[0].min(uniform), range[1].max(uniform)];
             }
-            (Kind::Table(table(grid, solid.as_ref(), uniform)), range)
+            (ComplianceKind::Table(table(grid, solid.as_ref(), uniform)), range)
         };
         Ok(Self { grid: *grid, solid, kind, range })
     }
@@ -72,7 +72,7 @@ impl Compliance {
 
     /// Fields of doubles that the response of a solid over a grid holds beyond that of a periodic half-space: its table and, on a free
     /// boundary, a field and the half spectrum of the padded grid.
-    pub fn fields(grid: &Grid, solid: &dyn Solid) -> f64 {
+    pub fn fields(grid: &Grid, solid: &dyn ElasticSolid) -> f64 {
         let padded: f64 = grid.periodic().into_iter().map(|is_periodic| if is_periodic { 1.0 } else { 2.0 }).product();
         let table = padded * if grid.is_line() { 0.5 } else { 0.25 };
         match (grid.is_periodic(), solid.is_half_space()) {
@@ -83,16 +83,16 @@ impl Compliance {
     }
 
     /// The solid.
-    pub fn solid(&self) -> &Arc<dyn Solid> {
+    pub fn solid(&self) -> &Arc<dyn ElasticSolid> {
         &self.solid
     }
 
     /// Whether a uniform pressure displaces the surface, so that the datum of displacements is not free.
     pub fn has_uniform(&self) -> bool {
         match &self.kind {
-            Kind::HalfSpace { .. } => false,
-            Kind::Table(stiffness) => stiffness[0] > 0.0,
-            Kind::Free(_) => true,
+            ComplianceKind::HalfSpace { .. } => false,
+            ComplianceKind::Table(stiffness) => stiffness[0] > 0.0,
+            ComplianceKind::Free(_) => true,
         }
     }
 
@@ -103,12 +103,12 @@ impl Compliance {
 
     /// Whether every wave responds on its own, as on periodic grids.
     pub fn is_diagonal(&self) -> bool {
-        !matches!(self.kind, Kind::Free(_))
+        !matches!(self.kind, ComplianceKind::Free(_))
     }
 }
 
 /// Stiffness of each place of the filter.
-fn table(grid: &Grid, solid: &dyn Solid, uniform: f64) -> Vec<f64> {
+fn table(grid: &Grid, solid: &dyn ElasticSolid, uniform: f64) -> Vec<f64> {
     let [ly, lx] = grid.size();
     let at = |[ky, kx]: [usize; 2]| {
         let q = (TAU * kx as f64 / lx).hypot(TAU * ky as f64 / ly);
@@ -118,7 +118,7 @@ fn table(grid: &Grid, solid: &dyn Solid, uniform: f64) -> Vec<f64> {
 }
 
 /// Stiffness of the softest and of the stiffest wave of a periodic grid.
-fn periodic_range(grid: &Grid, solid: &dyn Solid) -> [f64; 2] {
+fn periodic_range(grid: &Grid, solid: &dyn ElasticSolid) -> [f64; 2] {
     let modulus = solid.contact_modulus();
     let [dy, dx] = grid.spacing().map(|spacing| PI / spacing);
     let [longest, shortest] = [TAU / grid.longest_wavelength(), if grid.is_line() { dx } else { dx.hypot(dy) }];

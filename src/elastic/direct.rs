@@ -1,6 +1,6 @@
 //! Elastic response by direct summation: slow, short and obviously right. Tests hold the fast one against it.
 
-use super::{Solid, element};
+use super::{ElasticSolid, element};
 use crate::grid::Grid;
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 ///
 /// # Panics
 /// If the length of `pressure` does not fit the grid, and for a grid that is free along one axis of a surface only.
-pub fn displacement(grid: &Grid, solid: &dyn Solid, pressure: &[f64]) -> Vec<f64> {
+pub fn displacement(grid: &Grid, solid: &dyn ElasticSolid, pressure: &[f64]) -> Vec<f64> {
     assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
     let [ny, nx] = grid.shape();
     let influence = influence(grid, solid);
@@ -31,7 +31,7 @@ pub fn displacement(grid: &Grid, solid: &dyn Solid, pressure: &[f64]) -> Vec<f64
 ///
 /// # Panics
 /// For a grid that is free along one axis of a surface only.
-pub fn influence(grid: &Grid, solid: &dyn Solid) -> Vec<f64> {
+pub fn influence(grid: &Grid, solid: &dyn ElasticSolid) -> Vec<f64> {
     let ([ny, nx], [dy, dx]) = (grid.shape(), grid.spacing());
     if grid.is_periodic() {
         return (0..ny * nx).map(|i| periodic(grid, solid, [i / nx, i % nx])).collect();
@@ -50,7 +50,7 @@ pub fn influence(grid: &Grid, solid: &dyn Solid) -> Vec<f64> {
 }
 
 /// The influence so many nodes along y and x away, by the sum over all modes.
-fn periodic(grid: &Grid, solid: &dyn Solid, [y, x]: [usize; 2]) -> f64 {
+fn periodic(grid: &Grid, solid: &dyn ElasticSolid, [y, x]: [usize; 2]) -> f64 {
     let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
     let signed = |k: usize, n: usize| if 2 * k > n { k as f64 - n as f64 } else { k as f64 };
     let mode = |ky: usize, kx: usize| {

@@ -1,6 +1,6 @@
 //! A boundary without images: convolution padded with zeros.
 
-use super::{Solid, element};
+use super::{ElasticSolid, element};
 use crate::chunks;
 use crate::error::GridError;
 use crate::fourier::{self, Complex, Filter, Fourier, smooth};
@@ -18,7 +18,7 @@ pub(super) struct FreeTable {
 
 impl FreeTable {
     /// The table of a half-space.
-    pub fn new(grid: &Grid, solid: &dyn Solid) -> Result<Self, GridError> {
+    pub fn new(grid: &Grid, solid: &dyn ElasticSolid) -> Result<Self, GridError> {
         if !solid.is_half_space() {
             return Err(GridError::FreeSolid { solid: solid.description() });
         }
@@ -39,7 +39,7 @@ impl FreeTable {
 }
 
 /// The distance from a line load at which the surface stands still.
-fn datum(solid: &dyn Solid, length: f64) -> f64 {
+fn datum(solid: &dyn ElasticSolid, length: f64) -> f64 {
     solid.datum().unwrap_or(length)
 }
 
@@ -52,7 +52,7 @@ fn padded(grid: &Grid) -> Result<Grid, GridError> {
 }
 
 /// The influence transformed along all axes: of lines, and of surfaces without images.
-fn transformed(grid: &Grid, padded: &Grid, solid: &dyn Solid) -> Vec<f64> {
+fn transformed(grid: &Grid, padded: &Grid, solid: &dyn ElasticSolid) -> Vec<f64> {
     let ([my, mx], [dy, dx], modulus) = (padded.shape(), grid.spacing(), solid.contact_modulus());
     let distance = |i: usize, n: usize| i.min(n - i) as f64;
     let datum = datum(solid, grid.size()[1]);
@@ -76,7 +76,7 @@ fn transformed(grid: &Grid, padded: &Grid, solid: &dyn Solid) -> Vec<f64> {
 }
 
 /// The influence of waves along the periodic axis, transformed along the axis `free`.
-fn banded(grid: &Grid, padded: &Grid, solid: &dyn Solid, free: usize) -> Vec<f64> {
+fn banded(grid: &Grid, padded: &Grid, solid: &dyn ElasticSolid, free: usize) -> Vec<f64> {
     let other = 1 - free;
     let (points, spacing, modulus) = (padded.shape()[free], grid.spacing()[free], solid.contact_modulus());
     let line = Grid::line(points, padded.size()[free]).expect("an axis of a grid is a line");
@@ -101,12 +101,12 @@ fn banded(grid: &Grid, padded: &Grid, solid: &dyn Solid, free: usize) -> Vec<f64
 }
 
 /// The convolution with a table, and its scratch: one field, and a half spectrum of the padded grid.
-pub(super) struct Padded {
+pub(super) struct FreeConvolution {
     fields: fourier::Padded,
     stage: Vec<f64>,
 }
 
-impl Padded {
+impl FreeConvolution {
     pub fn new(grid: &Grid, table: &FreeTable) -> Self {
         Self { fields: fourier::Padded::new(grid.shape(), &table.padded), stage: vec![0.0; grid.len()] }
     }

@@ -1,6 +1,6 @@
 //! The half-space.
 
-use super::Solid;
+use super::ElasticSolid;
 use std::sync::Arc;
 
 /// A half-space of a contact modulus `E* = E / (1 - nu^2)`: `u_q = 2 p_q / (E* q)`.
@@ -11,7 +11,7 @@ use std::sync::Arc;
 pub struct HalfSpace {
     /// Contact modulus `E*`, a pressure.
     pub contact_modulus: f64,
-    /// The distance from a line load at which the surface stands still, see [`Solid::datum`]; the length of the cell if it is left out.
+    /// The distance from a line load at which the surface stands still, see [`ElasticSolid::datum`]; the length of the cell if it is left out.
     pub datum: Option<f64>,
 }
 
@@ -27,7 +27,7 @@ impl HalfSpace {
     }
 }
 
-impl Solid for HalfSpace {
+impl ElasticSolid for HalfSpace {
     fn contact_modulus(&self) -> f64 {
         self.contact_modulus
     }
@@ -49,7 +49,7 @@ impl Solid for HalfSpace {
     }
 }
 
-impl From<HalfSpace> for Arc<dyn Solid> {
+impl From<HalfSpace> for Arc<dyn ElasticSolid> {
     fn from(solid: HalfSpace) -> Self {
         Arc::new(solid)
     }

@@ -1,6 +1,6 @@
 //! A layer on a rigid base.
 
-use super::Solid;
+use super::ElasticSolid;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -82,7 +82,7 @@ fn sliding(x: f64) -> f64 {
     x.tanh() / (1.0 + 2.0 * x / (2.0 * x).sinh())
 }
 
-impl Solid for Layer {
+impl ElasticSolid for Layer {
     fn contact_modulus(&self) -> f64 {
         self.contact_modulus
     }
@@ -110,7 +110,7 @@ impl Solid for Layer {
     }
 }
 
-impl From<Layer> for Arc<dyn Solid> {
+impl From<Layer> for Arc<dyn ElasticSolid> {
     fn from(layer: Layer) -> Self {
         Arc::new(layer)
     }

@@ -1,6 +1,6 @@
 //! Elastic solids: what displacement a pressure makes, fast by Fourier transform and slow by direct sum, and the stress inside.
 //!
-//! A [`Solid`] says what it makes of one wave; a [`Response`] is a solid over a grid, periodic or free along each axis.
+//! An [`ElasticSolid`] says what it makes of one wave; a [`Response`] is a solid over a grid, periodic or free along each axis.
 
 mod compliance;
 pub mod direct;
@@ -16,5 +16,5 @@ pub use compliance::Compliance;
 pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};
 pub use response::Response;
-pub use solid::Solid;
+pub use solid::ElasticSolid;
 pub use stress::Stress;

@@ -1,9 +1,9 @@
 //! A solid over a grid, in Fourier space.
 
-use super::compliance::Kind;
-use super::free::{FreeTable, Padded};
+use super::compliance::ComplianceKind;
+use super::free::{FreeConvolution, FreeTable};
 use super::solid::stiffness;
-use super::{Compliance, Solid};
+use super::{Compliance, ElasticSolid};
 use crate::error::GridError;
 use crate::fourier::{Filter, Wave};
 use crate::grid::Grid;
@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// The response of an elastic solid over a grid: displacement `u` under a pressure `p`, and an approximate inverse.
 ///
-/// On a periodic grid both are diagonal in Fourier space, in one and in two dimensions alike: with the [`Solid`]'s `factor`,
+/// On a periodic grid both are diagonal in Fourier space, in one and in two dimensions alike: with the [`ElasticSolid`]'s `factor`,
 ///
 /// `u_q = factor(q) 2 p_q / (E* |q|)` for `q != 0`,
 ///
@@ -43,7 +43,7 @@ use std::sync::Arc;
 pub struct Response {
     compliance: Arc<Compliance>,
     filter: Filter,
-    padded: Option<Padded>,
+    padded: Option<FreeConvolution>,
     transforms: u64,
 }
 
@@ -52,7 +52,7 @@ impl Response {
     ///
     /// # Errors
     /// The errors of [`Compliance::new`].
-    pub fn new(grid: &Grid, solid: impl Into<Arc<dyn Solid>>) -> Result<Self, GridError> {
+    pub fn new(grid: &Grid, solid: impl Into<Arc<dyn ElasticSolid>>) -> Result<Self, GridError> {
         Ok(Self::of(Arc::new(Compliance::new(grid, solid.into(), true)?)))
     }
 
@@ -68,8 +68,8 @@ impl Response {
     pub fn of(compliance: Arc<Compliance>) -> Self {
         let filter = Filter::new(&compliance.grid);
         let padded = match &compliance.kind {
-            Kind::Free(table) => Some(Padded::new(&compliance.grid, table)),
-            Kind::HalfSpace { .. } | Kind::Table(_) => None,
+            ComplianceKind::Free(table) => Some(FreeConvolution::new(&compliance.grid, table)),
+            ComplianceKind::HalfSpace { .. } | ComplianceKind::Table(_) => None,
         };
         Self { compliance, filter, padded, transforms: 0 }
     }
@@ -158,7 +158,7 @@ impl Response {
     ) {
         let rows = self.rows();
         match (&mut self.padded, &self.compliance.kind) {
-            (Some(padded), Kind::Free(table)) => {
+            (Some(padded), ComplianceKind::Free(table)) => {
                 self.transforms += 2;
                 padded.convolve(table, rows, fill, sinks, store);
             }
@@ -190,10 +190,10 @@ impl Response {
         self.filter.run(|filter| {
             filter.load(fill);
             match kind {
-                &Kind::HalfSpace { modulus } | &Kind::Free(FreeTable { modulus, .. }) => {
+                &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
                     filter.scale(|wave| factor(0.5 * modulus * wave.q))
                 }
-                Kind::Table(table) => {
+                ComplianceKind::Table(table) => {
                     filter.scale(|Wave { q, place }| factor(if q > 0.0 || with_uniform { table[place] } else { 0.0 }))
                 }
             }

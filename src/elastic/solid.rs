@@ -14,12 +14,12 @@ use std::fmt::Debug;
 ///
 /// ```
 /// use asperity::contact::{Load, Multilevel, Solver};
-/// use asperity::{Grid, Indenter, Problem, Stop, elastic::Solid};
+/// use asperity::{Grid, Indenter, Problem, Stop, elastic::ElasticSolid};
 /// use std::sync::Arc;
 /// // a half-space under a soft skin: short waves meet the skin, long ones what is below
 /// #[derive(Debug)]
 /// struct Coated;
-/// impl Solid for Coated {
+/// impl ElasticSolid for Coated {
 ///     fn contact_modulus(&self) -> f64 {
 ///         1.0
 ///     }
@@ -31,11 +31,11 @@ use std::fmt::Debug;
 ///     }
 /// }
 /// let surface = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(512, 1.0)?)?;
-/// let problem = Problem::new(surface, Arc::new(Coated) as Arc<dyn Solid>, Load::MeanPressure(0.01))?;
+/// let problem = Problem::new(surface, Arc::new(Coated) as Arc<dyn ElasticSolid>, Load::MeanPressure(0.01))?;
 /// assert!(Multilevel.solve(&problem, &Stop::default(), &mut ())?.is_converged());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub trait Solid: Debug + Send + Sync {
+pub trait ElasticSolid: Debug + Send + Sync {
     /// The contact modulus `E*` that the shortest waves meet, a pressure.
     fn contact_modulus(&self) -> f64;
 
@@ -65,6 +65,6 @@ pub trait Solid: Debug + Send + Sync {
 }
 
 /// Stiffness `k = E* q / (2 factor(q))` of a wave, a pressure per length; 0 for the mean.
-pub(crate) fn stiffness(solid: &dyn Solid, q: f64) -> f64 {
+pub(crate) fn stiffness(solid: &dyn ElasticSolid, q: f64) -> f64 {
     if q > 0.0 { 0.5 * solid.contact_modulus() * q / solid.factor(q) } else { 0.0 }
 }

@@ -6,7 +6,7 @@ use super::lesson::{Lesson, LessonStep};
 use super::page::Page;
 use super::reel::Reel;
 use super::refusal::Refusal;
-use super::session::{Kind, Session, Stock};
+use super::session::{RunKind, Session, Stock};
 use crate::contact::{Failure, OBSERVABLES};
 use crate::files::fill_folder;
 use crate::record::Output;
@@ -31,16 +31,16 @@ const EVERY: usize = 4;
 const DIGITS: usize = 7;
 
 /// A run of the site: whether the load is swept, and the state of the knobs. Each is recorded on both grounds, as the page has either.
-type Wanted = (Kind, Knobs);
+type SiteRun = (RunKind, Knobs);
 
 /// Lessons that are to become a site.
-pub struct Export {
+pub struct SiteExport {
     lessons: Vec<Lesson>,
     start: Knobs,
-    wanted: Vec<Wanted>,
+    wanted: Vec<SiteRun>,
 }
 
-impl Export {
+impl SiteExport {
     /// Lessons with all states that a class may turn to.
     ///
     /// # Errors
@@ -50,7 +50,7 @@ impl Export {
         let Some(first) = steps().next() else {
             return Err(Refusal("there is no lesson to export: give one at least".into()));
         };
-        let mut wanted: Vec<Wanted> = Vec::new();
+        let mut wanted: Vec<SiteRun> = Vec::new();
         for run in steps().flat_map(of_step) {
             if !wanted.contains(&run) {
                 wanted.push(run);
@@ -121,15 +121,15 @@ fn facets(reel: &Reel) -> Value {
 }
 
 /// The runs of a step: all states that can be turned to, and the sweep if the load is swept.
-fn of_step(step: &LessonStep) -> Vec<Wanted> {
-    let states = step.states().iter().map(|knobs| (Kind::Solve, knobs.clone()));
-    states.chain(step.sweep.then(|| (Kind::Sweep, step.knobs.clone()))).collect()
+fn of_step(step: &LessonStep) -> Vec<SiteRun> {
+    let states = step.states().iter().map(|knobs| (RunKind::Solve, knobs.clone()));
+    states.chain(step.sweep.then(|| (RunKind::Sweep, step.knobs.clone()))).collect()
 }
 
 /// Solves one state, and returns the name of its recording.
 fn solve(
     session: &Session,
-    kind: Kind,
+    kind: RunKind,
     knobs: &Knobs,
     goes_on: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<String, Failure> {
@@ -141,8 +141,8 @@ fn solve(
         }
         if !report.busy {
             let id = match kind {
-                Kind::Solve => report.run.map(|run| run.id),
-                Kind::Sweep => report.sweep.map(|sweep| sweep.id),
+                RunKind::Solve => report.run.map(|run| run.id),
+                RunKind::Sweep => report.sweep.map(|sweep| sweep.id),
             };
             return id.ok_or_else(|| "a run came to nothing".into());
         }

@@ -1,7 +1,7 @@
 //! Facets: what can be asked of a run that has ended, beyond its report.
 
 use super::patches::PatchTable;
-use super::reel::Solved;
+use super::reel::SolvedRun;
 use super::section::{Section, Shear};
 use super::why::Why;
 use serde_json::{Value, json};
@@ -11,7 +11,7 @@ pub struct Facet {
     /// Its name in the path under which it is asked for.
     pub name: &'static str,
     /// It, as JSON.
-    pub of: fn(&Solved) -> Value,
+    pub of: fn(&SolvedRun) -> Value,
 }
 
 /// The facet that sweeps have too.

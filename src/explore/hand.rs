@@ -4,7 +4,7 @@ use super::knobs::Knobs;
 use super::refusal::Refusal;
 use super::report::Numbers;
 use super::section::{Section, Shear};
-use super::source::Source;
+use super::source::SurfaceSource;
 use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
 use crate::setup::Setup;
 use crate::surface::Field;
@@ -50,7 +50,11 @@ impl Hold {
     ///
     /// # Errors
     /// A sentence on knobs that stand for nothing, and on a gap at which nothing or everything touches.
-    pub(super) fn solve(&self, source: Option<&Source>, before: &mut [Option<Field>; 2]) -> Result<Held, Refusal> {
+    pub(super) fn solve(
+        &self,
+        source: Option<&SurfaceSource>,
+        before: &mut [Option<Field>; 2],
+    ) -> Result<Held, Refusal> {
         let setup = self.knobs.setup_with(source)?;
         let mut problem = setup.problem()?;
         if let Some(mean_gap) = self.mean_gap {

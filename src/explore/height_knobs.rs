@@ -4,7 +4,7 @@ use super::refusal::Refusal;
 use crate::grid::Grid;
 use crate::quantity::some_length;
 use crate::setup::{Boundary, Cell, Recipe};
-use crate::surface::{Choice, Crop, HeightFile, Layout, Preparation};
+use crate::surface::{Crop, HeightFile, Layout, Preparation, PreparationChoice};
 use serde::{Deserialize, Serialize};
 
 /// The most points of a line, and of a surface: more cannot be solved while someone waits.
@@ -94,11 +94,11 @@ impl HeightKnobs {
     }
 
     /// The steps that a part of a file needs.
-    fn choice(&self, file: &HeightFile, crop: Option<Crop>) -> Result<Choice, Refusal> {
+    fn choice(&self, file: &HeightFile, crop: Option<Crop>) -> Result<PreparationChoice, Refusal> {
         let prepare = Preparation { crop, ..Preparation::default() };
         let (recipe, cell) = Self { prepare, ..self.clone() }.unbounded(file)?;
-        let Choice { preparation, reasons } = recipe.choice(&cell)?;
-        Ok(Choice { preparation: Preparation { crop: recipe.prepare.crop, ..preparation }, reasons })
+        let PreparationChoice { preparation, reasons } = recipe.choice(&cell)?;
+        Ok(PreparationChoice { preparation: Preparation { crop: recipe.prepare.crop, ..preparation }, reasons })
     }
 
     /// The recipe and the cell of a file of any length.

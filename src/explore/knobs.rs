@@ -3,7 +3,7 @@
 use super::height_knobs::{HeightKnobs, MOST_POINTS};
 use super::refusal::{Refusal, plain};
 use super::schema;
-use super::source::{SceneFile, Source};
+use super::source::{SceneFile, SurfaceSource};
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
 use crate::setup::{Cell, LayerModulus, Method, Part, Recipe, Record, Setup, Solid, Theme};
@@ -27,7 +27,7 @@ const LAYER_POISSON: f64 = 0.3;
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Knobs {
     domain: Domain,
-    body: Body,
+    body: SmoothBody,
     /// Exponent of the power law.
     exponent: f64,
     /// Rms gradient of the roughness; 0 for none.
@@ -80,7 +80,7 @@ enum Domain {
 /// The smooth body under the roughness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-enum Body {
+enum SmoothBody {
     /// A cylinder on a line, a sphere on a surface.
     Round,
     /// A sine on a line, crossed sines on a surface.
@@ -113,8 +113,8 @@ impl Start {
     /// The state of the knobs.
     pub fn knobs(self) -> Knobs {
         let (body, roughness) = match self {
-            Self::HertzLine | Self::HertzSurface => (Body::Round, 0.0),
-            Self::RoughLine | Self::RoughSurface => (Body::Flat, 1e-3),
+            Self::HertzLine | Self::HertzSurface => (SmoothBody::Round, 0.0),
+            Self::RoughLine | Self::RoughSurface => (SmoothBody::Flat, 1e-3),
         };
         let (domain, points, cutoff) = match self {
             Self::HertzLine | Self::RoughLine => (Domain::Line, 1 << 12, 128.0),
@@ -157,7 +157,7 @@ impl Knobs {
         let unit = problem.rms_gradient() * problem.contact_modulus();
         let knobs = Self {
             domain: if surface.grid().is_line() { Domain::Line } else { Domain::Surface },
-            body: Body::Scene,
+            body: SmoothBody::Scene,
             scene: Some(scene.mark.clone()),
             load: match setup.load {
                 Load::ReducedPressure(load) => load,
@@ -202,19 +202,19 @@ impl Knobs {
 
     /// Whether the scene is the body.
     pub(super) fn takes_scene(&self) -> bool {
-        self.body == Body::Scene
+        self.body == SmoothBody::Scene
     }
 
     /// Whether the file of heights is the body.
     pub(super) fn takes_file(&self) -> bool {
-        self.body == Body::File
+        self.body == SmoothBody::File
     }
 
     /// The setup that the knobs stand for beside heights or a scene that they do not hold.
     ///
     /// # Errors
     /// The errors of [`Knobs::setup`].
-    pub fn setup_with(&self, source: Option<&Source>) -> Result<Setup, Refusal> {
+    pub fn setup_with(&self, source: Option<&SurfaceSource>) -> Result<Setup, Refusal> {
         self.check()?;
         let pressed = self.pressed(source)?;
         let grid = pressed.surface.grid(&pressed.grid)?;
@@ -230,10 +230,12 @@ impl Knobs {
     }
 
     /// Surface, cell, solid and law: those of the scene, or those that the knobs make.
-    fn pressed(&self, source: Option<&Source>) -> Result<Setup, Refusal> {
-        if self.body == Body::Scene {
+    fn pressed(&self, source: Option<&SurfaceSource>) -> Result<Setup, Refusal> {
+        if self.body == SmoothBody::Scene {
             return match source {
-                Some(Source::Scene(scene)) if self.scene.as_ref() == Some(&scene.mark) => Ok(scene.setup.clone()),
+                Some(SurfaceSource::Scene(scene)) if self.scene.as_ref() == Some(&scene.mark) => {
+                    Ok(scene.setup.clone())
+                }
                 _ => Err(Refusal(
                     "the scene of this state is not here: start asperity explore with its setup file".into(),
                 )),
@@ -252,7 +254,7 @@ impl Knobs {
     ///
     /// # Errors
     /// The errors of [`Knobs::setup`], for a line beside a surface, and for a surface that has another one beside it.
-    pub fn beside_with(&self, source: Option<&Source>) -> Result<Option<Setup>, Refusal> {
+    pub fn beside_with(&self, source: Option<&SurfaceSource>) -> Result<Option<Setup>, Refusal> {
         let Some(beside) = &self.beside else { return Ok(None) };
         let refuse = |sentence: &str| Err(Refusal(sentence.into()));
         if beside.beside.is_some() {
@@ -269,9 +271,9 @@ impl Knobs {
     }
 
     /// The surface and its cell.
-    fn surface(&self, source: Option<&Source>) -> Result<(Recipe, Cell), Refusal> {
-        if self.body == Body::File {
-            let Some(Source::Heights(file)) = source else {
+    fn surface(&self, source: Option<&SurfaceSource>) -> Result<(Recipe, Cell), Refusal> {
+        if self.body == SmoothBody::File {
+            let Some(SurfaceSource::Heights(file)) = source else {
                 return Err(Refusal("there is no file of heights: drop one on the page, or open it".into()));
             };
             return self.heights.surface(file);
@@ -298,7 +300,7 @@ impl Knobs {
     /// Checks the limits of the page.
     fn check(&self) -> Result<(), Refusal> {
         schema::check(&serde_json::to_value(self).map_err(|error| Refusal(plain(&error)))?)?;
-        if matches!(self.body, Body::File | Body::Scene) {
+        if matches!(self.body, SmoothBody::File | SmoothBody::Scene) {
             return Ok(());
         }
         let Self { points, rolloff, cutoff, .. } = *self;
@@ -308,7 +310,7 @@ impl Knobs {
             format!("`points` cannot be {points} for a surface: give at most {most} along each side")
         } else if self.bumps.len() > MOST_BUMPS {
             format!("{} bumps are too many here: give at most {MOST_BUMPS}", self.bumps.len())
-        } else if self.body == Body::Flat && !is_rough {
+        } else if self.body == SmoothBody::Flat && !is_rough {
             "a flat without roughness touches everywhere: raise the roughness or choose another body".into()
         } else if is_rough && cutoff <= rolloff {
             format!("`cutoff` cannot be {cutoff}: give more than `rolloff`, which is {rolloff}")
@@ -331,15 +333,15 @@ impl Knobs {
     fn indenter(&self) -> Option<Indenter> {
         let half = 0.5 * CELL;
         Some(match (self.body, self.domain) {
-            (Body::Round, Domain::Line) => Indenter::Cylinder { radius: RADIUS },
-            (Body::Round, Domain::Surface) => Indenter::Sphere { radius: RADIUS },
-            (Body::Sine, Domain::Line) => Indenter::Sine { amplitude: AMPLITUDE },
-            (Body::Sine, Domain::Surface) => Indenter::CrossedSine { amplitude: AMPLITUDE },
-            (Body::PowerLaw, _) => {
+            (SmoothBody::Round, Domain::Line) => Indenter::Cylinder { radius: RADIUS },
+            (SmoothBody::Round, Domain::Surface) => Indenter::Sphere { radius: RADIUS },
+            (SmoothBody::Sine, Domain::Line) => Indenter::Sine { amplitude: AMPLITUDE },
+            (SmoothBody::Sine, Domain::Surface) => Indenter::CrossedSine { amplitude: AMPLITUDE },
+            (SmoothBody::PowerLaw, _) => {
                 let coefficient = half * half / (2.0 * RADIUS) / half.powf(self.exponent);
                 Indenter::PowerLaw { coefficient, exponent: self.exponent }
             }
-            (Body::Flat | Body::File | Body::Scene, _) => return None,
+            (SmoothBody::Flat | SmoothBody::File | SmoothBody::Scene, _) => return None,
         })
     }
 

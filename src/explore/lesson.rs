@@ -98,7 +98,7 @@ pub struct LessonStep {
 /// values that a class may turn knobs to go the same way.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-struct Draft {
+struct WrittenLesson {
     title: Words,
     #[serde(default)]
     knobs: WrittenKnobs,
@@ -169,7 +169,7 @@ impl Lesson {
             let line = span.map_or(1, |span| 1 + text[..span.start.min(text.len())].matches('\n').count());
             Refusal(format!("{name}, line {line}: {}", reason.lines().collect::<Vec<_>>().join(" ")))
         };
-        let draft: Draft = toml::from_str(text).map_err(|error| at(error.span(), error.message()))?;
+        let draft: WrittenLesson = toml::from_str(text).map_err(|error| at(error.span(), error.message()))?;
         draft.title.check().map_err(|Refusal(reason)| at(None, &format!("title: {reason}")))?;
         if draft.step.is_empty() {
             return Err(at(None, "the lesson has no steps: give one at least, as [[step]]"));

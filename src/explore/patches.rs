@@ -56,14 +56,14 @@ pub struct PatchRow {
     /// Mean curvature over its nodes, an inverse length.
     pub curvature: f64,
     /// The parabola of the same load and curvature; none for a patch that is hollow.
-    pub twin: Option<Twin>,
+    pub twin: Option<HertzParabola>,
     /// Heights and pressures along it; left out of the smaller patches.
     pub profile: Option<PatchProfile>,
 }
 
 /// A parabola on a half-space that carries the load of a patch with its curvature (Hertz).
 #[derive(Serialize)]
-pub struct Twin {
+pub struct HertzParabola {
     /// Half-width or radius of its contact.
     pub half_width: f64,
     /// Area, or length of a line, of its contact.
@@ -133,13 +133,13 @@ impl PatchRow {
             max_pressure: pressure[patch.peak] / modulus,
             kappa_r: patch.kappa_r,
             curvature: patch.curvature,
-            twin: (patch.curvature > 0.0).then(|| Twin::of(grid, patch.curvature, patch.load, modulus)),
+            twin: (patch.curvature > 0.0).then(|| HertzParabola::of(grid, patch.curvature, patch.load, modulus)),
             profile: None,
         }
     }
 }
 
-impl Twin {
+impl HertzParabola {
     fn of(grid: &Grid, curvature: f64, load: f64, modulus: f64) -> Self {
         let body = if grid.is_line() { hertz::cylinder } else { hertz::sphere }(curvature.recip(), modulus);
         let half_width = body.half_width(load);

@@ -32,7 +32,7 @@ pub enum Question {
         /// The question.
         question: Words,
         /// Which curve.
-        curve: Curve,
+        curve: SweepCurve,
     },
     /// A contact to be made with the hand or the controls.
     Act {
@@ -130,7 +130,7 @@ fn check_observable(of: &str) -> Result<(), Refusal> {
 /// A curve of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Curve {
+pub enum SweepCurve {
     /// The relative area.
     Area,
     /// The area-load factor.

@@ -25,12 +25,12 @@ pub struct Reel {
 /// What came of a solve or a sweep.
 #[derive(Clone)]
 pub enum Ended {
-    Run(Arc<Solved>),
+    Run(Arc<SolvedRun>),
     Sweep(Arc<SweepReport>, Arc<Motion>),
 }
 
 /// What came of a solve.
-pub struct Solved {
+pub struct SolvedRun {
     pub report: RunReport,
     /// Axes of its arrays.
     pub rank: usize,
@@ -48,7 +48,7 @@ pub struct Solved {
 /// What the page is told of a recording that is complete.
 #[derive(Serialize)]
 #[serde(untagged)]
-pub enum Told {
+pub enum RecordingReport {
     Run(Box<RunReport>),
     Sweep(Box<SweepReport>),
 }
@@ -60,15 +60,15 @@ impl Reel {
     }
 
     /// What the page is told of it, once it is complete.
-    pub fn told(&self) -> Option<Told> {
+    pub fn told(&self) -> Option<RecordingReport> {
         Some(match self.ended.as_ref()? {
-            Ended::Run(solved) => Told::Run(Box::new(solved.report.clone())),
-            Ended::Sweep(report, _) => Told::Sweep(Box::new(SweepReport::clone(report))),
+            Ended::Run(solved) => RecordingReport::Run(Box::new(solved.report.clone())),
+            Ended::Sweep(report, _) => RecordingReport::Sweep(Box::new(SweepReport::clone(report))),
         })
     }
 
     /// The solve behind it, once it is complete; none of a sweep.
-    pub fn solved(&self) -> Option<Arc<Solved>> {
+    pub fn solved(&self) -> Option<Arc<SolvedRun>> {
         match self.ended.as_ref()? {
             Ended::Run(solved) => Some(Arc::clone(solved)),
             Ended::Sweep(..) => None,
@@ -84,7 +84,7 @@ impl Reel {
     }
 }
 
-impl Solved {
+impl SolvedRun {
     /// The section of the contact.
     pub fn section(&self) -> Section {
         let Self { contact, exact, .. } = self;

@@ -7,7 +7,7 @@ use super::lesson::Lesson;
 use super::page::Page;
 use super::reel::Reel;
 use super::refusal::{Refusal, plain};
-use super::session::{Kind, Session};
+use super::session::{RunKind, Session};
 use super::sessions::Sessions;
 use super::site::{Intake, Reply, Request, Site};
 use super::stream::RecordingBytes;
@@ -119,8 +119,8 @@ fn ordered(session: &Session, request: &Request<'_>) -> Reply {
         "/api/heights" => return answer(session.open(file(request))),
         "/api/describe" => return answer(read(request.body).and_then(|knobs| session.describe(knobs))),
         "/api/hold" => return answer(read(request.body).and_then(|hold| session.hold(&hold))),
-        "/api/solve" => order(Kind::Solve),
-        "/api/sweep" => order(Kind::Sweep),
+        "/api/solve" => order(RunKind::Solve),
+        "/api/sweep" => order(RunKind::Sweep),
         "/api/window" => return answer(read(request.body).and_then(|size| session.set_window(size))),
         "/api/cancel" => Ok(session.cancel()),
         "/api/pin" => read(request.body).and_then(|name| session.pin(name)),

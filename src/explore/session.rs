@@ -5,10 +5,10 @@ use super::hand::{Held, Hold};
 use super::height_knobs::HeightKnobs;
 use super::knobs::Knobs;
 use super::motion::Motion;
-use super::reel::{Ended, Reel, Solved, Told};
+use super::reel::{Ended, RecordingReport, Reel, SolvedRun};
 use super::refusal::Refusal;
 use super::report::{KnownFault, Numbers, Report, SweepReport};
-use super::source::{SceneFile, Source};
+use super::source::{SceneFile, SurfaceSource};
 use super::step_numbers::StepNumbers;
 use crate::contact::{Contact, Failure};
 use crate::record::{Ghost, Options};
@@ -41,14 +41,14 @@ pub struct Stock {
 
 /// The orders of the page, one at a time, and what comes of them; a new order ends the one before.
 pub struct Session {
-    state: Mutex<State>,
+    state: Mutex<SessionState>,
     /// The pressure of the contact under the hand, of which there is one at a time, and of that beside it.
     hand: Mutex<[Option<Field>; 2]>,
     changed: Condvar,
 }
 
 #[derive(Default)]
-struct State {
+struct SessionState {
     report: Report,
     /// Grows with every order and ends those before.
     generation: u64,
@@ -64,7 +64,7 @@ struct State {
     window: Option<[f64; 2]>,
 }
 
-impl State {
+impl SessionState {
     /// Keeps a recording, and drops the oldest one that is not pinned.
     fn keep(&mut self, reel: Reel) {
         self.recordings.push_back(reel);
@@ -92,7 +92,7 @@ impl State {
 
 /// An order of the page: what is to be done with the knobs and the setup that they stand for.
 pub struct Order {
-    pub kind: Kind,
+    pub kind: RunKind,
     pub knobs: Knobs,
     pub setup: Setup,
     /// The surface that is pressed beside, if there is one.
@@ -101,7 +101,7 @@ pub struct Order {
 
 /// What is done with a setup.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Kind {
+pub enum RunKind {
     /// One solve.
     Solve,
     /// Solves from first touch to full contact.
@@ -119,13 +119,13 @@ pub struct Turn<'a> {
 impl Session {
     /// A session with what it begins with, whose orders are numbered on from `after`.
     pub(super) fn new(Stock { heights, scene, every }: Stock, after: u64) -> Self {
-        let state = State { heights, scene, every, generation: after, ..State::default() };
+        let state = SessionState { heights, scene, every, generation: after, ..SessionState::default() };
         Self { state: Mutex::new(state), hand: Mutex::default(), changed: Condvar::new() }
     }
 
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
     /// Knobs that stand for nothing are refused; what runs then goes on.
-    pub(super) fn order(&self, kind: Kind, knobs: Knobs) -> Result<u64, Refusal> {
+    pub(super) fn order(&self, kind: RunKind, knobs: Knobs) -> Result<u64, Refusal> {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
         Ok(self.change(|state| {
@@ -154,15 +154,15 @@ impl Session {
     }
 
     /// The file of heights, or the scene, that knobs are for, if it is here.
-    fn source_of(&self, knobs: &Knobs) -> Result<Option<Source>, Refusal> {
+    fn source_of(&self, knobs: &Knobs) -> Result<Option<SurfaceSource>, Refusal> {
         let state = self.lock();
         if knobs.takes_scene() {
-            return Ok(state.scene.clone().map(Source::Scene));
+            return Ok(state.scene.clone().map(SurfaceSource::Scene));
         }
         if let Some((_, description)) = state.heights.as_ref().filter(|_| knobs.takes_file()) {
             description.check(&knobs.heights)?;
         }
-        Ok(state.heights.as_ref().map(|(file, _)| Source::Heights(file.clone())))
+        Ok(state.heights.as_ref().map(|(file, _)| SurfaceSource::Heights(file.clone())))
     }
 
     /// Solves the contact under the hand, while what runs goes on.
@@ -218,7 +218,7 @@ impl Session {
 
     /// The report, as soon as it is newer than `revision`, or after `patience`.
     pub(super) fn report(&self, revision: u64, patience: Duration) -> Report {
-        let is_old = |state: &mut State| state.report.revision <= revision && !state.closed;
+        let is_old = |state: &mut SessionState| state.report.revision <= revision && !state.closed;
         let waited = self.changed.wait_timeout_while(self.lock(), patience, is_old);
         waited.unwrap_or_else(PoisonError::into_inner).0.report.clone()
     }
@@ -239,13 +239,13 @@ impl Session {
     }
 
     /// What is told of the latest recordings that are complete, from the oldest one on.
-    pub(super) fn told(&self) -> Vec<Told> {
+    pub(super) fn told(&self) -> Vec<RecordingReport> {
         self.lock().recordings.iter().filter_map(Reel::told).collect()
     }
 
     /// Waits for an order; none when the session is closed.
     pub(super) fn next(&self) -> Option<(Turn<'_>, Order)> {
-        let is_idle = |state: &mut State| state.order.is_none() && !state.closed;
+        let is_idle = |state: &mut SessionState| state.order.is_none() && !state.closed;
         let waited = self.changed.wait_while(self.lock(), is_idle);
         let mut state = waited.unwrap_or_else(PoisonError::into_inner);
         let order = state.order.take().filter(|_| !state.closed)?;
@@ -253,12 +253,12 @@ impl Session {
         Some((Turn { session: self, number: state.generation }, order))
     }
 
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, SessionState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Changes the state under a new revision, and returns that.
-    fn change(&self, change: impl FnOnce(&mut State)) -> u64 {
+    fn change(&self, change: impl FnOnce(&mut SessionState)) -> u64 {
         let mut state = self.lock();
         change(&mut state);
         state.report.revision += 1;
@@ -315,8 +315,10 @@ impl Turn<'_> {
             let report = run.clone();
             let id = report.id.clone();
             let curves = Arc::new(curves);
-            state
-                .end(&id, Ended::Run(Arc::new(Solved { report, rank, contact, exact, beside, curves, steps, motion })));
+            state.end(
+                &id,
+                Ended::Run(Arc::new(SolvedRun { report, rank, contact, exact, beside, curves, steps, motion })),
+            );
         });
     }
 

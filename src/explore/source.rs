@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// What a surface is taken from that the knobs do not make.
 #[derive(Clone)]
-pub enum Source {
+pub enum SurfaceSource {
     /// Heights that were measured.
     Heights(HeightFile),
     /// Surface, cell, solid and law of a setup.

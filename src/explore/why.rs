@@ -1,8 +1,8 @@
 //! Why a run took as long as it did, as the page tells it.
 
-use super::reel::Solved;
+use super::reel::SolvedRun;
 use crate::contact::{Observer, Step, Wish};
-use crate::diagnosis::{Diagnosis, Findings, Reference, Row};
+use crate::diagnosis::{Diagnosis, Findings, Reference, SpectrogramRow};
 use serde::Serialize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -51,16 +51,16 @@ struct Stretch {
 
 impl Why {
     /// Solves once more what was solved, and holds each step against its end. None if that fails.
-    pub fn of(solved: &Solved) -> Option<Self> {
+    pub fn of(solved: &SolvedRun) -> Option<Self> {
         let (contact, (method, stop)) = (&solved.contact, solved.report.knobs.method());
         let mut diagnosis = Diagnosis::new(&contact.problem, Some(Arc::new(Reference::of(contact))));
         let mut decisions = Decisions { steps: [0, contact.work.iterations], ..Decisions::default() };
         method.solver().solve(&contact.problem, &stop, &mut (&mut diagnosis, &mut decisions)).ok()?;
         let spectrogram = diagnosis.spectrogram();
         let bands = spectrogram.bands();
-        let rows: Vec<&Row> =
+        let rows: Vec<&SpectrogramRow> =
             spectrogram.history().columns().iter().filter(|row| !row.displacement.is_empty()).collect();
-        let rows: Vec<&Row> = rows.iter().copied().step_by(rows.len().div_ceil(MOST_STEPS).max(1)).collect();
+        let rows: Vec<&SpectrogramRow> = rows.iter().copied().step_by(rows.len().div_ceil(MOST_STEPS).max(1)).collect();
         Some(Self {
             findings: diagnosis.findings(),
             length: contact.problem.surface().grid().size()[1],

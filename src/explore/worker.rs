@@ -1,6 +1,6 @@
 //! The solver thread of a session.
 
-use super::session::{Kind, Order, Session, Stock};
+use super::session::{Order, RunKind, Session, Stock};
 use super::{solve, sweep};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -20,8 +20,8 @@ impl Session {
 fn work(session: &Session) {
     while let Some((turn, Order { kind, knobs, setup, beside })) = session.next() {
         let done = catch_unwind(AssertUnwindSafe(|| match kind {
-            Kind::Solve => solve::run(turn, knobs, setup, beside),
-            Kind::Sweep => sweep::run(turn, knobs, setup),
+            RunKind::Solve => solve::run(turn, knobs, setup, beside),
+            RunKind::Sweep => sweep::run(turn, knobs, setup),
         }));
         turn.end(match done {
             Ok(done) => done.err(),

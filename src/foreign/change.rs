@@ -1,14 +1,14 @@
 //! What may have gone wrong with a result on its way, and the claim without it.
 
 use super::arrangement::Arrangement;
-use super::claim::{Claim, State};
+use super::claim::{Claim, ClaimedState};
 use super::quantity::Quantity;
 use crate::grid::Grid;
 use crate::surface::Surface;
 
 /// A kind of everyday error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum MistakeKind {
     /// The nodes stand in another order.
     Arrangement(Arrangement),
     /// A gap was taken for a displacement, or the reverse.
@@ -25,8 +25,8 @@ pub(super) enum Kind {
 
 /// An error of some kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Change {
-    pub kind: Kind,
+pub(super) struct ClaimCorrection {
+    pub kind: MistakeKind,
     /// What the pressures, or 1 over the modulus, must be multiplied with; 1 for other kinds.
     pub factor: f64,
 }
@@ -34,7 +34,7 @@ pub(super) struct Change {
 /// The least factor that is an error, over 1, and not for lack of convergence.
 const LEAST_FACTOR: f64 = 0.03;
 
-impl Kind {
+impl MistakeKind {
     /// All kinds that there can be on a grid, in the order in which one can follow another.
     pub fn all(grid: &Grid) -> Vec<Self> {
         let others = [Self::Quantity, Self::Sign, Self::Heights, Self::Modulus, Self::Scale];
@@ -66,7 +66,7 @@ impl Kind {
     }
 
     /// The claim without an error of this kind; none where it makes no difference.
-    pub fn undone(self, claim: &Claim) -> Option<(Claim, Change)> {
+    pub fn undone(self, claim: &Claim) -> Option<(Claim, ClaimCorrection)> {
         let mut better = claim.clone();
         let mut factor = 1.0;
         match self {
@@ -83,7 +83,7 @@ impl Kind {
                 better.values.iter_mut().for_each(|value| *value *= factor);
             }
         }
-        Some((better, Change { kind: self, factor }))
+        Some((better, ClaimCorrection { kind: self, factor }))
     }
 }
 
@@ -113,7 +113,7 @@ fn fitted(claim: &Claim) -> Option<f64> {
 
 /// The factor `c` with which `c u - h` is as level as can be where there is pressure: that of least squares, weighted by the
 /// pressure.
-fn level(State { problem, pressure, displacement }: &State) -> f64 {
+fn level(ClaimedState { problem, pressure, displacement }: &ClaimedState) -> f64 {
     let height = problem.height();
     let weight = |i: usize| pressure[i].max(0.0);
     let mean = |of: &dyn Fn(usize) -> f64| {
@@ -126,7 +126,7 @@ fn level(State { problem, pressure, displacement }: &State) -> f64 {
 
 /// The factor `c` with which the pressure `K u / c + <p>` of a surface in place does no work on its gap; none where no mean pressure
 /// is prescribed.
-fn workless(State { problem, pressure, displacement }: &State) -> Option<f64> {
+fn workless(ClaimedState { problem, pressure, displacement }: &ClaimedState) -> Option<f64> {
     let mean = problem.mean_pressure()?;
     let apart: Vec<f64> = displacement.iter().zip(problem.height()).map(|(u, h)| u - h).collect();
     let lowest = apart.iter().copied().fold(f64::INFINITY, f64::min);

@@ -74,13 +74,13 @@ impl Claim {
     ///
     /// # Errors
     /// The errors of [`Claim::problem`].
-    pub(super) fn state(&self) -> Result<State, ProblemError> {
+    pub(super) fn state(&self) -> Result<ClaimedState, ProblemError> {
         let problem = self.problem()?;
         let mut response = problem.response();
         let pressure = self.quantity.pressure(&problem, &self.values, &mut response);
         let mut displacement = vec![0.0; pressure.len()];
         response.displacement(&pressure, &mut displacement);
-        Ok(State { problem, pressure, displacement })
+        Ok(ClaimedState { problem, pressure, displacement })
     }
 }
 
@@ -98,13 +98,13 @@ pub(super) fn check(quantity: Quantity, values: &Field, expected: [usize; 2]) ->
 }
 
 /// A pressure, feasible or not, and the displacement that it makes.
-pub(super) struct State {
+pub(super) struct ClaimedState {
     pub problem: Problem,
     pub pressure: Vec<f64>,
     pub displacement: Vec<f64>,
 }
 
-impl State {
+impl ClaimedState {
     /// The certificate of the pressure as it is.
     pub fn certificate(&self) -> Certificate {
         Certificate::of_displaced(&self.problem, &self.pressure, &self.displacement)

@@ -1,6 +1,6 @@
 //! How far a claim is from solving its problem.
 
-use super::claim::{Claim, State};
+use super::claim::{Claim, ClaimedState};
 use super::tension::Tension;
 use crate::contact::{Certificate, Problem};
 use crate::surface::Field;
@@ -23,7 +23,7 @@ impl Fault {
         claim.state().ok().map(|state| Self::of_state(&state))
     }
 
-    pub fn of_state(state: &State) -> Self {
+    pub fn of_state(state: &ClaimedState) -> Self {
         let tension = Tension::of(&state.pressure);
         let feasible = feasible(&state.problem, &state.pressure, &tension);
         let certificate = match &feasible {
@@ -39,7 +39,7 @@ impl Fault {
 
 /// How far the load that is prescribed is missed by the pressure as it is: over it, or 0 at a mean gap, of which the certificate
 /// tells.
-pub(super) fn load_error(state: &State) -> f64 {
+pub(super) fn load_error(state: &ClaimedState) -> f64 {
     let mean = state.pressure.iter().sum::<f64>() / state.pressure.len() as f64;
     state.problem.mean_pressure().map_or(0.0, |prescribed| (mean / prescribed - 1.0).abs())
 }

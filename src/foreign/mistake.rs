@@ -1,6 +1,6 @@
 //! Everyday errors, recognised from the numbers.
 
-use super::change::{Change, Kind};
+use super::change::{ClaimCorrection, MistakeKind};
 use super::claim::Claim;
 use super::factor::Factor;
 use super::fault::Fault;
@@ -49,8 +49,8 @@ pub struct Mistake {
 }
 
 /// A claim without some errors.
-struct Trial {
-    changes: Vec<Change>,
+struct CorrectedClaim {
+    changes: Vec<ClaimCorrection>,
     fault: Fault,
 }
 
@@ -59,39 +59,41 @@ impl Claim {
     /// another reason. Poisson's ratios of the solid, where they are known, tell some of the factors.
     pub fn mistakes(&self, poisson: &[f64]) -> Vec<Mistake> {
         let given = Fault::of(self).map_or(f64::INFINITY, |fault| fault.size);
-        let explains = |trial: &Trial| trial.fault.size <= SOUND.min(given / FAR) && trial.fault.nodes >= FEWEST;
-        let kinds = Kind::all(self.surface.grid());
-        let alone: Vec<Trial> = kinds.iter().filter_map(|kind| Trial::of(self, &[*kind])).filter(explains).collect();
-        let after = |first: Kind| kinds.iter().filter(move |second| first.goes_with(**second));
+        let explains =
+            |trial: &CorrectedClaim| trial.fault.size <= SOUND.min(given / FAR) && trial.fault.nodes >= FEWEST;
+        let kinds = MistakeKind::all(self.surface.grid());
+        let alone: Vec<CorrectedClaim> =
+            kinds.iter().filter_map(|kind| CorrectedClaim::of(self, &[*kind])).filter(explains).collect();
+        let after = |first: MistakeKind| kinds.iter().filter(move |second| first.goes_with(**second));
         let pairs = || kinds.iter().flat_map(|first| after(*first).map(|second| [*first, *second]));
         let trials = match alone.is_empty() {
-            true => pairs().filter_map(|pair| Trial::of(self, &pair)).filter(explains).collect(),
+            true => pairs().filter_map(|pair| CorrectedClaim::of(self, &pair)).filter(explains).collect(),
             false => alone,
         };
         self.told(trials, poisson)
     }
 
     /// The best of some trials, in words. Of factors that have a known cause only these are told.
-    fn told(&self, trials: Vec<Trial>, poisson: &[f64]) -> Vec<Mistake> {
+    fn told(&self, trials: Vec<CorrectedClaim>, poisson: &[f64]) -> Vec<Mistake> {
         let best = trials.iter().map(|trial| trial.fault.size).fold(f64::INFINITY, f64::min);
-        let factor = |trial: &Trial| trial.changes.iter().find_map(|change| self.factor(change, poisson));
+        let factor = |trial: &CorrectedClaim| trial.changes.iter().find_map(|change| self.factor(change, poisson));
         let is_known = trials.iter().filter_map(factor).any(|factor| factor.is_known());
-        let is_told = |trial: &&Trial| {
+        let is_told = |trial: &&CorrectedClaim| {
             trial.fault.size <= FAR * best && factor(trial).is_none_or(|factor| factor.is_known() || !is_known)
         };
         trials.iter().filter(is_told).map(|trial| self.mistake(trial, poisson)).collect()
     }
 
     /// The factor of an error that has one.
-    fn factor(&self, Change { kind, factor }: &Change, poisson: &[f64]) -> Option<Factor> {
+    fn factor(&self, ClaimCorrection { kind, factor }: &ClaimCorrection, poisson: &[f64]) -> Option<Factor> {
         match kind {
-            Kind::Modulus => Some(Factor::of_modulus(*factor, poisson)),
-            Kind::Scale => Some(Factor::of_pressure(*factor, self.surface.grid())),
+            MistakeKind::Modulus => Some(Factor::of_modulus(*factor, poisson)),
+            MistakeKind::Scale => Some(Factor::of_pressure(*factor, self.surface.grid())),
             _ => None,
         }
     }
 
-    fn mistake(&self, trial: &Trial, poisson: &[f64]) -> Mistake {
+    fn mistake(&self, trial: &CorrectedClaim, poisson: &[f64]) -> Mistake {
         let sentences: Vec<String> = trial.changes.iter().map(|change| self.sentence(change, poisson)).collect();
         let certificate = trial.fault.certificate;
         Mistake {
@@ -103,21 +105,21 @@ impl Claim {
     }
 
     /// What is wrong, and what to do.
-    fn sentence(&self, change: &Change, poisson: &[f64]) -> String {
+    fn sentence(&self, change: &ClaimCorrection, poisson: &[f64]) -> String {
         let name = self.quantity.name();
         if let Some(factor) = self.factor(change, poisson) {
             return factor.sentence();
         }
         match change.kind {
-            Kind::Arrangement(order) => {
+            MistakeKind::Arrangement(order) => {
                 let remedy = order.remedy(name, self.surface.grid());
                 format!("the {name}s {} against the heights: give {remedy}", order.words())
             }
-            Kind::Quantity if self.quantity == Quantity::Gap => {
+            MistakeKind::Quantity if self.quantity == Quantity::Gap => {
                 "the field is no gap but the displacement: give it by --displacement".into()
             }
-            Kind::Quantity => "the field is no displacement but the gap: give it by --gap".into(),
-            Kind::Heights => "the heights point away from the solid: give -height, with peaks positive".into(),
+            MistakeKind::Quantity => "the field is no displacement but the gap: give it by --gap".into(),
+            MistakeKind::Heights => "the heights point away from the solid: give -height, with peaks positive".into(),
             _ => match self.quantity {
                 Quantity::Pressure => "the pressures are negative in compression: give -pressure".into(),
                 Quantity::Gap => "the gaps are negative where the surfaces are apart: give -gap".into(),
@@ -127,9 +129,9 @@ impl Claim {
     }
 }
 
-impl Trial {
+impl CorrectedClaim {
     /// The claim without errors of some kinds, if they make a difference.
-    fn of(claim: &Claim, kinds: &[Kind]) -> Option<Self> {
+    fn of(claim: &Claim, kinds: &[MistakeKind]) -> Option<Self> {
         let mut trial = (claim.clone(), Vec::new());
         for kind in kinds {
             let (claim, change) = kind.undone(&trial.0)?;

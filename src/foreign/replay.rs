@@ -58,7 +58,7 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Replay<I> {
     }
 
     /// Shows a frame as a step, and says why to stop, if so.
-    fn show(&self, frame: &Frame, run: &mut Run<'_>, response: &mut Response) -> (State, Option<Status>) {
+    fn show(&self, frame: &Frame, run: &mut Run<'_>, response: &mut Response) -> (ReplayedState, Option<Status>) {
         run.set_seconds(frame.seconds.unwrap_or(0.0));
         let state = response.uncounted(|response| self.state(run.problem(), frame, response));
         let work = run.work(response.transforms());
@@ -68,18 +68,18 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Replay<I> {
     }
 
     /// The feasible pressure of a frame, and what follows from it.
-    fn state(&self, problem: &Problem, frame: &Frame, response: &mut Response) -> State {
+    fn state(&self, problem: &Problem, frame: &Frame, response: &mut Response) -> ReplayedState {
         let pressure = self.quantity.pressure(problem, &frame.values, response);
         let pressure = feasible(problem, &pressure, &Tension::of(&pressure)).unwrap_or(pressure);
         let mut displacement = vec![0.0; pressure.len()];
         response.displacement(&pressure, &mut displacement);
         let certificate = Certificate::of_displaced(problem, &pressure, &displacement);
-        State { pressure, displacement, certificate }
+        ReplayedState { pressure, displacement, certificate }
     }
 }
 
 /// The state of a step.
-struct State {
+struct ReplayedState {
     pressure: Vec<f64>,
     displacement: Vec<f64>,
     certificate: Certificate,
@@ -110,7 +110,7 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Solver for Replay<I> {
                 Some(Ok(frame)) => frame,
                 missing => {
                     failure = missing.and_then(Result::err);
-                    let holds = |state: &State| run.is_converged(&state.certificate);
+                    let holds = |state: &ReplayedState| run.is_converged(&state.certificate);
                     break if last.as_ref().is_some_and(holds) { Status::Converged } else { Status::Ended };
                 }
             };
@@ -123,7 +123,7 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Solver for Replay<I> {
                 break ended;
             }
         };
-        if let Some(State { pressure, certificate, .. }) = &last {
+        if let Some(ReplayedState { pressure, certificate, .. }) = &last {
             run.offer(certificate, pressure);
         }
         let mut contact = run.finish(status, response);

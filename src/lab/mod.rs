@@ -6,7 +6,7 @@
 //! | [`mod@bench`] | How long does a solve take, how many transforms, how much memory?                                      |
 //! | [`stability`] | Does every stiff or extreme contact end in a solution that an independent check confirms, or in a clear refusal? |
 //!
-//! Results are data, which display as tables; nothing is printed. Runs may take minutes: a [`Watch`] makes an observer of each
+//! Results are data, which display as tables; nothing is printed. Runs may take minutes: an [`ObserverMaker`] makes an observer of each
 //! of them, such as a progress bar.
 //!
 //! ```
@@ -30,4 +30,4 @@ mod table;
 mod watch;
 
 pub use rival::Rival;
-pub use watch::Watch;
+pub use watch::ObserverMaker;

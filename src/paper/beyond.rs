@@ -1,11 +1,11 @@
 //! Beyond the paper: `kappa_r` is not the same for all indenters, nor up to full contact.
 
 use super::means::Points;
-use super::measure::{Measure, Quantity};
+use super::measure::{Measure, ObservableFn};
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::smooth::{LINE, PERIOD, loads, narrow, realisation, widths};
 use super::verdict::Verdict;
-use crate::plot::{Axis, Colour, Mark, Panel, Scale, Symbol};
+use crate::plot::{Axis, AxisScale, Colour, Mark, Panel, Symbol};
 use crate::setup::Cell;
 use crate::study::Realisation;
 use crate::surface::Indenter;
@@ -57,7 +57,7 @@ pub fn reproduce(points: &Points) -> Reproduction {
     verdicts.extend(half.map(|row| Verdict::exact("beyond.sine", "resolved", kappa_r(&row.observables))));
     let ramp = Ramp {
         captions: SINE.map(|share| format!("p/p_full = {share}")).to_vec(),
-        quantity: ("p/p_full", Scale::Linear),
+        quantity: ("p/p_full", AxisScale::Linear),
         cursor: SINE.to_vec(),
         curves: vec![
             RampCurve::new("a_rel and κ_r", "a_rel resolved", Colour::VERMILION, points.values("sine", area)),
@@ -86,8 +86,8 @@ fn power_panel(points: &Points) -> Panel {
 fn sine_panel(points: &Points) -> Panel {
     let [x, y] = [Axis::linear("p / p_full", [0.0, 1.05]), Axis::linear("a_rel, κ_r", [0.0, 1.8])];
     let mut panel = Panel::new("single sine to full contact", x, y);
-    type Kind = (&'static str, Colour, Symbol, fn(f64) -> f64, Quantity);
-    let kinds: [Kind; 2] = [
+    type MeasuredCurve = (&'static str, Colour, Symbol, fn(f64) -> f64, ObservableFn);
+    let kinds: [MeasuredCurve; 2] = [
         ("a_rel", Colour::VERMILION, Symbol::Circle, |p| WAVE.relative_area(p), Measure::Resolved.area()),
         ("κ_r", Colour::BLUE, Symbol::Square, |p| WAVE.kappa_r(p), Measure::Resolved.kappa_r()),
     ];

@@ -1,11 +1,11 @@
 //! Fig. 1: `kappa_r` of cylinder and sphere against `p_r*`.
 
 use super::means::Points;
-use super::measure::{Measure, Quantity};
+use super::measure::{Measure, ObservableFn};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::smooth::{LINE, cylinder, narrow, periodic_cylinder, sphere, widths};
 use super::verdict::Verdict;
-use crate::plot::{Axis, Colour, Mark, Panel, Scale, Symbol};
+use crate::plot::{Axis, AxisScale, Colour, Mark, Panel, Symbol};
 use crate::study::Realisation;
 use crate::theory::hertz;
 
@@ -58,7 +58,7 @@ fn panel(points: &Points) -> Panel {
 /// Cylinder and sphere with contacts of the same widths, on grids for the eye.
 fn ramp(points: &Points) -> Ramp {
     let widths = widths(WIDTHS, SPHERES);
-    let each = |name: &str, quantity: Quantity| {
+    let each = |name: &str, quantity: ObservableFn| {
         let every = points.named(name).count().saturating_sub(1) / (widths.len() - 1);
         points.values(name, quantity).step_by(every.max(1)).collect::<Vec<_>>()
     };
@@ -67,7 +67,7 @@ fn ramp(points: &Points) -> Ramp {
     };
     Ramp {
         captions: captions("a/L", &widths),
-        quantity: ("p_r*", Scale::Log),
+        quantity: ("p_r*", AxisScale::Log),
         cursor: each("cylinder", Measure::Resolved.reduced_pressure_contact()),
         curves: vec![curve("cylinder", Colour::VERMILION), curve("sphere", Colour::BLUE)],
         contacts: vec![cylinder(SHOWN_LINE, &widths), sphere(SHOWN_SIDE, &widths)],

@@ -1,7 +1,7 @@
 //! Fig. 2: rough lines.
 
 use super::means::Points;
-use super::measure::{Measure, Quantity};
+use super::measure::{Measure, ObservableFn};
 use super::reproduction::Reproduction;
 use super::rough::Rough;
 use super::verdict::Verdict;
@@ -56,7 +56,7 @@ fn depends_on_hurst(points: &Points) -> Verdict {
 
 /// Whether `kappa_r` varies over loads and Hurst exponents by less than a fifth of what `kappa` does.
 fn is_constant(lines: &Rough, points: &Points) -> Verdict {
-    let range = |quantity: Quantity| {
+    let range = |quantity: ObservableFn| {
         let means = lines.pairs().map(|(hurst, load)| points.at(hurst, load, points.finest(), quantity).mean);
         let [low, high] =
             means.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], mean| [low.min(mean), high.max(mean)]);

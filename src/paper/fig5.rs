@@ -1,7 +1,7 @@
 //! Fig. 5: the proportionality factors of lines over those of surfaces.
 
 use super::means::Points;
-use super::measure::{Measure, Quantity};
+use super::measure::{Measure, ObservableFn};
 use super::reproduction::{Ramp, Reproduction};
 use super::rough::{COLD, Rough, WARM};
 use super::verdict::Verdict;
@@ -48,7 +48,7 @@ impl Both<'_> {
     }
 
     /// The ratio of a quantity of a measure at a Hurst exponent or averaged over all, under one load or averaged over all.
-    fn ratio(&self, hurst: Option<f64>, load: Option<f64>, measure: Measure, quantity: Quantity) -> Estimate {
+    fn ratio(&self, hurst: Option<f64>, load: Option<f64>, measure: Measure, quantity: ObservableFn) -> Estimate {
         let side = (measure == Measure::Counted).then(|| self.rough.paper_side());
         let line = self.lines.limit(hurst, load, Some(self.lines.finest()), measure, quantity);
         line.over(self.surfaces.limit(hurst, load, side, measure, quantity))

@@ -2,7 +2,7 @@
 
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::verdict::Verdict;
-use crate::plot::{Axis, Colour, Mark, Panel, Scale};
+use crate::plot::{Axis, AxisScale, Colour, Mark, Panel};
 use crate::theory::SummitHeights::{self, Exponential, Gaussian};
 use serde::Serialize;
 
@@ -76,7 +76,7 @@ fn ramp() -> Ramp {
     Ramp {
         captions: separations.iter().map(|separation| format!("d/σ = {separation}")).collect(),
         curves: KINDS.map(curve).into(),
-        quantity: ("d/σ", Scale::Linear),
+        quantity: ("d/σ", AxisScale::Linear),
         cursor: separations,
         contacts: Vec::new(),
         length_unit: "",

@@ -1,6 +1,6 @@
 //! Means of solved points over realisations.
 
-use super::measure::{Measure, Quantity};
+use super::measure::{Measure, ObservableFn};
 use crate::plot::Dot;
 use crate::study::{Estimate, GridValues, Limit, Point, Spread};
 use std::collections::BTreeMap;
@@ -15,12 +15,12 @@ impl Points {
     }
 
     /// A quantity of the points of the realisations of a name.
-    pub fn values(&self, name: &str, quantity: Quantity) -> impl Iterator<Item = f64> {
+    pub fn values(&self, name: &str, quantity: ObservableFn) -> impl Iterator<Item = f64> {
         self.named(name).map(move |row| quantity(&row.observables))
     }
 
     /// One dot per point of the realisations of a name.
-    pub fn dots(&self, name: &str, x: Quantity, y: Quantity) -> impl Iterator<Item = Dot> {
+    pub fn dots(&self, name: &str, x: ObservableFn, y: ObservableFn) -> impl Iterator<Item = Dot> {
         self.values(name, x).zip(self.values(name, y)).map(|(x, y)| Dot::at(x, y))
     }
 
@@ -43,7 +43,7 @@ impl Points {
     }
 
     /// `quantity` at one Hurst exponent and load, over the realisations.
-    pub fn at(&self, hurst: f64, load: f64, nx: usize, quantity: Quantity) -> Spread {
+    pub fn at(&self, hurst: f64, load: f64, nx: usize, quantity: ObservableFn) -> Spread {
         let is_it = |row: &&Point| row.hurst == Some(hurst) && row.observables.reduced_pressure == load;
         Spread::of(self.on(nx).filter(is_it).map(|row| quantity(&row.observables)))
     }
@@ -71,13 +71,13 @@ impl Points {
     }
 
     /// `quantity` on a grid, over the realisations: of one Hurst exponent, or averaged over all; averaged over the loads.
-    pub fn average(&self, hurst: Option<f64>, nx: usize, quantity: Quantity) -> Estimate {
+    pub fn average(&self, hurst: Option<f64>, nx: usize, quantity: ObservableFn) -> Estimate {
         Estimate::of(self.averages(hurst, None, nx, quantity).into_values())
     }
 
     /// How much larger `quantity` is at the second of two Hurst exponents than at the first, by pairs of the same seed, which
     /// share their random waves; averaged over the loads.
-    pub fn contrast(&self, pair: [f64; 2], nx: usize, quantity: Quantity) -> Estimate {
+    pub fn contrast(&self, pair: [f64; 2], nx: usize, quantity: ObservableFn) -> Estimate {
         Estimate::of(self.contrasts(pair, None, nx, quantity).into_values())
     }
 
@@ -89,7 +89,7 @@ impl Points {
         load: Option<f64>,
         nx: Option<usize>,
         measure: Measure,
-        quantity: Quantity,
+        quantity: ObservableFn,
     ) -> Estimate {
         self.extrapolated(nx, measure, |nx| self.averages(hurst, load, nx, quantity))
     }
@@ -100,14 +100,14 @@ impl Points {
         pair: [f64; 2],
         load: Option<f64>,
         measure: Measure,
-        quantity: Quantity,
+        quantity: ObservableFn,
     ) -> Estimate {
         self.extrapolated(None, measure, |nx| self.contrasts(pair, load, nx, quantity))
     }
 
     /// The contrast of two Hurst exponents in the continuum, averaged over the loads by the inverse squares of their errors. The
     /// error is that of these averages, seed by seed: loads of one profile are not independent.
-    pub fn mean_contrast(&self, pair: [f64; 2], measure: Measure, quantity: Quantity) -> Estimate {
+    pub fn mean_contrast(&self, pair: [f64; 2], measure: Measure, quantity: ObservableFn) -> Estimate {
         let weight = |load: &f64| {
             let weight = self.limit_of_contrast(pair, Some(*load), measure, quantity).uncertainty().powi(-2);
             (*load, if weight.is_finite() { weight } else { 0.0 })
@@ -142,7 +142,7 @@ impl Points {
     ///
     /// The surfaces of one seed share their random waves, so that those of several Hurst exponents are not independent: only the
     /// averages over them, seed by seed, are.
-    fn averages(&self, hurst: Option<f64>, load: Option<f64>, nx: usize, quantity: Quantity) -> BTreeMap<u64, f64> {
+    fn averages(&self, hurst: Option<f64>, load: Option<f64>, nx: usize, quantity: ObservableFn) -> BTreeMap<u64, f64> {
         let is_asked = |row: &&Point| {
             hurst.is_none_or(|hurst| row.hurst == Some(hurst))
                 && load.is_none_or(|load| row.observables.reduced_pressure == load)
@@ -157,7 +157,7 @@ impl Points {
         values.map(|(seed, values)| (seed, Spread::of(values).mean)).collect()
     }
 
-    fn contrasts(&self, pair: [f64; 2], load: Option<f64>, nx: usize, quantity: Quantity) -> BTreeMap<u64, f64> {
+    fn contrasts(&self, pair: [f64; 2], load: Option<f64>, nx: usize, quantity: ObservableFn) -> BTreeMap<u64, f64> {
         let [first, second] = pair.map(|hurst| self.averages(Some(hurst), load, nx, quantity));
         second.into_iter().filter_map(|(seed, value)| Some((seed, value - first.get(&seed)?))).collect()
     }
@@ -175,7 +175,7 @@ impl Points {
     }
 
     /// One dot per load, on the finest grid: the means of `x` and `y`, with the scatter of `y`.
-    pub fn curve(&self, hurst: f64, loads: &[f64], [x, y]: [Quantity; 2]) -> Vec<Dot> {
+    pub fn curve(&self, hurst: f64, loads: &[f64], [x, y]: [ObservableFn; 2]) -> Vec<Dot> {
         let nx = self.finest();
         let dot = |&load: &f64| {
             let (x, y) = (self.at(hurst, load, nx, x), self.at(hurst, load, nx, y));
@@ -185,7 +185,7 @@ impl Points {
     }
 
     /// The mean of a quantity under each load, on the finest grid.
-    pub fn along(&self, hurst: f64, loads: &[f64], quantity: Quantity) -> Vec<f64> {
+    pub fn along(&self, hurst: f64, loads: &[f64], quantity: ObservableFn) -> Vec<f64> {
         loads.iter().map(|&load| self.at(hurst, load, self.finest(), quantity).mean).collect()
     }
 

@@ -3,7 +3,7 @@
 use crate::contact::Observables;
 
 /// A quantity of a point.
-pub type Quantity = fn(&Observables) -> f64;
+pub type ObservableFn = fn(&Observables) -> f64;
 
 /// A way to measure the area of a contact and the gradient in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -28,7 +28,7 @@ impl Measure {
     }
 
     /// The relative area.
-    pub const fn area(self) -> Quantity {
+    pub const fn area(self) -> ObservableFn {
         match self {
             Self::Counted => |it| it.relative_area_counted,
             Self::Resolved => |it| it.relative_area,
@@ -36,7 +36,7 @@ impl Measure {
     }
 
     /// `p_r*`, the reduced pressure with the rms gradient of the contact.
-    pub const fn reduced_pressure_contact(self) -> Quantity {
+    pub const fn reduced_pressure_contact(self) -> ObservableFn {
         match self {
             Self::Counted => |it| it.reduced_pressure_contact_counted,
             Self::Resolved => |it| it.reduced_pressure_contact,
@@ -44,7 +44,7 @@ impl Measure {
     }
 
     /// `kappa`.
-    pub const fn kappa(self) -> Quantity {
+    pub const fn kappa(self) -> ObservableFn {
         match self {
             Self::Counted => |it| it.kappa_counted,
             Self::Resolved => |it| it.kappa,
@@ -52,7 +52,7 @@ impl Measure {
     }
 
     /// `kappa_r`.
-    pub const fn kappa_r(self) -> Quantity {
+    pub const fn kappa_r(self) -> ObservableFn {
         match self {
             Self::Counted => |it| it.kappa_r_counted,
             Self::Resolved => |it| it.kappa_r,

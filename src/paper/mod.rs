@@ -48,5 +48,5 @@ pub use fit::{Fit, Weights};
 pub use item::Item;
 pub use plan::{Effort, Paper};
 pub use rough::Rough;
-pub use run::{Event, Watch};
+pub use run::{Event, EventHandler};
 pub use verdict::{Evidence, Verdict};

@@ -9,12 +9,12 @@
 //! exactly: `kappa` drifts with the load if the shape of the distribution does, `c`, or if the waves are pressed flat otherwise
 //! than in Persson's theory, `W(q)`, for which `kappa` is level.
 
-use super::measure::{Measure, Quantity};
+use super::measure::{Measure, ObservableFn};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::rough::{Rough, shade};
 use super::verdict::Verdict;
 use crate::contact::Contact;
-use crate::plot::{Axis, Colour, Dot, Mark, Panel, Scale, Symbol};
+use crate::plot::{Axis, AxisScale, Colour, Dot, Mark, Panel, Symbol};
 use crate::study::{Estimate, Point, Realisation, Spread};
 use crate::surface::PowerSpectrum;
 use crate::theory::persson::Pressures;
@@ -33,8 +33,8 @@ const LARGEST: f64 = 4.0;
 const BINS_PER_OCTAVE: f64 = 2.0;
 
 /// The area, and `kappa`, of contacts.
-const AREA: Quantity = Measure::Resolved.area();
-const KAPPA: Quantity = Measure::Resolved.kappa();
+const AREA: ObservableFn = Measure::Resolved.area();
+const KAPPA: ObservableFn = Measure::Resolved.kappa();
 
 /// A contact as it is compared.
 pub struct Seen {
@@ -100,26 +100,26 @@ pub fn realisations([lines, surfaces]: [&Rough; 2]) -> Vec<Realisation> {
 }
 
 /// The realisations of lines or of surfaces of one Hurst exponent, each under its loads.
-struct Group<'a> {
+struct Ensemble<'a> {
     hurst: f64,
     is_line: bool,
     all: Vec<&'a [Seen]>,
 }
 
 /// The groups of what is seen, lines first.
-fn groups(seen: &[Vec<Seen>]) -> Vec<Group<'_>> {
-    let mut groups: Vec<Group<'_>> = Vec::new();
+fn groups(seen: &[Vec<Seen>]) -> Vec<Ensemble<'_>> {
+    let mut groups: Vec<Ensemble<'_>> = Vec::new();
     for seen in seen.iter().filter(|seen| seen.iter().all(|it| it.point.is_resolved())) {
         let Some(Point { ny, hurst: Some(hurst), .. }) = seen.first().map(|it| &it.point) else { continue };
         match groups.last_mut() {
             Some(group) if (group.hurst, group.is_line) == (*hurst, *ny == 1) => group.all.push(seen),
-            _ => groups.push(Group { hurst: *hurst, is_line: *ny == 1, all: vec![seen] }),
+            _ => groups.push(Ensemble { hurst: *hurst, is_line: *ny == 1, all: vec![seen] }),
         }
     }
     groups
 }
 
-impl Group<'_> {
+impl Ensemble<'_> {
     fn name(&self) -> String {
         format!("{}, H = {}", if self.is_line { "lines" } else { "surfaces" }, self.hurst)
     }
@@ -163,7 +163,7 @@ impl Group<'_> {
     }
 }
 
-/// Load, stiffness, energy over work and its error, as [`Group::steps`], of one contact under three loads.
+/// Load, stiffness, energy over work and its error, as [`Ensemble::steps`], of one contact under three loads.
 ///
 /// The mean gap is a parabola in `x = ln p` through the three, of slope `a + b x`, so that the work is the integral of
 /// `-e^x (a + b x)`. With straight lines from load to load, each of a logarithmic mean pressure, it is another: the error.
@@ -201,7 +201,7 @@ pub struct PressureRow {
 
 /// The pressures of all groups under all loads.
 pub fn rows(seen: &[Vec<Seen>]) -> Vec<PressureRow> {
-    let rows = |group: Group<'_>| {
+    let rows = |group: Ensemble<'_>| {
         let steps = group.steps();
         let around = |load: usize| load.checked_sub(1).and_then(|step| steps.get(step));
         let row = |load: usize| PressureRow {
@@ -253,7 +253,7 @@ pub fn curves(seen: &[Vec<Seen>]) -> Vec<CurveRow> {
 }
 
 /// The density of the pressure in contact over its mean there.
-fn density(group: &Group<'_>, load: usize) -> Vec<(f64, f64)> {
+fn density(group: &Ensemble<'_>, load: usize) -> Vec<(f64, f64)> {
     let bin = |i: usize| (LARGEST * (i as f64 + 0.5) / BINS as f64, group.mean(load, |it| it.density[i]));
     (0..BINS).map(bin).collect()
 }
@@ -271,7 +271,7 @@ fn middle(bin: usize) -> f64 {
 /// The figure, and the work of the load.
 pub fn reproduce(seen: &[Vec<Seen>]) -> Reproduction {
     let groups = groups(seen);
-    let [lines, surfaces]: [Vec<&Group<'_>>; 2] =
+    let [lines, surfaces]: [Vec<&Ensemble<'_>>; 2] =
         [true, false].map(|is_line| groups.iter().filter(|group| group.is_line == is_line).collect());
     let ratio = |it: &Seen| it.mean_square[0] / it.mean_square[1];
     let panels = vec![
@@ -284,7 +284,7 @@ pub fn reproduce(seen: &[Vec<Seen>]) -> Reproduction {
         between("(g) contact stiffness", "−dp/d⟨g⟩ over p/h_rms", [1.5, 4.5], &groups, 1),
         between("(h) −dU/d⟨g⟩ over p", "energy over work", [0.98, 1.02], &groups, 2),
     ];
-    let work = |key, groups: &[&Group<'_>]| {
+    let work = |key, groups: &[&Ensemble<'_>]| {
         let steps: Vec<_> = groups.iter().flat_map(|group| group.steps()).collect();
         let over = |i: usize| Estimate::of(steps.iter().map(|step| step[i].mean));
         Verdict::number(key, "", Estimate { grid: over(3).mean, ..over(2) })
@@ -294,12 +294,12 @@ pub fn reproduce(seen: &[Vec<Seen>]) -> Reproduction {
 }
 
 /// Marks of the lightest and the heaviest load.
-fn ends<'a>(group: &'a Group<'_>) -> impl Iterator<Item = (usize, Mark)> + use<'a> {
+fn ends<'a>(group: &'a Ensemble<'_>) -> impl Iterator<Item = (usize, Mark)> + use<'a> {
     let last = group.loads().len().saturating_sub(1);
     [(0, Mark::Line), (last, Mark::Dashed)].into_iter().filter(move |(load, _)| group.loads().contains(load))
 }
 
-fn densities(title: &str, groups: &[&Group<'_>]) -> Panel {
+fn densities(title: &str, groups: &[&Ensemble<'_>]) -> Panel {
     let [x, y] = [Axis::linear("p over its mean in contact", [0.0, LARGEST]), Axis::log("density", [3e-4, 2.0])];
     let mut panel = Panel::new(title, x, y);
     panel.add_curve("Persson, light load", Colour::BLACK, Mark::Dotted, light);
@@ -312,7 +312,7 @@ fn densities(title: &str, groups: &[&Group<'_>]) -> Panel {
     panel
 }
 
-fn waves(title: &str, groups: &[&Group<'_>]) -> Panel {
+fn waves(title: &str, groups: &[&Ensemble<'_>]) -> Panel {
     let bins = groups.iter().map(|group| group.waves(0).len()).max().unwrap_or(1);
     let x = Axis::log("q over that of the longest wave", [0.8, 1.3 * middle(bins)]);
     let mut panel = Panel::new(title, x, Axis::log("found over Persson's", [0.02, 3.0]));
@@ -328,7 +328,7 @@ fn waves(title: &str, groups: &[&Group<'_>]) -> Panel {
 }
 
 /// Mark and colour of a group among all: lines are filled.
-fn style(groups: &[Group<'_>], group: &Group<'_>) -> (Colour, Mark) {
+fn style(groups: &[Ensemble<'_>], group: &Ensemble<'_>) -> (Colour, Mark) {
     let mut exponents: Vec<f64> = groups.iter().map(|group| group.hurst).collect();
     exponents.sort_unstable_by(f64::total_cmp);
     exponents.dedup();
@@ -337,13 +337,13 @@ fn style(groups: &[Group<'_>], group: &Group<'_>) -> (Colour, Mark) {
     (shade(number), Mark::Joined { symbol, filled: group.is_line })
 }
 
-fn load_axis(groups: &[Group<'_>]) -> Axis {
+fn load_axis(groups: &[Ensemble<'_>]) -> Axis {
     let loads = || groups.iter().flat_map(|group| group.loads().map(|load| group.pressure(load)));
     Axis::log("p*", [loads().fold(f64::INFINITY, f64::min) / 1.3, loads().fold(0.0, f64::max) * 1.3])
 }
 
 /// A number of each contact against the load, averaged over the realisations of each group.
-fn along(title: &str, name: &str, range: [f64; 2], groups: &[Group<'_>], of: &dyn Fn(&Seen) -> f64) -> Panel {
+fn along(title: &str, name: &str, range: [f64; 2], groups: &[Ensemble<'_>], of: &dyn Fn(&Seen) -> f64) -> Panel {
     let mut panel = Panel::new(title, load_axis(groups), Axis::linear(name, range));
     for group in groups {
         let (colour, mark) = style(groups, group);
@@ -357,7 +357,7 @@ fn along(title: &str, name: &str, range: [f64; 2], groups: &[Group<'_>], of: &dy
 }
 
 /// A number of the steps from load to load.
-fn between(title: &str, name: &str, range: [f64; 2], groups: &[Group<'_>], number: usize) -> Panel {
+fn between(title: &str, name: &str, range: [f64; 2], groups: &[Ensemble<'_>], number: usize) -> Panel {
     let mut panel = Panel::new(title, load_axis(groups), Axis::linear(name, range));
     for group in groups {
         let (colour, mark) = style(groups, group);
@@ -371,11 +371,11 @@ fn between(title: &str, name: &str, range: [f64; 2], groups: &[Group<'_>], numbe
 }
 
 /// `kappa` and the two factors that it is made of, against the load; no contacts.
-fn ramp(groups: &[Group<'_>], ratio: &dyn Fn(&Seen) -> f64) -> Ramp {
+fn ramp(groups: &[Ensemble<'_>], ratio: &dyn Fn(&Seen) -> f64) -> Ramp {
     let loads: Vec<f64> =
         groups.first().map_or(Vec::new(), |group| group.loads().map(|load| group.pressure(load)).collect());
     let curves = |view: &'static str, of: &dyn Fn(&Seen) -> f64| {
-        let curve = |group: &Group<'_>| {
+        let curve = |group: &Ensemble<'_>| {
             let (colour, _) = style(groups, group);
             RampCurve::new(view, group.name(), colour, group.loads().map(|load| group.mean(load, of)))
         };
@@ -385,7 +385,7 @@ fn ramp(groups: &[Group<'_>], ratio: &dyn Fn(&Seen) -> f64) -> Ramp {
     let square = curves("⟨p²⟩ over Persson's", ratio);
     Ramp {
         captions: captions("p*", &loads),
-        quantity: ("p*", Scale::Log),
+        quantity: ("p*", AxisScale::Log),
         cursor: loads,
         curves: kappa.into_iter().chain(square).chain(curves("⟨p²⟩/⟨p⟩² in contact", &Seen::shape)).collect(),
         contacts: Vec::new(),

@@ -1,7 +1,7 @@
 //! The content of a table or figure that was made again.
 
 use super::verdict::Verdict;
-use crate::plot::{Colour, Figure, Panel, Scale};
+use crate::plot::{AxisScale, Colour, Figure, Panel};
 use crate::study::Realisation;
 
 /// A table or figure that was made again.
@@ -24,7 +24,7 @@ pub struct Ramp {
     /// The loads in words, lightest first.
     pub captions: Vec<String>,
     /// The quantity along the x axes of figure and curves, and the spacing of its values.
-    pub quantity: (&'static str, Scale),
+    pub quantity: (&'static str, AxisScale),
     /// Where each load stands along them.
     pub cursor: Vec<f64>,
     /// Curves over the loads.

@@ -1,11 +1,11 @@
 //! Self-affine lines and surfaces, the panels of their figures, and their curves over the loads.
 
 use super::means::Points;
-use super::measure::{Measure, Quantity};
+use super::measure::{Measure, ObservableFn};
 use super::reproduction::{Ramp, RampCurve, captions};
 use crate::contact::Load;
 use crate::error::StudyError;
-use crate::plot::{Axis, Colour, Dot, Mark, Panel, Scale, Symbol};
+use crate::plot::{Axis, AxisScale, Colour, Dot, Mark, Panel, Symbol};
 use crate::setup::{Cell, Recipe, Setup};
 use crate::study::Realisation;
 use crate::surface::Spectrum;
@@ -135,7 +135,7 @@ impl Rough {
         let x = Axis::log("p* (red), p_r* (blue)", [low, high]);
         let y = Axis::log("a_rel", [1.5 * low, 3.5 * high]);
         let counted = Measure::Counted;
-        let curves: [(&str, Colour, bool, [Quantity; 2]); 2] = [
+        let curves: [(&str, Colour, bool, [ObservableFn; 2]); 2] = [
             ("a_rel against p*", Colour::VERMILION, true, [|it| it.reduced_pressure, counted.area()]),
             ("a_rel against p_r*", Colour::BLUE, true, [counted.reduced_pressure_contact(), counted.area()]),
         ];
@@ -147,7 +147,7 @@ impl Rough {
     pub(super) fn kappa_panel(&self, points: &Points, range: [f64; 2]) -> Panel {
         let x = Axis::log("p* (red), p_r* (blue)", self.range());
         let [counted, resolved] = Measure::ALL;
-        let curves: [(&str, Colour, bool, [Quantity; 2]); 3] = [
+        let curves: [(&str, Colour, bool, [ObservableFn; 2]); 3] = [
             ("κ counted", Colour::VERMILION, true, [|it| it.reduced_pressure, counted.kappa()]),
             ("κ_r counted", Colour::BLUE, true, [counted.reduced_pressure_contact(), counted.kappa_r()]),
             ("κ_r resolved", Colour::SKY, false, [resolved.reduced_pressure_contact(), resolved.kappa_r()]),
@@ -183,7 +183,7 @@ impl Rough {
     /// Means over the realisations against the loads, and the first of `realisations` of each Hurst exponent on the coarsest
     /// grid.
     pub(super) fn ramp_of(&self, points: &Points, realisations: Vec<Realisation>) -> Ramp {
-        let curves: [(&str, &str, &[Colour], Quantity); 4] = [
+        let curves: [(&str, &str, &[Colour], ObservableFn); 4] = [
             ("κ and κ_r", "κ", &WARM, Measure::Counted.kappa()),
             ("κ and κ_r", "κ_r", &COLD, Measure::Counted.kappa_r()),
             ("κ_r resolved", "κ_r resolved", &COLD, Measure::Resolved.kappa_r()),
@@ -209,7 +209,7 @@ impl Rough {
         };
         Ramp {
             captions: captions("p*", &self.loads),
-            quantity: ("p*", Scale::Log),
+            quantity: ("p*", AxisScale::Log),
             cursor: self.loads.clone(),
             curves: curves.iter().flat_map(each).collect(),
             contacts: Vec::new(),

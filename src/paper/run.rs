@@ -43,7 +43,7 @@ pub enum Event<'a> {
 }
 
 /// A watcher of events, which come from all threads that solve.
-pub type Watch<'a> = &'a (dyn Fn(Event<'_>) + Sync);
+pub type EventHandler<'a> = &'a (dyn Fn(Event<'_>) + Sync);
 
 impl Paper {
     /// Solves, draws and compares some items, and returns the verdicts on them. `comparison.csv` keeps the verdicts of earlier
@@ -52,7 +52,7 @@ impl Paper {
     /// # Errors
     /// Before anything is solved, for a folder that cannot be written into or holds another study, and for surfaces and loads
     /// that cannot be or do not fit in memory. Later for files that cannot be written.
-    pub fn run(&self, items: &[Item], watch: Watch<'_>) -> Result<Comparison, StudyError> {
+    pub fn run(&self, items: &[Item], watch: EventHandler<'_>) -> Result<Comparison, StudyError> {
         self.check(items)?;
         self.prepare(items)?;
         let path = self.file("comparison.csv");
@@ -68,7 +68,7 @@ impl Paper {
     }
 
     /// Makes one item: solves what its tables do not hold yet, and writes all its tables.
-    fn reproduce(&self, item: Item, watch: Watch<'_>) -> Result<Reproduction, StudyError> {
+    fn reproduce(&self, item: Item, watch: EventHandler<'_>) -> Result<Reproduction, StudyError> {
         let points = |source| self.points(source, watch);
         let file = |name: &str| self.file(&format!("{name}.csv"));
         let Self { lines, surfaces, .. } = self;
@@ -120,7 +120,7 @@ impl Paper {
     }
 
     /// The contacts of an item that keeps no points, solved now, as far as they are compared.
-    fn contacts(&self, item: Item, watch: Watch<'_>) -> Result<Vec<Vec<Seen>>, StudyError> {
+    fn contacts(&self, item: Item, watch: EventHandler<'_>) -> Result<Vec<Vec<Seen>>, StudyError> {
         let (sweep, clock) = (self.sweep(item)?, Instant::now());
         watch(Event::Begin { item, nodes: sweep.nodes()? });
         let seen = sweep.map(&|point, contact| {
@@ -143,7 +143,7 @@ impl Paper {
     }
 
     /// The points of an item, solved now or before, without those that have no contact on their grid.
-    fn points(&self, item: Item, watch: Watch<'_>) -> Result<Points, StudyError> {
+    fn points(&self, item: Item, watch: EventHandler<'_>) -> Result<Points, StudyError> {
         let (sweep, table, clock) = (self.sweep(item)?, self.table(item), Instant::now());
         let new = sweep.points() - sweep.points_in(&table)?;
         watch(Event::Begin { item, nodes: sweep.nodes()? });

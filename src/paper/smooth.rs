@@ -1,7 +1,7 @@
 //! Cylinder and sphere of Section 2.
 
 use super::means::Points;
-use super::measure::{Measure, Quantity};
+use super::measure::{Measure, ObservableFn};
 use crate::contact::Load;
 use crate::plot::Dot;
 use crate::setup::{Cell, Recipe, Setup};
@@ -63,7 +63,7 @@ pub fn half_width(row: &Point) -> f64 {
 }
 
 /// A quantity of the contacts of a name up to some `widest` half-width over the period.
-pub fn narrow(points: &Points, name: &str, widest: f64, quantity: Quantity) -> Estimate {
+pub fn narrow(points: &Points, name: &str, widest: f64, quantity: ObservableFn) -> Estimate {
     let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * widest * PERIOD);
     Estimate::of(narrow.map(|row| quantity(&row.observables)))
 }

@@ -2,7 +2,7 @@
 
 /// Spacing of values along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
+pub enum AxisScale {
     /// Equal differences are equally long.
     Linear,
     /// Equal ratios are equally long; values are positive.
@@ -15,7 +15,7 @@ pub struct Axis {
     /// Name of the quantity, with its unit.
     pub name: String,
     /// Spacing of the values.
-    pub scale: Scale,
+    pub scale: AxisScale,
     /// Values at the start and the end.
     pub range: [f64; 2],
 }
@@ -32,19 +32,19 @@ const ROUNDING: f64 = 1e-9;
 impl Axis {
     /// An axis with equal differences.
     pub fn linear(name: impl Into<String>, range: [f64; 2]) -> Self {
-        Self { name: name.into(), scale: Scale::Linear, range }
+        Self { name: name.into(), scale: AxisScale::Linear, range }
     }
 
     /// A logarithmic axis; both ends of `range` must be positive.
     pub fn log(name: impl Into<String>, range: [f64; 2]) -> Self {
-        Self { name: name.into(), scale: Scale::Log, range }
+        Self { name: name.into(), scale: AxisScale::Log, range }
     }
 
     /// The place of `value` along the axis: 0 at its start, 1 at its end, not finite for a value that has no place.
     pub fn place(&self, value: f64) -> f64 {
         let [start, end, at] = [self.range[0], self.range[1], value].map(|value| match self.scale {
-            Scale::Linear => value,
-            Scale::Log => value.max(0.0).ln(),
+            AxisScale::Linear => value,
+            AxisScale::Log => value.max(0.0).ln(),
         });
         (at - start) / (end - start)
     }
@@ -53,8 +53,8 @@ impl Axis {
     pub(crate) fn value(&self, place: f64) -> f64 {
         let between = |[start, end]: [f64; 2]| start + place * (end - start);
         match self.scale {
-            Scale::Linear => between(self.range),
-            Scale::Log => 10f64.powf(between(self.range.map(f64::log10))),
+            AxisScale::Linear => between(self.range),
+            AxisScale::Log => 10f64.powf(between(self.range.map(f64::log10))),
         }
     }
 
@@ -65,8 +65,8 @@ impl Axis {
     pub fn ticks(&self) -> Vec<(f64, String)> {
         let decades = match self.scale {
             _ if !self.is_drawable() => return Vec::new(),
-            Scale::Linear => return self.linear_ticks(),
-            Scale::Log => self.decades(),
+            AxisScale::Linear => return self.linear_ticks(),
+            AxisScale::Log => self.decades(),
         };
         let digits: &[u8] = if decades < FEW_POWERS { &[1, 2, 5] } else { &[1] };
         let ticks = self.powers((decades / MOST_POWERS).ceil() as usize, digits);
@@ -78,7 +78,7 @@ impl Axis {
 
     /// The short ticks of a logarithmic axis, at some of which there is a labelled one, too.
     pub fn minor_ticks(&self) -> Vec<f64> {
-        if self.scale == Scale::Linear || !self.is_drawable() {
+        if self.scale == AxisScale::Linear || !self.is_drawable() {
             return Vec::new();
         }
         let digits: &[u8] = if self.decades() > MOST_POWERS { &[1] } else { &[1, 2, 3, 4, 5, 6, 7, 8, 9] };

@@ -3,7 +3,7 @@
 use super::axis::Axis;
 use super::figure::{Figure, Panel};
 use super::font::width;
-use super::frame::{Frame, Side};
+use super::frame::{AxesFrame, AxisSide};
 use super::legend::draw_legend;
 use super::series::draw_series;
 use super::sheet::Sheet;
@@ -55,9 +55,9 @@ pub fn drawing_of(panel: &Panel, corner: [f64; 2], size: [f64; 2]) -> Sheet {
 }
 
 /// The frame of a panel of a size whose top left corner is at `[x, y]`.
-pub fn frame_in(panel: &Panel, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> Frame {
+pub fn frame_in(panel: &Panel, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> AxesFrame {
     let [left, above] = [NAME + labels(&panel.y), if panel.title.is_empty() { 0.5 * ABOVE } else { ABOVE }];
-    Frame {
+    AxesFrame {
         x: panel.x.clone(),
         y: panel.y.clone(),
         corner: [x + left, y + above],
@@ -71,9 +71,9 @@ fn labels(axis: &Axis) -> f64 {
     axis.ticks().iter().map(|(_, label)| width(label, LABEL)).fold(LABELS, f64::max)
 }
 
-fn draw_panel(sheet: &mut Sheet, frame: &Frame, panel: &Panel) {
+fn draw_panel(sheet: &mut Sheet, frame: &AxesFrame, panel: &Panel) {
     frame.draw_grid(sheet);
-    [Side::Below, Side::Left].into_iter().for_each(|side| frame.draw_axis(sheet, side));
+    [AxisSide::Below, AxisSide::Left].into_iter().for_each(|side| frame.draw_axis(sheet, side));
     let [x, y] = frame.position([0.5, 1.0]);
     sheet.fitted_words(&panel.title, [x, y - 0.5 * ABOVE], PANEL_TITLE, frame.size[0], false);
     let first = sheet.elements.len();

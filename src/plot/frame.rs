@@ -7,7 +7,7 @@ use super::sheet::{Align, Sheet, rectangle};
 
 /// A box with two axes on a sheet.
 #[derive(Debug, Clone)]
-pub struct Frame {
+pub struct AxesFrame {
     pub x: Axis,
     pub y: Axis,
     /// Upper left corner of the box.
@@ -20,7 +20,7 @@ pub struct Frame {
 
 /// A side of the box with an axis: the x axis below, the y axis to the left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum AxisSide {
     Below,
     Left,
 }
@@ -34,7 +34,7 @@ pub const NAME: f64 = 1.13;
 /// The least room between neighbouring labels, side by side and one above the other, over their size.
 const APART: [f64; 2] = [0.6, 0.25];
 
-impl Frame {
+impl AxesFrame {
     /// Places of a point along both axes.
     pub fn places(&self, x: f64, y: f64) -> [f64; 2] {
         [self.x.place(x), self.y.place(y)]
@@ -48,10 +48,10 @@ impl Frame {
 
     /// Draws pale lines across the box at the ticks that have labels.
     pub fn draw_grid(&self, sheet: &mut Sheet) {
-        for (place, _) in self.labels(Side::Below) {
+        for (place, _) in self.labels(AxisSide::Below) {
             sheet.line([0.0, 1.0].map(|y| self.position([place, y])).to_vec(), Colour::PALE, 1.0);
         }
-        for (place, _) in self.labels(Side::Left) {
+        for (place, _) in self.labels(AxisSide::Left) {
             sheet.line([0.0, 1.0].map(|x| self.position([x, place])).to_vec(), Colour::PALE, 1.0);
         }
     }
@@ -62,10 +62,10 @@ impl Frame {
     }
 
     /// Draws the ticks, labels and name of an axis.
-    pub fn draw_axis(&self, sheet: &mut Sheet, side: Side) {
+    pub fn draw_axis(&self, sheet: &mut Sheet, side: AxisSide) {
         let (axis, align, distances, room) = match side {
-            Side::Below => (&self.x, Align::Middle, [1.2, 2.87], self.size[0]),
-            Side::Left => (&self.y, Align::Right, [0.6, 4.8], self.size[1]),
+            AxisSide::Below => (&self.x, Align::Middle, [1.2, 2.87], self.size[0]),
+            AxisSide::Left => (&self.y, Align::Right, [0.6, 4.8], self.size[1]),
         };
         let tick =
             |place, length, width| (vec![self.beside(side, place, 0.0), self.beside(side, place, length)], width);
@@ -77,18 +77,18 @@ impl Frame {
         ticks.extend(axis.minor_ticks().into_iter().map(|value| tick(edge(axis, value), MINOR_TICK, 1.0)));
         ticks.into_iter().for_each(|(points, width)| sheet.line(points, Colour::GREY, width));
         let name = self.beside(side, 0.5, distances[1]);
-        sheet.fitted_words(&axis.name, name, NAME * self.text, room, side == Side::Left);
+        sheet.fitted_words(&axis.name, name, NAME * self.text, room, side == AxisSide::Left);
     }
 
     /// The places and labels along a side: those of all ticks, or of every second, third and so on, so that neighbours are apart.
-    pub fn labels(&self, side: Side) -> Vec<(f64, String)> {
-        let axis = if side == Side::Below { &self.x } else { &self.y };
+    pub fn labels(&self, side: AxisSide) -> Vec<(f64, String)> {
+        let axis = if side == AxisSide::Below { &self.x } else { &self.y };
         let all: Vec<(f64, String)> =
             axis.ticks().into_iter().map(|(value, label)| (edge(axis, value), label)).collect();
-        let length = |label: &str| if side == Side::Below { width(label, self.text) } else { self.text };
+        let length = |label: &str| if side == AxisSide::Below { width(label, self.text) } else { self.text };
         let (room, apart) = match side {
-            Side::Below => (self.size[0], APART[0] * self.text),
-            Side::Left => (self.size[1], APART[1] * self.text),
+            AxisSide::Below => (self.size[0], APART[0] * self.text),
+            AxisSide::Left => (self.size[1], APART[1] * self.text),
         };
         let is_legible = |stride: &usize| {
             let shown: Vec<&(f64, String)> = all.iter().step_by(*stride).collect();
@@ -102,10 +102,10 @@ impl Frame {
     }
 
     /// The position at `place` along a side and `out` sizes of a label outside the box.
-    fn beside(&self, side: Side, place: f64, out: f64) -> [f64; 2] {
-        let places = if side == Side::Below { [place, 0.0] } else { [0.0, place] };
+    fn beside(&self, side: AxisSide, place: f64, out: f64) -> [f64; 2] {
+        let places = if side == AxisSide::Below { [place, 0.0] } else { [0.0, place] };
         let [x, y] = self.position(places);
-        if side == Side::Below { [x, y + out * self.text] } else { [x - out * self.text, y] }
+        if side == AxisSide::Below { [x, y + out * self.text] } else { [x - out * self.text, y] }
     }
 }
 
@@ -123,18 +123,19 @@ mod tests {
         let axes = [Axis::linear("x", [0.0, 0.012]), Axis::log("x", [1e-16, 3.0]), Axis::linear("x", [-8.0, 1234.0])];
         for (axis, length) in axes.iter().flat_map(|axis| [20.0, 60.0, 150.0, 400.0, 1000.0].map(|it| (axis, it))) {
             let frame =
-                Frame { x: axis.clone(), y: axis.clone(), corner: [0.0; 2], size: [length, length], text: 16.0 };
-            for side in [Side::Below, Side::Left] {
+                AxesFrame { x: axis.clone(), y: axis.clone(), corner: [0.0; 2], size: [length, length], text: 16.0 };
+            for side in [AxisSide::Below, AxisSide::Left] {
                 let labels = frame.labels(side);
                 assert!(!labels.is_empty());
                 for pair in labels.windows(2) {
-                    let half = |label: &str| 0.5 * if side == Side::Below { width(label, 16.0) } else { 16.0 };
+                    let half = |label: &str| 0.5 * if side == AxisSide::Below { width(label, 16.0) } else { 16.0 };
                     let between = (pair[1].0 - pair[0].0).abs() * length;
                     assert!(between > half(&pair[0].1) + half(&pair[1].1), "{pair:?} on {length}");
                 }
             }
         }
-        let roomy = Frame { x: axes[0].clone(), y: axes[0].clone(), corner: [0.0; 2], size: [1000.0; 2], text: 16.0 };
-        assert_eq!(roomy.labels(Side::Below).len(), axes[0].ticks().len());
+        let roomy =
+            AxesFrame { x: axes[0].clone(), y: axes[0].clone(), corner: [0.0; 2], size: [1000.0; 2], text: 16.0 };
+        assert_eq!(roomy.labels(AxisSide::Below).len(), axes[0].ticks().len());
     }
 }

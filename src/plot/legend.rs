@@ -4,7 +4,7 @@ use super::clip::runs;
 use super::colour::Colour;
 use super::figure::{Panel, Series};
 use super::font::width;
-use super::frame::Frame;
+use super::frame::AxesFrame;
 use super::series::{draw_line, draw_symbol};
 use super::sheet::{Align, Element, Sheet, rectangle};
 
@@ -25,7 +25,7 @@ const PLACES: [[f64; 2]; 9] =
     [[1.0, 0.0], [1.0, 1.0], [0.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.5, 1.0], [1.0, 0.5], [0.0, 0.5], [0.5, 0.5]];
 
 /// Draws the legend of `panel` where it hides least of its `frame`, whose series are the elements from number `first` on.
-pub fn draw_legend(sheet: &mut Sheet, frame: &Frame, panel: &Panel, first: usize) {
+pub fn draw_legend(sheet: &mut Sheet, frame: &AxesFrame, panel: &Panel, first: usize) {
     let named: Vec<&Series> = panel.series.iter().filter(|series| !series.name.is_empty()).collect();
     if named.is_empty() {
         return;
@@ -45,7 +45,7 @@ pub fn draw_legend(sheet: &mut Sheet, frame: &Frame, panel: &Panel, first: usize
 }
 
 /// The scale and the top left corner of a legend that hides least of `marks`.
-fn place(frame: &Frame, size: [f64; 2], marks: &[Element]) -> (f64, [f64; 2]) {
+fn place(frame: &AxesFrame, size: [f64; 2], marks: &[Element]) -> (f64, [f64; 2]) {
     let room = |scale: f64| [0, 1].map(|axis| frame.size[axis] - 2.0 * MARGIN - scale * size[axis]);
     let corner =
         |scale, place: [f64; 2]| [0, 1].map(|axis| frame.corner[axis] + MARGIN + place[axis] * room(scale)[axis]);

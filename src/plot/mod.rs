@@ -28,7 +28,7 @@ mod series;
 mod sheet;
 mod svg;
 
-pub use axis::{Axis, Scale};
+pub use axis::{Axis, AxisScale};
 pub use colour::Colour;
 pub use figure::{Dot, Figure, Panel, Series};
 pub use mark::{Mark, Symbol};
@@ -38,7 +38,7 @@ pub(crate) use {
     clip::dashes,
     drawing::{drawing_of, frame_in},
     font::width,
-    frame::{Frame, NAME, Side},
+    frame::{AxesFrame, AxisSide, NAME},
     letters::letters,
     sheet::{Align, Element, Sheet},
 };

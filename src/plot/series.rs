@@ -3,7 +3,7 @@
 use super::clip::{dashes, runs};
 use super::colour::Colour;
 use super::figure::{Dot, Series};
-use super::frame::Frame;
+use super::frame::AxesFrame;
 use super::mark::Mark;
 use super::sheet::Sheet;
 
@@ -13,7 +13,7 @@ const FINE_LINE: f64 = 1.4;
 const CAP: f64 = 4.0;
 
 /// Draws the part of a series inside `frame`.
-pub fn draw_series(sheet: &mut Sheet, frame: &Frame, series: &Series) {
+pub fn draw_series(sheet: &mut Sheet, frame: &AxesFrame, series: &Series) {
     series.dots.iter().for_each(|dot| draw_bar(sheet, frame, series.colour, dot));
     let places: Vec<[f64; 2]> = series.dots.iter().map(|dot| frame.places(dot.x, dot.y)).collect();
     for run in runs(&places) {
@@ -46,7 +46,7 @@ pub fn draw_symbol(sheet: &mut Sheet, series: &Series, [x, y]: [f64; 2]) {
 }
 
 /// Draws an error bar as far as it lies inside, with caps where it ends there.
-fn draw_bar(sheet: &mut Sheet, frame: &Frame, colour: Colour, dot: &Dot) {
+fn draw_bar(sheet: &mut Sheet, frame: &AxesFrame, colour: Colour, dot: &Dot) {
     let ends = [-1.0, 1.0].map(|sign| frame.places(dot.x, dot.y + sign * dot.spread));
     let is_bar = dot.y.is_finite() && dot.spread > 0.0;
     let x = ends[0][0];

@@ -1,6 +1,6 @@
 //! Grids that are to be found.
 
-use super::text::Table;
+use super::text::SetupTable;
 use crate::error::{SettingError, SetupError};
 
 /// Relative error of area and `kappa_r` that a grid must have, unless another is given.
@@ -15,13 +15,13 @@ pub struct Auto {
     pub axes: Option<usize>,
 }
 
-impl Table {
+impl SetupTable {
     /// Takes out of the section `grid` what asks for a grid to be found: `refine = "auto"` or `points = "auto"` (of a surface
     /// `["auto", "auto"]`), with `area-tolerance`; none where the grid is given.
     ///
     /// ```
-    /// use asperity::setup::Table;
-    /// let mut table = Table::from_toml("grid = { size = 1.0, refine = 'auto', area-tolerance = 1e-3 }")?;
+    /// use asperity::setup::SetupTable;
+    /// let mut table = SetupTable::from_toml("grid = { size = 1.0, refine = 'auto', area-tolerance = 1e-3 }")?;
     /// let auto = table.take_auto()?.expect("a grid is to be found");
     /// assert_eq!((auto.tolerance, auto.axes), (1e-3, None));
     /// assert!(table.take_auto()?.is_none());

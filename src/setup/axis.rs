@@ -1,19 +1,19 @@
 //! Lists in setups, which make many of one.
 
-use super::text::Table;
+use super::text::SetupTable;
 use super::words::plain;
-use super::{FLAGS, Flag, Value};
+use super::{FLAGS, Flag, FlagValue};
 use crate::error::SetupError;
 use std::collections::BTreeSet;
 
 /// Keys of whole numbers that may be ranges, such as `"1-100"`.
-const RANGES: [&str; 3] = [Axis::SEED, "grid.refine", "stop.max-iterations"];
+const RANGES: [&str; 3] = [ParameterAxis::SEED, "grid.refine", "stop.max-iterations"];
 
 /// A list in a setup: the keys where it stands, and the values that are tried there.
 ///
 /// ```
-/// use asperity::setup::Table;
-/// let mut table = Table::from_toml("surface = { seed = ['1-100', 200], spectrum.hurst = [0.2, 0.5] }")?;
+/// use asperity::setup::SetupTable;
+/// let mut table = SetupTable::from_toml("surface = { seed = ['1-100', 200], spectrum.hurst = [0.2, 0.5] }")?;
 /// let axes = table.take_axes()?;
 /// let of = |i: usize| (axes[i].path(), axes[i].len());
 /// assert_eq!([of(0), of(1)], [("surface.spectrum.hurst", 2), ("surface.seed", 101)]);
@@ -21,20 +21,20 @@ const RANGES: [&str; 3] = [Axis::SEED, "grid.refine", "stop.max-iterations"];
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
+pub struct ParameterAxis {
     path: String,
-    items: Vec<Item>,
+    items: Vec<ListItem>,
 }
 
 /// An item of a list.
 #[derive(Debug, Clone, PartialEq)]
-enum Item {
+enum ListItem {
     One(toml::Value),
     /// Whole numbers from the first to the last.
     Range(u64, u64),
 }
 
-impl Item {
+impl ListItem {
     fn len(&self) -> u64 {
         match self {
             Self::One(_) => 1,
@@ -43,7 +43,7 @@ impl Item {
     }
 }
 
-impl Axis {
+impl ParameterAxis {
     /// The keys of the seed of random surfaces.
     pub const SEED: &str = "surface.seed";
 
@@ -72,8 +72,8 @@ impl Axis {
     fn value(&self, mut i: u64) -> Option<toml::Value> {
         for item in &self.items {
             match item {
-                Item::One(value) if i == 0 => return Some(value.clone()),
-                Item::Range(first, last) if i <= last - first => return Some(whole(first + i)),
+                ListItem::One(value) if i == 0 => return Some(value.clone()),
+                ListItem::Range(first, last) if i <= last - first => return Some(whole(first + i)),
                 item => i -= item.len(),
             }
         }
@@ -106,14 +106,14 @@ fn wrong(path: &str, reason: String) -> SetupError {
     SetupError::Text { place: format!("{path}: "), reason }
 }
 
-impl Table {
+impl SetupTable {
     /// Takes the lists of values out and leaves the first value of each there, so that what is left is a setup; the loads are
-    /// left to [`Table::take_loads`]. A list of lists stands where a setup has a list, such as the points of a surface. The
+    /// left to [`SetupTable::take_loads`]. A list of lists stands where a setup has a list, such as the points of a surface. The
     /// lists come in the order of [`FLAGS`], that of the seeds last.
     ///
     /// # Errors
     /// [`SetupError::Text`] for an empty list and for a range that is none.
-    pub fn take_axes(&mut self) -> Result<Vec<Axis>, SetupError> {
+    pub fn take_axes(&mut self) -> Result<Vec<ParameterAxis>, SetupError> {
         let mut axes = Vec::new();
         for (section, value) in self.sections() {
             if section != "load" {
@@ -126,7 +126,7 @@ impl Table {
     }
 
     /// Lays value number `i` of a list, from 0, over what stands at its keys.
-    pub fn lay_axis(&mut self, axis: &Axis, i: u64) {
+    pub fn lay_axis(&mut self, axis: &ParameterAxis, i: u64) {
         if let Some(value) = axis.value(i) {
             self.lay(&axis.path, value);
         }
@@ -136,11 +136,11 @@ impl Table {
 /// Where a list comes among others.
 fn place(path: &str) -> (bool, usize) {
     let is_at = |flag: &Flag| flag.path.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-    (path == Axis::SEED, FLAGS.iter().position(is_at).unwrap_or(FLAGS.len()))
+    (path == ParameterAxis::SEED, FLAGS.iter().position(is_at).unwrap_or(FLAGS.len()))
 }
 
 /// Adds the lists at and below a path.
-fn find(path: &str, value: &toml::Value, axes: &mut Vec<Axis>) -> Result<(), SetupError> {
+fn find(path: &str, value: &toml::Value, axes: &mut Vec<ParameterAxis>) -> Result<(), SetupError> {
     match value {
         toml::Value::Table(table) => {
             table.iter().try_for_each(|(key, value)| find(&format!("{path}.{key}"), value, axes))?;
@@ -150,11 +150,11 @@ fn find(path: &str, value: &toml::Value, axes: &mut Vec<Axis>) -> Result<(), Set
                 return Err(wrong(path, "the list is empty: give at least one value".into()));
             }
             let items = values.iter().map(|value| item(path, value)).collect::<Result<_, _>>()?;
-            axes.push(Axis { path: path.into(), items });
+            axes.push(ParameterAxis { path: path.into(), items });
         }
         toml::Value::String(_) if RANGES.contains(&path) => match item(path, value)? {
-            Item::One(_) => {}
-            range => axes.push(Axis { path: path.into(), items: vec![range] }),
+            ListItem::One(_) => {}
+            range => axes.push(ParameterAxis { path: path.into(), items: vec![range] }),
         },
         _ => {}
     }
@@ -163,19 +163,19 @@ fn find(path: &str, value: &toml::Value, axes: &mut Vec<Axis>) -> Result<(), Set
 
 /// Whether an array is one value of a setup, and no list of values.
 fn is_one(path: &str, values: &[toml::Value]) -> bool {
-    let takes_list = |flag: &Flag| flag.path == path && matches!(flag.value, Value::List | Value::Choices(_));
+    let takes_list = |flag: &Flag| flag.path == path && matches!(flag.value, FlagValue::List | FlagValue::Choices(_));
     FLAGS.iter().any(takes_list) && !values.iter().all(toml::Value::is_array)
 }
 
 /// A value of a list, or a range of whole numbers.
-fn item(path: &str, value: &toml::Value) -> Result<Item, SetupError> {
-    let Some(text) = value.as_str().filter(|_| RANGES.contains(&path)) else { return Ok(Item::One(value.clone())) };
+fn item(path: &str, value: &toml::Value) -> Result<ListItem, SetupError> {
+    let Some(text) = value.as_str().filter(|_| RANGES.contains(&path)) else { return Ok(ListItem::One(value.clone())) };
     let Some((first, last)) = text.split_once('-').filter(|(first, _)| !first.trim().is_empty()) else {
-        return Ok(Item::One(value.clone()));
+        return Ok(ListItem::One(value.clone()));
     };
     let parse = |word: &str| word.trim().parse::<u64>().ok();
     match (parse(first), parse(last)) {
-        (Some(first), Some(last)) if first <= last => Ok(Item::Range(first, last)),
+        (Some(first), Some(last)) if first <= last => Ok(ListItem::Range(first, last)),
         _ => {
             Err(wrong(path, format!("`{text}` is no range: write the first and the last whole number, such as 1-100")))
         }
@@ -193,7 +193,7 @@ pub enum Scalar {
     Text(String),
 }
 
-impl Table {
+impl SetupTable {
     /// The value at a path of keys, if there is one.
     pub fn scalar(&self, path: &str) -> Option<Scalar> {
         let value = self.find(path)?;

@@ -45,7 +45,7 @@ pub struct Cell {
     #[serde(default, skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
     pub boundary: Vec<Boundary>,
     /// Distance from a line load at which the surface stands still, a length, where one axis only is free, as that of a line: the length
-    /// of the cell along it if it is left out. See [`crate::elastic::Solid::datum`].
+    /// of the cell along it if it is left out. See [`crate::elastic::ElasticSolid::datum`].
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "crate::quantity::some_length")]
     pub datum: Option<f64>,
 }

@@ -1,9 +1,9 @@
 //! Preparations that are to be chosen.
 
 use super::Cost;
-use super::text::Table;
+use super::text::SetupTable;
 use crate::error::SetupError;
-use crate::surface::Choice;
+use crate::surface::PreparationChoice;
 
 /// What stands in the place of steps that are to be chosen, and where.
 const AUTO: &str = "auto";
@@ -12,7 +12,7 @@ const STEPS: &str = "surface.prepare.steps";
 /// Fields that heights take while it is found out what they are like.
 const SURVEY_FIELDS: f64 = 9.0;
 
-impl Table {
+impl SetupTable {
     /// Puts the steps that a height file needs in the place of `surface.prepare.steps = "auto"`, or of `surface.prepare = "auto"` for short, so
     /// that the setup holds them one by one, and returns the reasons for them. Steps that are given beside it are kept as they are.
     ///
@@ -34,7 +34,7 @@ impl Table {
         on_its_grid.take_auto()?;
         let (recipe, cell) = on_its_grid.surface()?;
         Cost::of_fields(&recipe.grid(&cell)?, SURVEY_FIELDS).check("a survey")?;
-        let Choice { preparation, reasons } = recipe.choice(&cell)?;
+        let PreparationChoice { preparation, reasons } = recipe.choice(&cell)?;
         let steps = toml::Table::try_from(preparation).expect("steps have a form in TOML");
         for (step, value) in steps {
             let path = format!("surface.prepare.{step}");

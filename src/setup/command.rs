@@ -1,12 +1,12 @@
 //! Setups as command lines: flags laid over a setup, and the line that repeats one.
 
-use super::{FLAGS, Flag, Setup, Table, Value};
+use super::{FLAGS, Flag, FlagValue, Setup, SetupTable};
 
 /// The place of the contact modulus in a setup.
 const CONTACT_MODULUS: &str = "solid.contact-modulus";
 
 /// Lays flags with their words over a setup, in the order of [`FLAGS`].
-pub fn lay(given: &[(&Flag, Vec<String>)], over: &mut Table) {
+pub fn lay(given: &[(&Flag, Vec<String>)], over: &mut SetupTable) {
     if given.iter().any(|(flag, _)| flag.section() == "load") {
         over.remove("load");
     }
@@ -15,7 +15,7 @@ pub fn lay(given: &[(&Flag, Vec<String>)], over: &mut Table) {
         over.remove(if flag.path == CONTACT_MODULUS { "solid" } else { CONTACT_MODULUS });
     }
     for (flag, words) in given {
-        if let (Value::Variant(_), Some((beside, _))) = (flag.value, flag.path.rsplit_once('.')) {
+        if let (FlagValue::Variant(_), Some((beside, _))) = (flag.value, flag.path.rsplit_once('.')) {
             over.remove(beside);
         }
         over.lay(flag.path, read(flag, words));
@@ -61,7 +61,7 @@ fn quoted(text: &str) -> String {
 
 /// The value that the words of a flag stand for.
 fn read(flag: &Flag, words: &[String]) -> toml::Value {
-    let is_list = matches!(flag.value, Value::Choices(_));
+    let is_list = matches!(flag.value, FlagValue::Choices(_));
     match words {
         [one] if !is_list => value(one),
         more => toml::Value::Array(more.iter().map(|word| value(word)).collect()),

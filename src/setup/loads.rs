@@ -1,6 +1,6 @@
 //! Lists of loads in setups.
 
-use super::text::{Table, wrong_load};
+use super::text::{SetupTable, wrong_load};
 use crate::contact::Load;
 use crate::error::{ProblemError, SetupError};
 use serde::Deserialize;
@@ -8,15 +8,15 @@ use serde::Deserialize;
 /// Loads of a range at the most.
 const MOST_LOADS: u32 = 100_000;
 
-impl Table {
+impl SetupTable {
     /// Takes a list of loads out of the section `load` and leaves the first of them there; none where there is a single load or
     /// none. A list such as `[1e5, "1 MPa"]` holds loads, and ranges such as `"1e-3..1e-1:13"`, of 13 loads that are evenly
     /// spaced in their logarithm.
     ///
     /// ```
     /// use asperity::contact::Load;
-    /// use asperity::setup::Table;
-    /// let mut table = Table::from_toml("load.reduced-pressure = [1e-4, '1e-3..1e-1:3']")?;
+    /// use asperity::setup::SetupTable;
+    /// let mut table = SetupTable::from_toml("load.reduced-pressure = [1e-4, '1e-3..1e-1:3']")?;
     /// let loads = table.take_loads()?.expect("a list is there");
     /// assert_eq!(loads, [1e-4, 1e-3, 1e-2, 1e-1].map(Load::ReducedPressure));
     /// assert!(table.take_loads()?.is_none());
@@ -52,7 +52,7 @@ impl Table {
     }
 }
 
-impl Table {
+impl SetupTable {
     /// Reads a tangential load with a unit in the form of the normal load that carries it: a force beside a force, a pressure beside a
     /// pressure.
     ///
@@ -112,10 +112,10 @@ fn load(kind: &str, value: toml::Value) -> Result<Load, SetupError> {
 /// The load of a kind and a number, or a text with a unit.
 fn read(kind: &str, value: toml::Value) -> Result<Load, SetupError> {
     #[derive(Deserialize)]
-    struct Part {
+    struct LoadSection {
         load: Load,
     }
-    let mut table = Table::default();
+    let mut table = SetupTable::default();
     table.lay(&format!("load.{kind}"), value);
-    table.read_as().map(|Part { load }| load)
+    table.read_as().map(|LoadSection { load }| load)
 }

@@ -6,8 +6,8 @@
 //!                                   +----- carried by every result
 //! ```
 //!
-//! A scene may hold a list of loads, `load.reduced-pressure = [1e-3, 1e-2]` or `"1e-3..1e-1:13"`: [`Table::take_loads`] takes it out
-//! for [`crate::study::LoadCurve`], and what is left is a setup under the first one. [`Table::take_axes`] takes all other lists out, for
+//! A scene may hold a list of loads, `load.reduced-pressure = [1e-3, 1e-2]` or `"1e-3..1e-1:13"`: [`SetupTable::take_loads`] takes it out
+//! for [`crate::study::LoadCurve`], and what is left is a setup under the first one. [`SetupTable::take_axes`] takes all other lists out, for
 //! [`crate::study::Plan`].
 //!
 //! A setup is read from TOML, or from JSON with the feature `units`. Lengths and pressures are numbers in any consistent set of
@@ -53,16 +53,16 @@ mod warnings;
 mod words;
 
 pub use auto::Auto;
-pub use axis::{Axis, Scalar};
+pub use axis::{ParameterAxis, Scalar};
 pub use cell::{Boundary, Cell};
 pub use command::{command, lay};
 pub use cost::{Cost, Extras, available_bytes};
-pub use flag::{FLAGS, Flag, Value};
+pub use flag::{FLAGS, Flag, FlagValue};
 pub use method::Method;
 pub use part::{Part, Record};
 pub use recipe::Recipe;
 pub use solid::{Body, LayerModulus, Solid};
-pub use text::Table;
+pub use text::SetupTable;
 pub use theme::Theme;
 pub use words::{differences, in_words};
 
@@ -149,7 +149,7 @@ impl Setup {
     ///
     /// # Errors
     /// The errors of [`Setup::contact_modulus`].
-    pub fn elastic(&self) -> Result<Arc<dyn elastic::Solid>, SetupError> {
+    pub fn elastic(&self) -> Result<Arc<dyn elastic::ElasticSolid>, SetupError> {
         let solid = Solid::ContactModulus(self.contact_modulus()?);
         Ok(self.solid.unwrap_or(solid).elastic(self.grid.datum)?)
     }

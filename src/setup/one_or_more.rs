@@ -47,10 +47,7 @@ pub fn serialize<S: Serializer, T: Serialize>(values: &[T], into: S) -> Result<S
 
 /// Reads a list of lengths, or a single one.
 pub fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
-    #[derive(serde::Deserialize)]
-    #[serde(transparent)]
-    struct Length(#[serde(deserialize_with = "quantity::length")] f64);
-    Ok(deserialize::<_, Length>(from)?.into_iter().map(|Length(length)| length).collect())
+    Ok(deserialize::<_, quantity::Length>(from)?.into_iter().map(|quantity::Length(length)| length).collect())
 }
 
 /// Reads a list of pressures, or a single one.

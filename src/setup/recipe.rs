@@ -5,7 +5,7 @@ use crate::error::{SetupError, SurfaceError};
 use crate::grid::Grid;
 use crate::quantity::some_length;
 use crate::surface::{
-    Bumps, Choice, HeightFile, Indenter, Layout, Preparation, Prepared, Resample, Scan, Spectrum, Surface,
+    Bumps, HeightFile, Indenter, Layout, Preparation, PreparationChoice, Prepared, Resample, Scan, Spectrum, Surface,
 };
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -194,14 +194,14 @@ impl Recipe {
     ///
     /// # Errors
     /// For no file, and the errors of [`Recipe::grid`] and [`Recipe::prepared`].
-    pub fn choice(&self, cell: &Cell) -> Result<Choice, SetupError> {
+    pub fn choice(&self, cell: &Cell) -> Result<PreparationChoice, SetupError> {
         let file = self.files().next().ok_or(SetupError::PreparationWithoutHeights)?;
         let is_even = file.layout(self.channel.as_deref())?.is_even;
         let resample = (!is_even).then_some(Resample::Linear);
         let prepare = Preparation { resample, crop: self.prepare.crop.clone(), ..Preparation::default() };
         let raw = Self { prepare, ..self.clone() };
         let grid = raw.grid(&Cell { refine: None, ..cell.clone() })?;
-        Ok(Choice::of(&raw.prepared(file, &grid)?.scan, is_even, grid.periodic())?)
+        Ok(PreparationChoice::of(&raw.prepared(file, &grid)?.scan, is_even, grid.periodic())?)
     }
 
     /// The surface on a grid: the sum of all parts that are given.
@@ -282,15 +282,15 @@ impl Recipe {
 /// The channel of a file.
 #[derive(Deserialize)]
 #[serde(untagged, expecting = "give the name of a channel, or its number from 1 on")]
-enum Channel {
+enum NameOrNumber {
     Name(String),
     Number(u64),
 }
 
 /// Reads a channel that is given by name or number.
 fn name_or_number<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D::Error> {
-    Ok(Some(match Channel::deserialize(from)? {
-        Channel::Name(name) => name,
-        Channel::Number(number) => number.to_string(),
+    Ok(Some(match NameOrNumber::deserialize(from)? {
+        NameOrNumber::Name(name) => name,
+        NameOrNumber::Number(number) => number.to_string(),
     }))
 }

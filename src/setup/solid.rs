@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// # Ok::<(), asperity::error::SolidError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Keys", into = "Keys")]
+#[serde(try_from = "SolidKeys", into = "SolidKeys")]
 pub enum Solid {
     /// The contact modulus `E*`, a pressure.
     ContactModulus(f64),
@@ -88,7 +88,7 @@ impl Solid {
     ///
     /// # Errors
     /// The errors of [`Solid::contact_modulus`], and for a thickness that is not positive and finite.
-    pub fn elastic(&self, datum: Option<f64>) -> Result<Arc<dyn elastic::Solid>, SolidError> {
+    pub fn elastic(&self, datum: Option<f64>) -> Result<Arc<dyn elastic::ElasticSolid>, SolidError> {
         let contact_modulus = self.contact_modulus()?;
         match *self {
             Self::Layer { thickness, .. } if !(thickness.is_finite() && thickness > 0.0) => {
@@ -159,7 +159,7 @@ impl Body {
 /// The keys of the section `solid`.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case", expecting = "a section for the Solid")]
-struct Keys {
+struct SolidKeys {
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_pressure")]
     contact_modulus: Option<f64>,
     #[serde(
@@ -181,10 +181,10 @@ fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::E
     quantity::pressure(from).map(Some)
 }
 
-impl TryFrom<Keys> for Solid {
+impl TryFrom<SolidKeys> for Solid {
     type Error = SolidError;
 
-    fn try_from(Keys { contact_modulus, young, poisson, layer, base }: Keys) -> Result<Self, SolidError> {
+    fn try_from(SolidKeys { contact_modulus, young, poisson, layer, base }: SolidKeys) -> Result<Self, SolidError> {
         if let Some(thickness) = layer {
             return Self::layer(contact_modulus, &young, &poisson, thickness, base.unwrap_or_default());
         }
@@ -226,7 +226,7 @@ impl Solid {
     }
 }
 
-impl From<Solid> for Keys {
+impl From<Solid> for SolidKeys {
     fn from(solid: Solid) -> Self {
         match solid {
             Solid::ContactModulus(modulus) => Self { contact_modulus: Some(modulus), ..Self::default() },

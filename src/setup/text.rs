@@ -11,10 +11,10 @@ use std::path::Path;
 
 /// A setup on its way: its sections and keys with any values, to lay others over it before it is read.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Table(toml::Table);
+pub struct SetupTable(toml::Table);
 
-impl Table {
-    /// The sections and keys of a TOML text, or of one inline table in braces as [`Table::to_line`] writes it.
+impl SetupTable {
+    /// The sections and keys of a TOML text, or of one inline table in braces as [`SetupTable::to_line`] writes it.
     ///
     /// # Errors
     /// [`SetupError::Text`] with the line for a text that is no TOML.
@@ -109,10 +109,10 @@ impl Table {
     /// The sections and keys as one inline table of TOML on a single line, all numbers to the last bit.
     ///
     /// ```
-    /// use asperity::setup::Table;
-    /// let table = Table::from_toml("load.reduced-pressure = 0.1\ngrid.points = 64")?;
+    /// use asperity::setup::SetupTable;
+    /// let table = SetupTable::from_toml("load.reduced-pressure = 0.1\ngrid.points = 64")?;
     /// assert_eq!(table.to_line(), "{ grid = { points = 64 }, load = { reduced-pressure = 0.1 } }");
-    /// assert_eq!(Table::from_toml(&table.to_line())?, table);
+    /// assert_eq!(SetupTable::from_toml(&table.to_line())?, table);
     /// # Ok::<(), asperity::error::SetupError>(())
     /// ```
     pub fn to_line(&self) -> String {
@@ -222,17 +222,17 @@ impl Table {
     /// The recipe of a surface and its cell, whatever else there is.
     ///
     /// # Errors
-    /// The errors of [`Table::setup`].
+    /// The errors of [`SetupTable::setup`].
     pub fn surface(mut self) -> Result<(Recipe, Cell), SetupError> {
         self.check_surface()?;
         self.choose_preparation()?;
         #[derive(Deserialize)]
-        struct Part {
+        struct SurfaceSections {
             surface: Recipe,
             grid: Cell,
         }
         self.0.retain(|section, _| section == "surface" || section == "grid");
-        let Part { surface, grid } = self.read_as()?;
+        let SurfaceSections { surface, grid } = self.read_as()?;
         Ok((surface, grid))
     }
 
@@ -319,7 +319,7 @@ impl Setup {
     /// # Errors
     /// [`SetupError::Text`].
     pub fn from_toml(text: &str) -> Result<Self, SetupError> {
-        Table::from_toml(text)?.setup()
+        SetupTable::from_toml(text)?.setup()
     }
 
     /// The setup as TOML, all numbers to the last bit.
@@ -328,8 +328,8 @@ impl Setup {
     }
 
     /// The setup with its sections and keys apart.
-    pub fn to_table(&self) -> Table {
-        Table(toml::Table::try_from(self).expect("a setup has a form in TOML"))
+    pub fn to_table(&self) -> SetupTable {
+        SetupTable(toml::Table::try_from(self).expect("a setup has a form in TOML"))
     }
 
     /// Writes the setup as a scene, whose height files are named by their full paths.

@@ -1,6 +1,6 @@
 //! Units that are given for some quantities and not for others.
 
-use super::Table;
+use super::SetupTable;
 use crate::error::SetupError;
 use toml::Value;
 
@@ -24,7 +24,7 @@ const KINDS: [(&str, &[&str]); 2] = [
     ),
 ];
 
-impl Table {
+impl SetupTable {
     /// Refuses a setup in which some pressures, or some lengths, have a unit and others have none: a number alone would be in pascals or
     /// metres there, which is seldom what is meant.
     ///

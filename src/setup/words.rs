@@ -1,6 +1,6 @@
 //! Setups in a few words.
 
-use super::{FLAGS, Flag, Setup, Table, Value};
+use super::{FLAGS, Flag, FlagValue, Setup, SetupTable};
 
 /// The values of some sections of a setup under the names of their flags, such as `reduced-pressure 0.02, gfmd, damping 0.5`.
 ///
@@ -31,7 +31,7 @@ pub fn in_words(setup: &Setup, sections: &[&str]) -> String {
 /// assert_eq!(differences(&[gfmd(1.0), gfmd(0.5)]), ["damping 1.0", "damping 0.5"]);
 /// ```
 pub fn differences(setups: &[Setup]) -> Vec<String> {
-    let tables: Vec<Table> = setups.iter().map(Setup::to_table).collect();
+    let tables: Vec<SetupTable> = setups.iter().map(Setup::to_table).collect();
     let differ = |flag: &Flag| tables.iter().any(|table| table.find(flag.path) != tables[0].find(flag.path));
     let differ_where_they_are = |flag: &Flag| {
         let mut values = tables.iter().filter_map(|table| table.find(flag.path));
@@ -46,7 +46,7 @@ pub fn differences(setups: &[Setup]) -> Vec<String> {
 }
 
 fn is_variant(flag: &Flag) -> bool {
-    matches!(flag.value, Value::Variant(_))
+    matches!(flag.value, FlagValue::Variant(_))
 }
 
 /// Whether two flags stand for values of the same table.
@@ -55,7 +55,7 @@ fn beside(one: &Flag, other: &Flag) -> bool {
 }
 
 /// The values of flags under their names; that of a method or a shape needs no name.
-fn words<'a>(table: &Table, flags: impl Iterator<Item = &'a Flag>) -> String {
+fn words<'a>(table: &SetupTable, flags: impl Iterator<Item = &'a Flag>) -> String {
     let word = |flag: &Flag| {
         let value = plain(table.find(flag.path)?);
         Some(if is_variant(flag) { value } else { format!("{} {value}", flag.name) })

@@ -1,10 +1,10 @@
 //! Studies solved and put together: shares of rows, and their tables.
 
-use super::check::Check;
+use super::check::Checksum;
 use super::column::Column;
 use super::identity::Identity;
 use super::known::Known;
-use super::plan::{Plan, Row};
+use super::plan::{Plan, StudyRow};
 use super::point::Point;
 use super::shard::Shard;
 use super::sweep::Sweep;
@@ -150,11 +150,11 @@ impl Plan {
             let mut csv = csv::Writer::from_writer(file);
             self.in_columns(share, points, |columns, is_first| {
                 if is_first {
-                    csv.write_record(columns.iter().map(|column| column.name.as_str()).chain([Check::NAME]))?;
+                    csv.write_record(columns.iter().map(|column| column.name.as_str()).chain([Checksum::NAME]))?;
                 }
                 let rows = columns.first().map_or(0, |column| column.values.len());
                 let words = |i| columns.iter().map(|column| column.values.word(i)).collect();
-                (0..rows).try_for_each(|i| csv.write_record(Check::add_to(words(i))))?;
+                (0..rows).try_for_each(|i| csv.write_record(Checksum::add_to(words(i))))?;
                 Ok(())
             })?;
             csv.flush()
@@ -168,7 +168,7 @@ impl Plan {
         points: &[Point],
         mut each: impl FnMut(&[Column], bool) -> io::Result<()>,
     ) -> io::Result<()> {
-        let rows: Vec<Row> = self.rows_of(share).collect();
+        let rows: Vec<StudyRow> = self.rows_of(share).collect();
         let chunks = rows.chunks(ROWS).zip(points.chunks(ROWS));
         chunks.enumerate().try_for_each(|(i, (rows, points))| {
             let columns = self.columns(rows, points).map_err(io::Error::other)?;

@@ -6,11 +6,11 @@ use serde::Serialize;
 
 /// The last column `check` of a row: the hash FNV-1a of the other fields, as a line of comma-separated values, in hexadecimal digits.
 #[derive(Debug, Serialize)]
-pub struct Check {
+pub struct Checksum {
     check: String,
 }
 
-impl Check {
+impl Checksum {
     /// The name of the column.
     pub const NAME: &str = "check";
 

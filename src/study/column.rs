@@ -1,10 +1,10 @@
 //! Rows of a study as columns, from which tables are written.
 
-use super::plan::{Plan, Row};
+use super::plan::{Plan, StudyRow};
 use super::point::Point;
 use crate::contact::{Load, OBSERVABLES};
 use crate::error::StudyError;
-use crate::setup::{Axis, Scalar, Setup, Table};
+use crate::setup::{ParameterAxis, Scalar, Setup, SetupTable};
 
 /// A column of a table: a name, and a value for each row.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,12 +12,12 @@ pub struct Column {
     /// Name of the column.
     pub name: String,
     /// The values, row by row.
-    pub values: Values,
+    pub values: ColumnValues,
 }
 
 /// The values of a column, all of one kind.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Values {
+pub enum ColumnValues {
     /// Whole numbers, where there are any.
     Whole(Vec<Option<u64>>),
     /// Numbers, where there are any.
@@ -26,7 +26,7 @@ pub enum Values {
     Text(Vec<String>),
 }
 
-impl Values {
+impl ColumnValues {
     /// How many there are.
     #[allow(clippy::len_without_is_empty, reason = "columns are asked for rows, not for none")]
     pub fn len(&self) -> usize {
@@ -48,11 +48,11 @@ impl Values {
 }
 
 /// A row with all that makes its values.
-struct Told<'a> {
-    row: Row,
+struct RowSource<'a> {
+    row: StudyRow,
     point: &'a Point,
     /// The setup of the row, under its load.
-    setup: Table,
+    setup: SetupTable,
 }
 
 impl Plan {
@@ -61,8 +61,8 @@ impl Plan {
     ///
     /// # Errors
     /// The errors of [`Plan::realisation`].
-    pub fn columns(&self, rows: &[Row], points: &[Point]) -> Result<Vec<Column>, StudyError> {
-        let mut told: Vec<Told<'_>> = Vec::with_capacity(rows.len());
+    pub fn columns(&self, rows: &[StudyRow], points: &[Point]) -> Result<Vec<Column>, StudyError> {
+        let mut told: Vec<RowSource<'_>> = Vec::with_capacity(rows.len());
         let mut last: Option<(usize, Setup)> = None;
         for (&row, point) in rows.iter().zip(points) {
             let setup = match last.take() {
@@ -70,18 +70,19 @@ impl Plan {
                 _ => self.realisation(row.realisation)?.setup.with_full_path(),
             };
             let setup = Setup { load: self.loads()[row.load], ..setup };
-            told.push(Told { row, point, setup: setup.to_table() });
+            told.push(RowSource { row, point, setup: setup.to_table() });
             last = Some((row.realisation, setup));
         }
         let first = self.realisation(0)?.setup.to_table();
-        let whole = |name: &str, of: &dyn Fn(&Told<'_>) -> Option<u64>| {
-            column(name, Values::Whole(told.iter().map(of).collect()))
+        let whole = |name: &str, of: &dyn Fn(&RowSource<'_>) -> Option<u64>| {
+            column(name, ColumnValues::Whole(told.iter().map(of).collect()))
         };
-        let number = |name: &str, of: &dyn Fn(&Told<'_>) -> Option<f64>| {
-            column(name, Values::Number(told.iter().map(of).collect()))
+        let number = |name: &str, of: &dyn Fn(&RowSource<'_>) -> Option<f64>| {
+            column(name, ColumnValues::Number(told.iter().map(of).collect()))
         };
-        let text =
-            |name: &str, of: &dyn Fn(&Told<'_>) -> String| column(name, Values::Text(told.iter().map(of).collect()));
+        let text = |name: &str, of: &dyn Fn(&RowSource<'_>) -> String| {
+            column(name, ColumnValues::Text(told.iter().map(of).collect()))
+        };
         let mut columns = vec![whole("row", &|it| Some(it.row.number as u64))];
         columns.extend(self.axes().iter().map(|axis| chosen(axis, &first, &told)));
         columns.push(number(&self.load_name(), &|it| Some(self.loads()[it.row.load].value())));
@@ -104,8 +105,8 @@ impl Plan {
         columns.extend(OBSERVABLES.iter().enumerate().map(|(i, it)| {
             let values = numbers.iter().map(|numbers| numbers[i]);
             match it.is_whole {
-                true => column(it.name, Values::Whole(values.map(|value| Some(value as u64)).collect())),
-                false => column(it.name, Values::Number(values.map(Some).collect())),
+                true => column(it.name, ColumnValues::Whole(values.map(|value| Some(value as u64)).collect())),
+                false => column(it.name, ColumnValues::Number(values.map(Some).collect())),
             }
         }));
         columns.push(text("scene", &|it| it.setup.to_line()));
@@ -118,17 +119,17 @@ impl Plan {
     }
 }
 
-fn column(name: &str, values: Values) -> Column {
+fn column(name: &str, values: ColumnValues) -> Column {
     Column { name: name.into(), values }
 }
 
 /// The column of a list: what the setups of the rows hold there, of the kind that the `first` setup of the study has.
-fn chosen(axis: &Axis, first: &Table, told: &[Told<'_>]) -> Column {
+fn chosen(axis: &ParameterAxis, first: &SetupTable, told: &[RowSource<'_>]) -> Column {
     let scalars = || told.iter().map(|it| it.setup.scalar(axis.path()));
     let values = match first.scalar(axis.path()) {
-        Some(Scalar::Whole(_)) => Values::Whole(scalars().map(|it| it.and_then(whole)).collect()),
-        Some(Scalar::Number(_)) => Values::Number(scalars().map(|it| it.and_then(number)).collect()),
-        _ => Values::Text(scalars().map(|it| it.map_or(String::new(), word)).collect()),
+        Some(Scalar::Whole(_)) => ColumnValues::Whole(scalars().map(|it| it.and_then(whole)).collect()),
+        Some(Scalar::Number(_)) => ColumnValues::Number(scalars().map(|it| it.and_then(number)).collect()),
+        _ => ColumnValues::Text(scalars().map(|it| it.map_or(String::new(), word)).collect()),
     };
     column(axis.path(), values)
 }

@@ -13,13 +13,13 @@ const COLOURS: [Colour; 6] =
 const SYMBOLS: [Symbol; 2] = [Symbol::Circle, Symbol::Square];
 
 /// What a panel shows: its title, and the number that is drawn.
-type Shown = (&'static str, fn(&Point) -> Option<f64>);
+type PlottedValue = (&'static str, fn(&Point) -> Option<f64>);
 
-const AREA: Shown = ("relative contact area", Point::relative_area);
-const KAPPA: Shown = ("κ_r", Point::kappa_r);
+const AREA: PlottedValue = ("relative contact area", Point::relative_area);
+const KAPPA: PlottedValue = ("κ_r", Point::kappa_r);
 
 /// The mean over the seeds of what is drawn, and its scatter, under one load of one choice from the lists.
-struct Mean {
+struct MeanPoint {
     reduced_pressure: f64,
     values: [Spread; 2],
 }
@@ -29,10 +29,10 @@ impl Plan {
     /// lists but the seeds, over which the mean is taken, with the scatter of single realisations as bars. What did not
     /// converge or is not resolved is left out, and of many curves the first twelve are drawn.
     pub fn figure(&self, title: &str, points: &[Point]) -> Figure {
-        let curves: Vec<(String, Vec<Mean>)> = self.curves(points).into_iter().collect();
-        let dots: Vec<&Mean> = curves.iter().flat_map(|(_, means)| means).collect();
+        let curves: Vec<(String, Vec<MeanPoint>)> = self.curves(points).into_iter().collect();
+        let dots: Vec<&MeanPoint> = curves.iter().flat_map(|(_, means)| means).collect();
         let pressures = ends(dots.iter().map(|it| it.reduced_pressure));
-        let panel = |number: usize, (name, _): Shown| {
+        let panel = |number: usize, (name, _): PlottedValue| {
             let values = ends(dots.iter().map(|it| it.values[number].mean));
             let x = Axis::log("p*", [pressures[0] / 1.3, pressures[1] * 1.3]);
             let y = if number == 0 {
@@ -43,7 +43,7 @@ impl Plan {
             };
             let mut panel = Panel::new(name, x, y);
             for (i, (label, means)) in curves.iter().enumerate() {
-                let dot = |it: &Mean| Dot {
+                let dot = |it: &MeanPoint| Dot {
                     x: it.reduced_pressure,
                     y: it.values[number].mean,
                     spread: it.values[number].deviation,
@@ -63,7 +63,7 @@ impl Plan {
     }
 
     /// The means over the seeds under each load, by what is chosen from the lists, in the order of the rows.
-    fn curves(&self, points: &[Point]) -> Vec<(String, Vec<Mean>)> {
+    fn curves(&self, points: &[Point]) -> Vec<(String, Vec<MeanPoint>)> {
         let (loads, seeds) = (self.loads().len(), self.seeds());
         let groups = points.chunks(loads * seeds).take(MOST).enumerate();
         let curve = |(group, points): (usize, &[Point])| {
@@ -73,7 +73,7 @@ impl Plan {
             }
             let means = by_load.values().map(|found| {
                 let spread = |of: fn(&Point) -> Option<f64>| Spread::of(found.iter().filter_map(|it| of(it)));
-                Mean {
+                MeanPoint {
                     reduced_pressure: spread(|it| Some(it.observables.reduced_pressure)).mean,
                     values: [spread(AREA.1), spread(KAPPA.1)],
                 }

@@ -3,7 +3,7 @@
 use super::flattened::Flattened;
 use crate::contact::{Contact, Load, Observer, Problem};
 use crate::error::{SetupError, StudyError};
-use crate::setup::{Cost, Extras, Setup, Table};
+use crate::setup::{Cost, Extras, Setup, SetupTable};
 use crate::surface::{Field, Surface};
 use std::sync::Arc;
 
@@ -49,7 +49,7 @@ impl LoadCurve {
     }
 
     /// The setup with its list of loads.
-    pub fn to_table(&self) -> Table {
+    pub fn to_table(&self) -> SetupTable {
         let mut table = self.setup.clone().with_full_path().to_table();
         table.lay_loads(&self.loads);
         table

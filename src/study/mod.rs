@@ -36,13 +36,13 @@ mod table;
 mod views;
 
 pub use campaign::Campaign;
-pub use column::{Column, Values};
+pub use column::{Column, ColumnValues};
 pub use estimate::Estimate;
 pub use expense::Expense;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
 pub use load_curve::{LoadCurve, Loading};
-pub use plan::{Plan, Row};
+pub use plan::{Plan, StudyRow};
 pub use point::Point;
 pub use realisation::Realisation;
 pub use refinement::{Refinement, Settled};

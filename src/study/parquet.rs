@@ -1,6 +1,6 @@
 //! Tables of studies as Parquet, which holds columns and their kinds.
 
-use super::column::{Column, Values};
+use super::column::{Column, ColumnValues};
 use super::plan::Plan;
 use super::point::Point;
 use crate::error::FileError;
@@ -46,9 +46,9 @@ fn schema(columns: &[Column]) -> Result<TypePtr> {
 
 fn field(column: &Column) -> Result<TypePtr> {
     let (physical, logical, repetition) = match column.values {
-        Values::Whole(_) => (Physical::INT64, Some(LogicalType::integer(64, false)), Repetition::OPTIONAL),
-        Values::Number(_) => (Physical::DOUBLE, None, Repetition::OPTIONAL),
-        Values::Text(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String), Repetition::REQUIRED),
+        ColumnValues::Whole(_) => (Physical::INT64, Some(LogicalType::integer(64, false)), Repetition::OPTIONAL),
+        ColumnValues::Number(_) => (Physical::DOUBLE, None, Repetition::OPTIONAL),
+        ColumnValues::Text(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String), Repetition::REQUIRED),
     };
     let field = Type::primitive_type_builder(&column.name, physical);
     Ok(Arc::new(field.with_repetition(repetition).with_logical_type(logical).build()?))
@@ -66,17 +66,17 @@ fn write<W: Write + Send>(columns: &[Column], writer: &mut SerializedFileWriter<
     group.close().map(drop)
 }
 
-fn write_column(values: &Values, writer: &mut SerializedColumnWriter<'_>) -> Result<()> {
+fn write_column(values: &ColumnValues, writer: &mut SerializedColumnWriter<'_>) -> Result<()> {
     match values {
-        Values::Whole(values) => {
+        ColumnValues::Whole(values) => {
             let there: Vec<i64> = values.iter().flatten().map(|&value| value as i64).collect();
             writer.typed::<Int64Type>().write_batch(&there, Some(&levels(values)), None)?;
         }
-        Values::Number(values) => {
+        ColumnValues::Number(values) => {
             let there: Vec<f64> = values.iter().flatten().copied().collect();
             writer.typed::<DoubleType>().write_batch(&there, Some(&levels(values)), None)?;
         }
-        Values::Text(values) => {
+        ColumnValues::Text(values) => {
             let there: Vec<ByteArray> = values.iter().map(|value| value.as_str().into()).collect();
             writer.typed::<ByteArrayType>().write_batch(&there, None, None)?;
         }

@@ -5,7 +5,7 @@ use super::realisation::Realisation;
 use super::shard::Shard;
 use crate::contact::Load;
 use crate::error::{SetupError, StudyError};
-use crate::setup::{Axis, Setup, Table};
+use crate::setup::{ParameterAxis, Setup, SetupTable};
 use std::path::Path;
 
 /// Name of the realisations in tables.
@@ -39,9 +39,9 @@ const NAME: &str = "study";
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     /// The first of the setups.
-    table: Table,
+    table: SetupTable,
     /// The lists but that of the loads.
-    axes: Vec<Axis>,
+    axes: Vec<ParameterAxis>,
     loads: Vec<Load>,
     realisations: usize,
     /// The text that it was read from, to name lines of.
@@ -50,7 +50,7 @@ pub struct Plan {
 
 /// A row of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Row {
+pub struct StudyRow {
     /// Number of the row, from 1.
     pub number: usize,
     /// Number of its realisation, from 0.
@@ -68,23 +68,23 @@ impl Plan {
     /// # Errors
     /// For a text that is no setup with lists, with the line, and for more than [`Plan::MOST_ROWS`] rows.
     pub fn from_toml(text: &str) -> Result<Self, StudyError> {
-        Self::of(Table::from_toml(text)?, text)
+        Self::of(SetupTable::from_toml(text)?, text)
     }
 
     /// The study that some sections and keys make, with lists among their values.
     ///
     /// # Errors
     /// The errors of [`Plan::from_toml`].
-    pub fn from_table(table: Table) -> Result<Self, StudyError> {
+    pub fn from_table(table: SetupTable) -> Result<Self, StudyError> {
         Self::of(table, "")
     }
 
     /// The study in a file. A height file is found beside it.
     ///
     /// # Errors
-    /// The errors of [`Table::read`] and [`Plan::from_toml`].
+    /// The errors of [`SetupTable::read`] and [`Plan::from_toml`].
     pub fn read(path: &Path) -> Result<Self, StudyError> {
-        let table = Table::read(path)?;
+        let table = SetupTable::read(path)?;
         let text = std::fs::read_to_string(path).unwrap_or_default(); // results carry theirs in other forms
         Self::of(table, &text).map_err(|error| match error {
             StudyError::Setup(error) => error.in_file(path).into(),
@@ -92,7 +92,7 @@ impl Plan {
         })
     }
 
-    fn of(mut table: Table, text: &str) -> Result<Self, StudyError> {
+    fn of(mut table: SetupTable, text: &str) -> Result<Self, StudyError> {
         let located = |error: SetupError| error.in_text(text);
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;
@@ -110,7 +110,7 @@ impl Plan {
     }
 
     /// The lists but that of the loads, the last of which runs fastest.
-    pub fn axes(&self) -> &[Axis] {
+    pub fn axes(&self) -> &[ParameterAxis] {
         &self.axes
     }
 
@@ -133,14 +133,16 @@ impl Plan {
     ///
     /// # Errors
     /// [`StudyError::NoRow`] for a number beyond the last row, and for 0.
-    pub fn row(&self, number: usize) -> Result<Row, StudyError> {
+    pub fn row(&self, number: usize) -> Result<StudyRow, StudyError> {
         let rows = self.rows();
         match number {
             0 => Err(StudyError::NoRow { number, rows }),
             _ if number > rows => Err(StudyError::NoRow { number, rows }),
-            _ => {
-                Ok(Row { number, realisation: (number - 1) / self.loads.len(), load: (number - 1) % self.loads.len() })
-            }
+            _ => Ok(StudyRow {
+                number,
+                realisation: (number - 1) / self.loads.len(),
+                load: (number - 1) % self.loads.len(),
+            }),
         }
     }
 
@@ -154,9 +156,9 @@ impl Plan {
     }
 
     /// The rows of some realisations, in their order.
-    pub fn rows_of<'a>(&'a self, realisations: &'a [usize]) -> impl Iterator<Item = Row> + 'a {
+    pub fn rows_of<'a>(&'a self, realisations: &'a [usize]) -> impl Iterator<Item = StudyRow> + 'a {
         let loads = self.loads.len();
-        let row = move |realisation, load| Row { number: 1 + realisation * loads + load, realisation, load };
+        let row = move |realisation, load| StudyRow { number: 1 + realisation * loads + load, realisation, load };
         realisations.iter().flat_map(move |&realisation| (0..loads).map(move |load| row(realisation, load)))
     }
 
@@ -186,10 +188,10 @@ impl Plan {
 
     /// What is chosen from the lists but that of the seeds, in words: the same for realisations that are averaged over.
     pub fn words_but_seed(&self, i: usize) -> String {
-        self.words_of(i, |axis| axis.path() != Axis::SEED)
+        self.words_of(i, |axis| axis.path() != ParameterAxis::SEED)
     }
 
-    fn words_of(&self, i: usize, is_told: impl Fn(&Axis) -> bool) -> String {
+    fn words_of(&self, i: usize, is_told: impl Fn(&ParameterAxis) -> bool) -> String {
         let chosen = self.places(i).zip(&self.axes).filter(|(_, axis)| is_told(axis));
         chosen.map(|(place, axis)| format!("{} {}", axis.name(), axis.word(place))).collect::<Vec<_>>().join(", ")
     }
@@ -216,7 +218,7 @@ impl Plan {
 
     /// How many realisations differ by their seeds only.
     pub fn seeds(&self) -> usize {
-        self.axes.last().filter(|axis| axis.path() == Axis::SEED).map_or(1, |axis| axis.len() as usize)
+        self.axes.last().filter(|axis| axis.path() == ParameterAxis::SEED).map_or(1, |axis| axis.len() as usize)
     }
 
     /// The numbers of the realisations of a share, in their order. The realisations are dealt to the shares in turn, those that take
@@ -240,7 +242,7 @@ impl Plan {
     ///
     /// # Errors
     /// The errors of [`Plan::realisation`].
-    pub fn setup(&self, row: Row) -> Result<Setup, StudyError> {
+    pub fn setup(&self, row: StudyRow) -> Result<Setup, StudyError> {
         Ok(Setup { load: self.loads[row.load], ..self.realisation(row.realisation)?.setup })
     }
 

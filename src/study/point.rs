@@ -1,6 +1,6 @@
 //! A solved point of a study.
 
-use super::check::Check;
+use super::check::Checksum;
 use crate::contact::{Observables, Status};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
@@ -51,7 +51,7 @@ impl Point {
     pub fn to_lines<'a>(points: impl IntoIterator<Item = &'a Self>) -> String {
         let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         let rows = points.into_iter().map(|it| (it, it.observables, it.seconds));
-        let written = rows.into_iter().try_for_each(|row| csv.serialize((row, Check::of(row))));
+        let written = rows.into_iter().try_for_each(|row| csv.serialize((row, Checksum::of(row))));
         let text = written.ok().and_then(|()| String::from_utf8(csv.into_inner().ok()?).ok());
         text.expect("numbers and texts have a form in lines")
     }
@@ -59,7 +59,7 @@ impl Point {
     /// The points in such lines, as far as these are whole and as they were written.
     pub fn from_lines(text: &[u8]) -> Vec<Self> {
         let csv = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text);
-        csv.into_records().flatten().filter(Check::holds).filter_map(|record| Self::from_record(&record)).collect()
+        csv.into_records().flatten().filter(Checksum::holds).filter_map(|record| Self::from_record(&record)).collect()
     }
 
     fn from_record(record: &StringRecord) -> Option<Self> {

@@ -5,7 +5,7 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
 /// Tasks that several workers take one after the other: the most work first, each as soon as there is memory for it.
 pub(super) struct Queue {
-    state: Mutex<State>,
+    state: Mutex<QueueState>,
     given_back: Condvar,
     /// Bytes that each task needs.
     bytes: Vec<f64>,
@@ -17,7 +17,7 @@ pub(super) struct Task<'a> {
     queue: &'a Queue,
 }
 
-struct State {
+struct QueueState {
     waiting: VecDeque<usize>,
     /// Bytes that are free.
     free: f64,
@@ -31,7 +31,7 @@ impl Queue {
     pub fn new(tasks: &[(f64, f64)], memory: f64) -> Self {
         let mut waiting: Vec<usize> = (0..tasks.len()).collect();
         waiting.sort_by(|&a, &b| tasks[b].0.total_cmp(&tasks[a].0));
-        let state = State { waiting: waiting.into(), free: memory, busy: 0 };
+        let state = QueueState { waiting: waiting.into(), free: memory, busy: 0 };
         let bytes = tasks.iter().map(|(_, bytes)| *bytes).collect();
         Self { state: Mutex::new(state), given_back: Condvar::new(), bytes }
     }
@@ -58,7 +58,7 @@ impl Queue {
         self.given_back.notify_all();
     }
 
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, QueueState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

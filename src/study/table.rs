@@ -1,6 +1,6 @@
 //! A table of points on disk, which grows while a study runs.
 
-use super::check::Check;
+use super::check::Checksum;
 use super::point::Point;
 use crate::error::FileError;
 use crate::files::{check_target, write_csv};
@@ -65,7 +65,7 @@ impl Table {
         let points = finished(&self.path, |record, names| {
             let seconds = seconds.next().unwrap_or(f64::NAN);
             Ok(Point { observables: record.deserialize(Some(names))?, seconds, ..record.deserialize(Some(names))? })
-                .map(|point| Check::holds(record).then_some(point))
+                .map(|point| Checksum::holds(record).then_some(point))
         })?;
         let mut points: Vec<Point> = points.into_iter().flatten().collect();
         points.extend(Point::from_lines(&bytes(&self.unfinished_path())?));
@@ -91,7 +91,7 @@ impl Table {
     /// [`FileError::Target`] or [`FileError::Write`].
     pub fn finish(&self, points: &[Point]) -> Result<(), FileError> {
         let rows = points.iter().map(|point| (point, point.observables));
-        write_csv(&self.path, rows.map(|row| (row, Check::of(row))))?;
+        write_csv(&self.path, rows.map(|row| (row, Checksum::of(row))))?;
         self.settle(points)
     }
 

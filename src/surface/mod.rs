@@ -25,7 +25,7 @@ pub use plateau::Plateaus;
 pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Resample, Scan};
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
-pub use survey::{Band, Choice, PowerLaw, Scale, Scales, Survey};
+pub use survey::{Band, PowerLawFit, PreparationChoice, Scale, Scales, Survey};
 
 use crate::chunks;
 use crate::error::SurfaceError;

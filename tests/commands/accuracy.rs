@@ -2,7 +2,7 @@
 
 use crate::command::{Folder, text};
 use asperity::Stop;
-use asperity::lab::accuracy::{Experiment, Scene};
+use asperity::lab::accuracy::{AccuracyScene, Experiment};
 use std::collections::{HashMap, HashSet};
 use std::num::NonZeroUsize;
 
@@ -100,7 +100,7 @@ fn assert_figures(folder: &Folder) {
 #[test]
 fn rough_scenes_are_held_against_finer_grids_and_theories() {
     let [stop, reference] = [1e-10, 1e-13].map(|tolerance| Stop::new(tolerance, 100_000).unwrap());
-    let (scene, sides, repeats) = (Scene::RoughLine, vec![512, 1024], NonZeroUsize::MIN);
+    let (scene, sides, repeats) = (AccuracyScene::RoughLine, vec![512, 1024], NonZeroUsize::MIN);
     let experiment = Experiment { scene, sides, seed: 3, stop, reference, repeats };
     let findings = experiment.run(|_| Box::new(())).unwrap();
     assert!(findings.is_converged(&stop) && findings.to_string().contains("errors against 4096 points"), "{findings}");

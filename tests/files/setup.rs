@@ -3,7 +3,7 @@
 
 use asperity::contact::{Contact, Dynamics, Gfmd, Load, Masses};
 use asperity::error::SetupError;
-use asperity::setup::{Body, Cell, Cost, Method, Part, Recipe, Record, Setup, Solid, Table, Theme};
+use asperity::setup::{Body, Cell, Cost, Method, Part, Recipe, Record, Setup, SetupTable, Solid, Theme};
 use asperity::surface::{Spectrum, read_heights, write_heights};
 use asperity::{Grid, Indenter, Stop, Surface};
 use std::fs;
@@ -89,7 +89,7 @@ fn a_written_scene_gives_the_same_bits() {
     let path = folder.path().join("scene.toml");
     for setup in setups() {
         setup.write(&path).unwrap();
-        let (expected, found) = (solve(&setup), solve(&Table::read(&path).unwrap().setup().unwrap()));
+        let (expected, found) = (solve(&setup), solve(&SetupTable::read(&path).unwrap().setup().unwrap()));
         assert_eq!((found.pressure, found.gap), (expected.pressure, expected.gap));
         assert_eq!((found.certificate, found.work.transforms), (expected.certificate, expected.work.transforms));
     }
@@ -109,7 +109,7 @@ fn heights_indenter_and_roughness_add_up() {
         indenter = { shape = \"sphere\", radius = 3.0 }
         spectrum = { hurst = 0.8, rolloff-wavelength = 1.5, short-cutoff = 0.5, rms-gradient = 0.2 }";
     fs::write(&scene, text).unwrap();
-    let setup = Table::read(&scene).unwrap().setup().unwrap();
+    let setup = SetupTable::read(&scene).unwrap().setup().unwrap();
     let grid = setup.check().unwrap();
     let measured = Surface::new(grid, heights).unwrap();
     let smooth = Indenter::Sphere { radius: 3.0 }.surface(grid).unwrap();
@@ -139,10 +139,10 @@ fn a_scene_names_its_height_file_by_its_full_path() {
         "surface.height = \"h.npy\"\ngrid.size = 1.0\nsolid.contact-modulus = 1\nload.mean-pressure = 0.01",
     )
     .unwrap();
-    let setup = Table::read(&scene).unwrap().setup().unwrap();
+    let setup = SetupTable::read(&scene).unwrap().setup().unwrap();
     let moved = folder.path().join("sub/moved.toml");
     setup.write(&moved).unwrap();
-    let again = Table::read(&moved).unwrap().setup().unwrap();
+    let again = SetupTable::read(&moved).unwrap().setup().unwrap();
     assert_eq!(solve(&again).pressure, solve(&setup).pressure);
 }
 
@@ -266,7 +266,7 @@ fn without_a_solid_pressures_are_over_the_modulus() {
 #[test]
 fn lists_and_ranges_of_loads_are_read_and_written() {
     let loads = |load: &str| {
-        let mut table = Table::from_toml(&SCENE.replace("mean-pressure = 0.01", load)).unwrap();
+        let mut table = SetupTable::from_toml(&SCENE.replace("mean-pressure = 0.01", load)).unwrap();
         let loads = table.take_loads().map_err(|error| error.to_string());
         loads.map(|loads| (loads, table))
     };
@@ -278,7 +278,7 @@ fn lists_and_ranges_of_loads_are_read_and_written() {
     let mut again = table.clone();
     assert_eq!(table.setup().unwrap().load, list[0]);
     again.lay_loads(&list);
-    assert_eq!(Table::from_toml(&again.to_toml()).unwrap().take_loads().unwrap(), Some(list));
+    assert_eq!(SetupTable::from_toml(&again.to_toml()).unwrap().take_loads().unwrap(), Some(list));
     let (range, _) = loads("reduced-pressure = '1e-3..1e-1:13'").unwrap();
     let range: Vec<f64> = range.unwrap().iter().map(Load::value).collect();
     assert_eq!((range.len(), range[0], range[12]), (13, 1e-3, 1e-1));
@@ -314,7 +314,7 @@ fn measured_heights_lose_their_trend_and_nothing_else() {
             write_heights(folder.path().join("h.npy"), height(tilt).view().into_dyn()).unwrap();
             let scene = folder.path().join("scene.toml");
             fs::write(&scene, format!("surface = {{ height = 'h.npy'{detrend} }}\ngrid.size = [1.0, 2.0]")).unwrap();
-            let (recipe, cell) = Table::read(&scene).unwrap().surface().unwrap();
+            let (recipe, cell) = SetupTable::read(&scene).unwrap().surface().unwrap();
             recipe.surface(recipe.grid(&cell).unwrap()).unwrap()
         };
         let plane = [0.0, 1.0, -20.0].map(|tilt| surface(tilt, ", prepare.detrend = 'plane'"));
@@ -387,13 +387,13 @@ mod with_units {
     fn json_is_read_like_toml_and_as_part_of_a_result() {
         for setup in setups() {
             let json = serde_json::to_string(&setup).unwrap();
-            assert_eq!(Table::from_json(&json).unwrap().setup().unwrap(), setup, "{json}");
+            assert_eq!(SetupTable::from_json(&json).unwrap().setup().unwrap(), setup, "{json}");
             let result = format!("{{\"kappa_r\": 1.75, \"setup\": {json}}}");
-            assert_eq!(Table::from_json(&result).unwrap().setup().unwrap(), setup);
+            assert_eq!(SetupTable::from_json(&result).unwrap().setup().unwrap(), setup);
         }
         let json = r#"{"surface": {"indenter": {"shape": "sine", "amplitude": "1 um"}},
             "grid": {"points": 64, "size": "1 mm"}, "load": {"mean-gap": "100 nm"}}"#;
-        let setup = Table::from_json(json).unwrap().setup().unwrap();
+        let setup = SetupTable::from_json(json).unwrap().setup().unwrap();
         assert!(matches!(setup.load, Load::MeanGap(gap) if (gap / 100e-9 - 1.0).abs() < 1e-15));
     }
 
@@ -411,7 +411,7 @@ mod with_units {
             ("{}", "no surface is given"),
             ("{\"surface\": {\"seed\": 1}}", "no load is given"),
         ] {
-            let said = Table::from_json(json).and_then(Table::setup).unwrap_err().to_string();
+            let said = SetupTable::from_json(json).and_then(SetupTable::setup).unwrap_err().to_string();
             assert!(said.contains(words) && !said.contains('\n'), "{json}: {said}");
         }
     }

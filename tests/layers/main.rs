@@ -2,6 +2,7 @@
 //! and each large dependency stays in its one place.
 
 mod source;
+mod types;
 mod uses;
 
 use source::{Source, names, tokens};

@@ -1,13 +1,13 @@
 //! Command lines that repeat setups, and the names that can be chosen on them.
 
 use asperity::contact::{Dynamics, Gfmd, Load, Masses};
-use asperity::setup::{Cell, FLAGS, Flag, Method, Recipe, Setup, Table, Value, command, lay};
+use asperity::setup::{Cell, FLAGS, Flag, FlagValue, Method, Recipe, Setup, SetupTable, command, lay};
 use asperity::surface::{Indenter, Spectrum};
 
 /// The setup that a command line describes, its flags laid over nothing.
 fn parsed(command: &str) -> Setup {
     let words: Vec<&str> = command.split_whitespace().skip(2).collect();
-    let mut table = Table::default();
+    let mut table = SetupTable::default();
     let given: Vec<_> = FLAGS
         .iter()
         .filter_map(|flag| {
@@ -50,7 +50,9 @@ fn every_name_that_can_be_chosen_can_be_read() {
     };
     let mut chosen = 0;
     for flag in FLAGS {
-        let (Value::Choice(names) | Value::Variant(names) | Value::Choices(names)) = flag.value else { continue };
+        let (FlagValue::Choice(names) | FlagValue::Variant(names) | FlagValue::Choices(names)) = flag.value else {
+            continue;
+        };
         assert!(is_unknown(flag, "nothing") && !names.iter().any(|(name, _)| is_unknown(flag, name)), "{}", flag.name);
         chosen += 1;
     }

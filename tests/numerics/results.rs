@@ -1,7 +1,7 @@
 //! Results that are solved again from themselves.
 
 use asperity::contact::archive;
-use asperity::setup::{Setup, Table};
+use asperity::setup::{Setup, SetupTable};
 use asperity::surface::{read_heights, write_heights};
 use ndarray::Array1;
 use std::path::Path;
@@ -23,7 +23,7 @@ fn results_are_repeated_from_themselves() {
     );
     let smooth = smooth.unwrap();
     result(&smooth, &path);
-    assert_eq!(Table::read(&path).unwrap().setup().unwrap(), smooth);
+    assert_eq!(SetupTable::read(&path).unwrap().setup().unwrap(), smooth);
 
     let heights = folder.path().join("heights.npy");
     let values = Array1::from_shape_fn(32, |i| (i as f64).sin());
@@ -32,7 +32,7 @@ fn results_are_repeated_from_themselves() {
     (rough.surface.height, rough.grid.points) = (Some(heights.clone().into()), Vec::new());
     result(&rough, &path);
     std::fs::remove_file(heights).unwrap();
-    let again = Table::read(&path).unwrap().setup().unwrap();
+    let again = SetupTable::read(&path).unwrap().setup().unwrap();
     let (height, found) = (rough_height(&values), read_heights(&path).unwrap());
     assert!(height.iter().zip(&found).all(|(a, b)| (a - b).abs() < 1e-15));
     assert_eq!((again.surface.indenter, again.surface.height.clone()), (None, Some(path.clone().into())));
@@ -40,7 +40,7 @@ fn results_are_repeated_from_themselves() {
 
     let contact = again.solver.solver().solve(&again.problem().unwrap(), &again.stop, &mut ()).unwrap();
     std::fs::write(&path, archive(&contact, 1, None).unwrap()).unwrap();
-    let refused = Table::read(&path).unwrap_err().to_string();
+    let refused = SetupTable::read(&path).unwrap_err().to_string();
     assert!(refused.contains("result.npz: no setup is in it"), "{refused}");
 }
 

@@ -1,6 +1,8 @@
 //! What measured heights are like, told of heights of which it is known, and the preparation that they need.
 
-use asperity::surface::{Choice, Detrend, Fill, Mirror, Preparation, Resample, Scales, Scan, Spectrum, Survey};
+use asperity::surface::{
+    Detrend, Fill, Mirror, Preparation, PreparationChoice, Resample, Scales, Scan, Spectrum, Survey,
+};
 use asperity::{Grid, Surface};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -160,12 +162,12 @@ fn a_plane_leaves_nothing_but_a_flat() {
 fn all_voids_are_refused() {
     let void = Scan { height: ndarray::Array2::from_elem((16, 16), f64::NAN), spacing: [1.0; 2] };
     assert!(Survey::of(&void).unwrap_err().to_string().contains("NaN"));
-    assert!(Choice::of(&void, true, [true; 2]).is_err());
+    assert!(PreparationChoice::of(&void, true, [true; 2]).is_err());
 }
 
 #[test]
 fn what_is_chosen_is_what_heights_need() {
-    let choose = |scan: &Scan, periodic| Choice::of(scan, true, periodic).unwrap();
+    let choose = |scan: &Scan, periodic| PreparationChoice::of(scan, true, periodic).unwrap();
     let none = Preparation::default();
     let grid = Grid::surface([128, 128], [32.0, 32.0]).unwrap();
     let spectrum = Spectrum { hurst: 0.7, rolloff_wavelength: 8.0, short_cutoff: 1.0, rms_gradient: 0.1 };
@@ -188,7 +190,7 @@ fn what_is_chosen_is_what_heights_need() {
     let low_pass = choose(&noisy(part.clone(), step, 1), [true; 2]).preparation.low_pass.unwrap();
     assert!(low_pass > 4.0 * SPACING, "{low_pass}");
 
-    let uneven = Choice::of(&rough([1, 4096], 8.0, 1), false, [true; 2]).unwrap().preparation;
+    let uneven = PreparationChoice::of(&rough([1, 4096], 8.0, 1), false, [true; 2]).unwrap().preparation;
     assert_eq!(uneven.resample, Some(Resample::Linear));
 }
 
@@ -199,7 +201,7 @@ fn prepared_heights_are_periodic_and_told_from_noise() {
         let step = Survey::of(&scan).unwrap().axes[0].scales[0].rms_step;
         let mut measured = noisy(scan, 2.0 * step, seed);
         measured.height.indexed_iter_mut().for_each(|((y, x), h)| *h += 0.3 * x as f64 - 0.1 * y as f64);
-        let choice = Choice::of(&measured, true, [true; 2]).unwrap();
+        let choice = PreparationChoice::of(&measured, true, [true; 2]).unwrap();
         let before = Survey::of(&measured).unwrap();
         let after = Survey::of(&choice.preparation.of(measured).unwrap().scan).unwrap();
         assert!(before.jumps[1] > 50.0 && after.jumps.iter().all(|jump| *jump < 3.0), "{:?}", after.jumps);

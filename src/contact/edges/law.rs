@@ -16,7 +16,7 @@ const SECOND_GAP: f64 = 2.589_489_9;
 
 /// Pressure and gap of a node on one side of an edge, as lengths in the law of the edge.
 #[derive(Clone, Copy)]
-pub struct Side {
+pub struct EdgeSide {
     pub touches: bool,
     /// `p l / E*`, a length.
     pub pressure: f64,
@@ -24,7 +24,7 @@ pub struct Side {
     pub gap: f64,
 }
 
-impl Side {
+impl EdgeSide {
     /// The distance from an edge of the strength `a` into the contact, in spacings of the link projected on the normal:
     /// `P k / a - c` of the last node and `-c - (pi / 2e) G / a` of the next one, exactly; linear up to the second one on either
     /// side, as it is there, and farther as in the continuum.

@@ -11,8 +11,8 @@ mod normal;
 use crate::contact::{Problem, chunks};
 use crate::grid::Grid;
 pub use law::NODE_EXCESS_PER_SWITCH_LINE;
-use law::{GAP_WEIGHT, Side};
-use normal::Normal;
+use law::{EdgeSide, GAP_WEIGHT};
+use normal::EdgeNormal;
 
 /// Share of the edges of a contact above which those that its shape gives leave the gradient over it without a meaning.
 const MOST_OF_SHAPE: f64 = 0.5;
@@ -111,9 +111,9 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         let square_slope = self.problem.surface().square_slope();
         let parts = chunks::visit(self.pressure.len(), |nodes| {
             chunks::positive(self.pressure, nodes)
-                .fold(Sums::default(), |sums, node| sums.plus(self.share(node, &square_slope)))
+                .fold(EdgeSums::default(), |sums, node| sums.plus(self.share(node, &square_slope)))
         });
-        let sums = parts.into_iter().fold(Sums::default(), Sums::plus);
+        let sums = parts.into_iter().fold(EdgeSums::default(), EdgeSums::plus);
         let is_smooth = sums.edges_of_shape as f64 <= MOST_OF_SHAPE * sums.edges as f64;
         let mean_square = if sums.area > 0.0 { sums.squares / sums.area } else { 0.0 };
         let strain = self.problem.mean_pressure_of(self.pressure) / self.problem.contact_modulus();
@@ -131,9 +131,9 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
 
     /// The area and the square gradients of a node in contact: those of its cell, cut off or extended at its edges, and no less than
     /// bears its pressure.
-    fn share(&self, node: usize, square_slope: &impl Fn(usize) -> f64) -> Sums {
+    fn share(&self, node: usize, square_slope: &impl Fn(usize) -> f64) -> EdgeSums {
         let square = square_slope(node);
-        let mut sums = Sums { area: 1.0, squares: square, ..Sums::default() };
+        let mut sums = EdgeSums { area: 1.0, squares: square, ..EdgeSums::default() };
         for edge in self.around(node) {
             let beyond = edge.weight * (edge.place - 0.5);
             let next = square_slope(self.grid.neighbour(node, edge.towards));
@@ -143,13 +143,13 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
             sums.edges_of_shape += usize::from(edge.is_of_shape);
         }
         let least = (self.pressure[node] / self.problem.highest_pressure()).min(1.0);
-        if sums.area > least { sums } else { Sums { area: least, squares: least * square, ..sums } }
+        if sums.area > least { sums } else { EdgeSums { area: least, squares: least * square, ..sums } }
     }
 
     /// The edge on the link from a node in contact to one that is not.
     fn edge(&self, [node, next]: [usize; 2], towards: [isize; 2]) -> Edge {
         let link = [node, next].map(|node| self.side(node, towards));
-        let Normal { cosine, weight } = self.normal([node, next], link, towards);
+        let EdgeNormal { cosine, weight } = self.normal([node, next], link, towards);
         let yields = self.problem.law().yields(self.pressure[node]);
         let is_of_shape = !yields && self.rises(node, towards);
         let (p, g) = (link[0].pressure * cosine, link[1].gap);
@@ -158,22 +158,22 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
     }
 
     /// The normal of the edge against the link.
-    fn normal(&self, nodes: [usize; 2], link: [Side; 2], [dy, dx]: [isize; 2]) -> Normal {
+    fn normal(&self, nodes: [usize; 2], link: [EdgeSide; 2], [dy, dx]: [isize; 2]) -> EdgeNormal {
         if self.grid.is_line() {
-            return Normal::ALONG;
+            return EdgeNormal::ALONG;
         }
         let aside = nodes.map(|node| [[dx, dy], [-dx, -dy]].map(|step| self.grid.neighbour(node, step)));
         let aside = aside.map(|both| both.map(|node| self.side(node, [dy, dx])));
         let spacing = self.grid.spacing();
-        Normal::of(link, aside, along(spacing, [dy, dx]) / along(spacing, [dx, dy]))
+        EdgeNormal::of(link, aside, along(spacing, [dy, dx]) / along(spacing, [dx, dy]))
     }
 
     /// Pressure and gap of a node as lengths in the law of an edge across a link.
-    fn side(&self, node: usize, towards: [isize; 2]) -> Side {
+    fn side(&self, node: usize, towards: [isize; 2]) -> EdgeSide {
         let per_modulus = along(self.grid.spacing(), towards) / self.problem.contact_modulus();
         let touches = self.touches(node);
         let gap = if touches { 0.0 } else { GAP_WEIGHT * (self.gap)(node).max(0.0) };
-        Side { touches, pressure: self.pressure[node] * per_modulus, gap }
+        EdgeSide { touches, pressure: self.pressure[node] * per_modulus, gap }
     }
 
     /// Whether the pressure rises towards the edge over three nodes, as that of a punch does.
@@ -198,14 +198,14 @@ const STEPS: [[isize; 2]; 4] = [[0, 1], [0, -1], [1, 0], [-1, 0]];
 
 /// Sums over nodes in contact.
 #[derive(Default)]
-struct Sums {
+struct EdgeSums {
     area: f64,
     squares: f64,
     edges: usize,
     edges_of_shape: usize,
 }
 
-impl Sums {
+impl EdgeSums {
     fn plus(self, other: Self) -> Self {
         Self {
             area: self.area + other.area,

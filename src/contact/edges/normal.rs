@@ -1,6 +1,6 @@
 //! The normal of an edge, from the nodes around a link.
 
-use super::law::Side;
+use super::law::EdgeSide;
 
 /// Rounds in which the cosine is found, where they begin, and how much of it each keeps: rounds alternate about the solution.
 const ROUNDS: usize = 4;
@@ -9,14 +9,14 @@ const KEPT: f64 = 0.4;
 
 /// The normal of an edge against a link.
 #[derive(Clone, Copy)]
-pub(super) struct Normal {
+pub(super) struct EdgeNormal {
     /// Cosine `k` of the angle between normal and link.
     pub cosine: f64,
     /// Share of the link in the contour: `k^2`, but that differences to either side do not cancel in it at the tip of a contact.
     pub weight: f64,
 }
 
-impl Normal {
+impl EdgeNormal {
     /// Along the link.
     pub const ALONG: Self = Self { cosine: 1.0, weight: 1.0 };
     /// Where nothing is known.
@@ -25,17 +25,17 @@ impl Normal {
     /// The normal by how the distance from the edge changes along a link, from its node in contact to the other, and from each of
     /// them to its neighbours on both sides; `ratio` is the spacing along the link over that across it. Distances take the
     /// cosine, so that it is found in rounds.
-    pub fn of(link: [Side; 2], aside: [[Side; 2]; 2], ratio: f64) -> Self {
+    pub fn of(link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64) -> Self {
         let first = Self { cosine: FIRST_COSINE, ..Self::UNKNOWN };
         let found = (0..ROUNDS).fold(first, |last, _| last.next(link, aside, ratio));
         if found.cosine.is_finite() && found.weight.is_finite() { found } else { Self::UNKNOWN }
     }
 
-    fn next(self, link: [Side; 2], aside: [[Side; 2]; 2], ratio: f64) -> Self {
+    fn next(self, link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64) -> Self {
         let strength = link[0].pressure * self.cosine + link[1].gap;
-        let distance = |side: Side| side.distance(self.cosine, strength);
+        let distance = |side: EdgeSide| side.distance(self.cosine, strength);
         let [inside, outside] = link.map(distance);
-        let steps = |here: f64, aside: [Side; 2]| aside.map(|side| (distance(side) - here) * ratio);
+        let steps = |here: f64, aside: [EdgeSide; 2]| aside.map(|side| (distance(side) - here) * ratio);
         let [a, b] = steps(inside, aside[0]);
         let [c, d] = steps(outside, aside[1]);
         let along = (inside - outside).powi(2);

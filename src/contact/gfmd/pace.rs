@@ -19,11 +19,11 @@ const SLACK: f64 = 16.0;
 pub(super) struct Pace {
     /// `dt^2 / m` at the largest stable time step allowed.
     pub step: f64,
-    kind: Kind,
+    kind: Damping,
     decision: Decision,
 }
 
-enum Kind {
+enum Damping {
     Damped { friction: f64 },
     Fire { dt: f64, turn: f64, falling: usize },
 }
@@ -45,8 +45,8 @@ impl Pace {
             }
         };
         let kind = match settings.dynamics {
-            Dynamics::Damped => Kind::Damped { friction: settings.damping * slowest.sqrt() },
-            Dynamics::Fire => Kind::Fire { dt: 1.0, turn: TURN, falling: 0 },
+            Dynamics::Damped => Damping::Damped { friction: settings.damping * slowest.sqrt() },
+            Dynamics::Fire => Damping::Fire { dt: 1.0, turn: TURN, falling: 0 },
         };
         Self { step, kind, decision: Decision::Start }
     }
@@ -54,8 +54,8 @@ impl Pace {
     /// The friction, if it stays.
     pub fn friction(&self) -> Option<f64> {
         match self.kind {
-            Kind::Damped { friction } => Some(friction),
-            Kind::Fire { .. } => None,
+            Damping::Damped { friction } => Some(friction),
+            Damping::Fire { .. } => None,
         }
     }
 
@@ -70,12 +70,12 @@ impl Pace {
         let step = self.step;
         match &mut self.kind {
             // the friction acts on the mean of the advances before and after, which leaves the stability limit where it is
-            Kind::Damped { friction } => {
+            Damping::Damped { friction } => {
                 self.decision = Decision::Damped;
                 let share = 1.0 / (1.0 + *friction);
                 [share * (1.0 - *friction), share * step]
             }
-            Kind::Fire { dt, turn, falling } => {
+            Damping::Fire { dt, turn, falling } => {
                 let power = chunks::sum(f.len(), |i| f[i] * dw[i]);
                 let before = *dt;
                 if power < 0.0 {

@@ -1,8 +1,8 @@
 //! Guarded steps, which lower the energy for certain.
 
 use super::correction::{dot, remove_mean};
-use super::level::{Level, Watch};
-use super::support::Pressure;
+use super::level::{InnerStepCallback, Level};
+use super::support::SparsePressure;
 use crate::chunks;
 use crate::contact::Status;
 use crate::contact::bound::{is_uniform, to_bound};
@@ -11,7 +11,7 @@ use crate::contact::feasible::nearest;
 impl Level<'_> {
     /// A guarded step: towards the pressure of a whole-set update if that is wished for and `f` falls on that way, else towards
     /// that of a projected gradient step.
-    pub fn descend(&mut self, by_set: bool, watch: &mut Watch<'_>) -> Option<Status> {
+    pub fn descend(&mut self, by_set: bool, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         self.admit();
         if by_set {
             let from = self.pressure.clone();
@@ -43,7 +43,7 @@ impl Level<'_> {
         let share = if curvature > 0.0 { (-slope / curvature).min(1.0) } else { 1.0 };
         let ceiling = self.ceiling();
         chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p = (*p + share * way[i]).min(ceiling)));
-        self.pressure = Pressure::of(&p, self.response.rows());
+        self.pressure = SparsePressure::of(&p, self.response.rows());
         self.is_fresh = false;
         true
     }
@@ -140,7 +140,7 @@ mod tests {
     }
 
     fn uniform(problem: &Problem) -> Level<'_> {
-        Level::new(problem, |rows| Pressure::first(problem, rows))
+        Level::new(problem, |rows| SparsePressure::first(problem, rows))
     }
 
     fn energy(level: &Level<'_>) -> f64 {
@@ -194,7 +194,7 @@ mod tests {
             let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(points, 1.0).unwrap()).unwrap();
             let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanGap(1e-3)).unwrap();
             let full: Vec<f64> = problem.height().iter().map(|h| PI * (h + 0.03)).collect();
-            let mut level = Level::new(&problem, |rows| Pressure::of(&full, rows));
+            let mut level = Level::new(&problem, |rows| SparsePressure::of(&full, rows));
             level.certify();
             let mean = |level: &Level<'_>| level.pressure.values.iter().sum::<f64>() / points as f64;
             let [before, least] = [mean(&level), full.iter().copied().fold(f64::INFINITY, f64::min)];

@@ -1,6 +1,6 @@
 //! Nested grids.
 
-use super::support::{Pressure, Support};
+use super::support::{SparsePressure, Support};
 use crate::contact::{Load, Problem};
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
@@ -37,7 +37,7 @@ pub(super) fn halved(grid: &Grid) -> Option<Grid> {
 }
 
 /// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly.
-pub(super) fn prolong(coarse: &[f64], from: &Grid, to: &Grid, rows: [usize; 2]) -> Pressure {
+pub(super) fn prolong(coarse: &[f64], from: &Grid, to: &Grid, rows: [usize; 2]) -> SparsePressure {
     let ([ny, nx], fine, [round_y, round_x]) = (from.shape(), to.shape(), from.periodic());
     let around = |i: usize, coarse: usize, fine: usize, is_periodic: bool| match i.div_ceil(2) {
         _ if coarse == fine => [i, i],
@@ -56,5 +56,5 @@ pub(super) fn prolong(coarse: &[f64], from: &Grid, to: &Grid, rows: [usize; 2]) 
             }
         }
     });
-    Pressure { support, values }
+    SparsePressure { support, values }
 }

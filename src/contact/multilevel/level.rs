@@ -2,10 +2,10 @@
 
 use super::correction::{Correction, mean};
 use super::extension::Extension;
-use super::support::{Pressure, RowOfNodes, Support, corrected};
+use super::support::{RowOfNodes, SparsePressure, Support, corrected};
 use crate::chunks;
 use crate::contact::best::Best;
-use crate::contact::{Certificate, Decision, Edges, Problem, Resolved, Status, Sums, slack};
+use crate::contact::{Certificate, CertificateSums, Decision, Edges, Problem, Resolved, Status, slack};
 use crate::elastic::Response;
 use std::ops::Range;
 
@@ -26,7 +26,7 @@ const TIGHTEST: f64 = 1e-3;
 pub(super) struct Level<'a> {
     pub problem: &'a Problem,
     pub response: Response,
-    pub pressure: Pressure,
+    pub pressure: SparsePressure,
     pub u: Vec<f64>,
     /// Whether `u` is the displacement of the pressure.
     pub is_fresh: bool,
@@ -44,11 +44,12 @@ pub(super) enum Mode {
 
 /// The watch of the inner steps of a correction: the set, the signed pressure on it, the step, and the half-space. It may end the
 /// run.
-pub(super) type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, &mut Response) -> Option<Status> + 'w;
+pub(super) type InnerStepCallback<'w> =
+    dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, &mut Response) -> Option<Status> + 'w;
 
 impl<'a> Level<'a> {
     /// Starts from a pressure, or from the uniform one, made for the rows of the half-space.
-    pub fn new(problem: &'a Problem, start: impl FnOnce([usize; 2]) -> Pressure) -> Self {
+    pub fn new(problem: &'a Problem, start: impl FnOnce([usize; 2]) -> SparsePressure) -> Self {
         let response = problem.response();
         let mut pressure = start(response.rows());
         pressure.carry(problem);
@@ -97,7 +98,7 @@ impl<'a> Level<'a> {
     }
 
     /// One free update or guarded step, as [`Level::choose_mode`] has it.
-    pub fn advance(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
+    pub fn advance(&mut self, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         match self.mode {
             Mode::Free { .. } => self.update(watch),
             Mode::Guarded { steps, .. } => self.descend(steps.is_multiple_of(2), watch),
@@ -114,7 +115,7 @@ impl<'a> Level<'a> {
     }
 
     /// Decides how to go on from a state that is this far from the goals.
-    pub fn choose_mode(&mut self, distance: f64, best: &Best<Pressure>) {
+    pub fn choose_mode(&mut self, distance: f64, best: &Best<SparsePressure>) {
         self.mode = match self.mode {
             Mode::Free { mark, .. } if distance <= BETTER * mark => Mode::Free { mark: distance, stale: 0 },
             Mode::Free { mark, stale } if stale < STALE => {
@@ -133,7 +134,7 @@ impl<'a> Level<'a> {
         };
     }
 
-    fn return_to(&mut self, best: &Best<Pressure>) {
+    fn return_to(&mut self, best: &Best<SparsePressure>) {
         if let Some(pressure) = &best.pressure {
             self.pressure.clone_from(pressure);
             self.is_fresh = false;
@@ -150,10 +151,10 @@ impl<'a> Level<'a> {
     }
 
     /// The sums of this state, with the first node of the set as the reference.
-    fn sums(&self) -> Sums {
-        let (u, h, Pressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
+    fn sums(&self) -> CertificateSums {
+        let (u, h, SparsePressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
         let [count, width] = support.shape();
-        let none = Sums::none(support.first().map_or(0.0, |node| u[node] - h[node]));
+        let none = CertificateSums::none(support.first().map_or(0.0, |node| u[node] - h[node]));
         let parts = chunks::rows(count, width, |row| {
             let at = row * width;
             let (u, h) = (&u[at..at + width], &h[at..at + width]);
@@ -164,7 +165,7 @@ impl<'a> Level<'a> {
             (0..width).for_each(|x| sums.add_displacement(u[x], h[x]));
             sums
         });
-        parts.into_iter().fold(none, Sums::plus)
+        parts.into_iter().fold(none, CertificateSums::plus)
     }
 
     /// Makes the set that of the pressure, and of the nodes where `v < lambda`; of those that yield, the ones where `v > lambda` are
@@ -177,7 +178,7 @@ impl<'a> Level<'a> {
     /// Takes nodes out of the set that have no pressure and in that have `v < lambda`; lets those yield that have reached the ceiling,
     /// and frees those that yield and have `v > lambda`. Returns whether the pressure changed by that, or the set.
     fn exchange(&mut self, lambda: f64) -> bool {
-        let (u, h, Pressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
+        let (u, h, SparsePressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
         let (ceiling, below) = (self.ceiling(), self.ceiling().next_down());
         let mut changed = ceiling.is_finite() && values.iter().any(|&p| p > ceiling);
         let [count, width] = support.shape();
@@ -201,12 +202,12 @@ impl<'a> Level<'a> {
             enter(column..width, nodes);
         });
         changed |= support != self.pressure.support;
-        self.pressure = Pressure { support, values };
+        self.pressure = SparsePressure { support, values };
         changed
     }
 
     /// The whole-set update: corrects the free nodes of the set, exchanges nodes by the signs of pressure and gap, clips and scales.
-    pub fn update(&mut self, watch: &mut Watch<'_>) -> Option<Status> {
+    pub fn update(&mut self, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         self.leave_extremes();
         let (ceiling, free) = (self.ceiling(), self.pressure.free(self.ceiling()));
         let free = free.as_ref();
@@ -217,7 +218,7 @@ impl<'a> Level<'a> {
         if residual.is_empty() {
             return None;
         }
-        let Self { response, u, pressure: Pressure { support, values }, .. } = self;
+        let Self { response, u, pressure: SparsePressure { support, values }, .. } = self;
         let mut correction = Correction::new(free.unwrap_or(support), residual, gap.is_none(), response);
         let status = correction.solve(self.reduction, &mut extension, response, u, &mut |correction, response| {
             let signed = || corrected(values, &correction.delta, ceiling);
@@ -279,8 +280,8 @@ impl<'a> Level<'a> {
 }
 
 /// Writes the displacement under a pressure.
-pub(super) fn displace(pressure: &Pressure, response: &mut Response, u: &mut [f64]) {
-    let Pressure { support, values } = pressure;
+pub(super) fn displace(pressure: &SparsePressure, response: &mut Response, u: &mut [f64]) {
+    let SparsePressure { support, values } = pressure;
     let mut rows: Vec<_> = u.chunks_exact_mut(support.shape()[1]).collect();
     response.displace_by_rows(
         |row, cause| {

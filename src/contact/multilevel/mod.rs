@@ -56,7 +56,7 @@ use crate::grid::Grid;
 use crate::surface::Field;
 use hierarchy::{coarser, halved, prolong};
 use level::{Level, displace};
-use support::{Pressure, Support};
+use support::{SparsePressure, Support};
 
 pub(super) use stiffness::stiffness;
 
@@ -161,7 +161,7 @@ impl Solver for Multilevel {
 
 /// The run through all grids.
 struct Cascade<'a> {
-    run: Run<'a, Pressure>,
+    run: Run<'a, SparsePressure>,
     /// Nodes of the finest grid.
     finest: usize,
     /// Work on grids that are done with, in transforms of the finest grid.
@@ -171,7 +171,7 @@ struct Cascade<'a> {
 impl Cascade<'_> {
     /// The finest grid with the pressure `start`, unless coarser grids promise a better one.
     fn level_from<'p>(&mut self, start: &Field, problem: &'p Problem) -> (Level<'p>, Option<Status>) {
-        let mut level = Level::new(problem, |rows| Pressure::of(&problem.first_pressure(Some(start)), rows));
+        let mut level = Level::new(problem, |rows| SparsePressure::of(&problem.first_pressure(Some(start)), rows));
         if level.certify().eta <= GOOD_START || halved(problem.surface().grid()).is_none() {
             return (level, None);
         }
@@ -184,7 +184,7 @@ impl Cascade<'_> {
     /// ended there, if it did.
     fn level_on<'p>(&mut self, problem: &'p Problem, depth: usize) -> (Level<'p>, Option<Status>) {
         let Some(coarse) = coarser(problem) else {
-            return (Level::new(problem, |rows| Pressure::first(problem, rows)), None);
+            return (Level::new(problem, |rows| SparsePressure::first(problem, rows)), None);
         };
         let (mut level, ended) = self.level_on(&coarse, depth + 1);
         let ended = self.relax(&mut level, depth + 1, ended);
@@ -269,10 +269,10 @@ impl Cascade<'_> {
 }
 
 /// The signed pressure on `support`, clipped and scaled to the load.
-fn feasible(support: &Support, mut values: Vec<f64>, problem: &Problem) -> Pressure {
+fn feasible(support: &Support, mut values: Vec<f64>, problem: &Problem) -> SparsePressure {
     let ceiling = problem.law().ceiling();
     values.iter_mut().for_each(|p| *p = p.max(0.0).min(ceiling));
-    let mut pressure = Pressure { support: support.clone(), values };
+    let mut pressure = SparsePressure { support: support.clone(), values };
     pressure.carry(problem);
     pressure
 }

@@ -13,11 +13,11 @@ pub(super) struct Support {
     /// Runs of nodes, by their columns.
     runs: Vec<Range<usize>>,
     /// The first run and the first node of each row, and those beyond the last row.
-    rows: Vec<Start>,
+    rows: Vec<RowStart>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-struct Start {
+struct RowStart {
     run: usize,
     node: usize,
 }
@@ -53,11 +53,11 @@ impl Support {
         let mut support = Self { width, runs: Vec::with_capacity(runs), rows: Vec::with_capacity(count + 1) };
         let mut values = Vec::with_capacity(nodes);
         for row in chosen {
-            support.rows.push(Start { run: support.runs.len(), node: values.len() });
+            support.rows.push(RowStart { run: support.runs.len(), node: values.len() });
             support.runs.extend(row.runs);
             values.extend(row.values);
         }
-        support.rows.push(Start { run: support.runs.len(), node: values.len() });
+        support.rows.push(RowStart { run: support.runs.len(), node: values.len() });
         (support, values)
     }
 
@@ -120,12 +120,12 @@ impl Support {
 
 /// A pressure and its support.
 #[derive(Clone)]
-pub(super) struct Pressure {
+pub(super) struct SparsePressure {
     pub support: Support,
     pub values: Vec<f64>,
 }
 
-impl Pressure {
+impl SparsePressure {
     /// The pressure of a whole field.
     pub fn of(field: &[f64], rows: [usize; 2]) -> Self {
         let (support, values) = Support::choose(rows, |row, nodes| {
@@ -193,8 +193,8 @@ pub(super) fn corrected(values: &[f64], delta: &[f64], ceiling: f64) -> Vec<f64>
     values.iter().map(|&p| next(p)).collect()
 }
 
-impl From<Pressure> for Vec<f64> {
-    fn from(pressure: Pressure) -> Self {
+impl From<SparsePressure> for Vec<f64> {
+    fn from(pressure: SparsePressure) -> Self {
         pressure.spread()
     }
 }

@@ -1,12 +1,12 @@
 //! The stress below a pressure on any grid for which it is known.
 
 use super::{Stress, under_row, under_strips};
-use crate::elastic::Solid;
+use crate::elastic::ElasticSolid;
 use crate::error::SolidError;
 use crate::grid::Grid;
 
 /// Whether the stress inside a solid is known: in a half-space, below a line, or below a periodic surface.
-pub fn is_known(grid: &Grid, solid: &dyn Solid) -> bool {
+pub fn is_known(grid: &Grid, solid: &dyn ElasticSolid) -> bool {
     solid.is_half_space() && (grid.is_periodic() || grid.is_line())
 }
 

@@ -1,15 +1,15 @@
 //! Work against precision: one solver on one grid.
 
-use super::quantity::{Values, errors, found};
+use super::quantity::{QuantityValues, errors, found};
 use crate::contact::{Contact, Each, Observer, Step, Stop};
 use crate::error::SolveError;
 use crate::lab::table::median;
-use crate::lab::{Rival, Watch};
+use crate::lab::{ObserverMaker, Rival};
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
 /// How far a solver has come at one step.
-pub struct Point {
+pub struct ConvergencePoint {
     pub step: usize,
     pub eta: f64,
     pub transforms: u64,
@@ -18,28 +18,28 @@ pub struct Point {
     /// Relative error of the pressure against the reference, in the L2 norm.
     pub pressure_error: f64,
     /// Errors of the quantities against the reference.
-    pub errors: Values,
+    pub errors: QuantityValues,
     /// Steps seen before, the inner ones and those of coarse grids included.
     place: usize,
 }
 
-impl Point {
+impl ConvergencePoint {
     pub fn median(&self) -> f64 {
         median(&self.seconds)
     }
 }
 
 /// One solver on one grid: a point for each halving of the certificate.
-pub struct Curve {
+pub struct ConvergenceCurve {
     pub rival: Rival,
     /// Points along y and x, the longer side.
     pub shape: [usize; 2],
     /// Certificate of the solution that errors are held against.
     pub reference_eta: f64,
-    pub points: Vec<Point>,
+    pub points: Vec<ConvergencePoint>,
 }
 
-impl Curve {
+impl ConvergenceCurve {
     /// Measures errors against the all but exact solution `reference` in a first run, which warms up, and seconds in `repeats`
     /// further runs, in which nobody looks at the fields.
     pub fn of(
@@ -48,7 +48,7 @@ impl Curve {
         stop: &Stop,
         repeats: NonZeroUsize,
         title: &str,
-        watch: Watch,
+        watch: ObserverMaker,
     ) -> Result<Self, SolveError> {
         let mut points = Vec::new();
         let run = |observer: &mut dyn Observer| {
@@ -68,20 +68,20 @@ impl Curve {
     }
 
     /// The first point whose certificate is at most `eta`.
-    pub fn reaching(&self, eta: f64) -> Option<&Point> {
+    pub fn reaching(&self, eta: f64) -> Option<&ConvergencePoint> {
         self.points.iter().find(|point| point.eta <= eta)
     }
 }
 
 /// The observer that makes the points of a curve.
-fn sampler(reference: &Contact, tolerance: f64, points: &mut Vec<Point>) -> impl Observer {
+fn sampler(reference: &Contact, tolerance: f64, points: &mut Vec<ConvergencePoint>) -> impl Observer {
     let (truth, mut seen) = (found(reference), 0);
     Each(move |step: &Step<'_>| {
         let last = points.last().map_or(f64::INFINITY, |point| point.eta);
         let is_wanted = |eta: f64| eta.is_finite() && (eta <= 0.5 * last || (eta <= tolerance && eta < last));
         if let Some(eta) = step.certificate().map(|it| it.eta).filter(|&eta| step.phase().level == 0 && is_wanted(eta))
         {
-            points.push(Point {
+            points.push(ConvergencePoint {
                 step: step.index(),
                 eta,
                 transforms: step.transforms(),
@@ -97,7 +97,7 @@ fn sampler(reference: &Contact, tolerance: f64, points: &mut Vec<Point>) -> impl
 }
 
 /// The observer that notes the seconds at the steps of the points.
-fn clock(points: &mut [Point]) -> impl Observer {
+fn clock(points: &mut [ConvergencePoint]) -> impl Observer {
     let (mut points, mut seen) = (points.iter_mut().peekable(), 0);
     Each(move |step: &Step<'_>| {
         if let Some(point) = points.next_if(|point| point.place == seen) {

@@ -1,20 +1,20 @@
 //! The experiment on a scene.
 
-use super::curve::Curve;
+use super::curve::ConvergenceCurve;
 use super::ladder::{Ladder, REFINEMENT};
 use super::model::{Model, models};
 use super::realised::Realised;
-use super::scene::Scene;
+use super::scene::AccuracyScene;
 use crate::contact::{Multilevel, Solver, Stop};
 use crate::error::{SettingError, SetupError};
-use crate::lab::{Rival, Watch};
+use crate::lab::{ObserverMaker, Rival};
 use std::num::NonZeroUsize;
 
 /// The experiment on a scene: its grids, where runs end, and how often they are timed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Experiment {
     /// The scene.
-    pub scene: Scene,
+    pub scene: AccuracyScene,
     /// Points along each side of the grids, coarsest first.
     pub sides: Vec<usize>,
     /// Seed of rough surfaces.
@@ -45,7 +45,7 @@ impl Experiment {
     ///
     /// # Errors
     /// The errors of [`Experiment::check`].
-    pub fn run(&self, watch: Watch) -> Result<Findings, SetupError> {
+    pub fn run(&self, watch: ObserverMaker) -> Result<Measurements, SetupError> {
         self.check()?;
         let realised = self.realised()?;
         let ladder = Ladder::of(&realised, &self.sides, &self.stop, watch)?;
@@ -53,7 +53,7 @@ impl Experiment {
         let models = models(self.scene, &ladder.truth, self.scene.mean_pressure() / rms_gradient);
         let curves =
             self.sides.iter().map(|&side| self.curves(&realised, side, watch)).collect::<Result<Vec<_>, _>>()?;
-        Ok(Findings { scene: self.scene, ladder, models, curves: curves.into_iter().flatten().collect() })
+        Ok(Measurements { scene: self.scene, ladder, models, curves: curves.into_iter().flatten().collect() })
     }
 
     /// The scene, scaled on the finest grid that is solved on.
@@ -62,12 +62,17 @@ impl Experiment {
     }
 
     /// The curves of all solvers on one grid.
-    fn curves(&self, realised: &Realised, side: usize, watch: Watch) -> Result<Vec<Curve>, SetupError> {
+    fn curves(
+        &self,
+        realised: &Realised,
+        side: usize,
+        watch: ObserverMaker,
+    ) -> Result<Vec<ConvergenceCurve>, SetupError> {
         let title = format!("{} {side},", self.scene.name());
         let problem = realised.problem(side)?;
         let observer = &mut watch(&format!("{title} multilevel"));
         let reference = Multilevel.solve(&problem, &self.reference, observer)?;
-        let curve = |rival| Ok(Curve::of(rival, &reference, &self.stop, self.repeats, &title, watch)?);
+        let curve = |rival| Ok(ConvergenceCurve::of(rival, &reference, &self.stop, self.repeats, &title, watch)?);
         Rival::ALL.into_iter().map(curve).collect()
     }
 
@@ -78,25 +83,25 @@ impl Experiment {
 }
 
 /// All that was measured on a scene; displays as tables, 120 columns wide.
-pub struct Findings {
+pub struct Measurements {
     /// The scene.
-    pub scene: Scene,
+    pub scene: AccuracyScene,
     /// Errors of the theories.
     pub models: Vec<Model>,
     pub(super) ladder: Ladder,
     /// Errors and work of all solvers on all grids, the finest last.
-    pub(super) curves: Vec<Curve>,
+    pub(super) curves: Vec<ConvergenceCurve>,
 }
 
-impl Findings {
+impl Measurements {
     /// The curves on the finest grid.
-    pub(super) fn finest(&self) -> impl Iterator<Item = &Curve> {
+    pub(super) fn finest(&self) -> impl Iterator<Item = &ConvergenceCurve> {
         self.curves.iter().skip(self.curves.len().saturating_sub(Rival::ALL.len()))
     }
 
     /// Whether all curves end at the tolerance of a stop.
     pub fn is_converged(&self, stop: &Stop) -> bool {
-        let is_end = |curve: &Curve| curve.points.last().is_some_and(|end| end.eta <= stop.tolerance());
+        let is_end = |curve: &ConvergenceCurve| curve.points.last().is_some_and(|end| end.eta <= stop.tolerance());
         self.curves.iter().all(is_end)
     }
 }

@@ -1,7 +1,7 @@
 //! The figure of a scene: error against seconds and against transforms, side by side.
 
-use super::curve::{Curve, Point};
-use super::experiment::Findings;
+use super::curve::{ConvergenceCurve, ConvergencePoint};
+use super::experiment::Measurements;
 use super::quantity::{KAPPA_R, KAPPA_R_COUNTED};
 use crate::lab::Rival;
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
@@ -10,11 +10,11 @@ use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 const TOP: f64 = 10.0;
 
 /// The figure of the findings on a scene; the legend of one panel tells the solvers apart, that of the other the lines.
-pub fn figure(findings: &Findings) -> Figure {
+pub fn figure(findings: &Measurements) -> Figure {
     let points = findings.finest().next().map_or(0, |curve| curve.shape[1]);
     let kind = if findings.scene.is_line() { "points" } else { "points a side" };
     let title = format!("{}, {points} {kind}: error against work", findings.scene.name());
-    let seconds = panel(findings, "run time in s, median", Point::median, |rival| rival.title);
+    let seconds = panel(findings, "run time in s, median", ConvergencePoint::median, |rival| rival.title);
     let mut transforms = panel(findings, "Fourier transforms", |point| point.transforms as f64, |_| "");
     transforms.add("pressure, relative L2", Colour::GREY, Mark::Line, []);
     transforms.add("certificate η", Colour::GREY, Mark::Dotted, []);
@@ -24,7 +24,12 @@ pub fn figure(findings: &Findings) -> Figure {
 }
 
 /// Errors of grids, then of each solver the certificate and the error, against what `work` counts.
-fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64, legend: fn(&Rival) -> &'static str) -> Panel {
+fn panel(
+    findings: &Measurements,
+    name: &str,
+    work: fn(&ConvergencePoint) -> f64,
+    legend: fn(&Rival) -> &'static str,
+) -> Panel {
     let rungs = || findings.ladder.rungs.iter();
     let mut grids: Vec<_> = rungs().filter_map(|rung| Some((rung.shape[1], rung.errors[KAPPA_R]?))).collect();
     grids.sort_by(|(_, a), (_, b)| b.total_cmp(a));
@@ -47,9 +52,9 @@ fn panel(findings: &Findings, name: &str, work: fn(&Point) -> f64, legend: fn(&R
 }
 
 /// Adds certificate and error of the pressure.
-fn add_curve(panel: &mut Panel, curve: &Curve, work: fn(&Point) -> f64, name: &str) {
+fn add_curve(panel: &mut Panel, curve: &ConvergenceCurve, work: fn(&ConvergencePoint) -> f64, name: &str) {
     let (colour, symbol) = look(&curve.rival);
-    let mut add = |name, mark, error: fn(&Point) -> f64| {
+    let mut add = |name, mark, error: fn(&ConvergencePoint) -> f64| {
         panel.add(name, colour, mark, curve.points.iter().map(|point| Dot::at(work(point), error(point))));
     };
     add("", Mark::Dotted, |point| point.eta);

@@ -1,11 +1,11 @@
 //! The error of the grid.
 
-use super::quantity::{self, QUANTITIES, Values, errors, exact, found, root_mean_square};
+use super::quantity::{self, QUANTITIES, QuantityValues, errors, exact, found, root_mean_square};
 use super::realised::Realised;
-use super::scene::Scene;
+use super::scene::AccuracyScene;
 use crate::contact::{Load, Multilevel, Solver, Stop, Work};
 use crate::error::SetupError;
-use crate::lab::Watch;
+use crate::lab::ObserverMaker;
 use crate::lab::table::points;
 
 /// Loads over which errors are averaged, from the least to just below twice that: where the edge of the contact falls
@@ -18,7 +18,7 @@ pub const REFINEMENT: usize = 4;
 pub struct Rung {
     pub shape: [usize; 2],
     /// Errors, root mean square over the loads.
-    pub errors: Values,
+    pub errors: QuantityValues,
     /// Work of the solver at the least load.
     pub work: Work,
 }
@@ -28,17 +28,17 @@ pub struct Ladder {
     /// The source of the truth, in words.
     pub against: String,
     /// The true values at the least load.
-    pub truth: Values,
+    pub truth: QuantityValues,
     pub rungs: Vec<Rung>,
 }
 
 impl Ladder {
     /// Solves a scene on all grids under all loads.
-    pub fn of(realised: &Realised, sides: &[usize], stop: &Stop, watch: Watch) -> Result<Self, SetupError> {
+    pub fn of(realised: &Realised, sides: &[usize], stop: &Stop, watch: ObserverMaker) -> Result<Self, SetupError> {
         let scene = realised.scene;
         let finest = sides.iter().copied().max().unwrap_or_default();
         let all = loads(scene).map(|load| scene.exact(finest, load).transpose());
-        let (against, truth): (_, Vec<Values>) = match all.collect::<Option<Result<Vec<_>, _>>>().transpose()? {
+        let (against, truth): (_, Vec<QuantityValues>) = match all.collect::<Option<Result<Vec<_>, _>>>().transpose()? {
             Some(all) => (format!("the exact solution ({})", all[0].name), all.iter().map(exact).collect()),
             None => {
                 let finer = solved(realised, REFINEMENT * finest, stop, watch)?;
@@ -51,7 +51,8 @@ impl Ladder {
         };
         let rung = |&side: &usize| -> Result<Rung, SetupError> {
             let solved = solved(realised, side, stop, watch)?;
-            let all: Vec<Values> = solved.iter().zip(&truth).map(|((found, _), truth)| errors(found, truth)).collect();
+            let all: Vec<QuantityValues> =
+                solved.iter().zip(&truth).map(|((found, _), truth)| errors(found, truth)).collect();
             Ok(Rung { shape: scene.shape(side), errors: root_mean_square(&all), work: solved[0].1 })
         };
         let rungs = sides.iter().map(rung).collect::<Result<_, _>>()?;
@@ -66,7 +67,7 @@ impl Ladder {
     }
 
     /// The orders in the spacing from the coarsest grid to the finest.
-    pub fn orders(&self) -> Values {
+    pub fn orders(&self) -> QuantityValues {
         let (Some(first), Some(last)) = (self.rungs.first(), self.rungs.last()) else {
             return [None; QUANTITIES.len()];
         };
@@ -76,7 +77,12 @@ impl Ladder {
 }
 
 /// The values found on one grid under each load, and the work of the solver.
-fn solved(realised: &Realised, side: usize, stop: &Stop, watch: Watch) -> Result<Vec<(Values, Work)>, SetupError> {
+fn solved(
+    realised: &Realised,
+    side: usize,
+    stop: &Stop,
+    watch: ObserverMaker,
+) -> Result<Vec<(QuantityValues, Work)>, SetupError> {
     let (scene, problem) = (realised.scene, realised.problem(side)?);
     let solve_under = |(i, load): (usize, f64)| {
         let problem = problem.clone().with_load(Load::MeanPressure(load))?;
@@ -87,6 +93,6 @@ fn solved(realised: &Realised, side: usize, stop: &Stop, watch: Watch) -> Result
     loads(scene).enumerate().map(solve_under).collect()
 }
 
-fn loads(scene: Scene) -> impl Iterator<Item = f64> {
+fn loads(scene: AccuracyScene) -> impl Iterator<Item = f64> {
     (0..LOADS).map(move |i| scene.mean_pressure() * 2f64.powf(i as f64 / LOADS as f64))
 }

@@ -22,9 +22,9 @@ mod row;
 mod scene;
 mod table;
 
-pub use experiment::{Experiment, Findings};
+pub use experiment::{Experiment, Measurements};
 pub use figure::figure;
 #[cfg(feature = "record")]
 pub use recording::record;
 pub use row::write_rows;
-pub use scene::Scene;
+pub use scene::AccuracyScene;

@@ -1,7 +1,7 @@
 //! The error of theories that stand in for the solution.
 
-use super::quantity::{self, Values, errors};
-use super::scene::{AMPLITUDE, RADIUS, Scene};
+use super::quantity::{self, QuantityValues, errors};
+use super::scene::{AMPLITUDE, AccuracyScene, RADIUS};
 use crate::theory::{PowerLaw, SummitHeights, hertz, persson};
 use std::f64::consts::{PI, TAU};
 
@@ -9,17 +9,17 @@ use std::f64::consts::{PI, TAU};
 pub struct Model {
     pub theory: &'static str,
     /// Relative errors, with their signs.
-    pub errors: Values,
+    pub errors: QuantityValues,
 }
 
 /// The errors of the theories of `scene`, whose true values are `truth`.
-pub fn models(scene: Scene, truth: &Values, reduced_pressure: f64) -> Vec<Model> {
-    let of = |theory, values: Values| Model { theory, errors: errors(&values, truth) };
+pub fn models(scene: AccuracyScene, truth: &QuantityValues, reduced_pressure: f64) -> Vec<Model> {
+    let of = |theory, values: QuantityValues| Model { theory, errors: errors(&values, truth) };
     match scene {
-        Scene::Sine => vec![of("Hertz at the crest", isolated(&hertz::cylinder(crest_radius(), 1.0), scene))],
-        Scene::Cylinder => vec![of("Hertz, isolated", isolated(&hertz::cylinder(RADIUS, 1.0), scene))],
-        Scene::Sphere => vec![of("Hertz, isolated", isolated(&hertz::sphere(RADIUS, 1.0), scene))],
-        Scene::RoughLine | Scene::RoughSurface => {
+        AccuracyScene::Sine => vec![of("Hertz at the crest", isolated(&hertz::cylinder(crest_radius(), 1.0), scene))],
+        AccuracyScene::Cylinder => vec![of("Hertz, isolated", isolated(&hertz::cylinder(RADIUS, 1.0), scene))],
+        AccuracyScene::Sphere => vec![of("Hertz, isolated", isolated(&hertz::sphere(RADIUS, 1.0), scene))],
+        AccuracyScene::RoughLine | AccuracyScene::RoughSurface => {
             let area = |area| quantity::truth([Some(area), None, None, None]);
             vec![
                 of("Persson", area(persson::relative_area(reduced_pressure))),
@@ -35,7 +35,7 @@ pub fn models(scene: Scene, truth: &Values, reduced_pressure: f64) -> Vec<Model>
 }
 
 /// An isolated contact in a cell of length 1.
-fn isolated(contact: &PowerLaw, scene: Scene) -> Values {
+fn isolated(contact: &PowerLaw, scene: AccuracyScene) -> QuantityValues {
     let a = contact.half_width(scene.mean_pressure());
     let area = if scene.is_line() { 2.0 * a } else { PI * a * a };
     quantity::truth([Some(area), Some(contact.kappa_r()), None, Some(contact.pressure(a, 0.0))])

@@ -13,10 +13,10 @@ pub const KAPPA_R: usize = 1;
 pub const KAPPA_R_COUNTED: usize = 5;
 
 /// One value of each quantity, where there is one; or one relative error of each.
-pub type Values = [Option<f64>; QUANTITIES.len()];
+pub type QuantityValues = [Option<f64>; QUANTITIES.len()];
 
 /// The values of a contact, or of a step on the finest grid.
-pub fn found<'a>(state: impl Into<State<'a>>) -> Values {
+pub fn found<'a>(state: impl Into<State<'a>>) -> QuantityValues {
     let it = Observables::of(state);
     let best = [it.relative_area, it.kappa_r, it.mean_gap, it.max_pressure];
     let [area, kappa_r, gap, peak] = best.map(Some);
@@ -24,22 +24,22 @@ pub fn found<'a>(state: impl Into<State<'a>>) -> Values {
 }
 
 /// The values of an exact solution.
-pub fn exact(exact: &Exact) -> Values {
+pub fn exact(exact: &Exact) -> QuantityValues {
     truth([Some(exact.relative_area), exact.kappa_r, exact.mean_gap, exact.max_pressure])
 }
 
 /// The values that all quantities should have: counted nodes those of resolved edges.
-pub fn truth([area, kappa_r, gap, peak]: [Option<f64>; BEST]) -> Values {
+pub fn truth([area, kappa_r, gap, peak]: [Option<f64>; BEST]) -> QuantityValues {
     [area, kappa_r, gap, peak, area, kappa_r]
 }
 
 /// Relative errors, with their signs.
-pub fn errors(found: &Values, truth: &Values) -> Values {
+pub fn errors(found: &QuantityValues, truth: &QuantityValues) -> QuantityValues {
     std::array::from_fn(|i| Some(found[i]? / truth[i]? - 1.0))
 }
 
 /// Root mean squares of several errors.
-pub fn root_mean_square(all: &[Values]) -> Values {
+pub fn root_mean_square(all: &[QuantityValues]) -> QuantityValues {
     std::array::from_fn(|i| {
         let squares = all.iter().map(|errors| errors[i].map(|e| e * e)).sum::<Option<f64>>()?;
         Some((squares / all.len() as f64).sqrt())

@@ -1,6 +1,6 @@
 //! A scene with one realisation of its surface.
 
-use super::scene::Scene;
+use super::scene::AccuracyScene;
 use crate::contact::Problem;
 use crate::error::SetupError;
 use crate::setup::Setup;
@@ -12,7 +12,7 @@ use crate::setup::Setup;
 /// the others: all of them carry the same waves, and by Parseval's theorem the same mean square of them.
 #[derive(Debug, Clone, Copy)]
 pub struct Realised {
-    pub scene: Scene,
+    pub scene: AccuracyScene,
     seed: u64,
     /// Rms height of roughness on the finest grid.
     rms_height: Option<f64>,
@@ -23,7 +23,7 @@ impl Realised {
     ///
     /// # Errors
     /// For a grid that cannot carry the scene.
-    pub fn new(scene: Scene, seed: u64, finest: usize) -> Result<Self, SetupError> {
+    pub fn new(scene: AccuracyScene, seed: u64, finest: usize) -> Result<Self, SetupError> {
         let rms_height = if scene.is_rough() { Some(rms_height(&scene.setup(finest, seed))?) } else { None };
         Ok(Self { scene, seed, rms_height })
     }
@@ -62,7 +62,7 @@ mod tests {
 
     #[test]
     fn a_rough_surface_is_the_same_on_all_grids() {
-        for (scene, finest) in [(Scene::RoughLine, 4096), (Scene::RoughSurface, 128)] {
+        for (scene, finest) in [(AccuracyScene::RoughLine, 4096), (AccuracyScene::RoughSurface, 128)] {
             let realised = Realised::new(scene, 3, finest).unwrap();
             let fine = realised.setup(finest).unwrap().surface().unwrap();
             let coarse = realised.setup(finest / 4).unwrap().surface().unwrap();

@@ -5,7 +5,7 @@ use crate::contact::{Contact, Multilevel, Observer, Solver};
 use crate::diagnosis::Reference;
 use crate::error::SetupError;
 use crate::job::{self, Job, JobRun, Pass};
-use crate::lab::{Rival, Watch};
+use crate::lab::{ObserverMaker, Rival};
 use crate::record::Recording;
 use crate::setup::{Part, Record, Setup};
 use std::path::Path;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// The errors of [`Experiment::check`], and for a file that cannot be written.
-pub fn record(path: &Path, experiment: &Experiment, what: &[Part], watch: Watch) -> Result<(), SetupError> {
+pub fn record(path: &Path, experiment: &Experiment, what: &[Part], watch: ObserverMaker) -> Result<(), SetupError> {
     let record = Record { what: what.into(), length_unit: "L".into(), ..Record::default() };
     let setup = Setup { stop: experiment.stop, record, ..experiment.realised()?.setup(experiment.finest())? };
     let problem = setup.problem()?;
@@ -43,7 +43,7 @@ pub fn record(path: &Path, experiment: &Experiment, what: &[Part], watch: Watch)
 }
 
 /// Watches each run of a job under its title.
-struct Titled(Watch);
+struct Titled(ObserverMaker);
 
 impl job::Watcher for Titled {
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {

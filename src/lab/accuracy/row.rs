@@ -1,7 +1,7 @@
 //! The file of all points.
 
-use super::experiment::Findings;
-use super::quantity::Values;
+use super::experiment::Measurements;
+use super::quantity::QuantityValues;
 use crate::error::FileError;
 use crate::files::write_csv;
 use crate::lab::Rival;
@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// One point; errors are relative.
 #[derive(Serialize, Default)]
-struct Row {
+struct AccuracyRow {
     scene: &'static str,
     kind: &'static str,
     solver: Option<&'static str>,
@@ -33,8 +33,8 @@ struct Row {
     kappa_r_counted_error: Option<f64>,
 }
 
-impl Row {
-    fn new(kind: &'static str, errors: Values) -> Self {
+impl AccuracyRow {
+    fn new(kind: &'static str, errors: QuantityValues) -> Self {
         let [area_error, kappa_r_error, mean_gap_error, peak_pressure_error, ..] = errors;
         let [.., area_counted_error, kappa_r_counted_error] = errors;
         Self {
@@ -50,7 +50,7 @@ impl Row {
     }
 
     /// The row of a solver on a grid.
-    fn on_grid(kind: &'static str, rival: &Rival, [ny, nx]: [usize; 2], errors: Values) -> Self {
+    fn on_grid(kind: &'static str, rival: &Rival, [ny, nx]: [usize; 2], errors: QuantityValues) -> Self {
         Self { solver: Some(rival.name), ny: Some(ny), nx: Some(nx), ..Self::new(kind, errors) }
     }
 }
@@ -59,14 +59,14 @@ impl Row {
 ///
 /// # Errors
 /// The errors of [`write_csv`].
-pub fn write_rows(path: &Path, all: &[Findings]) -> Result<(), FileError> {
+pub fn write_rows(path: &Path, all: &[Measurements]) -> Result<(), FileError> {
     write_csv(path, all.iter().flat_map(rows))
 }
 
 /// Errors of steps against the solution on the same grid, of grids against the truth, and of theories against the truth.
-fn rows(Findings { scene, ladder, models, curves }: &Findings) -> impl Iterator<Item = Row> {
+fn rows(Measurements { scene, ladder, models, curves }: &Measurements) -> impl Iterator<Item = AccuracyRow> {
     let steps = curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)));
-    let algebraic = steps.map(|(curve, point)| Row {
+    let algebraic = steps.map(|(curve, point)| AccuracyRow {
         step: Some(point.step),
         eta: Some(point.eta),
         transforms: Some(point.transforms),
@@ -74,13 +74,15 @@ fn rows(Findings { scene, ladder, models, curves }: &Findings) -> impl Iterator<
         least_seconds: point.seconds.first().copied(),
         most_seconds: point.seconds.last().copied(),
         pressure_error: Some(point.pressure_error),
-        ..Row::on_grid("algebraic", &curve.rival, curve.shape, point.errors)
+        ..AccuracyRow::on_grid("algebraic", &curve.rival, curve.shape, point.errors)
     });
-    let discretisation = ladder.rungs.iter().map(|rung| Row {
+    let discretisation = ladder.rungs.iter().map(|rung| AccuracyRow {
         transforms: Some(rung.work.transforms),
         seconds: Some(rung.work.seconds),
-        ..Row::on_grid("discretisation", &Rival::MULTILEVEL, rung.shape, rung.errors)
+        ..AccuracyRow::on_grid("discretisation", &Rival::MULTILEVEL, rung.shape, rung.errors)
     });
-    let model = models.iter().map(|model| Row { theory: Some(model.theory), ..Row::new("model", model.errors) });
-    algebraic.chain(discretisation).chain(model).map(|row| Row { scene: scene.name(), ..row })
+    let model = models
+        .iter()
+        .map(|model| AccuracyRow { theory: Some(model.theory), ..AccuracyRow::new("model", model.errors) });
+    algebraic.chain(discretisation).chain(model).map(|row| AccuracyRow { scene: scene.name(), ..row })
 }

@@ -19,7 +19,7 @@ const REDUCED_PRESSURE: f64 = 0.05;
 /// A contact on ever finer grids.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-pub enum Scene {
+pub enum AccuracyScene {
     /// A sine on a line, at a fifth of the pressure of full contact
     Sine,
     /// A cylinder on a line
@@ -32,7 +32,7 @@ pub enum Scene {
     RoughSurface,
 }
 
-impl Scene {
+impl AccuracyScene {
     /// All scenes.
     pub const ALL: [Self; 5] = [Self::Sine, Self::Cylinder, Self::Sphere, Self::RoughLine, Self::RoughSurface];
 

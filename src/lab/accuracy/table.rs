@@ -1,7 +1,7 @@
 //! The tables for reading, 120 columns wide.
 
-use super::curve::{Curve, Point};
-use super::experiment::Findings;
+use super::curve::{ConvergenceCurve, ConvergencePoint};
+use super::experiment::Measurements;
 use super::ladder::{LOADS, Ladder};
 use super::quantity::{BEST, QUANTITIES};
 use crate::lab::table::{or_dash, points};
@@ -13,7 +13,7 @@ const MILESTONES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
 const ACCURACIES: [f64; 2] = [0.01, 0.001];
 const INDENT: &str = "    ";
 
-impl fmt::Display for Findings {
+impl fmt::Display for Measurements {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.scene.name())?;
         write_ladder(&self.ladder, f)?;
@@ -32,7 +32,7 @@ fn write_ladder(ladder: &Ladder, f: &mut Formatter<'_>) -> fmt::Result {
     write_row("order", 13, ladder.orders().map(|order| or_dash(order, |order| format!("{order:.1}"))), f)
 }
 
-fn write_models(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
+fn write_models(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  model: predictions over the truth, less one")?;
     write_row("theory", 13, &QUANTITIES[..BEST], f)?;
     let entry = |error| or_dash(error, |error| format!("{:+.2} %", 100.0 * error));
@@ -52,8 +52,8 @@ fn write_row(
 }
 
 /// Seconds with their spread and transforms to reach the milestones on the finest grid.
-fn write_work(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
-    let Some(Curve { shape, reference_eta, .. }) = findings.finest().next() else { return Ok(()) };
+fn write_work(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
+    let Some(ConvergenceCurve { shape, reference_eta, .. }) = findings.finest().next() else { return Ok(()) };
     writeln!(
         f,
         "  algebraic: ms (half the spread in %) and transforms to eta, {} points; L2 of p in the end, against eta {:.0e}",
@@ -70,7 +70,7 @@ fn write_work(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-fn work(curve: &Curve, eta: f64) -> String {
+fn work(curve: &ConvergenceCurve, eta: f64) -> String {
     let Some(point) = curve.reaching(eta) else { return "-".into() };
     let (least, most) = (point.seconds[0], point.seconds[point.seconds.len() - 1]);
     let spread = 50.0 * (most - least) / point.median();
@@ -84,7 +84,7 @@ fn milliseconds(seconds: f64) -> String {
     format!("{milliseconds:.decimals$}")
 }
 
-fn write_settled(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
+fn write_settled(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(
         f,
         "  when may I stop: the largest eta seen from which on a quantity stays within 1 % / 0.1 % of its final value"
@@ -98,18 +98,18 @@ fn write_settled(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
 }
 
 /// The largest certificate from which on `quantity` stays within `accuracy` of its final value.
-fn settled(curve: &Curve, quantity: usize, accuracy: f64) -> Option<f64> {
+fn settled(curve: &ConvergenceCurve, quantity: usize, accuracy: f64) -> Option<f64> {
     let is_settled = |&i: &usize| curve.error_from(i, quantity).is_some_and(|error| error <= accuracy);
     (0..curve.points.len()).find(is_settled).map(|i| curve.points[i].eta)
 }
 
-fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
+fn write_advice(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(f, "  recommended: the fastest that was measured, total error = discretisation + algebraic")?;
     for (quantity, name) in QUANTITIES.iter().take(BEST).enumerate() {
         for accuracy in ACCURACIES {
             write!(f, "{INDENT}for {name} to {} % ", 100.0 * accuracy)?;
             let all = || choices(findings, quantity);
-            let is_enough = |choice: &Choice<'_>| choice.total() <= accuracy;
+            let is_enough = |choice: &Candidate<'_>| choice.total() <= accuracy;
             match all().filter(is_enough).min_by(|a, b| a.point.median().total_cmp(&b.point.median())) {
                 Some(choice) => writeln!(f, "{}", choice.sentence())?,
                 None => {
@@ -123,26 +123,26 @@ fn write_advice(findings: &Findings, f: &mut Formatter<'_>) -> fmt::Result {
 }
 
 /// A solver on a grid, stopped at a point, with its errors in a quantity.
-struct Choice<'a> {
-    curve: &'a Curve,
-    point: &'a Point,
+struct Candidate<'a> {
+    curve: &'a ConvergenceCurve,
+    point: &'a ConvergencePoint,
     discretisation: f64,
     algebraic: f64,
 }
 
 /// All points that were measured.
-fn choices(findings: &Findings, quantity: usize) -> impl Iterator<Item = Choice<'_>> {
+fn choices(findings: &Measurements, quantity: usize) -> impl Iterator<Item = Candidate<'_>> {
     findings.curves.iter().flat_map(move |curve| {
         let discretisation = findings.ladder.error_from(curve.shape[1], quantity);
         let choice = move |(i, point)| {
             let algebraic = curve.error_from(i, quantity)?;
-            Some(Choice { curve, point, discretisation: discretisation?, algebraic })
+            Some(Candidate { curve, point, discretisation: discretisation?, algebraic })
         };
         curve.points.iter().enumerate().filter_map(choice)
     })
 }
 
-impl Choice<'_> {
+impl Candidate<'_> {
     fn total(&self) -> f64 {
         self.discretisation + self.algebraic
     }

@@ -4,7 +4,7 @@ use super::contest::Contest;
 use super::group::Group;
 use crate::contact::{Observables, Status, Stop};
 use crate::error::SetupError;
-use crate::lab::Watch;
+use crate::lab::ObserverMaker;
 use crate::lab::table::{median, or_dash, points};
 use crate::setup::{Method, Setup};
 use serde::Serialize;
@@ -53,7 +53,7 @@ impl Timing {
         methods: &'a [Method],
         stop: Stop,
         repeats: NonZeroUsize,
-        watch: Watch,
+        watch: ObserverMaker,
     ) -> impl Iterator<Item = Result<Self, SetupError>> + 'a {
         let mut first = None;
         methods.iter().map(move |&solver| {
@@ -66,7 +66,7 @@ impl Timing {
     }
 
     /// Makes and solves a contact.
-    fn of(contest: &Contest, setup: &Setup, repeats: NonZeroUsize, watch: Watch) -> Result<Self, SetupError> {
+    fn of(contest: &Contest, setup: &Setup, repeats: NonZeroUsize, watch: ObserverMaker) -> Result<Self, SetupError> {
         let clock = Instant::now();
         let problem = setup.problem()?;
         let make_seconds = clock.elapsed().as_secs_f64();

@@ -1,12 +1,12 @@
 //! One trial of one solver, judged.
 
 use super::check::Check;
-use super::report::Report;
-use super::trial::{Trial, Twin};
-use super::verdict::{Demand, Verdict};
+use super::report::TrialReport;
+use super::trial::{EquivalentContact, Trial};
+use super::verdict::{Demand, TrialVerdict};
 use crate::contact::Contact;
 use crate::error::{SetupError, SolveError};
-use crate::lab::{Rival, Watch};
+use crate::lab::{ObserverMaker, Rival};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
@@ -17,29 +17,31 @@ const UNITS: f64 = 1e-10;
 const AGREEMENT: f64 = 1e-6;
 
 /// Solves a trial within a budget of time, checks what comes back, and judges it.
-pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: Watch) -> Report {
-    let report = |found, verdict, note| Report::new(trial, rival, found, verdict, note);
+pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: ObserverMaker) -> TrialReport {
+    let report = |found, verdict, note| TrialReport::new(trial, rival, found, verdict, note);
     match catch_unwind(AssertUnwindSafe(|| trial.solve(rival, budget, watch))) {
         Ok(Ok((contact, twin))) => {
             let check = Check::of(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
             let mismatch = || twin.as_ref().and_then(|twin| mismatch(trial, &contact, twin));
             let unsolved_twin = twin.as_ref().filter(|twin| !twin.is_converged());
             let (verdict, note) = match fault(trial, &contact, &check).or_else(mismatch) {
-                Some(fault) => (Verdict::Wrong, fault),
-                None if trial.demand_of(rival) == Demand::Refusal => (Verdict::Wrong, "this cannot be solved".into()),
-                None if !contact.is_converged() => (Verdict::NotConverged, contact.status.to_string()),
+                Some(fault) => (TrialVerdict::Wrong, fault),
+                None if trial.demand_of(rival) == Demand::Refusal => {
+                    (TrialVerdict::Wrong, "this cannot be solved".into())
+                }
+                None if !contact.is_converged() => (TrialVerdict::NotConverged, contact.status.to_string()),
                 None => match unsolved_twin {
-                    Some(twin) => (Verdict::NotConverged, format!("its twin: {}", twin.status)),
-                    None => (Verdict::Converged, String::new()),
+                    Some(twin) => (TrialVerdict::NotConverged, format!("its twin: {}", twin.status)),
+                    None => (TrialVerdict::Converged, String::new()),
                 },
             };
             report(Some((&contact, &check)), verdict, note)
         }
         Ok(Err(SetupError::Solve(error @ (SolveError::NotConverged { .. } | SolveError::Observer(_))))) => {
-            report(None, Verdict::Wrong, error.to_string())
+            report(None, TrialVerdict::Wrong, error.to_string())
         }
-        Ok(Err(error)) => report(None, Verdict::Refused, error.to_string()),
-        Err(panic) => report(None, Verdict::Wrong, format!("panic: {}", message(panic.as_ref()))),
+        Ok(Err(error)) => report(None, TrialVerdict::Refused, error.to_string()),
+        Err(panic) => report(None, TrialVerdict::Wrong, format!("panic: {}", message(panic.as_ref()))),
     }
 }
 
@@ -65,8 +67,8 @@ fn mismatch(trial: &Trial, contact: &Contact, twin: &Contact) -> Option<String> 
         return None;
     }
     match trial.twin.as_ref()? {
-        Twin::InOtherUnits(_) => unlike_in_other_units(contact, twin),
-        Twin::UnderItsLoad => unlike_under_its_load(contact, twin, trial.tolerance),
+        EquivalentContact::InOtherUnits(_) => unlike_in_other_units(contact, twin),
+        EquivalentContact::UnderItsLoad => unlike_under_its_load(contact, twin, trial.tolerance),
     }
 }
 
@@ -116,11 +118,11 @@ mod tests {
         Multilevel.solve(&sine(load).unwrap(), &Stop::default(), &mut ()).unwrap()
     }
 
-    fn with_twin(load: Load, twin: Twin) -> Trial {
+    fn with_twin(load: Load, twin: EquivalentContact) -> Trial {
         Trial { twin: Some(twin), ..Trial::new("sine", move || sine(load)) }
     }
 
-    fn judged(trial: &Trial) -> Report {
+    fn judged(trial: &Trial) -> TrialReport {
         judge(trial, &Rival::MULTILEVEL, Duration::MAX, |_| Box::new(()))
     }
 
@@ -128,8 +130,8 @@ mod tests {
     fn a_load_that_is_not_that_of_the_gap_is_wrong() {
         // from all but touching to all but closed
         for gap in [0.01 * (1.0 - 1e-6), 0.005, 1e-9] {
-            let trial = with_twin(Load::MeanGap(gap), Twin::UnderItsLoad);
-            assert_eq!(judged(&trial).verdict, Verdict::Converged, "{gap}");
+            let trial = with_twin(Load::MeanGap(gap), EquivalentContact::UnderItsLoad);
+            assert_eq!(judged(&trial).verdict, TrialVerdict::Converged, "{gap}");
             let contact = solved(Load::MeanGap(gap));
             for factor in [0.9, 1.1, 100.0] {
                 let twin = solved(Load::MeanPressure(factor * contact.mean_pressure()));
@@ -143,8 +145,8 @@ mod tests {
     fn a_contact_is_not_solved_until_its_twin_is() {
         // a gap of which rounding leaves nothing
         let pose = || sine(Load::MeanGap(1e-15));
-        let report = judged(&with_twin(Load::MeanPressure(0.01), Twin::InOtherUnits(Box::new(pose))));
-        assert_eq!(report.verdict, Verdict::NotConverged);
+        let report = judged(&with_twin(Load::MeanPressure(0.01), EquivalentContact::InOtherUnits(Box::new(pose))));
+        assert_eq!(report.verdict, TrialVerdict::NotConverged);
         assert!(!report.as_demanded && report.to_string().contains("its twin: no further progress"), "{report}");
     }
 }

@@ -1,6 +1,6 @@
 //! What a pressure displaces, by code of its own, and what that is worth beside a sum over images.
 
-use crate::elastic::{HalfSpace, Solid, direct};
+use crate::elastic::{ElasticSolid, HalfSpace, direct};
 use crate::error::GridError;
 use crate::fourier::Complex;
 use crate::grid::Grid;
@@ -16,7 +16,7 @@ const WIDTH: f64 = 3.0;
 
 /// The displacement under `pressure`, row by row and with zero mean: small grids by the direct sum, larger ones by a plain transform
 /// for any length. The mean pressure is taken off first: it displaces nothing, but would be rounded. Free grids are summed directly.
-pub fn displacement(grid: &Grid, solid: &dyn Solid, pressure: &[f64]) -> Vec<f64> {
+pub fn displacement(grid: &Grid, solid: &dyn ElasticSolid, pressure: &[f64]) -> Vec<f64> {
     if !grid.is_periodic() {
         return direct::displacement(grid, solid, pressure);
     }
@@ -26,7 +26,7 @@ pub fn displacement(grid: &Grid, solid: &dyn Solid, pressure: &[f64]) -> Vec<f64
 }
 
 /// `u_q = factor 2 p_q / (E* |q|)`.
-fn by_modes(grid: &Grid, solid: &dyn Solid, pressure: &[f64]) -> Vec<f64> {
+fn by_modes(grid: &Grid, solid: &dyn ElasticSolid, pressure: &[f64]) -> Vec<f64> {
     let ([ny, nx], [ly, lx], n) = (grid.shape(), grid.size(), grid.len() as f64);
     let signed = |k: usize, n: usize| k.min(n - k) as f64;
     let modes = transform(pressure.iter().map(|&p| Complex::new(p, 0.0)).collect(), [ny, nx], -1.0);

@@ -2,7 +2,7 @@
 
 use super::check::Check;
 use super::trial::Trial;
-use super::verdict::Verdict;
+use super::verdict::TrialVerdict;
 use crate::contact::{Contact, Status};
 use crate::lab::Rival;
 use crate::lab::table::{or_dash, points};
@@ -15,10 +15,10 @@ case                            points solver          steps seconds     eta   v
 
 /// One trial of one solver. There are no figures where nothing was returned.
 #[derive(Serialize)]
-pub struct Report {
+pub struct TrialReport {
     case: String,
     pub solver: &'static str,
-    pub verdict: Verdict,
+    pub verdict: TrialVerdict,
     /// Whether the verdict is what the trial demands.
     pub as_demanded: bool,
     note: String,
@@ -42,13 +42,13 @@ pub struct Report {
     rounding: Option<f64>,
 }
 
-impl Report {
+impl TrialReport {
     /// The report on what was found, if anything was returned.
     pub fn new(
         trial: &Trial,
         rival: &Rival,
         found: Option<(&Contact, &Check)>,
-        verdict: Verdict,
+        verdict: TrialVerdict,
         note: String,
     ) -> Self {
         let (contact, check) = found.unzip();
@@ -81,7 +81,7 @@ impl Report {
     }
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for TrialReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let line = format!(
             "{:<28} {:>9} {:<13} {:>7} {:>7} {:>7} {} {:<13} {}",

@@ -1,14 +1,11 @@
 //! Trials on other solids than the periodic half-space.
 
-use super::shapes::{Shape, noise, rough, shaped, two_peaks};
+use super::shapes::{SurfaceMaker, SurfaceResult, noise, rough, shaped, two_peaks};
 use super::trial::Trial;
 use crate::contact::{ContactModulus, Load, Problem};
 use crate::elastic::{Base, Layer};
 use crate::error::SetupError;
 use crate::grid::Grid;
-
-/// A function that makes a surface on a grid.
-type Make = fn(Grid) -> Shape;
 
 /// Thicknesses over the length of the cell, from far below the spacing to far beyond the cell.
 const THICKNESSES: [f64; 6] = [1e-5, 1e-3, 0.03, 0.3, 3.0, 1e3];
@@ -55,7 +52,7 @@ pub fn free() -> Result<Vec<Trial>, SetupError> {
         ("line-odd", Grid::line(301, 1.0)?.with_periodic([true, false])),
         ("surface", Grid::surface([32, 48], [1.0, 1.5])?.with_periodic([false; 2])),
     ];
-    let shapes: [(&str, Make); 4] =
+    let shapes: [(&str, SurfaceMaker); 4] =
         [("rough", rough), ("white-noise", noise), ("two-peaks", two_peaks), ("tilted", tilted)];
     let loads = [
         ("lightest", Load::ReducedPressure(1e-6)),
@@ -79,6 +76,6 @@ pub fn free() -> Result<Vec<Trial>, SetupError> {
 }
 
 /// A plane that is highest in a corner, which touches at the rim.
-fn tilted(grid: Grid) -> Shape {
+fn tilted(grid: Grid) -> SurfaceResult {
     shaped(grid, |y, x| 0.01 * (x as f64 + 0.3 * y as f64) / grid.len() as f64)
 }

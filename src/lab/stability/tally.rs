@@ -1,9 +1,9 @@
 //! How all trials went.
 
 use super::kernel::Kernel;
-use super::report::Report;
+use super::report::TrialReport;
 use super::time_step::TimeSteps;
-use super::verdict::Verdict;
+use super::verdict::TrialVerdict;
 use std::fmt;
 
 /// How many trials ended in which way; displays as a sentence, and a second one if not all is well.
@@ -22,13 +22,13 @@ pub struct Tally {
 
 impl Tally {
     /// The tally of some reports, and of the kernel and the time steps if they were measured.
-    pub fn of(reports: &[Report], kernel: Option<&Kernel>, time_steps: Option<&TimeSteps>) -> Self {
+    pub fn of(reports: &[TrialReport], kernel: Option<&Kernel>, time_steps: Option<&TimeSteps>) -> Self {
         let count = |verdict| reports.iter().filter(|report| report.verdict == verdict).count();
         Self {
-            converged: count(Verdict::Converged),
-            refused: count(Verdict::Refused),
-            not_converged: count(Verdict::NotConverged),
-            wrong: count(Verdict::Wrong),
+            converged: count(TrialVerdict::Converged),
+            refused: count(TrialVerdict::Refused),
+            not_converged: count(TrialVerdict::NotConverged),
+            wrong: count(TrialVerdict::Wrong),
             missed: reports.iter().filter(|report| !report.as_demanded).count(),
             has_kernel: kernel.is_none_or(Kernel::agrees),
             agrees: time_steps.is_none_or(TimeSteps::agrees),

@@ -5,9 +5,9 @@
 //! itself runs close to its limit.
 
 use super::judge::judge;
-use super::report::Report;
+use super::report::TrialReport;
 use super::trial::Trial;
-use super::verdict::Verdict;
+use super::verdict::TrialVerdict;
 use crate::contact::{Dynamics, Gfmd, Load, Masses};
 use crate::elastic::Response;
 use crate::error::GridError;
@@ -25,16 +25,16 @@ const POINTS: usize = 64;
 const TIME_STEP: f64 = 0.99;
 
 /// A motion whose limit is measured.
-struct Motion {
+struct TestMotion {
     name: &'static str,
     masses: Masses,
     is_free: fn(usize) -> bool,
 }
 
-const MOTIONS: [Motion; 3] = [
-    Motion { name: "uniform masses, no wall", masses: Masses::Uniform, is_free: |_| true },
-    Motion { name: "masses by stiffness, no wall", masses: Masses::Stiffness, is_free: |_| true },
-    Motion { name: "masses by stiffness, one free node", masses: Masses::Stiffness, is_free: |i| i == 0 },
+const MOTIONS: [TestMotion; 3] = [
+    TestMotion { name: "uniform masses, no wall", masses: Masses::Uniform, is_free: |_| true },
+    TestMotion { name: "masses by stiffness, no wall", masses: Masses::Stiffness, is_free: |_| true },
+    TestMotion { name: "masses by stiffness, one free node", masses: Masses::Stiffness, is_free: |i| i == 0 },
 ];
 
 const VARIANTS: [(&str, Masses, Dynamics); 4] = [
@@ -49,7 +49,7 @@ pub struct TimeSteps {
     /// Name, measured limit and limit in theory of each motion.
     limits: [(&'static str, f64, f64); 3],
     /// Reports of solves close to the limit.
-    reports: [Report; 4],
+    reports: [TrialReport; 4],
 }
 
 impl TimeSteps {
@@ -66,7 +66,7 @@ impl TimeSteps {
     /// Whether all is as theory says.
     pub fn agrees(&self) -> bool {
         let agrees = |&(_, measured, theory): &(_, f64, f64)| (measured / theory - 1.0).abs() < 1e-4;
-        self.limits.iter().all(agrees) && self.reports.iter().all(|report| report.verdict == Verdict::Converged)
+        self.limits.iter().all(agrees) && self.reports.iter().all(|report| report.verdict == TrialVerdict::Converged)
     }
 }
 
@@ -77,7 +77,7 @@ impl fmt::Display for TimeSteps {
             writeln!(f, "{name:<41} {measured:>9.4} {theory:>9.4}")?;
         }
         writeln!(f, "\ngfmd at {TIME_STEP} of its limit {:>20} {:>9}", "steps", "eta")?;
-        for Report { solver, iterations, eta, verdict, .. } in &self.reports {
+        for TrialReport { solver, iterations, eta, verdict, .. } in &self.reports {
             let steps = or_dash(*iterations, |steps| steps.to_string());
             writeln!(f, "{solver:<27} {steps:>20} {:>9} {verdict}", or_dash(*eta, |eta| format!("{eta:.1e}")))?;
         }
@@ -86,7 +86,7 @@ impl fmt::Display for TimeSteps {
 }
 
 /// The report of a solve close to the limit.
-fn near_the_limit((name, masses, dynamics): (&'static str, Masses, Dynamics)) -> Report {
+fn near_the_limit((name, masses, dynamics): (&'static str, Masses, Dynamics)) -> TrialReport {
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 1.0 / 32.0, rms_gradient: 0.1 };
     let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(256, 1.0), Load::ReducedPressure(0.1));
     let method = Method::Gfmd(Gfmd { masses, dynamics, time_step: TIME_STEP, damping: 1.0 });
@@ -94,7 +94,7 @@ fn near_the_limit((name, masses, dynamics): (&'static str, Masses, Dynamics)) ->
     judge(&Trial::new("time-step", move || setup.problem()), &rival, Duration::MAX, |_| Box::new(()))
 }
 
-impl Motion {
+impl TestMotion {
     /// The largest stable step, by bisection between a step of 0 and twice the limit of free waves.
     fn largest_stable(&self, grid: &Grid) -> f64 {
         let [mut stable, mut unstable] = [0.0, 2.0];

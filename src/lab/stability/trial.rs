@@ -3,7 +3,7 @@
 use super::verdict::Demand;
 use crate::contact::{Contact, Each, Load, Problem, Step, Stop};
 use crate::error::SetupError;
-use crate::lab::{Rival, Watch};
+use crate::lab::{ObserverMaker, Rival};
 use crate::surface::Field;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -26,13 +26,13 @@ pub struct Trial {
     pub(super) pose: Pose,
     /// The bound of the relative error of the pressure to reach as well.
     pub(super) pressure_tolerance: Option<f64>,
-    pub(super) twin: Option<Twin>,
+    pub(super) twin: Option<EquivalentContact>,
     /// Garbage in two of three values of the pressure to start from; the others are 0.
     pub(super) start: Option<f64>,
 }
 
 /// Another contact that must come to the same end.
-pub enum Twin {
+pub enum EquivalentContact {
     /// The contact in other units, whose dimensionless results must be the same.
     InOtherUnits(Pose),
     /// The contact of a mean gap under the mean pressure that was found, which must open to the same mean gap.
@@ -87,7 +87,7 @@ impl Trial {
         &self,
         rival: &Rival,
         budget: Duration,
-        watch: Watch,
+        watch: ObserverMaker,
     ) -> Result<(Contact, Option<Contact>), SetupError> {
         let budget = budget.saturating_mul(self.patience);
         let stop = Stop::new(self.tolerance, 1_000_000)?;
@@ -102,8 +102,8 @@ impl Trial {
         let contact = solve((self.pose)()?, stop)?;
         let twin = match &self.twin {
             None => None,
-            Some(Twin::InOtherUnits(pose)) => Some(solve(pose()?, stop)?),
-            Some(Twin::UnderItsLoad) => {
+            Some(EquivalentContact::InOtherUnits(pose)) => Some(solve(pose()?, stop)?),
+            Some(EquivalentContact::UnderItsLoad) => {
                 let (problem, stop) = under_its_load(&contact, &stop)?;
                 Some(solve(problem, stop)?)
             }

@@ -1,8 +1,10 @@
 //! All trials, by what is extreme about them.
 
-use super::shapes::{Shape, noise, offset, plateaus, rough, rough_with, shaped, spike, two_peaks};
+use super::shapes::{
+    SurfaceMaker, SurfaceResult, noise, offset, plateaus, rough, rough_with, shaped, spike, two_peaks,
+};
 use super::solids::{free, layers};
-use super::trial::{Trial, Twin};
+use super::trial::{EquivalentContact, Trial};
 use super::verdict::Demand;
 use crate::contact::{ContactModulus, Law, Load, Multilevel, Problem, Solver, Stop};
 use crate::error::SetupError;
@@ -20,9 +22,6 @@ const AMPLITUDE: f64 = 0.01;
 
 /// The line and the surface of most trials, of length 1, with their names.
 type Grids = [(&'static str, Grid); 2];
-
-/// A function that makes a surface on a grid.
-type Make = fn(Grid) -> Shape;
 
 /// All trials, small ones if `is_quick`.
 ///
@@ -50,7 +49,7 @@ pub fn trials(is_quick: bool) -> Result<Vec<Trial>, SetupError> {
 }
 
 /// A surface on a grid under a load, with a modulus of 1.
-fn trial(name: impl Into<String>, grid: Grid, load: Load, surface: impl Fn(Grid) -> Shape + 'static) -> Trial {
+fn trial(name: impl Into<String>, grid: Grid, load: Load, surface: impl Fn(Grid) -> SurfaceResult + 'static) -> Trial {
     Trial::new(name, move || pressed(surface(grid)?, load))
 }
 
@@ -106,7 +105,7 @@ fn gaps(grids: Grids) -> Vec<Trial> {
 /// Hardnesses from a thousandth to a thousand times the peak of the elastic pressure, under pressures and at a mean gap. Those below
 /// the mean pressure must be refused.
 fn hardnesses(kind: &'static str, grid: Grid) -> Result<Vec<Trial>, SetupError> {
-    let shapes: [(&str, Make); 4] =
+    let shapes: [(&str, SurfaceMaker); 4] =
         [("rough", rough), ("white-noise", noise), ("two-peaks", two_peaks), ("plateaus", plateaus)];
     let mut trials = Vec::new();
     for (name, shape) in shapes {
@@ -139,7 +138,7 @@ fn shapes_apart(kind: &'static str, grid: Grid) -> impl Iterator<Item = Trial> {
         };
         Ok(wave.surface(grid)?)
     };
-    let shapes: [(&str, Make); 5] = [
+    let shapes: [(&str, SurfaceMaker); 5] = [
         ("wave", wave),
         ("white-noise", noise),
         ("plateaus", plateaus),
@@ -153,13 +152,13 @@ fn shapes_apart(kind: &'static str, grid: Grid) -> impl Iterator<Item = Trial> {
 }
 
 /// A surface at a mean gap that is so many times its highest peak, or its rms height.
-fn apart(name: String, grid: Grid, [of_peak, of_rms]: [f64; 2], surface: Make) -> Trial {
+fn apart(name: String, grid: Grid, [of_peak, of_rms]: [f64; 2], surface: SurfaceMaker) -> Trial {
     let pose = move || {
         let problem = pressed(surface(grid)?, Load::ReducedPressure(0.1))?;
         let mean_gap = of_peak * problem.highest() + of_rms * problem.rms_height();
         Ok(problem.with_load(Load::MeanGap(mean_gap))?)
     };
-    Trial { is_at_mean_gap: true, twin: Some(Twin::UnderItsLoad), ..Trial::new(name, pose) }
+    Trial { is_at_mean_gap: true, twin: Some(EquivalentContact::UnderItsLoad), ..Trial::new(name, pose) }
 }
 
 /// Indenters that are narrow in their cell, whose rms height says little about the contact, to a bound of the pressure.
@@ -182,7 +181,7 @@ fn narrow(line: Grid, surface: Grid) -> Vec<Trial> {
 fn units(points: usize) -> Vec<Trial> {
     let trial = |[length, modulus]: [f64; 2]| {
         let pose = move || posed(points, [length; 2], modulus, STRAIN * modulus);
-        let twin = Twin::InOtherUnits(Box::new(move || posed(points, [1.0; 2], 1.0, STRAIN)));
+        let twin = EquivalentContact::InOtherUnits(Box::new(move || posed(points, [1.0; 2], 1.0, STRAIN)));
         // close enough to the solution for its dimensionless results to agree
         let trial = Trial::new(format!("length-{length:e}-modulus-{modulus:e}"), pose).to(1e-12);
         Trial { twin: Some(twin), ..trial }
@@ -226,7 +225,7 @@ fn heights(grids: Grids) -> Vec<Trial> {
 
 /// Heights of lines and surfaces alike.
 fn heights_on(kind: &str, grid: Grid) -> Vec<Trial> {
-    let shape = |name: &str, shape: fn(Grid) -> Shape| trial(format!("{name}-{kind}"), grid, LOAD, shape);
+    let shape = |name: &str, shape: SurfaceMaker| trial(format!("{name}-{kind}"), grid, LOAD, shape);
     vec![
         shape("offset-1e9", offset),
         shape("hurst-0.01", |grid| rough_with(grid, 0.01, 2.0, 0.1)),

@@ -10,7 +10,7 @@ const ATTAINABLE: f64 = 1e-12;
 /// How a trial ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Verdict {
+pub enum TrialVerdict {
     /// The solver says so, and the check agrees.
     Converged,
     /// The solver refused it with a clear sentence.
@@ -21,7 +21,7 @@ pub enum Verdict {
     Wrong,
 }
 
-impl fmt::Display for Verdict {
+impl fmt::Display for TrialVerdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Converged => "converged",
@@ -62,15 +62,15 @@ impl fmt::Display for Demand {
 impl Demand {
     /// Whether a trial is as demanded that ended in `verdict` with the certificate `eta` and the `status` of the solver, if it
     /// returned anything.
-    pub fn is_met(self, verdict: Verdict, eta: Option<f64>, status: Option<Status>) -> bool {
-        let ended_by = |reason| verdict == Verdict::NotConverged && status == Some(reason);
+    pub fn is_met(self, verdict: TrialVerdict, eta: Option<f64>, status: Option<Status>) -> bool {
+        let ended_by = |reason| verdict == TrialVerdict::NotConverged && status == Some(reason);
         match self {
-            Self::Solution => verdict == Verdict::Converged,
-            Self::Refusal => verdict == Verdict::Refused,
-            Self::Either => matches!(verdict, Verdict::Converged | Verdict::Refused),
-            Self::Budget => verdict == Verdict::Converged || ended_by(Status::StoppedByObserver),
+            Self::Solution => verdict == TrialVerdict::Converged,
+            Self::Refusal => verdict == TrialVerdict::Refused,
+            Self::Either => matches!(verdict, TrialVerdict::Converged | TrialVerdict::Refused),
+            Self::Budget => verdict == TrialVerdict::Converged || ended_by(Status::StoppedByObserver),
             Self::Limit => {
-                let ended = verdict == Verdict::Converged || ended_by(Status::Stalled);
+                let ended = verdict == TrialVerdict::Converged || ended_by(Status::Stalled);
                 ended && eta.is_some_and(|eta| eta < ATTAINABLE)
             }
         }

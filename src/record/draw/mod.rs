@@ -33,5 +33,5 @@ pub use ink::eye::Eye;
 pub use ink::palette::Palette;
 pub use ink::pane::{ContainerKind, Corner, GRID_COLUMNS, Pane, PaneView};
 pub use parts::all as parts;
-pub use run::Run;
+pub use run::DrawnRun;
 pub use stage::{Stage, level};

@@ -2,7 +2,7 @@
 
 use super::ink::line_plane::LinePlane;
 use super::ink::surface_plane::SurfacePlane;
-use crate::plot::Frame;
+use crate::plot::AxesFrame;
 use crate::record::options::Options;
 use crate::record::scene::Scene;
 
@@ -32,7 +32,7 @@ impl Plane {
     }
 
     /// The frame above which captions stand.
-    pub fn frame(&self) -> &Frame {
+    pub fn frame(&self) -> &AxesFrame {
         match self {
             Self::Line(plane) => &plane.frame,
             Self::Surface(plane) => &plane.frame,

@@ -12,7 +12,7 @@ const GROWTH: usize = 2;
 const FIRST: usize = 16;
 
 /// One run of a scene, seen by its drawings.
-pub struct Run {
+pub struct DrawnRun {
     drawings: Vec<Box<dyn RunDrawing>>,
     /// The diagnosis of the run, if an instrument is recorded.
     diagnosis: Option<Diagnosis>,
@@ -21,7 +21,7 @@ pub struct Run {
     shown: usize,
 }
 
-impl Run {
+impl DrawnRun {
     /// A run of a scene, before its first step.
     pub fn new(stage: &Stage) -> Self {
         Self { drawings: stage.runs().collect(), diagnosis: stage.diagnosis(), steps: 0, shown: FIRST }

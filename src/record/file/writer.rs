@@ -6,7 +6,7 @@ use super::pace::Waiting;
 use super::schedule::{Schedule, Thinning};
 use crate::contact::{Contact, Phase, Problem, Solver, Step, Stop, Work};
 use crate::record::description;
-use crate::record::draw::{FieldExtent, FrameFields, Run, SECONDS, STEP, Stage, TRANSFORMS, level};
+use crate::record::draw::{DrawnRun, FieldExtent, FrameFields, SECONDS, STEP, Stage, TRANSFORMS, level};
 use crate::record::layout;
 use crate::record::properties;
 use crate::setup::Part;
@@ -34,7 +34,7 @@ pub struct Writer {
     /// The number of the scene.
     scene: usize,
     thinning: Thinning,
-    steps: Run,
+    steps: DrawnRun,
     phase: Phase,
     /// Whether the solver was seen on a coarse grid or at an inner step; only of such solvers phases are written.
     has_phases: bool,
@@ -62,7 +62,7 @@ impl Writer {
         let stage = &stages[scene];
         Self {
             thinning: Thinning::new(every, Schedule::on(&stage.grid)),
-            steps: Run::new(stage),
+            steps: DrawnRun::new(stage),
             phase: Phase { level: 0, outer: 0, inner: 0 },
             has_phases: false,
             undrawn: None,

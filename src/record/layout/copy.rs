@@ -31,18 +31,18 @@ impl Copy<'_> {
     }
 
     fn container(&self, path: &str) -> Option<Pane> {
-        type Archetype = panes::ContainerBlueprint;
+        type ContainerArchetype = panes::ContainerBlueprint;
         let path = &absolute(path);
-        let kind: ContainerKind = self.first(path, Archetype::descriptor_container_kind())?;
-        let title = self.first::<rerun::components::Name>(path, Archetype::descriptor_display_name());
-        let contents = self.all::<components::IncludedContent>(path, Archetype::descriptor_contents());
+        let kind: ContainerKind = self.first(path, ContainerArchetype::descriptor_container_kind())?;
+        let title = self.first::<rerun::components::Name>(path, ContainerArchetype::descriptor_display_name());
+        let contents = self.all::<components::IncludedContent>(path, ContainerArchetype::descriptor_contents());
         let shares: Vec<f32> = match kind {
             ContainerKind::Horizontal => {
-                let shares = self.all::<components::ColumnShare>(path, Archetype::descriptor_col_shares());
+                let shares = self.all::<components::ColumnShare>(path, ContainerArchetype::descriptor_col_shares());
                 shares.into_iter().map(|share| share.0.0).collect()
             }
             ContainerKind::Vertical => {
-                let shares = self.all::<components::RowShare>(path, Archetype::descriptor_row_shares());
+                let shares = self.all::<components::RowShare>(path, ContainerArchetype::descriptor_row_shares());
                 shares.into_iter().map(|share| share.0.0).collect()
             }
             ContainerKind::Tabs | ContainerKind::Grid => Vec::new(),
@@ -54,11 +54,11 @@ impl Copy<'_> {
     }
 
     fn view(&self, path: &str) -> Option<PaneView> {
-        type Archetype = panes::ViewBlueprint;
+        type ViewArchetype = panes::ViewBlueprint;
         let path = &absolute(path);
-        let class = self.first::<components::ViewClass>(path, Archetype::descriptor_class_identifier())?;
-        let title = self.first::<rerun::components::Name>(path, Archetype::descriptor_display_name());
-        let origin = self.first::<components::ViewOrigin>(path, Archetype::descriptor_space_origin());
+        let class = self.first::<components::ViewClass>(path, ViewArchetype::descriptor_class_identifier())?;
+        let title = self.first::<rerun::components::Name>(path, ViewArchetype::descriptor_display_name());
+        let origin = self.first::<components::ViewOrigin>(path, ViewArchetype::descriptor_space_origin());
         let contents = format!("{path}/ViewContents");
         let contents = self.all::<components::QueryExpression>(&contents, panes::ViewContents::descriptor_query());
         Some(PaneView {

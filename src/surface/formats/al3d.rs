@@ -1,6 +1,6 @@
 //! The AL3D files of Alicona's focus variation microscopes.
 
-use super::bytes::{Bytes, left_over, nodes};
+use super::bytes::{ByteReader, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -29,7 +29,7 @@ fn is_it(bytes: &[u8]) -> bool {
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    let mut at = Bytes::new(bytes).seek(MAGIC.len())?;
+    let mut at = ByteReader::new(bytes).seek(MAGIC.len())?;
     let tags = tags(&mut at)?;
     let depth = depth(at, number(&tags, "DepthImageOffset")?)?;
     let shape = nodes(number(&tags, "Rows")?, number(&tags, "Cols")?, 4, depth.len())?;
@@ -46,7 +46,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 /// What begins with the depth image, at a place behind the header.
-fn depth(header_end: Bytes<'_>, place: usize) -> io::Result<&[u8]> {
+fn depth(header_end: ByteReader<'_>, place: usize) -> io::Result<&[u8]> {
     match place < header_end.at() {
         true => Err(malformed(format!("it says that its depth image is at byte {place}, where its header is"))),
         false => Ok(header_end.seek(place)?.rest()),
@@ -69,7 +69,7 @@ fn doubts(tags: &[(String, String)], length: usize, [ny, nx]: [usize; 2]) -> io:
 }
 
 /// Names and values of all tags, and the comment if there is one.
-fn tags(at: &mut Bytes) -> io::Result<Vec<(String, String)>> {
+fn tags(at: &mut ByteReader) -> io::Result<Vec<(String, String)>> {
     let mut tags = vec![tag(at)?, tag(at)?];
     let count: usize = number(&tags, "TagCount")?;
     if count > at.rest().len() / TAG {
@@ -83,7 +83,7 @@ fn tags(at: &mut Bytes) -> io::Result<Vec<(String, String)>> {
     Ok(tags)
 }
 
-fn tag(at: &mut Bytes) -> io::Result<(String, String)> {
+fn tag(at: &mut ByteReader) -> io::Result<(String, String)> {
     let tag = (at.text(20)?, at.text(30)?);
     match at.take(2)? {
         b"\r\n" => Ok(tag),
@@ -112,7 +112,7 @@ fn void(tags: &[(String, String)]) -> io::Result<f64> {
 fn heights(depth: &[u8], [ny, nx]: [usize; 2], void: f64) -> io::Result<Vec<f64>> {
     let stride = (4 * nx).next_multiple_of(8);
     let numbers = depth.chunks(stride).take(ny).flat_map(|row| row.chunks_exact(4).take(nx));
-    numbers.map(|bytes| Bytes::new(bytes).f32().map(|z| known(z.into(), void))).collect()
+    numbers.map(|bytes| ByteReader::new(bytes).f32().map(|z| known(z.into(), void))).collect()
 }
 
 /// A height, NaN if it is void.

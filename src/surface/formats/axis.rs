@@ -1,25 +1,25 @@
 //! Axes of coordinates as XML describes them.
 
-use super::bytes::Bytes;
+use super::bytes::ByteReader;
 use super::format::malformed;
 use roxmltree::Node;
 use std::io;
 
 /// An axis of coordinates, in metres.
 #[derive(Clone, Copy)]
-pub(super) struct Axis {
+pub(super) struct CoordinateAxis {
     pub increment: f64,
     pub offset: f64,
     /// The type of the coordinates that are stored, none for those that follow from the grid.
-    pub kind: Option<Kind>,
+    pub kind: Option<CoordinateType>,
 }
 
-impl Axis {
+impl CoordinateAxis {
     pub fn new(axes: Node, name: &str) -> io::Result<Self> {
         let axis = child(axes, name).ok_or_else(|| malformed(format!("it says nothing of its axis {name}")))?;
         let kind = match find(axis, "AxisType") {
             Some("I") => None,
-            Some("A") => Some(Kind::new(find(axis, "DataType").unwrap_or_default())?),
+            Some("A") => Some(CoordinateType::new(find(axis, "DataType").unwrap_or_default())?),
             other => return Err(malformed(format!("its axis {name} is of the type {:?}", other.unwrap_or_default()))),
         };
         let increment = number(axis, "Increment")?.unwrap_or(1.0);
@@ -34,14 +34,14 @@ impl Axis {
 
 /// The type of a stored coordinate.
 #[derive(Clone, Copy)]
-pub(super) enum Kind {
+pub(super) enum CoordinateType {
     Short,
     Long,
     Float,
     Double,
 }
 
-impl Kind {
+impl CoordinateType {
     fn new(name: &str) -> io::Result<Self> {
         Ok(match name {
             "I" => Self::Short,
@@ -67,7 +67,7 @@ impl Kind {
 
     /// The number in so many bytes.
     pub fn number(self, bytes: &[u8]) -> io::Result<f64> {
-        let mut bytes = Bytes::new(bytes);
+        let mut bytes = ByteReader::new(bytes);
         Ok(match self {
             Self::Short => bytes.i16()?.into(),
             Self::Long => bytes.i32()?.into(),

@@ -5,12 +5,12 @@ use std::io;
 
 /// Bytes of a file with the place in them.
 #[derive(Clone, Copy)]
-pub(super) struct Bytes<'a> {
+pub(super) struct ByteReader<'a> {
     all: &'a [u8],
     at: usize,
 }
 
-impl<'a> Bytes<'a> {
+impl<'a> ByteReader<'a> {
     pub fn new(all: &'a [u8]) -> Self {
         Self { all, at: 0 }
     }
@@ -74,7 +74,7 @@ pub(super) fn left_over(count: usize, behind: &str) -> Option<String> {
 /// Readers of numbers of one type, the first byte the least significant one.
 macro_rules! numbers {
     ($($kind:ident)*) => {
-        impl Bytes<'_> {
+        impl ByteReader<'_> {
             $(
                 pub fn $kind(&mut self) -> io::Result<$kind> {
                     Ok($kind::from_le_bytes(self.array()?))

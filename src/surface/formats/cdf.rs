@@ -1,6 +1,6 @@
 //! The classic formats of NetCDF: arrays with names and attributes.
 
-use super::bytes::{Bytes, latin, nodes};
+use super::bytes::{ByteReader, latin, nodes};
 use super::format::malformed;
 use std::io;
 
@@ -23,11 +23,12 @@ pub(super) struct File<'a> {
 impl<'a> File<'a> {
     pub fn new(bytes: &'a [u8]) -> io::Result<Self> {
         let version = bytes[3];
-        let mut header = Header { at: Bytes::new(bytes).seek(4)?, is_wide: version == 5, is_far: version > 1 };
+        let mut header =
+            HeaderReader { at: ByteReader::new(bytes).seek(4)?, is_wide: version == 5, is_far: version > 1 };
         header.count()?; // of records
         let dimensions = header.list("dimensions", |it| Ok((it.name()?, it.count()?)))?;
         let attributes = header.attributes()?;
-        let variables = header.list("variables", Header::variable)?;
+        let variables = header.list("variables", HeaderReader::variable)?;
         let known = dimensions.len() as u64;
         if let Some((name, wrong)) = variables.iter().find_map(|it| Some((&it.name, it.beyond(known)?))) {
             return Err(malformed(format!("its variable {name:?} has dimension {wrong} of {known}")));
@@ -55,22 +56,22 @@ impl<'a> File<'a> {
             [rows, columns] => (rows, columns),
             _ => return Err(malformed(format!("its variable {:?} is no map and no profile", variable.name))),
         };
-        let mut at = Bytes::new(self.bytes).seek(variable.place)?;
+        let mut at = ByteReader::new(self.bytes).seek(variable.place)?;
         let shape = nodes(rows, columns, variable.kind.size(), at.rest().len())?;
         Ok((shape, at.take(shape[0] * shape[1] * variable.kind.size())?))
     }
 }
 
 /// A place in a header.
-struct Header<'a> {
-    at: Bytes<'a>,
+struct HeaderReader<'a> {
+    at: ByteReader<'a>,
     /// Whether counts have 8 bytes.
     is_wide: bool,
     /// Whether places of values have 8 bytes.
     is_far: bool,
 }
 
-impl<'a> Header<'a> {
+impl<'a> HeaderReader<'a> {
     fn number(&mut self) -> io::Result<u64> {
         Ok(self.at.u32()?.swap_bytes().into())
     }
@@ -114,7 +115,7 @@ impl<'a> Header<'a> {
     fn attributes(&mut self) -> io::Result<Vec<Attribute>> {
         self.list("attributes", |header| {
             let name = header.name()?;
-            let kind = Kind::new(header.number()?)?;
+            let kind = ValueType::new(header.number()?)?;
             let count = header.count()?;
             let bytes = header.padded(count.saturating_mul(kind.size() as u64))?;
             Ok(Attribute { name, text: kind.text(bytes), number: kind.numbers(bytes).next() })
@@ -125,7 +126,7 @@ impl<'a> Header<'a> {
         let name = self.name()?;
         let dimensions = (0..self.count()?).map(|_| self.count()).collect::<io::Result<_>>()?;
         let attributes = self.attributes()?;
-        let kind = Kind::new(self.number()?)?;
+        let kind = ValueType::new(self.number()?)?;
         self.count()?; // of bytes
         let place = usize::try_from(self.place()?).unwrap_or(usize::MAX);
         Ok(Variable { name, dimensions, attributes, kind, place })
@@ -134,7 +135,7 @@ impl<'a> Header<'a> {
 
 /// A type of values.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum ValueType {
     Signed(usize),
     Unsigned(usize),
     Float,
@@ -142,7 +143,7 @@ pub(super) enum Kind {
     Text,
 }
 
-impl Kind {
+impl ValueType {
     fn new(code: u64) -> io::Result<Self> {
         Ok(match code {
             1 => Self::Signed(1),
@@ -214,7 +215,7 @@ pub(super) struct Variable {
     /// Places of its dimensions in the list of the file.
     pub dimensions: Vec<u64>,
     pub attributes: Vec<Attribute>,
-    pub kind: Kind,
+    pub kind: ValueType,
     pub place: usize,
 }
 
@@ -237,7 +238,7 @@ impl Variable {
         let void = ["_FillValue", "missing_value"].map(|name| self.number(name));
         let [scale, offset] = [self.number("scale_factor").unwrap_or(1.0), self.number("add_offset").unwrap_or(0.0)];
         let kind = self.kind;
-        let filled = matches!(kind, Kind::Float | Kind::Double).then_some(FILL);
+        let filled = matches!(kind, ValueType::Float | ValueType::Double).then_some(FILL);
         move |bytes, place| {
             let number = kind.at(bytes, place);
             let is_void = void.contains(&Some(number)) || filled == Some(number);

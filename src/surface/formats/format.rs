@@ -5,12 +5,12 @@ use std::io::{self, Read, Seek};
 use std::ops::RangeInclusive;
 
 /// What a file is read from: one on disk, or its bytes in memory.
-pub trait Source: Read + Seek {}
+pub trait ReadSeek: Read + Seek {}
 
-impl<T: Read + Seek> Source for T {}
+impl<T: Read + Seek> ReadSeek for T {}
 
 /// The array that is wanted of a file.
-pub struct Wanted<'a> {
+pub struct ArrayRequest<'a> {
     /// What it holds, and its name in an archive.
     pub name: &'a str,
     /// The ranks that it may have.
@@ -20,11 +20,11 @@ pub struct Wanted<'a> {
 /// A format of files of arrays. Errors of the kind [`io::ErrorKind::InvalidData`] say what is wrong with a file.
 pub struct Format {
     /// Whether a file is of this format.
-    pub is_it: fn(&mut dyn Source) -> bool,
+    pub is_it: fn(&mut dyn ReadSeek) -> bool,
     /// The shape of the array, without reading it where a header tells.
-    pub shape: fn(&mut dyn Source, &Wanted) -> io::Result<Vec<usize>>,
+    pub shape: fn(&mut dyn ReadSeek, &ArrayRequest) -> io::Result<Vec<usize>>,
     /// The array.
-    pub read: fn(&mut dyn Source, &Wanted) -> io::Result<ArrayD<f64>>,
+    pub read: fn(&mut dyn ReadSeek, &ArrayRequest) -> io::Result<ArrayD<f64>>,
 }
 
 /// An error that says what is wrong with a file.

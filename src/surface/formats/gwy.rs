@@ -1,6 +1,6 @@
 //! Channels of Gwyddion.
 
-use super::bytes::{Bytes, latin, nodes};
+use super::bytes::{ByteReader, latin, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -33,7 +33,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
             latin(&bytes[..4])
         )));
     };
-    let file = Object::new(&mut Bytes::new(rest))?;
+    let file = ComponentMap::new(&mut ByteReader::new(rest))?;
     let mut numbers: Vec<u64> = file.components.keys().filter_map(|it| number(it)).collect();
     numbers.sort_unstable();
     numbers.into_iter().map(|it| channel(&file, it)).collect()
@@ -46,20 +46,20 @@ fn number(name: &str) -> Option<u64> {
 }
 
 /// A value, of which an object and the numbers of an array are not read before they are asked for.
-enum Value<'a> {
+enum ComponentValue<'a> {
     Integer(i32),
     Double(f64),
     Text(String),
-    Object(Bytes<'a>),
+    Object(ByteReader<'a>),
     /// The bytes of double-precision numbers.
     Doubles(&'a [u8]),
     /// A value of no use here.
     Other,
 }
 
-impl<'a> Value<'a> {
+impl<'a> ComponentValue<'a> {
     /// The value of a type at a place, and the place behind it.
-    fn new(at: &mut Bytes<'a>, kind: u8) -> io::Result<Self> {
+    fn new(at: &mut ByteReader<'a>, kind: u8) -> io::Result<Self> {
         Ok(match kind {
             b'b' | b'c' => at.u8().map(|_| Self::Other)?,
             b'i' => Self::Integer(at.i32()?),
@@ -83,7 +83,7 @@ impl<'a> Value<'a> {
 }
 
 /// The text up to the next zero.
-fn string(at: &mut Bytes) -> io::Result<String> {
+fn string(at: &mut ByteReader) -> io::Result<String> {
     let length = at.rest().iter().position(|byte| *byte == 0);
     let length = length.ok_or_else(|| malformed(format!("it holds a text at byte {} without an end", at.at())))?;
     let text = latin(at.take(length)?);
@@ -92,33 +92,33 @@ fn string(at: &mut Bytes) -> io::Result<String> {
 }
 
 /// The bytes of an array of items of a size.
-fn array<'a>(at: &mut Bytes<'a>, size: usize) -> io::Result<&'a [u8]> {
+fn array<'a>(at: &mut ByteReader<'a>, size: usize) -> io::Result<&'a [u8]> {
     let count = at.u32()? as usize;
     at.take(count.saturating_mul(size))
 }
 
 /// The name and the bytes of an object.
-fn skip<'a>(at: &mut Bytes<'a>) -> io::Result<(String, &'a [u8])> {
+fn skip<'a>(at: &mut ByteReader<'a>) -> io::Result<(String, &'a [u8])> {
     let name = string(at)?;
     let size = at.u32()?;
     Ok((name, at.take(size as usize)?))
 }
 
 /// The components of an object by their names.
-struct Object<'a> {
+struct ComponentMap<'a> {
     name: String,
-    components: HashMap<String, Value<'a>>,
+    components: HashMap<String, ComponentValue<'a>>,
 }
 
-impl<'a> Object<'a> {
-    fn new(at: &mut Bytes<'a>) -> io::Result<Self> {
+impl<'a> ComponentMap<'a> {
+    fn new(at: &mut ByteReader<'a>) -> io::Result<Self> {
         let (name, bytes) = skip(at)?;
-        let mut at = Bytes::new(bytes);
+        let mut at = ByteReader::new(bytes);
         let mut components = HashMap::new();
         while !at.rest().is_empty() {
             let name = string(&mut at)?;
             let kind = at.u8()?;
-            components.insert(name, Value::new(&mut at, kind)?);
+            components.insert(name, ComponentValue::new(&mut at, kind)?);
         }
         Ok(Self { name, components })
     }
@@ -126,7 +126,7 @@ impl<'a> Object<'a> {
     /// The object of a name, if there is one.
     fn object(&self, name: &str) -> io::Result<Option<Self>> {
         match self.components.get(name) {
-            Some(Value::Object(at)) => Self::new(&mut at.clone()).map(Some),
+            Some(ComponentValue::Object(at)) => Self::new(&mut at.clone()).map(Some),
             _ => Ok(None),
         }
     }
@@ -134,7 +134,7 @@ impl<'a> Object<'a> {
     /// The text of a name.
     fn text(&self, name: &str) -> Option<&str> {
         match self.components.get(name) {
-            Some(Value::Text(text)) => Some(text.trim()),
+            Some(ComponentValue::Text(text)) => Some(text.trim()),
             _ => None,
         }
     }
@@ -142,7 +142,7 @@ impl<'a> Object<'a> {
     /// The integer of a name.
     fn integer(&self, name: &str) -> io::Result<i64> {
         match self.components.get(name) {
-            Some(Value::Integer(integer)) => Ok((*integer).into()),
+            Some(ComponentValue::Integer(integer)) => Ok((*integer).into()),
             _ => Err(malformed(format!("its {} has no integer {name:?}", self.name))),
         }
     }
@@ -150,7 +150,7 @@ impl<'a> Object<'a> {
     /// The double-precision number of a name.
     fn double(&self, name: &str) -> Option<f64> {
         match self.components.get(name) {
-            Some(Value::Double(double)) => Some(*double),
+            Some(ComponentValue::Double(double)) => Some(*double),
             _ => None,
         }
     }
@@ -163,7 +163,7 @@ impl<'a> Object<'a> {
 
     /// Rows and columns of a data field, and the bytes of its numbers.
     fn field(&self) -> io::Result<([usize; 2], &'a [u8])> {
-        let Some(Value::Doubles(bytes)) = self.components.get("data") else {
+        let Some(ComponentValue::Doubles(bytes)) = self.components.get("data") else {
             return Err(malformed(format!("its {} has no data", self.name)));
         };
         Ok((nodes(self.integer("yres")?, self.integer("xres")?, 8, bytes.len())?, bytes))
@@ -177,11 +177,11 @@ fn length(unit: &str) -> Option<f64> {
 
 /// The numbers in bytes.
 fn doubles(bytes: &[u8]) -> impl Iterator<Item = io::Result<f64>> {
-    bytes.chunks_exact(8).map(|it| Bytes::new(it).f64())
+    bytes.chunks_exact(8).map(|it| ByteReader::new(it).f64())
 }
 
 /// The channel of a number.
-fn channel<'a>(file: &Object<'a>, number: u64) -> io::Result<Channel<'a>> {
+fn channel<'a>(file: &ComponentMap<'a>, number: u64) -> io::Result<Channel<'a>> {
     let named = |name: &str| format!("/{number}/{name}");
     let missing = || malformed(format!("its {} is no data field", named("data")));
     let field = file.object(&named("data"))?.ok_or_else(missing)?;
@@ -215,7 +215,7 @@ fn unmasked(height: f64, mask: f64) -> io::Result<f64> {
 }
 
 /// What is known of a channel, sorted by name.
-fn header(file: &Object, field: &Object, meta: &str, is_masked: bool) -> io::Result<Vec<(String, String)>> {
+fn header(file: &ComponentMap, field: &ComponentMap, meta: &str, is_masked: bool) -> io::Result<Vec<(String, String)>> {
     let meta = file.object(meta)?;
     let texts =
         meta.iter().flat_map(|it| it.components.keys().filter_map(|name| Some((name.as_str(), it.text(name)?))));

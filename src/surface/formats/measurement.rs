@@ -1,7 +1,7 @@
 //! Heights as an instrument has measured them.
 
 use super::channel::{Channel, choose};
-use super::format::{Source, malformed};
+use super::format::{ReadSeek, malformed};
 use super::instrument::Instrument;
 use super::layout::Layout;
 use super::{HEIGHTS, INSTRUMENTS, npy, npz, open, profile_of, shape_of};
@@ -109,7 +109,7 @@ impl Measurement {
     }
 
     /// The heights of an array of a file, and the positions beside them if there are any.
-    fn of_arrays(source: &mut dyn Source, channel: Option<&str>) -> io::Result<Self> {
+    fn of_arrays(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<Self> {
         let (channels, name) = array_names(source, channel)?;
         let (array, positions) = profile_of(source, &name)?;
         let is_profile = array.ndim() == 1;
@@ -177,11 +177,11 @@ fn instrument(bytes: &[u8]) -> io::Result<&'static Instrument> {
 }
 
 /// Whether a file is a NumPy array or an archive of such.
-fn is_array(source: &mut dyn Source) -> bool {
+fn is_array(source: &mut dyn ReadSeek) -> bool {
     npz::holds_arrays(source) || npy::is_array(source)
 }
 
-fn layout_of_arrays(source: &mut dyn Source, channel: Option<&str>) -> io::Result<Layout> {
+fn layout_of_arrays(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<Layout> {
     let (_, name) = array_names(source, channel)?;
     match *shape_of(source, &name)? {
         [ny, nx] => Ok(Layout::map([ny, nx])),
@@ -191,7 +191,7 @@ fn layout_of_arrays(source: &mut dyn Source, channel: Option<&str>) -> io::Resul
 
 /// The names of the arrays to choose from, and of the one that is chosen by its name or its number from 1 on; by default `height`, or the
 /// only one of an archive.
-fn array_names(source: &mut dyn Source, channel: Option<&str>) -> io::Result<(Vec<String>, String)> {
+fn array_names(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<(Vec<String>, String)> {
     if !npz::is_archive(source) {
         return Ok((vec![HEIGHTS.name.into()], HEIGHTS.name.into()));
     }

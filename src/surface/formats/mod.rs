@@ -38,7 +38,7 @@ pub use measurement::Measurement;
 
 use crate::error::FileError;
 use crate::files::write_beside;
-use format::{Format, Source, Wanted, malformed};
+use format::{ArrayRequest, Format, ReadSeek, malformed};
 use instrument::Instrument;
 use ndarray::{Array1, ArrayD, ArrayViewD};
 use std::fs::File;
@@ -65,7 +65,7 @@ const INSTRUMENTS: &[Instrument] = &[
 ];
 
 /// Heights of a line or a surface.
-const HEIGHTS: Wanted<'static> = Wanted { name: "height", ranks: 1..=2 };
+const HEIGHTS: ArrayRequest<'static> = ArrayRequest { name: "height", ranks: 1..=2 };
 
 /// Reads heights from a NumPy `.npy` file of integers, singles or doubles, of rank 1 (a line) or 2 (rows of a surface), in C or
 /// Fortran order and either byte order; from the array `height` of an `.npz` archive, such as a result; or from a text of
@@ -80,13 +80,13 @@ pub fn read_heights(path: impl AsRef<Path>) -> Result<ArrayD<f64>, FileError> {
 }
 
 /// The heights of arrays like [`read_heights`], and the positions beside them, evenly spaced or not, if there are any.
-fn profile_of(arrays: &mut dyn Source, name: &str) -> io::Result<(ArrayD<f64>, Option<Array1<f64>>)> {
-    (format(arrays).read)(arrays, &Wanted { name, ..HEIGHTS }).map(profile::split)
+fn profile_of(arrays: &mut dyn ReadSeek, name: &str) -> io::Result<(ArrayD<f64>, Option<Array1<f64>>)> {
+    (format(arrays).read)(arrays, &ArrayRequest { name, ..HEIGHTS }).map(profile::split)
 }
 
 /// The shape of the heights of arrays, as their header says.
-fn shape_of(arrays: &mut dyn Source, name: &str) -> io::Result<Vec<usize>> {
-    (format(arrays).shape)(arrays, &Wanted { name, ..HEIGHTS }).map(profile::shape)
+fn shape_of(arrays: &mut dyn ReadSeek, name: &str) -> io::Result<Vec<usize>> {
+    (format(arrays).shape)(arrays, &ArrayRequest { name, ..HEIGHTS }).map(profile::shape)
 }
 
 /// Reads a field such as `pressure` like [`read_heights`], from the array of that name of an archive.
@@ -94,7 +94,7 @@ fn shape_of(arrays: &mut dyn Source, name: &str) -> io::Result<Vec<usize>> {
 /// # Errors
 /// The errors of [`read_heights`].
 pub fn read_field(path: impl AsRef<Path>, name: &'static str) -> Result<ArrayD<f64>, FileError> {
-    let wanted = Wanted { name, ..HEIGHTS };
+    let wanted = ArrayRequest { name, ..HEIGHTS };
     with_file(path.as_ref(), &wanted, |file, format| (format.read)(file, &wanted).and_then(profile::heights))
 }
 
@@ -103,7 +103,7 @@ pub fn read_field(path: impl AsRef<Path>, name: &'static str) -> Result<ArrayD<f
 /// # Errors
 /// The errors of [`read_heights`].
 pub fn read_fields(path: impl AsRef<Path>, name: &'static str) -> Result<ArrayD<f64>, FileError> {
-    let wanted = Wanted { name, ranks: 0..=3 };
+    let wanted = ArrayRequest { name, ranks: 0..=3 };
     with_file(path.as_ref(), &wanted, |file, format| (format.read)(file, &wanted))
 }
 
@@ -112,7 +112,7 @@ pub fn read_fields(path: impl AsRef<Path>, name: &'static str) -> Result<ArrayD<
 /// # Errors
 /// The errors of [`read_fields`].
 pub fn read_fields_shape(path: impl AsRef<Path>, name: &'static str) -> Result<Vec<usize>, FileError> {
-    let wanted = Wanted { name, ranks: 0..=3 };
+    let wanted = ArrayRequest { name, ranks: 0..=3 };
     with_file(path.as_ref(), &wanted, |file, format| (format.shape)(file, &wanted))
 }
 
@@ -121,8 +121,8 @@ pub fn read_fields_shape(path: impl AsRef<Path>, name: &'static str) -> Result<V
 /// # Errors
 /// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] for an archive that is cut short.
 pub fn has_field(path: impl AsRef<Path>, name: &'static str) -> Result<bool, FileError> {
-    let wanted = Wanted { name, ranks: 0..=3 };
-    let is_there = |file: &mut dyn Source| Ok(npz::is_archive(file) && npz::find_member(file, name)?.is_some());
+    let wanted = ArrayRequest { name, ranks: 0..=3 };
+    let is_there = |file: &mut dyn ReadSeek| Ok(npz::is_archive(file) && npz::find_member(file, name)?.is_some());
     with_file(path.as_ref(), &wanted, |file, _| is_there(file))
 }
 
@@ -150,8 +150,8 @@ pub fn read_text(path: impl AsRef<Path>, name: &str) -> Result<Option<String>, F
 /// Reads what is wanted of a file by its format.
 fn with_file<T>(
     path: &Path,
-    wanted: &Wanted<'static>,
-    read: impl FnOnce(&mut dyn Source, &Format) -> io::Result<T>,
+    wanted: &ArrayRequest<'static>,
+    read: impl FnOnce(&mut dyn ReadSeek, &Format) -> io::Result<T>,
 ) -> Result<T, FileError> {
     let opened = open(path).and_then(|mut file| {
         let format = format(&mut file);
@@ -169,7 +169,7 @@ fn open(path: &Path) -> io::Result<File> {
 }
 
 /// The format of arrays.
-fn format(source: &mut dyn Source) -> &'static Format {
+fn format(source: &mut dyn ReadSeek) -> &'static Format {
     FORMATS.iter().find(|format| (format.is_it)(source)).unwrap_or(&npy::FORMAT)
 }
 

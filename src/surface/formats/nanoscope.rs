@@ -1,6 +1,6 @@
 //! The image files of Nanoscope atomic force microscopes of Digital Instruments, Veeco and Bruker.
 
-use super::bytes::{Bytes, latin, left_over, nodes};
+use super::bytes::{ByteReader, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -124,7 +124,7 @@ fn bracketed(text: &str, [open, close]: [char; 2]) -> (Option<&str>, &str) {
 }
 
 fn channel<'a>(bytes: &'a [u8], name: String, kind: &str, image: &List, lists: &[List]) -> io::Result<Channel<'a>> {
-    let data = Bytes::new(bytes).seek(image.number("Data offset")?)?.rest();
+    let data = ByteReader::new(bytes).seek(image.number("Data offset")?)?.rest();
     let length: usize = image.number("Data length")?;
     let missing = length.saturating_sub(data.len());
     let missing = (missing > 0).then(|| format!("{length} bytes are counted for {name:?}, and {missing} are missing"));
@@ -166,26 +166,26 @@ fn widths(image: &List, lists: &[List], room: usize) -> io::Result<(i32, usize)>
 /// Integers row by row, the last row first in the file.
 fn values(data: &[u8], [ny, nx]: [usize; 2], size: usize) -> io::Result<Vec<f64>> {
     let value = |bytes: &[u8]| match size {
-        2 => Bytes::new(bytes).i16().map(f64::from),
-        _ => Bytes::new(bytes).i32().map(f64::from),
+        2 => ByteReader::new(bytes).i16().map(f64::from),
+        _ => ByteReader::new(bytes).i32().map(f64::from),
     };
     let rows = data.chunks_exact(nx * size).take(ny).rev();
     rows.flat_map(|row| row.chunks_exact(size)).map(value).collect()
 }
 
 /// A number with a unit, and the name of the sensitivity to multiply it by.
-struct Scale<'a> {
+struct ValueScale<'a> {
     sensitivity: Option<&'a str>,
     number: f64,
     unit: &'a str,
 }
 
-fn scale(text: &str) -> Option<Scale<'_>> {
+fn scale(text: &str) -> Option<ValueScale<'_>> {
     let (sensitivity, rest) = bracketed(text.strip_prefix('V')?.trim_start(), ['[', ']']);
     let (_, rest) = bracketed(rest, ['(', ')']);
     let (number, unit) = rest.split_once(' ').unwrap_or((rest, ""));
     let number = number.parse().ok().filter(|it: &f64| it.is_finite())?;
-    Some(Scale { sensitivity, number, unit: unit.trim() })
+    Some(ValueScale { sensitivity, number, unit: unit.trim() })
 }
 
 /// The metres that all numbers of an image span, none if they are of another unit.
@@ -196,7 +196,7 @@ fn range(image: &List, lists: &[List]) -> io::Result<Option<f64>> {
     let Some(name) = hard.sensitivity else { return Ok(metres(hard.unit).map(|unit| hard.number * unit)) };
     let name = format!("@{name}");
     let soft = lists.iter().find_map(|list| list.find(&name)).and_then(scale);
-    let span = |soft: Scale| {
+    let span = |soft: ValueScale| {
         let (length, volts) = soft.unit.split_once('/')?;
         Some(hard.number * ratio(hard.unit, volts)? * soft.number * metres(length)?)
     };

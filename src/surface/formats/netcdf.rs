@@ -1,6 +1,6 @@
 //! Heights in the classic formats of NetCDF.
 
-use super::cdf::{File, Kind, Variable};
+use super::cdf::{File, ValueType, Variable};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -47,7 +47,7 @@ impl<'a> File<'a> {
     fn may_be_heights(&self, variable: &Variable) -> bool {
         let name = variable.name.as_str();
         let is_coordinate = ["x", "y", MASK].contains(&name) || self.names(variable).contains(&name);
-        (1..=2).contains(&variable.dimensions.len()) && variable.kind != Kind::Text && !is_coordinate
+        (1..=2).contains(&variable.dimensions.len()) && variable.kind != ValueType::Text && !is_coordinate
     }
 
     /// The variable with the coordinates along a dimension.
@@ -97,22 +97,22 @@ impl<'a> File<'a> {
     }
 
     /// What the file says of the axis at a place among a variable's dimensions.
-    fn axis(&self, variable: &Variable, place: usize) -> io::Result<Axis> {
+    fn axis(&self, variable: &Variable, place: usize) -> io::Result<AxisCoordinates> {
         let name = self.names(variable).get(place).copied();
         let along = name.zip(variable.dimensions.get(place));
         let Some(coordinates) = along.and_then(|(name, along)| self.coordinates(name, *along)) else {
-            return Ok(Axis::default());
+            return Ok(AxisCoordinates::default());
         };
         let ([_, count], data) = self.data(coordinates)?;
-        let axis = Axis { unit: metres(coordinates.unit()), ..Axis::default() };
+        let axis = AxisCoordinates { unit: metres(coordinates.unit()), ..AxisCoordinates::default() };
         if let Some(length) = coordinates.number("length") {
-            return Ok(Axis { step: Some(length / count as f64), ..axis });
+            return Ok(AxisCoordinates { step: Some(length / count as f64), ..axis });
         }
         let value = coordinates.values();
         let positions: Vec<f64> = (0..count).map(|i| value(data, i).unwrap_or(f64::NAN)).collect();
         Ok(match step(&positions) {
-            Some(step) => Axis { step: Some(step), ..axis },
-            None if count > 1 => Axis { uneven: Some(positions), ..axis },
+            Some(step) => AxisCoordinates { step: Some(step), ..axis },
+            None if count > 1 => AxisCoordinates { uneven: Some(positions), ..axis },
             None => axis,
         })
     }
@@ -134,7 +134,7 @@ fn step(positions: &[f64]) -> Option<f64> {
 
 /// An axis of a map or a profile.
 #[derive(Default)]
-struct Axis {
+struct AxisCoordinates {
     /// The distance of points that are evenly spaced.
     step: Option<f64>,
     /// Metres in its unit.

@@ -1,6 +1,6 @@
 //! NumPy's `.npy`.
 
-use super::format::{Format, Source, Wanted, malformed};
+use super::format::{ArrayRequest, Format, ReadSeek, malformed};
 use ndarray::{ArrayD, ArrayViewD};
 use ndarray_npy::npy::header::Header;
 use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement, WriteNpyError, WriteNpyExt};
@@ -17,37 +17,37 @@ pub(super) const FORMAT: Format = Format {
     read: |file, wanted| whole(file).and_then(|place| read(file, place, wanted)),
 };
 
-fn whole(file: &mut dyn Source) -> io::Result<Range<u64>> {
+fn whole(file: &mut dyn ReadSeek) -> io::Result<Range<u64>> {
     Ok(0..file.seek(SeekFrom::End(0))?)
 }
 
 /// Whether a file begins like an array.
-pub(super) fn is_array(file: &mut dyn Source) -> bool {
+pub(super) fn is_array(file: &mut dyn ReadSeek) -> bool {
     let mut magic = [0; 6];
     file.rewind().and_then(|()| file.read_exact(&mut magic)).is_ok() && magic == *b"\x93NUMPY"
 }
 
 /// The shape of the array at a place in a file.
-pub(super) fn shape(file: &mut dyn Source, place: Range<u64>, wanted: &Wanted) -> io::Result<Vec<usize>> {
+pub(super) fn shape(file: &mut dyn ReadSeek, place: Range<u64>, wanted: &ArrayRequest) -> io::Result<Vec<usize>> {
     Ok(layout(file, place, wanted)?.0)
 }
 
 /// The array at a place in a file.
-pub(super) fn read(file: &mut dyn Source, place: Range<u64>, wanted: &Wanted) -> io::Result<ArrayD<f64>> {
+pub(super) fn read(file: &mut dyn ReadSeek, place: Range<u64>, wanted: &ArrayRequest) -> io::Result<ArrayD<f64>> {
     let (_, kind) = layout(file, place.clone(), wanted)?;
     file.seek(SeekFrom::Start(place.start))?;
     let bytes = BufReader::new(file.take(place.end - place.start));
     let array = match kind {
-        Kind::F8 => ArrayD::<f64>::read_npy(bytes),
-        Kind::F4 => widened::<f32>(bytes),
-        Kind::I1 => widened::<i8>(bytes),
-        Kind::I2 => widened::<i16>(bytes),
-        Kind::I4 => widened::<i32>(bytes),
-        Kind::I8 => ArrayD::<i64>::read_npy(bytes).map(|array| array.mapv(|value| value as f64)),
-        Kind::U1 => widened::<u8>(bytes),
-        Kind::U2 => widened::<u16>(bytes),
-        Kind::U4 => widened::<u32>(bytes),
-        Kind::U8 => ArrayD::<u64>::read_npy(bytes).map(|array| array.mapv(|value| value as f64)),
+        Dtype::F8 => ArrayD::<f64>::read_npy(bytes),
+        Dtype::F4 => widened::<f32>(bytes),
+        Dtype::I1 => widened::<i8>(bytes),
+        Dtype::I2 => widened::<i16>(bytes),
+        Dtype::I4 => widened::<i32>(bytes),
+        Dtype::I8 => ArrayD::<i64>::read_npy(bytes).map(|array| array.mapv(|value| value as f64)),
+        Dtype::U1 => widened::<u8>(bytes),
+        Dtype::U2 => widened::<u16>(bytes),
+        Dtype::U4 => widened::<u32>(bytes),
+        Dtype::U8 => ArrayD::<u64>::read_npy(bytes).map(|array| array.mapv(|value| value as f64)),
     };
     array.map_err(|error| match error {
         ReadNpyError::Io(source) => source,
@@ -69,7 +69,7 @@ pub(super) fn write(array: ArrayViewD<f64>, file: impl Write) -> io::Result<()> 
 
 /// A type of numbers.
 #[derive(Clone, Copy)]
-enum Kind {
+enum Dtype {
     F8,
     F4,
     I1,
@@ -82,7 +82,7 @@ enum Kind {
     U8,
 }
 
-impl Kind {
+impl Dtype {
     /// The type of a name in NumPy, without the order of its bytes, and how many they are.
     fn named(name: &str) -> Option<(Self, u64)> {
         Some(match name {
@@ -102,10 +102,10 @@ impl Kind {
 }
 
 /// The shape of an array and its type: type, rank and length are checked before anything of the claimed size is allocated.
-fn layout(file: &mut dyn Source, place: Range<u64>, wanted: &Wanted) -> io::Result<(Vec<usize>, Kind)> {
+fn layout(file: &mut dyn ReadSeek, place: Range<u64>, wanted: &ArrayRequest) -> io::Result<(Vec<usize>, Dtype)> {
     let (header, start) = header(file, &place)?;
     let name = header.type_descriptor.to_string();
-    let Some((kind, size)) = Kind::named(name.trim_matches(['\'', '"', '<', '>', '=', '|'])) else {
+    let Some((kind, size)) = Dtype::named(name.trim_matches(['\'', '"', '<', '>', '=', '|'])) else {
         return Err(malformed(format!("it holds values of type {name}, save integers, float32 or float64")));
     };
     let rank = header.shape.len();
@@ -128,7 +128,7 @@ fn layout(file: &mut dyn Source, place: Range<u64>, wanted: &Wanted) -> io::Resu
 }
 
 /// The header of an array, and where the data after it start.
-pub(super) fn header(file: &mut dyn Source, place: &Range<u64>) -> io::Result<(Header, u64)> {
+pub(super) fn header(file: &mut dyn ReadSeek, place: &Range<u64>) -> io::Result<(Header, u64)> {
     let mut start = Vec::new();
     let most = HEADER_BYTES.min(place.end - place.start);
     file.seek(SeekFrom::Start(place.start))?;

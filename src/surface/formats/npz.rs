@@ -1,6 +1,6 @@
 //! NumPy's `.npz`, an archive of arrays.
 
-use super::format::{Format, Source, malformed};
+use super::format::{Format, ReadSeek, malformed};
 use super::npy;
 use std::io::{self, Read, SeekFrom};
 use std::ops::Range;
@@ -20,13 +20,13 @@ const MOST: usize = 64;
 const HEAD: usize = 30;
 
 /// Whether a file is an archive.
-pub(super) fn is_archive(file: &mut dyn Source) -> bool {
+pub(super) fn is_archive(file: &mut dyn ReadSeek) -> bool {
     let mut start = [0; MARK.len()];
     file.rewind().and_then(|()| file.read_exact(&mut start)).is_ok() && start == MARK
 }
 
 /// Whether a file is an archive whose first member is an array: other archives are those of instruments.
-pub(super) fn holds_arrays(file: &mut dyn Source) -> bool {
+pub(super) fn holds_arrays(file: &mut dyn ReadSeek) -> bool {
     let mut head = [0; HEAD];
     let is_read = is_archive(file) && file.rewind().and_then(|()| file.read_exact(&mut head)).is_ok();
     let mut name = vec![0; number(&head[26..28]) as usize];
@@ -34,7 +34,7 @@ pub(super) fn holds_arrays(file: &mut dyn Source) -> bool {
 }
 
 /// The text that an archive carries as an array of bytes.
-pub(super) fn text(file: &mut dyn Source, name: &str) -> io::Result<String> {
+pub(super) fn text(file: &mut dyn ReadSeek, name: &str) -> io::Result<String> {
     let place = member(file, name)?;
     let (_, start) = npy::header(file, &place)?;
     let mut text = String::new();
@@ -47,7 +47,7 @@ pub(super) fn text(file: &mut dyn Source, name: &str) -> io::Result<String> {
 ///
 /// # Errors
 /// The names of all arrays, where there is none of that name, and the errors of [`find_member`].
-fn member(file: &mut dyn Source, name: &str) -> io::Result<Range<u64>> {
+fn member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Range<u64>> {
     match find_member(file, name)? {
         Some(place) => Ok(place),
         None => {
@@ -61,7 +61,7 @@ fn member(file: &mut dyn Source, name: &str) -> io::Result<Range<u64>> {
 ///
 /// # Errors
 /// The reason, where the member is compressed, or the archive is cut short.
-pub(super) fn find_member(file: &mut dyn Source, name: &str) -> io::Result<Option<Range<u64>>> {
+pub(super) fn find_member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Option<Range<u64>>> {
     let mut at = 0;
     while let Some(member) = next(file, at)? {
         if member.array.as_deref() == Some(name) {
@@ -79,7 +79,7 @@ pub(super) fn find_member(file: &mut dyn Source, name: &str) -> io::Result<Optio
 ///
 /// # Errors
 /// The reason, where the archive is cut short.
-pub(super) fn names(file: &mut dyn Source) -> io::Result<Vec<String>> {
+pub(super) fn names(file: &mut dyn ReadSeek) -> io::Result<Vec<String>> {
     let (mut names, mut at) = (Vec::new(), 0);
     while let Some(member) = next(file, at)?.filter(|_| names.len() < MOST) {
         names.extend(member.array);
@@ -98,7 +98,7 @@ struct Member {
 }
 
 /// The member that begins at a place, if one does.
-fn next(file: &mut dyn Source, at: u64) -> io::Result<Option<Member>> {
+fn next(file: &mut dyn ReadSeek, at: u64) -> io::Result<Option<Member>> {
     let cut_short = |error: io::Error| malformed(format!("it is a broken archive ({error})"));
     let bytes = file.seek(SeekFrom::End(0))?;
     let mut head = [0; HEAD];

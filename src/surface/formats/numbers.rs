@@ -6,10 +6,10 @@ use super::format::malformed;
 use super::instrument::Instrument;
 use super::points::map;
 use super::remarks::Remarks;
-use super::table::Table;
+use super::table::TextTable;
 use std::io;
 
-/// A [`Table`] in text. Columns are, in this order of choice:
+/// A [`TextTable`] in text. Columns are, in this order of choice:
 ///
 /// | columns | what they are |
 /// |---------|---------------|
@@ -31,7 +31,7 @@ fn is_it(bytes: &[u8]) -> bool {
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    let table = Table::of(&latin(bytes))?;
+    let table = TextTable::of(&latin(bytes))?;
     let mut remarks = Remarks::of(&table.head);
     let doubts = doubts(&table, &remarks);
     let said = std::mem::take(&mut remarks.said);
@@ -47,7 +47,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 /// What the head says of the numbers of rows and columns, where the table has others.
-fn doubts(table: &Table, remarks: &Remarks) -> Vec<String> {
+fn doubts(table: &TextTable, remarks: &Remarks) -> Vec<String> {
     let [found_rows, found_columns] = table.shape();
     let rows = [table.rows, remarks.shape[0]].into_iter().flatten().find(|rows| *rows != found_rows);
     let rows = rows.map(|rows| format!("the head says {rows} rows, and there are {found_rows}"));
@@ -57,7 +57,7 @@ fn doubts(table: &Table, remarks: &Remarks) -> Vec<String> {
 }
 
 /// A map whose head says its size.
-fn sized(table: Table, remarks: &Remarks) -> Channel<'static> {
+fn sized(table: TextTable, remarks: &Remarks) -> Channel<'static> {
     let [ny, nx] = table.shape();
     let across = remarks.width.map(|width| width / nx as f64).or(remarks.pixel).unwrap_or(f64::NAN);
     let along = remarks.height.map_or(across, |height| height / ny as f64);
@@ -70,13 +70,13 @@ fn sized(table: Table, remarks: &Remarks) -> Channel<'static> {
 }
 
 /// Heights alone.
-fn profile(table: Table, remarks: &Remarks) -> Channel<'static> {
+fn profile(table: TextTable, remarks: &Remarks) -> Channel<'static> {
     let unit = remarks.value_unit.or(remarks.column_units.first().copied().flatten());
     Channel { is_profile: true, unit, ..Channel::map("", [1, table.values.len()], move || Ok(table.values)) }
 }
 
 /// Positions and heights.
-fn positions(table: Table, remarks: &Remarks) -> Channel<'static> {
+fn positions(table: TextTable, remarks: &Remarks) -> Channel<'static> {
     let x: Vec<f64> = table.column(0).collect();
     let of_column = |column: usize| remarks.column_units.get(column).copied().flatten();
     Channel {
@@ -89,7 +89,7 @@ fn positions(table: Table, remarks: &Remarks) -> Channel<'static> {
 }
 
 /// Points of a map.
-fn points(table: &Table, remarks: &Remarks) -> io::Result<Channel<'static>> {
+fn points(table: &TextTable, remarks: &Remarks) -> io::Result<Channel<'static>> {
     let why = "it holds three columns, which are not x, y and height on an evenly spaced grid: resample the points, or write the heights \
                row by row as .npy";
     let of_column = |column: usize| remarks.column_units.get(column).copied().flatten();

@@ -1,6 +1,6 @@
 //! The OPD files of Wyko interferometers.
 
-use super::bytes::{Bytes, latin, left_over, nodes};
+use super::bytes::{ByteReader, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -55,7 +55,7 @@ struct Block<'a> {
 
 /// All parts that are not empty, and how many bytes follow them.
 fn blocks(bytes: &[u8]) -> io::Result<(Vec<Block<'_>>, usize)> {
-    let mut directory = Bytes::new(bytes).seek(2)?;
+    let mut directory = ByteReader::new(bytes).seek(2)?;
     let (_, _, length) = entry(&mut directory)?;
     let mut data = directory.seek(length.saturating_add(2))?;
     let mut blocks = Vec::new();
@@ -69,7 +69,7 @@ fn blocks(bytes: &[u8]) -> io::Result<(Vec<Block<'_>>, usize)> {
 }
 
 /// Name, type and length of a block.
-fn entry(at: &mut Bytes) -> io::Result<(String, u16, usize)> {
+fn entry(at: &mut ByteReader) -> io::Result<(String, u16, usize)> {
     let (name, kind, length) = (at.text(16)?, at.u16()?, at.i32()?);
     at.u16()?; // a number of unknown meaning
     let length =
@@ -85,7 +85,7 @@ impl<'a> Block<'a> {
     /// A number as a number or a text, and a text, as a person reads them.
     fn value(&self) -> Option<String> {
         match (self.kind, self.bytes) {
-            (5, bytes) => Bytes::new(bytes).text(bytes.len()).ok(),
+            (5, bytes) => ByteReader::new(bytes).text(bytes.len()).ok(),
             (15, [0x12, 1, length, text @ ..]) if text.len() == usize::from(*length) => Some(latin(text)),
             _ => self.number().map(|it| it.to_string()),
         }
@@ -93,7 +93,7 @@ impl<'a> Block<'a> {
     }
 
     fn number(&self) -> Option<f64> {
-        let mut at = Bytes::new(self.bytes);
+        let mut at = ByteReader::new(self.bytes);
         match self.kind {
             6 => at.i16().ok().map(f64::from),
             7 => at.f32().ok().map(f64::from),
@@ -105,7 +105,7 @@ impl<'a> Block<'a> {
 
     /// The channel of an array, of which the file says no more than its values.
     fn channel(&self) -> io::Result<Channel<'a>> {
-        let mut at = Bytes::new(self.bytes);
+        let mut at = ByteReader::new(self.bytes);
         let [columns, rows, size] = [at.u16()?, at.u16()?, at.u16()?];
         let value = number(size)?;
         let (rest, size) = (at.rest(), usize::from(size));
@@ -144,9 +144,9 @@ type Number = fn(&[u8]) -> io::Result<f64>;
 /// How a number of so many bytes is read.
 fn number(size: u16) -> io::Result<Number> {
     match size {
-        1 => Ok(|it| Bytes::new(it).u8().map(f64::from)),
-        2 => Ok(|it| Bytes::new(it).i16().map(|value| if value < 32766 { value.into() } else { f64::NAN })),
-        4 => Ok(|it| Bytes::new(it).f32().map(|value| if value.abs() < 1e38 { value.into() } else { f64::NAN })),
+        1 => Ok(|it| ByteReader::new(it).u8().map(f64::from)),
+        2 => Ok(|it| ByteReader::new(it).i16().map(|value| if value < 32766 { value.into() } else { f64::NAN })),
+        4 => Ok(|it| ByteReader::new(it).f32().map(|value| if value.abs() < 1e38 { value.into() } else { f64::NAN })),
         _ => Err(malformed(format!("it says that a number of an array has {size} bytes"))),
     }
 }

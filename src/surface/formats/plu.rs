@@ -1,6 +1,6 @@
 //! The PLU files of Sensofar's confocal and interferometric profilers.
 
-use super::bytes::{Bytes, nodes};
+use super::bytes::{ByteReader, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -50,7 +50,7 @@ struct Fields {
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    let mut at = Bytes::new(bytes);
+    let mut at = ByteReader::new(bytes);
     let fields = fields(&mut at)?;
     let mut channels = Vec::new();
     for layer in 1..=fields.layers {
@@ -83,7 +83,7 @@ fn doubt(fields: &Fields, name: &str, [ny, nx]: [usize; 2]) -> Option<String> {
     is_other.then(|| format!("the fields say {rows} rows of {columns} points, and {name} has {ny} rows of {nx}"))
 }
 
-fn fields(at: &mut Bytes) -> io::Result<Fields> {
+fn fields(at: &mut ByteReader) -> io::Result<Fields> {
     let date = at.text(128)?;
     at.u32()?; // the date as a number
     let comment = at.text(256)?;
@@ -126,18 +126,18 @@ fn is_profile(kind: u32) -> io::Result<bool> {
 }
 
 /// Rows and columns of a layer, and the bytes of its heights.
-fn layer_of<'a>(at: &mut Bytes<'a>) -> io::Result<([usize; 2], &'a [u8])> {
+fn layer_of<'a>(at: &mut ByteReader<'a>) -> io::Result<([usize; 2], &'a [u8])> {
     let [rows, columns] = [at.u32()?, at.u32()?];
     let shape = nodes(rows.into(), columns.into(), 4, at.rest().len())?;
     Ok((shape, at.take(4 * shape[0] * shape[1])?))
 }
 
 /// Passes over what is between the heights of a layer and the next one.
-fn skip_rest(at: &mut Bytes, [ny, nx]: [usize; 2], pictures: u8) -> io::Result<()> {
+fn skip_rest(at: &mut ByteReader, [ny, nx]: [usize; 2], pictures: u8) -> io::Result<()> {
     at.take(8)?; // the smallest and the largest height
     (0..pictures).try_for_each(|_| at.take(3 * ny * nx).map(drop))
 }
 
 fn height(bytes: &[u8]) -> io::Result<f64> {
-    Bytes::new(bytes).f32().map(|z| if z == VOID { f64::NAN } else { z.into() })
+    ByteReader::new(bytes).f32().map(|z| if z == VOID { f64::NAN } else { z.into() })
 }

@@ -1,6 +1,6 @@
 //! Points of a map, given one by one.
 
-use super::table::Table;
+use super::table::TextTable;
 
 /// The largest distance of a point from its place on the grid, as a share of the spacing: what positions that are rounded to a tenth
 /// of it come to.
@@ -19,8 +19,8 @@ pub(super) struct Map {
 }
 
 /// The map of points in three columns x, y and height, in any order; none if they are not evenly spaced, or two have one place.
-pub(super) fn map(table: &Table) -> Option<Map> {
-    let [x, y] = [Axis::of(table.column(0).collect())?, Axis::of(table.column(1).collect())?];
+pub(super) fn map(table: &TextTable) -> Option<Map> {
+    let [x, y] = [EvenPositions::of(table.column(0).collect())?, EvenPositions::of(table.column(1).collect())?];
     let shape = [y.points, x.points];
     let places =
         shape[0].checked_mul(shape[1]).filter(|places| *places <= SPARSEST.saturating_mul(table.shape()[0]))?;
@@ -37,13 +37,13 @@ pub(super) fn map(table: &Table) -> Option<Map> {
 }
 
 /// Evenly spaced positions along an axis.
-struct Axis {
+struct EvenPositions {
     first: f64,
     spacing: f64,
     points: usize,
 }
 
-impl Axis {
+impl EvenPositions {
     /// The axis on which all these positions are, of which some may be missing; none if there is only one, or one is not finite.
     fn of(mut positions: Vec<f64>) -> Option<Self> {
         positions.sort_by(f64::total_cmp);

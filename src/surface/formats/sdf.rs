@@ -1,6 +1,6 @@
 //! The surface data file of ISO 25178-71 and of its predecessor, in text and binary.
 
-use super::bytes::{Bytes, latin, left_over, nodes};
+use super::bytes::{ByteReader, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -143,7 +143,7 @@ fn code(header: &[(String, String)], name: &str) -> io::Result<u8> {
 }
 
 /// A height in a text.
-fn height(word: &str, numbers: Option<Numbers>, is_iso: bool) -> io::Result<f64> {
+fn height(word: &str, numbers: Option<NumberType>, is_iso: bool) -> io::Result<f64> {
     if word.eq_ignore_ascii_case("BAD") {
         return Ok(f64::NAN);
     }
@@ -160,7 +160,7 @@ fn remarks(trailer: &str) -> Option<(String, String)> {
 
 /// A file of fixed fields.
 fn binary(bytes: &[u8]) -> io::Result<Channel<'_>> {
-    let mut at = Bytes::new(bytes);
+    let mut at = ByteReader::new(bytes);
     let header = ["Version", "ManufacID", "CreateDate", "ModDate"].into_iter().zip([8, 10, 12, 12]);
     let mut header: Vec<_> =
         header.map(|(name, length)| Ok((name.to_owned(), at.text(length)?))).collect::<io::Result<_>>()?;
@@ -177,7 +177,7 @@ fn binary(bytes: &[u8]) -> io::Result<Channel<'_>> {
     let is_text = trailer.iter().all(|byte| matches!(*byte, 0 | b'\t' | b'\n' | b'\r' | b' '..=b'~'));
     let doubts = left_over(if is_text { 0 } else { trailer.len() }, "the heights").into_iter().collect();
     header.extend(remarks(&latin(trailer)));
-    let value = move |bytes| Ok(numbers.known((numbers.read)(Bytes::new(bytes))?, is_iso));
+    let value = move |bytes| Ok(numbers.known((numbers.read)(ByteReader::new(bytes))?, is_iso));
     let values = move || rest.chunks_exact(numbers.size).take(ny * nx).map(value).collect();
     let shape = [rows, columns];
     let channel = Header { shape, scale, compression, check, header }.channel(numbers.size, rest.len(), values)?;
@@ -191,14 +191,14 @@ fn heights(rest: &[u8], length: usize) -> &[u8] {
 
 /// Numbers of one type: their bytes, how one is read, and the ends of their range, the lower one of an unsigned type apart.
 #[derive(Clone, Copy)]
-struct Numbers {
+struct NumberType {
     size: usize,
-    read: fn(Bytes) -> io::Result<f64>,
+    read: fn(ByteReader) -> io::Result<f64>,
     least: Option<f64>,
     most: f64,
 }
 
-impl Numbers {
+impl NumberType {
     /// A number, NaN if it is void.
     fn known(&self, value: f64, is_iso: bool) -> f64 {
         let is_void = match self.least {
@@ -210,8 +210,8 @@ impl Numbers {
 }
 
 /// The numbers of a type by its code.
-fn numbers(kind: u8) -> io::Result<Numbers> {
-    let of = |size, read: fn(Bytes) -> io::Result<f64>, least, most| Ok(Numbers { size, read, least, most });
+fn numbers(kind: u8) -> io::Result<NumberType> {
+    let of = |size, read: fn(ByteReader) -> io::Result<f64>, least, most| Ok(NumberType { size, read, least, most });
     match kind {
         0 => of(1, |mut it| it.u8().map(f64::from), None, u8::MAX.into()),
         1 => of(2, |mut it| it.u16().map(f64::from), None, u16::MAX.into()),

@@ -1,6 +1,6 @@
 //! Surfaces and profiles of Digital Surf's Mountains and of the instruments that write for it.
 
-use super::bytes::{Bytes, latin, left_over, nodes};
+use super::bytes::{ByteReader, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -34,12 +34,12 @@ fn is_it(bytes: &[u8]) -> bool {
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    let mut at = Bytes::new(bytes);
-    let first = Object::new(&mut at)?;
+    let mut at = ByteReader::new(bytes);
+    let first = ObjectHeader::new(&mut at)?;
     let (kind, count) = (first.kind, first.count);
     let mut channels = vec![first.channel(kind, 0)?];
     for i in 1..count {
-        channels.push(Object::new(&mut at)?.channel(kind, i)?);
+        channels.push(ObjectHeader::new(&mut at)?.channel(kind, i)?);
     }
     let rest = left_over(at.rest().len(), "the last object");
     channels.iter_mut().for_each(|it| it.doubts.extend(rest.clone()));
@@ -47,15 +47,15 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 /// Points as they are in the file.
-enum Points<'a> {
+enum PointData<'a> {
     Plain(&'a [u8]),
     /// Streams and the lengths of what they hold.
     Packed(Vec<(&'a [u8], u32)>),
 }
 
-impl<'a> Points<'a> {
+impl<'a> PointData<'a> {
     /// The streams behind a directory.
-    fn packed(at: &mut Bytes<'a>) -> io::Result<Self> {
+    fn packed(at: &mut ByteReader<'a>) -> io::Result<Self> {
         let lengths = (0..at.u32()?).map(|_| Ok((at.u32()?, at.u32()?))).collect::<io::Result<Vec<_>>>()?;
         let streams = lengths.into_iter().map(|(length, packed)| Ok((at.take(packed as usize)?, length)));
         Ok(Self::Packed(streams.collect::<io::Result<_>>()?))
@@ -87,7 +87,7 @@ impl<'a> Points<'a> {
 }
 
 /// An object of a file.
-struct Object<'a> {
+struct ObjectHeader<'a> {
     count: usize,
     kind: i16,
     has_voids: bool,
@@ -104,12 +104,12 @@ struct Object<'a> {
     name: String,
     units: [String; 3],
     header: Vec<(String, String)>,
-    points: Points<'a>,
+    points: PointData<'a>,
 }
 
-impl<'a> Object<'a> {
+impl<'a> ObjectHeader<'a> {
     /// The object at a place, and the place behind it.
-    fn new(at: &mut Bytes<'a>) -> io::Result<Self> {
+    fn new(at: &mut ByteReader<'a>) -> io::Result<Self> {
         let is_packed = is_packed(at)?;
         let format = at.i16()?;
         if format != 0 {
@@ -163,7 +163,7 @@ impl<'a> Object<'a> {
             _ => return Err(malformed(format!("its points have {bits} bits, neither 16 nor 32"))),
         };
         let shape = [rows, columns].map(i64::from);
-        let points = if is_packed { Points::packed(at)? } else { plain(at, shape, size, depth)? };
+        let points = if is_packed { PointData::packed(at)? } else { plain(at, shape, size, depth)? };
         let total = i64::from(total);
         let count = objects.max(1) as usize * parts.max(1) as usize;
         Ok(Self {
@@ -219,7 +219,7 @@ impl<'a> Object<'a> {
 }
 
 /// Whether the object at a place has compressed points.
-fn is_packed(at: &mut Bytes) -> io::Result<bool> {
+fn is_packed(at: &mut ByteReader) -> io::Result<bool> {
     match at.take(12)? {
         magic if magic == MAGIC[0] => Ok(false),
         magic if magic == MAGIC[1] => Ok(true),
@@ -228,7 +228,7 @@ fn is_packed(at: &mut Bytes) -> io::Result<bool> {
 }
 
 /// The date and the time of a measurement, nothing where the year is not known.
-fn date(at: &mut Bytes) -> io::Result<String> {
+fn date(at: &mut ByteReader) -> io::Result<String> {
     let [second, minute, hour, day, month, year, _] =
         [at.i16()?, at.i16()?, at.i16()?, at.i16()?, at.i16()?, at.i16()?, at.i16()?];
     let date = || format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}");
@@ -236,10 +236,10 @@ fn date(at: &mut Bytes) -> io::Result<String> {
 }
 
 /// Points that are not compressed.
-fn plain<'a>(at: &mut Bytes<'a>, shape: [i64; 2], size: usize, depth: usize) -> io::Result<Points<'a>> {
+fn plain<'a>(at: &mut ByteReader<'a>, shape: [i64; 2], size: usize, depth: usize) -> io::Result<PointData<'a>> {
     let size = size.saturating_mul(depth);
     let [ny, nx] = nodes(shape[0], shape[1], size, at.rest().len())?;
-    Ok(Points::Plain(at.take(ny * nx * size)?))
+    Ok(PointData::Plain(at.take(ny * nx * size)?))
 }
 
 /// Unpacks so many bytes of a stream, and reads on behind them: check sums are compared at the end.
@@ -255,7 +255,7 @@ fn unpack(stream: &[u8], length: u64, bytes: &mut Vec<u8>) -> io::Result<()> {
 /// The number in two or four bytes.
 fn number(bytes: &[u8]) -> io::Result<i64> {
     let is_short = bytes.len() == 2;
-    let mut bytes = Bytes::new(bytes);
+    let mut bytes = ByteReader::new(bytes);
     Ok(if is_short { bytes.i16()?.into() } else { bytes.i32()?.into() })
 }
 

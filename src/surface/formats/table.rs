@@ -14,7 +14,7 @@ const VOIDS: [&str; 4] = ["BAD", "---", "N/A", "#N/A"];
 /// Numbers are told apart by white space, semicolons or commas. Where something else parts them, a comma is a decimal one. Lines
 /// before the first row are the head, and so is a whole number on a line of its own above rows of several numbers, which counts them;
 /// empty lines and those that begin with `#` or `%` are no rows anywhere.
-pub(super) struct Table {
+pub(super) struct TextTable {
     /// The lines before the first number, and those that begin with `#` or `%`.
     pub head: Vec<String>,
     /// Numbers of a row.
@@ -25,7 +25,7 @@ pub(super) struct Table {
     pub rows: Option<usize>,
 }
 
-impl Table {
+impl TextTable {
     /// The table in a text.
     ///
     /// # Errors

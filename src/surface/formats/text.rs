@@ -1,11 +1,11 @@
 //! Plain text: a number a line, a matrix, or positions and heights.
 
-use super::format::{Format, Source, Wanted, malformed};
-use super::table::Table;
+use super::format::{ArrayRequest, Format, ReadSeek, malformed};
+use super::table::TextTable;
 use ndarray::ArrayD;
 use std::io::{self, Read};
 
-/// A [`Table`] of numbers: of one column or row a line, else a matrix, row by row.
+/// A [`TextTable`] of numbers: of one column or row a line, else a matrix, row by row.
 pub(super) const FORMAT: Format =
     Format { is_it: is_text, shape: |file, wanted| Ok(read(file, wanted)?.shape().to_vec()), read };
 
@@ -13,7 +13,7 @@ pub(super) const FORMAT: Format =
 const START: u64 = 4096;
 
 /// Whether a file begins with text, in any encoding of one byte for each letter of ours.
-fn is_text(file: &mut dyn Source) -> bool {
+fn is_text(file: &mut dyn ReadSeek) -> bool {
     let mut start = Vec::new();
     let is_read = file.rewind().is_ok() && file.take(START).read_to_end(&mut start).is_ok();
     is_read && !start.is_empty() && !start.iter().any(is_control)
@@ -24,14 +24,14 @@ fn is_control(byte: &u8) -> bool {
     *byte < b'\t'
 }
 
-fn read(file: &mut dyn Source, _: &Wanted) -> io::Result<ArrayD<f64>> {
+fn read(file: &mut dyn ReadSeek, _: &ArrayRequest) -> io::Result<ArrayD<f64>> {
     let mut bytes = Vec::new();
     file.rewind()?;
     file.read_to_end(&mut bytes)?;
     if bytes.iter().any(is_control) {
         return Err(malformed("it is no .npy file, and not all of it is text"));
     }
-    let table = Table::of(&String::from_utf8_lossy(&bytes))?;
+    let table = TextTable::of(&String::from_utf8_lossy(&bytes))?;
     let array = match table.shape() {
         [n, 1] | [1, n] => ArrayD::from_shape_vec(vec![n], table.values),
         shape => ArrayD::from_shape_vec(shape.to_vec(), table.values),

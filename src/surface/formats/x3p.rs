@@ -1,6 +1,6 @@
 //! Surfaces and profiles in archives with a description in XML.
 
-use super::axis::{Axis, Kind, child, find, number};
+use super::axis::{CoordinateAxis, CoordinateType, child, find, number};
 use super::bytes::{latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
@@ -66,7 +66,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let document = Document::parse(&text)
         .map_err(|error| malformed(format!("it holds a {MAIN} that cannot be understood: {error}")))?;
     let root = document.root_element();
-    let surface = Surface::new(root, bytes.len().saturating_mul(LARGEST_RATIO))?;
+    let surface = DescribedSurface::new(root, bytes.len().saturating_mul(LARGEST_RATIO))?;
     let doubts = sum.filter(|sum| !is_sum(found, &latin(sum))).map(|_| {
         format!("the {MAIN} is not the one of which {SUM} holds the check sum: it was changed after it was written")
     });
@@ -123,7 +123,7 @@ fn header(root: Node) -> Vec<(String, String)> {
 }
 
 /// Where the points are.
-enum Points {
+enum PointStorage {
     /// In the description: one text for each.
     List(Vec<String>),
     /// In files of the archive: coordinates and valid points.
@@ -173,14 +173,14 @@ impl Link {
 }
 
 /// A surface or profile as the description has it.
-struct Surface {
+struct DescribedSurface {
     is_profile: bool,
     shape: [usize; 2],
-    axes: [Axis; 3],
-    points: Points,
+    axes: [CoordinateAxis; 3],
+    points: PointStorage,
 }
 
-impl Surface {
+impl DescribedSurface {
     /// The surface of a description whose archive unpacks to so many bytes at most.
     fn new(root: Node, bytes: usize) -> io::Result<Self> {
         let missing = |what: &str| malformed(format!("its {MAIN} has no {what}"));
@@ -192,17 +192,18 @@ impl Surface {
             return Err(malformed(format!("it holds {feature:?}, which is no surface (SUR) and no profile (PRF)")));
         }
         let axes = child(first, "Axes").ok_or_else(|| missing("Axes"))?;
-        let axes = [Axis::new(axes, "CX")?, Axis::new(axes, "CY")?, Axis::new(axes, "CZ")?];
+        let axes =
+            [CoordinateAxis::new(axes, "CX")?, CoordinateAxis::new(axes, "CY")?, CoordinateAxis::new(axes, "CZ")?];
         let link = |name: &str, sum: &str| Link::find(third, &format!("DataLink/{name}"), &format!("DataLink/{sum}"));
         let points = match (link("PointDataLink", "MD5ChecksumPointData"), child(third, "DataList")) {
-            (Some(points), _) => Points::Files(points, link("ValidPointsLink", "MD5ChecksumValidPoints")),
-            (None, Some(list)) => Points::List(data(list)),
+            (Some(points), _) => PointStorage::Files(points, link("ValidPointsLink", "MD5ChecksumValidPoints")),
+            (None, Some(list)) => PointStorage::List(data(list)),
             (None, None) => return Err(missing("DataLink and no DataList")),
         };
-        let size: usize = axes.iter().filter_map(|it| it.kind).map(Kind::size).sum();
+        let size: usize = axes.iter().filter_map(|it| it.kind).map(CoordinateType::size).sum();
         let shape = match points {
-            Points::List(ref list) => shape(third, 1, list.len())?,
-            Points::Files(..) => shape(third, size.max(1), bytes)?,
+            PointStorage::List(ref list) => shape(third, 1, list.len())?,
+            PointStorage::Files(..) => shape(third, size.max(1), bytes)?,
         };
         let surface = Self { is_profile, shape, axes, points };
         surface.checked()
@@ -245,8 +246,8 @@ impl Surface {
     /// The coordinates of all points along an absolute axis, NaN for void points.
     fn coordinates(&self, archive: &mut Archive, axis: usize) -> io::Result<Vec<f64>> {
         match &self.points {
-            Points::List(list) => list.iter().take(self.count()).map(|point| self.listed(point, axis)).collect(),
-            Points::Files(link, valid) => {
+            PointStorage::List(list) => list.iter().take(self.count()).map(|point| self.listed(point, axis)).collect(),
+            PointStorage::Files(link, valid) => {
                 let mut coordinates = self.stored(archive, link, axis)?;
                 if let Some(valid) = valid {
                     blank(archive, valid, &mut coordinates)?;
@@ -259,11 +260,11 @@ impl Surface {
     /// The doubt that there are more points than the description counts.
     fn doubt(&self, archive: &mut Archive) -> io::Result<Option<String>> {
         Ok(match &self.points {
-            Points::List(list) => {
+            PointStorage::List(list) => {
                 let rest = list.len() - self.count();
                 (rest > 0).then(|| format!("{rest} points are left over behind the {} that are counted", self.count()))
             }
-            Points::Files(link, _) => {
+            PointStorage::Files(link, _) => {
                 let stored = archive.by_name(&link.name).map_err(missing(&link.name))?.size();
                 let rest = stored.saturating_sub((self.count() * self.size()) as u64);
                 left_over(rest as usize, &format!("the points in {:?}", link.name))
@@ -273,7 +274,7 @@ impl Surface {
 
     /// Bytes of a point.
     fn size(&self) -> usize {
-        self.axes.iter().filter_map(|it| it.kind).map(Kind::size).sum()
+        self.axes.iter().filter_map(|it| it.kind).map(CoordinateType::size).sum()
     }
 
     /// The number of points.
@@ -294,7 +295,7 @@ impl Surface {
 
     /// The coordinates along an absolute axis in a file of the archive.
     fn stored(&self, archive: &mut Archive, link: &Link, axis: usize) -> io::Result<Vec<f64>> {
-        let before: usize = self.axes.iter().take(axis).filter_map(|it| it.kind).map(Kind::size).sum();
+        let before: usize = self.axes.iter().take(axis).filter_map(|it| it.kind).map(CoordinateType::size).sum();
         let kind = self.axes[axis].kind.ok_or_else(|| malformed("its heights are not stored"))?;
         let size = self.size();
         let mut coordinates = Vec::new();

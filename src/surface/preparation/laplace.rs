@@ -6,7 +6,7 @@ const TOLERANCE: f64 = 1e-8;
 const STEPS: usize = 1000;
 
 /// A grid of unknowns, each of which pulls at its neighbours and is pulled by what is known.
-struct Level {
+struct LaplaceGrid {
     shape: [usize; 2],
     /// The weight of each node and the one below it.
     below: Vec<f64>,
@@ -26,7 +26,7 @@ struct Level {
 /// # Source
 /// D. Braess, Computing 55 (1995) 379, for grids that take nodes together and their weights.
 pub(super) struct Laplace {
-    levels: Vec<Level>,
+    levels: Vec<LaplaceGrid>,
     /// What pulls at each node before anything is changed.
     pull: Vec<f64>,
 }
@@ -35,7 +35,7 @@ impl Laplace {
     /// The equation for the void nodes of heights of some shape, all of which have the same height to begin with; with the weights of
     /// neighbours along y and x.
     pub fn new(shape: [usize; 2], weights: [f64; 2], height: &[f64], is_void: &[bool]) -> Self {
-        let mut fine = Level::empty(shape);
+        let mut fine = LaplaceGrid::empty(shape);
         let mut pull = vec![0.0; height.len()];
         for (stride, weight) in [shape[1], 1].into_iter().zip(weights) {
             for i in 0..height.len().saturating_sub(stride) {
@@ -54,7 +54,7 @@ impl Laplace {
             }
         }
         let mut levels = vec![fine.summed()];
-        while let Some(coarse) = levels.last().filter(|it| it.all.len() > 1).map(Level::coarse) {
+        while let Some(coarse) = levels.last().filter(|it| it.all.len() > 1).map(LaplaceGrid::coarse) {
             levels.push(coarse);
         }
         Self { levels, pull }
@@ -81,7 +81,7 @@ impl Laplace {
     }
 }
 
-impl Level {
+impl LaplaceGrid {
     /// A grid of some shape without unknowns.
     fn empty(shape: [usize; 2]) -> Self {
         let [below, right, known, all] = [(); 4].map(|()| vec![0.0; shape[0] * shape[1]]);
@@ -150,7 +150,7 @@ impl Level {
 }
 
 /// The field that nearly answers a pull: exactly so on a grid of one node.
-fn cycle(levels: &[Level], pull: &[f64]) -> Vec<f64> {
+fn cycle(levels: &[LaplaceGrid], pull: &[f64]) -> Vec<f64> {
     let mut field = vec![0.0; pull.len()];
     let [level, coarser @ ..] = levels else { return field };
     level.relax(&mut field, pull, 0..pull.len());

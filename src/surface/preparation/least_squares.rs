@@ -9,12 +9,12 @@ const HALVINGS: usize = 30;
 const SETTLED: f64 = 1e-13;
 
 /// The normal equations of values that are to be sums of `N` functions.
-struct Normal<const N: usize> {
+struct NormalEquations<const N: usize> {
     matrix: [[f64; N]; N],
     right: [f64; N],
 }
 
-impl<const N: usize> Normal<N> {
+impl<const N: usize> NormalEquations<N> {
     fn of(points: impl Iterator<Item = ([f64; N], f64)>) -> Self {
         let mut all = Self { matrix: [[0.0; N]; N], right: [0.0; N] };
         for (functions, value) in points {
@@ -52,7 +52,7 @@ impl<const N: usize> Normal<N> {
 /// The coefficients with which the sum of `N` functions is nearest to the values at the points; 0 for functions that the points do
 /// not tell from those before.
 pub(super) fn linear<const N: usize>(points: impl Iterator<Item = ([f64; N], f64)>) -> [f64; N] {
-    Normal::of(points).solve()
+    NormalEquations::of(points).solve()
 }
 
 /// The parameters with which a model is nearest to the values at some points, by the method of Gauss and Newton with halved steps; none

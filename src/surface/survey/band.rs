@@ -33,7 +33,7 @@ pub struct Band {
 
 /// A power law `C(q) ~ q^exponent`, fitted to the bands of a spectrum between its roll-off and its cut-off.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct PowerLaw {
+pub struct PowerLawFit {
     /// The exponent.
     pub exponent: f64,
     /// The Hurst exponent that follows from it, `-(1 + exponent) / 2` of a line and `-1 - exponent / 2` of a surface, between 0 and 1.
@@ -80,7 +80,7 @@ impl Band {
     }
 }
 
-impl PowerLaw {
+impl PowerLawFit {
     /// The power law of the bands of heights down to a wavelength. Of all stretches of bands that follow one with a Hurst exponent
     /// between 0 and 1 it is the one whose exponent is known best, which leaves out waves beyond roll-off and cut-off. None where no octave
     /// follows one.

@@ -16,14 +16,14 @@ const NOISE: f64 = 0.25;
 /// where no period is asked for and they may be a body; they are then mirrored along the axes on which they still jump. Waves that cannot be
 /// told from noise are filtered out where the noise makes a quarter of the mean square gradient.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Choice {
+pub struct PreparationChoice {
     /// The steps.
     pub preparation: Preparation,
     /// Why they were chosen, a sentence each.
     pub reasons: Vec<String>,
 }
 
-impl Choice {
+impl PreparationChoice {
     /// The preparation of heights that are at even positions or not, on a cell that is periodic along y and x or free.
     ///
     /// # Errors

@@ -4,8 +4,8 @@ mod band;
 mod choice;
 mod scales;
 
-pub use band::{Band, PowerLaw};
-pub use choice::Choice;
+pub use band::{Band, PowerLawFit};
+pub use choice::PreparationChoice;
 pub use scales::{Scale, Scales};
 
 use super::{Detrend, Fill, PowerSpectrum, Scan, Surface};
@@ -41,7 +41,7 @@ pub struct Survey {
     /// Scales, noise and resolution along y and x, of a profile along x; an axis of less than 9 nodes is left out.
     pub axes: Vec<Scales>,
     /// The power law of the power spectrum, where it has one, between its roll-off and its cut-off and above the noise.
-    pub power_law: Option<PowerLaw>,
+    pub power_law: Option<PowerLawFit>,
     /// The power spectrum of the heights less their plane, under a Hann window of mean square 1, which ends the waves of the rim.
     pub spectrum: Vec<Band>,
 }
@@ -68,7 +68,7 @@ impl Survey {
             tilt: Detrend::tilt(&full),
             curvature_share: if total > 0.0 { 1.0 - rest / total } else { 0.0 },
             jumps,
-            power_law: PowerLaw::of(&spectrum, grid.is_line(), shortest),
+            power_law: PowerLawFit::of(&spectrum, grid.is_line(), shortest),
             axes,
             spectrum,
         })

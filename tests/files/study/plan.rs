@@ -3,7 +3,7 @@
 use asperity::contact::Load;
 use asperity::error::StudyError;
 use asperity::setup::Setup;
-use asperity::study::{Campaign, Plan, Point, Row, Shard, Table, Values};
+use asperity::study::{Campaign, ColumnValues, Plan, Point, Shard, StudyRow, Table};
 use std::sync::Mutex;
 
 const STUDY: &str = "
@@ -28,7 +28,7 @@ fn words(points: &[Point]) -> Vec<String> {
 fn rows_run_through_loads_then_seeds_then_the_other_lists() {
     let plan = plan();
     assert_eq!((plan.rows(), plan.realisations(), plan.seeds()), (96, 32, 4));
-    assert_eq!(plan.row(5).unwrap(), Row { number: 5, realisation: 1, load: 1 });
+    assert_eq!(plan.row(5).unwrap(), StudyRow { number: 5, realisation: 1, load: 1 });
     assert_eq!(plan.words(0), "hurst 0.3, points 256, layer 0.05, seed 1");
     assert_eq!(plan.words(3), "hurst 0.3, points 256, layer 0.05, seed 9");
     assert_eq!(plan.words(4), "hurst 0.3, points 256, layer 1.0, seed 1");
@@ -121,16 +121,16 @@ fn a_tangential_load_is_refused() {
 fn columns_hold_what_varies_and_the_setup_of_each_row() {
     let plan = plan();
     let points = plan.solve(5, |_| ()).unwrap();
-    let rows: Vec<Row> = plan.rows_of(&[5]).collect();
+    let rows: Vec<StudyRow> = plan.rows_of(&[5]).collect();
     let columns = plan.columns(&rows, &points).unwrap();
     let column = |name: &str| &columns.iter().find(|column| column.name == name).unwrap().values;
-    assert_eq!(column("row"), &Values::Whole([16, 17, 18].map(Some).into()));
-    assert_eq!(column("surface.seed"), &Values::Whole([2; 3].map(Some).into()));
-    assert_eq!(column("grid.points"), &Values::Whole([256; 3].map(Some).into()));
-    assert_eq!(column("solid.layer"), &Values::Number([1.0; 3].map(Some).into()));
-    assert_eq!(column("load.mean-pressure"), &Values::Number([0.001, 0.01, 0.002].map(Some).into()));
-    assert_eq!(column("kappa"), &Values::Number(points.iter().map(|it| Some(it.observables.kappa)).collect()));
-    let Values::Text(scenes) = column("scene") else { panic!("scenes are texts") };
+    assert_eq!(column("row"), &ColumnValues::Whole([16, 17, 18].map(Some).into()));
+    assert_eq!(column("surface.seed"), &ColumnValues::Whole([2; 3].map(Some).into()));
+    assert_eq!(column("grid.points"), &ColumnValues::Whole([256; 3].map(Some).into()));
+    assert_eq!(column("solid.layer"), &ColumnValues::Number([1.0; 3].map(Some).into()));
+    assert_eq!(column("load.mean-pressure"), &ColumnValues::Number([0.001, 0.01, 0.002].map(Some).into()));
+    assert_eq!(column("kappa"), &ColumnValues::Number(points.iter().map(|it| Some(it.observables.kappa)).collect()));
+    let ColumnValues::Text(scenes) = column("scene") else { panic!("scenes are texts") };
     for (scene, row) in scenes.iter().zip(&rows) {
         assert_eq!(Setup::from_toml(scene).unwrap(), plan.setup(*row).unwrap());
     }

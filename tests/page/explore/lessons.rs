@@ -1,6 +1,6 @@
 //! Lessons of a teacher: what can be written, and what is refused.
 
-use asperity::explore::{Curve, Lesson, Question, Words};
+use asperity::explore::{Lesson, Question, SweepCurve, Words};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -43,7 +43,7 @@ fn a_teacher_writes_lessons() {
     let [first, second] = [0, 1].map(|i| json_of(&lesson.steps[i].knobs));
     assert_eq!((first["points"].as_u64(), first["load"].as_f64()), (Some(64), Some(0.05)));
     assert_eq!((second["points"].as_u64(), second["load"].as_f64()), (Some(64), Some(0.5)));
-    let asked = Question::Draw { question: "Draw it.".into(), curve: Curve::KappaR };
+    let asked = Question::Draw { question: "Draw it.".into(), curve: SweepCurve::KappaR };
     assert_eq!((lesson.steps[1].sweep, &lesson.steps[1].ask), (true, &Some(asked)));
 }
 

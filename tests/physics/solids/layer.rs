@@ -1,7 +1,7 @@
 //! Layers on rigid bases.
 
 use asperity::contact::{Load, Multilevel, PolonskyKeer, Solver};
-use asperity::elastic::{Base, HalfSpace, Layer, Response, Solid, direct};
+use asperity::elastic::{Base, ElasticSolid, HalfSpace, Layer, Response, direct};
 use asperity::surface::Spectrum;
 use asperity::{Contact, Grid, Indenter, Problem, Stop, Surface};
 use std::sync::Arc;
@@ -94,7 +94,7 @@ fn waves_respond_as_the_direct_sum_on_lines_and_surfaces() {
     ];
     for grid in grids.map(Result::unwrap) {
         for base in BASES {
-            let solid: Arc<dyn Solid> = layer(0.4, 0.1, base).into();
+            let solid: Arc<dyn ElasticSolid> = layer(0.4, 0.1, base).into();
             let pressure: Vec<f64> = (0..grid.len()).map(|i| ((i * i) as f64 * 0.7).sin() + 0.3).collect();
             let mean = pressure.iter().sum::<f64>() / grid.len() as f64;
             let sinking = solid.uniform_compliance().unwrap() * mean;
@@ -129,7 +129,7 @@ fn rough(grid: Grid) -> Surface {
     Surface::rough(grid, &spectrum, 3).unwrap()
 }
 
-fn solved_on(surface: &Surface, solid: impl Into<Arc<dyn Solid>>, load: Load) -> Contact {
+fn solved_on(surface: &Surface, solid: impl Into<Arc<dyn ElasticSolid>>, load: Load) -> Contact {
     let problem = Problem::new(surface.clone(), solid, load).unwrap();
     let [fast, slow] = [&Multilevel as &dyn Solver, &PolonskyKeer].map(|solver| {
         solver.solve(&problem, &Stop::new(1e-10, 100_000).unwrap(), &mut ()).unwrap().converged().unwrap()

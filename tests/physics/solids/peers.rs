@@ -5,7 +5,7 @@
 //! 0.01 (`FreeFFTElasticHalfSpace`, whose `young` is `E*`). Both by its conjugate gradients, to a penetration of 2e-15.
 
 use asperity::contact::{ContactModulus, Load, Multilevel, PolonskyKeer, Solver};
-use asperity::elastic::{Base, Layer, Solid};
+use asperity::elastic::{Base, ElasticSolid, Layer};
 use asperity::surface::{Field, read_heights};
 use asperity::{Grid, Problem, Stop, Surface};
 use std::path::Path;
@@ -16,7 +16,7 @@ fn data(name: &str) -> Field {
     read_heights(&path).unwrap().into_dimensionality().unwrap()
 }
 
-fn compare(heights: &str, grid: Grid, solid: impl Into<Arc<dyn Solid>>, load: Load, theirs: &str) {
+fn compare(heights: &str, grid: Grid, solid: impl Into<Arc<dyn ElasticSolid>>, load: Load, theirs: &str) {
     let problem = Problem::new(Surface::new(grid, data(heights)).unwrap(), solid, load).unwrap();
     let theirs = data(theirs);
     for solver in [&Multilevel as &dyn Solver, &PolonskyKeer] {

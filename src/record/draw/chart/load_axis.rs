@@ -1,6 +1,6 @@
 //! The axis of the loads of a recording.
 
-use crate::plot::{Axis, Scale};
+use crate::plot::{Axis, AxisScale};
 
 /// The quantity that tells loads apart, and its value at each of them, in their order. A value that has no place on the axis
 /// leaves its load without one.
@@ -9,7 +9,7 @@ pub struct LoadAxis {
     /// Name of the quantity, with its unit.
     pub name: String,
     /// Spacing of the values.
-    pub scale: Scale,
+    pub scale: AxisScale,
     /// Values of all loads.
     pub values: Vec<f64>,
 }
@@ -20,12 +20,12 @@ const ALONE: f64 = 0.5;
 impl LoadAxis {
     /// Loads on a logarithmic axis.
     pub fn log(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), scale: Scale::Log, values }
+        Self { name: name.into(), scale: AxisScale::Log, values }
     }
 
     /// Loads on a linear axis.
     pub fn linear(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), scale: Scale::Linear, values }
+        Self { name: name.into(), scale: AxisScale::Linear, values }
     }
 
     /// The axis over the rooms of some loads.
@@ -48,9 +48,9 @@ impl LoadAxis {
         let own = self.level(load)?;
         let beside = [load.checked_sub(1), load.checked_add(1)].map(|other| Some(0.5 * (self.level(other?)? - own)));
         let alone = match self.scale {
-            Scale::Log => ALONE,
-            Scale::Linear if own == 0.0 => ALONE,
-            Scale::Linear => ALONE * own.abs(),
+            AxisScale::Log => ALONE,
+            AxisScale::Linear if own == 0.0 => ALONE,
+            AxisScale::Linear => ALONE * own.abs(),
         };
         let [before, after] = match beside {
             [Some(before), Some(after)] if before * after > 0.0 => [before, -after], // where the load turns back
@@ -59,8 +59,8 @@ impl LoadAxis {
             [None, None] => [-alone, alone],
         };
         let ends = [own + before, own + after].map(|level| match self.scale {
-            Scale::Linear => level,
-            Scale::Log => 10f64.powf(level),
+            AxisScale::Linear => level,
+            AxisScale::Log => 10f64.powf(level),
         });
         Some([ends[0].min(ends[1]), ends[0].max(ends[1])])
     }
@@ -69,8 +69,8 @@ impl LoadAxis {
     fn level(&self, load: usize) -> Option<f64> {
         let value = *self.values.get(load)?;
         let level = match self.scale {
-            Scale::Linear => value,
-            Scale::Log => value.log10(),
+            AxisScale::Linear => value,
+            AxisScale::Log => value.log10(),
         };
         level.is_finite().then_some(level)
     }

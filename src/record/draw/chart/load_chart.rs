@@ -1,6 +1,6 @@
 //! Charts: curves over the loads, on axes of their own.
 
-use crate::plot::{Align, Axis, Colour, Frame, Sheet, width};
+use crate::plot::{Align, AxesFrame, Axis, Colour, Sheet, width};
 use crate::record::draw::chart::curves::{CurveKind, RecordedCurve};
 use crate::record::draw::chart::load_axis::LoadAxis;
 use crate::record::draw::fields::range;
@@ -42,7 +42,7 @@ pub struct Chart {
     loads: LoadAxis,
     /// Room for the legend, over the size of words.
     aside: f64,
-    frame: Frame,
+    frame: AxesFrame,
     /// Values of all curves of the recording by their loads.
     values: BTreeMap<usize, Vec<f64>>,
 }
@@ -90,7 +90,7 @@ impl Chart {
     /// Records axes and legend.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
-        let Frame { size: [right, height], text, .. } = self.frame;
+        let AxesFrame { size: [right, height], text, .. } = self.frame;
         let pitch = (ENTRY * text).min(height / self.curves.len() as f64);
         let [gap, sample, before] = LEGEND.map(|length| length * text);
         let room = self.aside * text - gap - sample - before;

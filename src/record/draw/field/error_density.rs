@@ -1,7 +1,7 @@
 //! Where the error sits: the density of the error in energy, of a line as a curve and of a surface as an image.
 
 use crate::contact::{contact_reach, error_density};
-use crate::plot::{Axis, Frame};
+use crate::plot::{AxesFrame, Axis};
 use crate::record::draw::drawing::{Drawing, Place, Subject};
 use crate::record::draw::fields::FrameFields;
 use crate::record::draw::ink::canvas::{self, WIDTH, strip, style};
@@ -31,11 +31,11 @@ const UNPRESSED_CLASS: u16 = 3;
 struct ErrorDensity {
     root: String,
     palette: &'static Palette,
-    shape: Shape,
+    shape: CurveOrImage,
 }
 
-enum Shape {
-    Curve { window: Window, frame: Frame },
+enum CurveOrImage {
+    Curve { window: Window, frame: AxesFrame },
     Image { blocks: Blocks, image: Box<Image> },
 }
 
@@ -53,19 +53,19 @@ impl ErrorDensity {
             let window = Window::around(scene);
             let x = Ruler::new("x", &options.length_unit, window.ends(grid.spacing()[1])).axis;
             let y = Axis::log("error density / largest", [10f64.powf(-DECADES), 1.0]);
-            Shape::Curve { window, frame: canvas::frame(canvas::PANE, [x, y], 0.0) }
+            CurveOrImage::Curve { window, frame: canvas::frame(canvas::PANE, [x, y], 0.0) }
         } else {
             let blocks = Blocks::image(grid);
             let frame = frame(grid, &blocks, &options.length_unit);
             let scale = Ruler::new("log10 of error density / largest", "", [-DECADES, 0.0]);
             let image = Image::new(root.clone(), &frame, palette, scale, ColourMap::inferno());
-            Shape::Image { blocks, image: Box::new(image) }
+            CurveOrImage::Image { blocks, image: Box::new(image) }
         };
         Self { root, palette, shape }
     }
 
     /// Records the names and colours of the nodes of a surface in one contact alone.
-    fn log_classes(&self, to: &RecordingStream, frame: &Frame) -> RecordingStreamResult<()> {
+    fn log_classes(&self, to: &RecordingStream, frame: &AxesFrame) -> RecordingStreamResult<()> {
         let class = |id, name: &str, color| AnnotationInfo { id, label: Some(name.into()), color: Some(color) };
         let classes = AnnotationContext::new([
             class(GAP_CLASS, "no contact, or both", Rgba32::from_unmultiplied_rgba(0, 0, 0, 0)),
@@ -83,12 +83,12 @@ impl Drawing for ErrorDensity {
     fn panes(&self) -> Vec<(Place, Pane)> {
         let root = &self.root;
         let pane = match &self.shape {
-            Shape::Curve { frame, .. } => {
+            CurveOrImage::Curve { frame, .. } => {
                 let title = "Where the error sits: p (v - min v); contact by pressure (below) and by gap (above)";
                 let picture = (root.clone(), canvas::bounds(frame, 0.0));
                 PaneView::plane(title, root, vec![format!("{root}/**")], picture, self.palette)
             }
-            Shape::Image { image, .. } => image.pane(
+            CurveOrImage::Image { image, .. } => image.pane(
                 "Where the error sits: p (v - min v); blue: pressed though apart, green: touching without pressure",
             ),
         };
@@ -98,18 +98,18 @@ impl Drawing for ErrorDensity {
     fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>) {
         let Some(size) = size(&self.root) else { return };
         match &mut self.shape {
-            Shape::Curve { frame, .. } => canvas::fit(frame, size, 0.0),
-            Shape::Image { image, .. } => image.fit(size),
+            CurveOrImage::Curve { frame, .. } => canvas::fit(frame, size, 0.0),
+            CurveOrImage::Image { image, .. } => image.fit(size),
         }
     }
 
     fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let (root, frame) = match &self.shape {
-            Shape::Image { image, .. } => {
+            CurveOrImage::Image { image, .. } => {
                 image.log_static(to)?;
                 return self.log_classes(to, &image.frame);
             }
-            Shape::Curve { frame, .. } => (&self.root, frame),
+            CurveOrImage::Curve { frame, .. } => (&self.root, frame),
         };
         canvas::log_axes(to, self.palette, &format!("{root}/axes"), frame)?;
         let bars = Radius::new_scene_units(fill::radius(WIDTH as f32));
@@ -124,7 +124,7 @@ impl Drawing for ErrorDensity {
         let shares = shares(fields);
         let root = &self.root;
         match &self.shape {
-            Shape::Curve { window, frame } => {
+            CurveOrImage::Curve { window, frame } => {
                 let nodes = window.every(fields.stride[1]);
                 let [width, height] = frame.size.map(|length| length as f32);
                 let curve = curve(&nodes, |i| height * (1.0 - shares[nodes.node(i)] as f32));
@@ -135,7 +135,7 @@ impl Drawing for ErrorDensity {
                 to.log(format!("{root}/pressed"), &pressed)?;
                 to.log(format!("{root}/closed"), &segments(&nodes, 0.0, |node| fields.gap[node] <= reach))
             }
-            Shape::Image { blocks, image } => {
+            CurveOrImage::Image { blocks, image } => {
                 let shares = blocks.fold(&shares, fields.stride, 0.0, f64::max);
                 image.log(to, blocks.rows_down(&shares).map(|share| DECADES * (share - 1.0)))?;
                 let buffer: Vec<u8> = classes(blocks, fields);

@@ -1,7 +1,7 @@
 //! The power spectra of the solid's surface and of the indenter, as curves on logarithmic axes.
 
 use crate::grid::Grid;
-use crate::plot::{Axis, Frame};
+use crate::plot::{AxesFrame, Axis};
 use crate::record::draw::drawing::{Drawing, Place, Subject};
 use crate::record::draw::fields::FrameFields;
 use crate::record::draw::ink::canvas::{self, strip, style};
@@ -23,7 +23,7 @@ struct Spectra {
     grid: Grid,
     height: Vec<f64>,
     largest_density: f64,
-    frame: Frame,
+    frame: AxesFrame,
     heights: PowerSpectrum,
     root: String,
 }

@@ -2,7 +2,7 @@
 
 use crate::elastic::stress::{USUAL_POISSON, below, is_known};
 use crate::grid::Grid;
-use crate::plot::Frame;
+use crate::plot::AxesFrame;
 use crate::record::draw::drawing::{Drawing, Place, Subject};
 use crate::record::draw::field::fringes::{light, per_order};
 use crate::record::draw::fields::{FieldExtent, FrameFields};
@@ -35,7 +35,7 @@ const COMMON: f64 = 0.25;
 
 /// The stress below a line, or below the row of the highest peak of a surface. Each block of nodes presses with its mean: what is
 /// closer to the surface than a block is wide is smoothed.
-struct Stress {
+struct StressDrawing {
     grid: Grid,
     contact_modulus: f64,
     poisson: f64,
@@ -57,7 +57,7 @@ struct Stress {
 
 /// The drawing of the stress of a scene, in colours, as fringes, or both: they show the same stress, which is computed once.
 pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
-    Some(Box::new(Stress::new(subject)?))
+    Some(Box::new(StressDrawing::new(subject)?))
 }
 
 /// The drawing of fringes alone.
@@ -65,7 +65,7 @@ pub fn draw_fringes(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     if subject.has(Part::Stress) { None } else { draw(subject) }
 }
 
-impl Stress {
+impl StressDrawing {
     fn new(subject: &Subject<'_>) -> Option<Self> {
         let Subject { scene, forecast, root, options, palette, .. } = *subject;
         let has = |part: Part| subject.has(part);
@@ -157,7 +157,7 @@ impl Stress {
     }
 }
 
-impl Drawing for Stress {
+impl Drawing for StressDrawing {
     fn panes(&self) -> Vec<(Place, Pane)> {
         self.images().map(|(title, image)| (Place::Deep, image.pane(&title))).collect()
     }
@@ -192,7 +192,7 @@ impl Drawing for Stress {
 }
 
 /// The frame of the pictures, a unit for each pixel.
-fn frame(ends: [f64; 2], pixel: f64, rows: usize, length_unit: &str) -> Frame {
+fn frame(ends: [f64; 2], pixel: f64, rows: usize, length_unit: &str) -> AxesFrame {
     let size = [COLUMNS, rows].map(|n| n as f64);
     let x = Ruler::new("x", length_unit, ends).axis;
     let y = Ruler::new("z", length_unit, [-size[1] * pixel, 0.0]).axis;

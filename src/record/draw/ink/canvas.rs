@@ -5,7 +5,7 @@
 //! size in every pane. The box of a curve is [`WIDTH`] wide on every canvas, so that what stands at a share of its width has the same
 //! coordinate everywhere; its height, and the size of words, follow from the pane.
 
-use crate::plot::{Align, Axis, Colour, Element, Frame, NAME, Sheet, Side, dashes, letters, width};
+use crate::plot::{Align, AxesFrame, Axis, AxisSide, Colour, Element, NAME, Sheet, dashes, letters, width};
 use crate::record::draw::ink::fill;
 use crate::record::draw::ink::palette::{Palette, colour};
 use rerun::components::Text;
@@ -40,26 +40,26 @@ pub const LETTER: [f32; 2] = [0.052, 0.036];
 type Strip = (Vec<[f32; 2]>, Color, Radius);
 
 /// The frame of curves in a pane of a size, with `aside` free to the right, over the size of words.
-pub fn frame(pane: [f64; 2], [x, y]: [Axis; 2], aside: f64) -> Frame {
+pub fn frame(pane: [f64; 2], [x, y]: [Axis; 2], aside: f64) -> AxesFrame {
     let [width, height] = boxed(pane, aside);
     let unit = WIDTH / width;
-    Frame { x, y, corner: [0.0, 0.0], size: [WIDTH, unit * height], text: unit * TEXT }
+    AxesFrame { x, y, corner: [0.0, 0.0], size: [WIDTH, unit * height], text: unit * TEXT }
 }
 
 /// The frame of an image of `size` with a scale of colours beside it, as large as it can be in a pane of a size.
-pub fn image_frame(pane: [f64; 2], [x, y]: [Axis; 2], size: [f64; 2]) -> Frame {
+pub fn image_frame(pane: [f64; 2], [x, y]: [Axis; 2], size: [f64; 2]) -> AxesFrame {
     let room = boxed(pane, SCALE_ROOM);
     let unit = (0..2).map(|i| size[i] / room[i]).fold(0.0, f64::max);
-    Frame { x, y, corner: [0.0, 0.0], size, text: unit * TEXT }
+    AxesFrame { x, y, corner: [0.0, 0.0], size, text: unit * TEXT }
 }
 
 /// Gives a frame of curves the proportions of a pane of a size, with `aside` free to the right.
-pub fn fit(frame: &mut Frame, pane: [f64; 2], aside: f64) {
+pub fn fit(frame: &mut AxesFrame, pane: [f64; 2], aside: f64) {
     *frame = self::frame(pane, [frame.x.clone(), frame.y.clone()], aside);
 }
 
 /// Makes the frame of an image as large as a pane of a size allows.
-pub fn fit_image(frame: &mut Frame, pane: [f64; 2]) {
+pub fn fit_image(frame: &mut AxesFrame, pane: [f64; 2]) {
     *frame = image_frame(pane, [frame.x.clone(), frame.y.clone()], frame.size);
 }
 
@@ -70,14 +70,14 @@ pub fn boxed(pane: [f64; 2], aside: f64) -> [f64; 2] {
 }
 
 /// The part of the canvas that box, ticks and words of a frame take, with `aside` to the right: left, right, top, bottom.
-pub fn bounds(frame: &Frame, aside: f64) -> [f64; 4] {
+pub fn bounds(frame: &AxesFrame, aside: f64) -> [f64; 4] {
     let ([x, y], [width, height]) = (frame.corner, frame.size);
     let [left, right, above, below] = ROOM.map(|room| room * frame.text);
     [x - left, x + width + right + aside * frame.text, y - above, y + height + below]
 }
 
 /// Words above the middle of a frame.
-pub fn caption(palette: &Palette, frame: &Frame, words: &str) -> impl AsComponents + use<> {
+pub fn caption(palette: &Palette, frame: &AxesFrame, words: &str) -> impl AsComponents + use<> {
     let mut sheet = Sheet::default();
     let at = [frame.corner[0] + 0.5 * frame.size[0], frame.corner[1] - HEAD * frame.text];
     sheet.words(words, at, frame.text, Align::Middle);
@@ -85,32 +85,37 @@ pub fn caption(palette: &Palette, frame: &Frame, words: &str) -> impl AsComponen
 }
 
 /// Draws the box and both axes of a frame under `entity`, for all times.
-pub fn log_axes(to: &RecordingStream, palette: &Palette, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
+pub fn log_axes(to: &RecordingStream, palette: &Palette, entity: &str, frame: &AxesFrame) -> RecordingStreamResult<()> {
     log_sheet(to, palette, entity, &axes(frame))
 }
 
 /// The box and both axes of a frame. A name of the y axis that is longer than the axis stands above the box.
-fn axes(frame: &Frame) -> Sheet {
+fn axes(frame: &AxesFrame) -> Sheet {
     let mut sheet = Sheet::default();
     frame.draw_box(&mut sheet);
-    frame.draw_axis(&mut sheet, Side::Below);
+    frame.draw_axis(&mut sheet, AxisSide::Below);
     let name = &frame.y.name;
     if width(name, NAME * frame.text) <= frame.size[1] {
-        frame.draw_axis(&mut sheet, Side::Left);
+        frame.draw_axis(&mut sheet, AxisSide::Left);
         return sheet;
     }
-    let nameless = Frame { y: Axis { name: String::new(), ..frame.y.clone() }, ..frame.clone() };
-    nameless.draw_axis(&mut sheet, Side::Left);
+    let nameless = AxesFrame { y: Axis { name: String::new(), ..frame.y.clone() }, ..frame.clone() };
+    nameless.draw_axis(&mut sheet, AxisSide::Left);
     let [x, y] = frame.corner;
     sheet.words(name, [x - ABOVE[0] * frame.text, y - ABOVE[1] * frame.text], frame.text, Align::Left);
     sheet
 }
 
 /// Draws the lower side of a frame with its axis under `entity`, for all times.
-pub fn log_floor(to: &RecordingStream, palette: &Palette, entity: &str, frame: &Frame) -> RecordingStreamResult<()> {
+pub fn log_floor(
+    to: &RecordingStream,
+    palette: &Palette,
+    entity: &str,
+    frame: &AxesFrame,
+) -> RecordingStreamResult<()> {
     let mut sheet = Sheet::default();
     sheet.line([0.0, 1.0].map(|x| frame.position([x, 0.0])).to_vec(), Colour::GREY, 1.2);
-    frame.draw_axis(&mut sheet, Side::Below);
+    frame.draw_axis(&mut sheet, AxisSide::Below);
     log_sheet(to, palette, entity, &sheet)
 }
 

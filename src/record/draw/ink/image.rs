@@ -7,7 +7,7 @@ use super::reduce::Blocks;
 use super::ruler::Ruler;
 use super::scale::ColourScale;
 use crate::grid::Grid;
-use crate::plot::{Axis, Frame};
+use crate::plot::{AxesFrame, Axis};
 use crate::record::sdk::{ChannelDatatype, ImageFormat};
 use rerun::components::{MagnificationFilter, ValueRange};
 use rerun::{DepthImage, RecordingStream, RecordingStreamResult};
@@ -15,14 +15,14 @@ use rerun::{DepthImage, RecordingStream, RecordingStreamResult};
 /// A field in colours, its frame and its scale.
 pub struct Image {
     pub root: String,
-    pub frame: Frame,
+    pub frame: AxesFrame,
     pub colours: ColourScale,
     pub scale: Ruler,
 }
 
 impl Image {
     /// The image under `root` in a frame, with its scale and its colours.
-    pub fn new(root: String, frame: &Frame, palette: &'static Palette, scale: Ruler, map: ColourMap) -> Self {
+    pub fn new(root: String, frame: &AxesFrame, palette: &'static Palette, scale: Ruler, map: ColourMap) -> Self {
         let colours = ColourScale { root: format!("{root}/scale"), palette, map };
         Self { root, frame: frame.clone(), colours, scale }
     }
@@ -72,13 +72,13 @@ impl Image {
 }
 
 /// The frame of an image of a surface, a unit for each of its blocks.
-pub fn frame(grid: &Grid, blocks: &Blocks, length_unit: &str) -> Frame {
+pub fn frame(grid: &Grid, blocks: &Blocks, length_unit: &str) -> AxesFrame {
     let [height, width] = blocks.cells.map(|n| n as f64);
     let axes = [1, 0].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
     canvas::image_frame(canvas::PANE, axes, [width, height])
 }
 
 /// The format of an image that fills a frame with a unit for each pixel.
-pub fn format(frame: &Frame, datatype: ChannelDatatype) -> ImageFormat {
+pub fn format(frame: &AxesFrame, datatype: ChannelDatatype) -> ImageFormat {
     ImageFormat::depth(frame.size.map(|n| n as u32), datatype)
 }

@@ -8,7 +8,7 @@ use super::reduce::Columns;
 use super::ruler::Ruler;
 use super::window::{Samples, Window};
 use crate::contact::Law;
-use crate::plot::{Axis, Frame};
+use crate::plot::{AxesFrame, Axis};
 use crate::record::draw::fields::FrameFields;
 use crate::record::options::Options;
 use crate::record::parts::Parts;
@@ -30,7 +30,7 @@ pub struct LinePlane {
     /// First and last position, lengths.
     pub ends: [f64; 2],
     /// The box with the axis of positions; each picture has a vertical axis of its own.
-    pub frame: Frame,
+    pub frame: AxesFrame,
     parts: Parts,
     /// The part that was measured, if the rest is its mirror image.
     pub measured: Option<MeasuredPart>,
@@ -70,8 +70,8 @@ impl LinePlane {
     }
 
     /// The frame with a vertical axis.
-    pub fn frame_with(&self, y: &Axis) -> Frame {
-        Frame { y: y.clone(), ..self.frame.clone() }
+    pub fn frame_with(&self, y: &Axis) -> AxesFrame {
+        AxesFrame { y: y.clone(), ..self.frame.clone() }
     }
 
     /// The height of the box on the canvas.

@@ -1,6 +1,6 @@
 //! Scales of colours beside images.
 
-use crate::plot::{Align, Axis, Frame, Sheet, Side};
+use crate::plot::{Align, AxesFrame, Axis, AxisSide, Sheet};
 use crate::record::draw::ink::canvas;
 use crate::record::draw::ink::palette::{ColourMap, Palette};
 use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
@@ -20,14 +20,14 @@ pub struct ColourScale {
 
 impl ColourScale {
     /// Records the bar beside a frame, with the numbers of an axis.
-    pub fn log(&self, to: &RecordingStream, frame: &Frame, axis: &Axis) -> RecordingStreamResult<()> {
+    pub fn log(&self, to: &RecordingStream, frame: &AxesFrame, axis: &Axis) -> RecordingStreamResult<()> {
         to.log_static(format!("{}/colours", self.root), &self.bar(frame))?;
         canvas::log_sheet(to, self.palette, &self.root, &words(frame, axis))
     }
 
     /// Shades one above the other, each overlapped by the next.
-    fn bar(&self, frame: &Frame) -> LineStrips2D {
-        let Frame { size, text, .. } = frame;
+    fn bar(&self, frame: &AxesFrame) -> LineStrips2D {
+        let AxesFrame { size, text, .. } = frame;
         let (x, height, text) = ((size[0] + BAR * text) as f32, size[1] as f32, *text as f32);
         let y = |shade: usize| (1.0 - shade as f32 / SHADES as f32) * height;
         let bars = (0..SHADES).map(|shade| [[x, y(shade)], [x, y((shade + 2).min(SHADES))]]);
@@ -37,11 +37,11 @@ impl ColourScale {
 }
 
 /// Numbers beside the bar, and their name to the right of them, upwards.
-fn words(frame: &Frame, axis: &Axis) -> Sheet {
-    let scale = Frame { y: axis.clone(), ..frame.clone() };
-    let Frame { size: [width, height], text, .. } = scale;
+fn words(frame: &AxesFrame, axis: &Axis) -> Sheet {
+    let scale = AxesFrame { y: axis.clone(), ..frame.clone() };
+    let AxesFrame { size: [width, height], text, .. } = scale;
     let mut sheet = Sheet::default();
-    for (place, label) in scale.labels(Side::Left) {
+    for (place, label) in scale.labels(AxisSide::Left) {
         sheet.words(&label, [width + (BAR + 0.8) * text, (1.0 - place) * height], text, Align::Left);
     }
     sheet.fitted_words(&axis.name, [width + NAME * text, 0.5 * height], 1.13 * text, height, true);

@@ -8,7 +8,7 @@ use super::palette::Palette;
 use super::pane::{Pane, PaneView};
 use super::reduce::Blocks;
 use crate::contact::Law;
-use crate::plot::Frame;
+use crate::plot::AxesFrame;
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
@@ -24,7 +24,7 @@ pub struct SurfacePlane {
     pub law: Law,
     pub blocks: Blocks,
     /// The box with both axes, a unit for each block.
-    pub frame: Frame,
+    pub frame: AxesFrame,
     parts: Parts,
     /// The part that was measured, if the rest is its mirror images.
     measured: Option<MeasuredPart>,

@@ -1,12 +1,12 @@
 //! The elastic energy step by step against the wavelength.
 
 use crate::record::draw::drawing::{Drawing, Subject};
-use crate::record::draw::instrument::waterfall::{Quantity, Waterfall, Waterfalls};
+use crate::record::draw::instrument::waterfall::{Waterfall, WaterfallQuantity, Waterfalls};
 
 /// The drawing of the energy of a scene, over mean pressure and rms height.
 pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let problem = subject.scene.problem;
-    let energy = Quantity {
+    let energy = WaterfallQuantity {
         entity: "energy",
         title: "Elastic energy by wavelength",
         name: "log10 energy / (p_mean h_rms)",

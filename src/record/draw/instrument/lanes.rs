@@ -1,8 +1,8 @@
 //! What a solver decided, as lanes over the steps.
 
 use crate::contact::{Contact, Decision, Step, Work};
-use crate::diagnosis::{Change, Diagnosis, History};
-use crate::plot::{Align, Colour, Frame, Sheet, width};
+use crate::diagnosis::{ContactChange, Diagnosis, History};
+use crate::plot::{Align, AxesFrame, Colour, Sheet, width};
 use crate::record::draw::chart::observable_traces::times;
 use crate::record::draw::drawing::{Drawing, Place, RunDrawing, RunStep, Subject};
 use crate::record::draw::ink::canvas;
@@ -127,7 +127,7 @@ impl Lanes {
         &self,
         to: &RecordingStream,
         columns: &[[u8; LANES.len()]],
-        frame: &Frame,
+        frame: &AxesFrame,
     ) -> RecordingStreamResult<()> {
         let pitch = frame.size[1] / LANES.len() as f64;
         let middle = |lane: usize| (lane as f64 + 0.75) * pitch;
@@ -165,7 +165,7 @@ impl Lanes {
 
 impl LaneRows {
     /// Adds a step.
-    fn add(&mut self, step: &Step<'_>, level: usize, change: Change) {
+    fn add(&mut self, step: &Step<'_>, level: usize, change: ContactChange) {
         let [ny, nx] = step.problem().surface().grid().shape();
         let grid = if ny == 1 { nx.to_string() } else { format!("{ny} x {nx}") };
         let kind = step.decision().map(Decision::name);

@@ -1,7 +1,7 @@
 //! Images whose columns are steps.
 
 use crate::contact::Work;
-use crate::plot::{Axis, Frame};
+use crate::plot::{AxesFrame, Axis};
 use crate::record::draw::chart::observable_traces::times;
 use crate::record::draw::ink::canvas;
 use crate::record::draw::ink::palette::{self, Palette};
@@ -17,7 +17,7 @@ pub struct StepImage {
     y: Option<Axis>,
     /// Room for a scale of colours, over the size of words.
     aside: f64,
-    frame: Frame,
+    frame: AxesFrame,
 }
 
 /// The steps that an image shows.
@@ -54,8 +54,8 @@ impl StepImage {
     }
 
     /// The frame of the image of some steps.
-    pub fn frame(&self, steps: StepAxis) -> Frame {
-        Frame { x: Axis::linear("step", [0.0, steps.count()]), ..self.frame.clone() }
+    pub fn frame(&self, steps: StepAxis) -> AxesFrame {
+        AxesFrame { x: Axis::linear("step", [0.0, steps.count()]), ..self.frame.clone() }
     }
 
     /// Gives it the proportions of its pane, whose width and height in points `size` finds.

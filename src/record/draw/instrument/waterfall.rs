@@ -1,6 +1,6 @@
 //! Waterfalls: a quantity step by step against the wavelength, in decades.
 
-use crate::diagnosis::{Bands, Diagnosis, History, Row};
+use crate::diagnosis::{Bands, Diagnosis, History, SpectrogramRow};
 use crate::plot::Axis;
 use crate::record::draw::drawing::{Drawing, Place, RunDrawing, RunStep, Subject};
 use crate::record::draw::ink::palette::ColourMap;
@@ -21,12 +21,12 @@ pub struct Waterfall {
     image: StepImage,
     /// The band of each row, from the longest waves on.
     rows: Vec<usize>,
-    quantity: Quantity,
+    quantity: WaterfallQuantity,
 }
 
 /// A quantity of the rows of a spectrogram.
 #[derive(Clone, Copy)]
-pub struct Quantity {
+pub struct WaterfallQuantity {
     /// The name of its entity below the root of the scene.
     pub entity: &'static str,
     /// The title of its pane, and its name at the scale.
@@ -34,12 +34,12 @@ pub struct Quantity {
     pub name: &'static str,
     /// The value that the numbers are over.
     pub unit: f64,
-    pub values: fn(&Row) -> &[f64],
+    pub values: fn(&SpectrogramRow) -> &[f64],
 }
 
 impl Waterfall {
     /// The waterfall of a quantity of a scene.
-    pub fn new(Subject { scene, root, options, palette, .. }: &Subject<'_>, quantity: Quantity) -> Self {
+    pub fn new(Subject { scene, root, options, palette, .. }: &Subject<'_>, quantity: WaterfallQuantity) -> Self {
         let grid = scene.problem.surface().grid();
         let bands = Bands::of(grid);
         let longest = grid.longest_wavelength();
@@ -51,13 +51,13 @@ impl Waterfall {
     }
 
     /// Records the image of the steps so far.
-    fn log(&self, to: &RecordingStream, history: &History<Row>) -> RecordingStreamResult<()> {
+    fn log(&self, to: &RecordingStream, history: &History<SpectrogramRow>) -> RecordingStreamResult<()> {
         let columns = history.columns();
         if columns.iter().all(|row| (self.quantity.values)(row).is_empty()) {
             return Ok(());
         }
         let steps = StepAxis { columns: columns.len(), per_column: history.per_column() };
-        let value = |row: &Row, band: usize| {
+        let value = |row: &SpectrogramRow, band: usize| {
             (self.quantity.values)(row).get(band).map_or(f64::NAN, |value| (value / self.quantity.unit).log10())
         };
         let values: Vec<f64> =
@@ -90,14 +90,14 @@ pub struct Waterfalls(pub Vec<Waterfall>);
 /// The drawing of the errors of pressure and displacement, if there is a state to hold them against.
 pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     subject.scene.reference.as_ref()?;
-    let pressure = Quantity {
+    let pressure = WaterfallQuantity {
         entity: "error_pressure",
         title: "Error of the pressure by wavelength",
         name: "log10 error",
         unit: 1.0,
         values: |row| &row.pressure,
     };
-    let displacement = Quantity {
+    let displacement = WaterfallQuantity {
         entity: "error_displacement",
         title: "Error of the displacement by wavelength",
         values: |row| &row.displacement,

@@ -1,6 +1,6 @@
 //! The contacts of a line under all loads, one row above the other: how patches grow and merge.
 
-use crate::plot::Frame;
+use crate::plot::AxesFrame;
 use crate::record::draw::chart::load_axis::LoadAxis;
 use crate::record::draw::fields::FrameFields;
 use crate::record::draw::ink::canvas::{self, style};
@@ -17,7 +17,7 @@ const ROOMY: f32 = 12.0;
 
 /// A map of the contact, the position to the right and the load upwards. It grows with the load.
 pub struct PatchMap {
-    frame: Frame,
+    frame: AxesFrame,
     plane: LinePlane,
     loads: LoadAxis,
     root: String,
@@ -72,7 +72,7 @@ impl PatchMap {
         for stretched in ["row", "cursor"] {
             to.log_static(format!("{}/{stretched}", self.root), &transform)?;
         }
-        canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &Frame { y, ..self.frame.clone() })
+        canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &AxesFrame { y, ..self.frame.clone() })
     }
 }
 

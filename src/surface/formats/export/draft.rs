@@ -4,4 +4,4 @@ use std::fs::File;
 use std::io::BufWriter;
 
 /// A file that is renamed when all of it is written.
-pub(super) type Draft<'a> = BufWriter<&'a mut File>;
+pub(super) type FileWriter<'a> = BufWriter<&'a mut File>;

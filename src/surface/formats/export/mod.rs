@@ -10,23 +10,23 @@ use super::npy;
 use crate::error::FileError;
 use crate::files::{check_named, write_beside};
 use crate::surface::Scan;
-use draft::Draft;
+use draft::FileWriter;
 use std::io;
 use std::path::Path;
 
 /// A format that heights are written in, told by the ending of a name.
-struct Export {
+struct ExportFormat {
     ending: &'static str,
-    write: fn(&Scan, &mut Draft) -> io::Result<()>,
+    write: fn(&Scan, &mut FileWriter) -> io::Result<()>,
 }
 
 /// All formats.
-const EXPORTS: &[Export] = &[
-    Export { ending: "npy", write: npy },
-    Export { ending: "sdf", write: sdf::write },
+const EXPORTS: &[ExportFormat] = &[
+    ExportFormat { ending: "npy", write: npy },
+    ExportFormat { ending: "sdf", write: sdf::write },
     #[cfg(feature = "instruments")]
-    Export { ending: "x3p", write: x3p::write },
-    Export { ending: "xyz", write: xyz::write },
+    ExportFormat { ending: "x3p", write: x3p::write },
+    ExportFormat { ending: "xyz", write: xyz::write },
 ];
 
 impl Scan {
@@ -68,7 +68,7 @@ impl Scan {
     }
 }
 
-fn npy(scan: &Scan, file: &mut Draft) -> io::Result<()> {
+fn npy(scan: &Scan, file: &mut FileWriter) -> io::Result<()> {
     let heights = scan.height.view();
     npy::write(if scan.is_line() { heights.row(0).into_dyn() } else { heights.into_dyn() }, file)
 }

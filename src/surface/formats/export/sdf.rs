@@ -1,6 +1,6 @@
 //! The text of ISO 25178-71.
 
-use super::draft::Draft;
+use super::draft::FileWriter;
 use crate::surface::Scan;
 use std::io::{self, Write};
 
@@ -9,7 +9,7 @@ use std::io::{self, Write};
 ///
 /// # Source
 /// ISO 25178-71:2017, as the program sdfio 2.0 renders it.
-pub(super) fn write(scan: &Scan, file: &mut Draft) -> io::Result<()> {
+pub(super) fn write(scan: &Scan, file: &mut FileWriter) -> io::Result<()> {
     let ([rows, points], [dy, dx]) = (scan.shape(), scan.spacing);
     let dy = if scan.is_line() { 0.0 } else { dy };
     write!(file, "aISO-1.0\r\nManufacID = asperity\r\nCreateDate = 000000000000\r\nModDate = 000000000000\r\n")?;

@@ -1,6 +1,6 @@
 //! The archive of ISO 25178-72.
 
-use super::draft::Draft;
+use super::draft::FileWriter;
 use crate::surface::Scan;
 use md5::{Context, Digest};
 use std::io::{self, Seek, Write};
@@ -18,7 +18,7 @@ const SUM: &str = "md5checksum.hex";
 ///
 /// # Source
 /// ISO 25178-72:2017 and ISO 5436-2:2012, and the published schema of openGPS, whose second record is optional.
-pub(super) fn write(scan: &Scan, file: &mut Draft) -> io::Result<()> {
+pub(super) fn write(scan: &Scan, file: &mut FileWriter) -> io::Result<()> {
     archive(scan, ZipWriter::new(file)).map_err(io::Error::from)
 }
 
