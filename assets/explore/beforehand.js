@@ -1,4 +1,3 @@
-"use strict";
 // The second way: a page without a server shows what was solved beforehand, which answers in the place of a session.
 
 /** What was solved beforehand; none where there is a server. */

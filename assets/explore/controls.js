@@ -1,4 +1,3 @@
-"use strict";
 // The controls, and the knobs that they turn.
 
 /** An element of the page, of the kind that the page gives it.

@@ -4,3 +4,6 @@ declare const TOLD: any;
 declare const NUMERIC_KNOBS: any[];
 declare const SOLVED: any;
 declare const wasm_bindgen: any;
+
+// What the page gives to a console and to tests.
+interface Window { asperity: any; }

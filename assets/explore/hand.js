@@ -1,4 +1,3 @@
-"use strict";
 // The hand: it presses the rigid surface onto the solid, and drags points of its profile.
 
 /** The least gap that a hand leaves, over the highest peak, as at none everything touches, and the largest, which is well clear. */

@@ -1,4 +1,3 @@
-"use strict";
 // The file of heights: dropped on the page or opened, described, and prepared before it is pressed. It goes to the server on this machine only.
 
 /** The largest file that the server takes, in bytes. */

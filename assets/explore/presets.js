@@ -1,4 +1,3 @@
-"use strict";
 // Presets: contacts to begin with, each with a small picture of it.
 
 /** What all presets set; solver and recording stay as they are. */

@@ -1,4 +1,3 @@
-"use strict";
 // The language of the page, and its sentences, which `texts.js` holds, and those that the server tells in English.
 
 const LANGUAGES = Object.keys(TEXTS);

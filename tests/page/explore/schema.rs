@@ -36,9 +36,9 @@ fn values_outside_the_range_of_a_knob_are_refused_by_its_name() {
 /// The page has a slider or a field for each, and takes its limits from the program.
 #[test]
 fn the_page_takes_the_schema_of_the_program() {
-    let script = Page::open().get("/knobs.js");
-    let json = script.text().trim().strip_prefix("const NUMERIC_KNOBS = ").unwrap().trim_end_matches(';');
-    let served: Vec<Value> = serde_json::from_str(json).unwrap();
+    let script = Page::open().get("/explore.js");
+    let json = script.text().lines().find_map(|line| line.strip_prefix("const NUMERIC_KNOBS = ")).unwrap();
+    let served: Vec<Value> = serde_json::from_str(json.trim_end_matches(';')).unwrap();
     let controls = sources().into_iter().find(|(name, _)| name == "controls.js").unwrap().1;
     for (knob, served) in NUMERIC_KNOBS.iter().zip(&served) {
         assert_eq!((json!(knob.id), json!(knob.range)), (served["id"].clone(), served["range"].clone()));
