@@ -1,4 +1,3 @@
-"use strict";
 // The address of what one sees: knobs, or a lesson and its step, and the run that is pinned, to be opened on another machine.
 
 /** The longest address that is read. */

@@ -1,4 +1,3 @@
-"use strict";
 // The one way to the server: what the page asks, what it orders, and where recordings are. Every tab has a session of its own there.
 
 /** The name of the session of this tab, below which all of its paths lie. */

@@ -1,4 +1,3 @@
-"use strict";
 // The second way: a page without a server shows what was solved beforehand, which answers in the place of a session.
 
 /** What was solved beforehand; none where there is a server. */
@@ -104,10 +103,10 @@ function offerSolved() {
   for (const control of CONTROLS) {
     const input = byId(`control-${control.id}`);
     const values = [...alternatives(control).keys()];
-    const isTurnable = values.length > 1 && ["range", "select"].includes(control.kind);
-    control.values = control.kind === "range" ? values : null;
-    if (control.kind === "range") Object.assign(input, { min: 0, max: Math.max(1, values.length - 1), step: 1 });
-    if (control.kind === "select") [...input.options].forEach((option) => { option.disabled = !values.includes(option.value); });
+    const isTurnable = values.length > 1 && (control.slider || isList(control));
+    control.values = control.slider ? values : null;
+    if (control.slider) Object.assign(input, { min: 0, max: Math.max(1, values.length - 1), step: 1 });
+    if (isList(control)) [...input.options].forEach((option) => { option.disabled = !values.includes(chosenOf(control, option.value)); });
     for (const it of [input, ...input.querySelectorAll("input")]) it.disabled = !isTurnable;
     if (byId(`control-${control.id}-value`)) byId(`control-${control.id}-value`).readOnly = true;
   }
@@ -119,7 +118,7 @@ function offerSolved() {
 
 /** What can be turned to from here: controls and their values. */
 function solvedList() {
-  const turnable = CONTROLS.filter((control) => control.kind !== "checks").map((control) => [control, [...alternatives(control).keys()]]);
-  const named = turnable.filter(([, values]) => values.length > 1).map(([control, values]) => `${labelOf(control)} ${values.map((value) => control.kind === "select" ? optionOf(control, value) : inLocale(String(value))).join(say("solved.comma"))}`);
+  const turnable = CONTROLS.filter((control) => control.kind !== "choices").map((control) => [control, [...alternatives(control).keys()]]);
+  const named = turnable.filter(([, values]) => values.length > 1).map(([control, values]) => `${labelOf(control)} ${values.map((value) => isList(control) ? optionOf(control, value) : inLocale(String(value))).join(say("solved.comma"))}`);
   return named.join("; ") || say("solved.this");
 }

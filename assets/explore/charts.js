@@ -1,4 +1,3 @@
-"use strict";
 // The charts of the sweep against the load.
 
 const SVG = "http://www.w3.org/2000/svg";

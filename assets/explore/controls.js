@@ -1,4 +1,3 @@
-"use strict";
 // The controls, and the knobs that they turn.
 
 /** An element of the page, of the kind that the page gives it.
@@ -7,44 +6,36 @@ const byId = (id) => document.getElementById(id);
 const isGfmd = (k) => k.solver.method === "gfmd";
 const isMade = (k) => !["file", "scene"].includes(k.body);
 const isOwn = (k) => k.body !== "scene";
-const rough = (k) => isMade(k) && k.roughness > 0;
 
-/** Every control: its group, and what it offers. Path, range, slider, scale and unit of those that take a number are in the schema of the
- * program. A slider has a field beside it for values between its notches. Its label and what it does in physics are texts. */
-const CONTROLS = [
-  { group: "load", id: "load", kind: "range", wide: "load" },
-  { group: "solid", id: "hardness", kind: "range", shown: isOwn },
-  { group: "solid", id: "layer", kind: "range", shown: isOwn },
-  { group: "surface", id: "domain", kind: "select", shown: isMade, options: ["line", "surface"] },
-  { group: "surface", id: "body", kind: "select", options: ["flat", "round", "sine", "power-law", "file", "scene"] },
-  { group: "surface", id: "exponent", kind: "range", shown: (k) => k.body === "power-law" },
-  { group: "surface", id: "roughness", kind: "range", shown: isMade },
-  { group: "surface", id: "hurst", kind: "range", shown: rough },
-  { group: "surface", id: "rolloff", kind: "range", shown: rough },
-  { group: "surface", id: "cutoff", kind: "range", shown: rough },
-  { group: "surface", id: "seed", kind: "number", shown: rough },
-  { group: "surface", id: "points", kind: "range", shown: isMade },
-  { group: "solver", id: "solver", path: ["solver", "method"], kind: "select", options: ["multilevel", "polonsky-keer", "gfmd"] },
-  { group: "solver", id: "masses", path: ["solver", "masses"], kind: "select", options: ["uniform", "stiffness"], shown: isGfmd },
-  { group: "solver", id: "dynamics", path: ["solver", "dynamics"], kind: "select", options: ["damped", "fire"], shown: isGfmd },
-  { group: "solver", id: "damping", kind: "range", shown: (k) => isGfmd(k) && k.solver.dynamics === "damped" },
-  { group: "solver", id: "time-step", kind: "range", shown: isGfmd },
-  { group: "solver", id: "tolerance", kind: "range" },
-  { group: "recording", id: "record", kind: "checks", options: ["traces", "profile mesh", "fields", "mask", "spectrum", "stress", "fringes"] },
-].map((control) => ({ path: [control.id], ...NUMERIC_KNOBS.find(({ id }) => id === control.id), ...control }));
+/** Whether a state has a knob, by the scenes that have it. */
+const HAS = {
+  all: () => true, own: isOwn, made: isMade, rough: (k) => isMade(k) && k.roughness > 0, "power-law": (k) => k.body === "power-law",
+  gfmd: isGfmd, damped: (k) => isGfmd(k) && k.solver.dynamics === "damped",
+};
+
+/** The knobs of the program. Labels and what they do in physics are texts.
+ * @type {any[]} */
+const ALL_KNOBS = KNOBS.map((knob) => ({ ...knob, path: knob.path.split(".") }));
+/** Those with a control in the list, which are not of a file. A slider has a field beside it for values between its notches. */
+const CONTROLS = ALL_KNOBS.filter(({ group }) => group && group !== "file");
+/** Whether a knob takes one of the options of a list, which are words, and what it takes for one of them. */
+const isList = ({ kind }) => ["choice", "switch"].includes(kind);
+const optionsOf = ({ kind, options }) => kind === "switch" ? ["true", "false"] : options;
+const chosenOf = ({ kind }, option) => kind === "switch" ? option === "true" : option;
+const controlOf = (id) => CONTROLS.find((control) => control.id === id);
+
+/** What the knobs of some groups or scenes are to start with, by their names. */
+const defaultsOf = (...kinds) => Object.fromEntries(CONTROLS.filter(({ group, scenes }) => kinds.includes(group) || kinds.includes(scenes)).map(({ path, default: usual }) => [path.at(-1), usual]));
 
 /** The state of the knobs, as the server takes it. */
 let knobs = null;
 /** The knobs that the page starts with, if those are of a scene. */
 let sceneStart = null;
 /** Settings of GFMD, for when it is chosen again. */
-let gfmd = { masses: "uniform", dynamics: "damped", "time-step": 0.5, damping: 1 };
+let gfmd = defaultsOf("gfmd", "damped");
 
-/** The object that holds the knob of a control, and the name of the knob in it. */
-function place({ path }) {
-  const [first, second] = path;
-  return second ? [knobs[first], second] : [knobs, first];
-}
+/** The object in a state that holds the knob of a control, and the name of the knob in it. */
+const place = ({ path }, state = knobs) => [path.slice(0, -1).reduce((it, name) => it[name], state), path.at(-1)];
 
 function element(tag, attributes, ...children) {
   const made = document.createElement(tag);
@@ -89,27 +80,27 @@ function button(id, label, tip, action) {
 const labelOf = ({ id }) => say(`control.${id}`);
 const tipOf = ({ id }) => say(`control.${id}.tip`);
 const unitOf = ({ unit }) => say(`unit.${unit}`);
-const optionOf = ({ id }, value) => say(`control.${id}.${value.replace(" ", "-")}`);
+const optionOf = ({ id }, value) => say(`control.${id}.${String(value).replace(" ", "-")}`);
 
 function row(control) {
   const id = `control-${control.id}`;
   const [name, tip] = [labelOf(control), tipOf(control)];
-  const line = element("div", { class: `row ${control.wide || ""}`, id: `row-${control.id}`, title: tip });
+  const line = element("div", { class: "row", id: `row-${control.id}`, title: tip });
   const unit = control.unit ? [" ", element("small", {}, unitOf(control))] : [];
-  line.append(control.kind === "checks" ? element("span", {}, name) : element("label", { for: id }, name, ...unit));
-  if (control.kind === "select") {
+  line.append(control.kind === "choices" ? element("span", {}, name) : element("label", { for: id }, name, ...unit));
+  if (isList(control)) {
     line.classList.add("wide");
-    line.append(element("select", { id }, ...control.options.map((value) => element("option", { value }, optionOf(control, value)))));
-  } else if (control.kind === "checks") {
+    line.append(element("select", { id }, ...optionsOf(control).map((value) => element("option", { value }, optionOf(control, value)))));
+  } else if (control.kind === "choices") {
     line.classList.add("wide");
     const boxes = control.options.map((value) =>
       element("label", {}, element("input", { type: "checkbox", value, id: `${id}-${value}` }), ` ${optionOf(control, value)}`));
     line.append(element("div", { class: "checks", id, role: "group", "aria-label": name }, ...boxes));
-  } else if (control.kind === "number") {
-    line.append(typedInput(control, { id }), button("dice", say("control.dice"), tip, dice));
+  } else if (!control.slider) {
+    line.append(typedInput(control, { id }), ...(control.id === "seed" ? [button("dice", say("control.dice"), tip, dice)] : []));
   } else {
     const [min, max, step] = control.slider.map(String);
-    line.append(element("input", { type: control.kind, id, min, max, step }), field(control));
+    line.append(element("input", { type: "range", id, min, max, step }), field(control));
   }
   line.addEventListener("input", (event) => { if (event.target.type !== "text") { take(control); changed(); } });
   explain(line, tip);
@@ -149,7 +140,7 @@ const faultOf = (label, text, value, [least, most], isWhole = false) => {
 
 /** The fault of the first knob of a state that cannot be, in its words; none where all can. */
 function faultOfKnobs(wanted) {
-  for (const control of CONTROLS.filter(({ kind }) => ["range", "number"].includes(kind))) {
+  for (const control of CONTROLS.filter(({ kind }) => kind === "number")) {
     const value = knobOf(control, wanted);
     const sentence = value === undefined ? "" : faultOf(labelOf(control), String(value), Number(value), control.range, control.whole);
     if (sentence) return sentence;
@@ -171,8 +162,8 @@ const fromSlider = (control, position) => control.values ? control.values[positi
 /** Takes the value of a control into the knobs. */
 function take(control) {
   const input = byId(`control-${control.id}`);
-  if (control.kind === "select") set(control, input.value);
-  else if (control.kind === "checks") set(control, [...input.querySelectorAll("input:checked")].flatMap(parts));
+  if (isList(control)) set(control, chosenOf(control, input.value));
+  else if (control.kind === "choices") set(control, [...input.querySelectorAll("input:checked")].flatMap(parts));
   else set(control, fromSlider(control, Number(input.value)));
 }
 
@@ -193,18 +184,18 @@ function mend(id) {
   knobs.solver = method === "gfmd" ? { method, ...gfmd } : { method };
   if (id === "body" && !isOwn(knobs)) ({ domain: knobs.domain, scene: knobs.scene } = sceneStart);
   if (id === "domain") {
-    knobs.points = knobs.domain === "line" ? 4096 : 256;
+    knobs.points = knobs.domain === "line" ? controlOf("points").default : LIMITS.side.usual;
     if (knobs.cutoff > knobs.points / 2) knobs.cutoff = knobs.points / 8;
   }
-  if (knobs.domain === "surface" && knobs.points > 1024) knobs.points = 1024;
+  if (knobs.domain === "surface") knobs.points = Math.min(knobs.points, LIMITS.side.most);
   if (knobs.domain === "surface" || knobs.body === "file") knobs.bumps = [];
   if (knobs.body === "flat" && knobs.roughness === 0) {
-    if (id === "roughness") knobs.body = "round"; else knobs.roughness = 0.001;
+    if (id === "roughness") knobs.body = "round"; else knobs.roughness = controlOf("roughness").default;
   }
   if (knobs.cutoff > knobs.points / 2) {
     if (id === "cutoff") knobs.points = 2 ** Math.ceil(Math.log2(2 * knobs.cutoff)); else knobs.cutoff = knobs.points / 2;
   }
-  if (knobs.domain === "surface" && knobs.points > 1024) { knobs.points = 1024; knobs.cutoff = 512; }
+  if (knobs.domain === "surface" && knobs.points > LIMITS.side.most) { knobs.points = LIMITS.side.most; knobs.cutoff = knobs.points / 2; }
   if (knobs.rolloff >= knobs.cutoff) knobs.rolloff = Math.max(1, Math.floor(knobs.cutoff / 2));
 }
 
@@ -216,15 +207,15 @@ function show() {
     const input = byId(id);
     const [holder, name] = place(control);
     const value = holder[name];
-    if (control.kind === "select") input.value = value;
-    else if (control.kind === "checks") input.querySelectorAll("input").forEach((box) => { box.checked = value.includes(parts(box)[0]); });
+    if (isList(control)) input.value = value;
+    else if (control.kind === "choices") input.querySelectorAll("input").forEach((box) => { box.checked = value.includes(parts(box)[0]); });
     else input.value = toSlider(control, value);
     const beside = byId(`${id}-value`);
     if (beside) {
       beside.value = inLocale(String(value));
       input.setAttribute("aria-valuetext", control.unit ? `${value} ${unitOf(control)}` : beside.value);
     }
-    byId(`row-${control.id}`).hidden = control.shown ? !control.shown(knobs) : false;
+    byId(`row-${control.id}`).hidden = !HAS[control.scenes](knobs);
   }
   showHeights();
 }

@@ -1,6 +1,10 @@
 // What scripts of the page get from others: texts and knobs from the program, a course page its runs, and the viewer itself.
 declare const TEXTS: any;
 declare const TOLD: any;
-declare const NUMERIC_KNOBS: any[];
+declare const KNOBS: any[];
+declare const LIMITS: any;
 declare const SOLVED: any;
 declare const wasm_bindgen: any;
+
+// What the page gives to a console and to tests.
+interface Window { asperity: any; }

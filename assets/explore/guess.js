@@ -1,4 +1,3 @@
-"use strict";
 // Questions of lessons: guesses before something is shown, and contacts to be made.
 
 /** Loads at which a curve is guessed, and the upper ends of the axes of the charts. */

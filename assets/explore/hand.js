@@ -1,13 +1,12 @@
-"use strict";
 // The hand: it presses the rigid surface onto the solid, and drags points of its profile.
 
 /** The least gap that a hand leaves, over the highest peak, as at none everything touches, and the largest, which is well clear. */
 const GAPS = { least: 0.02, most: 1.3 };
 /** The mean gap, over the highest peak, of a surface that is not pressed yet. */
 const UNPRESSED = 1.15;
-/** Standard deviation of a bump over the length of the cell, and in spacings at least, the most bumps, and how near to the profile a hand
- * takes it, in pixels. */
-const BUMP = { width: 0.015, spacings: 2, most: 32, near: 14 };
+/** Standard deviation of a bump over the length of the cell, and in spacings at least, and how near to the profile a hand takes it, in
+ * pixels. */
+const BUMP = { width: 0.015, spacings: 2, near: 14 };
 /** Pixels beyond which a press is no click. */
 const STILL = 4;
 
@@ -48,7 +47,10 @@ function showHeld(contact) {
   fault("");
   if (!grip || isClear(grip.gap)) return;
   const { numbers: told } = contact;
-  if (grip.gap !== null) knobs.load = Number(Math.min(1e3, Math.max(1e-5, told.reduced_pressure)).toPrecision(4));
+  if (grip.gap !== null) {
+    const [least, most] = controlOf("load").range;
+    knobs.load = Number(Math.min(most, Math.max(least, told.reduced_pressure)).toPrecision(4));
+  }
   show();
   setMoment({ name: named(say("moment.hand"), told), title: say("title.hand", { load: figure(told.reduced_pressure, 4) }), numbers: told, exact: null });
   if (grip.kind === "bend") followRigid(contact.section);
@@ -129,7 +131,7 @@ function bend(bump, height) {
 function bumpAt(share) {
   const near = knobs.bumps.findIndex(([x]) => Math.abs(x - share) < BUMP.width);
   if (near >= 0) return near;
-  if (knobs.bumps.length >= BUMP.most) return knobs.bumps.length - 1;
+  if (knobs.bumps.length >= LIMITS.bumps) return knobs.bumps.length - 1;
   return knobs.bumps.push([Number(share.toPrecision(4)), 0, Math.max(BUMP.width, BUMP.spacings / knobs.points)]) - 1;
 }
 

@@ -1,29 +1,17 @@
-"use strict";
 // The file of heights: dropped on the page or opened, described, and prepared before it is pressed. It goes to the server on this machine only.
 
-/** The largest file that the server takes, in bytes. */
-const LARGEST = 2 ** 26;
+/** The controls of the file. Those that set a step of its preparation stand in `prepare`. */
+const HEIGHT_CONTROLS = ALL_KNOBS.filter(({ group }) => group === "file");
+const isStep = ({ path }) => path.includes("prepare");
 
-/** The controls of the file, of which those with `step` set a step of its preparation. Fields hold lengths, or lists of whole numbers.
- * @type {any[]} */
-const HEIGHT_CONTROLS = [
-  { id: "channel", kind: "select", shown: (it) => it.channels.length > 1, names: (it) => it.channels },
-  { id: "unit", kind: "text", isLength: true, example: "1 µm", shown: (it) => !it.is_in_metres },
-  { id: "width", kind: "text", isLength: true, example: "10 µm", shown: (it) => !it.has_spacing },
-  { id: "boundary", kind: "select", options: ["periodic", "free"] },
-  { id: "auto", kind: "select", options: ["true", "false"] },
-  { id: "resample", step: true, kind: "select", shown: (it) => it.knobs.prepare.resample || /not evenly spaced/.test(it.fault), options: ["", "linear"] },
-  { id: "crop", step: true, kind: "text", list: true, example: "0,256,0,256" },
-  { id: "fill", step: true, kind: "select", options: ["", "harmonic"] },
-  { id: "detrend", step: true, kind: "select", options: ["", "mean", "plane", "curvature"] },
-  { id: "low-pass", step: true, kind: "text", isLength: true, example: "200 nm" },
-  { id: "mirror", step: true, kind: "select", options: ["", "x", "y", "both"] },
-];
+/** Whether a file has a knob, by what the server tells of the file. */
+const FILE_HAS = {
+  heights: () => true, channels: (it) => it.channels.length > 1, unitless: (it) => !it.is_in_metres, unspaced: (it) => !it.has_spacing,
+  uneven: (it) => it.knobs.prepare.resample || /not evenly spaced/.test(it.fault),
+};
 
 /** What the server told of the file last. */
 let description = null;
-
-const holder = ({ step }, heights) => step ? heights.prepare : heights;
 
 function buildHeights() {
   const open = button("open-file", say("heights.open"), say("heights.open.tip"), openFile);
@@ -39,15 +27,16 @@ function buildHeights() {
 
 const heightLabel = ({ id }) => say(`heights.${id}`);
 
-/** Values and names of the options of a list. */
-function heightOptions({ id, names, options }) {
-  return names ? names(description).map((name) => [name, name]) : options.map((value) => [value, say(`heights.${id}.${value || "no"}`)]);
+/** Values and names of the options of a list: the channels are those of the file. */
+function heightOptions(control) {
+  if (control.id === "channel") return description.channels.map((name) => [name, name]);
+  return optionsOf(control).map((value) => [value, say(`heights.${control.id}.${value || "no"}`)]);
 }
 
 function heightRow(control) {
   const id = `heights-${control.id}`;
   const tip = say(`heights.${control.id}.tip`);
-  const input = control.kind === "select" ? element("select", { id })
+  const input = isList(control) ? element("select", { id })
     : element("input", { id, type: "text", placeholder: control.example, spellcheck: false });
   input.addEventListener("input", () => { input.dataset.typed = "true"; });
   for (const end of ["change", "blur"]) input.addEventListener(end, () => delete input.dataset.typed);
@@ -73,12 +62,12 @@ function dragged(event) {
 }
 
 /** What a new file is pressed with: a load under which about a tenth of it touches, on an elastic half-space, whatever was pressed before. */
-const FRESH = { body: "file", load: 0.05, layer: 0, hardness: 0 };
+const FRESH = { ...defaultsOf("load", "solid"), body: "file" };
 
 /** Gives a file to the server, and solves it as soon as it can be. */
 async function takeFile(file) {
   if (!file) return;
-  if (file.size > LARGEST) { fault(say("fault.large", { name: file.name, size: Math.ceil(file.size / 1e6), most: Math.floor(LARGEST / 1e6) })); return; }
+  if (file.size > LIMITS.bytes) { fault(say("fault.large", { name: file.name, size: Math.ceil(file.size / 1e6), most: Math.floor(LIMITS.bytes / 1e6) })); return; }
   await postFile(`heights?name=${encodeURIComponent(file.name)}`, file).then((told) => {
     delete knobs.beside;
     Object.assign(knobs, FRESH);
@@ -88,13 +77,20 @@ async function takeFile(file) {
 
 /** Asks the server for a description of the file as the knobs take it, with a step or a setting changed. */
 async function takeStep(control, value) {
-  const heights = structuredClone(knobs.heights);
-  const place = holder(control, heights);
-  if (control.step) heights.auto = false;
+  const state = structuredClone(knobs);
+  const { heights } = state;
+  const [holder, name] = place(control, state);
+  if (isStep(control)) heights.auto = false;
   else if (control.id !== "auto") heights.auto = heights.auto || control.id === "channel";
-  if (value === "") delete place[control.id];
-  else place[control.id] = control.id === "auto" ? value === "true" : control.list ? value.split(/[ ,;]+/).map(Number) : value.replace(/^(\d+),(\d)/, "$1.$2");
+  if (value === "") delete holder[name];
+  else holder[name] = heightFrom(control, value);
   await post("describe", heights).then(takeDescription, (error) => { fault(say("fault.step", { label: heightLabel(control), value, reason: error.message })); showHeights(); });
+}
+
+/** The setting that a person has written. */
+function heightFrom(control, value) {
+  if (isList(control)) return chosenOf(control, value);
+  return control.kind === "nodes" ? value.split(/[ ,;]+/).map(Number) : value.replace(/^(\d+),(\d)/, "$1.$2");
 }
 
 /** Takes what the server tells of the file and how it is taken, and solves it if it can be. */
@@ -115,18 +111,17 @@ function showHeights() {
   if (!isShown) return;
   for (const control of HEIGHT_CONTROLS) {
     const input = byId(`heights-${control.id}`);
-    byId(`row-heights-${control.id}`).hidden = control.shown ? !control.shown(description) : false;
-    if (control.kind === "select") input.replaceChildren(...heightOptions(control).map(([value, label]) => element("option", { value }, label)));
-    const value = holder(control, knobs.heights)[control.id];
-    if (!input.dataset.typed) input.value = heightInWords(control, value);
+    byId(`row-heights-${control.id}`).hidden = !FILE_HAS[control.scenes](description);
+    if (isList(control)) input.replaceChildren(...heightOptions(control).map(([value, label]) => element("option", { value }, label)));
+    if (!input.dataset.typed) input.value = heightInWords(control, knobOf(control, knobs));
   }
   showDescription();
 }
 
 /** The setting of a control as a person writes it. */
-function heightInWords({ id, isLength }, value) {
+function heightInWords({ id, kind }, value) {
   if (value === undefined) return id === "channel" ? description.channel : "";
-  return isLength ? lengthOf(value, 6) : String(value);
+  return kind === "length" ? lengthOf(value, 6) : String(value);
 }
 
 /** The description in words: what the file holds, why the steps were chosen, and what they came to. */
@@ -149,7 +144,7 @@ function remedyInWords({ key, value }) {
   if (!control) return "";
   if (value === null) return heightLabel(control);
   const option = { auto: "true" }[value] ?? value;
-  return `${heightLabel(control)}: ${control.isLength ? lengthOf(Number(value)) : say(`heights.${control.id}.${option}`)}`;
+  return `${heightLabel(control)}: ${control.kind === "length" ? lengthOf(Number(value)) : say(`heights.${control.id}.${option}`)}`;
 }
 
 /** A warning in sentences: what may be wrong, what to do, and the controls that do it. */

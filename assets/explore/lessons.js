@@ -1,4 +1,3 @@
-"use strict";
 // The lessons: steps that ask first, and then show.
 
 /** All lessons, as the server has them. */

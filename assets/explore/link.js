@@ -1,4 +1,3 @@
-"use strict";
 // What is picked in the viewer: a step in an image over steps is the step of everything, a patch in a picture is shown beside its twin.
 
 /** Images whose columns are steps, their width on the canvas, and their columns at the most: beyond that, columns hold two, four and so

@@ -1,4 +1,3 @@
-"use strict";
 // Picking: a patch of a contact, a step of a curve, a load of a sweep.
 
 /** Facets of runs that have ended, by their names, and how many of them are kept. */

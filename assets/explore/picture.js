@@ -1,4 +1,3 @@
-"use strict";
 // The page's own picture of a contact: pressure, the rigid surface on the solid, and the shear stress below.
 
 /** Shares of the picture's height: the pressure above, the surfaces in the middle, the stress below. */

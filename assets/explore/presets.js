@@ -1,8 +1,7 @@
-"use strict";
 // Presets: contacts to begin with, each with a small picture of it.
 
 /** What all presets set; solver and recording stay as they are. */
-const PLAIN = { domain: "line", body: "flat", roughness: 0.001, hurst: 0.8, rolloff: 4, cutoff: 128, seed: 1, points: 4096, load: 0.05, hardness: 0, layer: 0, bumps: [] };
+const PLAIN = { ...defaultsOf("load", "solid", "surface"), bumps: [] };
 const ROUGH_LINE = "M0 12 3 14 5 11 8 18 11 13 13 20 16 14 19 9 22 16 25 22 28 15 31 10 34 17 37 13 40 19 43 12 48 12";
 
 /** Each with the knobs that differ, and its picture: a surface over a solid, 48 by 32.

@@ -1,4 +1,3 @@
-"use strict";
 // The server, the runs that it tells of, and their numbers.
 
 let posting = false;

@@ -1,4 +1,3 @@
-"use strict";
 // What is saved: the run that is shown, and the curves of the sweep. File names come from the run.
 
 /** Offers what there is to save: of the run or the sweep that the viewer shows, and of the sweep that the charts show. */

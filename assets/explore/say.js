@@ -1,5 +1,4 @@
-"use strict";
-// The language of the page, and its sentences, which `texts.js` holds, and those that the server tells in English.
+// The language of the page, and its sentences, in `texts`, and those that the server tells in English.
 
 const LANGUAGES = Object.keys(TEXTS);
 

@@ -1,4 +1,3 @@
-"use strict";
 // Undo: earlier states of the knobs, to go back to.
 
 /** The most states that are kept, and how long the knobs must rest for their state to be one. */

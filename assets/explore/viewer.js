@@ -1,4 +1,3 @@
-"use strict";
 // The Rerun viewer inside the page, and playing what it shows.
 
 /** The viewer while it is shown, and whether or not it is. */

@@ -1,4 +1,3 @@
-"use strict";
 // Which pictures the page shows: its own, that of the viewer, or both.
 
 const VIEWS = ["picture", "viewer", "both"];

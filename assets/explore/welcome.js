@@ -1,4 +1,3 @@
-"use strict";
 // The first half minute: what the page is for, and three ways to begin.
 
 /** Offers them to who comes for the first time, by an address that asks for nothing. */

@@ -1,4 +1,3 @@
-"use strict";
 // Why a run took as long as it did: what held it up, in sentences, and three pictures over its steps.
 
 /** Digits that the picture of the errors spans. */

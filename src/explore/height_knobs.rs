@@ -1,14 +1,12 @@
 //! The knobs of a file of heights, and the surface that they make of it.
 
 use super::refusal::Refusal;
+use super::schema::MOST_POINTS;
 use crate::grid::Grid;
 use crate::quantity::some_length;
 use crate::setup::{Boundary, Cell, Recipe};
 use crate::surface::{Crop, HeightFile, Layout, Preparation, PreparationChoice};
 use serde::{Deserialize, Serialize};
-
-/// The most points of a line, and of a surface: more cannot be solved while someone waits.
-pub const MOST_POINTS: [usize; 2] = [1 << 18, 1 << 20];
 
 /// How the heights of a file are taken. Lengths are in metres.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -1,8 +1,8 @@
 //! The knobs of the page, and the setup that they stand for.
 
-use super::height_knobs::{HeightKnobs, MOST_POINTS};
+use super::height_knobs::HeightKnobs;
 use super::refusal::{Refusal, plain};
-use super::schema;
+use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE};
 use super::source::{SceneFile, SurfaceSource};
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
@@ -17,8 +17,6 @@ pub(super) const MODULUS: f64 = 1e9;
 const RADIUS: f64 = 100.0 * CELL;
 /// Amplitude of the waves.
 const AMPLITUDE: f64 = 1e-3 * CELL;
-/// The most bumps of a line.
-const MOST_BUMPS: usize = 32;
 /// Poisson's ratio of a layer.
 const LAYER_POISSON: f64 = 0.3;
 
@@ -112,36 +110,14 @@ pub enum Start {
 impl Start {
     /// The state of the knobs.
     pub fn knobs(self) -> Knobs {
-        let (body, roughness) = match self {
-            Self::HertzLine | Self::HertzSurface => (SmoothBody::Round, 0.0),
-            Self::RoughLine | Self::RoughSurface => (SmoothBody::Flat, 1e-3),
-        };
-        let (domain, points, cutoff) = match self {
-            Self::HertzLine | Self::RoughLine => (Domain::Line, 1 << 12, 128.0),
-            Self::HertzSurface | Self::RoughSurface => (Domain::Surface, 1 << 8, 32.0),
-        };
-        Knobs {
-            domain,
-            body,
-            exponent: 4.0,
-            roughness,
-            hurst: 0.8,
-            rolloff: 4.0,
-            cutoff,
-            seed: 1,
-            points,
-            load: 0.05,
-            hardness: 0.0,
-            layer: 0.0,
-            solver: Method::default(),
-            stop: Stop::new(1e-8, 20_000).expect("both are positive"),
-            record: vec![Part::Traces, Part::Profile, Part::Mesh, Part::Fields, Part::Mask],
-            theme: Theme::Dark,
-            bumps: Vec::new(),
-            heights: HeightKnobs::default(),
-            scene: None,
-            beside: None,
+        let mut knobs: Knobs = serde_json::from_value(schema::defaults()).expect("the defaults are in their ranges");
+        if matches!(self, Self::HertzLine | Self::HertzSurface) {
+            (knobs.body, knobs.roughness) = (SmoothBody::Round, 0.0);
         }
+        if matches!(self, Self::HertzSurface | Self::RoughSurface) {
+            (knobs.domain, knobs.points, knobs.cutoff) = (Domain::Surface, SURFACE_SIDE, 32.0);
+        }
+        knobs
     }
 }
 

@@ -53,7 +53,7 @@ pub use page::Viewing;
 pub use question::{Choice, Goal, Question, SweepCurve};
 pub use refusal::Refusal;
 pub use route::Explorer;
-pub use schema::{NUMERIC_KNOBS, NumericKnob, SliderScale};
+pub use schema::{KNOBS, Knob, KnobGroup, KnobKind, KnobScenes, NumericKnob, SliderScale};
 pub use server::Server;
 pub use sessions::Sessions;
 pub use source::{SceneFile, SurfaceSource};

@@ -11,7 +11,7 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-const SCRIPT: &str = "text/javascript; charset=utf-8";
+const JAVASCRIPT: &str = "text/javascript; charset=utf-8";
 
 /// A file of the page with its path and its kind.
 macro_rules! file {
@@ -20,7 +20,7 @@ macro_rules! file {
     };
 }
 
-/// The script with all sentences of the page in all of its languages, and those of the server, which are English, with what the page says in
+/// All sentences of the page in all of its languages, and those of the server, which are English, with what the page says in
 /// their place.
 const TEXTS: &str = concat!(
     "const TEXTS = {\n\"en\": ",
@@ -34,44 +34,34 @@ const TEXTS: &str = concat!(
     "};\n"
 );
 
-/// The files of the page: path, kind and text.
-const FILES: &[(&str, &str, &str)] = &[
-    file!("explore.css", "text/css; charset=utf-8"),
-    file!("favicon.svg", "image/svg+xml"),
-    file!("address.js", SCRIPT),
-    file!("backend.js", SCRIPT),
-    file!("beforehand.js", SCRIPT),
-    file!("charts.js", SCRIPT),
-    file!("controls.js", SCRIPT),
-    file!("explore.js", SCRIPT),
-    file!("guess.js", SCRIPT),
-    file!("hand.js", SCRIPT),
-    file!("heights.js", SCRIPT),
-    file!("lessons.js", SCRIPT),
-    file!("link.js", SCRIPT),
-    file!("pick.js", SCRIPT),
-    file!("picture.js", SCRIPT),
-    file!("runs.js", SCRIPT),
-    file!("save.js", SCRIPT),
-    file!("say.js", SCRIPT),
-    ("/texts.js", SCRIPT, TEXTS),
-    file!("viewer.js", SCRIPT),
-    file!("views.js", SCRIPT),
-    file!("welcome.js", SCRIPT),
-    file!("why.js", SCRIPT),
-    file!("undo.js", SCRIPT),
-    file!("presets.js", SCRIPT),
-];
+/// The text of scripts of the page, one after the other.
+macro_rules! scripts {
+    ($($name:literal)*) => { concat!($(include_str!(concat!("../../assets/explore/", $name, ".js")), "\n"),*) };
+}
 
-/// The path of the script with the schema of the knobs.
-const KNOBS: &str = "/knobs.js";
+/// All scripts of the page in the order in which they run.
+const SCRIPTS: &str = scripts!(
+    "say" "beforehand" "backend" "link" "viewer" "views" "controls" "heights" "runs" "charts" "save" "address" "welcome" "presets" "guess"
+    "lessons" "picture" "hand" "pick" "why" "undo" "asperity" "begin"
+);
+
+/// The files of the page that are as they are written: path, kind and text.
+const FILES: &[(&str, &str, &str)] =
+    &[file!("explore.css", "text/css; charset=utf-8"), file!("favicon.svg", "image/svg+xml")];
+
+/// The path of the one script of the page.
+const SCRIPT: &str = "/explore.js";
+
+/// The script of the page: the schema of the knobs, the texts and all scripts in one function, so that their names are not global.
+fn script() -> String {
+    format!("(() => {{\n\"use strict\";\n{}{TEXTS}{SCRIPTS}}})();\n", schema::script())
+}
 
 /// Answers to the paths of the page.
 pub struct Page {
     script: Bytes,
+    viewer: Bytes,
     module: Bytes,
-    /// The script with the schema of the knobs.
-    knobs: Bytes,
     /// `explore` for controls and viewer, `view` for the viewer alone.
     mode: &'static str,
 }
@@ -91,9 +81,9 @@ impl Page {
         let viewer = Arc::new(WebViewerData::load(None).map_err(io::Error::other)?);
         let file = |content| Bytes::from_owner(ViewerFile(viewer.clone(), content));
         Ok(Self {
-            script: file(WebViewerData::viewer_js),
+            script: script().into(),
+            viewer: file(WebViewerData::viewer_js),
             module: file(WebViewerData::viewer_wasm),
-            knobs: schema::script().into(),
             mode,
         })
     }
@@ -102,8 +92,8 @@ impl Page {
     pub fn file(&self, path: &str) -> Option<Reply> {
         Some(match path {
             "/" => Reply::Page("text/html; charset=utf-8", self.html().into()),
-            KNOBS => Reply::Page(SCRIPT, self.knobs.clone()),
-            "/re_viewer.js" => Reply::Fixed(SCRIPT, self.script.clone()),
+            SCRIPT => Reply::Page(JAVASCRIPT, self.script.clone()),
+            "/re_viewer.js" => Reply::Fixed(JAVASCRIPT, self.viewer.clone()),
             "/re_viewer_bg.wasm" => Reply::Fixed("application/wasm", self.module.clone()),
             _ => {
                 let (_, kind, text) = FILES.iter().find(|file| file.0 == path)?;
@@ -116,12 +106,12 @@ impl Page {
     pub fn files(&self) -> impl Iterator<Item = (&'static str, Bytes)> {
         let kind = "<meta charset=\"utf-8\">";
         let policy = format!("{kind}\n<meta http-equiv=\"Content-Security-Policy\" content=\"{IN_PAGE}\">");
-        let script = "<script src=\"beforehand.js\" defer></script>";
+        let script = "<script src=\"explore.js\" defer></script>";
         let solved = format!("<script src=\"solved.js\" defer></script>\n{script}");
         let html = self.html().replace(kind, &policy).replace(script, &solved);
         let own = FILES.iter().map(|(path, _, text)| (&path[1..], Bytes::from_static(text.as_bytes())));
-        let viewer = [("re_viewer.js", self.script.clone()), ("re_viewer_bg.wasm", self.module.clone())];
-        own.chain(viewer).chain([(&KNOBS[1..], self.knobs.clone()), ("index.html", html.into())])
+        let viewer = [("re_viewer.js", self.viewer.clone()), ("re_viewer_bg.wasm", self.module.clone())];
+        own.chain(viewer).chain([(&SCRIPT[1..], self.script.clone()), ("index.html", html.into())])
     }
 
     fn html(&self) -> String {

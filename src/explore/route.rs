@@ -7,6 +7,7 @@ use super::lesson::Lesson;
 use super::page::Page;
 use super::reel::Reel;
 use super::refusal::{Refusal, plain};
+use super::schema::MOST_HEIGHTS;
 use super::session::{RunKind, Session};
 use super::sessions::Sessions;
 use super::site::{Intake, Reply, Request, Site};
@@ -20,8 +21,6 @@ use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// The largest file of heights, in bytes.
-const MOST_HEIGHTS: usize = 1 << 26;
 /// Longest wait of a request for news.
 const PATIENCE: Duration = Duration::from_millis(900);
 

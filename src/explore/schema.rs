@@ -1,9 +1,76 @@
-//! The schema of the numeric knobs: names, ranges, sliders and units, written once for page, lessons, links and documents.
+//! The schema of the knobs: names, kinds, ranges, units, defaults and the states that have them, written once for page, lessons, links and
+//! documents.
 
 use super::refusal::Refusal;
 use crate::quantity::number_in_words;
+use KnobGroup::{File, Load, Recording, Solid, Solver, Surface};
+use KnobKind::{Choice, Choices, Length, Nodes, Number, Switch};
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Value, json};
+
+/// The most points of a line, and of a surface: more cannot be solved while someone waits.
+pub const MOST_POINTS: [usize; 2] = [1 << 18, 1 << 20];
+/// Points along each side of a surface to start with.
+pub(super) const SURFACE_SIDE: usize = 1 << 8;
+/// The most bumps of a line.
+pub(super) const MOST_BUMPS: usize = 32;
+/// The largest file of heights, in bytes.
+pub(super) const MOST_HEIGHTS: usize = 1 << 26;
+
+/// A group of controls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum KnobGroup {
+    /// How hard the bodies are pressed.
+    Load,
+    /// The deformable body.
+    Solid,
+    /// The rigid body.
+    Surface,
+    /// The file of heights.
+    File,
+    /// The method, and when it stops.
+    Solver,
+    /// What is recorded.
+    Recording,
+}
+
+/// The states of the page that have a knob.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum KnobScenes {
+    /// All states.
+    All,
+    /// All but that of a setup file.
+    Own,
+    /// Surfaces that the knobs make: no file is the body.
+    Made,
+    /// Made surfaces with roughness.
+    Rough,
+    /// A power law as the body.
+    PowerLaw,
+    /// GFMD as the solver.
+    Gfmd,
+    /// Damped GFMD as the solver.
+    Damped,
+    /// A file of heights as the body.
+    Heights,
+    /// A file of several channels.
+    Channels,
+    /// A file that does not say its units.
+    Unitless,
+    /// A file that does not say how far apart its heights are.
+    Unspaced,
+    /// A file of heights at uneven positions.
+    Uneven,
+}
+
+impl KnobScenes {
+    /// Whether the other states hold a value of the knob, too, for when it is needed again.
+    fn is_held_by_others(self) -> bool {
+        matches!(self, Self::All | Self::Own | Self::Made | Self::Rough | Self::PowerLaw)
+    }
+}
 
 /// How the value of a slider follows from its position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -17,15 +84,13 @@ pub enum SliderScale {
     Log2,
 }
 
-/// One knob that takes a number.
+/// The values of a knob that takes a number, and its control.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct NumericKnob {
-    /// The name of its control on the page.
-    pub id: &'static str,
-    /// Where it stands in [`Knobs`](super::Knobs), from the outside in.
-    pub path: &'static [&'static str],
     /// The least and the largest value.
     pub range: [f64; 2],
+    /// The value to start with.
+    pub default: f64,
     /// Whether only whole numbers are taken.
     pub whole: bool,
     /// First position, last position and step of its slider; none where the page has a field alone.
@@ -37,71 +102,178 @@ pub struct NumericKnob {
 }
 
 impl NumericKnob {
-    const fn new(id: &'static str, path: &'static [&'static str], range: [f64; 2], slider: [f64; 3]) -> Self {
-        Self { id, path, range, whole: false, slider: Some(slider), scale: SliderScale::Linear, unit: None }
+    const fn new(range: [f64; 2], default: f64) -> Self {
+        Self { range, default, whole: false, slider: None, scale: SliderScale::Linear, unit: None }
     }
 
-    const fn log(self) -> Self {
-        Self { scale: SliderScale::Log10, ..self }
+    const fn whole(self) -> Self {
+        Self { whole: true, ..self }
     }
 
-    const fn log2(self) -> Self {
-        Self { scale: SliderScale::Log2, whole: true, ..self }
+    const fn linear(self, slider: [f64; 3]) -> Self {
+        Self { slider: Some(slider), ..self }
+    }
+
+    const fn log10(self, slider: [f64; 3]) -> Self {
+        Self { scale: SliderScale::Log10, ..self.linear(slider) }
+    }
+
+    const fn log2(self, slider: [f64; 3]) -> Self {
+        Self { scale: SliderScale::Log2, ..self.whole().linear(slider) }
     }
 
     const fn waves(self) -> Self {
         Self { unit: Some("waves"), ..self }
     }
+}
 
-    /// The value in a state of the knobs; none in a state that has no such knob.
-    fn value(&self, knobs: &Value) -> Option<f64> {
-        self.path.iter().try_fold(knobs, |place, name| place.get(name))?.as_f64()
+/// The values that a knob takes, and that which it has to start with.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum KnobKind {
+    /// A number.
+    Number(NumericKnob),
+    /// One of some names.
+    Choice {
+        /// All names, in the order of the page; an empty one stands for no value.
+        options: &'static [&'static str],
+        /// One of them.
+        default: &'static str,
+    },
+    /// Several of some names.
+    Choices {
+        /// All names, in the order of the page; one with spaces stands for several that go together.
+        options: &'static [&'static str],
+        /// Some of them.
+        default: &'static [&'static str],
+    },
+    /// Yes or no.
+    Switch {
+        /// Whether it is yes.
+        default: bool,
+    },
+    /// A length with its unit, or none.
+    Length {
+        /// What a person may write.
+        example: &'static str,
+    },
+    /// Numbers of nodes with commas between, or none.
+    Nodes {
+        /// What a person may write.
+        example: &'static str,
+    },
+}
+
+/// One knob.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Knob {
+    /// The group of its control; none where the page has no control.
+    pub group: Option<KnobGroup>,
+    /// The name of its control on the page, and in the keys of its texts.
+    pub id: &'static str,
+    /// Where it stands in [`Knobs`](super::Knobs), from the outside in, with dots between.
+    pub path: &'static str,
+    /// The states that have it.
+    pub scenes: KnobScenes,
+    /// The values that it takes.
+    #[serde(flatten)]
+    pub kind: KnobKind,
+}
+
+/// A knob that all states have, with its value in the outermost place.
+const fn knob(group: KnobGroup, id: &'static str, kind: KnobKind) -> Knob {
+    Knob { group: Some(group), id, path: id, scenes: KnobScenes::All, kind }
+}
+
+impl Knob {
+    const fn at(self, path: &'static str) -> Self {
+        Self { path, ..self }
     }
 
-    /// Refuses a value outside the range.
-    fn check(&self, value: f64) -> Result<(), Refusal> {
-        let [least, most] = self.range;
-        if (least..=most).contains(&value) {
-            return Ok(());
+    const fn of(self, scenes: KnobScenes) -> Self {
+        Self { scenes, ..self }
+    }
+
+    /// What a state holds to start with; null for nothing.
+    pub fn default(&self) -> Value {
+        match self.kind {
+            Number(NumericKnob { whole: true, default, .. }) => json!(default as u64),
+            Number(NumericKnob { default, .. }) => json!(default),
+            Choice { default: "", .. } | Length { .. } | Nodes { .. } => Value::Null,
+            Choice { default, .. } => json!(default),
+            Choices { default, .. } => default.iter().flat_map(|it| it.split(' ')).collect(),
+            Switch { default } => json!(default),
         }
-        let kind = if self.whole { "a whole number" } else { "a number" };
+    }
+
+    /// Refuses a number outside the range in a state of the knobs; others have no such knob.
+    fn check(&self, knobs: &Value) -> Result<(), Refusal> {
+        let Number(NumericKnob { range: [least, most], whole, .. }) = self.kind else { return Ok(()) };
+        let value = self.path.split('.').try_fold(knobs, |place, name| place.get(name)).and_then(Value::as_f64);
+        let Some(value) = value.filter(|value| !(least..=most).contains(value)) else { return Ok(()) };
+        let kind = if whole { "a whole number" } else { "a number" };
         let [value, least, most] = [value, least, most].map(in_words);
-        Err(Refusal(format!("`{}` cannot be {value}: give {kind} from {least} to {most}", self.path.join("."))))
+        Err(Refusal(format!("`{}` cannot be {value}: give {kind} from {least} to {most}", self.path)))
     }
 }
 
-/// All knobs that take a number, in the order of the page.
-pub const NUMERIC_KNOBS: [NumericKnob; 14] = [
-    NumericKnob::new("load", &["load"], [1e-5, 1e3], [-4.0, 1.5, 0.02]).log(),
-    NumericKnob::new("hardness", &["hardness"], [0.0, 1.0], [0.0, 0.002, 0.00002]),
-    NumericKnob::new("layer", &["layer"], [0.0, 10.0], [0.0, 0.5, 0.005]),
-    NumericKnob::new("exponent", &["exponent"], [1.0, 12.0], [1.0, 12.0, 0.5]),
-    NumericKnob::new("roughness", &["roughness"], [0.0, 1.0], [0.0, 0.01, 0.0002]),
-    NumericKnob::new("hurst", &["hurst"], [0.01, 1.0], [0.1, 1.0, 0.05]),
-    NumericKnob::new("rolloff", &["rolloff"], [1.0, 131_072.0], [1.0, 32.0, 1.0]).waves(),
-    NumericKnob::new("cutoff", &["cutoff"], [2.0, 131_072.0], [3.0, 13.0, 0.5]).log2().waves(),
-    NumericKnob {
-        whole: true,
-        slider: None,
-        ..NumericKnob::new("seed", &["seed"], [0.0, 4_294_967_295.0], [0.0, 0.0, 0.0])
-    },
-    NumericKnob::new("points", &["points"], [4.0, 262_144.0], [5.0, 18.0, 1.0]).log2(),
-    NumericKnob::new("damping", &["solver", "damping"], [0.01, 100.0], [-1.5, 1.0, 0.05]).log(),
-    NumericKnob::new("time-step", &["solver", "time-step"], [0.001, 0.999], [0.05, 0.95, 0.05]),
-    NumericKnob::new("tolerance", &["stop", "tolerance"], [1e-18, 1.0], [-12.0, -1.0, 1.0]).log(),
-    NumericKnob {
-        slider: None,
-        whole: true,
-        ..NumericKnob::new("steps", &["stop", "max-iterations"], [1.0, 100_000.0], [0.0, 0.0, 0.0])
-    },
+/// The most waves per cell.
+const MOST_WAVES: f64 = (MOST_POINTS[0] / 2) as f64;
+
+/// All knobs, in the order of the page.
+#[rustfmt::skip]
+pub const KNOBS: &[Knob] = &[
+    knob(Load, "load", Number(NumericKnob::new([1e-5, 1e3], 0.05).log10([-4.0, 1.5, 0.02]))),
+    knob(Solid, "hardness", Number(NumericKnob::new([0.0, 1.0], 0.0).linear([0.0, 0.002, 0.00002]))).of(KnobScenes::Own),
+    knob(Solid, "layer", Number(NumericKnob::new([0.0, 10.0], 0.0).linear([0.0, 0.5, 0.005]))).of(KnobScenes::Own),
+    knob(Surface, "domain", Choice { options: &["line", "surface"], default: "line" }).of(KnobScenes::Made),
+    knob(Surface, "body", Choice { options: &["flat", "round", "sine", "power-law", "file", "scene"], default: "flat" }),
+    knob(Surface, "exponent", Number(NumericKnob::new([1.0, 12.0], 4.0).linear([1.0, 12.0, 0.5]))).of(KnobScenes::PowerLaw),
+    knob(Surface, "roughness", Number(NumericKnob::new([0.0, 1.0], 1e-3).linear([0.0, 0.01, 0.0002]))).of(KnobScenes::Made),
+    knob(Surface, "hurst", Number(NumericKnob::new([0.01, 1.0], 0.8).linear([0.1, 1.0, 0.05]))).of(KnobScenes::Rough),
+    knob(Surface, "rolloff", Number(NumericKnob::new([1.0, MOST_WAVES], 4.0).linear([1.0, 32.0, 1.0]).waves())).of(KnobScenes::Rough),
+    knob(Surface, "cutoff", Number(NumericKnob::new([2.0, MOST_WAVES], 128.0).log2([3.0, 13.0, 0.5]).waves())).of(KnobScenes::Rough),
+    knob(Surface, "seed", Number(NumericKnob::new([0.0, u32::MAX as f64], 1.0).whole())).of(KnobScenes::Rough),
+    knob(Surface, "points", Number(NumericKnob::new([4.0, MOST_POINTS[0] as f64], 4096.0).log2([5.0, 18.0, 1.0]))).of(KnobScenes::Made),
+    knob(File, "channel", Choice { options: &[], default: "" }).at("heights.channel").of(KnobScenes::Channels),
+    knob(File, "unit", Length { example: "1 µm" }).at("heights.unit").of(KnobScenes::Unitless),
+    knob(File, "width", Length { example: "10 µm" }).at("heights.width").of(KnobScenes::Unspaced),
+    knob(File, "boundary", Choice { options: &["periodic", "free"], default: "periodic" }).at("heights.boundary").of(KnobScenes::Heights),
+    knob(File, "auto", Switch { default: true }).at("heights.auto").of(KnobScenes::Heights),
+    knob(File, "resample", Choice { options: &["", "linear"], default: "" }).at("heights.prepare.resample").of(KnobScenes::Uneven),
+    knob(File, "crop", Nodes { example: "0,256,0,256" }).at("heights.prepare.crop").of(KnobScenes::Heights),
+    knob(File, "fill", Choice { options: &["", "harmonic"], default: "" }).at("heights.prepare.fill").of(KnobScenes::Heights),
+    knob(File, "detrend", Choice { options: &["", "mean", "plane", "curvature"], default: "" }).at("heights.prepare.detrend").of(KnobScenes::Heights),
+    knob(File, "low-pass", Length { example: "200 nm" }).at("heights.prepare.low-pass").of(KnobScenes::Heights),
+    knob(File, "mirror", Choice { options: &["", "x", "y", "both"], default: "" }).at("heights.prepare.mirror").of(KnobScenes::Heights),
+    knob(Solver, "solver", Choice { options: &["multilevel", "polonsky-keer", "gfmd"], default: "multilevel" }).at("solver.method"),
+    knob(Solver, "masses", Choice { options: &["uniform", "stiffness"], default: "uniform" }).at("solver.masses").of(KnobScenes::Gfmd),
+    knob(Solver, "dynamics", Choice { options: &["damped", "fire"], default: "damped" }).at("solver.dynamics").of(KnobScenes::Gfmd),
+    knob(Solver, "damping", Number(NumericKnob::new([0.01, 100.0], 1.0).log10([-1.5, 1.0, 0.05]))).at("solver.damping").of(KnobScenes::Damped),
+    knob(Solver, "time-step", Number(NumericKnob::new([0.001, 0.999], 0.5).linear([0.05, 0.95, 0.05]))).at("solver.time-step").of(KnobScenes::Gfmd),
+    knob(Solver, "tolerance", Number(NumericKnob::new([1e-18, 1.0], 1e-8).log10([-12.0, -1.0, 1.0]))).at("stop.tolerance"),
+    Knob { group: None, ..knob(Solver, "max-iterations", Number(NumericKnob::new([1.0, 100_000.0], 20_000.0).whole())).at("stop.max-iterations") },
+    knob(Recording, "record", Choices {
+        options: &["traces", "profile mesh", "fields", "mask", "spectrum", "stress", "fringes"],
+        default: &["traces", "profile mesh", "fields", "mask"],
+    }),
 ];
+
+/// The state of the knobs to start with, without what no knob turns.
+pub(super) fn defaults() -> Value {
+    let mut state = Value::Null;
+    for knob in KNOBS.iter().filter(|knob| knob.scenes.is_held_by_others()) {
+        *knob.path.split('.').fold(&mut state, |place, name| &mut place[name]) = knob.default();
+    }
+    state
+}
 
 /// Refuses a state of the knobs with a number that is out of its range.
 ///
 /// # Errors
 /// A sentence with the knob as it is written, its value and its range.
-pub fn check(knobs: &Value) -> Result<(), Refusal> {
-    NUMERIC_KNOBS.iter().filter_map(|knob| Some((knob, knob.value(knobs)?))).try_for_each(|(knob, it)| knob.check(it))
+pub fn check(state: &Value) -> Result<(), Refusal> {
+    KNOBS.iter().try_for_each(|knob| knob.check(state))
 }
 
 /// A number as people write it: whole ones in all digits.
@@ -109,8 +281,9 @@ fn in_words(value: f64) -> String {
     if value.fract() == 0.0 && value.abs() < 1e15 { format!("{value}") } else { number_in_words(value) }
 }
 
-/// The schema as a script of the page.
+/// The schema as a part of the script of the page, with limits that are not those of one knob.
 pub fn script() -> String {
-    let json = serde_json::to_string(&NUMERIC_KNOBS).expect("names and finite numbers");
-    format!("const NUMERIC_KNOBS = {json};\n")
+    let side = json!({ "usual": SURFACE_SIDE, "most": MOST_POINTS[1].isqrt() });
+    let limits = json!({ "side": side, "bumps": MOST_BUMPS, "bytes": MOST_HEIGHTS });
+    format!("const KNOBS = {};\nconst LIMITS = {limits};\n", json!(KNOBS))
 }

@@ -1,7 +1,7 @@
 //! What the knobs do not hold themselves: the heights of a file, or the scene of a setup.
 
-use super::height_knobs::MOST_POINTS;
 use super::refusal::Refusal;
+use super::schema::MOST_POINTS;
 use crate::setup::{Setup, fnv1a};
 use crate::surface::HeightFile;
 use std::sync::Arc;

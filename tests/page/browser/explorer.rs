@@ -99,5 +99,5 @@ pub fn rested(page: &mut Page) {
            const seen = document.body.dataset; \
            const shown = seen.viewer === 'started' && seen.view !== 'picture' ? (seen.shown || '').split(' ')[0] : seen.section; \
            return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) && shown === run.id \
-             && (seen.viewer === 'started' ? JSON.stringify(knobs) === JSON.stringify(run.knobs) : words(knobs) === words(run.knobs)); })");
+             && words(knobs) === words(run.knobs) && (seen.viewer !== 'started' || knobs.theme === run.knobs.theme); })");
 }

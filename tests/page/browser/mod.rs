@@ -10,6 +10,7 @@ mod downloads;
 mod everyone;
 mod explorer;
 mod eyes;
+mod globals;
 mod grips;
 mod hands;
 mod heights;

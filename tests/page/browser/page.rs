@@ -26,6 +26,11 @@ const PATIENCE: Duration = Duration::from_secs(240);
 const SEEN: &str = "({ ...document.body.dataset, text: document.body.innerText.slice(0, 2000), \
     ...(typeof awake === 'object' && viewer && { awake, now: performance.now(), read: read(), shownRun }) })";
 
+/// An expression in which what the page gives to tests, its `asperity`, goes by its own names.
+fn within(expression: &str) -> String {
+    format!("with (globalThis.asperity ?? {{}}) {{ {expression} }}")
+}
+
 /// The share of pixels that differ; all do in pictures of different sizes.
 pub fn difference(one: &[[u8; 3]], other: &[[u8; 3]]) -> f64 {
     if one.len() != other.len() {
@@ -54,7 +59,7 @@ impl Page {
 
     /// The value of an expression in the page, awaited.
     pub fn value(&mut self, expression: &str) -> Value {
-        let asked = json!({"expression": expression, "returnByValue": true, "awaitPromise": true});
+        let asked = json!({"expression": within(expression), "returnByValue": true, "awaitPromise": true});
         let answer = self.chromium.page("Runtime.evaluate", asked);
         assert!(answer["exceptionDetails"].is_null(), "{expression}: {}", answer["exceptionDetails"]);
         answer["result"]["value"].clone()
@@ -80,7 +85,7 @@ impl Page {
     /// Whether a condition holds; it does not in a page that is left for another one.
     fn is_so(&mut self, condition: &str) -> bool {
         let expression = format!("(async () => Boolean(await ({condition})))()");
-        let asked = json!({"expression": expression, "returnByValue": true, "awaitPromise": true});
+        let asked = json!({"expression": within(&expression), "returnByValue": true, "awaitPromise": true});
         let Ok(answer) = self.chromium.page_at_rest("Runtime.evaluate", asked) else { return false };
         assert!(answer["exceptionDetails"].is_null(), "{condition}: {}", answer["exceptionDetails"]);
         answer["result"]["value"] == true

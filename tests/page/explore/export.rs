@@ -42,7 +42,7 @@ fn all_that_lessons_show_is_solved_beforehand() {
     assert!(told.contains("solving 10 of 10"), "{told}");
     assert_eq!(names(folder.path()), ["lessons", "site"].map(String::from).into());
     let files = names(&site);
-    for name in ["index.html", "re_viewer.js", "re_viewer_bg.wasm", "solved.js", "texts.js", "explore.css", "run"] {
+    for name in ["index.html", "re_viewer.js", "re_viewer_bg.wasm", "solved.js", "explore.js", "explore.css", "run"] {
         assert!(files.contains(name), "{name} is not among {files:?}");
     }
     let html = std::fs::read_to_string(site.join("index.html")).unwrap();

@@ -216,7 +216,7 @@ fn own_pages_may_ask() {
 fn every_answer_confines_the_page() {
     let page = Page::open();
     for path in
-        ["/", "/runs.js", "/explore.css", "/favicon.svg", "/re_viewer.js", "/re_viewer_bg.wasm", "/api/state", "/no"]
+        ["/", "/explore.js", "/explore.css", "/favicon.svg", "/re_viewer.js", "/re_viewer_bg.wasm", "/api/state", "/no"]
     {
         let answer = page.get(path);
         assert_eq!(answer.status, if path == "/no" { 404 } else { 200 }, "{path}");

@@ -1,77 +1,134 @@
-//! The schema of the knobs: one range for the page, for links and for lessons.
+//! The schema of the knobs: one row of each for the page, links, lessons and documents.
 
 use super::texts::sources;
 use super::{Page, with};
-use asperity::explore::{NUMERIC_KNOBS, NumericKnob, Start};
+use asperity::explore::{KNOBS, Knob, KnobGroup, KnobKind, Knobs, NumericKnob, Start};
 use serde_json::{Value, json};
+use std::collections::BTreeSet;
 
 /// The rough line that the page starts with, solved by GFMD, with one knob set.
-fn set(knob: &NumericKnob, value: f64) -> String {
-    let gfmd = json!({"method": "gfmd", "masses": "uniform", "dynamics": "damped", "time-step": 0.5, "damping": 1.0});
-    let mut knobs = with(json!({"solver": gfmd, "body": "power-law", "roughness": 0.001}));
-    let place = knob.path.iter().fold(&mut knobs, |place, name| &mut place[*name]);
-    *place = if knob.whole && value.fract() == 0.0 { json!(value as i64) } else { json!(value) };
+fn set(knob: &Knob, value: &Value) -> String {
+    let solver = json!({"method": "gfmd"});
+    let mut knobs = with(json!({"solver": solver, "body": "power-law", "roughness": 0.001}));
+    *place(&mut knobs, knob) = value.clone();
     knobs.to_string()
+}
+
+fn place<'a>(knobs: &'a mut Value, knob: &Knob) -> &'a mut Value {
+    knob.path.split('.').fold(knobs, |place, name| &mut place[name])
+}
+
+fn numbers() -> impl Iterator<Item = (&'static Knob, NumericKnob)> {
+    KNOBS.iter().filter_map(|knob| match knob.kind {
+        KnobKind::Number(number) => Some((knob, number)),
+        _ => None,
+    })
+}
+
+/// The names that a knob takes, those that stand for several one by one.
+fn options(knob: &Knob) -> Option<BTreeSet<&'static str>> {
+    match knob.kind {
+        KnobKind::Choice { options, .. } if !options.is_empty() => {
+            Some(options.iter().copied().filter(|it| !it.is_empty()).collect())
+        }
+        KnobKind::Choices { options, .. } => Some(options.iter().flat_map(|it| it.split(' ')).collect()),
+        _ => None,
+    }
 }
 
 #[test]
 fn values_outside_the_range_of_a_knob_are_refused_by_its_name() {
     let page = Page::open();
-    for knob in &NUMERIC_KNOBS {
-        let [least, most] = knob.range;
-        let name = format!("`{}`", knob.path.join("."));
+    for (knob, NumericKnob { range: [least, most], whole, .. }) in numbers() {
+        let json = |value: f64| if whole && value.fract() == 0.0 { json!(value as i64) } else { json!(value) };
+        let name = format!("`{}`", knob.path);
         let is_range = |said: &str| said.starts_with(&format!("{name} cannot be ")) && said.contains(" to ");
         for value in [least, most] {
-            let answer = page.post("/api/solve", &set(knob, value));
+            let answer = page.post("/api/solve", &set(knob, &json(value)));
             assert!(!is_range(answer.text()), "{name} = {value}: {}", answer.text());
         }
         page.post("/api/cancel", "{}");
-        let beyond = if knob.whole { most + 1.0 } else { 1.01 * most };
-        let answer = page.post("/api/solve", &set(knob, beyond));
+        let beyond = if whole { most + 1.0 } else { 1.01 * most };
+        let answer = page.post("/api/solve", &set(knob, &json(beyond)));
         let is_named = answer.text().contains(&name) || knob.id == "seed" || knob.id == "time-step";
         assert!(answer.status == 400 && is_named, "{name} = {beyond}: {} {}", answer.status, answer.text());
     }
 }
 
-/// The page has a slider or a field for each, and takes its limits from the program.
+/// The schema has the names that the program reads; a recording has parts that no box of the page asks for.
+#[test]
+fn choices_are_those_that_the_program_reads() {
+    for knob in KNOBS {
+        let Some(options) = options(knob) else { continue };
+        let is_list = matches!(knob.kind, KnobKind::Choices { .. });
+        let unknown = if is_list { json!(["nothing"]) } else { json!("nothing") };
+        let refusal = Knobs::read(set(knob, &unknown).as_bytes()).unwrap_err().to_string();
+        let (_, known) = refusal.split_once("`nothing`, expected ").unwrap_or_else(|| panic!("{refusal}"));
+        let known: BTreeSet<&str> = known.split('`').skip(1).step_by(2).collect();
+        assert!(if is_list { options.is_subset(&known) } else { options == known }, "{}: {known:?}", knob.path);
+    }
+}
+
 #[test]
 fn the_page_takes_the_schema_of_the_program() {
-    let script = Page::open().get("/knobs.js");
-    let json = script.text().trim().strip_prefix("const NUMERIC_KNOBS = ").unwrap().trim_end_matches(';');
-    let served: Vec<Value> = serde_json::from_str(json).unwrap();
-    let controls = sources().into_iter().find(|(name, _)| name == "controls.js").unwrap().1;
-    for (knob, served) in NUMERIC_KNOBS.iter().zip(&served) {
-        assert_eq!((json!(knob.id), json!(knob.range)), (served["id"].clone(), served["range"].clone()));
-        let row = controls.lines().find(|line| line.contains(&format!("id: \"{}\"", knob.id)));
-        let kind = if knob.slider.is_some() { "range" } else { "number" };
-        match row {
-            Some(row) => assert!(row.contains(&format!("kind: \"{kind}\"")), "{row}"),
-            None => assert_eq!(knob.id, "steps", "no control turns {}", knob.id),
-        }
+    let script = Page::open().get("/explore.js");
+    let json = script.text().lines().find_map(|line| line.strip_prefix("const KNOBS = ")).unwrap();
+    assert_eq!(serde_json::from_str::<Value>(json.trim_end_matches(';')).unwrap(), json!(KNOBS));
+    let sources = sources();
+    for (knob, scenes) in KNOBS.iter().map(|knob| (knob, json!(knob.scenes))) {
+        let file = if knob.group == Some(KnobGroup::File) { "heights.js" } else { "controls.js" };
+        let (_, text) = sources.iter().find(|(name, _)| name == file).unwrap();
+        let scenes = scenes.as_str().unwrap();
+        let is_known = text.contains(&format!(" {scenes}: ")) || text.contains(&format!(" \"{scenes}\": "));
+        assert!(is_known, "{file} does not know which states are {scenes}");
     }
-    let numeric = controls.lines().filter(|line| line.contains("kind: \"range\"") || line.contains("kind: \"number\""));
-    assert_eq!(numeric.filter(|line| line.trim_start().starts_with("{ group")).count() + 1, NUMERIC_KNOBS.len());
 }
 
 #[test]
 fn what_the_page_starts_with_lies_within_the_ranges() {
     for start in [Start::HertzLine, Start::HertzSurface, Start::RoughLine, Start::RoughSurface] {
-        let knobs = serde_json::to_value(start.knobs()).unwrap();
-        for NumericKnob { path, range: [least, most], .. } in &NUMERIC_KNOBS {
-            let value = path.iter().try_fold(&knobs, |place, name| place.get(name)).and_then(Value::as_f64);
-            assert!(value.is_none_or(|value| (*least..=*most).contains(&value)), "{path:?} = {value:?} for {start:?}");
+        let mut knobs = serde_json::to_value(start.knobs()).unwrap();
+        for (knob, NumericKnob { range: [least, most], .. }) in numbers() {
+            let value = place(&mut knobs, knob).as_f64();
+            assert!(
+                value.is_none_or(|value| (least..=most).contains(&value)),
+                "{} = {value:?} for {start:?}",
+                knob.path
+            );
         }
     }
 }
 
-/// The guide for lessons has a row for each knob, with its range.
+/// A state that leaves out settings of a solver or of a file has those of the schema.
 #[test]
-fn the_guide_for_lessons_has_all_ranges() {
+fn defaults_are_those_of_the_program() {
+    let knobs = Knobs::read(with(json!({"solver": {"method": "gfmd"}, "heights": {}})).to_string().as_bytes()).unwrap();
+    let mut state = serde_json::to_value(knobs).unwrap();
+    for knob in KNOBS.iter().filter(|knob| knob.path != "solver.method") {
+        let (value, default) = (&*place(&mut state, knob), knob.default());
+        assert!(*value == default || value.is_number() && value.as_f64() == default.as_f64(), "{}: {value}", knob.path);
+    }
+}
+
+/// The guide for lessons has a row for each knob, with its values and its default.
+#[test]
+fn the_guide_for_lessons_has_all_knobs() {
     let guide = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons/README.md"));
-    for knob in &NUMERIC_KNOBS {
-        let start = format!("| `{}` | ", knob.path.join("."));
+    for knob in KNOBS.iter().filter(|knob| knob.group != Some(KnobGroup::File)) {
+        let start = format!("| `{}` | ", knob.path);
         let row = guide.lines().find_map(|line| line.strip_prefix(&start)).unwrap_or_else(|| panic!("no row {start}"));
-        let range: Vec<f64> = row.split('|').filter_map(|cell| cell.trim().parse().ok()).collect();
-        assert_eq!(range, knob.range, "{start}");
+        let cells: Vec<&str> = row.split(" | ").collect();
+        let names = |cell: &'static str| cell.split('`').skip(1).step_by(2);
+        match knob.kind {
+            KnobKind::Number(NumericKnob { range, default, .. }) => {
+                let written: Vec<f64> = cells[0].split(" to ").map(|it| it.parse().unwrap()).collect();
+                assert_eq!((written.as_slice(), cells[1].parse()), (range.as_slice(), Ok(default)), "{start}");
+            }
+            _ => {
+                let default: Vec<Value> = names(cells[1]).map(Value::from).collect();
+                let wanted = knob.default().as_array().cloned().unwrap_or_else(|| vec![knob.default()]);
+                assert_eq!((Some(names(cells[0]).collect()), default), (options(knob), wanted), "{start}");
+            }
+        }
     }
 }

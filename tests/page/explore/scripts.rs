@@ -1,4 +1,4 @@
-//! The scripts of the page, which share one scope.
+//! The scripts of the page, which share the scope of one function.
 
 use super::texts::sources;
 use std::collections::HashMap;
@@ -10,7 +10,7 @@ fn declared(line: &str) -> Option<&str> {
     ["let", "const", "function", "class"].contains(&kind).then(|| rest.split([' ', '(', ';']).next())?
 }
 
-/// A name that two scripts declare keeps the second of them from being run at all.
+/// Of two functions of one name the second would silently take the place of the first.
 #[test]
 fn no_name_is_declared_twice() {
     let sources = sources();

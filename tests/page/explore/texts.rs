@@ -1,6 +1,8 @@
 //! What the page says: each language says all of it, and all that is said is asked for.
 
 use asperity::contact::OBSERVABLES;
+use asperity::explore::{KNOBS, Knob, KnobGroup, KnobKind};
+use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 
 type Texts = BTreeMap<String, String>;
@@ -92,29 +94,26 @@ fn every_text_that_is_asked_for_is_there_and_the_other_way_round() {
     }
 }
 
-/// Rows of a table of controls: the name of each, and the names of what it offers.
-fn controls(table: &str) -> Vec<(&str, Vec<&str>)> {
-    let rows = table.lines().filter(|line| line.trim_start().starts_with("{ "));
-    let list =
-        |row| between(row, "options: [", ']').flat_map(|list: &str| between(list, "\"", '"').step_by(2)).collect();
-    rows.filter_map(|row| Some((between(row, "id: \"", '"').next()?, list(row)))).collect()
-}
-
 #[test]
-fn every_control_and_all_that_it_offers_have_names() {
+fn every_knob_and_all_that_it_offers_have_names() {
     let english = english();
-    let sources: BTreeMap<String, String> = sources().into_iter().collect();
-    for (script, start) in [("controls.js", "control"), ("heights.js", "heights")] {
-        let controls = controls(&sources[script]);
-        assert!(controls.len() > 10, "{script}: {controls:?}");
-        for (id, options) in controls {
-            let of = |option: &&str| {
-                format!("{start}.{id}.{}", if option.is_empty() { "no" } else { option }.replace(' ', "-"))
-            };
-            let keys = [format!("{start}.{id}"), format!("{start}.{id}.tip")];
-            for key in keys.into_iter().chain(options.iter().map(of)) {
-                assert!(english.contains_key(&key), "there is no text {key}");
-            }
+    for Knob { group, id, kind, .. } in KNOBS {
+        let Some(group) = group else { continue };
+        let name = format!("{}.{id}", if *group == KnobGroup::File { "heights" } else { "control" });
+        let options = match kind {
+            KnobKind::Choice { options, .. } | KnobKind::Choices { options, .. } => options,
+            KnobKind::Switch { .. } => &["true", "false"][..],
+            _ => &[],
+        };
+        let offered =
+            |option: &&str| format!("{name}.{}", if option.is_empty() { "no" } else { option }.replace(' ', "-"));
+        let unit = match kind {
+            KnobKind::Number(number) => number.unit.map(|unit| format!("unit.{unit}")),
+            _ => None,
+        };
+        let keys = [name.clone(), format!("{name}.tip"), format!("group.{}", json!(group).as_str().unwrap())];
+        for key in keys.into_iter().chain(unit).chain(options.iter().map(offered)) {
+            assert!(english.contains_key(&key), "there is no text {key}");
         }
     }
 }

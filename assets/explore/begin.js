@@ -1,4 +1,3 @@
-"use strict";
 // The page of `asperity explore` and `asperity view`: keys, theme and beginning. No framework.
 
 const isView = document.body.dataset.mode === "view";
