@@ -146,7 +146,7 @@ impl Inspect {
         let reference = self.reference(problem)?;
         let mut distances = Distances::new(&reference);
         let replay = Replay::new(name, self.kind, steps);
-        let end = Arc::new(Reference::of(&reference));
+        let end = Arc::new(Reference::from_contact(&reference));
         let mut diagnosis = self.diagnose.then(|| Diagnosis::new(problem, Some(end.clone())));
         let contact = self.watch(setup, problem, (&replay, end), &mut (&mut distances, &mut diagnosis))?;
         if distances.steps.is_empty() && contact.failure.is_none() {

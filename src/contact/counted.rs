@@ -54,7 +54,7 @@ impl Counted {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
         let CountedSums { nodes, level, squares, switches, switched_squares } =
-            CountedSums::of(pressure, problem.surface());
+            CountedSums::new(pressure, problem.surface());
         let excess = if grid.is_line() { NODE_EXCESS_PER_SWITCH_LINE } else { NODE_EXCESS_PER_SWITCH_SURFACE };
         let corrected = (nodes as f64 - excess * switches as f64).max(0.0);
         let relative_area = nodes as f64 / grid.len() as f64;
@@ -100,7 +100,7 @@ struct CountedSums {
 }
 
 impl CountedSums {
-    fn of(pressure: &[f64], surface: &Surface) -> Self {
+    fn new(pressure: &[f64], surface: &Surface) -> Self {
         let (grid, square_gradient, is_level) = (surface.grid(), surface.square_gradient(), surface.is_level());
         let parts = chunks::visit(pressure.len(), |range| {
             let mut sums = Self::default();

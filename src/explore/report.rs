@@ -152,11 +152,11 @@ impl From<&Exact> for ExactNumbers {
 impl Numbers {
     pub fn of_step(step: &Step<'_>) -> Self {
         let (level, seconds) = (step.phase().level, step.work().seconds);
-        Self { status: "running".into(), level, seconds, observables: Observables::of(step) }
+        Self { status: "running".into(), level, seconds, observables: Observables::new(step) }
     }
 
     pub fn of_contact(contact: &Contact) -> Self {
         let (status, seconds) = (contact.status.to_string(), contact.work.seconds);
-        Self { status, level: 0, seconds, observables: Observables::of(contact) }
+        Self { status, level: 0, seconds, observables: Observables::new(contact) }
     }
 }

@@ -192,7 +192,7 @@ impl Press<'_> {
         }
         let point = SweepPoint {
             number,
-            observables: Observables::of(contact),
+            observables: Observables::new(contact),
             persson: is_rough_flat(self.setup).then(|| persson::relative_area(load)),
             exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),
         };

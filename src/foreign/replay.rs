@@ -73,7 +73,7 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Replay<I> {
         let pressure = feasible(problem, &pressure, &Tension::of(&pressure)).unwrap_or(pressure);
         let mut displacement = vec![0.0; pressure.len()];
         response.displacement(&pressure, &mut displacement);
-        let certificate = Certificate::of_displaced(problem, &pressure, &displacement);
+        let certificate = Certificate::from_displacement(problem, &pressure, &displacement);
         ReplayedState { pressure, displacement, certificate }
     }
 }

@@ -95,7 +95,7 @@ impl<'a> Identity<'a> {
             status: contact.status,
             setup: self.setup.clone(),
             version: VERSION.into(),
-            observables: Observables::of(contact),
+            observables: Observables::new(contact),
             seconds: contact.work.seconds,
         }
     }

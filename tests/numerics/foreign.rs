@@ -139,7 +139,7 @@ fn fields_in_another_order_are_recognised() {
         }
         for (values, words) in cases {
             // a symmetric surface does not tell
-            if Certificate::of(
+            if Certificate::new(
                 &claim(&peer, None, Quantity::Pressure, &values).problem().unwrap(),
                 values.as_slice().unwrap(),
             )

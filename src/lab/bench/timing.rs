@@ -81,7 +81,7 @@ impl Timing {
         };
         seconds.sort_by(f64::total_cmp);
         let clock = Instant::now();
-        let measured = Observables::of(&contact);
+        let measured = Observables::new(&contact);
         let measure_seconds = clock.elapsed().as_secs_f64();
         let [ny, nx] = problem.surface().grid().shape();
         Ok(Self {

@@ -59,7 +59,8 @@ fn the_documented_table_and_recordings_agree() {
         let problem = setup.problem().unwrap();
         for solver in [&Multilevel as &dyn Solver, &Gfmd::default()] {
             let end = solver.solve(&problem, &Stop::default(), &mut ()).unwrap();
-            let scene = Scene { reference: Some(Arc::new(Reference::of(&end))), ..Scene::of(&setup, &problem) };
+            let scene =
+                Scene { reference: Some(Arc::new(Reference::from_contact(&end))), ..Scene::of(&setup, &problem) };
             let what = Part::PARTS.iter().filter(|(name, _)| *name != "spectrum");
             let what = what.map(|(name, _)| Part::named(name).unwrap()).collect();
             let recording = Recording::create(&path, &[scene], Options { what, ..Options::default() }).unwrap();

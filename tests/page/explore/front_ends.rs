@@ -62,7 +62,7 @@ fn one_setup_gives_the_same_numbers_and_warnings_everywhere() {
         serde_json::from_slice(&run(folder, "solve scene.toml --json --save-setup saved.toml")).unwrap();
     let setup = Setup::from_toml(&std::fs::read_to_string(folder.join("saved.toml")).unwrap()).unwrap();
     let solved = Job::new(setup.clone()).run(&mut ()).unwrap().solved.swap_remove(0);
-    let observables = serde_json::to_value(asperity::contact::Observables::of(&solved.contact)).unwrap();
+    let observables = serde_json::to_value(asperity::contact::Observables::new(&solved.contact)).unwrap();
 
     run(folder, "study scene.toml --out study.csv");
     let mut table = csv::Reader::from_path(folder.join("study.csv")).unwrap();
