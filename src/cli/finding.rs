@@ -66,7 +66,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    pub fn of(setup: &Setup, contact: &Contact) -> Self {
+    pub fn new(setup: &Setup, contact: &Contact) -> Self {
         Self {
             status: contact.status,
             observables: Observables::new(contact),

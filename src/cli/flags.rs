@@ -85,7 +85,7 @@ pub struct SceneArgs<E> {
 impl<E: Extent> SceneArgs<E> {
     /// A scene as it is in its file.
     #[cfg(feature = "explore")]
-    pub fn of(file: PathBuf) -> Self {
+    pub fn from_file(file: PathBuf) -> Self {
         Self { file: Some(file), given: Vec::new(), extent: PhantomData }
     }
 

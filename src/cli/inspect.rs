@@ -87,7 +87,7 @@ impl Inspect {
         let setup = table.setup()?;
         #[cfg(feature = "record")]
         check_apart(self.shown.record.as_deref(), self.read(&setup))?;
-        Cost::of_fields(&setup.check()?, FIELDS).check("an iteration")?;
+        Cost::from_fields(&setup.check()?, FIELDS).check("an iteration")?;
         let problem = setup.problem()?;
         match &self.follow {
             Some(folder) => self.follow(folder, &setup, &problem),
@@ -158,7 +158,7 @@ impl Inspect {
             steps: distances.steps,
             reference_of: reference.solver.clone(),
             reference_certificate: reference.certificate.eta,
-            last: Finding::of(setup, &contact),
+            last: Finding::new(setup, &contact),
             diagnosis: diagnosis.map(|diagnosis| diagnosis.findings()),
             setup: setup.clone().with_full_path(),
             grid: *problem.surface().grid(),

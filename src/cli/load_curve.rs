@@ -109,7 +109,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
             }
             outputs.complete(contact);
             pressed.outcome = pressed.outcome.max(settle(contact)?);
-            let finding = Finding::of(&curve.setup, contact);
+            let finding = Finding::new(&curve.setup, contact);
             #[cfg(feature = "record")]
             recording.iter().try_for_each(|it| it.add(pressed.findings.len(), contact, &finding.observables))?;
             pressed.findings.push(finding);
@@ -130,7 +130,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
 
 /// Writes and prints what came out.
 fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outputs, units: Units) -> Result<()> {
-    let (subject, setup) = (ProblemSummary::of(&curve.setup, problem)?, curve.to_table());
+    let (subject, setup) = (ProblemSummary::new(&curve.setup, problem)?, curve.to_table());
     let Pressed { findings, contacts, .. } = pressed;
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = curve.setup.surface.warnings(problem.surface());

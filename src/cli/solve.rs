@@ -134,7 +134,7 @@ impl Solve {
         let (outputs, full) = (&self.outputs, solved.setup.clone().with_full_path());
         let mut warnings = solved.warnings();
         let Solved { setup, contact, slip, .. } = solved;
-        let (subject, finding) = (ProblemSummary::of(&setup, &contact.problem)?, Finding::of(&setup, &contact));
+        let (subject, finding) = (ProblemSummary::new(&setup, &contact.problem)?, Finding::new(&setup, &contact));
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;

@@ -218,7 +218,7 @@ impl ArchiveWriter {
         }
         npz.add_array("size", &ArrayView1::from(&grid.size()[2 - rank.min(2)..]))?;
         npz.add_array("contact_modulus", &Array0::from_elem((), modulus))?;
-        let heights = PowerSpectrum::of(surface);
+        let heights = PowerSpectrum::new(surface);
         npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
         npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
         let mut archive = Self { npz, rank };

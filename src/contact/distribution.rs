@@ -76,7 +76,7 @@ impl Contact {
 
     /// Power spectrum of the pressure: pressure^2 length for lines, pressure^2 length^2 for surfaces.
     pub fn pressure_spectrum(&self) -> PowerSpectrum {
-        PowerSpectrum::of_field(self.problem.surface().grid(), values(&self.pressure))
+        PowerSpectrum::from_field(self.problem.surface().grid(), values(&self.pressure))
     }
 }
 

@@ -143,7 +143,7 @@ fn record(
             })
             .collect(),
         figure: None,
-        scenes: &[Scene { title, exact: None, ..Scene::of(setup, problem) }],
+        scenes: &[Scene { title, exact: None, ..Scene::from_setup(setup, problem) }],
     };
     let mut parts = setup.record.clone();
     parts.what.extend([Part::Traces, Part::Mask]);
@@ -200,7 +200,7 @@ impl Press<'_> {
         self.recording.values(number, &values)?;
         self.report.points.push(point);
         let row = *self.row.get_or_insert_with(|| contact.highest_row());
-        self.motion.add_load(number, Section::of_load(contact, row));
+        self.motion.add_load(number, Section::from_load(contact, row));
         self.tell();
         Ok(())
     }

@@ -19,12 +19,12 @@ pub(super) struct Fault {
 
 impl Fault {
     /// The fault of a claim; none where its problem cannot be posed.
-    pub fn of(claim: &Claim) -> Option<Self> {
-        claim.state().ok().map(|state| Self::of_state(&state))
+    pub fn from_claim(claim: &Claim) -> Option<Self> {
+        claim.state().ok().map(|state| Self::from_state(&state))
     }
 
-    pub fn of_state(state: &ClaimedState) -> Self {
-        let tension = Tension::of(&state.pressure);
+    pub fn from_state(state: &ClaimedState) -> Self {
+        let tension = Tension::new(&state.pressure);
         let feasible = feasible(&state.problem, &state.pressure, &tension);
         let certificate = match &feasible {
             None => state.certificate(),

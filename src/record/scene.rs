@@ -31,7 +31,7 @@ impl<'a> Scene<'a> {
     }
 
     /// The scene `contact` of the problem of a setup.
-    pub fn of(setup: &Setup, problem: &'a Problem) -> Self {
+    pub fn from_setup(setup: &Setup, problem: &'a Problem) -> Self {
         let grid = problem.surface().grid();
         Self {
             title: setup.surface.title(grid),

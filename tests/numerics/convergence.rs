@@ -23,7 +23,7 @@ struct Errors {
 
 impl Errors {
     fn of(indenter: &Indenter, grid: Grid, mean_pressure: f64) -> Self {
-        let exact = Exact::of(indenter, &grid, 1.0, mean_pressure).unwrap();
+        let exact = Exact::new(indenter, &grid, 1.0, mean_pressure).unwrap();
         let problem =
             Problem::new(indenter.surface(grid).unwrap(), ContactModulus(1.0), Load::MeanPressure(mean_pressure))
                 .unwrap();

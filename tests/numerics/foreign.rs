@@ -58,7 +58,7 @@ fn results_of_a_peer_hold_in_each_quantity() {
                     peer.relative_area
                 );
                 assert!(claim.mistakes(&[]).is_empty());
-                let assessment = Assessment::of(&claim, &contact).unwrap();
+                let assessment = Assessment::new(&claim, &contact).unwrap();
                 assert!(assessment.holds(&contact, &Stop::default()), "{assessment:?}");
             }
         }

@@ -68,8 +68,8 @@ fn one_setup_gives_the_same_numbers_and_warnings_everywhere() {
     let mut table = csv::Reader::from_path(folder.join("study.csv")).unwrap();
     let row: std::collections::HashMap<String, String> = table.deserialize().next().unwrap().unwrap();
 
-    let scene = SceneFile::of(setup).unwrap();
-    let knobs = Knobs::of_scene(&scene).unwrap();
+    let scene = SceneFile::new(setup).unwrap();
+    let knobs = Knobs::from_scene(&scene).unwrap();
     let explorer = Explorer::new(Arc::new(Sessions::with_scene(scene)), knobs, Lesson::all()).unwrap();
     let page = Page::serve(explorer);
     let shown = page.solve(&page.get("/api/start").json());
