@@ -281,7 +281,7 @@ impl Bounds {
         };
         let depth = slack.gain / mean_pressure;
         if law.yields(slack.highest_pressure) && depth < own.depth + own.above_gap.abs() {
-            let rounding = own.rounding.of_terms(depth);
+            let rounding = own.rounding.with_depth(depth);
             return Self { depth, above_gap: 0.0, rounding, ..own };
         }
         own

@@ -62,7 +62,7 @@ impl Rounding {
     }
 
     /// The bounds where the depth is itself a mean of positive terms.
-    pub fn of_terms(self, depth: f64) -> Self {
+    pub fn with_depth(self, depth: f64) -> Self {
         Self { depth: 2.0 * self.sum * depth, ..self }
     }
 }

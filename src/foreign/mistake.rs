@@ -87,8 +87,8 @@ impl Claim {
     /// The factor of an error that has one.
     fn factor(&self, ClaimCorrection { kind, factor }: &ClaimCorrection, poisson: &[f64]) -> Option<Factor> {
         match kind {
-            MistakeKind::Modulus => Some(Factor::of_modulus(*factor, poisson)),
-            MistakeKind::Scale => Some(Factor::of_pressure(*factor, self.surface.grid())),
+            MistakeKind::Modulus => Some(Factor::from_modulus(*factor, poisson)),
+            MistakeKind::Scale => Some(Factor::from_pressure(*factor, self.surface.grid())),
             _ => None,
         }
     }

@@ -52,7 +52,7 @@ fn repeated(sources: &[Source]) -> Vec<String> {
 
 #[test]
 fn each_type_name_occurs_once() {
-    for sources in [Source::all(), Source::of_python()] {
+    for sources in [Source::all(), Source::python()] {
         let found = repeated(&sources);
         assert!(found.is_empty(), "{} names have several meanings:\n{}", found.len(), found.join("\n"));
     }
