@@ -1,15 +1,15 @@
 //! `asperity certify`: somebody's result, certified.
 
+use super::claim_report::ClaimReport;
 use super::density;
+use super::exit_status::{ExitStatus, usage};
 use super::fields::{lay_load, poisson, rows};
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
 use super::nodes::write_nodes;
-use super::outcome::{ExitStatus, usage};
 use super::output::write_json;
 #[cfg(feature = "record")]
-use super::shown::RecordingArgs;
-use super::verdict::ClaimReport;
+use super::recording_args::RecordingArgs;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;

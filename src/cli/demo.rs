@@ -1,6 +1,6 @@
 //! `asperity demo`: Hertz beside rough contact.
 
-use super::outcome::{ExitStatus, settle};
+use super::exit_status::{ExitStatus, settle};
 use super::progress::Bars;
 use super::wrote::wrote;
 use anyhow::Result;

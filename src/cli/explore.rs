@@ -1,9 +1,9 @@
 //! `asperity explore`: turn a knob, watch the contact relax.
 
+use super::exit_status::{ExitStatus, Usage, untold, usage};
 use super::flags::{OfSetup, SceneArgs};
 use super::interrupt::interrupted;
 use super::manners::remark;
-use super::outcome::{ExitStatus, Usage, untold, usage};
 use super::warnings::print;
 use anyhow::Result;
 use asperity::explore::{Explorer, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, SiteExport, Start};

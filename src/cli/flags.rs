@@ -1,7 +1,7 @@
 //! The flags that describe a contact to solve.
 
 use super::choice::one_of;
-use super::outcome::usage;
+use super::exit_status::usage;
 use super::units::Units;
 use super::warnings;
 #[cfg(feature = "record")]

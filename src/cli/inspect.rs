@@ -1,16 +1,16 @@
 //! `asperity inspect`: somebody's iteration, recorded.
 
 use super::choice::choice;
+use super::exit_status::{ExitStatus, settle};
 use super::fields::{check_one_load, rows};
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
 use super::interrupt::interrupted;
 use super::iteration::Iteration;
-use super::outcome::{ExitStatus, settle};
 use super::output::write_json;
 use super::progress::Progress;
 #[cfg(feature = "record")]
-use super::shown::RecordingArgs;
+use super::recording_args::RecordingArgs;
 use super::warnings;
 use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, Solver, Stop};

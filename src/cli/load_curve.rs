@@ -1,14 +1,14 @@
 //! `asperity solve` under one load after the other.
 
+use super::exit_status::{ExitStatus, Interrupted, settle, usage};
 use super::finding::Finding;
 use super::interrupt::{Interruption, interrupted};
-use super::outcome::{ExitStatus, Interrupted, settle, usage};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
 use super::picture;
-use super::plan::{self, SolvePlan};
+use super::problem_summary::ProblemSummary;
 use super::progress::Progress;
-use super::subject::ProblemSummary;
+use super::solve_plan::{self, SolvePlan};
 use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
@@ -68,7 +68,7 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
     if is_dry {
         let (loads, is_recorded) = (Some(curve.loads.len()), outputs.recording().is_some());
         let plan = SolvePlan { setup: &curve.setup, cost: &cost, loads, is_recorded, is_passed_twice: false };
-        plan::write(&plan, &mut stdout())?;
+        solve_plan::write(&plan, &mut stdout())?;
     }
     cost.check(curve.setup.solver.name())?;
     if is_dry {

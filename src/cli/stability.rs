@@ -1,7 +1,7 @@
 //! `asperity stability`: how the solvers bear stiff and extreme cases.
 
 use super::choice::choice;
-use super::outcome::{ExitStatus, usage};
+use super::exit_status::{ExitStatus, usage};
 use super::progress::bar;
 use super::wrote::wrote;
 use anyhow::Result;

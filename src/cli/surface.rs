@@ -1,9 +1,9 @@
 //! `asperity surface`: makes a surface, or describes one.
 
+use super::exit_status::{ExitStatus, usage};
 use super::flags::{OfSurface, SceneArgs};
-use super::outcome::{ExitStatus, usage};
 use super::output::{write_json, write_rows};
-use super::subject::along_axes;
+use super::problem_summary::along_axes;
 use super::survey;
 use super::warnings::{self, in_flags};
 use super::wrote::wrote;

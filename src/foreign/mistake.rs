@@ -1,7 +1,7 @@
 //! Everyday errors, recognised from the numbers.
 
-use super::change::{ClaimCorrection, MistakeKind};
 use super::claim::Claim;
+use super::correction::{ClaimCorrection, MistakeKind};
 use super::factor::Factor;
 use super::fault::Fault;
 use super::quantity::Quantity;

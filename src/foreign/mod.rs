@@ -27,8 +27,8 @@
 
 mod arrangement;
 mod assessment;
-mod change;
 mod claim;
+mod correction;
 mod distance;
 mod factor;
 mod fault;

@@ -42,7 +42,7 @@ pub enum Event<'a> {
     },
 }
 
-/// A watcher of events, which come from all threads that solve.
+/// A function that takes events, which come from all threads that solve.
 pub type EventHandler<'a> = &'a (dyn Fn(Event<'_>) + Sync);
 
 impl Paper {

@@ -59,6 +59,14 @@ fn each_type_name_occurs_once() {
 }
 
 #[test]
+fn constructors_are_not_called_of() {
+    for source in Source::all().into_iter().chain(Source::python()) {
+        let has_of = source.tokens().windows(2).any(|pair| pair == ["fn", "of"]);
+        assert!(!has_of, "{} has a function `of`: constructors are `new` or `from_*`", source.path);
+    }
+}
+
+#[test]
 fn types_are_found_wherever_they_stand() {
     let code = "pub struct A<T>(T); pub(super) enum B { Struct(u8) } trait C: Debug { type Of; } impl C for [A<u8>; 3] { type Of = u8; \
                 fn f(&self) -> impl Fn() { type D = u8; struct E { a: [u8; 2] } } } type F = fn(); mod g { union H { h: u8 } } // struct I;";

@@ -23,7 +23,7 @@ pub(super) enum MistakeKind {
     Scale,
 }
 
-/// An error of some kind.
+/// The correction of an error of some kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ClaimCorrection {
     pub kind: MistakeKind,
