@@ -174,7 +174,7 @@ struct TemporaryFile {
 }
 
 impl TemporaryFile {
-    /// A draft in the folder of `path`, if a file can be made there.
+    /// A temporary file in the folder of `path`, if a file can be made there.
     fn beside(path: &Path) -> Result<Self, FileError> {
         let unfit = |reason: String| FileError::Target { path: path.into(), reason };
         if path.file_name().is_none() || path.as_os_str().as_encoded_bytes().ends_with(b"/") || path.is_dir() {

@@ -100,7 +100,7 @@ pub fn archive_of_stress(
 
 /// The archive of one contact, to which more can be added.
 fn of_one(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<ArchiveWriter, WriteNpzError> {
-    let mut archive = ArchiveWriter::of(contact, rank, setup)?;
+    let mut archive = ArchiveWriter::new(contact, rank, setup)?;
     for (name, of) in CURVES {
         archive.npz.add_array(name, &ArrayView1::from(&of(contact)))?;
     }
@@ -133,7 +133,7 @@ pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Resul
     let Some(first) = contacts.first() else {
         return Ok(NpzWriter::new(Cursor::new(Vec::new())).finish()?.into_inner());
     };
-    let mut archive = ArchiveWriter::of(first, rank, Some(setup))?;
+    let mut archive = ArchiveWriter::new(first, rank, Some(setup))?;
     for (name, of) in CURVES {
         let curves: Vec<Array1<f64>> = contacts.iter().map(|contact| of(contact).into()).collect();
         let curves: Vec<ArrayView1<f64>> = curves.iter().map(|curve| curve.view()).collect();
@@ -205,7 +205,7 @@ struct ArchiveWriter {
 
 impl ArchiveWriter {
     /// An archive of what does not depend on the load.
-    fn of(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
+    fn new(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
         let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
         if let Some(text) = setup {
             npz.add_array("setup", &ArrayView1::from(text.as_bytes()))?;
@@ -218,7 +218,7 @@ impl ArchiveWriter {
         }
         npz.add_array("size", &ArrayView1::from(&grid.size()[2 - rank.min(2)..]))?;
         npz.add_array("contact_modulus", &Array0::from_elem((), modulus))?;
-        let heights = PowerSpectrum::of(surface);
+        let heights = PowerSpectrum::new(surface);
         npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
         npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
         let mut archive = Self { npz, rank };

@@ -60,7 +60,7 @@ pub struct Shear {
 
 impl Section {
     /// The section of a contact.
-    pub fn of(contact: &Contact) -> Self {
+    pub fn from_contact(contact: &Contact) -> Self {
         let row = contact.highest_row();
         let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
         Self::along(&contact.problem, row, fields, contact.mean_gap(), COLUMNS)
@@ -75,17 +75,17 @@ impl Section {
             if p.is_finite() { p as f32 } else { 0.0 }
         };
         let exact = peaks(problem, row, COLUMNS).into_iter().map(over_modulus).collect();
-        Self { exact: Some(exact), ..Self::of(contact) }
+        Self { exact: Some(exact), ..Self::from_contact(contact) }
     }
 
     /// The section of a load of a sweep along a row, which is the same one at all loads.
-    pub fn of_load(contact: &Contact, row: usize) -> Self {
+    pub fn from_load(contact: &Contact, row: usize) -> Self {
         let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
         Self::along(&contact.problem, row, fields, contact.mean_gap(), STEP_COLUMNS)
     }
 
     /// The section of a step, whose displacement is taken less its mean where the cell is periodic, as that of a contact.
-    pub fn of_step(step: &Step<'_>) -> Self {
+    pub fn from_step(step: &Step<'_>) -> Self {
         let grid = step.problem().surface().grid();
         let (pressure, displacement) = (step.pressure(), step.displacement());
         let row = highest_row(grid, pressure);

@@ -16,7 +16,7 @@ impl Resample {
         [("linear", "As many heights at even positions, on straight lines between neighbours")];
 
     /// The heights at even positions, and their spacing, of heights at ever larger positions `x`, two at least.
-    pub fn of(self, x: &[f64], height: &[f64]) -> (Vec<f64>, f64) {
+    pub fn apply(self, x: &[f64], height: &[f64]) -> (Vec<f64>, f64) {
         let last = x.len() - 1;
         let spacing = (x[last] - x[0]) / last as f64;
         let at = |i: usize| {
