@@ -190,7 +190,7 @@ impl Knob {
         Self { path, ..self }
     }
 
-    const fn of(self, scenes: KnobScenes) -> Self {
+    const fn only_in(self, scenes: KnobScenes) -> Self {
         Self { scenes, ..self }
     }
 
@@ -224,33 +224,33 @@ const MOST_WAVES: f64 = (MOST_POINTS[0] / 2) as f64;
 #[rustfmt::skip]
 pub const KNOBS: &[Knob] = &[
     knob(Load, "load", Number(NumericKnob::new([1e-5, 1e3], 0.05).log10([-4.0, 1.5, 0.02]))),
-    knob(Solid, "hardness", Number(NumericKnob::new([0.0, 1.0], 0.0).linear([0.0, 0.002, 0.00002]))).of(KnobScenes::Own),
-    knob(Solid, "layer", Number(NumericKnob::new([0.0, 10.0], 0.0).linear([0.0, 0.5, 0.005]))).of(KnobScenes::Own),
-    knob(Surface, "domain", Choice { options: &["line", "surface"], default: "line" }).of(KnobScenes::Made),
+    knob(Solid, "hardness", Number(NumericKnob::new([0.0, 1.0], 0.0).linear([0.0, 0.002, 0.00002]))).only_in(KnobScenes::Own),
+    knob(Solid, "layer", Number(NumericKnob::new([0.0, 10.0], 0.0).linear([0.0, 0.5, 0.005]))).only_in(KnobScenes::Own),
+    knob(Surface, "domain", Choice { options: &["line", "surface"], default: "line" }).only_in(KnobScenes::Made),
     knob(Surface, "body", Choice { options: &["flat", "round", "sine", "power-law", "file", "scene"], default: "flat" }),
-    knob(Surface, "exponent", Number(NumericKnob::new([1.0, 12.0], 4.0).linear([1.0, 12.0, 0.5]))).of(KnobScenes::PowerLaw),
-    knob(Surface, "roughness", Number(NumericKnob::new([0.0, 1.0], 1e-3).linear([0.0, 0.01, 0.0002]))).of(KnobScenes::Made),
-    knob(Surface, "hurst", Number(NumericKnob::new([0.01, 1.0], 0.8).linear([0.1, 1.0, 0.05]))).of(KnobScenes::Rough),
-    knob(Surface, "rolloff", Number(NumericKnob::new([1.0, MOST_WAVES], 4.0).linear([1.0, 32.0, 1.0]).waves())).of(KnobScenes::Rough),
-    knob(Surface, "cutoff", Number(NumericKnob::new([2.0, MOST_WAVES], 128.0).log2([3.0, 13.0, 0.5]).waves())).of(KnobScenes::Rough),
-    knob(Surface, "seed", Number(NumericKnob::new([0.0, u32::MAX as f64], 1.0).whole())).of(KnobScenes::Rough),
-    knob(Surface, "points", Number(NumericKnob::new([4.0, MOST_POINTS[0] as f64], 4096.0).log2([5.0, 18.0, 1.0]))).of(KnobScenes::Made),
-    knob(File, "channel", Choice { options: &[], default: "" }).at("heights.channel").of(KnobScenes::Channels),
-    knob(File, "unit", Length { example: "1 µm" }).at("heights.unit").of(KnobScenes::Unitless),
-    knob(File, "width", Length { example: "10 µm" }).at("heights.width").of(KnobScenes::Unspaced),
-    knob(File, "boundary", Choice { options: &["periodic", "free"], default: "periodic" }).at("heights.boundary").of(KnobScenes::Heights),
-    knob(File, "auto", Switch { default: true }).at("heights.auto").of(KnobScenes::Heights),
-    knob(File, "resample", Choice { options: &["", "linear"], default: "" }).at("heights.prepare.resample").of(KnobScenes::Uneven),
-    knob(File, "crop", Nodes { example: "0,256,0,256" }).at("heights.prepare.crop").of(KnobScenes::Heights),
-    knob(File, "fill", Choice { options: &["", "harmonic"], default: "" }).at("heights.prepare.fill").of(KnobScenes::Heights),
-    knob(File, "detrend", Choice { options: &["", "mean", "plane", "curvature"], default: "" }).at("heights.prepare.detrend").of(KnobScenes::Heights),
-    knob(File, "low-pass", Length { example: "200 nm" }).at("heights.prepare.low-pass").of(KnobScenes::Heights),
-    knob(File, "mirror", Choice { options: &["", "x", "y", "both"], default: "" }).at("heights.prepare.mirror").of(KnobScenes::Heights),
+    knob(Surface, "exponent", Number(NumericKnob::new([1.0, 12.0], 4.0).linear([1.0, 12.0, 0.5]))).only_in(KnobScenes::PowerLaw),
+    knob(Surface, "roughness", Number(NumericKnob::new([0.0, 1.0], 1e-3).linear([0.0, 0.01, 0.0002]))).only_in(KnobScenes::Made),
+    knob(Surface, "hurst", Number(NumericKnob::new([0.01, 1.0], 0.8).linear([0.1, 1.0, 0.05]))).only_in(KnobScenes::Rough),
+    knob(Surface, "rolloff", Number(NumericKnob::new([1.0, MOST_WAVES], 4.0).linear([1.0, 32.0, 1.0]).waves())).only_in(KnobScenes::Rough),
+    knob(Surface, "cutoff", Number(NumericKnob::new([2.0, MOST_WAVES], 128.0).log2([3.0, 13.0, 0.5]).waves())).only_in(KnobScenes::Rough),
+    knob(Surface, "seed", Number(NumericKnob::new([0.0, u32::MAX as f64], 1.0).whole())).only_in(KnobScenes::Rough),
+    knob(Surface, "points", Number(NumericKnob::new([4.0, MOST_POINTS[0] as f64], 4096.0).log2([5.0, 18.0, 1.0]))).only_in(KnobScenes::Made),
+    knob(File, "channel", Choice { options: &[], default: "" }).at("heights.channel").only_in(KnobScenes::Channels),
+    knob(File, "unit", Length { example: "1 µm" }).at("heights.unit").only_in(KnobScenes::Unitless),
+    knob(File, "width", Length { example: "10 µm" }).at("heights.width").only_in(KnobScenes::Unspaced),
+    knob(File, "boundary", Choice { options: &["periodic", "free"], default: "periodic" }).at("heights.boundary").only_in(KnobScenes::Heights),
+    knob(File, "auto", Switch { default: true }).at("heights.auto").only_in(KnobScenes::Heights),
+    knob(File, "resample", Choice { options: &["", "linear"], default: "" }).at("heights.prepare.resample").only_in(KnobScenes::Uneven),
+    knob(File, "crop", Nodes { example: "0,256,0,256" }).at("heights.prepare.crop").only_in(KnobScenes::Heights),
+    knob(File, "fill", Choice { options: &["", "harmonic"], default: "" }).at("heights.prepare.fill").only_in(KnobScenes::Heights),
+    knob(File, "detrend", Choice { options: &["", "mean", "plane", "curvature"], default: "" }).at("heights.prepare.detrend").only_in(KnobScenes::Heights),
+    knob(File, "low-pass", Length { example: "200 nm" }).at("heights.prepare.low-pass").only_in(KnobScenes::Heights),
+    knob(File, "mirror", Choice { options: &["", "x", "y", "both"], default: "" }).at("heights.prepare.mirror").only_in(KnobScenes::Heights),
     knob(Solver, "solver", Choice { options: &["multilevel", "polonsky-keer", "gfmd"], default: "multilevel" }).at("solver.method"),
-    knob(Solver, "masses", Choice { options: &["uniform", "stiffness"], default: "uniform" }).at("solver.masses").of(KnobScenes::Gfmd),
-    knob(Solver, "dynamics", Choice { options: &["damped", "fire"], default: "damped" }).at("solver.dynamics").of(KnobScenes::Gfmd),
-    knob(Solver, "damping", Number(NumericKnob::new([0.01, 100.0], 1.0).log10([-1.5, 1.0, 0.05]))).at("solver.damping").of(KnobScenes::Damped),
-    knob(Solver, "time-step", Number(NumericKnob::new([0.001, 0.999], 0.5).linear([0.05, 0.95, 0.05]))).at("solver.time-step").of(KnobScenes::Gfmd),
+    knob(Solver, "masses", Choice { options: &["uniform", "stiffness"], default: "uniform" }).at("solver.masses").only_in(KnobScenes::Gfmd),
+    knob(Solver, "dynamics", Choice { options: &["damped", "fire"], default: "damped" }).at("solver.dynamics").only_in(KnobScenes::Gfmd),
+    knob(Solver, "damping", Number(NumericKnob::new([0.01, 100.0], 1.0).log10([-1.5, 1.0, 0.05]))).at("solver.damping").only_in(KnobScenes::Damped),
+    knob(Solver, "time-step", Number(NumericKnob::new([0.001, 0.999], 0.5).linear([0.05, 0.95, 0.05]))).at("solver.time-step").only_in(KnobScenes::Gfmd),
     knob(Solver, "tolerance", Number(NumericKnob::new([1e-18, 1.0], 1e-8).log10([-12.0, -1.0, 1.0]))).at("stop.tolerance"),
     Knob { group: None, ..knob(Solver, "max-iterations", Number(NumericKnob::new([1.0, 100_000.0], 20_000.0).whole())).at("stop.max-iterations") },
     knob(Recording, "record", Choices {
