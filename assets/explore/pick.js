@@ -41,7 +41,7 @@ async function momentOfLoad(point) {
     const { steps, sections } = await facet(its, "motion");
     const at = steps.indexOf(point.number);
     const all = axesOf(sections);
-    show(sections[at], null, { ...all, pressure: Math.max(...sections[at].pressure) });
+    show(sections[at], null, { ...all, pressure: sections[at].highest_pressure });
   } else if (!solved) {
     const load = Number(point.reduced_pressure.toPrecision(12));
     hold({ knobs: { ...its.knobs, load }, "mean-gap": null, "is-deep": isDeep() }, (contact) => show(...deepened(contact)));

@@ -20,7 +20,7 @@ let axes = null;
 /** Axes that hold all sections: the lowest and the highest place, the largest pressure, the largest shear stress. */
 function axesOf(sections) {
   const most = (of) => Math.max(...sections.flatMap(of));
-  return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most(({ pressure }) => pressure),
+  return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most(({ highest_pressure }) => [highest_pressure]),
     shear: most(({ shear }) => [shear?.highest ?? 0]) || 1 };
 }
 
@@ -168,7 +168,7 @@ function paintShear(to, at, { solid, length, shear: { depth, columns, highest, v
 }
 
 /** A section in words, for those who do not see it. */
-function inWords({ pressure }) {
+function inWords({ pressure, highest_pressure }) {
   const share = pressure.filter((p) => p > 0).length / pressure.length;
-  return say("section.words", { share: figure(100 * share, 3), pressure: figure(Math.max(...pressure), 3) });
+  return say("section.words", { share: figure(100 * share, 3), pressure: figure(highest_pressure, 3) });
 }

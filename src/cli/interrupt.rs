@@ -1,49 +1,72 @@
 //! Ctrl-C as a request to end early.
 
 use asperity::contact::{Observer, Step, Wish};
+#[cfg(unix)]
+use std::future::poll_fn;
 use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+#[cfg(unix)]
+use std::task::Poll;
 use std::thread;
 use tokio::runtime::Builder;
-use tokio::signal::ctrl_c;
+#[cfg(unix)]
+use tokio::signal::unix::{Signal, SignalKind, signal};
 
 /// Takes Ctrl-C, and the request of the system to end, from now on, and says whether one came. The second one ends the process.
 pub fn interrupted() -> io::Result<Arc<AtomicBool>> {
     let is_over = Arc::new(AtomicBool::new(false));
     let runtime = Builder::new_current_thread().enable_io().build()?;
+    let mut requests = {
+        let _inside = runtime.enter();
+        Requests::new()?
+    };
     let flag = is_over.clone();
     thread::spawn(move || {
-        if runtime.block_on(next()).is_ok() {
-            flag.store(true, Ordering::Relaxed);
-        }
-        if runtime.block_on(next()).is_ok() {
-            std::process::exit(130);
-        }
+        runtime.block_on(requests.next());
+        flag.store(true, Ordering::Relaxed);
+        runtime.block_on(requests.next());
+        std::process::exit(130);
     });
     Ok(is_over)
 }
 
-/// Waits for Ctrl-C, or for the request of the system to end.
+/// Ctrl-C, and the request of the system to end, which are taken from the moment that this is made.
 #[cfg(unix)]
-async fn next() -> io::Result<()> {
-    use std::future::poll_fn;
-    use std::pin::pin;
-    use std::task::Poll;
-    use tokio::signal::unix::{SignalKind, signal};
-    let (mut interruption, mut termination) = (pin!(ctrl_c()), signal(SignalKind::terminate())?);
-    poll_fn(|context| match interruption.as_mut().poll(context) {
-        Poll::Ready(interrupted) => Poll::Ready(interrupted),
-        Poll::Pending => termination.poll_recv(context).map(|_| Ok(())),
-    })
-    .await
+struct Requests {
+    interruption: Signal,
+    termination: Signal,
 }
 
-/// Waits for Ctrl-C.
-#[cfg(not(unix))]
-async fn next() -> io::Result<()> {
-    ctrl_c().await
+#[cfg(unix)]
+impl Requests {
+    fn new() -> io::Result<Self> {
+        Ok(Self { interruption: signal(SignalKind::interrupt())?, termination: signal(SignalKind::terminate())? })
+    }
+
+    async fn next(&mut self) {
+        poll_fn(|context| match self.interruption.poll_recv(context) {
+            Poll::Ready(_) => Poll::Ready(()),
+            Poll::Pending => self.termination.poll_recv(context).map(|_| ()),
+        })
+        .await;
+    }
+}
+
+/// Ctrl-C, which is taken from the moment that this is made.
+#[cfg(windows)]
+struct Requests(tokio::signal::windows::CtrlC);
+
+#[cfg(windows)]
+impl Requests {
+    fn new() -> io::Result<Self> {
+        tokio::signal::windows::ctrl_c().map(Self)
+    }
+
+    async fn next(&mut self) {
+        self.0.recv().await;
+    }
 }
 
 /// The observer that ends a solve once Ctrl-C was pressed.

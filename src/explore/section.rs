@@ -17,9 +17,8 @@ const DEPTH: f64 = 0.1;
 /// Poisson's ratio of the solid, on which the largest shear stress hardly depends.
 const POISSON: f64 = 0.3;
 
-/// A contact along a line, or along the row of a surface in which the pressure is largest. A column shows the bodies at the node where the
-/// rigid surface is highest in it, which touches first and is the same node at all loads, and the largest pressure of its nodes. Lengths are in
-/// metres, pressures over the contact modulus.
+/// A contact along a line, or along the row of a surface in which the pressure is largest. A column shows the node at which the rigid surface
+/// is highest in it, which touches first and is the same node at all loads. Lengths are in metres, pressures over the contact modulus.
 ///
 /// Heights are measured upwards from the surface of the unloaded solid. A displacement `u` points into the solid, so the solid's surface
 /// stands at `-u` and the rigid surface at `gap - u`, the negative of its heights but for a constant: its shape is the same at all loads.
@@ -33,8 +32,10 @@ pub struct Section {
     pub rigid: Vec<f32>,
     /// The solid's surface, lowest where it is pressed in most.
     pub solid: Vec<f32>,
-    /// The largest pressure of each column.
+    /// The pressure.
     pub pressure: Vec<f32>,
+    /// The largest pressure of all nodes of the row.
+    pub highest_pressure: f64,
     /// The exact pressure, where it is known; 0 where it is infinite.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<Vec<f32>>,
@@ -71,8 +72,11 @@ impl Section {
     pub fn with_exact(contact: &Contact, exact: &Exact) -> Self {
         let row = contact.highest_row();
         let (problem, pressure) = (&contact.problem, exact.pressure.row(row));
-        let finite = pressure.map(|p| if p.is_finite() { *p } else { 0.0 });
-        let exact = highest_pressures(finite.view(), problem.contact_modulus(), COLUMNS);
+        let over_modulus = |node: usize| {
+            let p = pressure[node] / problem.contact_modulus();
+            if p.is_finite() { p as f32 } else { 0.0 }
+        };
+        let exact = peaks(problem, row, COLUMNS).into_iter().map(over_modulus).collect();
         Self { exact: Some(exact), ..Self::from_contact(contact) }
     }
 
@@ -101,13 +105,15 @@ impl Section {
         let grid = problem.surface().grid();
         let [pressure, gap, displacement] = fields;
         let nodes = peaks(problem, row, most);
+        let modulus = problem.contact_modulus();
         let of = |value: &dyn Fn(usize) -> f64| nodes.iter().map(|&node| value(node) as f32).collect();
         Self {
             length: grid.size()[1],
             y: (!grid.is_line()).then(|| row as f64 * grid.spacing()[0]),
             rigid: of(&|node| gap[node] - displacement[node]),
             solid: of(&|node| -displacement[node]),
-            pressure: highest_pressures(pressure, problem.contact_modulus(), most),
+            pressure: of(&|node| pressure[node] / modulus),
+            highest_pressure: pressure.fold(0.0, |most: f64, &p| most.max(p)) / modulus,
             exact: None,
             is_pressed_by_gap: grid.is_periodic(),
             mean_gap,
@@ -122,12 +128,6 @@ fn peaks(problem: &Problem, row: usize, most: usize) -> Vec<usize> {
     let height = &problem.height()[row * width..];
     let peak = |nodes: Range<usize>| nodes.max_by(|&a, &b| height[a].total_cmp(&height[b])).unwrap_or_default();
     columns(width, most).map(peak).collect()
-}
-
-/// The largest pressure of each column of a row, over the contact modulus.
-fn highest_pressures(pressure: ArrayView1<'_, f64>, contact_modulus: f64, most: usize) -> Vec<f32> {
-    let highest = |nodes: Range<usize>| nodes.map(|node| pressure[node]).fold(0.0, f64::max);
-    columns(pressure.len(), most).map(|nodes| (highest(nodes) / contact_modulus) as f32).collect()
 }
 
 impl Shear {

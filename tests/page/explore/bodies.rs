@@ -105,18 +105,20 @@ fn the_solid_is_lower_below_the_contact() {
     }
 }
 
-/// A column of several nodes keeps the largest of their pressures, so that the picture reaches that of the contact.
+/// The largest pressure that the picture states is that of the contact, though a column of several nodes shows one of them.
 #[test]
-fn the_picture_reaches_the_largest_pressure() {
+fn the_picture_states_the_largest_pressure() {
     let page = Page::open();
     for start in STARTS {
         let mut knobs = serde_json::to_value(start.knobs()).unwrap();
         knobs["record"] = json!(["traces"]);
         let run = page.solve(&knobs);
         let section = page.get(&format!("/api/run/{}/section", run["id"].as_str().unwrap())).json();
-        let drawn = numbers(&section["pressure"]).into_iter().fold(0.0, f64::max);
+        let stated = section["highest_pressure"].as_f64().unwrap();
         let highest = run["numbers"]["max_pressure_over_modulus"].as_f64().unwrap();
-        assert!((drawn / highest - 1.0).abs() < 1e-6, "{start:?}: {drawn} of {highest}");
+        assert!((stated / highest - 1.0).abs() < 1e-12, "{start:?}: {stated} for {highest}");
+        let drawn = numbers(&section["pressure"]).into_iter().fold(0.0, f64::max);
+        assert!(drawn <= stated * (1.0 + 1e-6) && drawn > 0.95 * stated, "{start:?}: {drawn} of {stated}");
     }
 }
 
