@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     // the solver is periodic: so is this solution, whose contact is a little smaller than that of the lone cylinder
     let grid = Grid::line(16384, 4.0 * radius)?;
-    if let Some(exact) = Exact::of(&cylinder, &grid, contact_modulus, mean_pressure) {
+    if let Some(exact) = Exact::new(&cylinder, &grid, contact_modulus, mean_pressure) {
         let (kappa_r, gap) = (exact.kappa_r.unwrap_or(f64::NAN), exact.mean_gap.unwrap_or(f64::NAN));
         println!(" exact  {:.6}  {kappa_r:.6}            {gap:.7}", exact.relative_area);
     }

@@ -16,14 +16,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         None => HeightFile::in_memory("patch.txt", measured()?.into_bytes()),
     };
     let recipe = Recipe { height: Some(file.clone()), ..Recipe::default() };
-    let cell = Cell::of_file();
+    let cell = Cell::file();
     let choice = recipe.choice(&cell)?;
     choice.reasons.iter().for_each(|reason| println!("{reason}"));
 
     let recipe = Recipe { prepare: choice.preparation, ..recipe };
     let prepared = recipe.prepared(&file, &recipe.grid(&cell)?)?;
     prepared.told.iter().for_each(|step| println!("{step}"));
-    let survey = Survey::of(&prepared.scan)?;
+    let survey = Survey::new(&prepared.scan)?;
     for axis in &survey.axes {
         let (noise, share) = (axis.noise, 100.0 * axis.noise_share);
         println!("noise along {}: {noise:.2e} rms, {share:.0} % of the mean square gradient", axis.axis);
@@ -42,7 +42,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// A part of a rough surface as a text.
 fn measured() -> Result<String, Box<dyn std::error::Error>> {
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 64.0, short_cutoff: 8.0, rms_gradient: 0.1 };
-    let whole = Scan::of(&Surface::rough(Grid::surface([256, 256], [256.0, 256.0])?, &spectrum, 1)?, 1).height;
+    let whole =
+        Scan::from_surface(&Surface::rough(Grid::surface([256, 256], [256.0, 256.0])?, &spectrum, 1)?, 1).height;
     let height = |y: usize, x: usize| match (y, x) {
         (30, 40) => "NaN".to_owned(),
         _ => format!("{:.4}", whole[[y, x]] + 0.02 * x as f64),

@@ -33,7 +33,7 @@ impl Solver for MinimalPolonskyKeer {
         let (mut old_square, mut delta) = (1.0, 0.0);
         let status = loop {
             half_space.displacement(&p, &mut u);
-            let certificate = Certificate::of_displaced(problem, &p, &u);
+            let certificate = Certificate::from_displacement(problem, &p, &u);
             run.offer(&certificate, &p);
             let work = run.work(half_space.transforms());
             if let Some(status) = run.show(&Step::new(problem, work, &p, &u).with_certificate(certificate)) {

@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let points = sweep.run(&table, &|_| ())?;
     for hurst in hurst {
         let points = points.iter().filter(|point| point.hurst == Some(hurst));
-        let kappa_r = Spread::of(points.map(|point| point.observables.kappa_r));
+        let kappa_r = Spread::from_values(points.map(|point| point.observables.kappa_r));
         println!("H = {hurst}: kappa_r = {:.3}, scatter {:.3}", kappa_r.mean, kappa_r.deviation);
     }
     Ok(())

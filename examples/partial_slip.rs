@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("Q/(mu P)  stick/contact  exact     largest traction/(mu p0)");
     for ratio in [0.1, 0.3, 0.5, 0.7, 0.9, 0.99] {
         let friction = Friction { coefficient, tangential: ratio * coefficient * mean_pressure };
-        let slip = PartialSlip::of(pressed.clone(), friction, &Multilevel, &Stop::default(), &mut ())?;
+        let slip = PartialSlip::solve(pressed.clone(), friction, &Multilevel, &Stop::default(), &mut ())?;
         let stick = slip.stick().relative_area / slip.touching().relative_area;
         let largest = slip.traction().fold(0.0, |most: f64, &tau| most.max(tau));
         let share = largest / (coefficient * pressed.max_pressure());
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     // a load that friction cannot carry is an error, with the numbers in it
     let sliding = Friction { coefficient, tangential: coefficient * mean_pressure };
-    match PartialSlip::of(pressed, sliding, &Multilevel, &Stop::default(), &mut ()) {
+    match PartialSlip::solve(pressed, sliding, &Multilevel, &Stop::default(), &mut ()) {
         Ok(_) => println!("it sticks"),
         Err(error) => println!("{error}"),
     }

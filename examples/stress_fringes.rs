@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let problems = [setups[0].problem()?, setups[1].problem()?];
 
     let names = ["smooth", "rough"];
-    let scenes = [0, 1].map(|i| Scene { name: names[i].into(), ..Scene::of(&setups[i], &problems[i]) });
+    let scenes = [0, 1].map(|i| Scene { name: names[i].into(), ..Scene::from_setup(&setups[i], &problems[i]) });
     let what = [Part::Profile, Part::Fields, Part::Mask, Part::Stress, Part::Fringes].into_iter().collect();
     let path = std::env::temp_dir().join("stress_fringes.rrd");
     let options = Options { what, ..Options::default() };

@@ -226,7 +226,7 @@ pub enum SlipError {
 }
 
 /// Why the system refused, without the number that it gives to the reason.
-fn reason(error: &std::io::Error) -> String {
+pub(crate) fn reason(error: &std::io::Error) -> String {
     let words = error.to_string();
     words.split(" (os error").next().unwrap_or_default().to_owned()
 }

@@ -166,7 +166,7 @@ pub fn fill_folder(path: &Path, fill: impl FnOnce(&Path) -> Result<(), Failure>)
     filled
 }
 
-/// A draft in the folder of `path`, removed unless it is kept, if a file can be made there.
+/// A temporary file in the folder of `path`, removed unless it is renamed, if a file can be made there.
 fn draft_beside(path: &Path) -> Result<NamedTempFile<File>, FileError> {
     let unfit = |reason: String| FileError::Target { path: path.into(), reason };
     if path.file_name().is_none() || path.as_os_str().as_encoded_bytes().ends_with(b"/") || path.is_dir() {
@@ -182,7 +182,7 @@ fn draft_beside(path: &Path) -> Result<NamedTempFile<File>, FileError> {
     if !folder.is_dir() {
         return Err(unfit(format!("there is no folder {}, make it first", folder.display())));
     }
-    // made as any new file is, since a temporary file can be read by nobody else
+    // `File::create_new` gives the usual permissions; files that tempfile creates can be read by their owner alone
     let draft = Builder::new().prefix(".asperity-").make_in(folder, |draft| File::create_new(draft));
     draft.map_err(|error| unfit(format!("nothing can be created in {}: {error}", folder.display())))
 }

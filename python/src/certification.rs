@@ -56,7 +56,7 @@ impl Certification {
         }
         let modulus = ContactModulus(problem.contact_modulus());
         let claim = Claim::new(of.surface.clone(), modulus, Some(problem.load()), kind, values)?;
-        let assessment = Assessment::of(&claim, &contact)?;
+        let assessment = Assessment::new(&claim, &contact)?;
         let holds = assessment.holds(&contact, &setup.stop);
         let poisson: Vec<f64> = setup.solid.as_ref().and_then(Solid::poisson).into_iter().collect();
         let mistakes = if holds { Vec::new() } else { claim.mistakes(&poisson) };

@@ -96,7 +96,7 @@ impl Plan {
         frames: impl Iterator<Item = Frame>,
     ) -> Result<Output, BoxedError> {
         let problem = &self.problem;
-        let end = reference.as_ref().map(|contact| Arc::new(Reference::of(contact)));
+        let end = reference.as_ref().map(|contact| Arc::new(Reference::from_contact(contact)));
         let mut diagnosis = Diagnosis::new(problem, end.clone());
         let mut distances = reference.as_ref().map(Distances::new);
         let replay = Replay::new(&self.name, self.quantity, frames.map(Ok::<_, Failure>));

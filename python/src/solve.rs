@@ -176,7 +176,7 @@ impl Solve<'_> {
     fn check_memory(&self, contacts: usize) -> PyResult<()> {
         let (grid, solver) = (self.problem.problem.surface().grid(), &self.setup.setup.solver);
         let kept = FIELDS_OF_CONTACT * contacts.saturating_sub(1) as f64;
-        let cost = Cost::of_fields(grid, solver.fields(grid, 0.0).max(3.0) + FIELDS + kept);
+        let cost = Cost::from_fields(grid, solver.fields(grid, 0.0).max(3.0) + FIELDS + kept);
         cost.check(solver.name()).map_err(py_error)
     }
 

@@ -33,7 +33,7 @@ impl Contact {
         let depths = checked_depths(depths.unwrap_or_else(|| self.contact.usual_depths()))?;
         let grid = self.contact.problem.surface().grid();
         let fields = VALUES * depths.len() as f64 / grid.shape()[0] as f64;
-        Cost::of_fields(grid, fields).check("the stress").map_err(py_error)?;
+        Cost::from_fields(grid, fields).check("the stress").map_err(py_error)?;
         let known = poisson.or(self.setup.poisson());
         if known.is_none() {
             warnings::warn(py, self.setup.warning_of_stress().as_slice())?;

@@ -58,7 +58,7 @@ impl Surface {
         let (recipe, cell) = table_from_sections(&sections)?.surface().map_err(py_error)?;
         let rank = recipe.rank(&cell).map_err(py_error)?;
         let grid = recipe.grid(&cell).map_err(py_error)?;
-        Cost::of_fields(&grid, FIELDS).check("a surface").map_err(py_error)?;
+        Cost::from_fields(&grid, FIELDS).check("a surface").map_err(py_error)?;
         fork::check_not_forked()?;
         let surface = py.detach(|| recipe.surface(grid)).map_err(py_error)?;
         Ok(Self { surface: surface.into(), sections, rank })
@@ -112,7 +112,7 @@ impl Surface {
         section_mut(&mut sized, "grid").insert("points".into(), json!(&field.shape()[2 - rank.clamp(1, 2)..]));
         let (_, mut cell) = table_from_sections(&sized)?.surface().map_err(py_error)?;
         let fine = cell.grid().map_err(py_error)?;
-        Cost::of_fields(&fine, FIELDS).check("a surface").map_err(py_error)?;
+        Cost::from_fields(&fine, FIELDS).check("a surface").map_err(py_error)?;
         let factor = cell.refine.take().unwrap_or(1);
         let coarse = cell.grid().map_err(py_error)?;
         fork::check_not_forked()?;
@@ -211,13 +211,13 @@ impl Surface {
     /// Statistics of the heights: rms_height, peak, valley (lengths), rms_gradient, rms_curvature (1/length), skewness, kurtosis.
     #[getter]
     fn statistics<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let roughness = py.detach(|| Roughness::of(&self.surface));
+        let roughness = py.detach(|| Roughness::new(&self.surface));
         to_python(py, &roughness)
     }
 
     /// Power spectrum of the heights: wavenumbers 2 pi / wavelength (1/length), and densities, length^3 of a line, length^4 of a surface.
     fn spectrum<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<f64>>; 2] {
-        let PowerSpectrum { wavenumber, density, .. } = py.detach(|| PowerSpectrum::of(&self.surface));
+        let PowerSpectrum { wavenumber, density, .. } = py.detach(|| PowerSpectrum::new(&self.surface));
         [vector(py, wavenumber), vector(py, density)]
     }
 

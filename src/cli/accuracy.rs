@@ -3,7 +3,7 @@
 #[cfg(feature = "record")]
 use super::choice::choice;
 use super::choice::count;
-use super::outcome::{ExitStatus, usage};
+use super::exit_status::{ExitStatus, usage};
 use super::progress::bar;
 use super::wrote::wrote;
 use anyhow::Result;

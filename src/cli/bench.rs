@@ -1,7 +1,7 @@
 //! `asperity bench`: how fast the solvers are.
 
 use super::choice::{choice, count};
-use super::outcome::ExitStatus;
+use super::exit_status::ExitStatus;
 use super::progress::bar;
 use super::wrote::wrote;
 use anyhow::Result;

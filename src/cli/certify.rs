@@ -1,15 +1,15 @@
 //! `asperity certify`: somebody's result, certified.
 
+use super::claim_report::ClaimReport;
 use super::density;
+use super::exit_status::{ExitStatus, usage};
 use super::fields::{lay_load, poisson, rows};
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
 use super::nodes::write_nodes;
-use super::outcome::{ExitStatus, usage};
 use super::output::write_json;
 #[cfg(feature = "record")]
-use super::shown::RecordingArgs;
-use super::verdict::ClaimReport;
+use super::recording_args::RecordingArgs;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -76,7 +76,7 @@ impl Certify {
         let read = self.scene.files(&setup.surface).chain([path]);
         check_apart(self.out.as_deref().into_iter().chain(recorded), read)?;
         let grid = setup.check()?;
-        Cost::of_fields(&grid, FIELDS).check("a certificate")?;
+        Cost::from_fields(&grid, FIELDS).check("a certificate")?;
         if !grid.is_line() && !["npz", ""].contains(&self.ending().as_str()) {
             return usage(format!(
                 "a .{} is made of a line only: give a .npz, or --record, for a surface",
@@ -90,10 +90,10 @@ impl Certify {
         if let Some(fault) = contact.fault().filter(|_| contact.failure.is_some()) {
             return Err(fault.into());
         }
-        let assessment = Assessment::of(&claim, &contact)?;
+        let assessment = Assessment::new(&claim, &contact)?;
         let holds = assessment.holds(&contact, &setup.stop);
         let mut warnings = setup.surface.warnings(problem.surface());
-        let finding = Finding::of(&setup, &contact);
+        let finding = Finding::new(&setup, &contact);
         warnings.extend(warnings_of(&[&finding.observables], problem.law()));
         self.write(
             &contact,

@@ -1,6 +1,6 @@
 //! `asperity compare`: the traces of several recordings over each other.
 
-use super::outcome::{ExitStatus, usage};
+use super::exit_status::{ExitStatus, usage};
 use super::warnings::print_if_cut_off;
 use super::wrote::wrote;
 use anyhow::Result;

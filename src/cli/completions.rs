@@ -1,6 +1,6 @@
 //! `asperity completions`: what a shell needs to complete commands and flags.
 
-use super::outcome::ExitStatus;
+use super::exit_status::ExitStatus;
 use anyhow::Result;
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};

@@ -1,6 +1,6 @@
 //! `asperity demo`: Hertz beside rough contact.
 
-use super::outcome::{ExitStatus, settle};
+use super::exit_status::{ExitStatus, settle};
 use super::progress::Bars;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -105,7 +105,7 @@ fn write_table(exhibits: &[Exhibit], solved: &[Solved]) -> Result<()> {
         "", "steps", "area", "kappa", "kappa_r", "counted", "exact", "paper", "certificate"
     )?;
     for (exhibit, Solved { contact, .. }) in exhibits.iter().zip(solved) {
-        let it = Observables::of(contact);
+        let it = Observables::new(contact);
         let exact = exhibit.setup.exact(contact.problem.surface().grid(), contact.problem.expected_mean_pressure());
         let exact = exact.and_then(|exact| exact.kappa_r).map_or("-".into(), |kappa_r| format!("{kappa_r:.4}"));
         writeln!(

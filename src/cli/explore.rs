@@ -1,9 +1,9 @@
 //! `asperity explore`: turn a knob, watch the contact relax.
 
+use super::exit_status::{ExitStatus, Usage, untold, usage};
 use super::flags::{OfSetup, SceneArgs};
 use super::interrupt::interrupted;
 use super::manners::remark;
-use super::outcome::{ExitStatus, Usage, untold, usage};
 use super::warnings::print;
 use anyhow::Result;
 use asperity::explore::{Explorer, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, SiteExport, Start};
@@ -111,7 +111,7 @@ fn begin(text: &str) -> Result<Begin, String> {
 
 /// Sessions with the scene of a file, and the knobs to start with. What `solve` would refuse is refused in its words.
 fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
-    let mut table = SceneArgs::<OfSetup>::of(path.into()).table()?;
+    let mut table = SceneArgs::<OfSetup>::from_file(path.into()).table()?;
     if table.take_loads()?.is_some() {
         return usage("the page presses under one load at a time, but several are given: give one");
     }
@@ -121,8 +121,8 @@ fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
     let refused = |Refusal(sentence): Refusal| Usage(sentence);
     let setup = table.setup()?.with_full_path();
     setup.problem()?;
-    let scene = SceneFile::of(setup).map_err(refused)?;
-    let knobs = Knobs::of_scene(&scene).map_err(refused)?;
+    let scene = SceneFile::new(setup).map_err(refused)?;
+    let knobs = Knobs::from_scene(&scene).map_err(refused)?;
     print(&left_out(&scene.setup));
     Ok((Sessions::with_scene(scene), knobs))
 }

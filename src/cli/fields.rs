@@ -1,6 +1,6 @@
 //! Fields of other codes, and what goes with them in a setup.
 
-use super::outcome::usage;
+use super::exit_status::usage;
 use anyhow::Result;
 use asperity::error::ClaimError;
 use asperity::foreign::Quantity;

@@ -66,10 +66,10 @@ pub struct Finding {
 }
 
 impl Finding {
-    pub fn of(setup: &Setup, contact: &Contact) -> Self {
+    pub fn new(setup: &Setup, contact: &Contact) -> Self {
         Self {
             status: contact.status,
-            observables: Observables::of(contact),
+            observables: Observables::new(contact),
             seconds: contact.work.seconds,
             plasticity: setup.law.hardness().map(|_| contact.plasticity()),
             exact: setup.exact(contact.problem.surface().grid(), contact.mean_pressure()),

@@ -1,7 +1,7 @@
 //! The flags that describe a contact to solve.
 
 use super::choice::one_of;
-use super::outcome::usage;
+use super::exit_status::usage;
 use super::units::Units;
 use super::warnings;
 #[cfg(feature = "record")]
@@ -85,7 +85,7 @@ pub struct SceneArgs<E> {
 impl<E: Extent> SceneArgs<E> {
     /// A scene as it is in its file.
     #[cfg(feature = "explore")]
-    pub fn of(file: PathBuf) -> Self {
+    pub fn from_file(file: PathBuf) -> Self {
         Self { file: Some(file), given: Vec::new(), extent: PhantomData }
     }
 

@@ -1,16 +1,16 @@
 //! `asperity inspect`: somebody's iteration, recorded.
 
 use super::choice::choice;
+use super::exit_status::{ExitStatus, settle};
 use super::fields::{check_one_load, rows};
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
 use super::interrupt::interrupted;
 use super::iteration::Iteration;
-use super::outcome::{ExitStatus, settle};
 use super::output::write_json;
 use super::progress::Progress;
 #[cfg(feature = "record")]
-use super::shown::RecordingArgs;
+use super::recording_args::RecordingArgs;
 use super::warnings;
 use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, Solver, Stop};
@@ -87,7 +87,7 @@ impl Inspect {
         let setup = table.setup()?;
         #[cfg(feature = "record")]
         check_apart(self.shown.record.as_deref(), self.read(&setup))?;
-        Cost::of_fields(&setup.check()?, FIELDS).check("an iteration")?;
+        Cost::from_fields(&setup.check()?, FIELDS).check("an iteration")?;
         let problem = setup.problem()?;
         match &self.follow {
             Some(folder) => self.follow(folder, &setup, &problem),
@@ -146,7 +146,7 @@ impl Inspect {
         let reference = self.reference(problem)?;
         let mut distances = Distances::new(&reference);
         let replay = Replay::new(name, self.kind, steps);
-        let end = Arc::new(Reference::of(&reference));
+        let end = Arc::new(Reference::from_contact(&reference));
         let mut diagnosis = self.diagnose.then(|| Diagnosis::new(problem, Some(end.clone())));
         let contact = self.watch(setup, problem, (&replay, end), &mut (&mut distances, &mut diagnosis))?;
         if distances.steps.is_empty() && contact.failure.is_none() {
@@ -158,7 +158,7 @@ impl Inspect {
             steps: distances.steps,
             reference_of: reference.solver.clone(),
             reference_certificate: reference.certificate.eta,
-            last: Finding::of(setup, &contact),
+            last: Finding::new(setup, &contact),
             diagnosis: diagnosis.map(|diagnosis| diagnosis.findings()),
             setup: setup.clone().with_full_path(),
             grid: *problem.surface().grid(),

@@ -1,9 +1,9 @@
 //! The iteration of another code, for people and for scripts.
 
+use super::claim_report::points;
 use super::finding::Finding;
 use super::output::{write_diagnosis, write_rows};
 use super::units::Units;
-use super::verdict::points;
 use asperity::diagnosis::Findings;
 use asperity::foreign::{Distance, Quantity};
 use asperity::grid::Grid;

@@ -1,14 +1,14 @@
 //! `asperity solve` under one load after the other.
 
+use super::exit_status::{ExitStatus, Interrupted, settle, usage};
 use super::finding::Finding;
 use super::interrupt::{Interruption, interrupted};
-use super::outcome::{ExitStatus, Interrupted, settle, usage};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
 use super::picture;
-use super::plan::{self, SolvePlan};
+use super::problem_summary::ProblemSummary;
 use super::progress::Progress;
-use super::subject::ProblemSummary;
+use super::solve_plan::{self, SolvePlan};
 use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
@@ -72,7 +72,7 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
     if is_dry {
         let (loads, is_recorded) = (Some(curve.loads.len()), outputs.recording().is_some());
         let plan = SolvePlan { setup: &curve.setup, cost: &cost, loads, is_recorded, is_passed_twice: false };
-        plan::write(&plan, &mut stdout())?;
+        solve_plan::write(&plan, &mut stdout())?;
     }
     cost.check(curve.setup.solver.name())?;
     if is_dry {
@@ -115,7 +115,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
             }
             outputs.complete(contact);
             pressed.outcome = pressed.outcome.max(settle(contact)?);
-            let finding = Finding::of(&curve.setup, contact);
+            let finding = Finding::new(&curve.setup, contact);
             #[cfg(feature = "record")]
             if let Some(Err(failure)) =
                 recording.as_ref().map(|it| it.add(pressed.findings.len(), contact, &finding.observables))
@@ -143,7 +143,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
 
 /// Writes and prints what came out.
 fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outputs, units: Units) -> Result<()> {
-    let (subject, setup) = (ProblemSummary::of(&curve.setup, problem)?, curve.to_table());
+    let (subject, setup) = (ProblemSummary::new(&curve.setup, problem)?, curve.to_table());
     let Pressed { findings, contacts, .. } = pressed;
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = curve.setup.surface.warnings(problem.surface());

@@ -1,6 +1,6 @@
 //! `asperity man`: the manual.
 
-use super::outcome::{ExitStatus, untold};
+use super::exit_status::{ExitStatus, untold};
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::fill_folder;

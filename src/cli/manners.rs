@@ -1,6 +1,6 @@
 //! What all commands share: how much they say, and how many threads they take.
 
-use super::outcome::usage;
+use super::exit_status::usage;
 use anyhow::Result;
 use clap::Args;
 use rayon::ThreadPoolBuilder;

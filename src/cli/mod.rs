@@ -4,12 +4,14 @@ mod accuracy;
 mod bench;
 mod certify;
 mod choice;
+mod claim_report;
 #[cfg(feature = "record")]
 mod compare;
 mod completions;
 #[cfg(feature = "record")]
 mod demo;
 mod density;
+mod exit_status;
 #[cfg(feature = "explore")]
 mod explore;
 mod fields;
@@ -22,35 +24,33 @@ mod load_curve;
 mod man;
 mod manners;
 mod nodes;
-mod outcome;
 mod output;
 mod outputs;
 mod paper;
 mod picture;
-mod plan;
+mod problem_summary;
 mod progress;
 #[cfg(feature = "record")]
-mod shown;
+mod recording_args;
 mod slip;
 mod solve;
+mod solve_plan;
 mod stability;
 mod stress;
 mod study;
 #[cfg(feature = "record")]
 mod study_row;
 mod study_table;
-mod subject;
 mod surface;
 mod survey;
 mod units;
-mod verdict;
 #[cfg(feature = "explore")]
 mod view;
 mod warnings;
 mod wrote;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use outcome::{ExitStatus, exit_code, remedy};
+use exit_status::{ExitStatus, exit_code, remedy};
 use std::ffi::OsString;
 use std::io::{self, Write, stderr};
 

@@ -1,8 +1,8 @@
 //! The summary of a solve, for people and for scripts.
 
 use super::finding::Finding;
+use super::problem_summary::ProblemSummary;
 use super::slip::SlipFinding;
-use super::subject::ProblemSummary;
 use super::units::Units;
 use anyhow::Result;
 use asperity::diagnosis::Findings;

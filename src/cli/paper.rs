@@ -1,7 +1,7 @@
 //! `asperity paper`: the tables and figures of van Dokkum et al. (2018), made again.
 
 use super::choice::count;
-use super::outcome::ExitStatus;
+use super::exit_status::ExitStatus;
 use super::progress::blank;
 use super::study::settled;
 use super::wrote::wrote;

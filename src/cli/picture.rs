@@ -46,7 +46,7 @@ pub fn of_loads(title: &str, found: &[&Observables], units: Units) -> Figure {
         error: |it| it.kappa_r_error,
         is_logarithmic: false,
     };
-    Figure { title: title.into(), panels: [area, kappa_r].map(|panel| panel.of(found, units)).into() }
+    Figure { title: title.into(), panels: [area, kappa_r].map(|panel| panel.draw(found, units)).into() }
 }
 
 /// A quantity over the mean pressure.
@@ -61,7 +61,7 @@ struct LoadPanel {
 }
 
 impl LoadPanel {
-    fn of(&self, found: &[&Observables], units: Units) -> Panel {
+    fn draw(&self, found: &[&Observables], units: Units) -> Panel {
         let highest = found.iter().map(|it| it.mean_pressure).fold(0.0, f64::max);
         let (unit, size) = unit(units.pascals, &PRESSURES, highest);
         let (name, load): (_, &dyn Fn(&Observables) -> f64) = match units.pascals {

@@ -1,20 +1,20 @@
 //! `asperity solve`: a contact under one load, or under one after the other.
 
+use super::exit_status::{ExitStatus, settle, usage};
 use super::finding::Finding;
 use super::flags::{OfSetup, SceneArgs};
 use super::load_curve;
 use super::nodes::write_nodes;
-use super::outcome::{ExitStatus, settle, usage};
 use super::output::{Summary, write_json};
 use super::outputs::Outputs;
 use super::picture;
-use super::plan::{self, SolvePlan};
+use super::problem_summary::ProblemSummary;
 use super::progress::Bars;
 #[cfg(feature = "record")]
-use super::shown::open;
+use super::recording_args::open;
 use super::slip::SlipFinding;
+use super::solve_plan::{self, SolvePlan};
 use super::stress;
-use super::subject::ProblemSummary;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -100,8 +100,11 @@ impl Solve {
         if self.dry_run {
             let (setup, is_passed_twice) = (job.setup(), job.is_passed_twice());
             let is_recorded = outputs.recording().is_some();
-            plan::write(&SolvePlan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice }, &mut stdout())?;
-            job.refinement().map_or(Ok(()), |refinement| plan::write_grids(refinement, &mut stdout()))?;
+            solve_plan::write(
+                &SolvePlan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice },
+                &mut stdout(),
+            )?;
+            job.refinement().map_or(Ok(()), |refinement| solve_plan::write_grids(refinement, &mut stdout()))?;
             cost.check(setup.solver.name())?;
             return Ok(ExitStatus::Done);
         }
@@ -134,7 +137,7 @@ impl Solve {
         let (outputs, full) = (&self.outputs, solved.setup.clone().with_full_path());
         let mut warnings = solved.warnings();
         let Solved { setup, contact, slip, .. } = solved;
-        let (subject, finding) = (ProblemSummary::of(&setup, &contact.problem)?, Finding::of(&setup, &contact));
+        let (subject, finding) = (ProblemSummary::new(&setup, &contact.problem)?, Finding::new(&setup, &contact));
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;

@@ -1,7 +1,7 @@
 //! `asperity stability`: how the solvers bear stiff and extreme cases.
 
 use super::choice::one_of;
-use super::outcome::{ExitStatus, usage};
+use super::exit_status::{ExitStatus, usage};
 use super::progress::bar;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -94,7 +94,7 @@ impl Stability {
         kernel.iter().try_for_each(|kernel| write!(stdout(), "\n{kernel}"))?;
         let time_steps = self.names.is_empty().then(TimeSteps::measure).transpose()?;
         time_steps.iter().try_for_each(|time_steps| write!(stdout(), "\n{time_steps}"))?;
-        let tally = Tally::of(&reports, kernel.as_ref(), time_steps.as_ref());
+        let tally = Tally::new(&reports, kernel.as_ref(), time_steps.as_ref());
         writeln!(stdout(), "\n{tally}")?;
         self.out.iter().for_each(|path| wrote(path));
         Ok(if tally.is_stable() { ExitStatus::Done } else { ExitStatus::NotConverged })

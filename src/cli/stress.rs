@@ -1,7 +1,7 @@
 //! The stress below the contact that a solve has found, in a file.
 
+use super::exit_status::{Usage, usage};
 use super::manners::remark;
-use super::outcome::{Usage, usage};
 use anyhow::Result;
 use asperity::Grid;
 use asperity::contact::{Contact, archive_of_stress};

@@ -1,7 +1,7 @@
 //! `asperity study`: a setup with lists, solved row by row on one machine or on many.
 
 use super::choice::{bytes, count};
-use super::outcome::{ExitStatus, Usage, usage};
+use super::exit_status::{ExitStatus, Usage, usage};
 use super::progress::blank;
 #[cfg(feature = "record")]
 use super::study_row;

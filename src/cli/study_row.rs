@@ -1,6 +1,6 @@
 //! `asperity study --record-row`: the recording of one row.
 
-use super::outcome::{ExitStatus, settle};
+use super::exit_status::{ExitStatus, settle};
 use super::progress::{Bars, Progress};
 use super::warnings;
 use super::wrote::wrote;

@@ -59,7 +59,7 @@ pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Resul
     let rows = groups.flat_map(|(group, points)| (0..loads).map(move |load| (group, load, points)));
     for (group, load, points) in rows.take(LINES) {
         let found = || points.iter().skip(load).step_by(loads);
-        let spread = |of: fn(&Point) -> Option<f64>| Spread::of(found().filter_map(of));
+        let spread = |of: fn(&Point) -> Option<f64>| Spread::from_values(found().filter_map(of));
         let pressure = spread(|it| Some(it.observables.reduced_pressure)).mean;
         let [area, area_std] = words(spread(Point::relative_area), 6);
         let [kappa, kappa_std] = words(spread(Point::kappa_r), 4);

@@ -1,9 +1,9 @@
 //! `asperity surface`: makes a surface, or describes one.
 
+use super::exit_status::{ExitStatus, usage};
 use super::flags::{OfSurface, SceneArgs};
-use super::outcome::{ExitStatus, usage};
 use super::output::{write_json, write_rows};
-use super::subject::along_axes;
+use super::problem_summary::along_axes;
 use super::survey;
 use super::warnings::{self, in_flags};
 use super::wrote::wrote;
@@ -112,7 +112,7 @@ impl Describe {
         let uneven = even(&mut recipe)?;
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
-        Cost::of_fields(&grid, FIELDS).check("a surface")?;
+        Cost::from_fields(&grid, FIELDS).check("a surface")?;
         let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?)?;
         statistics.warnings.extend(uneven);
         warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
@@ -171,14 +171,14 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
         whole: None,
     };
     if let Some(prepared) = prepared.filter(|_| voids > 0) {
-        let survey = Survey::of(&prepared.scan)?;
+        let survey = Survey::new(&prepared.scan)?;
         statistics.warnings.extend(in_flags(&recipe.warnings_of_voids(&survey, grid.len())));
         statistics.survey = Some(survey);
         return Ok((statistics, prepared.scan.height));
     }
     let surface = recipe.surface(*grid)?;
-    let survey = Survey::of(&Scan::of(&surface, 1))?;
-    let (jump_in_rms_steps, roughness) = (surface.jumps()[outer..].to_vec(), Roughness::of(&surface));
+    let survey = Survey::new(&Scan::from_surface(&surface, 1))?;
+    let (jump_in_rms_steps, roughness) = (surface.jumps()[outer..].to_vec(), Roughness::new(&surface));
     statistics.whole = Some(HeightStatistics { jump_in_rms_steps, roughness });
     let growth = recipe.is_measured().then(|| survey.warning_of_growth()).flatten();
     statistics.warnings.extend(in_flags(&recipe.warnings(&surface).into_iter().chain(growth).collect::<Vec<_>>()));

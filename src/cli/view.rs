@@ -1,7 +1,7 @@
 //! `asperity view`: a recording in the viewer that is built in.
 
+use super::exit_status::{ExitStatus, usage};
 use super::explore::PageArgs;
-use super::outcome::{ExitStatus, usage};
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::explore::Viewing;

@@ -1,7 +1,7 @@
 //! Warnings on standard error, with the flags that help.
 
+use super::exit_status::usage;
 use super::manners::remark;
-use super::outcome::usage;
 use anyhow::Result;
 use asperity::setup::FLAGS;
 use asperity::warning::{Remedy, Warning};

@@ -200,7 +200,7 @@ impl ArchiveWriter {
         }
         self.npz.add_array("size", &ArrayView1::from(&grid.size()[2 - self.rank.min(2)..]))?;
         self.npz.add_array("contact_modulus", &arr0(modulus))?;
-        let heights = PowerSpectrum::of(surface);
+        let heights = PowerSpectrum::new(surface);
         self.npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
         self.npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
         self.add_field("height", surface.heights_as_given().view())

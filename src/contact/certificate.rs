@@ -83,7 +83,7 @@ use serde::Serialize;
 /// all nodes yield at the highest of them, and its bound is infinite.
 ///
 /// # Rounding
-/// The computed `v` is off by `delta`, which [`Certificate::of_displaced`] bounds by magnitudes that it meets. As
+/// The computed `v` is off by `delta`, which [`Certificate::from_displacement`] bounds by magnitudes that it meets. As
 /// `<(p - p*) v> <= G + |delta|* t` with the dual norm `|delta|*^2 = <delta A^-1 delta>`,
 ///
 /// ```text
@@ -158,25 +158,25 @@ impl Certificate {
     ///
     /// # Panics
     /// If the length of `pressure` does not fit the grid.
-    pub fn of(problem: &Problem, pressure: &[f64]) -> Self {
+    pub fn new(problem: &Problem, pressure: &[f64]) -> Self {
         let mut displacement = vec![0.0; pressure.len()];
         problem.response().displacement(pressure, &mut displacement);
-        Self::of_displaced(problem, pressure, &displacement)
+        Self::from_displacement(problem, pressure, &displacement)
     }
 
     /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is at hand from a transform pair, both row by
     /// row.
-    pub fn of_displaced(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
-        let sums = CertificateSums::of(problem, pressure, displacement);
+    pub fn from_displacement(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
+        let sums = CertificateSums::new(problem, pressure, displacement);
         match problem.law().hardness() {
-            None => Self::of_sums(problem, &sums),
-            Some(_) => Self::below_hardness(problem, &sums, &Slack::of(problem, pressure, displacement)),
+            None => Self::from_sums(problem, &sums),
+            Some(_) => Self::below_hardness(problem, &sums, &Slack::new(problem, pressure, displacement)),
         }
     }
 
     /// The certificate of the state with these sums on a hard wall.
-    pub(super) fn of_sums(problem: &Problem, sums: &CertificateSums) -> Self {
-        Self::of_bounds(problem, sums, |mean_pressure| Bounds::of(problem, sums, mean_pressure))
+    pub(super) fn from_sums(problem: &Problem, sums: &CertificateSums) -> Self {
+        Self::from_bounds(problem, sums, |mean_pressure| Bounds::new(problem, sums, mean_pressure))
     }
 
     /// The certificate of the state with these sums below a hardness.
@@ -185,11 +185,11 @@ impl Certificate {
         if above_hardness > 0.0 {
             return Self { above_hardness, ..Self::NONE };
         }
-        Self::of_bounds(problem, sums, |mean_pressure| Bounds::below_hardness(problem, sums, slack, mean_pressure))
+        Self::from_bounds(problem, sums, |mean_pressure| Bounds::below_hardness(problem, sums, slack, mean_pressure))
     }
 
     /// The certificate of the state with these sums, by the bounds under its mean pressure.
-    fn of_bounds(problem: &Problem, sums: &CertificateSums, bounds: impl FnOnce(f64) -> Bounds) -> Self {
+    fn from_bounds(problem: &Problem, sums: &CertificateSums, bounds: impl FnOnce(f64) -> Bounds) -> Self {
         if !(sums.pressure > 0.0 && sums.pressure.is_finite()) {
             return Self::NONE;
         }
@@ -246,7 +246,7 @@ struct Bounds {
 }
 
 impl Bounds {
-    fn of(problem: &Problem, sums: &CertificateSums, mean_pressure: f64) -> Self {
+    fn new(problem: &Problem, sums: &CertificateSums, mean_pressure: f64) -> Self {
         let (mean_v, gap) = (sums.pressure_v / sums.pressure, problem.datum());
         let depth = (mean_v - sums.lowest_v).max(0.0);
         let above_gap = gap.map_or(0.0, |gap| mean_v + (sums.reference_v + gap));
@@ -260,13 +260,13 @@ impl Bounds {
             elastic,
             room: [mean_pressure, elastic],
             is_at_gap: gap.is_some(),
-            rounding: Rounding::of(problem, sums),
+            rounding: Rounding::new(problem, sums),
         }
     }
 
     /// The bounds below a hardness; those of a hard wall hold as well, but for the datum of the gap.
     fn below_hardness(problem: &Problem, sums: &CertificateSums, slack: &Slack, mean_pressure: f64) -> Self {
-        let wall = Self::of(problem, sums, mean_pressure);
+        let wall = Self::new(problem, sums, mean_pressure);
         let law = problem.law();
         if 2.0 * slack.highest_pressure <= law.ceiling() {
             return wall;
@@ -281,7 +281,7 @@ impl Bounds {
         };
         let depth = slack.gain / mean_pressure;
         if law.yields(slack.highest_pressure) && depth < own.depth + own.above_gap.abs() {
-            let rounding = own.rounding.of_terms(depth);
+            let rounding = own.rounding.with_depth(depth);
             return Self { depth, above_gap: 0.0, rounding, ..own };
         }
         own

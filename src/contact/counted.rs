@@ -53,7 +53,7 @@ impl Counted {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
         let CountedSums { nodes, level, squares, switches, falling, falling_squares } =
-            CountedSums::of(pressure, problem);
+            CountedSums::new(pressure, problem);
         let excess = if grid.is_line() { NODE_EXCESS_PER_SWITCH_LINE } else { NODE_EXCESS_PER_SWITCH_SURFACE };
         let corrected = (nodes as f64 - excess * falling as f64).max(0.0);
         let relative_area = nodes as f64 / grid.len() as f64;
@@ -101,7 +101,7 @@ struct CountedSums {
 }
 
 impl CountedSums {
-    fn of(pressure: &[f64], problem: &Problem) -> Self {
+    fn new(pressure: &[f64], problem: &Problem) -> Self {
         let (surface, law) = (problem.surface(), problem.law());
         let (grid, square_gradient, is_level) = (surface.grid(), surface.square_gradient(), surface.is_level());
         let parts = chunks::visit(pressure.len(), |range| {

@@ -35,7 +35,7 @@ pub struct Distribution {
 impl Distribution {
     /// The distribution of the values of `nodes` nodes into `bins` bins up to `largest`; `value` is that of a node, or none of the
     /// other kind.
-    fn of(nodes: usize, bins: usize, largest: f64, value: impl Fn(usize) -> Option<f64> + Sync) -> Self {
+    fn new(nodes: usize, bins: usize, largest: f64, value: impl Fn(usize) -> Option<f64> + Sync) -> Self {
         let width = largest / bins as f64;
         let counts = |range: Range<usize>| {
             let mut counts = vec![0u64; bins];
@@ -65,18 +65,18 @@ impl Contact {
     /// Distribution of the pressure over the nodes in contact, up to the `largest` one.
     pub fn pressure_distribution(&self, bins: usize, largest: f64) -> Distribution {
         let pressure = values(&self.pressure);
-        Distribution::of(pressure.len(), bins, largest, |node| (pressure[node] > 0.0).then_some(pressure[node]))
+        Distribution::new(pressure.len(), bins, largest, |node| (pressure[node] > 0.0).then_some(pressure[node]))
     }
 
     /// Distribution of the gap over the nodes that are not in contact, up to the `largest` one.
     pub fn gap_distribution(&self, bins: usize, largest: f64) -> Distribution {
         let [pressure, gap] = [&self.pressure, &self.gap].map(values);
-        Distribution::of(gap.len(), bins, largest, |node| (pressure[node] <= 0.0).then(|| gap[node].max(0.0)))
+        Distribution::new(gap.len(), bins, largest, |node| (pressure[node] <= 0.0).then(|| gap[node].max(0.0)))
     }
 
     /// Power spectrum of the pressure: pressure^2 length for lines, pressure^2 length^2 for surfaces.
     pub fn pressure_spectrum(&self) -> PowerSpectrum {
-        PowerSpectrum::of_field(self.problem.surface().grid(), values(&self.pressure))
+        PowerSpectrum::from_field(self.problem.surface().grid(), values(&self.pressure))
     }
 }
 

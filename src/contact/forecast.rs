@@ -33,7 +33,7 @@ impl Forecast {
 
     /// The forecast for a problem: the highest nodes touch, as many as `a_rel = kappa_r p_mean / (gbar_r E*)` asks for with the
     /// `gbar_r` of them.
-    pub fn of(problem: &Problem) -> Self {
+    pub fn new(problem: &Problem) -> Self {
         let strain = problem.expected_mean_pressure() / problem.contact_modulus();
         let squares = highest_first(problem);
         let (mut sum, mut gradient, mut area) = (0.0, 0.0, 1.0);

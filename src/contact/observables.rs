@@ -77,7 +77,7 @@ macro_rules! observables {
         ///     load = { reduced-pressure = 0.1 }
         /// ")?;
         /// let contact = setup.solver.solver().solve(&setup.problem()?, &setup.stop, &mut ())?;
-        /// let found = Observables::of(&contact);
+        /// let found = Observables::new(&contact);
         /// assert_eq!((found.patches, found.kappa_r), (1, contact.resolved().kappa_r));
         /// assert!(OBSERVABLES.iter().any(|row| row.name == "mean_gap" && row.unit == "length"));
         /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -103,7 +103,7 @@ macro_rules! observables {
 
         impl Observables {
             /// Takes all observables from a contact, or from a step.
-            pub fn of<'a>(state: impl Into<State<'a>>) -> Self {
+            pub fn new<'a>(state: impl Into<State<'a>>) -> Self {
                 let state = state.into();
                 Self {
                     $($name: {
@@ -235,7 +235,7 @@ impl State<'_> {
     /// How well the grid resolves the contact.
     fn resolution(&self) -> Resolution {
         let grid = self.problem.surface().grid();
-        Resolution::of(grid, &self.counted, &self.resolved, &self.patches, self.coarser)
+        Resolution::new(grid, &self.counted, &self.resolved, &self.patches, self.coarser)
     }
 
     /// The reduced pressure: that which is prescribed, to the last bit, or else the one that is found.

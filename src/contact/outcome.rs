@@ -59,7 +59,7 @@ impl Contact {
         let mut displacement = vec![0.0; pressure.len()];
         response.displacement(&pressure, &mut displacement);
         drop(response);
-        let certificate = Certificate::of_displaced(problem, &pressure, &displacement);
+        let certificate = Certificate::from_displacement(problem, &pressure, &displacement);
         let datum = certificate::datum(problem, &pressure, &displacement);
         let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
         let shape = problem.surface().grid().shape();
@@ -150,7 +150,7 @@ impl Contact {
     /// The edges of the contact, between the nodes.
     pub fn edges(&self) -> Edges<'_, impl Fn(usize) -> f64 + Sync> {
         let gap = self.gap.as_slice().expect("results are made in standard layout");
-        Edges::of(&self.problem, self.pressures(), |node| gap[node])
+        Edges::new(&self.problem, self.pressures(), |node| gap[node])
     }
 
     /// Area, gradient and `kappa_r` with the edges resolved between the nodes.
@@ -161,12 +161,12 @@ impl Contact {
     /// How well the grid resolves the contact.
     pub fn resolution(&self) -> Resolution {
         let grid = self.problem.surface().grid();
-        Resolution::of(grid, &self.counted(), &self.resolved(), &self.patches(), self.coarser.as_ref())
+        Resolution::new(grid, &self.counted(), &self.resolved(), &self.patches(), self.coarser.as_ref())
     }
 
     /// Contact patches.
     pub fn patches(&self) -> Patches {
-        Patches::of(self.pressures(), self.problem.surface().grid())
+        Patches::new(self.pressures(), self.problem.surface().grid())
     }
 
     /// Contact stiffness `k = -d<p>/d<g>`, a pressure per length: by how much the mean pressure rises as the mean gap falls. It is

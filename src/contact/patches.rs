@@ -13,7 +13,7 @@ pub struct Patches {
 
 impl Patches {
     /// Finds the patches of `pressure` (row by row) on a grid.
-    pub fn of(pressure: &[f64], grid: &Grid) -> Self {
+    pub fn new(pressure: &[f64], grid: &Grid) -> Self {
         let mut sizes: Vec<usize> =
             members(pressure, grid).iter().map(|runs| runs.iter().map(Range::len).sum()).collect();
         sizes.sort_unstable_by(|a, b| b.cmp(a));

@@ -20,7 +20,7 @@ pub struct Plasticity {
 
 impl Plasticity {
     /// What yields of `contact`.
-    pub(super) fn of(contact: &Contact) -> Self {
+    pub(super) fn new(contact: &Contact) -> Self {
         let (law, n) = (contact.problem.law(), contact.pressure.len() as f64);
         let of_yielding = |value: &dyn Fn(f64, f64) -> f64| -> f64 {
             let nodes = contact.pressure.iter().zip(&contact.gap).filter(|(p, _)| law.yields(**p));
@@ -38,7 +38,7 @@ impl Plasticity {
 impl Contact {
     /// What yields of the contact, where there is a hardness.
     pub fn plasticity(&self) -> Plasticity {
-        Plasticity::of(self)
+        Plasticity::new(self)
     }
 
     /// The nodes that yield; none on a hard wall.

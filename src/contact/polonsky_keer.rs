@@ -137,10 +137,10 @@ impl<'a> Iterate<'a> {
 
     /// The certificate of this iterate; one that would end the run is taken from a fresh displacement.
     fn certify(&mut self, run: &mut Run<'_>) -> Certificate {
-        let mut certificate = Certificate::of_displaced(self.problem, &self.p, &self.u);
+        let mut certificate = Certificate::from_displacement(self.problem, &self.p, &self.u);
         if run.is_converged(&certificate) && !self.fresh {
             self.restart();
-            certificate = Certificate::of_displaced(self.problem, &self.p, &self.u);
+            certificate = Certificate::from_displacement(self.problem, &self.p, &self.u);
         }
         run.offer(&certificate, &self.p);
         certificate

@@ -274,7 +274,7 @@ impl Problem {
     /// The response of the solid over the grid, planned anew. Displacements on a periodic grid have no mean, unless the approach is
     /// prescribed.
     pub fn response(&self) -> Response {
-        Response::of(self.compliance.clone())
+        Response::from_compliance(self.compliance.clone())
     }
 
     /// The compliance of the solid over the grid.

@@ -54,7 +54,7 @@ impl Resolution {
     }
 
     /// The resolution of a contact on `grid`, with what the next coarser grid had of it, if that is known.
-    pub fn of(
+    pub fn new(
         grid: &Grid,
         counted: &Counted,
         resolved: &Resolved,

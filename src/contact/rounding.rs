@@ -41,7 +41,7 @@ pub(super) struct Rounding {
 
 impl Rounding {
     /// The bounds for the sums of a state.
-    pub fn of(problem: &Problem, sums: &CertificateSums) -> Self {
+    pub fn new(problem: &Problem, sums: &CertificateSums) -> Self {
         let n = problem.nodes() as f64;
         let epsilon = TRANSFORM * n.log2();
         let [softest, stiffest] = problem.compliance().stiffness_range();
@@ -62,7 +62,7 @@ impl Rounding {
     }
 
     /// The bounds where the depth is itself a mean of positive terms.
-    pub fn of_terms(self, depth: f64) -> Self {
+    pub fn with_depth(self, depth: f64) -> Self {
         Self { depth: 2.0 * self.sum * depth, ..self }
     }
 }

@@ -21,7 +21,7 @@ const PATIENCE: usize = 2000;
 /// ```text
 /// let mut run = Run::begin(self, problem, stop, observer);
 /// let status = loop {
-///     let certificate = Certificate::of_displaced(problem, &p, &u);
+///     let certificate = Certificate::from_displacement(problem, &p, &u);
 ///     run.offer(&certificate, &p);
 ///     let step = Step::new(problem, run.work(response.transforms()), &p, &u).with_certificate(certificate);
 ///     if let Some(status) = run.show(&step) {

@@ -22,7 +22,7 @@ pub(super) struct Slack {
 
 impl Slack {
     /// The sums of a pressure with its displacement, both row by row.
-    pub fn of(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
+    pub fn new(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
         let (law, h) = (problem.law(), problem.height());
         let highest = chunks::visit(pressure.len(), |range| range.fold(0.0, |high: f64, i| high.max(pressure[i])));
         let highest_pressure = highest.into_iter().fold(0.0, f64::max);

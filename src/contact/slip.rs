@@ -81,7 +81,7 @@ impl Friction {
 /// let problem = Problem::new(cylinder, ContactModulus(1.0), Load::MeanPressure(1e-3))?;
 /// let pressed = Multilevel.solve(&problem, &Stop::default(), &mut ())?.converged()?;
 /// let friction = Friction { coefficient: 0.5, tangential: 0.36e-3 };
-/// let slip = PartialSlip::of(pressed, friction, &Multilevel, &Stop::default(), &mut ())?;
+/// let slip = PartialSlip::solve(pressed, friction, &Multilevel, &Stop::default(), &mut ())?;
 /// // Cattaneo and Mindlin: the width that sticks is sqrt(1 - Q/(mu P)) of the width that touches
 /// assert!((slip.stick().relative_area / slip.touching().relative_area - 0.28f64.sqrt()).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -103,7 +103,7 @@ impl PartialSlip {
     ///
     /// # Errors
     /// The errors of [`Friction::ratio`], of [`Problem::with_load`] and of [`Solver::solve_from`].
-    pub fn of(
+    pub fn solve(
         pressed: Contact,
         friction: Friction,
         solver: &dyn Solver,

@@ -12,7 +12,7 @@ use crate::contact::{Certificate, Decision, Energy, Phase, Problem, Step, Work};
 /// let problem = Problem::new(sine, ContactModulus(1.0), Load::ReducedPressure(0.1))?;
 /// let mut last = None;
 /// let mut keep = Each(|step: &Step<'_>| {
-///     last = Some(last.take().map_or_else(|| Snapshot::of(step), |kept: Snapshot| kept.replaced_by(step)));
+///     last = Some(last.take().map_or_else(|| Snapshot::from_step(step), |kept: Snapshot| kept.replaced_by(step)));
 ///     ControlFlow::Continue(())
 /// });
 /// let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut keep)?;
@@ -36,7 +36,7 @@ pub struct Snapshot {
 
 impl Snapshot {
     /// A copy of `step`, for which its fields are made.
-    pub fn of(step: &Step<'_>) -> Self {
+    pub fn from_step(step: &Step<'_>) -> Self {
         Self::within([Vec::new(), Vec::new()], step)
     }
 

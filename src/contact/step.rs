@@ -264,7 +264,7 @@ impl<'a> Step<'a> {
     /// The edges of the contact, between the nodes.
     pub fn edges(&self) -> Edges<'_, impl Fn(usize) -> f64 + Sync> {
         let (u, h, datum): (&[f64], _, _) = (&self.displacement, self.problem.height(), self.datum());
-        Edges::of(self.problem, &self.pressure, move |node| u[node] - h[node] + datum)
+        Edges::new(self.problem, &self.pressure, move |node| u[node] - h[node] + datum)
     }
 
     /// Area, gradient and `kappa_r` with the edges resolved between the nodes.
@@ -274,7 +274,7 @@ impl<'a> Step<'a> {
 
     /// Contact patches.
     pub fn patches(&self) -> &Patches {
-        self.patches.get_or_init(|| Patches::of(&self.pressure, self.problem.surface().grid()))
+        self.patches.get_or_init(|| Patches::new(&self.pressure, self.problem.surface().grid()))
     }
 }
 

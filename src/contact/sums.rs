@@ -32,7 +32,7 @@ impl CertificateSums {
     }
 
     /// The sums over all nodes, in one pass.
-    pub fn of(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
+    pub fn new(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
         let height = problem.height();
         let reference = pressure.iter().position(|&p| p > 0.0);
         let none = Self::none(reference.map_or(0.0, |i| displacement[i] - height[i]));

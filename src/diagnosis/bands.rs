@@ -10,7 +10,7 @@ const PER_OCTAVE: f64 = 2.0;
 ///
 /// ```
 /// use asperity::{Grid, diagnosis::Bands};
-/// let bands = Bands::of(&Grid::line(64, 8.0)?);
+/// let bands = Bands::new(&Grid::line(64, 8.0)?);
 /// // waves 1, 2, 3, 4 to 5, 6 to 7 and so on, up to the 32nd
 /// assert_eq!((bands.count(), bands.wavelengths(0)[0], bands.wavelengths(3)[0]), (10, 8.0, 2.0));
 /// # Ok::<(), asperity::error::GridError>(())
@@ -26,7 +26,7 @@ pub struct Bands {
 
 impl Bands {
     /// The bands of a grid.
-    pub fn of(grid: &Grid) -> Self {
+    pub fn new(grid: &Grid) -> Self {
         let longest = grid.longest_wavelength();
         // a hair more, so that rounding leaves waves at the edges in the bands that they begin
         let place =

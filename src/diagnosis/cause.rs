@@ -88,11 +88,11 @@ pub enum Cause {
 }
 
 impl Cause {
-    pub(super) fn of_cycle(Cycle { period, rounds, from }: Cycle, nodes: usize) -> Self {
+    pub(super) fn from_cycle(Cycle { period, rounds, from }: Cycle, nodes: usize) -> Self {
         Self::Cycle { period, rounds, from, nodes }
     }
 
-    pub(super) fn of_plateau(plateau: Plateau) -> Self {
+    pub(super) fn from_plateau(plateau: Plateau) -> Self {
         let end = match plateau.next {
             None => "the end of the run",
             Some(next) if next.has_changed => "a change of the contact set",

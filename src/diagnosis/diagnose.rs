@@ -156,7 +156,7 @@ impl Diagnosis {
     pub fn causes(&self) -> Vec<Cause> {
         let Some((status, certificate, _)) = self.ended else { return Vec::new() };
         let main = [self.rounding(status, &certificate), self.cycle(status), self.damping(), self.masses()];
-        let rest = [self.slow_band(), self.condition(), self.flips(), plateau(&self.points).map(Cause::of_plateau)];
+        let rest = [self.slow_band(), self.condition(), self.flips(), plateau(&self.points).map(Cause::from_plateau)];
         main.into_iter().chain(rest).flatten().collect()
     }
 
@@ -187,7 +187,7 @@ impl Diagnosis {
         let cycle = self.returns.cycle().filter(|cycle| cycle.rounds >= ROUNDS && status != Status::Converged)?;
         let times = (cycle.rounds * cycle.period / 2).min(cycle.rounds) as u32;
         let nodes = self.contact.flips().iter().filter(|&&flips| flips >= times).count();
-        Some(Cause::of_cycle(cycle, nodes))
+        Some(Cause::from_cycle(cycle, nodes))
     }
 
     fn damping(&self) -> Option<Cause> {

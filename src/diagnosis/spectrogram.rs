@@ -20,7 +20,7 @@ pub struct Reference {
 
 impl Reference {
     /// The final state of a run, or any other.
-    pub fn of(contact: &Contact) -> Self {
+    pub fn from_contact(contact: &Contact) -> Self {
         let grid = *contact.problem.surface().grid();
         let mut fourier = Fourier::new(&grid);
         let [pressure, displacement] = [&contact.pressure, &contact.displacement].map(|field| {
@@ -78,7 +78,7 @@ impl Spectrogram {
         let reference = reference.filter(|reference| reference.grid == *grid);
         let history = History::new(MOST, |_, _| ());
         let waves = Waves::new(grid, contact_modulus);
-        Self { bands: Bands::of(grid), grid: *grid, contact_modulus, waves, reference, lens: None, history }
+        Self { bands: Bands::new(grid), grid: *grid, contact_modulus, waves, reference, lens: None, history }
     }
 
     /// The bands.
@@ -250,7 +250,7 @@ mod tests {
         let problem = Problem::new(surface, ContactModulus(2.0), Load::ReducedPressure(0.05)).unwrap();
         let end = Multilevel.solve(&problem, &Stop::default(), &mut ()).unwrap();
         let grid = *problem.surface().grid();
-        let mut spectrogram = Spectrogram::new(&grid, 2.0, Some(Arc::new(Reference::of(&end))));
+        let mut spectrogram = Spectrogram::new(&grid, 2.0, Some(Arc::new(Reference::from_contact(&end))));
         let wrong = cosine(&problem, 6.0, 1e-3);
         let p: Vec<f64> = end.pressure.iter().zip(&wrong).map(|(p, w)| p + w).collect();
         let u: Vec<f64> = end.displacement.iter().zip(&wrong).map(|(u, w)| u + w / (TAU * 6.0)).collect();
@@ -297,7 +297,8 @@ mod tests {
         };
         let [fine, coarse] = [problem(256), problem(64)];
         let end = Multilevel.solve(&fine, &Stop::default(), &mut ()).unwrap();
-        let mut spectrogram = Spectrogram::new(fine.surface().grid(), 1.0, Some(Arc::new(Reference::of(&end))));
+        let mut spectrogram =
+            Spectrogram::new(fine.surface().grid(), 1.0, Some(Arc::new(Reference::from_contact(&end))));
         let [p, u] =
             [&end.pressure, &end.displacement].map(|field| field.iter().step_by(4).copied().collect::<Vec<_>>());
         spectrogram.add(&Step::new(&coarse, Work::default(), &p, &u));

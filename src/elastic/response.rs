@@ -53,7 +53,7 @@ impl Response {
     /// # Errors
     /// The errors of [`Compliance::new`].
     pub fn new(grid: &Grid, solid: impl Into<Arc<dyn ElasticSolid>>) -> Result<Self, GridError> {
-        Ok(Self::of(Arc::new(Compliance::new(grid, solid.into(), true)?)))
+        Ok(Self::from_compliance(Arc::new(Compliance::new(grid, solid.into(), true)?)))
     }
 
     /// Plans the response of a half-space of contact modulus `E*` over a periodic grid.
@@ -61,11 +61,11 @@ impl Response {
     /// # Panics
     /// If the grid is not periodic.
     pub fn half_space(grid: &Grid, contact_modulus: f64) -> Self {
-        Self::of(Arc::new(Compliance::half_space(grid, contact_modulus)))
+        Self::from_compliance(Arc::new(Compliance::half_space(grid, contact_modulus)))
     }
 
     /// Plans the response that a compliance makes.
-    pub fn of(compliance: Arc<Compliance>) -> Self {
+    pub fn from_compliance(compliance: Arc<Compliance>) -> Self {
         let filter = Filter::new(&compliance.grid);
         let padded = match &compliance.kind {
             ComplianceKind::Free(table) => Some(FreeConvolution::new(&compliance.grid, table)),

@@ -41,7 +41,7 @@ impl Description {
     ///
     /// # Errors
     /// For a file that cannot be read.
-    pub fn of(file: &HeightFile, knobs: HeightKnobs) -> Result<Self, Refusal> {
+    pub fn new(file: &HeightFile, knobs: HeightKnobs) -> Result<Self, Refusal> {
         let mark = format!("{:016x}", fnv1a([file.bytes()?.as_ref()]));
         let knobs = HeightKnobs { file: Some(mark), ..knobs };
         let measured = file.measurement(knobs.channel.as_deref())?;
@@ -107,7 +107,7 @@ fn of_file(measured: &Measurement, knobs: &HeightKnobs) -> Vec<(String, String)>
 
 /// What heights are like.
 fn of_heights(scan: &Scan) -> Result<Vec<(String, String)>, Refusal> {
-    let survey = Survey::of(scan)?;
+    let survey = Survey::new(scan)?;
     let ([ny, nx], [dy, dx]) = (scan.shape(), scan.spacing);
     let is_line = ny == 1;
     let axes = |[y, x]: [String; 2]| if is_line { x } else { format!("{y} along y, {x} along x") };

@@ -21,10 +21,10 @@ pub const MOTION: &str = "motion";
 pub const FACETS: [Facet; 8] = [
     Facet { name: "section", of: |solved| json!(solved.section()) },
     Facet { name: "shear", of: |solved| json!(Shear::below(&solved.contact)) },
-    Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(Section::of)) },
+    Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(Section::from_contact)) },
     Facet { name: "shear-beside", of: |solved| json!(solved.beside.as_ref().and_then(Shear::below)) },
-    Facet { name: "patches", of: |solved| json!(PatchTable::of(&solved.contact)) },
+    Facet { name: "patches", of: |solved| json!(PatchTable::new(&solved.contact)) },
     Facet { name: "steps", of: |solved| json!(solved.steps) },
     Facet { name: MOTION, of: |solved| json!(solved.motion) },
-    Facet { name: "why", of: |solved| json!(Why::of(solved)) },
+    Facet { name: "why", of: |solved| json!(Why::find(solved)) },
 ];

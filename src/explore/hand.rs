@@ -69,11 +69,11 @@ impl Hold {
         let beside = beside.transpose()?;
         let shear = |contact: &Contact| self.is_deep.then(|| Shear::below(contact)).flatten();
         Ok(Held {
-            section: Section::of(&contact),
+            section: Section::from_contact(&contact),
             shear: shear(&contact),
             shear_beside: beside.as_ref().and_then(shear),
-            beside: beside.as_ref().map(Section::of),
-            numbers: Numbers::of_contact(&contact),
+            beside: beside.as_ref().map(Section::from_contact),
+            numbers: Numbers::from_contact(&contact),
         })
     }
 }

@@ -126,7 +126,7 @@ impl Knobs {
     ///
     /// # Errors
     /// For a scene that cannot be made, and for a setup beyond the limits of the page.
-    pub fn of_scene(scene: &SceneFile) -> Result<Self, Refusal> {
+    pub fn from_scene(scene: &SceneFile) -> Result<Self, Refusal> {
         let (setup, start) = (&scene.setup, Start::RoughLine.knobs());
         let problem = setup.problem()?;
         let surface = problem.surface();
@@ -256,7 +256,7 @@ impl Knobs {
         }
         let spectrum = self.spectrum();
         let seed = spectrum.map(|_| self.seed.into());
-        let bumps = Bumps(self.bumps.iter().map(|it| Bump::of(it.map(|share| share * CELL))).collect());
+        let bumps = Bumps(self.bumps.iter().map(|it| Bump::from_lengths(it.map(|share| share * CELL))).collect());
         let recipe = Recipe { indenter: self.indenter(), spectrum, seed, bumps, ..Recipe::default() };
         Ok(match self.domain {
             Domain::Line => (recipe, Cell::line(self.points, CELL)),

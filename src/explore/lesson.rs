@@ -146,12 +146,12 @@ impl Lesson {
                 "no lessons are in {}: give a folder with files that end in .toml",
                 folder.display()
             ))),
-            1..=MOST_LESSONS => files.iter().map(|path| Self::of_file(path)).collect(),
+            1..=MOST_LESSONS => files.iter().map(|path| Self::from_file(path)).collect(),
             count => Err(Refusal(format!("{count} lessons are in {}: give at most {MOST_LESSONS}", folder.display()))),
         }
     }
 
-    fn of_file(path: &Path) -> Result<Self, Refusal> {
+    fn from_file(path: &Path) -> Result<Self, Refusal> {
         let unreadable = |source| FileError::Read { path: path.into(), source };
         let length = std::fs::metadata(path).map_err(unreadable)?.len();
         if length > MOST_BYTES {
@@ -176,7 +176,7 @@ impl Lesson {
         }
         let step = |step: Spanned<DraftStep>| {
             let span = step.span();
-            LessonStep::of(&draft.knobs, &draft.turn, step.into_inner())
+            LessonStep::new(&draft.knobs, &draft.turn, step.into_inner())
                 .map_err(|(place, Refusal(reason))| at(Some(place.unwrap_or(span)), &reason))
         };
         let steps = draft.step.into_iter().map(step).collect::<Result<_, _>>()?;
@@ -196,7 +196,7 @@ impl Lesson {
 }
 
 impl LessonStep {
-    fn of(common: &WrittenKnobs, turns: &Turns, draft: DraftStep) -> Result<Self, Misplaced> {
+    fn new(common: &WrittenKnobs, turns: &Turns, draft: DraftStep) -> Result<Self, Misplaced> {
         let DraftStep { text, knobs, turn, sweep, ask } = draft;
         let knobs = laid_over(&common.iter().chain(&knobs).collect::<Vec<_>>())?;
         text.check().map_err(|refusal| (None, refusal))?;

@@ -31,7 +31,7 @@ impl Observer for Motion {
     fn step(&mut self, step: &Step<'_>) -> Wish {
         if step.index() >= self.next {
             self.steps.push(step.index());
-            self.sections.push(Section::of_step(step));
+            self.sections.push(Section::from_step(step));
             self.next = (step.index() + 1).max((step.index() as f64 * LATER) as usize);
         }
         Ok(ControlFlow::Continue(()))

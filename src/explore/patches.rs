@@ -87,7 +87,7 @@ pub struct PatchProfile {
 
 impl PatchTable {
     /// The patches of a contact.
-    pub fn of(contact: &Contact) -> Self {
+    pub fn new(contact: &Contact) -> Self {
         let (problem, pressure) = (&contact.problem, contact.pressure.as_slice().unwrap_or_default());
         let grid = problem.surface().grid();
         let [ny, nx] = grid.shape();
@@ -105,8 +105,8 @@ impl PatchTable {
         }
         let whole: f64 = contact.mean_pressure() * grid.area();
         let row = |(number, (patch, runs)): (usize, &(Patch, Vec<Range<usize>>))| PatchRow {
-            profile: (number < DRAWN).then(|| PatchProfile::of(problem, pressure, patch, runs)),
-            ..PatchRow::of(problem, pressure, patch, whole)
+            profile: (number < DRAWN).then(|| PatchProfile::new(problem, pressure, patch, runs)),
+            ..PatchRow::new(problem, pressure, patch, whole)
         };
         Self {
             patches: all.iter().enumerate().map(row).collect(),
@@ -122,7 +122,7 @@ impl PatchTable {
 }
 
 impl PatchRow {
-    fn of(problem: &Problem, pressure: &[f64], patch: &Patch, whole: f64) -> Self {
+    fn new(problem: &Problem, pressure: &[f64], patch: &Patch, whole: f64) -> Self {
         let (grid, modulus) = (problem.surface().grid(), problem.contact_modulus());
         let ([dy, dx], nx) = (grid.spacing(), grid.shape()[1]);
         Self {
@@ -133,14 +133,14 @@ impl PatchRow {
             max_pressure: pressure[patch.peak] / modulus,
             kappa_r: patch.kappa_r,
             curvature: patch.curvature,
-            twin: (patch.curvature > 0.0).then(|| HertzParabola::of(grid, patch.curvature, patch.load, modulus)),
+            twin: (patch.curvature > 0.0).then(|| HertzParabola::new(grid, patch.curvature, patch.load, modulus)),
             profile: None,
         }
     }
 }
 
 impl HertzParabola {
-    fn of(grid: &Grid, curvature: f64, load: f64, modulus: f64) -> Self {
+    fn new(grid: &Grid, curvature: f64, load: f64, modulus: f64) -> Self {
         let body = if grid.is_line() { hertz::cylinder } else { hertz::sphere }(curvature.recip(), modulus);
         let half_width = body.half_width(load);
         let area = if grid.is_line() { 2.0 * half_width } else { PI * half_width.powi(2) };
@@ -149,7 +149,7 @@ impl HertzParabola {
 }
 
 impl PatchProfile {
-    fn of(problem: &Problem, pressure: &[f64], patch: &Patch, runs: &[Range<usize>]) -> Self {
+    fn new(problem: &Problem, pressure: &[f64], patch: &Patch, runs: &[Range<usize>]) -> Self {
         let (grid, modulus) = (problem.surface().grid(), problem.contact_modulus());
         let (nx, dx, heights) = (grid.shape()[1], grid.spacing()[1], problem.surface().heights());
         let peak_row = patch.peak / nx;

@@ -88,7 +88,7 @@ impl SolvedRun {
     /// The section of the contact.
     pub fn section(&self) -> Section {
         let Self { contact, exact, .. } = self;
-        exact.as_ref().map_or_else(|| Section::of(contact), |exact| Section::with_exact(contact, exact))
+        exact.as_ref().map_or_else(|| Section::from_contact(contact), |exact| Section::with_exact(contact, exact))
     }
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.

@@ -34,7 +34,7 @@ pub enum KnownFault {
 
 impl KnownFault {
     /// The fault behind a failure, if the page has words for it.
-    pub fn of(failure: &Failure) -> Option<Self> {
+    pub fn from_failure(failure: &Failure) -> Option<Self> {
         match failure.downcast_ref::<SetupError>()? {
             SetupError::Problem(ProblemError::AboveHardness { mean_pressure, hardness }) => {
                 Some(Self::AboveHardness { pressure: mean_pressure / MODULUS, hardness: hardness / MODULUS })
@@ -150,13 +150,13 @@ impl From<&Exact> for ExactNumbers {
 }
 
 impl Numbers {
-    pub fn of_step(step: &Step<'_>) -> Self {
+    pub fn from_step(step: &Step<'_>) -> Self {
         let (level, seconds) = (step.phase().level, step.work().seconds);
-        Self { status: "running".into(), level, seconds, observables: Observables::of(step) }
+        Self { status: "running".into(), level, seconds, observables: Observables::new(step) }
     }
 
-    pub fn of_contact(contact: &Contact) -> Self {
+    pub fn from_contact(contact: &Contact) -> Self {
         let (status, seconds) = (contact.status.to_string(), contact.work.seconds);
-        Self { status, level: 0, seconds, observables: Observables::of(contact) }
+        Self { status, level: 0, seconds, observables: Observables::new(contact) }
     }
 }

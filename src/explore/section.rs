@@ -17,8 +17,9 @@ const DEPTH: f64 = 0.1;
 /// Poisson's ratio of the solid, on which the largest shear stress hardly depends.
 const POISSON: f64 = 0.3;
 
-/// A contact along a line, or along the row of a surface in which the pressure is largest: what a column holds is where the rigid surface is
-/// highest in it, which touches first, and is the same node at all loads. Lengths in metres, pressures over the contact modulus.
+/// A contact along a line, or along the row of a surface in which the pressure is largest. A column shows the bodies at the node where the
+/// rigid surface is highest in it, which touches first and is the same node at all loads, and the largest pressure of its nodes. Lengths are in
+/// metres, pressures over the contact modulus.
 ///
 /// Heights are measured upwards from the surface of the unloaded solid. A displacement `u` points into the solid, so the solid's surface
 /// stands at `-u` and the rigid surface at `gap - u`, the negative of its heights but for a constant: its shape is the same at all loads.
@@ -32,7 +33,7 @@ pub struct Section {
     pub rigid: Vec<f32>,
     /// The solid's surface, lowest where it is pressed in most.
     pub solid: Vec<f32>,
-    /// Pressure.
+    /// The largest pressure of each column.
     pub pressure: Vec<f32>,
     /// The exact pressure, where it is known; 0 where it is infinite.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -60,7 +61,7 @@ pub struct Shear {
 
 impl Section {
     /// The section of a contact.
-    pub fn of(contact: &Contact) -> Self {
+    pub fn from_contact(contact: &Contact) -> Self {
         let row = contact.highest_row();
         let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
         Self::along(&contact.problem, row, fields, contact.mean_gap(), COLUMNS)
@@ -70,22 +71,19 @@ impl Section {
     pub fn with_exact(contact: &Contact, exact: &Exact) -> Self {
         let row = contact.highest_row();
         let (problem, pressure) = (&contact.problem, exact.pressure.row(row));
-        let over_modulus = |node: usize| {
-            let p = pressure[node] / problem.contact_modulus();
-            if p.is_finite() { p as f32 } else { 0.0 }
-        };
-        let exact = peaks(problem, row, COLUMNS).into_iter().map(over_modulus).collect();
-        Self { exact: Some(exact), ..Self::of(contact) }
+        let finite = pressure.map(|p| if p.is_finite() { *p } else { 0.0 });
+        let exact = highest_pressures(finite.view(), problem.contact_modulus(), COLUMNS);
+        Self { exact: Some(exact), ..Self::from_contact(contact) }
     }
 
     /// The section of a load of a sweep along a row, which is the same one at all loads.
-    pub fn of_load(contact: &Contact, row: usize) -> Self {
+    pub fn from_load(contact: &Contact, row: usize) -> Self {
         let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
         Self::along(&contact.problem, row, fields, contact.mean_gap(), STEP_COLUMNS)
     }
 
     /// The section of a step, whose displacement is taken less its mean where the cell is periodic, as that of a contact.
-    pub fn of_step(step: &Step<'_>) -> Self {
+    pub fn from_step(step: &Step<'_>) -> Self {
         let grid = step.problem().surface().grid();
         let (pressure, displacement) = (step.pressure(), step.displacement());
         let row = highest_row(grid, pressure);
@@ -103,14 +101,13 @@ impl Section {
         let grid = problem.surface().grid();
         let [pressure, gap, displacement] = fields;
         let nodes = peaks(problem, row, most);
-        let modulus = problem.contact_modulus();
         let of = |value: &dyn Fn(usize) -> f64| nodes.iter().map(|&node| value(node) as f32).collect();
         Self {
             length: grid.size()[1],
             y: (!grid.is_line()).then(|| row as f64 * grid.spacing()[0]),
             rigid: of(&|node| gap[node] - displacement[node]),
             solid: of(&|node| -displacement[node]),
-            pressure: of(&|node| pressure[node] / modulus),
+            pressure: highest_pressures(pressure, problem.contact_modulus(), most),
             exact: None,
             is_pressed_by_gap: grid.is_periodic(),
             mean_gap,
@@ -125,6 +122,12 @@ fn peaks(problem: &Problem, row: usize, most: usize) -> Vec<usize> {
     let height = &problem.height()[row * width..];
     let peak = |nodes: Range<usize>| nodes.max_by(|&a, &b| height[a].total_cmp(&height[b])).unwrap_or_default();
     columns(width, most).map(peak).collect()
+}
+
+/// The largest pressure of each column of a row, over the contact modulus.
+fn highest_pressures(pressure: ArrayView1<'_, f64>, contact_modulus: f64, most: usize) -> Vec<f32> {
+    let highest = |nodes: Range<usize>| nodes.map(|node| pressure[node]).fold(0.0, f64::max);
+    columns(pressure.len(), most).map(|nodes| (highest(nodes) / contact_modulus) as f32).collect()
 }
 
 impl Shear {

@@ -189,7 +189,7 @@ impl Session {
     }
 
     fn describe_as(&self, file: HeightFile, knobs: HeightKnobs) -> Result<Description, Refusal> {
-        let description = Description::of(&file, knobs)?;
+        let description = Description::new(&file, knobs)?;
         self.lock().heights = Some((file, description.clone()));
         Ok(description)
     }
@@ -305,8 +305,8 @@ impl Turn<'_> {
         curves: Ghost,
         (steps, motion): (StepNumbers, Motion),
     ) {
-        let numbers = Numbers::of_contact(&contact);
-        let numbers_beside = beside.as_ref().map(Numbers::of_contact);
+        let numbers = Numbers::from_contact(&contact);
+        let numbers_beside = beside.as_ref().map(Numbers::from_contact);
         self.session.change(|state| {
             let Some(run) = &mut state.report.run else { return };
             run.ended = true;
@@ -334,7 +334,7 @@ impl Turn<'_> {
     pub fn end(self, failure: Option<Failure>) {
         self.session.change(|state| {
             let failure = failure.filter(|_| state.generation == self.number);
-            state.report.known_fault = failure.as_ref().and_then(KnownFault::of);
+            state.report.known_fault = failure.as_ref().and_then(KnownFault::from_failure);
             state.report.fault = failure.map(|it| it.to_string());
             state.running = false;
             state.report.busy = state.order.is_some();

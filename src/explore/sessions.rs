@@ -39,7 +39,7 @@ impl Sessions {
     /// # Errors
     /// For a file that cannot be read.
     pub fn with_heights(file: HeightFile) -> Result<Self, Refusal> {
-        let description = Description::of(&file, HeightKnobs::default())?;
+        let description = Description::new(&file, HeightKnobs::default())?;
         let stock = Stock { heights: Some((file, description)), ..Stock::default() };
         Ok(Self { stock, open: Mutex::default() })
     }

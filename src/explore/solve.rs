@@ -23,7 +23,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let problem = setup.problem()?;
     let beside = beside.map(|beside| pressed_alike(beside, &problem)).transpose()?;
     let rank = setup.surface.rank(&setup.grid)?;
-    let scene = Scene::of(&setup, &problem);
+    let scene = Scene::from_setup(&setup, &problem);
     let (title, exact) = (format!("{}, p* = {}", scene.title, knobs.load), scene.exact.clone());
     let report = RunReport {
         id: format!("run-{}", turn.number),
@@ -39,7 +39,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         exact: exact.as_ref().map(ExactNumbers::from),
         beside: beside
             .as_ref()
-            .map(|(setup, problem)| Beside { title: Scene::of(setup, problem).title, numbers: None }),
+            .map(|(setup, problem)| Beside { title: Scene::from_setup(setup, problem).title, numbers: None }),
     };
     let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
     let options = Options { ghost: turn.ghost(), ..turn.options(&setup.record) };
@@ -129,7 +129,7 @@ impl Observer for ProgressReport<'_, '_> {
         }
         if let Some(reported) = self.reported.as_mut().filter(|reported| reported.elapsed() >= INTERVAL) {
             **reported = Instant::now();
-            let numbers = Numbers::of_step(step);
+            let numbers = Numbers::from_step(step);
             self.turn.tell(|news| {
                 if let Some(run) = &mut news.run {
                     run.numbers = Some(numbers);

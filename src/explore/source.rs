@@ -28,7 +28,7 @@ impl SceneFile {
     ///
     /// # Errors
     /// For a setup that cannot be solved, and for one of too many points.
-    pub fn of(setup: Setup) -> Result<Self, Refusal> {
+    pub fn new(setup: Setup) -> Result<Self, Refusal> {
         let grid = setup.check()?;
         let (most, [ny, nx]) = (MOST_POINTS[usize::from(!grid.is_line())], grid.shape());
         if grid.len() > most {

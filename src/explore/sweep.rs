@@ -143,7 +143,7 @@ fn record(
             })
             .collect(),
         figure: None,
-        scenes: &[Scene { title, exact: None, ..Scene::of(setup, problem) }],
+        scenes: &[Scene { title, exact: None, ..Scene::from_setup(setup, problem) }],
     };
     let mut parts = setup.record.clone();
     parts.what.extend([Part::Traces, Part::Mask]);
@@ -192,7 +192,7 @@ impl Press<'_> {
         }
         let point = SweepPoint {
             number,
-            observables: Observables::of(contact),
+            observables: Observables::new(contact),
             persson: is_rough_flat(self.setup).then(|| persson::relative_area(load)),
             exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),
         };
@@ -200,7 +200,7 @@ impl Press<'_> {
         self.recording.values(number, &values)?;
         self.report.points.push(point);
         let row = *self.row.get_or_insert_with(|| contact.highest_row());
-        self.motion.add_load(number, Section::of_load(contact, row));
+        self.motion.add_load(number, Section::from_load(contact, row));
         self.tell();
         Ok(())
     }

@@ -51,9 +51,9 @@ struct Stretch {
 
 impl Why {
     /// Solves once more what was solved, and holds each step against its end. None if that fails.
-    pub fn of(solved: &SolvedRun) -> Option<Self> {
+    pub fn find(solved: &SolvedRun) -> Option<Self> {
         let (contact, (method, stop)) = (&solved.contact, solved.report.knobs.method());
-        let mut diagnosis = Diagnosis::new(&contact.problem, Some(Arc::new(Reference::of(contact))));
+        let mut diagnosis = Diagnosis::new(&contact.problem, Some(Arc::new(Reference::from_contact(contact))));
         let mut decisions = Decisions { steps: [0, contact.work.iterations], ..Decisions::default() };
         method.solver().solve(&contact.problem, &stop, &mut (&mut diagnosis, &mut decisions)).ok()?;
         let spectrogram = diagnosis.spectrogram();

@@ -34,7 +34,7 @@ impl Arrangement {
     }
 
     /// The field in this order.
-    pub fn of(self, values: &[f64], grid: &Grid) -> Vec<f64> {
+    pub fn apply(self, values: &[f64], grid: &Grid) -> Vec<f64> {
         let [ny, nx] = grid.shape();
         let moved = |is_moved: bool, i: usize, n: usize| if is_moved { (i + n - n / 2) % n } else { i };
         let turned = |is_turned: bool, i: usize, n: usize| if is_turned { n - 1 - i } else { i };
@@ -90,13 +90,13 @@ mod tests {
     fn each_order_puts_right_what_it_describes() {
         let grid = Grid::surface([4, 5], [1.0, 1.0]).unwrap();
         let values: Vec<f64> = (0..20).map(f64::from).collect();
-        let first = |arrangement: Arrangement| arrangement.of(&values, &grid)[0];
+        let first = |arrangement: Arrangement| arrangement.apply(&values, &grid)[0];
         assert_eq!(first(Arrangement::Backwards([false, true])), 4.0);
         assert_eq!(first(Arrangement::Backwards([true, true])), 19.0);
         // as numpy.fft.fftshift: the first value goes to the middle
-        assert_eq!(Arrangement::Shifted([true, true]).of(&values, &grid)[2 * 5 + 2], 0.0);
+        assert_eq!(Arrangement::Shifted([true, true]).apply(&values, &grid)[2 * 5 + 2], 0.0);
         let square = Grid::surface([4, 4], [1.0, 1.0]).unwrap();
-        assert_eq!(Arrangement::Transposed.of(&values[..16], &square)[1], 4.0);
+        assert_eq!(Arrangement::Transposed.apply(&values[..16], &square)[1], 4.0);
         assert_eq!(Arrangement::on(&square).count(), 7);
         assert_eq!(Arrangement::on(&grid).count(), 6);
         assert_eq!(Arrangement::on(&Grid::line(8, 1.0).unwrap()).count(), 2);

@@ -53,7 +53,7 @@ impl Assessment {
     ///
     /// # Errors
     /// The errors of [`Claim::problem`].
-    pub fn of(claim: &Claim, contact: &Contact) -> Result<Self, ProblemError> {
+    pub fn new(claim: &Claim, contact: &Contact) -> Result<Self, ProblemError> {
         let state = claim.state()?;
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
         let over_rms = |node: usize| Spot { node, value: gap[node] / contact.problem.rms_height() };
@@ -72,7 +72,7 @@ impl Assessment {
         Ok(Self {
             given: state.certificate(),
             load_error: load_error(&state),
-            tension: Tension::of(&state.pressure),
+            tension: Tension::new(&state.pressure),
             densest: Spot { node: densest, value: density[densest] / density.iter().sum::<f64>() },
             deepest: Spot { node: deepest, value: -over_rms(deepest).value },
             pressed: nodes().filter(|&node| pressure[node] > 0.0).count(),

@@ -107,6 +107,6 @@ pub(super) struct ClaimedState {
 impl ClaimedState {
     /// The certificate of the pressure as it is.
     pub fn certificate(&self) -> Certificate {
-        Certificate::of_displaced(&self.problem, &self.pressure, &self.displacement)
+        Certificate::from_displacement(&self.problem, &self.pressure, &self.displacement)
     }
 }

@@ -32,7 +32,7 @@ impl<'a> Distances<'a> {
         Self { reference, steps: Vec::new() }
     }
 
-    fn of(&self, step: &Step<'_>) -> Distance {
+    fn distance(&self, step: &Step<'_>) -> Distance {
         let Contact { pressure, displacement, .. } = self.reference;
         let (mut square, mut error, mut energy, mut energy_error) = (0.0, 0.0, 0.0, 0.0);
         let reference = pressure.iter().zip(displacement);
@@ -55,7 +55,7 @@ impl<'a> Distances<'a> {
 impl Observer for Distances<'_> {
     fn step(&mut self, step: &Step<'_>) -> Wish {
         if step.problem().surface().grid() == self.reference.problem.surface().grid() {
-            self.steps.push(self.of(step));
+            self.steps.push(self.distance(step));
         }
         Ok(ControlFlow::Continue(()))
     }

@@ -15,7 +15,7 @@ pub(super) struct Factor {
 
 impl Factor {
     /// The factor by which a modulus is too large, on a solid of some Poisson's ratios, if they are known.
-    pub fn of_modulus(factor: f64, poisson: &[f64]) -> Self {
+    pub fn from_modulus(factor: f64, poisson: &[f64]) -> Self {
         let of = |factor: f64| Self::cause_of_modulus(factor, poisson);
         let cause = of(factor).map(|(large, _)| large).or_else(|| of(1.0 / factor).map(|(_, small)| small));
         let is_known = cause.is_some();
@@ -47,7 +47,7 @@ impl Factor {
     }
 
     /// The factor that pressures on a grid must be multiplied by.
-    pub fn of_pressure(factor: f64, grid: &Grid) -> Self {
+    pub fn from_pressure(factor: f64, grid: &Grid) -> Self {
         let [dy, dx] = grid.spacing();
         let forces = [
             (dx, "forces per width: divide them by the spacing dx"),

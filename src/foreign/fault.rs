@@ -19,16 +19,16 @@ pub(super) struct Fault {
 
 impl Fault {
     /// The fault of a claim; none where its problem cannot be posed.
-    pub fn of(claim: &Claim) -> Option<Self> {
-        claim.state().ok().map(|state| Self::of_state(&state))
+    pub fn from_claim(claim: &Claim) -> Option<Self> {
+        claim.state().ok().map(|state| Self::from_state(&state))
     }
 
-    pub fn of_state(state: &ClaimedState) -> Self {
-        let tension = Tension::of(&state.pressure);
+    pub fn from_state(state: &ClaimedState) -> Self {
+        let tension = Tension::new(&state.pressure);
         let feasible = feasible(&state.problem, &state.pressure, &tension);
         let certificate = match &feasible {
             None => state.certificate(),
-            Some(pressure) => Certificate::of(&state.problem, pressure),
+            Some(pressure) => Certificate::new(&state.problem, pressure),
         };
         let pressure = feasible.as_ref().unwrap_or(&state.pressure);
         let (sum, squares) = pressure.iter().fold((0.0, 0.0), |(sum, squares), p| (sum + p, squares + p * p));

@@ -1,7 +1,7 @@
 //! Everyday errors, recognised from the numbers.
 
-use super::change::{ClaimCorrection, MistakeKind};
 use super::claim::Claim;
+use super::correction::{ClaimCorrection, MistakeKind};
 use super::factor::Factor;
 use super::fault::Fault;
 use super::quantity::Quantity;
@@ -58,16 +58,16 @@ impl Claim {
     /// The everyday errors that explain why the claim fails, each a sentence with what to do; none where it holds, or fails for
     /// another reason. Poisson's ratios of the solid, where they are known, tell some of the factors.
     pub fn mistakes(&self, poisson: &[f64]) -> Vec<Mistake> {
-        let given = Fault::of(self).map_or(f64::INFINITY, |fault| fault.size);
+        let given = Fault::from_claim(self).map_or(f64::INFINITY, |fault| fault.size);
         let explains =
             |trial: &CorrectedClaim| trial.fault.size <= SOUND.min(given / FAR) && trial.fault.nodes >= FEWEST;
         let kinds = MistakeKind::all(self.surface.grid());
         let alone: Vec<CorrectedClaim> =
-            kinds.iter().filter_map(|kind| CorrectedClaim::of(self, &[*kind])).filter(explains).collect();
+            kinds.iter().filter_map(|kind| CorrectedClaim::new(self, &[*kind])).filter(explains).collect();
         let after = |first: MistakeKind| kinds.iter().filter(move |second| first.goes_with(**second));
         let pairs = || kinds.iter().flat_map(|first| after(*first).map(|second| [*first, *second]));
         let trials = match alone.is_empty() {
-            true => pairs().filter_map(|pair| CorrectedClaim::of(self, &pair)).filter(explains).collect(),
+            true => pairs().filter_map(|pair| CorrectedClaim::new(self, &pair)).filter(explains).collect(),
             false => alone,
         };
         self.told(trials, poisson)
@@ -87,8 +87,8 @@ impl Claim {
     /// The factor of an error that has one.
     fn factor(&self, ClaimCorrection { kind, factor }: &ClaimCorrection, poisson: &[f64]) -> Option<Factor> {
         match kind {
-            MistakeKind::Modulus => Some(Factor::of_modulus(*factor, poisson)),
-            MistakeKind::Scale => Some(Factor::of_pressure(*factor, self.surface.grid())),
+            MistakeKind::Modulus => Some(Factor::from_modulus(*factor, poisson)),
+            MistakeKind::Scale => Some(Factor::from_pressure(*factor, self.surface.grid())),
             _ => None,
         }
     }
@@ -131,7 +131,7 @@ impl Claim {
 
 impl CorrectedClaim {
     /// The claim without errors of some kinds, if they make a difference.
-    fn of(claim: &Claim, kinds: &[MistakeKind]) -> Option<Self> {
+    fn new(claim: &Claim, kinds: &[MistakeKind]) -> Option<Self> {
         let mut trial = (claim.clone(), Vec::new());
         for kind in kinds {
             let (claim, change) = kind.undone(&trial.0)?;
@@ -139,6 +139,6 @@ impl CorrectedClaim {
             trial.1.push(change);
         }
         let (claim, changes) = trial;
-        Some(Self { changes, fault: Fault::of(&claim)? })
+        Some(Self { changes, fault: Fault::from_claim(&claim)? })
     }
 }

@@ -16,7 +16,7 @@
 //! use asperity::{Grid, Indenter};
 //!
 //! let (sine, grid) = (Indenter::Sine { amplitude: 0.01 }, Grid::line(1024, 1.0)?);
-//! let (surface, exact) = (sine.surface(grid)?, Exact::of(&sine, &grid, 1.0, 0.01).expect("a sine has an exact solution"));
+//! let (surface, exact) = (sine.surface(grid)?, Exact::new(&sine, &grid, 1.0, 0.01).expect("a sine has an exact solution"));
 //! // somebody's pressures, written as forces of the nodes
 //! let forces = exact.pressure * grid.spacing()[1];
 //! let claim = Claim::new(surface, ContactModulus(1.0), Some(Load::MeanPressure(0.01)), Quantity::Pressure, &forces)?;
@@ -27,8 +27,8 @@
 
 mod arrangement;
 mod assessment;
-mod change;
 mod claim;
+mod correction;
 mod distance;
 mod factor;
 mod fault;

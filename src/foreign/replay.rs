@@ -70,10 +70,10 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Replay<I> {
     /// The feasible pressure of a frame, and what follows from it.
     fn state(&self, problem: &Problem, frame: &Frame, response: &mut Response) -> ReplayedState {
         let pressure = self.quantity.pressure(problem, &frame.values, response);
-        let pressure = feasible(problem, &pressure, &Tension::of(&pressure)).unwrap_or(pressure);
+        let pressure = feasible(problem, &pressure, &Tension::new(&pressure)).unwrap_or(pressure);
         let mut displacement = vec![0.0; pressure.len()];
         response.displacement(&pressure, &mut displacement);
-        let certificate = Certificate::of_displaced(problem, &pressure, &displacement);
+        let certificate = Certificate::from_displacement(problem, &pressure, &displacement);
         ReplayedState { pressure, displacement, certificate }
     }
 }

@@ -94,15 +94,15 @@ impl<P: Iterator<Item = PathBuf>> Steps<P> {
                 return Some(Ok(Frame { seconds: seconds.or(frame.seconds), ..frame }));
             }
             let path = self.paths.next()?;
-            match self.of_file(&path) {
+            match self.read_file(&path) {
                 Ok(frames) => self.frames = frames.into_iter(),
                 Err(error) => return Some(Err(error)),
             }
         }
     }
 
-    /// The steps in a file.
-    fn of_file(&self, path: &Path) -> Result<Vec<Frame>, StepsError> {
+    /// Reads the steps in a file.
+    fn read_file(&self, path: &Path) -> Result<Vec<Frame>, StepsError> {
         let fields = self.stacked(path, read_fields(path, self.quantity.name())?)?;
         let seconds = seconds_of(path)?;
         let steps = fields.len_of(Axis(0));

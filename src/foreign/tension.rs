@@ -17,7 +17,7 @@ pub struct Tension {
 
 impl Tension {
     /// The tension of `pressure`, row by row.
-    pub fn of(pressure: &[f64]) -> Self {
+    pub fn new(pressure: &[f64]) -> Self {
         let sum: f64 = pressure.iter().map(|p| p.abs()).sum();
         let mut tension = Self::default();
         for (node, &p) in pressure.iter().enumerate().filter(|(_, p)| **p < 0.0) {

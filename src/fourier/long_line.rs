@@ -102,11 +102,11 @@ impl LongLineFilter {
         let n2 = self.shape[1];
         for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
             self.forward[0].process_with_scratch(column, scratch);
-            self.twiddles.of(j2).zip(column).for_each(|(w, z)| *z *= w);
+            self.twiddles.column(j2).zip(column).for_each(|(w, z)| *z *= w);
         });
         self.scale_rows(factor);
         for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
-            self.twiddles.of(j2).zip(&mut *column).for_each(|(w, z)| *z *= w.conj());
+            self.twiddles.column(j2).zip(&mut *column).for_each(|(w, z)| *z *= w.conj());
             self.inverse[0].process_with_scratch(column, scratch);
         });
     }
@@ -163,7 +163,7 @@ impl Twiddles {
     }
 
     /// The factors of column `j2`.
-    fn of(&self, j2: usize) -> impl Iterator<Item = Complex> {
+    fn column(&self, j2: usize) -> impl Iterator<Item = Complex> {
         let coarse = &self.coarse[j2 / self.step * self.rows..][..self.rows];
         let fine = &self.fine[j2 % self.step * self.rows..][..self.rows];
         coarse.iter().zip(fine).map(|(a, b)| a * b)

@@ -33,7 +33,7 @@ impl CurveRecording {
     /// [`FileError::Target`] and [`FileError::Write`] for a file that cannot be made or written.
     pub fn create(path: &Path, curve: &LoadCurve, problem: &Problem) -> Result<Self, FileError> {
         let setup = Setup { load: problem.load(), ..curve.setup.clone() };
-        let scene = Scene { exact: None, ..Scene::of(&setup, problem) };
+        let scene = Scene { exact: None, ..Scene::from_setup(&setup, problem) };
         let loads = Loads {
             title: format!("{}, {} loads", scene.title, curve.loads.len()),
             description: format!("{}, each load from the contact before.", curve.setup.surface.description()),

@@ -31,7 +31,7 @@ impl Solved {
     pub fn warnings(&self) -> Vec<Warning> {
         let Self { setup, contact, is_settled, .. } = self;
         let mut warnings = setup.surface.warnings(contact.problem.surface());
-        warnings.extend(warnings_of(&[&Observables::of(contact)], contact.problem.law()));
+        warnings.extend(warnings_of(&[&Observables::new(contact)], contact.problem.law()));
         warnings.extend(warning_of_rim(contact));
         warnings.extend(setup.warning_of_coupling());
         warnings.extend((!is_settled).then(Refinement::warning));

@@ -98,7 +98,7 @@ impl Ready<'_> {
                 let mut observer = watch.observer(Pass::Reference(run));
                 let contact = run.solver().solve(problem(run), &run.setup.stop, &mut observer)?;
                 drop(observer);
-                self.job.runs[i].reference = Some(Arc::new(Reference::of(&contact)));
+                self.job.runs[i].reference = Some(Arc::new(Reference::from_contact(&contact)));
             }
         }
         Ok(())
@@ -160,7 +160,7 @@ impl Ready<'_> {
         let friction = run.setup.friction.filter(|_| run.is_repeatable() && contact.fault().is_none());
         let stick = |friction| {
             let (solver, stop) = (run.solver(), &run.setup.stop);
-            PartialSlip::of(contact.clone(), friction, solver, stop, &mut watch.observer(Pass::Stick(run)))
+            PartialSlip::solve(contact.clone(), friction, solver, stop, &mut watch.observer(Pass::Stick(run)))
         };
         let slip = friction.map(stick).transpose()?;
         Ok(Solved { setup: run.setup.clone(), contact, slip, is_settled })

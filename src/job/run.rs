@@ -93,7 +93,7 @@ impl<'a> JobRun<'a> {
         let cost = match &self.heights {
             Some(heights) => {
                 let grid = heights.grid().refined(self.refinement_to(setup))?;
-                Cost::of_fields(&grid, setup.solver.fields(&grid, 0.0).max(RESULT_FIELDS) + OTHER_FIELDS)
+                Cost::from_fields(&grid, setup.solver.fields(&grid, 0.0).max(RESULT_FIELDS) + OTHER_FIELDS)
             }
             None => setup.cost(extras)?,
         };
@@ -121,7 +121,7 @@ impl<'a> JobRun<'a> {
     pub(super) fn scene<'p>(&self, problem: &'p Problem) -> Scene<'p> {
         let scene = match self.other {
             Some(_) => Scene::new(&self.name, problem),
-            None => Scene { name: self.name.clone(), ..Scene::of(&self.setup, problem) },
+            None => Scene { name: self.name.clone(), ..Scene::from_setup(&self.setup, problem) },
         };
         let title = self.title.clone().unwrap_or(scene.title);
         let exact = scene.exact.filter(|_| self.shows_exact);

@@ -17,7 +17,7 @@
 //! let runs = spikes.flat_map(|trial| trial.rivals.iter().map(move |rival| (trial, rival)));
 //! let budget = Duration::from_secs(10);
 //! let reports: Vec<_> = runs.map(|(trial, rival)| judge(trial, rival, budget, |_| Box::new(()))).collect();
-//! let tally = Tally::of(&reports, None, None);
+//! let tally = Tally::new(&reports, None, None);
 //! assert!(reports.len() == 6 && tally.is_stable(), "{tally}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -67,7 +67,7 @@ pub fn reproduce(points: &Points) -> Reproduction {
         length_unit: "L/4",
     };
     let title = "Beyond the paper: other shapes, and up to full contact";
-    Reproduction::of(title, vec![power_panel(points), sine_panel(points)], ramp, verdicts)
+    Reproduction::new(title, vec![power_panel(points), sine_panel(points)], ramp, verdicts)
 }
 
 fn power_panel(points: &Points) -> Panel {

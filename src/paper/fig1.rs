@@ -33,7 +33,7 @@ pub fn reproduce(points: &Points) -> Reproduction {
         Verdict::number("fig1.point", "counted", mean("sphere", Measure::Counted)),
         Verdict::number("fig1.point", "resolved", mean("sphere", Measure::Resolved)).beside(),
     ];
-    Reproduction::of("Fig. 1: κ_r of smooth indenters, L/R = 4", vec![panel(points)], ramp(points), verdicts)
+    Reproduction::new("Fig. 1: κ_r of smooth indenters, L/R = 4", vec![panel(points)], ramp(points), verdicts)
 }
 
 fn panel(points: &Points) -> Panel {

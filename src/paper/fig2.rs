@@ -23,7 +23,7 @@ pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
     if lines.hurst.len() > 1 {
         verdicts.push(depends_on_hurst(points));
     }
-    Reproduction::of(title, panels, lines.ramp_of(points, lines.lines()), verdicts)
+    Reproduction::new(title, panels, lines.ramp_of(points, lines.lines()), verdicts)
 }
 
 /// Fall of `kappa` from the lightest to the heaviest load in per cent of that at the lightest, averaged over Hurst exponents.
@@ -36,7 +36,7 @@ fn variation(points: &Points) -> Estimate {
     for rows in points.realisations(points.finest()) {
         falls.entry(rows[0].seed).or_default().push(fall(&rows));
     }
-    Estimate::of(falls.into_values().map(|falls| Spread::of(falls).mean))
+    Estimate::from_values(falls.into_values().map(|falls| Spread::from_values(falls).mean))
 }
 
 /// Whether `kappa`, averaged over loads, differs between neighbouring Hurst exponents by more than twice the error.

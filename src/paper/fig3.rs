@@ -35,11 +35,11 @@ pub struct FitRow {
 }
 
 impl FitRow {
-    fn of(points: &Points, hurst: Option<f64>, area: Measure, weights: Weights) -> Option<Self> {
+    fn new(points: &Points, hurst: Option<f64>, area: Measure, weights: Weights) -> Option<Self> {
         let rows = points.on(points.finest()).filter(|row| hurst.is_none() || row.hurst == hurst);
         let pairs: Vec<(f64, f64)> =
             rows.map(|row| (row.observables.reduced_pressure, area.area()(&row.observables))).collect();
-        let Fit { area: form, residual } = Fit::of(&pairs, weights)?;
+        let Fit { area: form, residual } = Fit::new(&pairs, weights)?;
         let CorrectedArea { b1, b2 } = form;
         Some(Self { hurst, area, weights, b1, b2, kappa: form.kappa(0.0), residual, points: pairs.len() })
     }
@@ -60,7 +60,7 @@ impl FitRow {
 pub fn fits(lines: &Rough, points: &Points) -> Vec<Vec<FitRow>> {
     let exponents = || lines.hurst.iter().copied().map(Some).chain([None]);
     let kinds = Measure::ALL.into_iter().flat_map(|area| Weights::ALL.map(|weights| (area, weights)));
-    let fits = |(area, weights)| exponents().filter_map(|hurst| FitRow::of(points, hurst, area, weights)).collect();
+    let fits = |(area, weights)| exponents().filter_map(|hurst| FitRow::new(points, hurst, area, weights)).collect();
     kinds.map(fits).collect()
 }
 
@@ -73,7 +73,7 @@ pub fn reproduce(lines: &Rough, points: &Points, all: &[Vec<FitRow>]) -> Reprodu
         verdicts.extend((lines.hurst.len() > 1).then(|| strongly_depends(fits)));
     }
     let (title, panel) = ("Fig. 3: κ_fit of rough lines by Eq. 11", panel(lines, points, fits));
-    Reproduction::of(title, vec![panel], ramp(lines, points, fits), verdicts)
+    Reproduction::new(title, vec![panel], ramp(lines, points, fits), verdicts)
 }
 
 fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {

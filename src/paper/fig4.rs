@@ -30,7 +30,7 @@ pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
     let title = format!("Fig. 4: rough surfaces, {finest} x {finest} points, {waves} per shortest wavelength");
     let panels = vec![surfaces.area_panel(points), panel];
     let ramp = surfaces.ramp_of(points, surfaces.surfaces());
-    Reproduction::of(title, panels, ramp, verdicts(surfaces, points, fit))
+    Reproduction::new(title, panels, ramp, verdicts(surfaces, points, fit))
 }
 
 /// Of the paper's grid, as its `eps_c` is read, extrapolated if it is not among the grids; and beside it of all grids, of the

@@ -42,7 +42,7 @@ pub struct Both<'a> {
 
 impl Both<'_> {
     /// Those of the points that have a partner under the same load; `rough` are the surfaces.
-    pub fn of(rough: &Rough, [lines, surfaces]: [Points; 2]) -> Both<'_> {
+    pub fn new(rough: &Rough, [lines, surfaces]: [Points; 2]) -> Both<'_> {
         let shared = [&lines, &surfaces].map(Points::loads);
         Both { rough, lines: lines.under(&shared[1]), surfaces: surfaces.under(&shared[0]) }
     }
@@ -87,7 +87,7 @@ impl Both<'_> {
     /// The figure, and what the paper says of it.
     pub fn reproduce(&self, ratios: &[Ratio]) -> Reproduction {
         let panels = vec![panel(self.rough, ratios)];
-        Reproduction::of("Fig. 5: lines over surfaces", panels, ramp(self.rough, ratios), self.verdicts())
+        Reproduction::new("Fig. 5: lines over surfaces", panels, ramp(self.rough, ratios), self.verdicts())
     }
 
     fn verdicts(&self) -> Vec<Verdict> {

@@ -56,10 +56,10 @@ impl Fit {
     /// use asperity::theory::persson::CorrectedArea;
     /// let lines = CorrectedArea { b1: 0.6, b2: 2.0 };
     /// let points: Vec<_> = (1..20).map(|i| 0.05 * f64::from(i)).map(|p| (p, lines.relative_area(p))).collect();
-    /// let fit = Fit::of(&points, Weights::Equal).unwrap();
+    /// let fit = Fit::new(&points, Weights::Equal).unwrap();
     /// assert!((fit.area.b1 - 0.6).abs() < 1e-8 && (fit.area.b2 - 2.0).abs() < 1e-6);
     /// ```
-    pub fn of(points: &[(f64, f64)], weights: Weights) -> Option<Self> {
+    pub fn new(points: &[(f64, f64)], weights: Weights) -> Option<Self> {
         let (first, _) = points.first()?;
         let has_more = points.iter().any(|(p, _)| p != first);
         has_more.then(|| Self::search(Search { points, weights, b: Vector2::from(START), fades: true })).flatten()

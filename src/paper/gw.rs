@@ -53,7 +53,7 @@ pub fn reproduce() -> Reproduction {
         Verdict::exact("gw.gaussian", "", Gaussian.kappa_r(FAR)),
         depends_on_separation(),
     ];
-    Reproduction::of(
+    Reproduction::new(
         "Section 6: Greenwood and Williamson with the gradient over the contact",
         vec![panel],
         ramp(),

@@ -18,7 +18,7 @@ pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
     let title = format!("κ_r of rough lines and the Hurst exponent, {} profiles each", lines.seeds_on(0).len());
     let panels = vec![factors(lines, points), contrasts(lines, points), grids(lines, points)];
     let verdicts = lines_apart(points).map(|pair| depends_on_hurst(points, pair)).into_iter().collect();
-    Reproduction::of(title, panels, lines.ramp_of(points, lines.lines()), verdicts)
+    Reproduction::new(title, panels, lines.ramp_of(points, lines.lines()), verdicts)
 }
 
 /// The lowest and the highest Hurst exponent, if there are two.

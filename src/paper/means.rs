@@ -45,7 +45,7 @@ impl Points {
     /// `quantity` at one Hurst exponent and load, over the realisations.
     pub fn at(&self, hurst: f64, load: f64, nx: usize, quantity: ObservableFn) -> Spread {
         let is_it = |row: &&Point| row.hurst == Some(hurst) && row.observables.reduced_pressure == load;
-        Spread::of(self.on(nx).filter(is_it).map(|row| quantity(&row.observables)))
+        Spread::from_values(self.on(nx).filter(is_it).map(|row| quantity(&row.observables)))
     }
 
     /// The loads, lightest first.
@@ -72,13 +72,13 @@ impl Points {
 
     /// `quantity` on a grid, over the realisations: of one Hurst exponent, or averaged over all; averaged over the loads.
     pub fn average(&self, hurst: Option<f64>, nx: usize, quantity: ObservableFn) -> Estimate {
-        Estimate::of(self.averages(hurst, None, nx, quantity).into_values())
+        Estimate::from_values(self.averages(hurst, None, nx, quantity).into_values())
     }
 
     /// How much larger `quantity` is at the second of two Hurst exponents than at the first, by pairs of the same seed, which
     /// share their random waves; averaged over the loads.
     pub fn contrast(&self, pair: [f64; 2], nx: usize, quantity: ObservableFn) -> Estimate {
-        Estimate::of(self.contrasts(pair, None, nx, quantity).into_values())
+        Estimate::from_values(self.contrasts(pair, None, nx, quantity).into_values())
     }
 
     /// A quantity of a measure as [`Points::average`] and under one load or averaged over all, extrapolated from the grids that
@@ -135,7 +135,7 @@ impl Points {
         let spacing = |nx: usize| 1.0 / nx as f64;
         let grid = |nx| GridValues { spacing: spacing(nx), values: values(nx) };
         let grids: Vec<GridValues> = self.grids().into_iter().map(grid).collect();
-        Limit { order: measure.order(), spacing: nx.map_or(0.0, spacing) }.of(&grids)
+        Limit { order: measure.order(), spacing: nx.map_or(0.0, spacing) }.extrapolate(&grids)
     }
 
     /// `quantity` under one load or averaged over all, at one Hurst exponent or averaged over all, by the seeds.
@@ -154,7 +154,7 @@ impl Points {
         // a seed some of whose points are left out would be an average over others
         let whole = values.values().map(Vec::len).max().unwrap_or(0);
         let values = values.into_iter().filter(|(_, values)| values.len() == whole);
-        values.map(|(seed, values)| (seed, Spread::of(values).mean)).collect()
+        values.map(|(seed, values)| (seed, Spread::from_values(values).mean)).collect()
     }
 
     fn contrasts(&self, pair: [f64; 2], load: Option<f64>, nx: usize, quantity: ObservableFn) -> BTreeMap<u64, f64> {
@@ -195,7 +195,7 @@ impl Points {
         for Point { nx, hurst, observables, .. } in &self.0 {
             let place = (*nx, hurst.unwrap_or(f64::NAN), observables.reduced_pressure);
             if !means.iter().any(|mean| (mean.nx, mean.hurst, mean.reduced_pressure) == place) {
-                means.push(Mean::of(self, place));
+                means.push(Mean::new(self, place));
             }
         }
         means
@@ -229,7 +229,7 @@ pub struct Mean {
 }
 
 impl Mean {
-    fn of(points: &Points, (nx, hurst, reduced_pressure): (usize, f64, f64)) -> Self {
+    fn new(points: &Points, (nx, hurst, reduced_pressure): (usize, f64, f64)) -> Self {
         let of = |quantity| points.at(hurst, reduced_pressure, nx, quantity);
         let [pressure_counted, pressure] = Measure::ALL.map(|it| of(it.reduced_pressure_contact()));
         let [area_counted, area] = Measure::ALL.map(|it| of(it.area()));

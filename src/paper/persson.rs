@@ -49,9 +49,9 @@ pub struct Seen {
 
 impl Seen {
     /// What is seen of a contact.
-    pub fn of(point: &Point, contact: &Contact) -> Self {
+    pub fn new(point: &Point, contact: &Contact) -> Self {
         let (mean, modulus) = (contact.mean_pressure(), contact.problem.contact_modulus());
-        let heights = PowerSpectrum::of(contact.problem.surface());
+        let heights = PowerSpectrum::new(contact.problem.surface());
         let (found, theory) = (contact.pressure_spectrum(), Pressures::spectrum(mean, modulus, &heights));
         let area = AREA(&point.observables);
         let scale = mean / area;
@@ -141,7 +141,7 @@ impl Ensemble<'_> {
 
     /// The mean over realisations of a number under a load.
     fn mean(&self, load: usize, of: impl Fn(&Seen) -> f64) -> f64 {
-        Spread::of(self.under(load).map(of)).mean
+        Spread::from_values(self.under(load).map(of)).mean
     }
 
     /// Variances by bins of the wavenumber, summed over realisations.
@@ -159,7 +159,7 @@ impl Ensemble<'_> {
     fn steps(&self) -> Vec<[Estimate; 4]> {
         let steps: Vec<Vec<[f64; 4]>> = self.all.iter().map(|seen| seen.windows(3).map(step).collect()).collect();
         let count = self.loads().len().saturating_sub(2);
-        (0..count).map(|i| [0, 1, 2, 3].map(|j| Estimate::of(steps.iter().map(|steps| steps[i][j])))).collect()
+        (0..count).map(|i| [0, 1, 2, 3].map(|j| Estimate::from_values(steps.iter().map(|steps| steps[i][j])))).collect()
     }
 }
 
@@ -286,11 +286,16 @@ pub fn reproduce(seen: &[Vec<Seen>]) -> Reproduction {
     ];
     let work = |key, groups: &[&Ensemble<'_>]| {
         let steps: Vec<_> = groups.iter().flat_map(|group| group.steps()).collect();
-        let over = |i: usize| Estimate::of(steps.iter().map(|step| step[i].mean));
+        let over = |i: usize| Estimate::from_values(steps.iter().map(|step| step[i].mean));
         Verdict::number(key, "", Estimate { grid: over(3).mean, ..over(2) })
     };
     let verdicts = vec![work("persson.line", &lines), work("persson.surface", &surfaces)];
-    Reproduction::of("Pressures of lines and surfaces beside Persson's theory", panels, ramp(&groups, &ratio), verdicts)
+    Reproduction::new(
+        "Pressures of lines and surfaces beside Persson's theory",
+        panels,
+        ramp(&groups, &ratio),
+        verdicts,
+    )
 }
 
 /// Marks of the lightest and the heaviest load.
@@ -348,7 +353,7 @@ fn along(title: &str, name: &str, range: [f64; 2], groups: &[Ensemble<'_>], of: 
     for group in groups {
         let (colour, mark) = style(groups, group);
         let dot = |load| {
-            let Spread { mean, deviation, .. } = Spread::of(group.under(load).map(of));
+            let Spread { mean, deviation, .. } = Spread::from_values(group.under(load).map(of));
             Dot { x: group.pressure(load), y: mean, spread: deviation }
         };
         panel.add(group.name(), colour, mark, group.loads().map(dot));

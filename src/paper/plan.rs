@@ -64,33 +64,33 @@ impl Paper {
     /// The paper's own Hurst exponents, with as many points, seeds and loads as an effort allows.
     pub fn new(folder: impl Into<PathBuf>, effort: Effort) -> Self {
         let hurst = vec![0.2, 0.5, 0.8];
-        let loads = between(LOADS, effort.of([4, 13, 3]));
+        let loads = between(LOADS, effort.choose([4, 13, 3]));
         let lines = Rough {
-            points: vec![effort.of([1 << 13, 1 << 18, 1 << 18])],
+            points: vec![effort.choose([1 << 13, 1 << 18, 1 << 18])],
             hurst: hurst.clone(),
-            seeds: vec![seeds(effort.of([3, 10, 10]))],
-            cutoff: 1.0 / effort.of([64.0, 512.0, 512.0]),
+            seeds: vec![seeds(effort.choose([3, 10, 10]))],
+            cutoff: 1.0 / effort.choose([64.0, 512.0, 512.0]),
             loads: loads.clone(),
         };
         let fine_lines = Rough {
-            points: effort.of([[12, 13, 14], [16, 18, 20], [16, 18, 20]]).map(|power| 1 << power).into(),
-            loads: between(WIDE_LOADS, effort.of([3, 8, 8])),
+            points: effort.choose([[12, 13, 14], [16, 18, 20], [16, 18, 20]]).map(|power| 1 << power).into(),
+            loads: between(WIDE_LOADS, effort.choose([3, 8, 8])),
             ..lines.clone()
         };
         let surfaces = Rough {
-            points: effort.of([vec![128, 256, 512], vec![2048, 4096, 8192], vec![16384]]),
+            points: effort.choose([vec![128, 256, 512], vec![2048, 4096, 8192], vec![16384]]),
             hurst,
-            seeds: effort.of([&[3, 2, 2][..], &[6, 4, 2], &[1]]).iter().map(|&count| seeds(count)).collect(),
-            cutoff: 1.0 / effort.of([16.0, 64.0, 64.0]),
+            seeds: effort.choose([&[3, 2, 2][..], &[6, 4, 2], &[1]]).iter().map(|&count| seeds(count)).collect(),
+            cutoff: 1.0 / effort.choose([16.0, 64.0, 64.0]),
             // every third load of lines, or every one of few
-            loads: loads.into_iter().step_by(effort.of([1, 3, 1])).collect(),
+            loads: loads.into_iter().step_by(effort.choose([1, 3, 1])).collect(),
         };
         Self {
             folder: folder.into(),
             lines,
             surfaces,
             fine_lines,
-            sphere_sides: effort.of([[1 << 10, 1 << 10], [1 << 13, 1 << 11], [1 << 13, 1 << 11]]),
+            sphere_sides: effort.choose([[1 << 10, 1 << 10], [1 << 13, 1 << 11], [1 << 13, 1 << 11]]),
             tolerance: 1e-8,
             workers: None,
             is_fresh: false,
@@ -152,7 +152,7 @@ impl Paper {
         for realisation in &realisations {
             let cost = realisation.setup.cost(&Extras::default())?;
             // the pressure of the load before included
-            bytes = bytes.max(cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes);
+            bytes = bytes.max(cost.bytes + Cost::from_fields(&cost.grid, 1.0).bytes);
         }
         let fit = available_bytes().map_or(1.0, |free| MEMORY * free / bytes);
         let workers = self.workers.unwrap_or((fit as usize).clamp(1, rayon::current_num_threads()));
@@ -195,7 +195,7 @@ fn between(ends: [f64; 2], count: usize) -> Vec<f64> {
 
 impl Effort {
     /// The value that suits the effort.
-    fn of<T>(self, [quick, usual, full]: [T; 3]) -> T {
+    fn choose<T>(self, [quick, usual, full]: [T; 3]) -> T {
         match self {
             Self::Quick => quick,
             Self::Usual => usual,

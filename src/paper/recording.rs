@@ -51,7 +51,7 @@ fn scene<'a>((contact, problem): (&Realisation, &'a Problem)) -> Scene<'a> {
         }
         None => contact.name.clone(),
     };
-    Scene { name: title.clone(), title, exact: None, ..Scene::of(&contact.setup, problem) }
+    Scene { name: title.clone(), title, exact: None, ..Scene::from_setup(&contact.setup, problem) }
 }
 
 fn curve(RampCurve { view, name, colour, .. }: &RampCurve) -> RecordedCurve {

@@ -14,7 +14,7 @@ pub struct Reproduction {
 
 impl Reproduction {
     /// A figure that was made again.
-    pub fn of(title: impl Into<String>, panels: Vec<Panel>, ramp: Ramp, verdicts: Vec<Verdict>) -> Self {
+    pub fn new(title: impl Into<String>, panels: Vec<Panel>, ramp: Ramp, verdicts: Vec<Verdict>) -> Self {
         Self { figure: Some((Figure { title: title.into(), panels }, ramp)), verdicts }
     }
 }

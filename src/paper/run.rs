@@ -42,7 +42,7 @@ pub enum Event<'a> {
     },
 }
 
-/// A watcher of events, which come from all threads that solve.
+/// A function that takes events, which come from all threads that solve.
 pub type EventHandler<'a> = &'a (dyn Fn(Event<'_>) + Sync);
 
 impl Paper {
@@ -93,7 +93,7 @@ impl Paper {
                 fig4::reproduce(surfaces, &points)
             }
             Item::Fig5 => {
-                let both = Both::of(surfaces, [points(Item::Fig2)?, points(Item::Fig4)?]);
+                let both = Both::new(surfaces, [points(Item::Fig2)?, points(Item::Fig4)?]);
                 let ratios = both.ratios();
                 write_csv(&file("fig5"), &ratios)?;
                 both.reproduce(&ratios)
@@ -125,7 +125,7 @@ impl Paper {
         watch(Event::Begin { item, nodes: sweep.nodes()? });
         let seen = sweep.map(&|point, contact| {
             watch(Event::Solved(point));
-            Seen::of(point, contact)
+            Seen::new(point, contact)
         })?;
         let points = sweep.points();
         watch(Event::End { item, new: points, points, seconds: clock.elapsed().as_secs_f64() });

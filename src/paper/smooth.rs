@@ -65,7 +65,7 @@ pub fn half_width(row: &Point) -> f64 {
 /// A quantity of the contacts of a name up to some `widest` half-width over the period.
 pub fn narrow(points: &Points, name: &str, widest: f64, quantity: ObservableFn) -> Estimate {
     let narrow = points.named(name).filter(|row| half_width(row) < 1.1 * widest * PERIOD);
-    Estimate::of(narrow.map(|row| quantity(&row.observables)))
+    Estimate::from_values(narrow.map(|row| quantity(&row.observables)))
 }
 
 /// Mean pressure of a row over the contact modulus.

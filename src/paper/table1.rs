@@ -17,7 +17,7 @@ pub fn realisations(side: usize) -> Vec<Realisation> {
 
 /// Load, gradient and `kappa_r` of each, in units of `E*`, `R` and the half-width `c`.
 pub fn reproduce(points: &Points) -> Reproduction {
-    let of = |name, quantity: fn(&Point) -> f64| Estimate::of(points.named(name).map(quantity));
+    let of = |name, quantity: fn(&Point) -> f64| Estimate::from_values(points.named(name).map(quantity));
     let kappa_r = ["cylinder", "sphere"].map(|name| of(name, |row| Measure::Resolved.kappa_r()(&row.observables)));
     let gradient = |row: &Point| row.observables.rms_gradient_contact * RADIUS / half_width(row);
     let line_load = |row: &Point| strain(row) * PERIOD * RADIUS / half_width(row).powi(2);

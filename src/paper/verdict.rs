@@ -77,7 +77,7 @@ pub struct Verdict {
 impl Verdict {
     /// A number with its errors; `how` says what kind it is.
     pub(super) fn number(key: &str, how: &str, here: Estimate) -> Self {
-        let printed = Printed::of(key);
+        let printed = Printed::from_key(key);
         let (value, own) = (printed.value.unwrap_or(f64::NAN), printed.error(here.scatter));
         let (off, error) = (here.mean - value, here.uncertainty().hypot(own));
         let verdict = match off.abs() <= CLOSE * error {
@@ -103,7 +103,7 @@ impl Verdict {
 
     /// A statement: what is found instead of it, and whether it holds.
     pub(super) fn statement(key: &str, here: String, holds: bool) -> Self {
-        Self::on(Printed::of(key), "", here, if holds { "holds" } else { "does not hold" })
+        Self::on(Printed::from_key(key), "", here, if holds { "holds" } else { "does not hold" })
     }
 
     fn on(printed: Printed, how: &str, here: String, verdict: &str) -> Self {
@@ -161,7 +161,7 @@ impl Verdict {
 
 impl Printed {
     /// The number or statement that goes by `key`.
-    fn of(key: &str) -> Self {
+    fn from_key(key: &str) -> Self {
         let mut rows = csv::Reader::from_reader(PRINTED.as_bytes()).into_deserialize::<Self>().flatten();
         rows.find(|row| row.key == key).unwrap_or_else(|| panic!("assets/paper.csv holds no {key}"))
     }

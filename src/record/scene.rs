@@ -31,7 +31,7 @@ impl<'a> Scene<'a> {
     }
 
     /// The scene `contact` of the problem of a setup.
-    pub fn of(setup: &Setup, problem: &'a Problem) -> Self {
+    pub fn from_setup(setup: &Setup, problem: &'a Problem) -> Self {
         let grid = problem.surface().grid();
         Self {
             title: setup.surface.title(grid),
@@ -43,7 +43,7 @@ impl<'a> Scene<'a> {
 
     /// The exact area and pressure, or a guess of them where there are none.
     pub(super) fn forecast(&self) -> Forecast {
-        let guess = Forecast::of(self.problem);
+        let guess = Forecast::new(self.problem);
         let Some(exact) = &self.exact else { return guess };
         let max_pressure = exact.max_pressure.filter(|p| p.is_finite()).unwrap_or(guess.max_pressure);
         Forecast { relative_area: exact.relative_area, max_pressure }

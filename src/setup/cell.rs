@@ -56,7 +56,7 @@ impl Cell {
     }
 
     /// The cell of a height file that says its points and lengths.
-    pub fn of_file() -> Self {
+    pub fn file() -> Self {
         Self { points: Vec::new(), size: Vec::new(), refine: None, boundary: Vec::new(), datum: None }
     }
 

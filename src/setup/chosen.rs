@@ -33,7 +33,7 @@ impl SetupTable {
         let mut on_its_grid = self.clone();
         on_its_grid.take_auto()?;
         let (recipe, cell) = on_its_grid.surface()?;
-        Cost::of_fields(&recipe.grid(&cell)?, SURVEY_FIELDS).check("a survey")?;
+        Cost::from_fields(&recipe.grid(&cell)?, SURVEY_FIELDS).check("a survey")?;
         let PreparationChoice { preparation, reasons } = recipe.choice(&cell)?;
         let steps = toml::Table::try_from(preparation).expect("steps have a form in TOML");
         for (step, value) in steps {

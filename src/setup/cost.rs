@@ -92,7 +92,7 @@ impl Setup {
 
 impl Cost {
     /// Bytes of so many fields of doubles.
-    pub fn of_fields(grid: &Grid, fields: f64) -> Self {
+    pub fn from_fields(grid: &Grid, fields: f64) -> Self {
         Self { grid: *grid, coarse_grids: 0, bytes: bytes(grid, fields) }
     }
 

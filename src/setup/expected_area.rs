@@ -40,12 +40,12 @@ impl Setup {
     /// The forecast for the heights themselves where they are measured, or else for those on a small grid.
     fn looked_at(&self, grid: &Grid) -> Result<f64, SetupError> {
         if self.surface.is_measured() {
-            return Ok(Forecast::of(&self.problem()?).relative_area);
+            return Ok(Forecast::new(&self.problem()?).relative_area);
         }
         let most = SIDES[usize::from(!grid.is_line())];
         let mut small = self.clone();
         small.grid.points.iter_mut().for_each(|points| *points = (*points).min(most));
-        Ok(small.problem().map_or(1.0, |problem| Forecast::of(&problem).relative_area))
+        Ok(small.problem().map_or(1.0, |problem| Forecast::new(&problem).relative_area))
     }
 }
 

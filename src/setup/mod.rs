@@ -239,7 +239,7 @@ impl Setup {
     pub fn exact(&self, grid: &Grid, mean_pressure: f64) -> Option<Exact> {
         self.law.is_hard_wall().then_some(())?;
         let solid = self.elastic().ok().filter(|solid| solid.is_half_space())?;
-        Exact::of(&self.surface.smooth()?, grid, solid.contact_modulus(), mean_pressure)
+        Exact::new(&self.surface.smooth()?, grid, solid.contact_modulus(), mean_pressure)
     }
 
     /// Sixteen hexadecimal digits that tell setups apart whose contacts differ under the same load: by all that is in them but

@@ -181,13 +181,13 @@ impl Recipe {
         let unit = self.unit(measured.is_in_metres)?;
         if let Some(x) = &measured.positions {
             let resample = self.prepare.resample.ok_or_else(|| SetupError::Uneven { path: file.path().into() })?;
-            let (even, _) = resample.of(x, &measured.height.row(0).to_vec());
+            let (even, _) = resample.apply(x, &measured.height.row(0).to_vec());
             measured.height.row_mut(0).assign(&ndarray::ArrayView1::from(&even));
         }
         let [ny, nx] = self.prepare.shape(measured.height.dim().into())?;
         let factor = [grid.shape()[0] / ny, grid.shape()[1] / nx].map(|it| it.max(1) as f64);
         let spacing = [0, 1].map(|axis| grid.spacing()[axis] * factor[axis]);
-        Ok(self.prepare.of(Scan { height: measured.height * unit, spacing })?)
+        Ok(self.prepare.apply(Scan { height: measured.height * unit, spacing })?)
     }
 
     /// The preparation that the heights of a file need on a cell, after they are cropped as the recipe says.
@@ -201,7 +201,7 @@ impl Recipe {
         let prepare = Preparation { resample, crop: self.prepare.crop.clone(), ..Preparation::default() };
         let raw = Self { prepare, ..self.clone() };
         let grid = raw.grid(&Cell { refine: None, ..cell.clone() })?;
-        Ok(PreparationChoice::of(&raw.prepared(file, &grid)?.scan, is_even, grid.periodic())?)
+        Ok(PreparationChoice::new(&raw.prepared(file, &grid)?.scan, is_even, grid.periodic())?)
     }
 
     /// The surface on a grid: the sum of all parts that are given.

@@ -59,7 +59,7 @@ impl Recipe {
             of_file
                 .into_iter()
                 .chain(found.into_iter().flatten())
-                .chain(warning_of_noise(&Scales::of_surface(surface, refined)))
+                .chain(warning_of_noise(&Scales::from_surface(surface, refined)))
         });
         self.warnings_of_jumps(surface.jumps()).into_iter().chain(measured.into_iter().flatten()).collect()
     }

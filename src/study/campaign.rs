@@ -42,7 +42,7 @@ impl Plan {
     ) -> Result<Vec<Point>, StudyError> {
         let realisation = self.realisation(realisation)?;
         let mut points = Vec::new();
-        Identity::of(&realisation)?.press(watch, |point, _| points.push(point))?;
+        Identity::new(&realisation)?.press(watch, |point, _| points.push(point))?;
         Ok(points)
     }
 
@@ -96,12 +96,12 @@ impl Plan {
     pub fn merge(&self, tables: &[Table]) -> Result<Vec<Point>, StudyError> {
         let all: Vec<usize> = (0..self.realisations()).collect();
         let realisations = self.realisations_of(&all)?;
-        let identities = realisations.iter().map(Identity::of).collect::<Result<Vec<_>, _>>()?;
+        let identities = realisations.iter().map(Identity::new).collect::<Result<Vec<_>, _>>()?;
         let mut merged: Vec<Option<Vec<Point>>> = vec![None; identities.len()];
         let mut origin = vec![0; identities.len()];
         for (number, table) in tables.iter().enumerate() {
             let points = table.read()?;
-            let known = Known::of(&points);
+            let known = Known::new(&points);
             let foreign = known.foreign(&identities);
             if foreign > 0 {
                 return Err(StudyError::OtherShare { path: table.path().into(), points: foreign });

@@ -15,20 +15,20 @@ impl Checksum {
     pub const NAME: &str = "check";
 
     /// The check sum of a row that is written with it.
-    pub fn of(row: impl Serialize) -> Self {
+    pub fn from_row(row: impl Serialize) -> Self {
         Self { check: format!("{:016x}", fnv1a([line(row).as_slice()])) }
     }
 
     /// The words of a row, with its check sum as the last.
     pub fn add_to(mut words: Vec<String>) -> Vec<String> {
-        words.push(Self::of(&words).check);
+        words.push(Self::from_row(&words).check);
         words
     }
 
     /// Whether a row that was read is as it was written.
     pub fn holds(record: &StringRecord) -> bool {
         let mut fields: Vec<&str> = record.iter().collect();
-        fields.pop().is_some_and(|last| last == Self::of(fields).check)
+        fields.pop().is_some_and(|last| last == Self::from_row(fields).check)
     }
 }
 

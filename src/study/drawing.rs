@@ -72,7 +72,7 @@ impl Plan {
                 by_load.entry(point.load).or_default().push(point);
             }
             let means = by_load.values().map(|found| {
-                let spread = |of: fn(&Point) -> Option<f64>| Spread::of(found.iter().filter_map(|it| of(it)));
+                let spread = |of: fn(&Point) -> Option<f64>| Spread::from_values(found.iter().filter_map(|it| of(it)));
                 MeanPoint {
                     reduced_pressure: spread(|it| Some(it.observables.reduced_pressure)).mean,
                     values: [spread(AREA.1), spread(KAPPA.1)],

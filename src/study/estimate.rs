@@ -6,11 +6,11 @@ use super::spread::Spread;
 ///
 /// ```
 /// use asperity::study::Estimate;
-/// let [lines, surfaces] = [[1.6, 1.8, 1.7], [1.8, 2.0, 1.9]].map(Estimate::of);
+/// let [lines, surfaces] = [[1.6, 1.8, 1.7], [1.8, 2.0, 1.9]].map(Estimate::from_values);
 /// assert!((lines.mean - 1.7).abs() < 1e-12 && (lines.error - 0.1 / 3f64.sqrt()).abs() < 1e-12);
 /// let ratio = lines.over(surfaces);
 /// assert!((ratio.error / ratio.mean - (lines.error / 1.7).hypot(surfaces.error / 1.9)).abs() < 1e-12);
-/// assert!(Estimate::of([1.7]).error.is_nan());
+/// assert!(Estimate::from_values([1.7]).error.is_nan());
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
@@ -26,8 +26,8 @@ pub struct Estimate {
 
 impl Estimate {
     /// The mean of `values` of independent realisations.
-    pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
-        let spread = Spread::of(values);
+    pub fn from_values(values: impl IntoIterator<Item = f64>) -> Self {
+        let spread = Spread::from_values(values);
         Self { mean: spread.mean, error: spread.error(), grid: 0.0, scatter: spread.deviation }
     }
 

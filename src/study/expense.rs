@@ -24,7 +24,7 @@ impl Expense {
     ///
     /// # Errors
     /// The errors of [`Realisation::check`].
-    pub fn of(realisation: &Realisation) -> Result<Self, SetupError> {
+    pub fn new(realisation: &Realisation) -> Result<Self, SetupError> {
         realisation.check()?;
         let loads = &realisation.loads;
         let heaviest = loads.iter().copied().max_by(|a, b| a.value().total_cmp(&b.value()));
@@ -39,7 +39,7 @@ impl Expense {
         };
         let seconds = SECONDS * nodes * nodes.log2() * loads.iter().map(transforms).sum::<f64>();
         // the pressure of the load before included
-        Ok(Self { seconds, bytes: cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes })
+        Ok(Self { seconds, bytes: cost.bytes + Cost::from_fields(&cost.grid, 1.0).bytes })
     }
 }
 

@@ -29,7 +29,7 @@ impl<'a> Identity<'a> {
     ///
     /// # Errors
     /// For a height file that cannot be read.
-    pub fn of(realisation: &'a Realisation) -> Result<Self, StudyError> {
+    pub fn new(realisation: &'a Realisation) -> Result<Self, StudyError> {
         let setup = realisation.setup.fingerprint()?;
         let is_told = realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
         let with_loads =
@@ -95,7 +95,7 @@ impl<'a> Identity<'a> {
             status: contact.status,
             setup: self.setup.clone(),
             version: VERSION.into(),
-            observables: Observables::of(contact),
+            observables: Observables::new(contact),
             seconds: contact.work.seconds,
         }
     }

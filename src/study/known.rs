@@ -9,7 +9,7 @@ pub(super) struct Known<'a>(HashMap<Key, Vec<&'a Point>>);
 
 impl<'a> Known<'a> {
     /// Points in the order of their table.
-    pub fn of(points: &'a [Point]) -> Self {
+    pub fn new(points: &'a [Point]) -> Self {
         let mut known: HashMap<Key, Vec<&Point>> = HashMap::new();
         points.iter().for_each(|point| known.entry(key_of(point)).or_default().push(point));
         Self(known)

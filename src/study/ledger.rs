@@ -62,8 +62,8 @@ impl Ledger {
             Some(table) => {
                 let all: Vec<usize> = (0..plan.realisations()).collect();
                 let realisations = plan.realisations_of(&all)?;
-                let identities = realisations.iter().map(Identity::of).collect::<Result<Vec<_>, _>>()?;
-                Known::of(&Sweep::there(&identities, table)?).find_all(&identities)
+                let identities = realisations.iter().map(Identity::new).collect::<Result<Vec<_>, _>>()?;
+                Known::new(&Sweep::there(&identities, table)?).find_all(&identities)
             }
         };
         Ok(Self { plan, table, points })
@@ -117,7 +117,7 @@ impl Ledger {
     /// Refuses points that are not those of a realisation.
     fn check(&self, number: usize, points: &[Point]) -> Result<(), StudyError> {
         let realisation = self.plan.realisation(self.plan.number(number)?)?;
-        let identity = Identity::of(&realisation)?;
+        let identity = Identity::new(&realisation)?;
         let found: Vec<&Point> = points.iter().filter(|point| key_of(point) == identity.key()).collect();
         if identity.find(&found).is_none_or(|it| it.len() != points.len()) {
             let version = points.first().map(|point| point.version.clone()).unwrap_or_default();

@@ -41,15 +41,15 @@ impl Limit {
     ///     values: seeds.map(|seed| value(spacing, seed)).collect(),
     /// };
     /// let grids = [grid(0.04, 0..5), grid(0.02, 0..3), grid(0.01, 0..2)];
-    /// let found = Limit { order: 1, spacing: 0.0 }.of(&grids);
+    /// let found = Limit { order: 1, spacing: 0.0 }.extrapolate(&grids);
     /// assert!((found.mean - 1.72).abs() < 1e-12 && (found.scatter - 0.0158).abs() < 1e-4);
     /// // the line through the finest two is off by the quadratic term
     /// assert!((found.grid - 3.0 * 0.02 * 0.01).abs() < 1e-12);
     /// ```
-    pub fn of(&self, grids: &[GridValues]) -> Estimate {
+    pub fn extrapolate(&self, grids: &[GridValues]) -> Estimate {
         let grids = &grids[grids.len().saturating_sub(GRIDS)..];
         let Some(coarsest) = grids.first() else { return Estimate::exact(f64::NAN) };
-        let spread = Spread::of(coarsest.values.values().copied());
+        let spread = Spread::from_values(coarsest.values.values().copied());
         let finer: Vec<Spread> = grids.windows(2).map(|pair| differences(&pair[0], &pair[1])).collect();
         let [all, fewer] = [0, 1].map(|skipped| self.shares(grids, skipped));
         let sum =
@@ -73,7 +73,7 @@ impl Limit {
 /// How much larger the values are on the finer of two grids, over the realisations that are on both.
 fn differences(coarse: &GridValues, fine: &GridValues) -> Spread {
     let difference = |(seed, value): (&u64, &f64)| Some(value - coarse.values.get(seed)?);
-    Spread::of(fine.values.iter().filter_map(difference))
+    Spread::from_values(fine.values.iter().filter_map(difference))
 }
 
 /// The weights of values at `places` in the value at `x` of the polynomial through them.

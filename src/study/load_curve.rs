@@ -64,7 +64,7 @@ impl LoadCurve {
         let setup = Setup { load: largest.unwrap_or(self.setup.load), ..self.setup.clone() };
         let cost = setup.cost(extras)?;
         // the pressure of the load before included
-        Ok(Cost { bytes: cost.bytes + Cost::of_fields(&cost.grid, 1.0).bytes, ..cost })
+        Ok(Cost { bytes: cost.bytes + Cost::from_fields(&cost.grid, 1.0).bytes, ..cost })
     }
 
     /// The problem under the heaviest of the loads, all of which are checked.

@@ -68,7 +68,7 @@ impl Plan {
     /// # Errors
     /// For a text that is no setup with lists, with the line, and for more than [`Plan::MOST_ROWS`] rows.
     pub fn from_toml(text: &str) -> Result<Self, StudyError> {
-        Self::of(SetupTable::from_toml(text)?, text)
+        Self::new(SetupTable::from_toml(text)?, text)
     }
 
     /// The study that some sections and keys make, with lists among their values.
@@ -76,7 +76,7 @@ impl Plan {
     /// # Errors
     /// The errors of [`Plan::from_toml`].
     pub fn from_table(table: SetupTable) -> Result<Self, StudyError> {
-        Self::of(table, "")
+        Self::new(table, "")
     }
 
     /// The study in a file. A height file is found beside it.
@@ -86,13 +86,13 @@ impl Plan {
     pub fn read(path: &Path) -> Result<Self, StudyError> {
         let table = SetupTable::read(path)?;
         let text = std::fs::read_to_string(path).unwrap_or_default(); // results carry theirs in other forms
-        Self::of(table, &text).map_err(|error| match error {
+        Self::new(table, &text).map_err(|error| match error {
             StudyError::Setup(error) => error.in_file(path).into(),
             other => other,
         })
     }
 
-    fn of(mut table: SetupTable, text: &str) -> Result<Self, StudyError> {
+    fn new(mut table: SetupTable, text: &str) -> Result<Self, StudyError> {
         let located = |error: SetupError| error.in_text(text);
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;
@@ -212,7 +212,7 @@ impl Plan {
     /// # Errors
     /// [`StudyError::Row`].
     pub fn expenses(&self) -> Result<Vec<(usize, Expense)>, StudyError> {
-        let of = |i| Ok((i, Expense::of(&self.realisation(i)?).map_err(|error| self.in_row(i, error))?));
+        let of = |i| Ok((i, Expense::new(&self.realisation(i)?).map_err(|error| self.in_row(i, error))?));
         self.firsts().map(of).collect()
     }
 

@@ -51,7 +51,7 @@ impl Point {
     pub fn to_lines<'a>(points: impl IntoIterator<Item = &'a Self>) -> String {
         let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         let rows = points.into_iter().map(|it| (it, it.observables, it.seconds));
-        let written = rows.into_iter().try_for_each(|row| csv.serialize((row, Checksum::of(row))));
+        let written = rows.into_iter().try_for_each(|row| csv.serialize((row, Checksum::from_row(row))));
         let text = written.ok().and_then(|()| String::from_utf8(csv.into_inner().ok()?).ok());
         text.expect("numbers and texts have a form in lines")
     }

@@ -16,10 +16,10 @@ impl Spread {
     ///
     /// ```
     /// use asperity::study::Spread;
-    /// let spread = Spread::of([1.0, 2.0, 3.0]);
+    /// let spread = Spread::from_values([1.0, 2.0, 3.0]);
     /// assert_eq!((spread.mean, spread.deviation, spread.count), (2.0, 1.0, 3));
     /// ```
-    pub fn of(values: impl IntoIterator<Item = f64>) -> Self {
+    pub fn from_values(values: impl IntoIterator<Item = f64>) -> Self {
         let values: Vec<f64> = values.into_iter().collect();
         let count = values.len();
         let mean = values.iter().sum::<f64>() / count as f64;

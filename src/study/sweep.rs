@@ -71,7 +71,7 @@ impl Sweep {
         self.check()?;
         let identities = self.identities()?;
         let there = Self::there(&identities, table)?;
-        let known = Known::of(&there).find_all(&identities);
+        let known = Known::new(&there).find_all(&identities);
         let solved = self.solve(&identities, known, table, watch)?;
         let points: Vec<Point> = solved.into_iter().flatten().collect();
         let is_new = points != there;
@@ -109,18 +109,18 @@ impl Sweep {
     /// The errors of [`Table::read`], and for a height file that cannot be read.
     pub fn points_in(&self, table: &Table) -> Result<usize, StudyError> {
         let there = table.read()?;
-        Ok(Known::of(&there).find_all(&self.identities()?).iter().flatten().map(Vec::len).sum())
+        Ok(Known::new(&there).find_all(&self.identities()?).iter().flatten().map(Vec::len).sum())
     }
 
     /// The identities of the realisations.
     fn identities(&self) -> Result<Vec<Identity<'_>>, StudyError> {
-        self.realisations.iter().map(Identity::of).collect()
+        self.realisations.iter().map(Identity::new).collect()
     }
 
     /// The points of `table`, if all belong to the sweep.
     pub(super) fn there(identities: &[Identity<'_>], table: &Table) -> Result<Vec<Point>, StudyError> {
         let there = table.read()?;
-        match Known::of(&there).foreign(identities) {
+        match Known::new(&there).foreign(identities) {
             0 => Ok(there),
             points => Err(StudyError::OtherStudy { path: table.path().into(), points }),
         }
@@ -184,7 +184,7 @@ impl Sweep {
     /// Does a task for each realisation, by its number, `workers` at a time as far as memory goes, those with the most work first;
     /// the results are in order. After a failure none is begun.
     fn in_parallel<T: Send>(&self, task: impl Fn(usize) -> Result<T, StudyError> + Sync) -> Result<Vec<T>, StudyError> {
-        let expenses = self.realisations.iter().map(Expense::of).collect::<Result<Vec<_>, _>>()?;
+        let expenses = self.realisations.iter().map(Expense::new).collect::<Result<Vec<_>, _>>()?;
         let tasks: Vec<(f64, f64)> = expenses.iter().map(|it| (it.seconds, it.bytes)).collect();
         let queue = Queue::new(&tasks, self.memory.unwrap_or(f64::INFINITY));
         let done: Mutex<BTreeMap<usize, T>> = Mutex::default();

@@ -37,7 +37,7 @@ struct Seconds {
 }
 
 impl Seconds {
-    fn of(point: &Point) -> Self {
+    fn from_point(point: &Point) -> Self {
         let Point { name, ny, nx, hurst, seed, seconds, observables, .. } = point.clone();
         Self { name, ny, nx, hurst, seed, reduced_pressure: observables.reduced_pressure, seconds }
     }
@@ -91,7 +91,7 @@ impl Table {
     /// [`FileError::Target`] or [`FileError::Write`].
     pub fn finish(&self, points: &[Point]) -> Result<(), FileError> {
         let rows = points.iter().map(|point| (point, point.observables));
-        write_csv(&self.path, rows.map(|row| (row, Checksum::of(row))))?;
+        write_csv(&self.path, rows.map(|row| (row, Checksum::from_row(row))))?;
         self.settle(points)
     }
 
@@ -100,7 +100,7 @@ impl Table {
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
     pub(super) fn settle(&self, points: &[Point]) -> Result<(), FileError> {
-        write_csv(&self.seconds_path(), points.iter().map(Seconds::of))?;
+        write_csv(&self.seconds_path(), points.iter().map(Seconds::from_point))?;
         remove(self.unfinished_path())
     }
 

@@ -21,7 +21,7 @@ pub struct Bump {
 
 impl Bump {
     /// The bump of three lengths: where it is, its height and its width.
-    pub fn of([at, height, width]: [f64; 3]) -> Self {
+    pub fn from_lengths([at, height, width]: [f64; 3]) -> Self {
         Self { at, height, width }
     }
 }
@@ -81,7 +81,7 @@ impl TryFrom<Vec<Length>> for Bumps {
     fn try_from(lengths: Vec<Length>) -> Result<Self, String> {
         let (bumps, rest) = lengths.as_chunks::<3>();
         if rest.is_empty() {
-            Ok(Self(bumps.iter().map(|lengths| Bump::of(lengths.map(|Length(length)| length))).collect()))
+            Ok(Self(bumps.iter().map(|lengths| Bump::from_lengths(lengths.map(|Length(length)| length))).collect()))
         } else {
             let count = lengths.len();
             Err(format!("{count} lengths are no bumps: give three for each, where it is, its height and its width"))

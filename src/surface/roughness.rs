@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 /// use asperity::Grid;
 /// use asperity::surface::{Indenter, Roughness};
 /// let surface = Indenter::Sine { amplitude: 2.0 }.surface(Grid::line(4096, 1.0)?)?;
-/// let roughness = Roughness::of(&surface);
+/// let roughness = Roughness::new(&surface);
 /// assert!((roughness.rms_height - 2f64.sqrt()).abs() < 1e-12);
 /// assert!((roughness.kurtosis - 1.5).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -40,7 +40,7 @@ pub struct Roughness {
 
 impl Roughness {
     /// The statistics of `surface`.
-    pub fn of(surface: &Surface) -> Self {
+    pub fn new(surface: &Surface) -> Self {
         let z = surface.heights();
         let peak = z.iter().fold(0.0_f64, |m, &z| m.max(z));
         let valley = z.iter().fold(0.0_f64, |m, &z| m.max(-z));
@@ -95,10 +95,10 @@ fn rms_curvature(surface: &Surface) -> f64 {
 /// use asperity::Grid;
 /// use asperity::surface::{Indenter, PowerSpectrum, Roughness};
 /// let surface = Indenter::Sine { amplitude: 2.0 }.surface(Grid::line(64, 1.0)?)?;
-/// let spectrum = PowerSpectrum::of(&surface);
+/// let spectrum = PowerSpectrum::new(&surface);
 /// // the mean square of the heights, and that of their gradient
 /// let square = spectrum.integral(|_, density| density);
-/// assert!((square / Roughness::of(&surface).rms_height.powi(2) - 1.0).abs() < 1e-12);
+/// assert!((square / Roughness::new(&surface).rms_height.powi(2) - 1.0).abs() < 1e-12);
 /// let gradient = spectrum.integral(|q, density| q * q * density);
 /// assert!((gradient / (std::f64::consts::TAU.powi(2) * square) - 1.0).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -116,15 +116,15 @@ pub struct PowerSpectrum {
 
 impl PowerSpectrum {
     /// The spectrum of the heights of `surface`.
-    pub fn of(surface: &Surface) -> Self {
-        Self::of_field(surface.grid(), surface.heights())
+    pub fn new(surface: &Surface) -> Self {
+        Self::from_field(surface.grid(), surface.heights())
     }
 
     /// The spectrum of a field, row by row.
     ///
     /// # Panics
     /// If the length of `field` does not fit the grid.
-    pub fn of_field(grid: &Grid, field: &[f64]) -> Self {
+    pub fn from_field(grid: &Grid, field: &[f64]) -> Self {
         let (rings, cell) = (rings(grid, field), cell(grid));
         Self {
             wavenumber: rings.iter().map(|ring| ring.wavenumber / ring.waves).collect(),
@@ -193,8 +193,8 @@ mod tests {
             let [_, nx] = grid.shape();
             let noise = |(i, j): (usize, usize)| 5.0 + (((i * nx + j) as f64).powi(2) * 0.7).sin();
             let surface = Surface::new(grid, Field::from_shape_fn(grid.shape(), noise)).unwrap();
-            let sum = PowerSpectrum::of(&surface).integral(|_, density| density);
-            let square = Roughness::of(&surface).rms_height.powi(2);
+            let sum = PowerSpectrum::new(&surface).integral(|_, density| density);
+            let square = Roughness::new(&surface).rms_height.powi(2);
             assert!((sum / square - 1.0).abs() < 1e-12, "{:?}: {sum} against {square}", grid.shape());
         }
     }

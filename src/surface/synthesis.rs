@@ -30,7 +30,7 @@ impl Surface {
     /// use asperity::{Grid, Surface};
     /// let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 0.02, rms_gradient: 0.1 };
     /// let surface = Surface::rough(Grid::line(1024, 1.0)?, &spectrum, 7)?;
-    /// assert!((Roughness::of(&surface).rms_gradient - 0.1).abs() < 1e-12);
+    /// assert!((Roughness::new(&surface).rms_gradient - 0.1).abs() < 1e-12);
     /// assert_eq!(surface.seed(), Some(7));
     /// # Ok::<(), asperity::error::SurfaceError>(())
     /// ```

@@ -29,7 +29,7 @@ use std::f64::consts::{E, PI, TAU};
 /// use asperity::surface::Indenter;
 /// use asperity::theory::Exact;
 /// let grid = Grid::line(1024, 1.0)?;
-/// let exact = Exact::of(&Indenter::Sine { amplitude: 0.01 }, &grid, 1.0, 0.001).unwrap();
+/// let exact = Exact::new(&Indenter::Sine { amplitude: 0.01 }, &grid, 1.0, 0.001).unwrap();
 /// assert!((exact.pressure.mean().unwrap() / 0.001 - 1.0).abs() < 1e-3);
 /// # Ok::<(), asperity::error::GridError>(())
 /// ```
@@ -56,7 +56,7 @@ impl Exact {
     /// `None` where no closed form is known (a crossed sine in partial contact, a punch whose base touches, power laws
     /// outside [`PowerLaw::EXPONENTS`]), where an isolated contact would not fit the cell, and for input that
     /// [`Indenter::surface`] refuses.
-    pub fn of(indenter: &Indenter, grid: &Grid, contact_modulus: f64, mean_pressure: f64) -> Option<Self> {
+    pub fn new(indenter: &Indenter, grid: &Grid, contact_modulus: f64, mean_pressure: f64) -> Option<Self> {
         indenter.check(grid).ok()?;
         let is_positive = |value: f64| value > 0.0 && value.is_finite();
         let case = Case { grid, contact_modulus, mean_pressure };

@@ -232,7 +232,7 @@ fn a_scattered_curve_is_fitted_within_its_scatter() {
     let scatter = |i: usize| if i.is_multiple_of(2) { 1.01 } else { 0.99 };
     let points: Vec<_> = loads.enumerate().map(|(i, p)| (p, lines.relative_area(p) * scatter(i))).collect();
     for weights in Weights::ALL {
-        let fit = Fit::of(&points, weights).unwrap();
+        let fit = Fit::new(&points, weights).unwrap();
         assert!((fit.area.b1 - 0.55).abs() < 0.01 && (fit.area.b2 - 2.3).abs() < 0.3, "{fit:?}");
         assert!((fit.residual - 0.01).abs() < 2e-3, "{fit:?}");
     }
@@ -243,7 +243,7 @@ fn relative_weights_follow_light_loads_and_equal_ones_heavy_loads() {
     // kappa falls by half, which no fit of the form follows all the way
     let points: Vec<_> =
         (0..13).map(|i| 10f64.powf(-3.0 + f64::from(i) / 6.0)).map(|p| (p, p * 3.5 * p.powf(-0.1))).collect();
-    let [equal, relative] = Weights::ALL.map(|weights| Fit::of(&points, weights).unwrap());
+    let [equal, relative] = Weights::ALL.map(|weights| Fit::new(&points, weights).unwrap());
     let off = |fit: &Fit, (p, a): (f64, f64)| (fit.area.relative_area(p) / a - 1.0).abs();
     assert!(off(&relative, points[0]) < off(&equal, points[0]) && off(&equal, points[12]) < off(&relative, points[12]));
     assert!(relative.residual < equal.residual);
@@ -251,8 +251,8 @@ fn relative_weights_follow_light_loads_and_equal_ones_heavy_loads() {
 
 #[test]
 fn one_load_does_not_tell_two_numbers() {
-    assert_eq!(Fit::of(&[(0.1, 0.2), (0.1, 0.21)], Weights::Equal), None);
-    assert_eq!(Fit::of(&[], Weights::Equal), None);
+    assert_eq!(Fit::new(&[(0.1, 0.2), (0.1, 0.21)], Weights::Equal), None);
+    assert_eq!(Fit::new(&[], Weights::Equal), None);
     assert!((Fit::proportional(&[(1e-6, 2.2e-6)]).unwrap().area.kappa(0.0) - 2.2).abs() < 1e-6);
 }
 

@@ -80,7 +80,7 @@ fn solution(problem: &Problem) -> Vec<f64> {
 #[test]
 fn a_solution_passes_the_check() {
     for problem in problems() {
-        let check = Check::of(&problem, &solution(&problem));
+        let check = Check::new(&problem, &solution(&problem));
         assert_eq!((check.fault(), check.doubt(1e-8, None)), (None, None));
     }
 }
@@ -91,7 +91,7 @@ fn a_spoiled_pressure_does_not() {
         let solution = solution(&problem);
         let spoiled = |spoil: &dyn Fn(usize, f64) -> f64| {
             let pressure: Vec<f64> = solution.iter().enumerate().map(|(i, &p)| spoil(i, p)).collect();
-            Check::of(&problem, &pressure)
+            Check::new(&problem, &pressure)
         };
         let moved = spoiled(&|i, _| solution[(i + 1) % solution.len()]);
         assert!(moved.fault().is_none() && moved.doubt(1e-8, None).unwrap().contains("eta"));
@@ -119,10 +119,10 @@ fn a_hundredfold_load_does_not_pass_the_check_at_either_end_of_the_gap() {
     let pressed: Vec<f64> = full.iter().map(|p| p + load).collect();
     let touched: Vec<f64> = solution(&touching).iter().map(|p| 100.0 * p).collect();
     for (problem, garbage) in [(closed, pressed), (touching, touched)] {
-        let check = Check::of(&problem, &garbage);
+        let check = Check::new(&problem, &garbage);
         assert!(check.fault().is_none() && check.eta < 1e-6, "{}", check.eta);
         assert!(check.doubt(1e-6, None).unwrap().contains("what is left of the gap"));
-        let exact = Check::of(&problem, &solution(&problem));
+        let exact = Check::new(&problem, &solution(&problem));
         assert_eq!((exact.fault(), exact.doubt(1e-8, None)), (None, None));
     }
 }
@@ -137,7 +137,7 @@ fn the_check_displaces_as_images_of_the_cell_say() {
         let surface =
             if grid.is_line() { surface } else { Indenter::CrossedSine { amplitude: 1.0 } }.surface(grid).unwrap();
         let problem = Problem::new(surface, ContactModulus(3.0), Load::ReducedPressure(0.1)).unwrap();
-        let check = Check::of(&problem, &solution(&problem));
+        let check = Check::new(&problem, &solution(&problem));
         assert_eq!((check.fault(), check.doubt(1e-8, None)), (None, None));
     }
 }

@@ -32,7 +32,7 @@ fn field(name: &str) -> Field {
 }
 
 impl Peer {
-    fn of(entry: &Value) -> Self {
+    fn new(entry: &Value) -> Self {
         let number = |key: &str| entry[key].as_f64().unwrap();
         let name = entry["name"].as_str().unwrap().to_owned();
         let height = field(&format!("{name}.height.npy"));
@@ -56,7 +56,7 @@ impl Peer {
         let text = std::fs::read_to_string(data("reference.json")).unwrap();
         let entries: Vec<Value> = serde_json::from_str(&text).unwrap();
         assert_eq!(entries.len(), 5);
-        entries.iter().map(Self::of).collect()
+        entries.iter().map(Self::new).collect()
     }
 
     pub fn load(&self) -> Load {

@@ -457,7 +457,7 @@ mod with_units {
 #[test]
 fn grids_that_exceed_memory_are_refused_in_numbers() {
     let grid = Grid::surface([1 << 17, 1 << 17], [1.0, 1.0]).unwrap();
-    let refused = Cost::of_fields(&grid, 1e4).check("a test").unwrap_err().to_string();
+    let refused = Cost::from_fields(&grid, 1e4).check("a test").unwrap_err().to_string();
     assert!(refused.contains("131072 x 131072 points") && refused.contains("1374 TB"), "{refused}");
-    assert!(Cost::of_fields(&Grid::line(4, 1.0).unwrap(), 5.0).check("a test").is_ok());
+    assert!(Cost::from_fields(&Grid::line(4, 1.0).unwrap(), 5.0).check("a test").is_ok());
 }

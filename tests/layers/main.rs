@@ -86,7 +86,7 @@ fn layer(room: &str) -> u8 {
 #[test]
 fn files_use_their_own_layer_and_lower_ones() {
     let sources = Source::all();
-    for (source, used) in sources.iter().zip(Uses::of(&sources, true).of) {
+    for (source, used) in sources.iter().zip(Uses::new(&sources, true).of) {
         for used in used.into_iter().map(|used| &sources[used]) {
             let [own, other] = [source, used].map(|source| layer(source.room()));
             assert!(other <= own, "{} is in layer {own} and uses {}", source.path, used.path);
@@ -102,8 +102,8 @@ fn arrows<'a>(circle: &[usize], uses: &[BTreeSet<usize>], name: impl Fn(usize) -
 
 #[test]
 fn no_files_go_round_in_a_circle() {
-    for sources in [Source::all(), Source::of_python()] {
-        let uses = Uses::of(&sources, false);
+    for sources in [Source::all(), Source::python()] {
+        let uses = Uses::new(&sources, false);
         let circles = uses.circles();
         let found: Vec<String> = circles.iter().map(|circle| arrows(circle, &uses.of, |i| &uses.files[i])).collect();
         assert!(found.is_empty(), "{} circles:\n{}", found.len(), found.join("\n"));
@@ -112,7 +112,7 @@ fn no_files_go_round_in_a_circle() {
 
 #[test]
 fn uses_are_found_in_the_python_package() {
-    let uses = Uses::of(&Source::of_python(), false);
+    let uses = Uses::new(&Source::python(), false);
     let index = |path: &str| uses.files.iter().position(|file| file == path).unwrap();
     assert!(uses.of[index("solve.rs")].contains(&index("contact.rs")));
     assert!(!uses.of[index("contact.rs")].contains(&index("solve.rs")));
@@ -124,7 +124,7 @@ fn no_rooms_go_round_in_a_circle() {
     let rooms: Vec<&str> = sources.iter().map(Source::room).collect::<BTreeSet<_>>().into_iter().collect();
     let index: BTreeMap<&str, usize> = rooms.iter().enumerate().map(|(i, room)| (*room, i)).collect();
     let mut uses = vec![BTreeSet::new(); rooms.len()];
-    for (source, used) in sources.iter().zip(Uses::of(&sources, false).of) {
+    for (source, used) in sources.iter().zip(Uses::new(&sources, false).of) {
         let others = used.into_iter().map(|used| sources[used].room()).filter(|room| *room != source.room());
         uses[index[source.room()]].extend(others.map(|room| index[room]));
     }
@@ -173,7 +173,7 @@ fn names_of_the_viewer_that_pass_stay_in_one_file() {
 
 #[test]
 fn files_are_short_and_say_what_they_are() {
-    for source in Source::all().into_iter().chain(Source::of_python()) {
+    for source in Source::all().into_iter().chain(Source::python()) {
         let lines = source.text.lines().count();
         assert!(lines <= LONGEST_FILE, "{} has {lines} lines", source.path);
         assert!(source.text.starts_with("//! "), "{} does not begin with its documentation", source.path);

@@ -17,7 +17,7 @@ impl Source {
     }
 
     /// All files of the Python package that are written in Rust.
-    pub fn of_python() -> Vec<Self> {
+    pub fn python() -> Vec<Self> {
         let mut sources = Self::below("python/src");
         assert!(sources.len() > 15, "only {} files found", sources.len());
         // in `src` this name is the crate itself, here it is another crate

@@ -52,9 +52,17 @@ fn repeated(sources: &[Source]) -> Vec<String> {
 
 #[test]
 fn each_type_name_occurs_once() {
-    for sources in [Source::all(), Source::of_python()] {
+    for sources in [Source::all(), Source::python()] {
         let found = repeated(&sources);
         assert!(found.is_empty(), "{} names have several meanings:\n{}", found.len(), found.join("\n"));
+    }
+}
+
+#[test]
+fn constructors_are_not_called_of() {
+    for source in Source::all().into_iter().chain(Source::python()) {
+        let has_of = source.tokens().windows(2).any(|pair| pair == ["fn", "of"]);
+        assert!(!has_of, "{} has a function `of`: constructors are `new` or `from_*`", source.path);
     }
 }
 

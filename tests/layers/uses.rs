@@ -32,11 +32,11 @@ impl Uses {
     ///
     /// A file uses the file in which an item stands that it names, however many doors (`pub use`) lie between. A door itself uses
     /// nothing, unless the file also needs the name.
-    pub fn of(sources: &[Source], with_tests: bool) -> Self {
+    pub fn new(sources: &[Source], with_tests: bool) -> Self {
         let modules: BTreeMap<Names, usize> = sources.iter().enumerate().map(|(i, s)| (s.module(), i)).rev().collect();
         let tokens = |source: &Source| if with_tests { source.tokens() } else { source.shipped_tokens() };
         let code: Vec<Code> =
-            sources.iter().map(|source| Code::of(&tokens(source), &source.module(), &modules)).collect();
+            sources.iter().map(|source| Code::new(&tokens(source), &source.module(), &modules)).collect();
         let mut imports: BTreeMap<Names, Vec<&Import>> = BTreeMap::new();
         for (source, code) in sources.iter().zip(&code) {
             imports.entry(source.module()).or_default().extend(&code.imports);
@@ -126,7 +126,7 @@ impl Map<'_> {
 }
 
 impl Code {
-    fn of(tokens: &[String], module: &[String], modules: &BTreeMap<Names, usize>) -> Self {
+    fn new(tokens: &[String], module: &[String], modules: &BTreeMap<Names, usize>) -> Self {
         let mut code = Self::default();
         // the modules inside the file that are open, with the depth of their braces
         let (mut inside, mut depth, mut at) = (Vec::new(), 0, 0);
@@ -242,7 +242,7 @@ fn tree(tokens: &[String]) -> Vec<(Names, String)> {
 fn made_up(files: &[(&str, &str)]) -> (Vec<Source>, Vec<String>) {
     let source = |(path, text): &(&str, &str)| Source { path: (*path).to_owned(), text: (*text).to_owned() };
     let sources: Vec<Source> = files.iter().map(source).collect();
-    let uses = Uses::of(&sources, false);
+    let uses = Uses::new(&sources, false);
     let arrows = uses.of.iter().enumerate().flat_map(|(i, used)| used.iter().map(move |&j| (i, j)));
     let arrows = arrows.map(|(i, j)| format!("{} > {}", uses.files[i], uses.files[j])).collect();
     (sources, arrows)
@@ -301,7 +301,7 @@ fn doors_lead_to_the_file_of_the_item() {
 fn circles_are_found() {
     let circles = |files: &[(&str, &str)]| {
         let (sources, _) = made_up(files);
-        Uses::of(&sources, false).circles().len()
+        Uses::new(&sources, false).circles().len()
     };
     let lib = ("lib.rs", "mod a; mod b; mod c;");
     let a = ("a.rs", "use crate::b::B; pub struct A;");

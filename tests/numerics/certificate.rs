@@ -104,13 +104,13 @@ fn the_pressure_is_bounded_by_the_duality_gap_itself() {
 fn rounding_is_in_the_bounds_and_small() {
     for problem in pressed() {
         let exact: Vec<f64> = solved(&problem).pressure.iter().copied().collect();
-        let flattened = Certificate::of_displaced(&problem, &exact, problem.height());
+        let flattened = Certificate::from_displacement(&problem, &exact, problem.height());
         // a displacement that is the heights leaves no gap at all: what is left is rounding
         assert!(flattened.eta > 0.0 && flattened.eta < 1e-17, "{}", flattened.eta);
         let apart = problem.clone().with_load(Load::MeanGap(1e-3 * problem.rms_height())).unwrap();
         let mut lowered: Vec<f64> = problem.height().to_vec();
         lowered.iter_mut().for_each(|u| *u -= 1e-3 * problem.rms_height());
-        let flattened = Certificate::of_displaced(&apart, &exact, &lowered);
+        let flattened = Certificate::from_displacement(&apart, &exact, &lowered);
         assert!(flattened.eta > 1e-16 && flattened.eta < 1e-13, "{}", flattened.eta);
     }
 }
@@ -135,7 +135,7 @@ fn a_hundredfold_load_is_told_from_the_solution_at_both_ends_of_the_gap() {
                     Some(gap) if gap < problem.rms_height() => pull.iter().map(|p| p + load).collect(),
                     _ => contact.pressure.iter().map(|p| 100.0 * p).collect(),
                 };
-                let told = Certificate::of(&apart, &garbage);
+                let told = Certificate::new(&apart, &garbage);
                 assert!(told.eta < 1e-6, "energy alone does tell it: {told:?}");
                 assert!(told.eta_gap > 0.5 && !tolerance.is_met(&told), "{told:?}");
                 assert!(contact.certificate.eta_gap <= tolerance.gap_tolerance(), "{:?}", contact.certificate);
@@ -151,16 +151,16 @@ fn nothing_is_bounded_without_a_feasible_pressure() {
     let with = |value: f64| [[1.0; 15].as_slice(), &[value]].concat();
     let bounds = |it: Certificate| [it.eta, it.eta_gap, it.pressure_error_bound, it.mean_gap_error_bound];
     for problem in [pressed, apart] {
-        let nothing = Certificate::of(&problem, &[0.0; 16]);
+        let nothing = Certificate::new(&problem, &[0.0; 16]);
         assert_eq!(bounds(nothing), [f64::INFINITY; 4]);
         assert_eq!([nothing.load_error, nothing.penetration], [f64::INFINITY; 2]);
         assert_eq!(nothing.min_pressure, 0.0);
         for value in [f64::NAN, f64::INFINITY, -1e-3, -100.0] {
-            assert_eq!(bounds(Certificate::of(&problem, &with(value))), [f64::INFINITY; 4], "{value}");
+            assert_eq!(bounds(Certificate::new(&problem, &with(value))), [f64::INFINITY; 4], "{value}");
         }
-        let displaced = Certificate::of_displaced(&problem, &with(1.0), &[f64::NAN; 16]);
+        let displaced = Certificate::from_displacement(&problem, &with(1.0), &[f64::NAN; 16]);
         assert_eq!(bounds(displaced), [f64::INFINITY; 4]);
-        assert!(Certificate::of(&problem, &with(1.0)).eta.is_finite());
+        assert!(Certificate::new(&problem, &with(1.0)).eta.is_finite());
     }
 }
 
@@ -168,11 +168,11 @@ fn nothing_is_bounded_without_a_feasible_pressure() {
 fn penetration_is_that_of_the_deepest_node() {
     let pressed = Problem::new(sine(16), ContactModulus(1.0), Load::MeanPressure(1.0)).unwrap();
     // under a uniform pressure nothing is displaced: the highest peak lies its height below the mean plane, less the gap
-    let found = Certificate::of(&pressed, &[1.0; 16]);
+    let found = Certificate::new(&pressed, &[1.0; 16]);
     assert!((found.penetration - found.eta).abs() < 1e-13 && (found.eta - 2f64.sqrt()).abs() < 1e-12);
     assert_eq!(found.pressure_error_bound, f64::INFINITY);
     let apart = pressed.with_load(Load::MeanGap(0.25)).unwrap();
-    let found = Certificate::of(&apart, &[1.0; 16]);
+    let found = Certificate::new(&apart, &[1.0; 16]);
     assert!((found.penetration - 0.75 * 2f64.sqrt()).abs() < 1e-12 && found.eta > found.penetration);
 }
 
@@ -182,7 +182,7 @@ fn a_pressure_that_deforms_nothing_bounds_no_pressure() {
     for points in [16, 255, 1021] {
         for load in [1e-6, 0.7, 1e9] {
             let problem = Problem::new(sine(points), ContactModulus(1.0), Load::MeanPressure(load)).unwrap();
-            let found = Certificate::of(&problem, &vec![load; points]);
+            let found = Certificate::new(&problem, &vec![load; points]);
             assert_eq!(found.pressure_error_bound, f64::INFINITY, "{points} {load}");
         }
     }

@@ -22,8 +22,8 @@ struct Errors {
 }
 
 impl Errors {
-    fn of(indenter: &Indenter, grid: Grid, mean_pressure: f64) -> Self {
-        let exact = Exact::of(indenter, &grid, 1.0, mean_pressure).unwrap();
+    fn new(indenter: &Indenter, grid: Grid, mean_pressure: f64) -> Self {
+        let exact = Exact::new(indenter, &grid, 1.0, mean_pressure).unwrap();
         let problem =
             Problem::new(indenter.surface(grid).unwrap(), ContactModulus(1.0), Load::MeanPressure(mean_pressure))
                 .unwrap();
@@ -46,7 +46,7 @@ impl Errors {
     /// Over loads from `mean_pressure` to twice that.
     fn averaged(indenter: &Indenter, grid: Grid, mean_pressure: f64) -> Self {
         let loads = (0..LOADS).map(|i| mean_pressure * 2f64.powf(i as f64 / LOADS as f64));
-        let all: Vec<Self> = loads.map(|load| Self::of(indenter, grid, load)).collect();
+        let all: Vec<Self> = loads.map(|load| Self::new(indenter, grid, load)).collect();
         let rms = |error: fn(&Self) -> f64| (all.iter().map(|e| error(e).powi(2)).sum::<f64>() / LOADS as f64).sqrt();
         Self {
             pressure: rms(|e| e.pressure),
@@ -65,7 +65,7 @@ struct Ladder {
 }
 
 impl Ladder {
-    fn of(indenter: Indenter, grids: &[Grid], mean_pressure: f64) -> Self {
+    fn new(indenter: Indenter, grids: &[Grid], mean_pressure: f64) -> Self {
         let all: Vec<Errors> = grids.iter().map(|&grid| Errors::averaged(&indenter, grid, mean_pressure)).collect();
         let octaves = (grids.len() - 1) as f64;
         let order = |error: fn(&Errors) -> f64| (error(&all[0]) / error(&all[all.len() - 1])).log2() / octaves;
@@ -102,7 +102,7 @@ fn assert_orders(ladder: &Ladder, pressure: f64, finest_pressure: f64) {
 }
 
 fn assert_line(indenter: Indenter, mean_pressure: f64, pressure: f64, finest_pressure: f64) {
-    let ladder = Ladder::of(indenter, &lines(), mean_pressure);
+    let ladder = Ladder::new(indenter, &lines(), mean_pressure);
     assert_orders(&ladder, pressure, finest_pressure);
     assert!(ladder.order.mean_gap > 1.85, "order of the mean gap {}", ladder.order.mean_gap);
     assert!(ladder.finest.mean_gap < 1e-6, "error of the mean gap {}", ladder.finest.mean_gap);
@@ -110,7 +110,7 @@ fn assert_line(indenter: Indenter, mean_pressure: f64, pressure: f64, finest_pre
 }
 
 fn assert_surface(indenter: Indenter, mean_pressure: f64, finest_pressure: f64) {
-    let ladder = Ladder::of(indenter, &surfaces(), mean_pressure);
+    let ladder = Ladder::new(indenter, &surfaces(), mean_pressure);
     assert_orders(&ladder, 1.0, finest_pressure);
     assert!(ladder.finest.kappa_r < 2e-2, "error of kappa_r {}", ladder.finest.kappa_r);
 }

@@ -20,7 +20,7 @@ fn rough_line(points: usize) -> Problem {
 /// The diagnosis of a run that knows its end, and the contact.
 fn diagnosed(solver: &dyn Solver, problem: &Problem, stop: &Stop) -> (Findings, Contact) {
     let end = solver.solve(problem, stop, &mut ()).unwrap();
-    let mut diagnosis = Diagnosis::new(problem, Some(Arc::new(Reference::of(&end))));
+    let mut diagnosis = Diagnosis::new(problem, Some(Arc::new(Reference::from_contact(&end))));
     let contact = solver.solve(problem, stop, &mut diagnosis).unwrap();
     assert_eq!(contact.pressure, end.pressure, "the second pass is not the first");
     (diagnosis.findings(), contact)
@@ -89,7 +89,7 @@ impl Solver for TooLong {
         let mut u = vec![0.0; problem.nodes()];
         let status = loop {
             half_space.displacement(&p, &mut u);
-            let certificate = Certificate::of_displaced(problem, &p, &u);
+            let certificate = Certificate::from_displacement(problem, &p, &u);
             run.offer(&certificate, &p);
             let step = Step::new(problem, run.work(half_space.transforms()), &p, &u).with_certificate(certificate);
             if let Some(status) = run.show(&step) {

@@ -78,7 +78,7 @@ fn in_full_contact_pressures_follow_the_heights() {
     let grid = Grid::line(1024, 1.0).unwrap();
     let contact = rough(grid, 20.0);
     assert_eq!(contact.counted().relative_area, 1.0);
-    let (heights, pressures) = (PowerSpectrum::of(contact.problem.surface()), contact.pressure_spectrum());
+    let (heights, pressures) = (PowerSpectrum::new(contact.problem.surface()), contact.pressure_spectrum());
     for ((q, height), pressure) in heights.wavenumber.iter().zip(&heights.density).zip(&pressures.density) {
         let expected = (0.5 * 2.0 * q).powi(2) * height;
         assert!((pressure - expected).abs() < 1e-9 * pressures.density[0].max(expected), "{q}: {pressure} {expected}");

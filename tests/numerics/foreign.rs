@@ -58,7 +58,7 @@ fn results_of_a_peer_hold_in_each_quantity() {
                     peer.relative_area
                 );
                 assert!(claim.mistakes(&[]).is_empty());
-                let assessment = Assessment::of(&claim, &contact).unwrap();
+                let assessment = Assessment::new(&claim, &contact).unwrap();
                 assert!(assessment.holds(&contact, &Stop::default()), "{assessment:?}");
             }
         }
@@ -139,7 +139,7 @@ fn fields_in_another_order_are_recognised() {
         }
         for (values, words) in cases {
             // a symmetric surface does not tell
-            if Certificate::of(
+            if Certificate::new(
                 &claim(&peer, None, Quantity::Pressure, &values).problem().unwrap(),
                 values.as_slice().unwrap(),
             )

@@ -301,7 +301,7 @@ fn the_error_of_the_load_is_foretold() {
             let exact = solve(&Multilevel, &problem, 1e-12).mean_pressure();
             let rough = Multilevel.solve(&problem, &Stop::new(1e-5, 1000).unwrap(), &mut ()).unwrap();
             rough.stiffness();
-            let told = Observables::of(&rough).mean_pressure_error;
+            let told = Observables::new(&rough).mean_pressure_error;
             let error = (rough.mean_pressure() / exact - 1.0).abs();
             assert!(error <= 3.0 * told + 1e-9, "{:?} at {share}: {error} {told}", surface.grid());
         }

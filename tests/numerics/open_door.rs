@@ -37,7 +37,7 @@ impl Solver for ProjectedGradient {
         let (mut p, mut u) = (problem.first_pressure(start), vec![0.0; problem.nodes()]);
         let status = loop {
             half_space.displacement(&p, &mut u);
-            let certificate = Certificate::of_displaced(problem, &p, &u);
+            let certificate = Certificate::from_displacement(problem, &p, &u);
             run.offer(&certificate, &p);
             let step = Step::new(problem, run.work(half_space.transforms()), &p, &u).with_certificate(certificate);
             if let Some(status) = run.show(&step) {
@@ -112,7 +112,7 @@ fn it_finds_the_contact_and_is_certified() {
         assert!(difference < 1e-4, "{:?}: {difference}", problem.surface().grid());
         assert_eq!(contact.solver, "projected-gradient");
         assert!(contact.certificate.eta <= 1e-10 && contact.certificate.load_error < 1e-12);
-        assert_eq!(Certificate::of(&problem, contact.pressure.as_slice().unwrap()), contact.certificate);
+        assert_eq!(Certificate::new(&problem, contact.pressure.as_slice().unwrap()), contact.certificate);
         // a pair at every step, the first included, and one for the contact
         assert_eq!(contact.work.transforms as usize, 2 * (contact.work.iterations + 2));
         assert!((contact.counted().relative_area - expected.counted().relative_area).abs() < 0.02);
@@ -281,7 +281,7 @@ impl Solver for Boaster {
     ) -> Result<Contact, SolveError> {
         let mut run = Run::begin(self, problem, stop, observer);
         let p = problem.first_pressure(start);
-        let boast = Certificate { eta: 0.0, eta_gap: 0.0, pressure_error_bound: 0.0, ..Certificate::of(problem, &p) };
+        let boast = Certificate { eta: 0.0, eta_gap: 0.0, pressure_error_bound: 0.0, ..Certificate::new(problem, &p) };
         run.offer(&boast, &p);
         let status = run.show(&Step::new(problem, run.work(0), &p, &vec![0.0; p.len()]).with_certificate(boast));
         let half_space = problem.response();

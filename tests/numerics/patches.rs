@@ -9,7 +9,7 @@ fn grid(shape: [usize; 2]) -> Grid {
 
 fn patches(rows: &[&str]) -> Vec<usize> {
     let field: Vec<f64> = rows.iter().flat_map(|r| r.chars()).map(|c| if c == '#' { 1.0 } else { 0.0 }).collect();
-    Patches::of(&field, &grid([rows.len(), rows[0].len()])).sizes().to_vec()
+    Patches::new(&field, &grid([rows.len(), rows[0].len()])).sizes().to_vec()
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn patches_are_those_of_filling() {
             let pressure: Vec<f64> = (0..shape[0] * shape[1]).map(value).collect();
             for periodic in [[true; 2], [true, false], [false, true], [false; 2]] {
                 let grid = grid(shape).with_periodic(periodic);
-                assert_eq!(Patches::of(&pressure, &grid).sizes(), filled(&pressure, &grid), "{grid:?} {level}");
+                assert_eq!(Patches::new(&pressure, &grid).sizes(), filled(&pressure, &grid), "{grid:?} {level}");
             }
         }
     }

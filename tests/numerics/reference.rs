@@ -12,7 +12,7 @@ struct Case {
 }
 
 impl Case {
-    fn of(peer: Peer) -> Self {
+    fn new(peer: Peer) -> Self {
         let modulus = ContactModulus(peer.contact_modulus);
         Self { problem: Problem::new(peer.surface.clone(), modulus, peer.load()).unwrap(), peer }
     }
@@ -33,7 +33,7 @@ impl Case {
 
 #[test]
 fn every_solver_finds_the_pressures_of_the_reference() {
-    for case in Peer::all().into_iter().map(Case::of) {
+    for case in Peer::all().into_iter().map(Case::new) {
         for solver in solvers() {
             case.assert_agrees(solver.as_ref(), &solve(solver.as_ref(), &case.problem, 1e-12));
         }

@@ -198,7 +198,7 @@ fn no_pressure_lies_deeper_than_the_bound() {
             })
             .collect();
         for p in &states {
-            let certificate = Certificate::of(&problem, p);
+            let certificate = Certificate::new(&problem, p);
             let mean_p = p.iter().sum::<f64>() / n as f64;
             for q in &states {
                 let mean_q = q.iter().sum::<f64>() / n as f64;
@@ -214,7 +214,7 @@ fn no_pressure_lies_deeper_than_the_bound() {
             let above = energy(&problem, p) - least;
             let unit = problem.mean_pressure().map_or(solution.mean_pressure().max(load / n as f64), |mean| mean)
                 * problem.rms_height();
-            assert!(above <= Certificate::of(&problem, p).eta * unit * (1.0 + 1e-9));
+            assert!(above <= Certificate::new(&problem, p).eta * unit * (1.0 + 1e-9));
             let wrong: Vec<f64> = p.iter().zip(&solution.pressure).map(|(p, q)| p - q).collect();
             let square = |x: &[f64]| {
                 let mut u = vec![0.0; x.len()];
@@ -223,7 +223,7 @@ fn no_pressure_lies_deeper_than_the_bound() {
             };
             let error = (square(&wrong) / square(p)).sqrt();
             assert!(
-                problem.datum().is_some() || error <= Certificate::of(&problem, p).pressure_error_bound * (1.0 + 1e-6)
+                problem.datum().is_some() || error <= Certificate::new(&problem, p).pressure_error_bound * (1.0 + 1e-6)
             );
         }
     }
@@ -259,19 +259,19 @@ fn the_datum_is_within_its_bound() {
 fn hostile_pressures_get_no_certificate() {
     let problem = below(&pressed(sine(), Load::MeanPressure(0.1)), 0.2);
     let mut p = vec![0.1; 256];
-    assert!(Certificate::of(&problem, &p).eta.is_finite());
+    assert!(Certificate::new(&problem, &p).eta.is_finite());
     p[7] = 0.2 * (1.0 + 1e-9);
-    let certificate = Certificate::of(&problem, &p);
+    let certificate = Certificate::new(&problem, &p);
     assert!(certificate.eta.is_infinite() && (certificate.above_hardness / 1e-9 - 1.0).abs() < 1e-3);
     p[7] = -1e-9;
-    assert!(Certificate::of(&problem, &p).eta.is_infinite());
+    assert!(Certificate::new(&problem, &p).eta.is_infinite());
     // all at the hardness, but on the wrong half of the nodes
     let contact = solve(&Multilevel, &problem, 1e-10);
     let upside_down: Vec<f64> = contact.pressure.iter().map(|p| 0.2 - p).collect();
-    assert!(Certificate::of(&problem, &upside_down).eta > 0.5);
+    assert!(Certificate::new(&problem, &upside_down).eta > 0.5);
     // the elastic solution is none below a hardness
     let elastic = solve(&Multilevel, &pressed(sine(), Load::MeanPressure(0.1)), 1e-10);
-    assert!(Certificate::of(&problem, elastic.pressure.as_slice().unwrap()).eta.is_infinite());
+    assert!(Certificate::new(&problem, elastic.pressure.as_slice().unwrap()).eta.is_infinite());
 }
 
 #[test]
@@ -416,7 +416,7 @@ fn a_load_curve_has_one_meaning_up_and_back() {
     let curve = LoadCurve { setup, loads: loads.into() };
     let mut found = Vec::new();
     let each = |_, contact: &Contact| -> Result<(), asperity::error::StudyError> {
-        found.push((Observables::of(contact), contact.plasticity().overlap));
+        found.push((Observables::new(contact), contact.plasticity().overlap));
         Ok(())
     };
     curve.press(&curve.problem().unwrap(), |_| (), each).unwrap();

@@ -29,13 +29,13 @@ fn trends_of_their_order_are_taken_off_whole() {
     for shape in [[9, 12], [31, 7], [1, 40]] {
         let make = |f: &dyn Fn(f64, f64) -> f64| scan(shape, [0.1, 0.2], f);
         for make in [&make as &dyn Fn(&dyn Fn(f64, f64) -> f64) -> Scan, &|f| with_voids(make(f))] {
-            assert!(largest(&Detrend::Plane.of(make(&tilted))) < 1e-12);
-            assert!(largest(&Detrend::Plane.of(make(&bent))) > 1e-3);
-            assert!(largest(&Detrend::Curvature.of(make(&bent))) < 1e-12);
+            assert!(largest(&Detrend::Plane.apply(make(&tilted))) < 1e-12);
+            assert!(largest(&Detrend::Plane.apply(make(&bent))) > 1e-3);
+            assert!(largest(&Detrend::Curvature.apply(make(&bent))) < 1e-12);
         }
     }
     let voids = with_voids(scan([9, 12], [0.1, 0.2], tilted));
-    assert_eq!(Detrend::Curvature.of(voids.clone()).voids(), voids.voids());
+    assert_eq!(Detrend::Curvature.apply(voids.clone()).voids(), voids.voids());
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn spheres_cylinders_and_circles_are_found_wherever_they_lie() {
     let (sin, cos) = 0.7f64.sin_cos();
     let rod = |y: f64, x: f64| 1.0 + (4.0 - (x * cos + y * sin - 0.3).powi(2)).sqrt() + 0.2 * (y * cos - x * sin);
     let circle = |_: f64, x: f64| (4.0 - (x - 0.3f64).powi(2)).sqrt();
-    let fit = |form: Form, scan: Scan| form.of(scan).unwrap();
+    let fit = |form: Form, scan: Scan| form.apply(scan).unwrap();
     for (form, shape, height) in [
         (Form::Sphere, [20, 30], &ball as &dyn Fn(f64, f64) -> f64),
         (Form::Cylinder, [20, 30], &rod),
@@ -59,7 +59,7 @@ fn spheres_cylinders_and_circles_are_found_wherever_they_lie() {
             assert!(largest(&rest) < 1e-8, "{form:?} {shape:?}: {}", largest(&rest));
         }
     }
-    assert!(Form::Sphere.of(scan([8, 8], [1.0, 1.0], |_, _| 2.0)).is_none());
+    assert!(Form::Sphere.apply(scan([8, 8], [1.0, 1.0], |_, _| 2.0)).is_none());
 }
 
 /// The spacing of a line across it is nominally 1, whatever its length.
@@ -67,13 +67,13 @@ fn spheres_cylinders_and_circles_are_found_wherever_they_lie() {
 fn lines_of_micrometres_are_prepared_like_longer_ones() {
     let line = |height: &dyn Fn(f64) -> f64| scan([1, 200], [1.0, 1e-6], |_, x| height(x));
     let bent = line(&|x| 1e-6 + 0.1 * x + 5e3 * x * x);
-    assert!(largest(&Detrend::Curvature.of(bent.clone())) < 1e-15);
-    assert!(largest(&Detrend::Plane.of(bent)) > 1e-6);
+    assert!(largest(&Detrend::Curvature.apply(bent.clone())) < 1e-15);
+    assert!(largest(&Detrend::Plane.apply(bent)) > 1e-6);
     let arc = line(&|x| (1e-3f64.powi(2) - (x - 0.8e-4).powi(2)).sqrt());
-    let (rest, radius) = Form::Sphere.of(arc).unwrap();
+    let (rest, radius) = Form::Sphere.apply(arc).unwrap();
     assert!((radius / 1e-3 - 1.0).abs() < 1e-6 && largest(&rest) < 1e-12, "{radius}, {}", largest(&rest));
     let filtered: Preparation = toml::from_str("low-pass = 1e-5\nhigh-pass = 1e-4").unwrap();
-    assert_eq!(filtered.of(line(&|x| (3e5 * x).sin())).unwrap().told.len(), 2);
+    assert_eq!(filtered.apply(line(&|x| (3e5 * x).sin())).unwrap().told.len(), 2);
 }
 
 /// The transmission of ISO 16610-21, equation (4): half of the amplitude at the cut-off.
@@ -125,7 +125,7 @@ fn voids_are_filled_with_harmonic_heights() {
         let whole = scan([24, 30], spacing, |y, x| x * x - y * y + 2.0 * x * y - x);
         let mut torn = whole.clone();
         (6..17).for_each(|y| (9..22).filter(|x| x + y > 17).for_each(|x| torn.height[[y, x]] = f64::NAN));
-        let filled = Fill::Harmonic.of(torn).unwrap();
+        let filled = Fill::Harmonic.apply(torn).unwrap();
         let off = (&filled.height - &whole.height).iter().fold(0.0, |most, d| f64::max(most, d.abs()));
         assert!(off < 1e-6, "{off}");
     }
@@ -133,15 +133,15 @@ fn voids_are_filled_with_harmonic_heights() {
     let mut torn = wide.clone();
     let is_known = |y: usize, x: usize| [0, 150].contains(&y) || [0, 129].contains(&x) || (y * y + 7 * x) % 997 == 5;
     torn.height.indexed_iter_mut().filter(|((y, x), _)| !is_known(*y, *x)).for_each(|(_, h)| *h = f64::NAN);
-    let filled = Fill::Harmonic.of(torn).unwrap();
+    let filled = Fill::Harmonic.apply(torn).unwrap();
     let off = (&filled.height - &wide.height).iter().fold(0.0, |most, d| f64::max(most, d.abs()));
     assert!(off < 1e-6 * largest(&wide), "{off} of {}", largest(&wide));
     let line = scan([1, 1000], [1.0, 1e-6], |_, x| if (200e-6..900e-6).contains(&x) { f64::NAN } else { 3.0 * x });
-    let straight = Fill::Harmonic.of(line).unwrap();
+    let straight = Fill::Harmonic.apply(line).unwrap();
     assert!(straight.height.indexed_iter().all(|((_, x), h)| (h - 3e-6 * x as f64).abs() < 1e-9));
     let rim = scan([5, 6], [1.0, 1.0], |y, x| if x < 4.0 && y > 0.0 { 3.5 } else { f64::NAN });
-    assert!(Fill::Harmonic.of(rim).unwrap().height.iter().all(|h| (h - 3.5).abs() < 1e-12));
-    assert!(Fill::Harmonic.of(scan([5, 6], [1.0, 1.0], |_, _| f64::NAN)).is_none());
+    assert!(Fill::Harmonic.apply(rim).unwrap().height.iter().all(|h| (h - 3.5).abs() < 1e-12));
+    assert!(Fill::Harmonic.apply(scan([5, 6], [1.0, 1.0], |_, _| f64::NAN)).is_none());
 }
 
 #[test]
@@ -152,14 +152,14 @@ fn tapers_and_mirrors_leave_no_jump() {
     assert!(tapered.height.row(0).iter().chain(tapered.height.column(49)).all(|h| (h - mean).abs() < 1e-12));
     assert_eq!(tapered.height[[20, 25]], slope.height[[20, 25]]);
     for (mirror, shape) in [(Mirror::X, [40, 98]), (Mirror::Y, [78, 50]), (Mirror::Both, [78, 98])] {
-        let both = mirror.of(&slope);
+        let both = mirror.apply(&slope);
         assert_eq!(both.shape(), shape);
         let step = |a: [usize; 2], b: [usize; 2]| (both.height[a] - both.height[b]).abs();
         if shape[1] > 50 {
             assert_eq!((step([0, 0], [0, 97]), step([7, 60], [7, 38])), (1.0, 0.0), "one step across the period");
         }
     }
-    assert_eq!(Mirror::Both.of(&scan([1, 9], [1.0, 1.0], |_, x| x)).shape(), [1, 16]);
+    assert_eq!(Mirror::Both.apply(&scan([1, 9], [1.0, 1.0], |_, x| x)).shape(), [1, 16]);
 }
 
 #[test]
@@ -169,7 +169,7 @@ fn steps_follow_one_another_and_tell_what_they_came_to() {
     )
     .unwrap();
     let rough = with_voids(scan([20, 30], [1.0, 1.0], |y, x| (x * y).sin() + 0.1 * x));
-    let prepared = steps.of(rough.clone()).unwrap();
+    let prepared = steps.apply(rough.clone()).unwrap();
     assert_eq!(prepared.scan.shape(), [10, 38]);
     assert_eq!(prepared.scan.shape(), steps.shape([20, 30]).unwrap());
     let first = |sentence: &String| sentence.split(' ').take(2).collect::<Vec<_>>().join(" ");
@@ -177,8 +177,8 @@ fn steps_follow_one_another_and_tell_what_they_came_to() {
     assert_eq!(told[0], "cropped to");
     assert!(told[1].ends_with("voids"), "{told:?}");
     assert_eq!(told[2..], ["the trend", "low-pass filter", "tapered within", "mirrored to"]);
-    assert_eq!(Preparation::default().of(rough.clone()).unwrap().told, Vec::<String>::new());
-    let refused = |steps: Preparation| steps.of(rough.clone()).unwrap_err();
+    assert_eq!(Preparation::default().apply(rough.clone()).unwrap().told, Vec::<String>::new());
+    let refused = |steps: Preparation| steps.apply(rough.clone()).unwrap_err();
     let none = Preparation::default;
     assert!(matches!(
         refused(Preparation { crop: Some(Crop(vec![0, 21, 0, 5])), ..none() }),

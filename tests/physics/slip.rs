@@ -23,7 +23,7 @@ fn cylinder(points: usize, period: f64) -> Contact {
 fn pulled(pressed: Contact, share: f64) -> PartialSlip {
     let friction = Friction { coefficient: MU, tangential: share * MU * pressed.problem.load().value() };
     let stop = Stop::new(1e-12, 100_000).unwrap();
-    PartialSlip::of(pressed, friction, &Multilevel, &stop, &mut ()).unwrap()
+    PartialSlip::solve(pressed, friction, &Multilevel, &stop, &mut ()).unwrap()
 }
 
 #[test]

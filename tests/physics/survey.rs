@@ -19,7 +19,7 @@ fn rough(shape: [usize; 2], cutoff: f64, seed: u64) -> Scan {
     };
     let rolloff_wavelength = twice[1] as f64 * SPACING / 4.0;
     let spectrum = Spectrum { hurst: 0.7, rolloff_wavelength, short_cutoff: cutoff * SPACING, rms_gradient: 0.1 };
-    let whole = Scan::of(&Surface::rough(grid.unwrap(), &spectrum, seed).unwrap(), 1);
+    let whole = Scan::from_surface(&Surface::rough(grid.unwrap(), &spectrum, seed).unwrap(), 1);
     let height = ndarray::Array2::from_shape_fn(shape, |(y, x)| whole.height[[y, x]]);
     Scan { height, spacing: [SPACING; 2] }
 }
@@ -36,15 +36,15 @@ fn noisy(mut scan: Scan, rms: f64, seed: u64) -> Scan {
 fn noise_is_told_from_roughness() {
     for (shape, seed) in [([1, 1 << 14], 1), ([1, 1 << 14], 2), ([256, 256], 3)] {
         let surface = rough(shape, 2.0, seed);
-        let step = Survey::of(&surface).unwrap().axes[0].scales[0].rms_step;
+        let step = Survey::new(&surface).unwrap().axes[0].scales[0].rms_step;
         // noise of less than a step is told as less than it is
         for (share, least) in [(0.5, 0.3), (1.0, 0.75), (3.0, 0.95)] {
-            for axis in Survey::of(&noisy(surface.clone(), share * step, seed)).unwrap().axes {
+            for axis in Survey::new(&noisy(surface.clone(), share * step, seed)).unwrap().axes {
                 let found = axis.noise / (share * step);
                 assert!((least..1.1).contains(&found), "{shape:?}, {share} steps: {found} of it along {}", axis.axis);
             }
         }
-        let clean = Survey::of(&surface).unwrap();
+        let clean = Survey::new(&surface).unwrap();
         assert!(clean.noise_share() < 0.1, "{shape:?}: {} of the gradient is taken for noise", clean.noise_share());
     }
 }
@@ -52,7 +52,7 @@ fn noise_is_told_from_roughness() {
 #[test]
 fn noise_alone_is_noise_at_all_scales() {
     let flat = Scan { height: ndarray::Array2::zeros((128, 160)), spacing: [SPACING; 2] };
-    let survey = Survey::of(&noisy(flat, 2.0, 7)).unwrap();
+    let survey = Survey::new(&noisy(flat, 2.0, 7)).unwrap();
     for axis in &survey.axes {
         assert!((axis.noise / 2.0 - 1.0).abs() < 0.05 && axis.noise_share > 0.95, "{axis:?}");
         assert!(axis.shortest_wavelength >= 128.0 * SPACING / 4.0, "{axis:?}");
@@ -64,7 +64,7 @@ fn noise_alone_is_noise_at_all_scales() {
 fn the_hurst_exponent_is_that_of_the_roughness() {
     for (shape, within) in [([1, 1 << 15], 0.1), ([512, 512], 0.1)] {
         // the roll-off lies at half of the length of this part
-        let law = Survey::of(&rough(shape, 2.0, 11)).unwrap().power_law.unwrap();
+        let law = Survey::new(&rough(shape, 2.0, 11)).unwrap().power_law.unwrap();
         assert!((law.hurst - 0.7).abs() < law.hurst_error.min(within), "{shape:?}: {law:?}");
     }
 }
@@ -85,8 +85,8 @@ fn the_hurst_exponent_is_right_within_its_stated_error() {
         let cutoff = (rolloff * random.random_range(2.0..5.0f64).exp2()).min(n as f64 / 4.0);
         let spectrum =
             Spectrum { hurst, rolloff_wavelength: 1.0 / rolloff, short_cutoff: 1.0 / cutoff, rms_gradient: 0.1 };
-        let heights = Scan::of(&Surface::rough(grid, &spectrum, case).unwrap(), if is_line { 1 } else { 2 });
-        let Some(law) = Survey::of(&heights).unwrap().power_law else { continue };
+        let heights = Scan::from_surface(&Surface::rough(grid, &spectrum, case).unwrap(), if is_line { 1 } else { 2 });
+        let Some(law) = Survey::new(&heights).unwrap().power_law else { continue };
         let share = (law.hurst - hurst).abs() / law.hurst_error;
         let what = format!("case {case}: H = {hurst:.2}, {rolloff:.1} to {cutoff:.0} waves: {law:?}");
         assert!(share < 1.5 && (0.0..=1.0).contains(&law.hurst) && law.hurst_error <= 0.5, "{what}");
@@ -112,21 +112,21 @@ fn what_is_not_self_affine_has_no_hurst_exponent() {
             shape(|x| (20.0 * std::f64::consts::TAU * x).sin() + 0.3 * (170.0 * std::f64::consts::TAU * x).cos()),
         ),
     ] {
-        assert_eq!(Survey::of(&scan).unwrap().power_law, None, "{name}");
+        assert_eq!(Survey::new(&scan).unwrap().power_law, None, "{name}");
     }
 }
 
 #[test]
 fn heights_are_smooth_below_their_short_cutoff() {
     for shape in [[1, 1 << 14], [256, 256]] {
-        for axis in Survey::of(&rough(shape, 64.0, 5)).unwrap().axes {
+        for axis in Survey::new(&rough(shape, 64.0, 5)).unwrap().axes {
             let smooth = axis.smooth_wavelength.unwrap() / SPACING;
             assert!((16.0..=64.0).contains(&smooth), "{shape:?} along {}: smooth below {smooth} spacings", axis.axis);
             assert!(axis.noise_share < 1e-3, "{axis:?}");
             let [one, two] = [0, 1].map(|i| axis.scales[i].rms_gradient);
             assert!((one / two - 1.0).abs() < 0.02, "the gradient is resolved: {one} and {two}");
         }
-        assert!(Survey::of(&rough(shape, 2.0, 5)).unwrap().axes.iter().all(|axis| axis.smooth_wavelength.is_none()));
+        assert!(Survey::new(&rough(shape, 2.0, 5)).unwrap().axes.iter().all(|axis| axis.smooth_wavelength.is_none()));
     }
 }
 
@@ -140,9 +140,9 @@ fn a_tilted_and_bent_map_says_by_how_much() {
         assert!((survey.tilt[0] - 0.02).abs() < within && (survey.tilt[1] + 0.05).abs() < within, "{:?}", survey.tilt);
         assert!((survey.curvature_share - 1.0).abs() < within, "{}", survey.curvature_share);
     };
-    check(&Survey::of(&scan).unwrap(), 1e-9);
+    check(&Survey::new(&scan).unwrap(), 1e-9);
     (10..14).for_each(|y| (20..25).for_each(|x| scan.height[[y, x]] = f64::NAN));
-    let survey = Survey::of(&scan).unwrap();
+    let survey = Survey::new(&scan).unwrap();
     assert_eq!(survey.voids, 20);
     check(&survey, 1e-3);
 }
@@ -151,27 +151,27 @@ fn a_tilted_and_bent_map_says_by_how_much() {
 fn a_plane_leaves_nothing_but_a_flat() {
     let tilted = |(y, x): (usize, usize)| 1e-9 * (y as f64 + 0.3 * x as f64) + 7e-9;
     let scan = Scan { height: ndarray::Array2::from_shape_fn((10, 5), tilted), spacing: [1e-9; 2] };
-    let survey = Survey::of(&scan).unwrap();
+    let survey = Survey::new(&scan).unwrap();
     assert!((survey.curvature_share, survey.noise_share()) == (0.0, 0.0), "{survey:?}");
     for trend in [Detrend::Plane, Detrend::Curvature] {
-        assert!(trend.of(scan.clone()).height.iter().all(|h| *h == 0.0), "rounding is no roughness");
+        assert!(trend.apply(scan.clone()).height.iter().all(|h| *h == 0.0), "rounding is no roughness");
     }
 }
 
 #[test]
 fn all_voids_are_refused() {
     let void = Scan { height: ndarray::Array2::from_elem((16, 16), f64::NAN), spacing: [1.0; 2] };
-    assert!(Survey::of(&void).unwrap_err().to_string().contains("NaN"));
-    assert!(PreparationChoice::of(&void, true, [true; 2]).is_err());
+    assert!(Survey::new(&void).unwrap_err().to_string().contains("NaN"));
+    assert!(PreparationChoice::new(&void, true, [true; 2]).is_err());
 }
 
 #[test]
 fn what_is_chosen_is_what_heights_need() {
-    let choose = |scan: &Scan, periodic| PreparationChoice::of(scan, true, periodic).unwrap();
+    let choose = |scan: &Scan, periodic| PreparationChoice::new(scan, true, periodic).unwrap();
     let none = Preparation::default();
     let grid = Grid::surface([128, 128], [32.0, 32.0]).unwrap();
     let spectrum = Spectrum { hurst: 0.7, rolloff_wavelength: 8.0, short_cutoff: 1.0, rms_gradient: 0.1 };
-    let periodic = Scan::of(&Surface::rough(grid, &spectrum, 1).unwrap(), 1);
+    let periodic = Scan::from_surface(&Surface::rough(grid, &spectrum, 1).unwrap(), 1);
     assert_eq!(choose(&periodic, [true; 2]).preparation, none, "periodic heights are left as they are");
 
     let part = rough([128, 128], 8.0, 3);
@@ -186,11 +186,11 @@ fn what_is_chosen_is_what_heights_need() {
     holed.height[[5, 5]] = f64::NAN;
     assert_eq!(choose(&holed, [true; 2]).preparation, Preparation { fill: Some(Fill::Harmonic), ..mirrored.clone() });
 
-    let step = Survey::of(&part).unwrap().axes[0].scales[0].rms_step;
+    let step = Survey::new(&part).unwrap().axes[0].scales[0].rms_step;
     let low_pass = choose(&noisy(part.clone(), step, 1), [true; 2]).preparation.low_pass.unwrap();
     assert!(low_pass > 4.0 * SPACING, "{low_pass}");
 
-    let uneven = PreparationChoice::of(&rough([1, 4096], 8.0, 1), false, [true; 2]).unwrap().preparation;
+    let uneven = PreparationChoice::new(&rough([1, 4096], 8.0, 1), false, [true; 2]).unwrap().preparation;
     assert_eq!(uneven.resample, Some(Resample::Linear));
 }
 
@@ -198,12 +198,12 @@ fn what_is_chosen_is_what_heights_need() {
 #[test]
 fn prepared_heights_are_periodic_and_told_from_noise() {
     for (scan, seed) in [(rough([1, 8192], 2.0, 9), 1), (rough([160, 200], 2.0, 9), 2)] {
-        let step = Survey::of(&scan).unwrap().axes[0].scales[0].rms_step;
+        let step = Survey::new(&scan).unwrap().axes[0].scales[0].rms_step;
         let mut measured = noisy(scan, 2.0 * step, seed);
         measured.height.indexed_iter_mut().for_each(|((y, x), h)| *h += 0.3 * x as f64 - 0.1 * y as f64);
-        let choice = PreparationChoice::of(&measured, true, [true; 2]).unwrap();
-        let before = Survey::of(&measured).unwrap();
-        let after = Survey::of(&choice.preparation.of(measured).unwrap().scan).unwrap();
+        let choice = PreparationChoice::new(&measured, true, [true; 2]).unwrap();
+        let before = Survey::new(&measured).unwrap();
+        let after = Survey::new(&choice.preparation.apply(measured).unwrap().scan).unwrap();
         assert!(before.jumps[1] > 50.0 && after.jumps.iter().all(|jump| *jump < 3.0), "{:?}", after.jumps);
         assert!(before.noise_share() > 0.5 && after.noise_share() < 0.05, "{}", after.noise_share());
     }
@@ -215,7 +215,7 @@ fn scales_of_a_refined_surface_are_those_of_its_nodes() {
     let spectrum = Spectrum { hurst: 0.5, rolloff_wavelength: 4.0, short_cutoff: 0.8, rms_gradient: 0.1 };
     let surface = Surface::rough(grid, &spectrum, 4).unwrap();
     let [coarse, fine] =
-        [(&surface, 1), (&surface.refined(4).unwrap(), 4)].map(|(it, every)| Scales::of_surface(it, every));
+        [(&surface, 1), (&surface.refined(4).unwrap(), 4)].map(|(it, every)| Scales::from_surface(it, every));
     assert_eq!(coarse.len(), 2);
     for (coarse, fine) in coarse.iter().zip(&fine) {
         for (one, other) in coarse.scales.iter().zip(&fine.scales) {

@@ -33,7 +33,7 @@ fn area_mean_gap_and_kappa_r_have_the_exact_digits() {
 fn every_solver_is_exact_in_and_beyond_full_contact() {
     for share in [1.0, 1.5, 20.0] {
         let problem = sine(share);
-        let exact = Exact::of(
+        let exact = Exact::new(
             &Indenter::Sine { amplitude: AMPLITUDE },
             problem.surface().grid(),
             problem.contact_modulus(),

@@ -92,7 +92,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
     ///
     /// # Panics
     /// If the length of `pressure` does not fit the grid.
-    pub fn of(problem: &'a Problem, pressure: &'a [f64], gap: G) -> Self {
+    pub fn new(problem: &'a Problem, pressure: &'a [f64], gap: G) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
         Self { problem, grid, pressure, gap }
@@ -165,7 +165,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         let aside = nodes.map(|node| [[dx, dy], [-dx, -dy]].map(|step| self.grid.neighbour(node, step)));
         let aside = aside.map(|both| both.map(|node| self.side(node, [dy, dx])));
         let spacing = self.grid.spacing();
-        EdgeNormal::of(link, aside, along(spacing, [dy, dx]) / along(spacing, [dx, dy]))
+        EdgeNormal::new(link, aside, along(spacing, [dy, dx]) / along(spacing, [dx, dy]))
     }
 
     /// Pressure and gap of a node as lengths in the law of an edge across a link.

@@ -25,7 +25,7 @@ impl EdgeNormal {
     /// The normal by how the distance from the edge changes along a link, from its node in contact to the other, and from each of
     /// them to its neighbours on both sides; `ratio` is the spacing along the link over that across it. Distances take the
     /// cosine, so that it is found in rounds.
-    pub fn of(link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64) -> Self {
+    pub fn new(link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64) -> Self {
         let first = Self { cosine: FIRST_COSINE, ..Self::UNKNOWN };
         let found = (0..ROUNDS).fold(first, |last, _| last.next(link, aside, ratio));
         if found.cosine.is_finite() && found.weight.is_finite() { found } else { Self::UNKNOWN }

@@ -38,7 +38,7 @@ impl Solver for Gfmd {
     }
 
     fn relaxation(&self, problem: &Problem) -> Option<Relaxation> {
-        Relaxation::of(self, problem)
+        Relaxation::new(self, problem)
     }
 
     fn solve_from(

@@ -37,7 +37,7 @@ impl Probe {
         let scale = problem.expected_mean_pressure() * forces.len() as f64 / load;
         chunks::update(&mut self.pressure, |range, p| range.zip(p).for_each(|(i, p)| *p = scale * forces[i]));
         self.response.displacement(&self.pressure, &mut self.displacement);
-        let certificate = Certificate::of_displaced(problem, &self.pressure, &self.displacement);
+        let certificate = Certificate::from_displacement(problem, &self.pressure, &self.displacement);
         run.offer(&certificate, &self.pressure);
         Some(certificate)
     }

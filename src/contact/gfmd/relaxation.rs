@@ -26,7 +26,7 @@ pub struct Relaxation {
 
 impl Relaxation {
     /// The relaxation under some settings; none under FIRE, whose friction changes.
-    pub(super) fn of(settings: &Gfmd, problem: &Problem) -> Option<Self> {
+    pub(super) fn new(settings: &Gfmd, problem: &Problem) -> Option<Self> {
         let response = problem.response();
         let stiffness: Vec<f64> = response.stiffnesses().collect();
         let pace = Pace::new(settings, &stiffness);
@@ -99,7 +99,7 @@ mod tests {
         let problem = Problem::new(sine, ContactModulus(1.0), Load::ReducedPressure(0.1)).unwrap();
         for damping in [0.1, 1.0, 10.0] {
             let settings = Gfmd { damping, ..Gfmd::default() };
-            let relaxation = Relaxation::of(&settings, &problem).unwrap();
+            let relaxation = Relaxation::new(&settings, &problem).unwrap();
             let k: Vec<f64> = problem.response().stiffnesses().collect();
             let mut pace = Pace::new(&settings, &k);
             for &k in &k[1..] {

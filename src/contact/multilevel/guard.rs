@@ -43,7 +43,7 @@ impl Level<'_> {
         let share = if curvature > 0.0 { (-slope / curvature).min(1.0) } else { 1.0 };
         let ceiling = self.ceiling();
         chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p = (*p + share * way[i]).min(ceiling)));
-        self.pressure = SparsePressure::of(&p, self.response.rows());
+        self.pressure = SparsePressure::from_field(&p, self.response.rows());
         self.is_fresh = false;
         true
     }
@@ -194,7 +194,7 @@ mod tests {
             let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(points, 1.0).unwrap()).unwrap();
             let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanGap(1e-3)).unwrap();
             let full: Vec<f64> = problem.height().iter().map(|h| PI * (h + 0.03)).collect();
-            let mut level = Level::new(&problem, |rows| SparsePressure::of(&full, rows));
+            let mut level = Level::new(&problem, |rows| SparsePressure::from_field(&full, rows));
             level.certify();
             let mean = |level: &Level<'_>| level.pressure.values.iter().sum::<f64>() / points as f64;
             let [before, least] = [mean(&level), full.iter().copied().fold(f64::INFINITY, f64::min)];

@@ -68,15 +68,15 @@ impl<'a> Level<'a> {
     pub fn certify(&mut self) -> Certificate {
         self.refresh();
         match self.problem.law().hardness() {
-            None => Certificate::of_sums(self.problem, &self.sums()),
-            Some(_) => Certificate::of_displaced(self.problem, &self.pressure.spread(), &self.u),
+            None => Certificate::from_sums(self.problem, &self.sums()),
+            Some(_) => Certificate::from_displacement(self.problem, &self.pressure.spread(), &self.u),
         }
     }
 
     /// Area and gradient of this state with its edges resolved.
     pub fn resolved(&self) -> Resolved {
         let (u, h, lambda) = (&self.u, self.problem.height(), self.lambda());
-        Edges::of(self.problem, &self.pressure.spread(), |node| u[node] - h[node] - lambda).resolved()
+        Edges::new(self.problem, &self.pressure.spread(), |node| u[node] - h[node] - lambda).resolved()
     }
 
     /// The highest pressure that is allowed.

@@ -171,7 +171,8 @@ struct Cascade<'a> {
 impl Cascade<'_> {
     /// The finest grid with the pressure `start`, unless coarser grids promise a better one.
     fn level_from<'p>(&mut self, start: &Field, problem: &'p Problem) -> (Level<'p>, Option<Status>) {
-        let mut level = Level::new(problem, |rows| SparsePressure::of(&problem.first_pressure(Some(start)), rows));
+        let mut level =
+            Level::new(problem, |rows| SparsePressure::from_field(&problem.first_pressure(Some(start)), rows));
         if level.certify().eta <= GOOD_START || halved(problem.surface().grid()).is_none() {
             return (level, None);
         }

@@ -28,12 +28,12 @@ pub(in crate::contact) fn stiffness(problem: &Problem, pressure: &[f64], displac
     let law = problem.law();
     let is_elastic = law.hardness().is_none() || !pressure.iter().any(|&p| law.yields(p));
     if is_elastic {
-        return stiffness_on(problem, SparsePressure::of(pressure, response.rows()), displacement, response);
+        return stiffness_on(problem, SparsePressure::from_field(pressure, response.rows()), displacement, response);
     }
     let free: Vec<f64> = pressure.iter().map(|&p| if law.yields(p) { 0.0 } else { p }).collect();
     let mut displacement = vec![0.0; free.len()];
     response.displacement(&free, &mut displacement);
-    let free = SparsePressure::of(&free, response.rows());
+    let free = SparsePressure::from_field(&free, response.rows());
     if free.values.is_empty() { 0.0 } else { stiffness_on(problem, free, &displacement, response) }
 }
 

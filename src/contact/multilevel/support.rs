@@ -127,7 +127,7 @@ pub(super) struct SparsePressure {
 
 impl SparsePressure {
     /// The pressure of a whole field.
-    pub fn of(field: &[f64], rows: [usize; 2]) -> Self {
+    pub fn from_field(field: &[f64], rows: [usize; 2]) -> Self {
         let (support, values) = Support::choose(rows, |row, nodes| {
             let pressures = field[row * rows[1]..][..rows[1]].iter().enumerate();
             pressures.filter(|(_, p)| **p > 0.0).for_each(|(column, &p)| nodes.push(column, p));
@@ -168,7 +168,7 @@ impl SparsePressure {
         }
         let mut field = self.spread();
         feasible::carry(&mut field, load, hardness);
-        *self = Self::of(&field, self.support.shape());
+        *self = Self::from_field(&field, self.support.shape());
     }
 
     /// The nodes that are free, whose pressure is below `ceiling`; none if all of them are.

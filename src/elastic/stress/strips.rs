@@ -48,7 +48,7 @@ const DEPTHS_PER_TASK: usize = 8;
 pub fn under_strips(pressure: &[f64], spacing: f64, poisson: f64, depth: &[f64]) -> Result<Stress, SolidError> {
     check(poisson)?;
     let nx = pressure.len();
-    let strips = Strips::of(pressure, spacing);
+    let strips = Strips::new(pressure, spacing);
     let mut stress = Stress::zero(depth, nx, poisson, true);
     let mut rows = rows(&mut stress, nx);
     let mut tasks: Vec<_> = rows.chunks_mut(DEPTHS_PER_TASK).zip(depth.chunks(DEPTHS_PER_TASK)).collect();
@@ -82,7 +82,7 @@ struct Strips {
 }
 
 impl Strips {
-    fn of(pressure: &[f64], spacing: f64) -> Self {
+    fn new(pressure: &[f64], spacing: f64) -> Self {
         let points = (2 * pressure.len()).next_power_of_two().max(Grid::MIN_POINTS);
         let padded = Grid::line(points, spacing * points as f64).expect("a longer line is a line");
         let mut values = pressure.to_vec();

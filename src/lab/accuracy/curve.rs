@@ -42,7 +42,7 @@ pub struct ConvergenceCurve {
 impl ConvergenceCurve {
     /// Measures errors against the all but exact solution `reference` in a first run, which warms up, and seconds in `repeats`
     /// further runs, in which nobody looks at the fields.
-    pub fn of(
+    pub fn measure(
         rival: Rival,
         reference: &Contact,
         stop: &Stop,

@@ -48,7 +48,7 @@ impl Experiment {
     pub fn run(&self, watch: ObserverMaker) -> Result<Measurements, SetupError> {
         self.check()?;
         let realised = self.realised()?;
-        let ladder = Ladder::of(&realised, &self.sides, &self.stop, watch)?;
+        let ladder = Ladder::solve(&realised, &self.sides, &self.stop, watch)?;
         let rms_gradient = realised.problem(self.finest())?.rms_gradient();
         let models = models(self.scene, &ladder.truth, self.scene.mean_pressure() / rms_gradient);
         let curves =
@@ -72,7 +72,7 @@ impl Experiment {
         let problem = realised.problem(side)?;
         let observer = &mut watch(&format!("{title} multilevel"));
         let reference = Multilevel.solve(&problem, &self.reference, observer)?;
-        let curve = |rival| Ok(ConvergenceCurve::of(rival, &reference, &self.stop, self.repeats, &title, watch)?);
+        let curve = |rival| Ok(ConvergenceCurve::measure(rival, &reference, &self.stop, self.repeats, &title, watch)?);
         Rival::ALL.into_iter().map(curve).collect()
     }
 

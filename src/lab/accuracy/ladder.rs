@@ -34,7 +34,7 @@ pub struct Ladder {
 
 impl Ladder {
     /// Solves a scene on all grids under all loads.
-    pub fn of(realised: &Realised, sides: &[usize], stop: &Stop, watch: ObserverMaker) -> Result<Self, SetupError> {
+    pub fn solve(realised: &Realised, sides: &[usize], stop: &Stop, watch: ObserverMaker) -> Result<Self, SetupError> {
         let scene = realised.scene;
         let finest = sides.iter().copied().max().unwrap_or_default();
         let all = loads(scene).map(|load| scene.exact(finest, load).transpose());

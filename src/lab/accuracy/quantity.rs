@@ -17,7 +17,7 @@ pub type QuantityValues = [Option<f64>; QUANTITIES.len()];
 
 /// The values of a contact, or of a step on the finest grid.
 pub fn found<'a>(state: impl Into<State<'a>>) -> QuantityValues {
-    let it = Observables::of(state);
+    let it = Observables::new(state);
     let best = [it.relative_area, it.kappa_r, it.mean_gap, it.max_pressure];
     let [area, kappa_r, gap, peak] = best.map(Some);
     [area, kappa_r, gap, peak, Some(it.relative_area_counted), Some(it.kappa_r_counted)]

@@ -23,7 +23,7 @@ pub fn record(path: &Path, experiment: &Experiment, what: &[Part], watch: Observ
     let problem = setup.problem()?;
     let reference = if what.contains(&Part::Waterfall) {
         let end = Multilevel.solve(&problem, &experiment.reference, &mut watch("solving for the end"))?;
-        Some(Arc::new(Reference::of(&end)))
+        Some(Arc::new(Reference::from_contact(&end)))
     } else {
         None
     };

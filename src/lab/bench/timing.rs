@@ -58,7 +58,7 @@ impl Timing {
         let mut first = None;
         methods.iter().map(move |&solver| {
             let setup = Setup { solver, stop, ..contest.setup.clone() };
-            let (timing, peak_mib) = peak_of(|| Self::of(contest, &setup, repeats, watch));
+            let (timing, peak_mib) = peak_of(|| Self::measure(contest, &setup, repeats, watch));
             let timing = Self { peak_mib, ..timing? };
             let first = *first.get_or_insert(timing.solve_seconds);
             Ok(Self { ratio: (methods.len() > 1).then(|| timing.solve_seconds / first), ..timing })
@@ -66,7 +66,12 @@ impl Timing {
     }
 
     /// Makes and solves a contact.
-    fn of(contest: &Contest, setup: &Setup, repeats: NonZeroUsize, watch: ObserverMaker) -> Result<Self, SetupError> {
+    fn measure(
+        contest: &Contest,
+        setup: &Setup,
+        repeats: NonZeroUsize,
+        watch: ObserverMaker,
+    ) -> Result<Self, SetupError> {
         let clock = Instant::now();
         let problem = setup.problem()?;
         let make_seconds = clock.elapsed().as_secs_f64();
@@ -81,7 +86,7 @@ impl Timing {
         };
         seconds.sort_by(f64::total_cmp);
         let clock = Instant::now();
-        let measured = Observables::of(&contact);
+        let measured = Observables::new(&contact);
         let measure_seconds = clock.elapsed().as_secs_f64();
         let [ny, nx] = problem.surface().grid().shape();
         Ok(Self {

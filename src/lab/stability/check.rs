@@ -54,7 +54,7 @@ fn displaced(problem: &Problem, pressure: &[f64]) -> Vec<f64> {
 
 impl Check {
     /// Checks `pressure`, row by row.
-    pub fn of(problem: &Problem, pressure: &[f64]) -> Self {
+    pub fn new(problem: &Problem, pressure: &[f64]) -> Self {
         let (h, n) = (problem.height(), pressure.len() as f64);
         let u = displaced(problem, pressure);
         let v: Vec<f64> = u.iter().zip(h).map(|(u, h)| u - h).collect();

@@ -21,7 +21,7 @@ pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: ObserverMake
     let report = |found, verdict, note| TrialReport::new(trial, rival, found, verdict, note);
     match catch_unwind(AssertUnwindSafe(|| trial.solve(rival, budget, watch))) {
         Ok(Ok((contact, twin))) => {
-            let check = Check::of(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
+            let check = Check::new(&contact.problem, contact.pressure.as_slice().unwrap_or_default());
             let mismatch = || twin.as_ref().and_then(|twin| mismatch(trial, &contact, twin));
             let unsolved_twin = twin.as_ref().filter(|twin| !twin.is_converged());
             let (verdict, note) = match fault(trial, &contact, &check).or_else(mismatch) {

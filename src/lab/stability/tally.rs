@@ -22,7 +22,7 @@ pub struct Tally {
 
 impl Tally {
     /// The tally of some reports, and of the kernel and the time steps if they were measured.
-    pub fn of(reports: &[TrialReport], kernel: Option<&Kernel>, time_steps: Option<&TimeSteps>) -> Self {
+    pub fn new(reports: &[TrialReport], kernel: Option<&Kernel>, time_steps: Option<&TimeSteps>) -> Self {
         let count = |verdict| reports.iter().filter(|report| report.verdict == verdict).count();
         Self {
             converged: count(TrialVerdict::Converged),

@@ -146,12 +146,12 @@ pub struct Bytes {
 
 impl Bytes {
     /// Of a part that is drawn in frames only.
-    pub fn of_frames(frame: f64) -> Self {
+    pub fn per_frame(frame: f64) -> Self {
         Self { frame, ..Self::default() }
     }
 
     /// Of a part that shows a whole run.
-    pub fn of_run(still: f64) -> Self {
+    pub fn per_run(still: f64) -> Self {
         Self { still, ..Self::default() }
     }
 }

@@ -171,7 +171,7 @@ impl Stage {
     pub fn result(contact: &Contact) -> String {
         let Contact { status, certificate, work, .. } = contact;
         let how = if contact.is_converged() { status.to_string() } else { format!("not converged ({status})") };
-        let Observables { kappa_r, kappa_r_error: error, .. } = Observables::of(contact);
+        let Observables { kappa_r, kappa_r_error: error, .. } = Observables::new(contact);
         let grid = match error.is_nan() {
             true => String::new(),
             false => format!(". kappa_r is {kappa_r:.4}, within about {:.1} % on this grid", 100.0 * error),

@@ -1,7 +1,7 @@
 //! The file behind a recording.
 
 use super::pace::FlushPace;
-use crate::error::FileError;
+use crate::error::{FileError, reason};
 use crate::files::check_target;
 use rerun::SpawnOptions;
 use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
@@ -90,7 +90,7 @@ impl Output {
             let written = end.stream_position()?;
             Ok(OutputState { encoder, file: end, written, is_finished: false, viewer })
         };
-        let error = |failure: io::Error| FileError::Target { path: path.into(), reason: failure.to_string() };
+        let error = |failure: io::Error| FileError::Target { path: path.into(), reason: reason(&failure) };
         let state = file.and_then(begin).map_err(error)?;
         Ok(Self {
             path: path.into(),

@@ -71,7 +71,7 @@ impl WriterThread {
         }
         if self.unmade > 0 {
             self.unmade -= 1;
-            return Some(Snapshot::of(step));
+            return Some(Snapshot::from_step(step));
         }
         // what waits here would never be written
         self.hand_over();

@@ -24,10 +24,10 @@ pub fn fit_loads(
     window: [f64; 2],
 ) {
     let sizes = Sizes::new(&[layout(stages, figure.as_deref(), charts, curves)], window);
-    stages.iter_mut().for_each(|stage| stage.fit(|root| sizes.of(root)));
-    figure.into_iter().for_each(|figure| figure.fit(|root| sizes.of(root)));
+    stages.iter_mut().for_each(|stage| stage.fit(|root| sizes.get(root)));
+    figure.into_iter().for_each(|figure| figure.fit(|root| sizes.get(root)));
     for chart in charts {
-        chart.fit(sizes.of(&chart.root).unwrap_or(PANE));
+        chart.fit(sizes.get(&chart.root).unwrap_or(PANE));
     }
 }
 

@@ -31,7 +31,7 @@ const MOST_OVERVIEW: f32 = 0.72;
 /// Gives the pictures of all scenes the proportions of their panes in a window.
 pub fn fit_steps(stages: &mut [Stage], window: [f64; 2]) {
     let sizes = Sizes::new(&tabs(stages), window);
-    stages.iter_mut().for_each(|stage| stage.fit(|root| sizes.of(root)));
+    stages.iter_mut().for_each(|stage| stage.fit(|root| sizes.get(root)));
 }
 
 /// Lays out all scenes.

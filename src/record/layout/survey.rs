@@ -8,9 +8,9 @@ use rerun::{RecordingStream, RecordingStreamResult};
 /// Gives relief and figure the proportions of their panes in a window.
 pub fn fit_survey(relief: Option<&mut SurfaceRelief>, figure: &mut FigurePicture, text: &str, window: [f64; 2]) {
     let sizes = Sizes::new(&[layout(relief.as_ref().map(|relief| relief.view()), figure, text)], window);
-    figure.fit(|root| sizes.of(root));
+    figure.fit(|root| sizes.get(root));
     if let Some(relief) = relief
-        && let Some(size) = sizes.of(relief.view().0)
+        && let Some(size) = sizes.get(relief.view().0)
     {
         relief.fit(size);
     }

@@ -32,7 +32,7 @@ impl Sizes {
     }
 
     /// The size of the pane of a picture.
-    pub fn of(&self, root: &str) -> Option<[f64; 2]> {
+    pub fn get(&self, root: &str) -> Option<[f64; 2]> {
         self.0.get(root).copied()
     }
 
@@ -99,21 +99,21 @@ mod tests {
         let text = PaneView::text("", "/".into());
         let whole = Pane::container(ContainerKind::Horizontal, "", vec![(column, 3.0), (text, 1.0)]);
         let sizes = Sizes::new(&[whole], [1601.0, 1058.0]);
-        assert_eq!(sizes.of("a"), Some([1194.0, 220.0]));
-        assert_eq!((sizes.of("b"), sizes.of("c")), (Some([1194.0, 720.0]), Some([1194.0, 720.0])));
-        assert_eq!(sizes.of("d"), None);
+        assert_eq!(sizes.get("a"), Some([1194.0, 220.0]));
+        assert_eq!((sizes.get("b"), sizes.get("c")), (Some([1194.0, 720.0]), Some([1194.0, 720.0])));
+        assert_eq!(sizes.get("d"), None);
     }
 
     #[test]
     fn a_picture_in_two_panes_has_the_size_of_the_smaller_one() {
         let grid = Pane::even(ContainerKind::Grid, "", vec![picture("a"), picture("b"), picture("c")]);
         let sizes = Sizes::new(&[grid, picture("a")], [1601.0, 1058.0]);
-        assert_eq!((sizes.of("a"), sizes.of("c")), (Some([794.0, 458.0]), Some([794.0, 458.0])));
+        assert_eq!((sizes.get("a"), sizes.get("c")), (Some([794.0, 458.0]), Some([794.0, 458.0])));
     }
 
     #[test]
     fn words_are_smaller_in_small_windows_but_never_by_more_than_a_third() {
-        let width = |window: [f64; 2]| Sizes::new(&[picture("a")], window).of("a").unwrap()[0];
+        let width = |window: [f64; 2]| Sizes::new(&[picture("a")], window).get("a").unwrap()[0];
         assert_eq!(width([1600.0, 1000.0]), 1594.0);
         assert_eq!(width([1280.0, 800.0]), 1274.0 / 0.8);
         assert_eq!(width([640.0, 400.0]), 634.0 / LEAST_SCALE);

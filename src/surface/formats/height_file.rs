@@ -67,7 +67,9 @@ impl HeightFile {
         }
         let measurement = match &self.bytes {
             None => Measurement::read(&self.path, channel)?,
-            Some(bytes) => Measurement::of(bytes, channel).map_err(|error| explained(&self.path, "height", error))?,
+            Some(bytes) => {
+                Measurement::from_bytes(bytes, channel).map_err(|error| explained(&self.path, "height", error))?
+            }
         };
         kept.layout = Some((channel.map(str::to_owned), measurement.layout()));
         kept.measurement = Some((channel.map(str::to_owned), measurement.clone()));

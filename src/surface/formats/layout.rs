@@ -36,7 +36,7 @@ impl Layout {
     }
 
     /// The layout of a channel, and the positions in it.
-    pub(super) fn of(channel: &Channel) -> io::Result<(Self, Option<SortedPositions>)> {
+    pub(super) fn from_channel(channel: &Channel) -> io::Result<(Self, Option<SortedPositions>)> {
         let Channel { shape, is_profile, spacing, ref positions, lateral_unit, unit, .. } = *channel;
         let is_in_metres = lateral_unit.is_some() && unit.is_some();
         let lateral = lateral_unit.filter(|_| is_in_metres).unwrap_or(1.0);
@@ -44,7 +44,7 @@ impl Layout {
         if let Some(wrong) = spacing.into_iter().flatten().find(|it| !(*it > 0.0 && it.is_finite())) {
             return Err(malformed(format!("it says that its points are {wrong:?} apart")));
         }
-        let positions = positions.as_ref().map(|x| SortedPositions::of(x, lateral)).transpose()?;
+        let positions = positions.as_ref().map(|x| SortedPositions::new(x, lateral)).transpose()?;
         let mean = positions.as_ref().and_then(|it| Some(it.x.last()? / (it.x.len() - 1) as f64));
         let is_even = positions.as_ref().zip(mean).is_none_or(|(it, dx)| it.is_even(dx));
         let spacing = spacing.or(mean.map(|dx| [dx; 2]));
@@ -54,7 +54,7 @@ impl Layout {
 
 impl SortedPositions {
     /// The positions in a file, times the length of its unit.
-    fn of(x: &[f64], unit: f64) -> io::Result<Self> {
+    fn new(x: &[f64], unit: f64) -> io::Result<Self> {
         if let Some(wrong) = x.iter().find(|x| !x.is_finite()) {
             return Err(malformed(format!("it holds the position {wrong:?}")));
         }

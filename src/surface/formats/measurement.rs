@@ -53,9 +53,9 @@ impl Measurement {
         let read = || {
             let mut file = open(path)?;
             if is_array(&mut file) {
-                Self::of_arrays(&mut file, channel)
+                Self::from_arrays(&mut file, channel)
             } else {
-                Self::of_instrument(&whole(file)?, channel)
+                Self::from_instrument(&whole(file)?, channel)
             }
         };
         read().map_err(|error| super::explained(path, "height", error))
@@ -65,9 +65,13 @@ impl Measurement {
     ///
     /// # Errors
     /// Of the kind [`io::ErrorKind::InvalidData`], with what is wrong with them.
-    pub fn of(bytes: &[u8], channel: Option<&str>) -> io::Result<Self> {
+    pub fn from_bytes(bytes: &[u8], channel: Option<&str>) -> io::Result<Self> {
         let mut source = Cursor::new(bytes);
-        if is_array(&mut source) { Self::of_arrays(&mut source, channel) } else { Self::of_instrument(bytes, channel) }
+        if is_array(&mut source) {
+            Self::from_arrays(&mut source, channel)
+        } else {
+            Self::from_instrument(bytes, channel)
+        }
     }
 
     /// Shape and spacing of what [`Measurement::read`] reads, of most formats by their header alone.
@@ -87,10 +91,10 @@ impl Measurement {
         read().map_err(|error| super::explained(path, "height", error))
     }
 
-    /// Shape and spacing of what [`Measurement::of`] reads.
+    /// Shape and spacing of what [`Measurement::from_bytes`] reads.
     ///
     /// # Errors
-    /// The errors of [`Measurement::of`].
+    /// The errors of [`Measurement::from_bytes`].
     pub(super) fn layout_of(bytes: &[u8], channel: Option<&str>) -> io::Result<Layout> {
         let mut source = Cursor::new(bytes);
         if is_array(&mut source) {
@@ -101,7 +105,7 @@ impl Measurement {
     }
 
     /// The measurement in a file of an instrument.
-    fn of_instrument(bytes: &[u8], channel: Option<&str>) -> io::Result<Self> {
+    fn from_instrument(bytes: &[u8], channel: Option<&str>) -> io::Result<Self> {
         let instrument = instrument(bytes)?;
         let all = (instrument.channels)(bytes)?;
         let channels = all.iter().filter(|it| it.is_height).map(|it| it.name.clone()).collect();
@@ -109,7 +113,7 @@ impl Measurement {
     }
 
     /// The heights of an array of a file, and the positions beside them if there are any.
-    fn of_arrays(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<Self> {
+    fn from_arrays(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<Self> {
         let (channels, name) = array_names(source, channel)?;
         let (array, positions) = profile_of(source, &name)?;
         let is_profile = array.ndim() == 1;
@@ -137,7 +141,7 @@ impl Measurement {
 
     /// The measurement in a channel.
     fn new(format: &'static str, channels: Vec<String>, channel: Channel) -> io::Result<Self> {
-        let (layout, positions) = Layout::of(&channel)?;
+        let (layout, positions) = Layout::from_channel(&channel)?;
         let Channel { name, unit, header, doubts, values, .. } = channel;
         let Layout { shape, is_profile, spacing, is_in_metres, is_even } = layout;
         let values = values()?;
@@ -185,7 +189,7 @@ fn layout_of_arrays(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Res
     let (_, name) = array_names(source, channel)?;
     match *shape_of(source, &name)? {
         [ny, nx] => Ok(Layout::map([ny, nx])),
-        _ => Ok(Measurement::of_arrays(source, channel)?.layout()),
+        _ => Ok(Measurement::from_arrays(source, channel)?.layout()),
     }
 }
 
@@ -216,7 +220,7 @@ fn array_names(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<(
 }
 
 fn layout_of_instrument(bytes: &[u8], channel: Option<&str>) -> io::Result<Layout> {
-    Ok(Layout::of(&choose((instrument(bytes)?.channels)(bytes)?, channel)?)?.0)
+    Ok(Layout::from_channel(&choose((instrument(bytes)?.channels)(bytes)?, channel)?)?.0)
 }
 
 /// All bytes of a file.

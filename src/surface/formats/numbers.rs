@@ -31,8 +31,8 @@ fn is_it(bytes: &[u8]) -> bool {
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    let table = TextTable::of(&latin(bytes))?;
-    let mut remarks = Remarks::of(&table.head);
+    let table = TextTable::from_text(&latin(bytes))?;
+    let mut remarks = Remarks::new(&table.head);
     let doubts = doubts(&table, &remarks);
     let said = std::mem::take(&mut remarks.said);
     let name = remarks.channel.clone().unwrap_or_else(|| "height".into());

@@ -20,7 +20,7 @@ pub(super) struct Map {
 
 /// The map of points in three columns x, y and height, in any order; none if they are not evenly spaced, or two have one place.
 pub(super) fn map(table: &TextTable) -> Option<Map> {
-    let [x, y] = [EvenPositions::of(table.column(0).collect())?, EvenPositions::of(table.column(1).collect())?];
+    let [x, y] = [EvenPositions::new(table.column(0).collect())?, EvenPositions::new(table.column(1).collect())?];
     let shape = [y.points, x.points];
     let places =
         shape[0].checked_mul(shape[1]).filter(|places| *places <= SPARSEST.saturating_mul(table.shape()[0]))?;
@@ -45,7 +45,7 @@ struct EvenPositions {
 
 impl EvenPositions {
     /// The axis on which all these positions are, of which some may be missing; none if there is only one, or one is not finite.
-    fn of(mut positions: Vec<f64>) -> Option<Self> {
+    fn new(mut positions: Vec<f64>) -> Option<Self> {
         positions.sort_by(f64::total_cmp);
         let [first, last] = [*positions.first()?, *positions.last()?];
         let same = SAME * (last - first);

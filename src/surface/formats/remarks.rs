@@ -25,7 +25,7 @@ pub(super) struct Remarks {
 }
 
 impl Remarks {
-    pub fn of(head: &[String]) -> Self {
+    pub fn new(head: &[String]) -> Self {
         let lines = head.iter().map(|line| line.trim_start_matches(['#', '%']).trim());
         let pairs = lines.filter_map(|line| line.split_once(':').or_else(|| line.split_once('=')));
         let said: Vec<_> = pairs.map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned())).collect();

@@ -30,7 +30,7 @@ impl TextTable {
     ///
     /// # Errors
     /// For a text without numbers, for rows that are not equally long, and where a comma may be a decimal one or part two numbers.
-    pub fn of(text: &str) -> io::Result<Self> {
+    pub fn from_text(text: &str) -> io::Result<Self> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let is_remark = |line: &str| line.is_empty() || line.starts_with(['#', '%']);
         let lines = || text.lines().map(str::trim).enumerate();

@@ -31,7 +31,7 @@ fn read(file: &mut dyn ReadSeek, _: &ArrayRequest) -> io::Result<ArrayD<f64>> {
     if bytes.iter().any(is_control) {
         return Err(malformed("it is no .npy file, and not all of it is text"));
     }
-    let table = TextTable::of(&String::from_utf8_lossy(&bytes))?;
+    let table = TextTable::from_text(&String::from_utf8_lossy(&bytes))?;
     let array = match table.shape() {
         [n, 1] | [1, n] => ArrayD::from_shape_vec(vec![n], table.values),
         shape => ArrayD::from_shape_vec(shape.to_vec(), table.values),

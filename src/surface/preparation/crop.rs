@@ -23,7 +23,7 @@ impl Crop {
     }
 
     /// The part of the heights.
-    pub fn of(&self, scan: &Scan) -> Option<Scan> {
+    pub fn apply(&self, scan: &Scan) -> Option<Scan> {
         let ranges = self.ranges(scan.shape())?;
         let slice = |axis: ndarray::AxisDescription| {
             let [first, beyond] = ranges[axis.axis.index()];

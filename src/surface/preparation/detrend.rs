@@ -14,8 +14,8 @@ const ROUNDING: f64 = 1e-13;
 /// use asperity::surface::{Detrend, Scan};
 /// let height = ndarray::Array2::from_shape_fn((4, 6), |(y, x)| 7.0 + 0.5 * y as f64 - 0.25 * (x * x) as f64);
 /// let bent = Scan { height, spacing: [1.0, 1.0] };
-/// assert!(Detrend::Curvature.of(bent.clone()).height.iter().all(|h| h.abs() < 1e-13));
-/// assert!(Detrend::Mean.of(bent).height.sum().abs() < 1e-12);
+/// assert!(Detrend::Curvature.apply(bent.clone()).height.iter().all(|h| h.abs() < 1e-13));
+/// assert!(Detrend::Mean.apply(bent).height.sum().abs() < 1e-12);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
@@ -31,7 +31,7 @@ pub enum Detrend {
 
 impl Detrend {
     /// The heights without their trend.
-    pub fn of(self, scan: Scan) -> Scan {
+    pub fn apply(self, scan: Scan) -> Scan {
         let (trend, before) = (self.coefficients(&scan), reach(&scan));
         let mut rest = scan.less(|place| legendre(place).iter().zip(trend).map(|(f, c)| f * c).sum());
         if self != Self::Mean && reach(&rest) <= ROUNDING * before {

@@ -18,7 +18,7 @@ pub enum Fill {
 
 impl Fill {
     /// The heights without voids; none where all are void.
-    pub fn of(self, mut scan: Scan) -> Option<Scan> {
+    pub fn apply(self, mut scan: Scan) -> Option<Scan> {
         let there = scan.height.iter().filter(|h| !h.is_nan());
         let (count, sum) = there.fold((0usize, 0.0), |(n, sum), h| (n + 1, sum + h));
         let is_void: Vec<bool> = scan.height.iter().map(|h| h.is_nan()).collect();

@@ -26,7 +26,7 @@ const FLAT: f64 = 1e-9;
 
 impl Form {
     /// The heights without their form, and its radius, negative where it is hollow; none where no such body fits.
-    pub fn of(self, scan: Scan) -> Option<(Scan, f64)> {
+    pub fn apply(self, scan: Scan) -> Option<(Scan, f64)> {
         let half = scan.half();
         let points: Vec<_> = scan.points().into_iter().map(|(place, h)| (place, h / half)).collect();
         let [z0, zy, zx, zxy, zyy, zxx] = linear(points.iter().map(|(place, h)| (legendre(*place), *h)));

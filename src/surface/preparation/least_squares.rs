@@ -15,7 +15,7 @@ struct NormalEquations<const N: usize> {
 }
 
 impl<const N: usize> NormalEquations<N> {
-    fn of(points: impl Iterator<Item = ([f64; N], f64)>) -> Self {
+    fn new(points: impl Iterator<Item = ([f64; N], f64)>) -> Self {
         let mut all = Self { matrix: [[0.0; N]; N], right: [0.0; N] };
         for (functions, value) in points {
             for i in 0..N {
@@ -52,7 +52,7 @@ impl<const N: usize> NormalEquations<N> {
 /// The coefficients with which the sum of `N` functions is nearest to the values at the points; 0 for functions that the points do
 /// not tell from those before.
 pub(super) fn linear<const N: usize>(points: impl Iterator<Item = ([f64; N], f64)>) -> [f64; N] {
-    NormalEquations::of(points).solve()
+    NormalEquations::new(points).solve()
 }
 
 /// The parameters with which a model is nearest to the values at some points, by the method of Gauss and Newton with halved steps; none

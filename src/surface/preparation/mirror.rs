@@ -26,7 +26,7 @@ impl Mirror {
     }
 
     /// The heights and their images.
-    pub fn of(self, scan: &Scan) -> Scan {
+    pub fn apply(self, scan: &Scan) -> Scan {
         let (shape, mirrored) = (scan.shape(), self.shape(scan.shape()));
         let back = |i: usize, axis: usize| if i < shape[axis] { i } else { mirrored[axis] - i };
         let height = Field::from_shape_fn(mirrored, |(y, x)| scan.height[[back(y, 0), back(x, 1)]]);

@@ -109,22 +109,22 @@ impl Preparation {
     ///
     /// # Errors
     /// For a step that these heights do not allow.
-    pub fn of(&self, scan: Scan) -> Result<Prepared, PreparationError> {
+    pub fn apply(&self, scan: Scan) -> Result<Prepared, PreparationError> {
         let mut it = Prepared { scan, told: Vec::new() };
         if let Some(crop) = &self.crop {
-            let part = crop.of(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
+            let part = crop.apply(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
             it.take(part, |_, part| format!("cropped to {} x {} points", part.shape()[0], part.shape()[1]));
         }
         if let Some(fill) = self.fill.filter(|_| it.scan.voids() > 0) {
-            let full = fill.of(it.scan.clone()).ok_or(PreparationError::AllVoid)?;
+            let full = fill.apply(it.scan.clone()).ok_or(PreparationError::AllVoid)?;
             it.take(full, |before, _| format!("{} voids filled with the smoothest heights", before.voids()));
         }
         if let Some(detrend) = self.detrend {
-            let flat = detrend.of(it.scan.clone());
+            let flat = detrend.apply(it.scan.clone());
             it.take(flat, |before, after| format!("the trend was taken off: {}", gradients(before, after)));
         }
         if let Some(form) = self.remove_form {
-            let (flat, radius) = form.of(it.scan.clone()).ok_or(PreparationError::NoForm)?;
+            let (flat, radius) = form.apply(it.scan.clone()).ok_or(PreparationError::NoForm)?;
             it.take(flat, |before, after| {
                 format!("a form of radius {radius:.6e} was taken off: {}", gradients(before, after))
             });
@@ -143,7 +143,7 @@ impl Preparation {
             });
         }
         if let Some(mirror) = self.mirror {
-            let mirrored = mirror.of(&it.scan);
+            let mirrored = mirror.apply(&it.scan);
             it.take(mirrored, |_, after| format!("mirrored to {} x {} points", after.shape()[0], after.shape()[1]));
         }
         Ok(it)

@@ -14,7 +14,7 @@ pub enum Resample {
 
 impl Resample {
     /// The heights at even positions, and their spacing, of heights at ever larger positions `x`, two at least.
-    pub fn of(self, x: &[f64], height: &[f64]) -> (Vec<f64>, f64) {
+    pub fn apply(self, x: &[f64], height: &[f64]) -> (Vec<f64>, f64) {
         let last = x.len() - 1;
         let spacing = (x[last] - x[0]) / last as f64;
         let at = |i: usize| {

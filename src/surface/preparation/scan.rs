@@ -13,7 +13,7 @@ pub struct Scan {
 
 impl Scan {
     /// The heights of a surface at every so many nodes along each axis, those of a line along it.
-    pub fn of(surface: &Surface, every: usize) -> Self {
+    pub fn from_surface(surface: &Surface, every: usize) -> Self {
         let (grid, heights) = (surface.grid(), surface.heights_as_given());
         let every = grid.shape().map(|n| if n == 1 { 1 } else { every });
         let step = |axis: ndarray::AxisDescription| ndarray::Slice::new(0, None, every[axis.axis.index()] as isize);

@@ -55,10 +55,10 @@ impl Band {
         let waves = spectrum.wavenumber.iter().zip(&spectrum.density).zip(&spectrum.measure);
         let waves: Vec<[f64; 3]> = waves.map(|((&q, &density), measure)| [q, density, independent * measure]).collect();
         let bands = waves.chunk_by(|one, next| number(one[0]) == number(next[0]));
-        bands.map(Self::of).collect()
+        bands.map(Self::new).collect()
     }
 
-    fn of(waves: &[[f64; 3]]) -> Self {
+    fn new(waves: &[[f64; 3]]) -> Self {
         let mean = |of: &dyn Fn(&[f64; 3]) -> f64| waves.iter().map(of).sum::<f64>() / waves.len() as f64;
         Self {
             wavenumber: mean(&|wave| wave[0].ln()).exp(),
@@ -84,26 +84,27 @@ impl PowerLawFit {
     /// The power law of the bands of heights down to a wavelength. Of all stretches of bands that follow one with a Hurst exponent
     /// between 0 and 1 it is the one whose exponent is known best, which leaves out waves beyond roll-off and cut-off. None where no octave
     /// follows one.
-    pub(super) fn of(bands: &[Band], is_line: bool, shortest: f64) -> Option<Self> {
+    pub(super) fn new(bands: &[Band], is_line: bool, shortest: f64) -> Option<Self> {
         let is_inside = |band: &&Band| band.density > 0.0 && band.wavelength() >= shortest;
         let bands: Vec<Band> = bands.iter().filter(is_inside).copied().collect();
         let stretches = (0..bands.len()).flat_map(|from| (from + FEWEST..=bands.len()).map(move |to| from..to));
-        let laws = stretches.filter_map(|stretch| Some((Self::of_stretch(&bands[stretch.clone()], is_line)?, stretch)));
+        let laws =
+            stretches.filter_map(|stretch| Some((Self::from_stretch(&bands[stretch.clone()], is_line)?, stretch)));
         let (_, stretch) = laws.min_by(|(one, _), (other, _)| one.hurst_error.total_cmp(&other.hurst_error))?;
         // roll-off and cut-off may lie inside the bands at the ends
         let inner = &bands[stretch.start + 1..stretch.end - 1];
-        let law = Self::of_stretch(inner, is_line)?;
+        let law = Self::from_stretch(inner, is_line)?;
         // long waves are few, so that chance may hide a roll-off among them: then the shorter half has another exponent
-        let half = hurst(&Line::of(&logarithms(&inner[inner.len() / 2..])), is_line);
+        let half = hurst(&Line::fit(&logarithms(&inner[inner.len() / 2..])), is_line);
         let hurst_error = law.hurst_error.max((law.hurst - half).abs());
         (hurst_error <= LARGEST_ERROR).then_some(Self { hurst_error, ..law })
     }
 
     /// The power law that all bands follow, if there is one.
-    fn of_stretch(bands: &[Band], is_line: bool) -> Option<Self> {
+    fn from_stretch(bands: &[Band], is_line: bool) -> Option<Self> {
         let points = logarithms(bands);
         let (first, last) = (points.first()?[0], points.last()?[0]);
-        let line = Line::of(&points);
+        let line = Line::fit(&points);
         let hurst = hurst(&line, is_line);
         let Line { slope, variance, scatter } = line;
         let follows = last - first >= LEAST_OCTAVES * LN_2 && scatter <= MOST_SCATTER && (0.0..=1.0).contains(&hurst);
@@ -135,7 +136,7 @@ struct Line {
 }
 
 impl Line {
-    fn of(points: &[[f64; 3]]) -> Self {
+    fn fit(points: &[[f64; 3]]) -> Self {
         let sum = |of: &dyn Fn(&[f64; 3]) -> f64| points.iter().map(|point| point[2] * of(point)).sum::<f64>();
         let weight = sum(&|_| 1.0);
         let (x, y) = (sum(&|it| it[0]) / weight, sum(&|it| it[1]) / weight);

@@ -27,14 +27,14 @@ impl PreparationChoice {
     /// The preparation of heights that are at even positions or not, on a cell that is periodic along y and x or free.
     ///
     /// # Errors
-    /// The errors of [`Survey::of`].
-    pub fn of(scan: &Scan, is_even: bool, periodic: [bool; 2]) -> Result<Self, SurfaceError> {
+    /// The errors of [`Survey::new`].
+    pub fn new(scan: &Scan, is_even: bool, periodic: [bool; 2]) -> Result<Self, SurfaceError> {
         let mut choice = Self { preparation: Preparation::default(), reasons: Vec::new() };
         if !is_even {
             choice.preparation.resample = Some(Resample::Linear);
             choice.because("the positions are not even: heights are resampled at as many even ones".into());
         }
-        let mut survey = Survey::of(scan)?;
+        let mut survey = Survey::new(scan)?;
         if survey.voids > 0 {
             choice.preparation.fill = Some(Fill::Harmonic);
             let all = scan.height.len();
@@ -45,8 +45,8 @@ impl PreparationChoice {
         }
         let most = PERIODIC[usize::from(scan.shape()[0] > 1)];
         if jump(&survey, periodic) > most || periodic == [false; 2] {
-            let full = Fill::Harmonic.of(scan.clone()).unwrap_or(scan.clone());
-            survey = Survey::of(&choice.detrended(full, &survey, periodic))?;
+            let full = Fill::Harmonic.apply(scan.clone()).unwrap_or(scan.clone());
+            survey = Survey::new(&choice.detrended(full, &survey, periodic))?;
         }
         choice.mirror(&survey, periodic, most);
         choice.filter(&survey);
@@ -68,7 +68,7 @@ impl PreparationChoice {
         };
         self.preparation.detrend = Some(trend);
         self.because(reason);
-        trend.of(scan)
+        trend.apply(scan)
     }
 
     /// Mirrors along the axes on which heights jump by more than so many rms steps.

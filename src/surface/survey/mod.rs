@@ -22,7 +22,7 @@ use std::f64::consts::PI;
 /// let noise = |x: usize| 1e-3 * 2f64.sqrt() * (x as f64 * x as f64 * 0.7).sin();
 /// let wave = |x: usize| (std::f64::consts::TAU * x as f64 / 1024.0).sin();
 /// let height = ndarray::Array2::from_shape_fn((1, 4096), |(_, x)| wave(x) + 0.5 * x as f64 + noise(x));
-/// let survey = Survey::of(&Scan { height, spacing: [1.0, 1.0] })?;
+/// let survey = Survey::new(&Scan { height, spacing: [1.0, 1.0] })?;
 /// assert!((survey.tilt[1] - 0.5).abs() < 1e-3);
 /// assert!(survey.jumps[1] > 1000.0);
 /// assert!((survey.axes[0].noise / 1e-3 - 1.0).abs() < 0.1);
@@ -51,16 +51,16 @@ impl Survey {
     ///
     /// # Errors
     /// [`SurfaceError::NonFinite`] for heights that are all void; [`SurfaceError::Grid`] for less nodes than a grid has.
-    pub fn of(scan: &Scan) -> Result<Self, SurfaceError> {
+    pub fn new(scan: &Scan) -> Result<Self, SurfaceError> {
         let full =
-            if scan.voids() > 0 { Fill::Harmonic.of(scan.clone()).unwrap_or(scan.clone()) } else { scan.clone() };
+            if scan.voids() > 0 { Fill::Harmonic.apply(scan.clone()).unwrap_or(scan.clone()) } else { scan.clone() };
         let grid = grid(&full)?;
         let jumps = Surface::new(grid, full.height.clone())?.jumps();
-        let flat = Detrend::Plane.of(full.clone());
-        let [total, rest] = [square(&flat), square(&Detrend::Curvature.of(full.clone()))];
-        let plane = Detrend::Plane.of(scan.clone());
-        let axes: Vec<Scales> = (0..2).filter_map(|axis| Scales::of(&plane, axis)).collect();
-        let spectrum = Band::all(&PowerSpectrum::of(&Surface::new(grid, windowed(&flat).height)?), &grid);
+        let flat = Detrend::Plane.apply(full.clone());
+        let [total, rest] = [square(&flat), square(&Detrend::Curvature.apply(full.clone()))];
+        let plane = Detrend::Plane.apply(scan.clone());
+        let axes: Vec<Scales> = (0..2).filter_map(|axis| Scales::new(&plane, axis)).collect();
+        let spectrum = Band::all(&PowerSpectrum::new(&Surface::new(grid, windowed(&flat).height)?), &grid);
         let rough = |it: &Scales| it.shortest_wavelength.max(it.smooth_wavelength.unwrap_or(0.0));
         let shortest = axes.iter().map(rough).fold(grid.shortest_wavelength(), f64::max);
         Ok(Self {
@@ -68,7 +68,7 @@ impl Survey {
             tilt: Detrend::tilt(&full),
             curvature_share: if total > 0.0 { 1.0 - rest / total } else { 0.0 },
             jumps,
-            power_law: PowerLawFit::of(&spectrum, grid.is_line(), shortest),
+            power_law: PowerLawFit::new(&spectrum, grid.is_line(), shortest),
             axes,
             spectrum,
         })

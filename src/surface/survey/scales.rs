@@ -51,13 +51,13 @@ pub struct Scales {
 
 impl Scales {
     /// The scales of a surface along y and x, at every so many nodes along an axis; an axis of less than 9 of these is left out.
-    pub fn of_surface(surface: &Surface, every: usize) -> Vec<Self> {
-        let scan = Scan::of(surface, every);
-        (0..2).filter_map(|axis| Self::of(&scan, axis)).collect()
+    pub fn from_surface(surface: &Surface, every: usize) -> Vec<Self> {
+        let scan = Scan::from_surface(surface, every);
+        (0..2).filter_map(|axis| Self::new(&scan, axis)).collect()
     }
 
     /// Heights along an axis, 0 for y and 1 for x; none for an axis of less than 9 nodes or without differences.
-    pub(super) fn of(scan: &Scan, axis: usize) -> Option<Self> {
+    pub(super) fn new(scan: &Scan, axis: usize) -> Option<Self> {
         let (nodes, spacing) = (scan.shape()[axis], scan.spacing[axis]);
         let doubles = std::iter::successors(Some(1), |s| Some(2 * s)).take_while(|s| *s == 1 || 4 * s <= nodes);
         let found: Option<Vec<_>> = doubles.map(|s| differences(scan, axis, s)).collect();

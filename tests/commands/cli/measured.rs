@@ -148,10 +148,11 @@ fn an_archive_of_heights_stands_for_a_scene() {
     folder.run(&format!("surface {ROUGH_LINE} --out line.npy"));
     let heights: ArrayD<f64> = read_npy(folder.join("line.npy")).unwrap();
     let mut archive = ndarray_npy::NpzWriter::new(File::create(folder.join("other.npz")).unwrap());
+    archive.add_array("phase", &(2.0 * &heights)).unwrap();
     archive.add_array("z", &heights).unwrap();
     archive.finish().unwrap();
     let refused = folder.run("solve other.npz --size 1 --reduced-pressure 0.01");
-    assert!(text(&refused.stderr).contains("choose one of its channels z"), "{}", text(&refused.stderr));
+    assert!(text(&refused.stderr).contains("choose one of its channels phase, z"), "{}", text(&refused.stderr));
     let numbers = ["solve other.npz", "solve --height line.npy"].map(|from| {
         let channel = if from.ends_with("npz") { "--channel z" } else { "" };
         let found = folder.run(&format!("{from} {channel} --size 1 --reduced-pressure 0.01 --json"));

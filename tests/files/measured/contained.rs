@@ -5,7 +5,7 @@ use asperity::surface::Measurement;
 
 /// A measurement in a file that is written here.
 fn read(file: &[u8], channel: Option<&str>) -> Measurement {
-    Measurement::of(file, channel).unwrap_or_else(|error| panic!("{error}"))
+    Measurement::from_bytes(file, channel).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Whether two numbers are the same but for rounding, or both void.
@@ -67,7 +67,7 @@ fn x3p_is_refused_when_its_points_are_damaged_or_missing() {
     let (main, points) = containers::x3p::doubles();
     let refusal = |main: &str, points: &[u8]| {
         let file = containers::x3p::archive(main.as_bytes(), points, &[]);
-        Measurement::of(&file, None).unwrap_err().to_string()
+        Measurement::from_bytes(&file, None).unwrap_err().to_string()
     };
     assert!(refusal(&main, &points[1..]).contains("cannot be unpacked"));
     assert!(refusal(&main.replace("SUR", "PCL"), &points).contains("PCL"));
@@ -95,13 +95,13 @@ fn sur_has_objects_comments_and_profiles() {
 #[test]
 fn sur_is_refused_when_it_is_cut_short() {
     for file in [containers::sur::file(), containers::sur::packed()] {
-        let error = Measurement::of(&file[..file.len() - 1], None).unwrap_err().to_string();
+        let error = Measurement::from_bytes(&file[..file.len() - 1], None).unwrap_err().to_string();
         assert!(error.contains("cut short") || error.contains("points, and has"), "{error}");
     }
     let mut file = containers::sur::packed();
     let place = 512 + 10 + 4 + 8 * 5 + 5; // within the first of five streams
     file[place] ^= 0xff;
-    assert!(Measurement::of(&file, None).is_err());
+    assert!(Measurement::from_bytes(&file, None).is_err());
 }
 
 #[test]
@@ -110,10 +110,10 @@ fn gwyddion_lists_channels_of_heights_only() {
     assert_eq!((measured.format, measured.channels.len()), ("Gwyddion (GWY)", 1));
     assert_eq!((measured.channel.as_str(), entry(&measured, "Tip")), ("Topography", "blunt"));
     assert!(entry(&measured, "mask").contains("void"));
-    let error = Measurement::of(&containers::gwy::file(), Some("Current")).unwrap_err().to_string();
+    let error = Measurement::from_bytes(&containers::gwy::file(), Some("Current")).unwrap_err().to_string();
     assert!(error.contains("holds no heights"), "{error}");
     let other = [b"GWYQ".to_vec(), containers::gwy::file()].concat();
-    assert!(Measurement::of(&other, None).unwrap_err().to_string().contains("GWYQ"));
+    assert!(Measurement::from_bytes(&other, None).unwrap_err().to_string().contains("GWYQ"));
 }
 
 #[test]
@@ -122,6 +122,6 @@ fn netcdf_has_attributes_and_profiles() {
     assert_eq!((entry(&measured, "title"), entry(&measured, "unit")), ("a small map", "nm"));
     assert_eq!(read(&containers::netcdf::wide(), None).channels, ["z"]);
     is_uneven("netcdf", &read(&containers::netcdf::profile(), None));
-    let other = Measurement::of(b"\x89HDF\r\n\x1a\n....", None).unwrap_err().to_string();
+    let other = Measurement::from_bytes(b"\x89HDF\r\n\x1a\n....", None).unwrap_err().to_string();
     assert!(other.contains("nccopy -3"), "{other}");
 }

@@ -9,7 +9,7 @@ use zip::{ZipArchive, ZipWriter};
 
 /// Statements about what is doubtful in a file.
 fn doubts(file: &[u8]) -> Vec<String> {
-    let measured = Measurement::of(file, None).unwrap_or_else(|error| panic!("{error}"));
+    let measured = Measurement::from_bytes(file, None).unwrap_or_else(|error| panic!("{error}"));
     measured.warnings.into_iter().map(|warning| warning.statement).collect()
 }
 
@@ -136,7 +136,7 @@ fn the_check_sums_in_an_x3p_are_compared() {
         }
         bytes
     });
-    let error = Measurement::of(&spoiled, None).unwrap_err().to_string();
+    let error = Measurement::from_bytes(&spoiled, None).unwrap_err().to_string();
     assert!(error.contains("\"bindata/data.bin\" has another MD5 check sum than its main.xml says"), "{error}");
     let edited = packed_anew(|name, bytes| match name {
         "main.xml" => String::from_utf8(bytes).unwrap().replace("<Offset>0<", "<Offset>0.0<").into_bytes(),
@@ -149,7 +149,7 @@ fn the_check_sums_in_an_x3p_are_compared() {
 #[test]
 fn texts_whose_head_counts_otherwise_are_told() {
     let rows = "0 1\n1 3\n2.5 2\n4 7\n";
-    let measured = Measurement::of(format!("µm nm\n4\n{rows}").as_bytes(), None).unwrap();
+    let measured = Measurement::from_bytes(format!("µm nm\n4\n{rows}").as_bytes(), None).unwrap();
     assert!(measured.is_in_metres && measured.is_profile && measured.warnings.is_empty(), "{:?}", measured.warnings);
     let near = |found: f64, told: f64| (found - told).abs() < 1e-12 * told;
     assert!(near(measured.positions.unwrap()[2], 2.5e-6) && near(measured.height[[0, 3]], 7e-9));
@@ -161,7 +161,7 @@ fn texts_whose_head_counts_otherwise_are_told() {
 fn texts_of_holographic_microscopes_are_metres() {
     let head = "pixel size=3.7e-007 m\nheight conversion factor (-> m)=6.3e-008\nh=4 w=5\n";
     let rows = "1 2 3 4 5\n".repeat(4);
-    let measured = Measurement::of(format!("{head}{rows}").as_bytes(), None).unwrap();
+    let measured = Measurement::from_bytes(format!("{head}{rows}").as_bytes(), None).unwrap();
     assert!(measured.is_in_metres && measured.warnings.is_empty(), "{:?}", measured.warnings);
     assert!(measured.spacing.unwrap().iter().all(|spacing| (spacing - 3.7e-7).abs() < 1e-18));
     assert!((measured.height[[3, 4]] - 5.0 * 6.3e-8).abs() < 1e-18);
@@ -173,8 +173,8 @@ fn texts_of_holographic_microscopes_are_metres() {
 fn an_error_in_the_first_line_of_a_matrix_is_no_head() {
     let rows = "1 2 3 4\n5 6 7 8\n9 9 9 9\n";
     for first in ["1 2 3x 4", "a 2 3 4"] {
-        let error = Measurement::of(format!("{first}\n{rows}").as_bytes(), None).map(|it| it.height.dim());
+        let error = Measurement::from_bytes(format!("{first}\n{rows}").as_bytes(), None).map(|it| it.height.dim());
         assert!(error.as_ref().is_err_and(|error| error.to_string().starts_with("line 1 holds")), "{first}: {error:?}");
     }
-    assert_eq!(Measurement::of(format!("a b c d\n{rows}").as_bytes(), None).unwrap().height.dim(), (3, 4));
+    assert_eq!(Measurement::from_bytes(format!("a b c d\n{rows}").as_bytes(), None).unwrap().height.dim(), (3, 4));
 }

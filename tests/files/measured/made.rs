@@ -7,12 +7,12 @@ use asperity::surface::Measurement;
 const SPACING: [f64; 2] = [3e-6, 2e-6];
 
 fn read(file: &[u8], channel: Option<&str>) -> Measurement {
-    Measurement::of(file, channel).unwrap_or_else(|error| panic!("{error}"))
+    Measurement::from_bytes(file, channel).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// What is wrong with a file.
 fn reason(file: &[u8]) -> String {
-    Measurement::of(file, None).unwrap_err().to_string()
+    Measurement::from_bytes(file, None).unwrap_err().to_string()
 }
 
 fn is_close(found: f64, told: f64) -> bool {
@@ -81,9 +81,9 @@ fn nanoscope_of_two_bytes() {
         assert_says(&measured, name, value);
     }
     assert!(!measured.header.iter().any(|it| it.0 == "Junk"));
-    let phase = Measurement::of(&file, Some("Phase")).unwrap_err().to_string();
+    let phase = Measurement::from_bytes(&file, Some("Phase")).unwrap_err().to_string();
     assert!(phase.starts_with("its channel \"Phase\" holds no heights"), "{phase}");
-    assert!(Measurement::of(&file, Some("Deflection")).is_err());
+    assert!(Measurement::from_bytes(&file, Some("Deflection")).is_err());
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn opd_of_singles_and_integers() {
 #[test]
 fn opd_that_is_refused() {
     let file = opd::file();
-    let image = Measurement::of(&file, Some("Image")).unwrap_err().to_string();
+    let image = Measurement::from_bytes(&file, Some("Image")).unwrap_err().to_string();
     assert_eq!(image, "its channel \"Image\" holds no heights: choose one of \"Raw\"");
     assert_eq!(reason(&changed(&file, b"Wavelength", b"Wavelenght")), "it does not say its Wavelength");
     let flat = changed(&file, &0.25_f32.to_le_bytes(), &0_f32.to_le_bytes());

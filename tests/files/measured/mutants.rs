@@ -135,7 +135,7 @@ fn survive(name: &str, seed: u64, make: impl Fn(&mut ChaCha8Rng) -> Vec<u8>) {
     for i in 0..count() {
         let file = make(&mut random);
         let start = Instant::now();
-        let measured = Measurement::of(&file, None);
+        let measured = Measurement::from_bytes(&file, None);
         slowest = slowest.max(start.elapsed());
         match measured {
             Ok(measured) => {
@@ -161,7 +161,7 @@ fn files_with_errors_do_no_harm() {
     let all = [binaries::ALL, containers::ALL, texts::ALL].concat();
     for (seed, (name, file)) in all.iter().enumerate() {
         let file = file();
-        assert!(Measurement::of(&file, None).is_ok(), "{name}");
+        assert!(Measurement::from_bytes(&file, None).is_ok(), "{name}");
         survive(name, seed as u64, |random| mutant(&file, random));
     }
 }
@@ -186,7 +186,7 @@ fn descriptions_that_unpack_to_much_do_no_harm() {
     let descriptions: Vec<String> = nested.into_iter().chain(flat).chain([long]).collect();
     for description in descriptions {
         let file = x3p::archive(description.as_bytes(), &points, &[]);
-        let read = Measurement::of(&file, None);
+        let read = Measurement::from_bytes(&file, None);
         assert_eq!(read.is_ok(), description.len() < 60_000, "{} bytes: {:?}", description.len(), read.err());
     }
 }

@@ -26,7 +26,7 @@ const EXPORTED: &str = "# x (m), y (m), height (m)\n0 0 1e-9\n1e-6 0 2e-9\n2e-6 
 const GWYDDION: &str = "# Kanal: H\u{f6}he 2\n# Breite: 3,0 \u{b5}m\n# H\u{f6}he: 1000 nm\n# Value units: m\n1e-9 2e-9 3e-9\n4e-9 5e-9 6e-9\n";
 
 fn read(text: &[u8]) -> Measurement {
-    Measurement::of(text, None).unwrap_or_else(|error| panic!("{error}"))
+    Measurement::from_bytes(text, None).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn is_close(found: f64, told: f64) -> bool {
@@ -83,7 +83,7 @@ fn exports_of_gwyddion_say_their_size_in_any_language() {
 
 #[test]
 fn texts_that_are_no_surface_say_why() {
-    let reason = |text: &[u8]| Measurement::of(text, None).unwrap_err().to_string();
+    let reason = |text: &[u8]| Measurement::from_bytes(text, None).unwrap_err().to_string();
     assert!(reason(b"0 0 1\n1 0 2\n0.3 0.7 3\n").starts_with("it holds three columns, which are not x, y and height"));
     assert!(reason(b"0 1\n1 2\n1 3\n").starts_with("it holds two heights at the position 1.0"));
     assert!(reason(b"0 1\nnan 2\n1 3\n").starts_with("it holds the position NaN"));

@@ -121,7 +121,7 @@ fn kappa_r_has_an_axis_without_kappa_and_both_end_within_their_axes() {
         asperity::contact::ContactModulus(1.0),
         cylinder().load(),
     );
-    let exact = Exact::of(&indenter, &grid, 1.0, 0.01);
+    let exact = Exact::new(&indenter, &grid, 1.0, 0.01);
     let wrong = Exact { kappa_r: Some(25.0), ..exact.clone().unwrap() };
     for (problem, exact) in [
         (rough_line(), None),
@@ -150,7 +150,7 @@ fn no_legend_covers_curves_that_settle_and_their_titles_say_what_they_are() {
     for cell in [Cell::line(512, 1.0), Cell::surface([32, 32], [1.0, 1.0])] {
         let setup = Setup::new(Recipe::rough(spectrum, 5), cell, Load::ReducedPressure(0.1));
         let problem = setup.problem().unwrap();
-        let scene = Scene { name: "it".into(), ..Scene::of(&setup, &problem) };
+        let scene = Scene { name: "it".into(), ..Scene::from_setup(&setup, &problem) };
         let recording = Recording::create(&path, &[scene], Options { window, ..Options::default() }).unwrap();
         PolonskyKeer.solve(&problem, &Stop::default(), &mut recording.recorder(0)).unwrap();
         recording.finish().unwrap();

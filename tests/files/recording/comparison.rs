@@ -15,7 +15,7 @@ use std::process::Command;
 /// Records the solve of a setup.
 fn record_setup(path: &Path, setup: &Setup) {
     let problem = setup.problem().unwrap();
-    let recording = Recording::create(path, &[Scene::of(setup, &problem)], Options::default()).unwrap();
+    let recording = Recording::create(path, &[Scene::from_setup(setup, &problem)], Options::default()).unwrap();
     setup.solver.solver().solve(&problem, &Stop::default(), &mut recording.recorder(0)).unwrap();
     recording.finish().unwrap();
 }

@@ -17,7 +17,7 @@ use std::sync::Arc;
 /// Records a run with some parts, whose end is known if `knows_end`.
 pub fn record(path: &Path, problem: &Problem, solver: &dyn Solver, what: &[Part], knows_end: bool) -> Contact {
     let end = knows_end.then(|| solver.solve(problem, &Stop::default(), &mut ()).unwrap());
-    let reference = end.as_ref().map(|end| Arc::new(Reference::of(end)));
+    let reference = end.as_ref().map(|end| Arc::new(Reference::from_contact(end)));
     let scene = Scene { reference, ..Scene::new("it", problem) };
     let options = Options { what: what.iter().copied().collect(), ..Options::default() };
     let recording = Recording::create(path, &[scene], options).unwrap();

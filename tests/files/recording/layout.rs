@@ -63,7 +63,7 @@ fn exact_values_are_green_and_drawn_last() {
     let problem = cylinder();
     let problem = Problem::new(indenter.surface(grid).unwrap(), asperity::contact::ContactModulus(1.0), problem.load());
     let problem = problem.unwrap();
-    record(&path, &problem, &PolonskyKeer, Exact::of(&indenter, &grid, 1.0, 0.01), None);
+    record(&path, &problem, &PolonskyKeer, Exact::new(&indenter, &grid, 1.0, 0.01), None);
     for name in ["kappa_r", "relative_area"] {
         let [computed, exact] = ["", "_theory"].map(|end| format!("/it/trace/{name}{end}"));
         assert!(exact > computed, "the viewer draws in the order of the alphabet");
@@ -75,7 +75,7 @@ fn exact_values_are_green_and_drawn_last() {
 /// Application and name of the recording of a setup.
 fn identity(path: &Path, setup: &Setup) -> [String; 2] {
     let problem = setup.problem().unwrap();
-    let scene = Scene::of(setup, &problem);
+    let scene = Scene::from_setup(setup, &problem);
     Recording::create(path, &[scene], Options::default()).unwrap().finish().unwrap();
     let store = stores(path, StoreKind::Recording).remove(0);
     let layout = stores(path, StoreKind::Blueprint).remove(0);

@@ -36,7 +36,7 @@ fn outlines(text: &str, prepare: &str) -> [Option<[f32; 4]>; 2] {
     let setup = Setup::from_toml(&scene).unwrap();
     let problem = setup.problem().unwrap();
     let path = folder.path().join("it.rrd");
-    let recording = Recording::create(&path, &[Scene::of(&setup, &problem)], Options::default()).unwrap();
+    let recording = Recording::create(&path, &[Scene::from_setup(&setup, &problem)], Options::default()).unwrap();
     setup.solver.solver().solve(&problem, &setup.stop, &mut recording.recorder(0)).unwrap();
     recording.finish().unwrap();
     [ends(&path, "/contact/pressure/measured"), ends_in_space(&path, "/contact/relief/solid/measured")]

@@ -213,7 +213,7 @@ fn a_scene_records_only_what_it_shows() {
     let cylinder = Indenter::Cylinder { radius: 1.0 };
     let grid = Grid::line(256, 4.0).unwrap();
     let problem = Problem::new(cylinder.surface(grid).unwrap(), ContactModulus(1.0), Load::MeanPressure(0.01)).unwrap();
-    let exact = Exact::of(&cylinder, &grid, 1.0, 0.01);
+    let exact = Exact::new(&cylinder, &grid, 1.0, 0.01);
     let kappa_r = exact.as_ref().unwrap().kappa_r.unwrap();
     record(&path, &problem, &PolonskyKeer, exact, None);
     assert!(has(&entities(&path), "/it/pressure/curves/exact"));
@@ -225,7 +225,7 @@ fn exact_pressure_lies_in_dashes_over_everything_else() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.rrd");
     let problem = cylinder();
-    let exact = Exact::of(&Indenter::Cylinder { radius: 1.0 }, problem.surface().grid(), 1.0, 0.01);
+    let exact = Exact::new(&Indenter::Cylinder { radius: 1.0 }, problem.surface().grid(), 1.0, 0.01);
     record(&path, &problem, &PolonskyKeer, exact, None);
     let order = |name: &str| {
         let order = rerun::LineStrips2D::descriptor_draw_order();

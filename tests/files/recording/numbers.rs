@@ -60,7 +60,10 @@ fn the_documented_table_and_recordings_agree() {
         let problem = setup.problem().unwrap();
         for solver in [&Multilevel as &dyn Solver, &Gfmd::default()] {
             let end = solver.solve(&problem, &Stop::default(), &mut ()).unwrap();
-            let scene = Scene { reference: Some(Arc::new(Reference::of(&end))), ..Scene::of(&setup, &problem) };
+            let scene = Scene {
+                reference: Some(Arc::new(Reference::from_contact(&end))),
+                ..Scene::from_setup(&setup, &problem)
+            };
             let what = Part::iter().filter(|part| *part != Part::Spectrum).collect();
             let recording = Recording::create(&path, &[scene], Options { what, ..Options::default() }).unwrap();
             solver.solve(&problem, &Stop::default(), &mut recording.recorder(0)).unwrap();
@@ -194,7 +197,7 @@ fn a_window_around_a_contact_lies_at_its_true_place() {
     let load = Load::MeanPressure(0.01);
     let surface = indenter.surface(grid).unwrap();
     let problem = Problem::new(surface, ContactModulus(1.0), load).unwrap();
-    let contact = record(&path, &problem, &PolonskyKeer, Exact::of(&indenter, &grid, 1.0, 0.01), None);
+    let contact = record(&path, &problem, &PolonskyKeer, Exact::new(&indenter, &grid, 1.0, 0.01), None);
     let (x, pressure) =
         (curve(&path, "pressure", "x").pop().unwrap().1, curve(&path, "pressure", "pressure").pop().unwrap().1);
     assert!(x.len() < 256);

@@ -49,7 +49,7 @@ fn rough(path: &Path) -> Setup {
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 0.05, rms_gradient: 0.01 };
     let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(512, 1.0), Load::ReducedPressure(0.05));
     let problem = setup.problem().unwrap();
-    let recording = Recording::create(path, &[Scene::of(&setup, &problem)], Options::default()).unwrap();
+    let recording = Recording::create(path, &[Scene::from_setup(&setup, &problem)], Options::default()).unwrap();
     let contact = Multilevel.solve(&problem, &setup.stop, &mut recording.recorder(0)).unwrap().converged().unwrap();
     recording.finish().unwrap();
     let (numbers, state) = (numbers(path, "contact"), State::from(&contact));

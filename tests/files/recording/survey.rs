@@ -13,7 +13,7 @@ fn a_surface_is_a_relief_and_a_line_is_a_curve_beside_their_spectra() {
         grids.into_iter().zip([["/figure/0", "/figure/1", "/figure/2"], ["/figure/0", "/figure/1", "/surface/relief"]])
     {
         let surface = Surface::rough(grid, &spectrum, 1).unwrap();
-        let survey = Survey::of(&Scan::of(&surface, 1)).unwrap();
+        let survey = Survey::new(&Scan::from_surface(&surface, 1)).unwrap();
         let path = folder.path().join(format!("{}.rrd", panels[2].len()));
         record_survey(&path, "heights", &surface, &survey, "m", "words").unwrap();
         let (entities, shown) = (entities(&path), shown_paths(&path));
@@ -25,7 +25,7 @@ fn a_surface_is_a_relief_and_a_line_is_a_curve_beside_their_spectra() {
         assert_eq!(entities.contains("/surface/relief/solid"), !grid.is_line());
     }
     let surface = Surface::rough(grids[1], &spectrum, 1).unwrap();
-    let survey = Survey::of(&Scan::of(&surface, 1)).unwrap();
+    let survey = Survey::new(&Scan::from_surface(&surface, 1)).unwrap();
     let nowhere = folder.path().join("none").join("h.rrd");
     assert!(matches!(record_survey(&nowhere, "", &surface, &survey, "", ""), Err(FileError::Target { .. })));
 }

@@ -52,7 +52,7 @@ fn recordings_open_with_their_data_and_are_read_by_every_version() {
 
 /// What is wrong with the recordings in a version.
 fn tried(version: &str, recordings: &[PathBuf], folder: &Path) -> Result<Vec<String>, Skipped> {
-    let python = Python::of(version)?;
+    let python = Python::new(version)?;
     let mut wrong = python.look(recordings)?;
     if python.minds_two_types() {
         wrong.extend(spoiled_passes(&python, &recordings[0], folder)?);

@@ -19,7 +19,7 @@ pub struct Python {
 
 impl Python {
     /// The Python of a version, made if it is not there yet.
-    pub fn of(version: &str) -> Result<Self, Skipped> {
+    pub fn new(version: &str) -> Result<Self, Skipped> {
         let home = Path::new(env!("CARGO_TARGET_TMPDIR")).join("viewers").join(version);
         let python = Self { program: home.join("bin/python"), version: version.into() };
         if !python.is_whole() {

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 /// Sets a control as a hand does: value and input event.
 const TURN: &str = "const turn = (id, value) => { const it = document.getElementById(`control-${id}`); \
-    it.value = value; it.dispatchEvent(new Event('input', { bubbles: true })); };";
+    it.value = value; for (const kind of ['input', 'change']) it.dispatchEvent(new Event(kind, { bubbles: true })); };";
 
 /// Times, in milliseconds, from an input event to the first steps of its run in the viewer, to the next frame of the page
 /// after them, and to the numbers of the converged run in the page.

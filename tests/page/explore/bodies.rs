@@ -105,6 +105,21 @@ fn the_solid_is_lower_below_the_contact() {
     }
 }
 
+/// A column of several nodes keeps the largest of their pressures, so that the picture reaches that of the contact.
+#[test]
+fn the_picture_reaches_the_largest_pressure() {
+    let page = Page::open();
+    for start in STARTS {
+        let mut knobs = serde_json::to_value(start.knobs()).unwrap();
+        knobs["record"] = json!(["traces"]);
+        let run = page.solve(&knobs);
+        let section = page.get(&format!("/api/run/{}/section", run["id"].as_str().unwrap())).json();
+        let drawn = numbers(&section["pressure"]).into_iter().fold(0.0, f64::max);
+        let highest = run["numbers"]["max_pressure_over_modulus"].as_f64().unwrap();
+        assert!((drawn / highest - 1.0).abs() < 1e-6, "{start:?}: {drawn} of {highest}");
+    }
+}
+
 /// The contact under the hand and the surface beside have the same picture as a run.
 #[test]
 fn the_hand_and_the_surface_beside_show_the_same_picture() {

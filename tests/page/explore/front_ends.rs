@@ -62,14 +62,14 @@ fn one_setup_gives_the_same_numbers_and_warnings_everywhere() {
         serde_json::from_slice(&run(folder, "solve scene.toml --json --save-setup saved.toml")).unwrap();
     let setup = Setup::from_toml(&std::fs::read_to_string(folder.join("saved.toml")).unwrap()).unwrap();
     let solved = Job::new(setup.clone()).run(&mut ()).unwrap().solved.swap_remove(0);
-    let observables = serde_json::to_value(asperity::contact::Observables::of(&solved.contact)).unwrap();
+    let observables = serde_json::to_value(asperity::contact::Observables::new(&solved.contact)).unwrap();
 
     run(folder, "study scene.toml --out study.csv");
     let mut table = csv::Reader::from_path(folder.join("study.csv")).unwrap();
     let row: std::collections::HashMap<String, String> = table.deserialize().next().unwrap().unwrap();
 
-    let scene = SceneFile::of(setup).unwrap();
-    let knobs = Knobs::of_scene(&scene).unwrap();
+    let scene = SceneFile::new(setup).unwrap();
+    let knobs = Knobs::from_scene(&scene).unwrap();
     let explorer = Explorer::new(Arc::new(Sessions::with_scene(scene)), knobs, Lesson::all()).unwrap();
     let page = Page::serve(explorer);
     let shown = page.solve(&page.get("/api/start").json());

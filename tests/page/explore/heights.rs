@@ -370,7 +370,7 @@ fn the_command_starts_with_a_file() {
     let mut said = [0; 256];
     let read = child.stdout.take().unwrap().read(&mut said).unwrap();
     let said = String::from_utf8_lossy(&said[..read]).into_owned();
-    let page = Page::of(said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap());
+    let page = Page::new(said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap());
     let told = page.get("/api/heights").json();
     assert_eq!((told["name"].as_str(), &told["is_profile"]), (path.to_str(), &json!(true)));
     child.kill().unwrap();

@@ -61,11 +61,11 @@ impl Page {
         let server = Server::bind(0).unwrap();
         let port = server.port();
         std::thread::spawn(move || server.run(explorer).unwrap());
-        Self::of(port)
+        Self::new(port)
     }
 
     /// A page of the server on a port, with a session of its own.
-    fn of(port: u16) -> Self {
+    fn new(port: u16) -> Self {
         let page = Self { port, session: String::new() };
         let begun = page.post("/api/session", "0");
         assert_eq!(begun.status, 200, "{}", begun.text());
@@ -743,7 +743,7 @@ fn ends_at(signal: &str) {
     let mut out = BufReader::new(child.stdout.take().unwrap());
     out.read_line(&mut said).unwrap();
     let port = said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap();
-    let page = Page::of(port);
+    let page = Page::new(port);
     page.order("/api/solve", &endless());
     page.wait(|state| state["run"]["numbers"]["status"] == "running");
     std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();

@@ -34,8 +34,8 @@ fn scene(folder: &Path, flags: &str) -> Setup {
 
 /// A page that starts with a scene.
 fn page(setup: Setup) -> (Page, Value) {
-    let scene = SceneFile::of(setup).unwrap();
-    let knobs = Knobs::of_scene(&scene).unwrap();
+    let scene = SceneFile::new(setup).unwrap();
+    let knobs = Knobs::from_scene(&scene).unwrap();
     let explorer = Explorer::new(Arc::new(Sessions::with_scene(scene)), knobs, Lesson::all()).unwrap();
     let page = Page::serve(explorer);
     let start = page.get("/api/start").json();

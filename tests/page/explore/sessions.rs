@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 /// Another tab on the same server.
 fn beside(page: &Page) -> Page {
-    Page::of(page.port)
+    Page::new(page.port)
 }
 
 #[test]

@@ -37,7 +37,7 @@ fn the_rms_gradient_is_exact_in_any_unit() {
         let spectrum = Spectrum { rolloff_wavelength: 0.7 * unit, short_cutoff: 0.2 * unit, ..SPECTRUM };
         for shape in [[1, 64], [40, 36]] {
             let surface = Surface::rough(grid(shape, [1.0 * unit, 2.0 * unit]), &spectrum, 3).unwrap();
-            let found = Roughness::of(&surface).rms_gradient;
+            let found = Roughness::new(&surface).rms_gradient;
             assert!((found / 0.02 - 1.0).abs() < 1e-13, "{shape:?} at {unit:e}: {found}");
         }
     }
@@ -59,7 +59,7 @@ fn the_exponents_are_those_of_the_spectrum() {
         let mut slope = 0.0;
         for seed in 0..8 {
             let surface = Surface::rough(grid(shape, [1.0, 1.0]), &spectrum, seed).unwrap();
-            slope += fitted_exponent(&PowerSpectrum::of(&surface), 80.0, 1400.0) / 8.0;
+            slope += fitted_exponent(&PowerSpectrum::new(&surface), 80.0, 1400.0) / 8.0;
         }
         assert!((slope - exponent).abs() < 0.15, "{shape:?}: {slope} against {exponent}");
     }

@@ -49,7 +49,7 @@ fn line_solutions_close_the_gap_in_contact_and_nowhere_open_it_below_zero() {
     ];
     for (indenter, mean_pressure) in cases {
         let grid = Grid::line(4096, 1.0).unwrap();
-        let exact = Exact::of(&indenter, &grid, MODULUS, mean_pressure).unwrap();
+        let exact = Exact::new(&indenter, &grid, MODULUS, mean_pressure).unwrap();
         let [in_contact, smallest, mean] = gaps(&indenter, grid, &exact);
         assert!(in_contact < 1e-3, "{indenter:?}: {in_contact}");
         assert!(smallest > -1e-3, "{indenter:?}: {smallest}");
@@ -71,7 +71,7 @@ fn isolated_solutions_close_the_gap_in_contact() {
     ];
     for (indenter, mean_pressure) in cases {
         let grid = Grid::surface([512, 512], [1.0, 1.0]).unwrap();
-        let exact = Exact::of(&indenter, &grid, MODULUS, mean_pressure).unwrap();
+        let exact = Exact::new(&indenter, &grid, MODULUS, mean_pressure).unwrap();
         let [in_contact, smallest, _] = gaps(&indenter, grid, &exact);
         assert!(in_contact < 3e-3, "{indenter:?}: {in_contact}");
         assert!(smallest > -3e-3, "{indenter:?}: {smallest}");
@@ -82,7 +82,7 @@ fn isolated_solutions_close_the_gap_in_contact() {
 #[test]
 fn the_sphere_is_hertz() {
     let grid = Grid::surface([64, 64], [1.0, 1.0]).unwrap();
-    let exact = Exact::of(&Indenter::Sphere { radius: 1.0 }, &grid, 1.0, 0.001).unwrap();
+    let exact = Exact::new(&Indenter::Sphere { radius: 1.0 }, &grid, 1.0, 0.001).unwrap();
     let contact = hertz::sphere(1.0, 1.0);
     let a = contact.half_width(0.001);
     assert!((exact.relative_area - PI * a * a).abs() < 1e-15);
@@ -94,8 +94,8 @@ fn the_sphere_is_hertz() {
 fn full_contact_of_the_crossed_sine() {
     let (grid, indenter) = (Grid::surface([16, 24], [1.0, 2.0]).unwrap(), Indenter::CrossedSine { amplitude: 0.1 });
     let full = crossed_full_pressure(0.1, [1.0, 2.0], MODULUS);
-    assert_eq!(Exact::of(&indenter, &grid, MODULUS, 0.99 * full), None);
-    let exact = Exact::of(&indenter, &grid, MODULUS, 1.5 * full).unwrap();
+    assert_eq!(Exact::new(&indenter, &grid, MODULUS, 0.99 * full), None);
+    let exact = Exact::new(&indenter, &grid, MODULUS, 1.5 * full).unwrap();
     assert!(gaps(&indenter, grid, &exact)[0] < 1e-14);
     assert!((exact.pressure[[8, 12]] - exact.max_pressure.unwrap()).abs() < 1e-14);
 }
@@ -103,7 +103,7 @@ fn full_contact_of_the_crossed_sine() {
 #[test]
 fn there_is_none_where_nothing_is_known() {
     let (line, surface) = (Grid::line(64, 1.0).unwrap(), Grid::surface([16, 16], [1.0, 1.0]).unwrap());
-    let none = |indenter, grid, p| assert_eq!(Exact::of(&indenter, &grid, 1.0, p), None, "{indenter:?} at {p}");
+    let none = |indenter, grid, p| assert_eq!(Exact::new(&indenter, &grid, 1.0, p), None, "{indenter:?} at {p}");
     none(Indenter::Sphere { radius: 1.0 }, surface, 10.0);
     none(Indenter::Sphere { radius: 1.0 }, line, 0.1);
     none(Indenter::Cylinder { radius: -1.0 }, line, 0.1);

@@ -61,7 +61,7 @@ fn the_spectrum_of_pressures_sums_to_their_mean_square() {
         let spectrum = Spectrum { hurst: 0.5, rolloff_wavelength: 0.1, short_cutoff: 0.01, rms_gradient: 1e-2 };
         let surface = Surface::rough(grid, &spectrum, 1).unwrap();
         let (modulus, mean) = (3.0, 2e-3);
-        let heights = PowerSpectrum::of(&surface);
+        let heights = PowerSpectrum::new(&surface);
         let deviation = 0.5 * modulus * heights.integral(|q, density| q * q * density).sqrt();
         let pressures = Pressures::spectrum(mean, modulus, &heights);
         let sum = mean * mean + pressures.integral(|_, density| density);

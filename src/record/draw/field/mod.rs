@@ -20,16 +20,16 @@ pub const PARTS: &[PartRow] = &[
     PartRow {
         part: Part::Mesh,
         draw: relief::draw,
-        bytes: |grid| Bytes::of_frames(28.0 * relief::vertices(grid) as f64),
+        bytes: |grid| Bytes::per_frame(28.0 * relief::vertices(grid) as f64),
     },
     PartRow { part: Part::Fields, draw: fields, bytes: bytes_of_fields },
-    PartRow { part: Part::Stress, draw: stress::draw, bytes: |_| Bytes::of_frames((4 * stress::MOST_PIXELS) as f64) },
+    PartRow { part: Part::Stress, draw: stress::draw, bytes: |_| Bytes::per_frame((4 * stress::MOST_PIXELS) as f64) },
     PartRow {
         part: Part::Fringes,
         draw: stress::draw_fringes,
-        bytes: |_| Bytes::of_frames((4 * stress::MOST_PIXELS) as f64),
+        bytes: |_| Bytes::per_frame((4 * stress::MOST_PIXELS) as f64),
     },
-    PartRow { part: Part::Spectrum, draw: spectrum::draw, bytes: |_| Bytes::of_frames(2e3) },
+    PartRow { part: Part::Spectrum, draw: spectrum::draw, bytes: |_| Bytes::per_frame(2e3) },
     PartRow { part: Part::Error, draw: error_density::draw, bytes: bytes_of_error },
 ];
 
@@ -42,7 +42,7 @@ fn fields(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
 }
 
 fn bytes_of_fields(grid: &Grid) -> Bytes {
-    Bytes::of_frames(if grid.is_line() {
+    Bytes::per_frame(if grid.is_line() {
         16.0 * curve_points(grid) + 40.0 * Columns::new(grid.len()).count() as f64
     } else {
         8.0 * pixels(grid) as f64
@@ -50,5 +50,5 @@ fn bytes_of_fields(grid: &Grid) -> Bytes {
 }
 
 fn bytes_of_error(grid: &Grid) -> Bytes {
-    Bytes::of_frames(if grid.is_line() { 12.0 * curve_points(grid) } else { 4.0 * pixels(grid) as f64 })
+    Bytes::per_frame(if grid.is_line() { 12.0 * curve_points(grid) } else { 4.0 * pixels(grid) as f64 })
 }

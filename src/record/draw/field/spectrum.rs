@@ -36,7 +36,7 @@ pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
 impl Spectra {
     fn new(Subject { scene, palette, root, .. }: &Subject<'_>) -> Self {
         let surface = scene.problem.surface();
-        let spectrum = PowerSpectrum::of(surface);
+        let spectrum = PowerSpectrum::new(surface);
         let waves = surface.grid().shape()[1] as f64 / 2.0;
         let [x, y] = [("q L / 2π", [1.0, waves]), ("C(q) / C_max", DENSITIES)];
         let [x, y] = [x, y].map(|(name, range)| Axis::log(name, range));
@@ -100,6 +100,6 @@ impl Drawing for Spectra {
 
     fn log_frame(&self, to: &RecordingStream, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
         let Some(solid) = self.solid(fields) else { return Ok(()) };
-        to.log(format!("{}/displacement", self.root), &strip(self.curve(&PowerSpectrum::of(&solid))))
+        to.log(format!("{}/displacement", self.root), &strip(self.curve(&PowerSpectrum::new(&solid))))
     }
 }

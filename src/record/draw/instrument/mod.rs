@@ -16,12 +16,12 @@ use crate::setup::Part;
 pub const PARTS: &[PartRow] = &[
     PartRow { part: Part::Raster, draw: raster::draw, bytes: bytes_of_rasters },
     PartRow { part: Part::Decisions, draw: lanes::draw, bytes: |_| Bytes::default() },
-    PartRow { part: Part::Waterfall, draw: waterfall::draw, bytes: |grid| Bytes::of_run(2.0 * bytes_of_bands(grid)) },
-    PartRow { part: Part::Energy, draw: energy::draw, bytes: |grid| Bytes::of_run(bytes_of_bands(grid)) },
+    PartRow { part: Part::Waterfall, draw: waterfall::draw, bytes: |grid| Bytes::per_run(2.0 * bytes_of_bands(grid)) },
+    PartRow { part: Part::Energy, draw: energy::draw, bytes: |grid| Bytes::per_run(bytes_of_bands(grid)) },
 ];
 
 fn bytes_of_rasters(grid: &Grid) -> Bytes {
-    Bytes::of_run(if grid.is_line() { 100e3 } else { 200e3 + 4.0 * pixels(grid) as f64 })
+    Bytes::per_run(if grid.is_line() { 100e3 } else { 200e3 + 4.0 * pixels(grid) as f64 })
 }
 
 /// Bytes of an image with a row for each half octave of the waves of a grid.

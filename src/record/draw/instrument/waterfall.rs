@@ -41,7 +41,7 @@ impl Waterfall {
     /// The waterfall of a quantity of a scene.
     pub fn new(Subject { scene, root, options, palette, .. }: &Subject<'_>, quantity: WaterfallQuantity) -> Self {
         let grid = scene.problem.surface().grid();
-        let bands = Bands::of(grid);
+        let bands = Bands::new(grid);
         let longest = grid.longest_wavelength();
         let shortest = longest * 0.5f64.powf(0.5 * bands.half_octaves().len() as f64);
         let unit = Ruler::new("wavelength", &options.length_unit, [0.0, longest]);

@@ -24,7 +24,7 @@ fn contact(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
 
 fn bytes_of_contact(grid: &Grid) -> Bytes {
     // the classes of a surface, packed, and some lines of the contour where there is one
-    Bytes::of_frames(match grid.is_line() {
+    Bytes::per_frame(match grid.is_line() {
         true => curve_points(grid),
         false if has_contour(grid) => 1.3 * pixels(grid) as f64,
         false => 0.1 * pixels(grid) as f64,

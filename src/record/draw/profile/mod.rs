@@ -8,4 +8,4 @@ use crate::setup::Part;
 
 /// The parts of this group.
 pub const PARTS: &[PartRow] =
-    &[PartRow { part: Part::Profile, draw: bodies::draw, bytes: |grid| Bytes::of_frames(12.0 * curve_points(grid)) }];
+    &[PartRow { part: Part::Profile, draw: bodies::draw, bytes: |grid| Bytes::per_frame(12.0 * curve_points(grid)) }];

@@ -1,6 +1,6 @@
 //! Heights as files that other programs read.
 
-mod draft;
+mod file_writer;
 mod sdf;
 #[cfg(feature = "instruments")]
 mod x3p;
@@ -10,7 +10,7 @@ use super::npy;
 use crate::error::FileError;
 use crate::files::{check_named, write_beside};
 use crate::surface::Scan;
-use draft::FileWriter;
+use file_writer::FileWriter;
 use std::io;
 use std::path::Path;
 

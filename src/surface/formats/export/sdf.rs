@@ -1,6 +1,6 @@
 //! The text of ISO 25178-71.
 
-use super::draft::FileWriter;
+use super::file_writer::FileWriter;
 use crate::surface::Scan;
 use std::io::{self, Write};
 

@@ -1,6 +1,6 @@
 //! The archive of ISO 25178-72.
 
-use super::draft::FileWriter;
+use super::file_writer::FileWriter;
 use crate::surface::Scan;
 use md5::{Context, Digest};
 use std::io::{self, Seek, Write};

@@ -1,6 +1,6 @@
 //! Positions and heights in columns of a text.
 
-use super::draft::FileWriter;
+use super::file_writer::FileWriter;
 use crate::surface::Scan;
 use std::io::{self, Write};
 

@@ -1,4 +1,4 @@
-//! Files on their way.
+//! The writer of a file of heights.
 
 use std::fs::File;
 use std::io::BufWriter;

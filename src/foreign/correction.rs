@@ -25,7 +25,7 @@ pub(super) enum MistakeKind {
     Scale,
 }
 
-/// An error of some kind.
+/// The correction of an error of some kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ClaimCorrection {
     pub kind: MistakeKind,
@@ -65,7 +65,7 @@ impl MistakeKind {
         let mut better = claim.clone();
         let mut factor = 1.0;
         match self {
-            Self::Arrangement(arrangement) => better.values = arrangement.of(&claim.values, claim.surface.grid()),
+            Self::Arrangement(arrangement) => better.values = arrangement.apply(&claim.values, claim.surface.grid()),
             Self::Quantity => better.quantity = other_length(claim)?,
             Self::Sign => better.values.iter_mut().for_each(|value| *value = -*value),
             Self::Heights => better.surface = upside_down(&claim.surface)?.into(),

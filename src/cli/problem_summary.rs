@@ -38,8 +38,8 @@ pub struct ProblemSummary {
 }
 
 impl ProblemSummary {
-    /// The subject of a setup and its problem.
-    pub fn of(setup: &Setup, problem: &Problem) -> Result<Self, SetupError> {
+    /// The summary of a setup and its problem.
+    pub fn new(setup: &Setup, problem: &Problem) -> Result<Self, SetupError> {
         let (surface, rank) = (problem.surface(), setup.surface.rank(&setup.grid)?);
         let (grid, outer) = (surface.grid(), 2 - rank.min(2));
         Ok(Self {
