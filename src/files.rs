@@ -2,17 +2,17 @@
 
 use crate::error::{Failure, FileError};
 use serde::Serialize;
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use tempfile::{Builder, NamedTempFile};
 
 /// Checks that a file can be made at `path`, so that a long computation does not end in vain.
 ///
 /// # Errors
 /// [`FileError::Target`] if `path` is a directory or a device, or nothing can be created in its folder.
 pub fn check_target(path: &Path) -> Result<(), FileError> {
-    TemporaryFile::beside(path).map(drop)
+    draft_beside(path).map(drop)
 }
 
 /// Checks that no two of the files that are to be written are the same, and that none of them is one that is read, by whatever names.
@@ -84,8 +84,8 @@ pub fn write_beside(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
 ) -> Result<(), FileError> {
-    let mut draft = TemporaryFile::beside(path)?;
-    let written = fill(&mut draft.file, write).and_then(|()| draft.rename(path));
+    let mut draft = draft_beside(path)?;
+    let written = fill(draft.as_file_mut(), write).and_then(|()| Ok(draft.persist(path).map(drop)?));
     written.map_err(|source| FileError::Write { path: path.into(), source })
 }
 
@@ -166,59 +166,25 @@ pub fn fill_folder(path: &Path, fill: impl FnOnce(&Path) -> Result<(), Failure>)
     filled
 }
 
-/// A new file in the folder of its target, removed unless it is renamed.
-struct TemporaryFile {
-    file: File,
-    path: PathBuf,
-    is_renamed: bool,
-}
-
-impl TemporaryFile {
-    /// A temporary file in the folder of `path`, if a file can be made there.
-    fn beside(path: &Path) -> Result<Self, FileError> {
-        let unfit = |reason: String| FileError::Target { path: path.into(), reason };
-        if path.file_name().is_none() || path.as_os_str().as_encoded_bytes().ends_with(b"/") || path.is_dir() {
-            return Err(unfit("it is a directory, give the name of a file".into()));
-        }
-        if path.exists() && !path.is_file() {
-            return Err(unfit("it is not a regular file, give another name".into()));
-        }
-        let folder = match path.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
-        if !folder.is_dir() {
-            return Err(unfit(format!("there is no folder {}, make it first", folder.display())));
-        }
-        Self::new(folder).map_err(|error| unfit(format!("nothing can be created in {}: {error}", folder.display())))
+/// A temporary file in the folder of `path`, removed unless it is renamed, if a file can be made there.
+fn draft_beside(path: &Path) -> Result<NamedTempFile<File>, FileError> {
+    let unfit = |reason: String| FileError::Target { path: path.into(), reason };
+    if path.file_name().is_none() || path.as_os_str().as_encoded_bytes().ends_with(b"/") || path.is_dir() {
+        return Err(unfit("it is a directory, give the name of a file".into()));
     }
-
-    /// A draft under the first name that no other file has.
-    fn new(folder: &Path) -> io::Result<Self> {
-        static COUNT: AtomicU64 = AtomicU64::new(0);
-        loop {
-            let name = format!(".asperity-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
-            let path = folder.join(name);
-            match OpenOptions::new().write(true).create_new(true).open(&path) {
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                file => return Ok(Self { file: file?, path, is_renamed: false }),
-            }
-        }
+    if path.exists() && !path.is_file() {
+        return Err(unfit("it is not a regular file, give another name".into()));
     }
-
-    fn rename(&mut self, target: &Path) -> io::Result<()> {
-        std::fs::rename(&self.path, target)?;
-        self.is_renamed = true;
-        Ok(())
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    if !folder.is_dir() {
+        return Err(unfit(format!("there is no folder {}, make it first", folder.display())));
     }
-}
-
-impl Drop for TemporaryFile {
-    fn drop(&mut self) {
-        if !self.is_renamed {
-            let _ = std::fs::remove_file(&self.path);
-        }
-    }
+    // `File::create_new` gives the usual permissions; files that tempfile creates can be read by their owner alone
+    let draft = Builder::new().prefix(".asperity-").make_in(folder, |draft| File::create_new(draft));
+    draft.map_err(|error| unfit(format!("nothing can be created in {}: {error}", folder.display())))
 }
 
 fn fill(file: &mut File, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> io::Result<()> {

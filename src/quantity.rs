@@ -57,17 +57,17 @@ pub fn bytes_in_words(bytes: f64) -> String {
 }
 
 /// Units in which lengths are told, the longest first, in metres.
-const UNITS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
+pub const LENGTHS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
 
 /// Units of areas, the largest first, in square metres.
 const AREAS: [(&str, f64); 4] = [("m²", 1.0), ("mm²", 1e-6), ("µm²", 1e-12), ("nm²", 1e-18)];
 
 /// Units of pressures, the largest first, in pascals.
-const PRESSURES: [(&str, f64); 4] = [("GPa", 1e9), ("MPa", 1e6), ("kPa", 1e3), ("Pa", 1.0)];
+pub const PRESSURES: [(&str, f64); 4] = [("GPa", 1e9), ("MPa", 1e6), ("kPa", 1e3), ("Pa", 1.0)];
 
 /// A length in metres with the unit that makes it a number of one to three digits before its point, for reading.
 pub fn length_in_words(metres: f64) -> String {
-    in_words(metres, &UNITS, "m")
+    in_words(metres, &LENGTHS, "m")
 }
 
 /// An area in square metres with the unit that fits it, for reading.
@@ -159,7 +159,7 @@ impl QuantityVisitor {
     fn meant(&self, text: &str) -> Option<String> {
         let at = text.rfind(|c: char| c.is_ascii_digit() || c == '.' || c.is_whitespace())? + 1;
         let (number, unit) = text.split_at_checked(at)?;
-        let names = PRESSURES.iter().chain(&UNITS).map(|(name, _)| *name).chain(["N", "kN", "N/m", "kN/m"]);
+        let names = PRESSURES.iter().chain(&LENGTHS).map(|(name, _)| *name).chain(["N", "kN", "N/m", "kN/m"]);
         let meant = |name: &str| format!("{} {name}", number.trim());
         names.filter(|name| name.eq_ignore_ascii_case(unit)).map(meant).find(|text| (self.parse)(text).is_some())
     }

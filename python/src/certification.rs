@@ -33,7 +33,7 @@ struct Finding {
 impl Certification {
     /// The certification of a field as the solution of a problem.
     fn new(py: Python<'_>, problem: &Problem, quantity: &'static str, values: &ArrayLike<'_>) -> PyResult<Self> {
-        let kind = Quantity::named(quantity).expect("the three quantities have these names");
+        let kind: Quantity = quantity.parse().expect("the three quantities have these names");
         let values = field_on(values, problem.problem.surface().grid().shape(), quantity)?;
         let found = py.detach(|| Self::find(problem, kind, &values)).map_err(py_error)?;
         let Finding { certificate, contact, assessment, holds, mistakes } = found;

@@ -164,7 +164,7 @@ impl Recorder {
         let mut sink = RecordingSink::new(path, live);
         stream.map_or(Ok(()), |stream| sink.stream_to(stream))?;
         sink.check()?;
-        let Some(quantity) = Quantity::named(quantity) else {
+        let Ok(quantity) = quantity.parse::<Quantity>() else {
             return bail(format!("there is no quantity {quantity:?}: give pressure, gap or displacement"));
         };
         if problem.setup.loads.is_some() {

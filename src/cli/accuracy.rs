@@ -14,7 +14,7 @@ use asperity::lab::accuracy::{AccuracyScene, Experiment, Measurements, figure, w
 use asperity::plot::{write_png, write_svg};
 #[cfg(feature = "record")]
 use asperity::setup::Part;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::io::{Write, stdout};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ Area and kappa_r have resolved edges; the errors of counting nodes stand beside 
 #[command(after_help = HELP)]
 pub struct Accuracy {
     /// Scenes to solve, in this order
-    #[arg(value_enum, value_name = "SCENE", default_values_t = AccuracyScene::ALL)]
+    #[arg(value_enum, value_name = "SCENE", default_values_t = AccuracyScene::value_variants().to_vec())]
     scenes: Vec<AccuracyScene>,
     /// Points along each side of the grids, coarsest first [default: those of the scene]
     #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
@@ -67,7 +67,7 @@ pub struct Accuracy {
     record: bool,
     /// Parts to record, as of `solve`
     #[cfg(feature = "record")]
-    #[arg(long, value_name = "PART[,PART]", value_delimiter = ',', requires = "record", value_parser = choice(Part::PARTS, Part::named))]
+    #[arg(long, value_name = "PART[,PART]", value_delimiter = ',', requires = "record", value_parser = choice::<Part>())]
     record_what: Vec<Part>,
 }
 

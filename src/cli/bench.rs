@@ -40,7 +40,7 @@ pub struct Bench {
     #[arg(value_enum, value_name = "GROUP", default_values_t = Group::USUAL)]
     groups: Vec<Group>,
     /// The methods, the first of which the others are held against [default: those of the group]
-    #[arg(long = "solver", value_parser = choice(Method::METHODS, Method::named), value_name = "NAME[,NAME]", value_delimiter = ',')]
+    #[arg(long = "solver", value_parser = choice::<Method>(), value_name = "NAME[,NAME]", value_delimiter = ',')]
     methods: Vec<Method>,
     /// Certificate eta to reach [default: 1e-8, large: 1e-6]
     #[arg(long, value_name = "ETA", allow_negative_numbers = true)]

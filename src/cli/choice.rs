@@ -1,19 +1,22 @@
 //! Values of flags that are chosen by name, or count something.
 
+use asperity::setup::choices;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::num::NonZeroUsize;
+use std::str::FromStr;
+use strum::{EnumMessage, IntoEnumIterator, ParseError};
 
 /// One of some names, with a few words on each.
 pub fn one_of(names: impl IntoIterator<Item = (&'static str, &'static str)>) -> PossibleValuesParser {
     PossibleValuesParser::new(names.into_iter().map(|(name, help)| PossibleValue::new(name).help(help)))
 }
 
-/// The value that one of some names stands for.
-pub fn choice<T: Clone + Send + Sync + 'static>(
-    names: impl IntoIterator<Item = (&'static str, &'static str)>,
-    of: fn(&str) -> Option<T>,
-) -> impl TypedValueParser<Value = T> {
-    one_of(names).try_map(move |name| of(&name).ok_or("it has no meaning"))
+/// One of the variants of an enum.
+pub fn choice<T>() -> impl TypedValueParser<Value = T>
+where
+    T: IntoEnumIterator + EnumMessage + Into<&'static str> + FromStr<Err = ParseError> + Clone + Send + Sync + 'static,
+{
+    one_of(choices::<T>()).try_map(|name| name.parse::<T>())
 }
 
 /// Bytes, such as `8GB` or `500 MB`.

@@ -198,8 +198,8 @@ fn arg<E: Extent>(flag: &'static Flag) -> Arg {
     match flag.value {
         FlagValue::One => arg,
         FlagValue::List => arg.value_delimiter(','),
-        FlagValue::Choice(names) | FlagValue::Variant(names) => arg.value_parser(one_of(names.iter().copied())),
-        FlagValue::Choices(names) => arg.value_delimiter(',').value_parser(one_of(names.iter().copied())),
+        FlagValue::Choice(names) | FlagValue::Variant(names) => arg.value_parser(one_of(names())),
+        FlagValue::Choices(names) => arg.value_delimiter(',').value_parser(one_of(names())),
     }
 }
 

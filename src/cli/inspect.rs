@@ -54,7 +54,7 @@ pub struct Inspect {
     idle: Option<Duration>,
     /// The quantity of the steps, and the name of their array in a .npz
     #[arg(long, value_name = "QUANTITY", default_value = "pressure", help_heading = "Steps",
-        value_parser = choice(Quantity::QUANTITIES, Quantity::named))]
+        value_parser = choice::<Quantity>())]
     kind: Quantity,
     /// Seconds from the start of all steps, one for each; a .npz may have its own as `seconds` or `time`
     #[arg(long, value_name = "FILE", conflicts_with = "follow", help_heading = "Steps")]

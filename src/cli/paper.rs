@@ -96,7 +96,7 @@ impl PaperCommand {
     fn items(&self) -> Vec<Item> {
         let mut items: Vec<Item> = Vec::new();
         for name in &self.parts {
-            let asked = Item::from_str(name, false).map_or(Item::ALL.to_vec(), |item| vec![item]);
+            let asked = Item::from_str(name, false).map_or(Item::value_variants().to_vec(), |item| vec![item]);
             asked.into_iter().for_each(|item| items.extend((!items.contains(&item)).then_some(item)));
         }
         items

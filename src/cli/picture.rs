@@ -4,6 +4,7 @@ use super::units::Units;
 use asperity::contact::{Contact, Observables};
 use asperity::error::FileError;
 use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, write_png, write_svg};
+use asperity::quantity::{LENGTHS, PRESSURES};
 use std::cmp::Ordering;
 use std::path::Path;
 
@@ -11,9 +12,6 @@ use std::path::Path;
 const DOTS: usize = 4096;
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;
-/// Units of lengths and of pressures, the largest first.
-const LENGTHS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
-const PRESSURES: [(&str, f64); 4] = [("GPa", 1e9), ("MPa", 1e6), ("kPa", 1e3), ("Pa", 1.0)];
 
 /// Writes a picture as SVG or PNG, by the ending of its name.
 pub fn write(path: &Path, figure: &Figure) -> Result<(), FileError> {

@@ -1,6 +1,6 @@
 //! `asperity stability`: how the solvers bear stiff and extreme cases.
 
-use super::choice::choice;
+use super::choice::one_of;
 use super::exit_status::{ExitStatus, usage};
 use super::progress::bar;
 use super::wrote::wrote;
@@ -9,6 +9,7 @@ use asperity::files::{check_named, write_csv};
 use asperity::lab::Rival;
 use asperity::lab::stability::{HEAD, Kernel, Tally, TimeSteps, Trial, judge, trials};
 use clap::Args;
+use clap::builder::TypedValueParser;
 use std::io::{Write, stdout};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -39,6 +40,12 @@ stable time steps of molecular dynamics, found by bisection, beside theory.
 Exit code 0 if nothing is WRONG, every solver does what every case demands of it, the check displaces as the
 images say, and the time steps are those of theory; else 3.";
 
+/// One of the solvers.
+fn rival() -> impl TypedValueParser<Value = Rival> {
+    let rivals = one_of(Rival::ALL.map(|rival| (rival.name, rival.about)));
+    rivals.try_map(|name| Rival::named(&name).ok_or("it has no meaning"))
+}
+
 #[derive(Args)]
 #[command(after_help = HELP)]
 pub struct Stability {
@@ -46,7 +53,7 @@ pub struct Stability {
     #[arg(value_name = "NAME")]
     names: Vec<String>,
     /// The methods [default: all but gfmd-uniform, which runs where stiffness matters]
-    #[arg(long = "solver", value_parser = choice(Rival::ALL.map(|rival| (rival.name, rival.about)), Rival::named), value_name = "NAME[,NAME]", value_delimiter = ',')]
+    #[arg(long = "solver", value_parser = rival(), value_name = "NAME[,NAME]", value_delimiter = ',')]
     rivals: Vec<Rival>,
     /// Seconds that each run may take [default: 60, quick: 5]
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]

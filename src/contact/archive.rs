@@ -3,9 +3,10 @@
 use crate::contact::{Contact, OBSERVABLES, PartialSlip, State};
 use crate::elastic::Stress;
 use crate::surface::PowerSpectrum;
-use ndarray::{Array0, Array1, Array2, ArrayView, ArrayView1, ArrayView2, Axis, Dimension, arr0, arr2, arr3, stack};
+use ndarray::{Array1, ArrayView1, ArrayView2, Axis, CowArray, Dimension, Ix2, RemoveAxis, arr0, arr2, arr3, stack};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
+use std::slice::from_ref;
 
 /// The fields of a contact as `.npz`, each of the `rank` that the heights came in, and all numbers that are told of it.
 ///
@@ -36,7 +37,7 @@ use std::io::Cursor;
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet.
 pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
-    of_one(contact, rank, setup)?.finish()
+    ArchiveWriter::new(from_ref(contact), false, rank, setup)?.finish()
 }
 
 /// A contact in partial slip as `.npz`: as [`archive`] of what is pressed, with the `traction` and where it sticks (`stick`), both of
@@ -45,9 +46,9 @@ pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Ve
 /// # Errors
 /// The errors of [`archive`].
 pub fn archive_of_slip(slip: &PartialSlip, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
-    let mut archive = of_one(&slip.pressed, rank, setup)?;
-    archive.add_field("traction", &slip.traction().view())?;
-    archive.add_field("stick", &slip.sticks().view())?;
+    let mut archive = ArchiveWriter::new(from_ref(&slip.pressed), false, rank, setup)?;
+    archive.add_field("traction", slip.traction().view())?;
+    archive.add_field("stick", slip.sticks().view())?;
     let areas = [("stick_area", slip.stick().relative_area), ("slip_area", slip.slip_area())];
     let loads = [("friction", slip.friction.coefficient), ("tangential", slip.friction.tangential)];
     for (name, value) in loads.into_iter().chain(areas) {
@@ -98,69 +99,13 @@ pub fn archive_of_stress(
     Ok(npz.finish()?.into_inner())
 }
 
-/// The archive of one contact, to which more can be added.
-fn of_one(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<ArchiveWriter, WriteNpzError> {
-    let mut archive = ArchiveWriter::new(contact, rank, setup)?;
-    for (name, of) in CURVES {
-        archive.npz.add_array(name, &ArrayView1::from(&of(contact)))?;
-    }
-    for (name, of) in FIELDS {
-        archive.add_field(name, &of(contact))?;
-    }
-    archive.add_field("contact", &contact.mask().view())?;
-    archive.add_outline(contact)?;
-    archive.npz.add_array("converged", &arr0(contact.is_converged()))?;
-    if let Some(hardness) = contact.problem.law().hardness() {
-        archive.add_field("yielding", &contact.yielding().view())?;
-        archive.npz.add_array("hardness", &arr0(hardness))?;
-        for (name, of) in PLASTICITY {
-            archive.npz.add_array(name, &arr0(of(contact)))?;
-        }
-    }
-    let state = State::from(contact);
-    for row in OBSERVABLES {
-        archive.npz.add_array(row.name, &arr0((row.value)(&state)))?;
-    }
-    Ok(archive)
-}
-
 /// The contacts of one surface under several loads as `.npz`: as [`archive`], with the loads along a further first axis of all but
 /// `height` and its spectrum, wavenumbers, positions, size and modulus.
 ///
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet, unless there are no contacts.
 pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
-    let Some(first) = contacts.first() else {
-        return Ok(NpzWriter::new(Cursor::new(Vec::new())).finish()?.into_inner());
-    };
-    let mut archive = ArchiveWriter::new(first, rank, Some(setup))?;
-    for (name, of) in CURVES {
-        let curves: Vec<Array1<f64>> = contacts.iter().map(|contact| of(contact).into()).collect();
-        let curves: Vec<ArrayView1<f64>> = curves.iter().map(|curve| curve.view()).collect();
-        archive.npz.add_array(name, &stack(Axis(0), &curves).expect("one surface has one set of waves"))?;
-    }
-    for (name, of) in FIELDS {
-        let fields: Vec<ArrayView2<f64>> = contacts.iter().map(of).collect();
-        archive.add_field(name, &stack(Axis(0), &fields).expect("one surface has one shape").view())?;
-    }
-    let masks: Vec<Array2<bool>> = contacts.iter().map(Contact::mask).collect();
-    let masks: Vec<ArrayView2<bool>> = masks.iter().map(|mask| mask.view()).collect();
-    archive.add_field("contact", &stack(Axis(0), &masks).expect("one surface has one shape").view())?;
-    archive.npz.add_array("converged", &contacts.iter().map(Contact::is_converged).collect::<Array1<bool>>())?;
-    if let Some(hardness) = first.problem.law().hardness() {
-        let masks: Vec<Array2<bool>> = contacts.iter().map(Contact::yielding).collect();
-        let masks: Vec<ArrayView2<bool>> = masks.iter().map(|mask| mask.view()).collect();
-        archive.add_field("yielding", &stack(Axis(0), &masks).expect("one surface has one shape").view())?;
-        archive.npz.add_array("hardness", &arr0(hardness))?;
-        for (name, of) in PLASTICITY {
-            archive.npz.add_array(name, &contacts.iter().map(of).collect::<Array1<f64>>())?;
-        }
-    }
-    let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
-    for row in OBSERVABLES {
-        archive.npz.add_array(row.name, &states.iter().map(row.value).collect::<Array1<f64>>())?;
-    }
-    archive.finish()
+    ArchiveWriter::new(contacts, true, rank, Some(setup))?.finish()
 }
 
 /// A field of a contact.
@@ -201,29 +146,64 @@ const CURVES: [(&str, CurveOf); 5] = [
 struct ArchiveWriter {
     npz: NpzWriter<Cursor<Vec<u8>>>,
     rank: usize,
+    /// Whether what depends on the load has a first axis of loads.
+    is_list: bool,
 }
 
 impl ArchiveWriter {
-    /// An archive of what does not depend on the load.
-    fn new(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
-        let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
+    /// An archive of the contacts of one surface, if there are any.
+    fn new(contacts: &[Contact], is_list: bool, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
+        let mut archive = Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list };
+        if let Some(first) = contacts.first() {
+            archive.add_problem(first, setup)?;
+            archive.add_contacts(first, contacts)?;
+        }
+        Ok(archive)
+    }
+
+    fn add_contacts(&mut self, first: &Contact, contacts: &[Contact]) -> Result<(), WriteNpzError> {
+        for (name, of) in CURVES {
+            self.add_each(name, contacts.iter().map(|contact| Array1::from(of(contact)).into()))?;
+        }
+        for (name, of) in FIELDS {
+            self.add_fields(name, contacts.iter().map(|contact| of(contact).into()))?;
+        }
+        self.add_fields("contact", contacts.iter().map(|contact| contact.mask().into()))?;
+        if !self.is_list {
+            self.add_outline(first)?;
+        }
+        self.add_each("converged", contacts.iter().map(|contact| arr0(contact.is_converged()).into()))?;
+        if let Some(hardness) = first.problem.law().hardness() {
+            self.add_fields("yielding", contacts.iter().map(|contact| contact.yielding().into()))?;
+            self.npz.add_array("hardness", &arr0(hardness))?;
+            for (name, of) in PLASTICITY {
+                self.add_each(name, contacts.iter().map(|contact| arr0(of(contact)).into()))?;
+            }
+        }
+        let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
+        for row in OBSERVABLES {
+            self.add_each(row.name, states.iter().map(|state| arr0((row.value)(state)).into()))?;
+        }
+        Ok(())
+    }
+
+    /// Adds what does not depend on the load.
+    fn add_problem(&mut self, contact: &Contact, setup: Option<&str>) -> Result<(), WriteNpzError> {
         if let Some(text) = setup {
-            npz.add_array("setup", &ArrayView1::from(text.as_bytes()))?;
+            self.npz.add_array("setup", &ArrayView1::from(text.as_bytes()))?;
         }
         let (surface, modulus) = (contact.problem.surface(), contact.problem.contact_modulus());
         let grid = surface.grid();
-        npz.add_array("x", &grid.x().collect::<Array1<f64>>())?;
-        if rank > 1 {
-            npz.add_array("y", &grid.y().collect::<Array1<f64>>())?;
+        self.npz.add_array("x", &grid.x().collect::<Array1<f64>>())?;
+        if self.rank > 1 {
+            self.npz.add_array("y", &grid.y().collect::<Array1<f64>>())?;
         }
-        npz.add_array("size", &ArrayView1::from(&grid.size()[2 - rank.min(2)..]))?;
-        npz.add_array("contact_modulus", &Array0::from_elem((), modulus))?;
+        self.npz.add_array("size", &ArrayView1::from(&grid.size()[2 - self.rank.min(2)..]))?;
+        self.npz.add_array("contact_modulus", &arr0(modulus))?;
         let heights = PowerSpectrum::new(surface);
-        npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
-        npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
-        let mut archive = Self { npz, rank };
-        archive.add_field("height", &surface.heights_as_given().view())?;
-        Ok(archive)
+        self.npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
+        self.npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
+        self.add_field("height", surface.heights_as_given().view())
     }
 
     /// Adds the edges of a contact, resolved between the nodes.
@@ -238,18 +218,37 @@ impl ArchiveWriter {
         self.npz.add_array("contour", &arr3(&lines))
     }
 
-    /// Adds a field whose last axes are those of the grid.
-    fn add_field<T: WritableElement, D: Dimension>(
+    /// Adds a field of the rank that the heights came in.
+    fn add_field<T: WritableElement>(&mut self, name: &str, field: ArrayView2<'_, T>) -> Result<(), WriteNpzError> {
+        if self.rank == 1 { self.npz.add_array(name, &field.row(0)) } else { self.npz.add_array(name, &field) }
+    }
+
+    /// Adds a field of each contact.
+    fn add_fields<'a, T: WritableElement + Clone + 'a>(
         &mut self,
         name: &str,
-        field: &ArrayView<'_, T, D>,
+        fields: impl Iterator<Item = CowArray<'a, T, Ix2>>,
     ) -> Result<(), WriteNpzError> {
-        let field = field.view().into_dyn();
-        let rows = Axis(field.ndim() - 2);
         if self.rank == 1 {
-            self.npz.add_array(name, &field.index_axis(rows, 0))
+            self.add_each(name, fields.map(|field| field.index_axis_move(Axis(0), 0)))
         } else {
-            self.npz.add_array(name, &field)
+            self.add_each(name, fields)
+        }
+    }
+
+    /// Adds an array of each contact, those of a list along a first axis.
+    fn add_each<'a, T: WritableElement + Clone + 'a, D: Dimension<Larger: RemoveAxis>>(
+        &mut self,
+        name: &str,
+        arrays: impl Iterator<Item = CowArray<'a, T, D>>,
+    ) -> Result<(), WriteNpzError> {
+        let arrays: Vec<_> = arrays.collect();
+        match arrays.as_slice() {
+            [one] if !self.is_list => self.npz.add_array(name, one),
+            several => {
+                let views: Vec<_> = several.iter().map(|array| array.view()).collect();
+                self.npz.add_array(name, &stack(Axis(0), &views).expect("the contacts are of one surface"))
+            }
         }
     }
 

@@ -1,5 +1,7 @@
 //! Decisions of solvers on their way from step to step.
 
+use strum::{EnumCount, EnumIter, EnumMessage, IntoStaticStr};
+
 /// The decision of a solver on its way to a step, for those who ask why a run is as long as it is.
 ///
 /// ```
@@ -17,12 +19,15 @@
 /// assert!(conjugate > 0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, EnumCount, EnumIter, EnumMessage, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Decision {
     /// The state at the start, or interpolated from a coarser grid.
+    #[strum(message = "start, or from the coarser grid")]
     Start,
     /// A step of conjugate gradients on one contact set: so many times the direction, which is the residual (preconditioned, if
     /// it is) and a share of the direction before. With the share 0 the directions begin anew.
+    #[strum(message = "conjugate gradients")]
     Conjugate {
         /// The step over the direction, `alpha`.
         length: f64,
@@ -30,52 +35,34 @@ pub enum Decision {
         share: f64,
     },
     /// A step of conjugate gradients by which nodes entered or left the contact.
+    #[strum(message = "nodes exchanged")]
     Exchange,
     /// A gradient step, since the energy would have risen otherwise.
+    #[strum(message = "gradient step")]
     Descend,
     /// A free update of the whole contact set.
+    #[strum(message = "whole-set update, free")]
     WholeSet,
     /// A guarded step, by which the energy falls for certain.
+    #[strum(message = "guarded step")]
     Guarded,
     /// A step of damped motion.
+    #[strum(message = "damped motion")]
     Damped,
     /// A step of FIRE at its time step.
+    #[strum(message = "FIRE: same time step")]
     Coast,
     /// A step of FIRE with a longer time step.
+    #[strum(message = "FIRE: longer time step")]
     Accelerate,
     /// A step of FIRE from rest with a shorter time step, since the power was negative.
+    #[strum(message = "FIRE: stopped, shorter time step")]
     Halt,
 }
 
 impl Decision {
-    /// Its name, and a few words on it, in the order of their declaration.
-    pub const NAMES: [(&str, &str); 10] = [
-        ("start", "start, or from the coarser grid"),
-        ("conjugate", "conjugate gradients"),
-        ("exchange", "nodes exchanged"),
-        ("descend", "gradient step"),
-        ("whole-set", "whole-set update, free"),
-        ("guarded", "guarded step"),
-        ("damped", "damped motion"),
-        ("coast", "FIRE: same time step"),
-        ("accelerate", "FIRE: longer time step"),
-        ("halt", "FIRE: stopped, shorter time step"),
-    ];
-
     /// Its name.
     pub fn name(self) -> &'static str {
-        let number = match self {
-            Self::Start => 0,
-            Self::Conjugate { .. } => 1,
-            Self::Exchange => 2,
-            Self::Descend => 3,
-            Self::WholeSet => 4,
-            Self::Guarded => 5,
-            Self::Damped => 6,
-            Self::Coast => 7,
-            Self::Accelerate => 8,
-            Self::Halt => 9,
-        };
-        Self::NAMES[number].0
+        self.into()
     }
 }

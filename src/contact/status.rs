@@ -2,10 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
+use strum::IntoStaticStr;
 
 /// How a solver stopped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Status {
     /// The certificate met all goals of the stop.
     Converged,
@@ -24,14 +26,7 @@ pub enum Status {
 impl Status {
     /// The name of the status in tables.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Converged => "converged",
-            Self::IterationCap => "iteration-cap",
-            Self::Stalled => "stalled",
-            Self::Ended => "ended",
-            Self::StoppedByObserver => "stopped-by-observer",
-            Self::ObserverFailed => "observer-failed",
-        }
+        self.into()
     }
 }
 

@@ -3,6 +3,7 @@
 use super::ElasticSolid;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// From this `q t` on the factor of a wave is 1 to the last bit.
 const DEEP: f64 = 24.0;
@@ -40,19 +41,17 @@ pub struct Layer {
 }
 
 /// How a layer lies on its rigid base.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Base {
     /// It sticks.
     #[default]
     Bonded,
-    /// It slides without friction and without leaving.
+    /// It slides without friction.
+    ///
+    /// It does not leave the base.
     Sliding,
-}
-
-impl Base {
-    /// The bases by their names in scenes, in a few words.
-    pub const BASES: [(&str, &str); 2] = [("bonded", "It sticks"), ("sliding", "It slides without friction")];
 }
 
 impl Layer {

@@ -7,7 +7,8 @@ use crate::grid::Grid;
 use crate::surface::Surface;
 
 /// A kind of everyday error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub(super) enum MistakeKind {
     /// The nodes stand in another order.
     Arrangement(Arrangement),
@@ -20,6 +21,7 @@ pub(super) enum MistakeKind {
     /// The modulus, or the size or unit that goes with it, is off by a factor.
     Modulus,
     /// The pressures are off by a factor.
+    #[strum(serialize = "pressure-factor")]
     Scale,
 }
 
@@ -43,14 +45,7 @@ impl MistakeKind {
 
     /// A short name.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Arrangement(_) => "arrangement",
-            Self::Quantity => "quantity",
-            Self::Sign => "sign",
-            Self::Heights => "heights",
-            Self::Modulus => "modulus",
-            Self::Scale => "pressure-factor",
-        }
+        self.into()
     }
 
     /// Whether an error of this kind may come with one of the other kind, which stands further on in the order.

@@ -3,7 +3,7 @@
 use crate::contact::Problem;
 use crate::elastic::Response;
 use serde::Serialize;
-use std::fmt;
+use strum::{Display, EnumIter, EnumMessage, EnumString, IntoStaticStr};
 
 /// A field that another code gives as its result.
 ///
@@ -12,37 +12,22 @@ use std::fmt;
 /// | `Pressure`     | pressure | positive in compression                                           |
 /// | `Gap`          | length   | between the surfaces, positive where they are apart               |
 /// | `Displacement` | length   | of the solid's surface, positive into the solid; its mean is free |
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Display, EnumIter, EnumMessage, EnumString, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Quantity {
-    /// The pressure `p`.
+    /// Pressure, positive in compression.
     Pressure,
-    /// The gap `g`.
+    /// Gap between the surfaces, positive where they are apart.
     Gap,
-    /// The displacement `u`.
+    /// Displacement of the solid's surface, positive into the solid; its mean is free.
     Displacement,
 }
 
 impl Quantity {
-    /// The quantities by their names in archives and on the command line, in a few words.
-    pub const QUANTITIES: [(&str, &str); 3] = [
-        ("pressure", "Pressure, positive in compression"),
-        ("gap", "Gap between the surfaces, positive where they are apart"),
-        ("displacement", "Displacement of the solid's surface, positive into the solid; its mean is free"),
-    ];
-
-    /// The quantity of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        [Self::Pressure, Self::Gap, Self::Displacement].into_iter().find(|quantity| quantity.name() == name)
-    }
-
     /// Its name in archives and on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Pressure => Self::QUANTITIES[0].0,
-            Self::Gap => Self::QUANTITIES[1].0,
-            Self::Displacement => Self::QUANTITIES[2].0,
-        }
+        self.into()
     }
 
     /// The pressure that `values` of this quantity, row by row, stand for: values of a pressure as they are, and else the pressure that makes the
@@ -89,10 +74,4 @@ fn gap_of(problem: &Problem, displacement: &[f64]) -> Vec<f64> {
 /// The mean of `values` weighted by `weights`.
 fn mean_weighted(values: &[f64], weights: &[f64]) -> f64 {
     values.iter().zip(weights).map(|(value, weight)| value * weight).sum::<f64>() / weights.iter().sum::<f64>()
-}
-
-impl fmt::Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
 }

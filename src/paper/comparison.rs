@@ -48,7 +48,7 @@ impl Comparison {
         line("", &titles)?;
         let mut last = None;
         for (row, Verdict { item, .. }) in rows.iter().zip(&self.verdicts) {
-            line(&if last == Some(*item) { String::new() } else { item.name() }, row)?;
+            line(if last == Some(*item) { "" } else { item.name() }, row)?;
             last = Some(*item);
         }
         self.write_sum(out)?;

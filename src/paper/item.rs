@@ -1,10 +1,12 @@
 //! The tables, figures and sections of the paper.
 
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 /// A table, a figure or a section of the paper.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Item {
     /// Contact parameters of cylinder and sphere.
@@ -30,23 +32,9 @@ pub enum Item {
 }
 
 impl Item {
-    /// All items, in the order of the paper.
-    pub const ALL: [Self; 10] = [
-        Self::Table1,
-        Self::Fig1,
-        Self::Fig2,
-        Self::Fig3,
-        Self::Fig4,
-        Self::Fig5,
-        Self::Gw,
-        Self::Beyond,
-        Self::Hurst,
-        Self::Persson,
-    ];
-
     /// The name, as on the command line and in file names.
-    pub fn name(self) -> String {
-        format!("{self:?}").to_lowercase()
+    pub fn name(self) -> &'static str {
+        self.into()
     }
 
     /// The items whose solved points it is made of.

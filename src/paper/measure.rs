@@ -6,8 +6,9 @@ use crate::contact::Observables;
 pub type ObservableFn = fn(&Observables) -> f64;
 
 /// A way to measure the area of a contact and the gradient in it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, strum::IntoStaticStr)]
 #[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum Measure {
     /// By the nodes in contact, as the paper does.
     Counted,
@@ -21,10 +22,7 @@ impl Measure {
 
     /// The name in tables and figures.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Counted => "counted",
-            Self::Resolved => "resolved",
-        }
+        self.into()
     }
 
     /// The relative area.

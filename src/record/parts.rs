@@ -2,6 +2,7 @@
 
 use crate::grid::Grid;
 use crate::setup::Part;
+use strum::IntoEnumIterator;
 
 /// A set of parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,7 +19,7 @@ impl Parts {
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
         let other = if grid.is_line() { Part::Mesh } else { Part::Profile };
-        Part::all().filter(|part| *part != other).collect()
+        Part::iter().filter(|part| *part != other).collect()
     }
 
     /// The parts in both sets.
@@ -44,7 +45,7 @@ impl Parts {
     /// Whether anything that shows the gap is in the set.
     pub(super) fn has_gap(self) -> bool {
         let without_gap = Self::from_iter([Part::Traces, Part::Mask, Part::Stress, Part::Fringes]);
-        self.has_any(Part::all().filter(|part| !without_gap.has(*part) && !Part::OF_A_RUN.contains(part)))
+        self.has_any(Part::iter().filter(|part| !without_gap.has(*part) && !Part::OF_A_RUN.contains(part)))
     }
 
     /// Whether the contact has a picture of its own, for want of others to lie in.
@@ -59,7 +60,7 @@ impl Parts {
 
     /// Whether anything drawn from the fields of a step is in the set.
     pub(super) fn has_pictures(self) -> bool {
-        self.has_any(Part::all().filter(|part| *part != Part::Traces && !Part::OF_A_RUN.contains(part)))
+        self.has_any(Part::iter().filter(|part| *part != Part::Traces && !Part::OF_A_RUN.contains(part)))
     }
 }
 

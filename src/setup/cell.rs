@@ -4,21 +4,17 @@ use super::one_or_more;
 use crate::error::{GridError, SetupError};
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// What is beyond the cell along an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Boundary {
-    /// The cell again.
+    /// The cell repeats itself.
     Periodic,
-    /// Nothing: the solid goes on, and nothing presses it.
+    /// Nothing presses the solid beyond the cell.
     Free,
-}
-
-impl Boundary {
-    /// The boundaries by their names in scenes, in a few words.
-    pub const BOUNDARIES: [(&str, &str); 2] =
-        [("periodic", "The cell repeats itself"), ("free", "Nothing presses the solid beyond the cell")];
 }
 
 /// Points and lengths along the axes of the arrays, in their order: one makes a line, two make a surface.

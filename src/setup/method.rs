@@ -4,16 +4,24 @@ use crate::contact::{Gfmd, Multilevel, PolonskyKeer, Solver};
 use crate::error::SettingError;
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
 
 /// A solver with its settings: the one list of solvers.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, EnumIter, EnumMessage, EnumString, IntoStaticStr)]
 #[serde(tag = "method", rename_all = "kebab-case", deny_unknown_fields)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Method {
-    /// [`Multilevel`].
+    /// Whole-set updates on nested grids, the fast one.
+    ///
+    /// See [`Multilevel`].
     Multilevel {},
-    /// [`PolonskyKeer`].
+    /// Constrained conjugate gradients.
+    ///
+    /// See [`PolonskyKeer`].
     PolonskyKeer {},
-    /// [`Gfmd`].
+    /// Green's function molecular dynamics, the paper's method.
+    ///
+    /// See [`Gfmd`].
     Gfmd(Gfmd),
 }
 
@@ -25,18 +33,6 @@ impl Default for Method {
 }
 
 impl Method {
-    /// The methods by their names in scenes, in a few words.
-    pub const METHODS: [(&str, &str); 3] = [
-        ("multilevel", "Whole-set updates on nested grids, the fast one"),
-        ("polonsky-keer", "Constrained conjugate gradients"),
-        ("gfmd", "Green's function molecular dynamics, the paper's method"),
-    ];
-
-    /// The method of a name, with its usual settings.
-    pub fn named(name: &str) -> Option<Self> {
-        [Self::Multilevel {}, Self::PolonskyKeer {}, Self::Gfmd(Gfmd::default())].into_iter().find(|m| m.name() == name)
-    }
-
     /// The solver.
     pub fn solver(&self) -> &dyn Solver {
         match self {

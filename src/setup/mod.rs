@@ -57,7 +57,7 @@ pub use axis::{ParameterAxis, Scalar};
 pub use cell::{Boundary, Cell};
 pub use command::{command, lay};
 pub use cost::{Cost, Extras, available_bytes};
-pub use flag::{FLAGS, Flag, FlagValue};
+pub use flag::{Choices, FLAGS, Flag, FlagValue, choices};
 pub use method::Method;
 pub use part::{Part, Record};
 pub use recipe::Recipe;

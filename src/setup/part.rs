@@ -4,101 +4,53 @@ use super::Theme;
 use crate::error::SetupError;
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
 
 /// A part of a recording. Lines have no mesh, surfaces no profile.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, EnumString, IntoStaticStr,
+)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Part {
-    /// Numbers of every step, as curves.
+    /// Numbers of every step.
     Traces,
     /// Indenter and solid of a line.
     Profile,
     /// Pressure and gap: curves of a line, images of a surface.
     Fields,
-    /// The contact: segments of a line, an image of a surface.
+    /// Contact: segments of a line, an image of a surface.
     Mask,
-    /// The relief of a surface.
+    /// Relief of a surface.
     Mesh,
-    /// Power spectra of displacement and heights.
+    /// Power spectra of displacement and heights; only if asked for, as all below.
     Spectrum,
-    /// Where the error sits: the density of the error in energy.
+    /// Where the error sits, the density of the error in energy; of other codes it is usual.
     Error,
-    /// The largest shear stress below a line, or in a vertical cut below a surface.
+    /// Largest shear stress below a line, or in a vertical cut through the highest peak of a surface.
     Stress,
-    /// The same as photoelastic fringes.
+    /// The same as photoelastic fringes: dark wherever 2 tau_max is a whole number of orders.
     Fringes,
-    /// The contact step by step against the place: how long each node has been as it is.
+    /// Contact by step and place: how long each node has been as it is; of a surface along a row and a column.
     Raster,
-    /// The error of pressure and displacement step by step against the wavelength, held against the final state: a second pass.
+    /// Error by step and wavelength against the final state, which is solved for first: the work twice.
     Waterfall,
-    /// The elastic energy step by step against the wavelength.
+    /// Elastic energy by step and wavelength.
     Energy,
-    /// What the solver decided: grid level, kind of step, nodes in and out, the end.
+    /// Grid level, kind of step, nodes in and out, and the end, as lanes.
     Decisions,
-    /// Extreme Ritz values of conjugate gradients.
+    /// Extreme Ritz values of conjugate gradients: the condition number that they saw.
     Ritz,
 }
 
 impl Part {
-    /// All parts, in the order of their names.
-    const ALL: [Self; 14] = [
-        Self::Traces,
-        Self::Profile,
-        Self::Fields,
-        Self::Mask,
-        Self::Mesh,
-        Self::Spectrum,
-        Self::Error,
-        Self::Stress,
-        Self::Fringes,
-        Self::Raster,
-        Self::Waterfall,
-        Self::Energy,
-        Self::Decisions,
-        Self::Ritz,
-    ];
-
     /// The parts that show every step of a run at once, of a solve under one load.
     pub const OF_A_RUN: [Self; 5] = [Self::Raster, Self::Waterfall, Self::Energy, Self::Decisions, Self::Ritz];
 
-    /// All parts.
-    pub fn all() -> impl Iterator<Item = Self> {
-        Self::ALL.into_iter()
-    }
-
     /// Its name in scenes.
     pub fn name(self) -> &'static str {
-        Self::PARTS[self as usize].0
+        self.into()
     }
-
-    /// The part of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::PARTS.iter().zip(Self::ALL).find(|((other, _), _)| *other == name).map(|(_, part)| part)
-    }
-
-    /// The parts by their names in scenes, in a few words.
-    pub const PARTS: [(&str, &str); 14] = [
-        ("traces", "Numbers of every step"),
-        ("profile", "Indenter and solid of a line"),
-        ("fields", "Pressure and gap: curves of a line, images of a surface"),
-        ("mask", "Contact: segments of a line, an image of a surface"),
-        ("mesh", "Relief of a surface"),
-        ("spectrum", "Power spectra of displacement and heights; only if asked for, as all below"),
-        ("error", "Where the error sits, the density of the error in energy; of other codes it is usual"),
-        ("stress", "Largest shear stress below a line, or in a vertical cut through the highest peak of a surface"),
-        ("fringes", "The same as photoelastic fringes: dark wherever 2 tau_max is a whole number of orders"),
-        (
-            "raster",
-            "Contact by step and place: how long each node has been as it is; of a surface along a row and a column",
-        ),
-        (
-            "waterfall",
-            "Error by step and wavelength against the final state, which is solved for first: the work twice",
-        ),
-        ("energy", "Elastic energy by step and wavelength"),
-        ("decisions", "Grid level, kind of step, nodes in and out, and the end, as lanes"),
-        ("ritz", "Extreme Ritz values of conjugate gradients: the condition number that they saw"),
-    ];
 }
 
 /// The recording of a solve, should one be made.

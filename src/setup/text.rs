@@ -192,7 +192,7 @@ impl SetupTable {
         self.check_surface()?;
         self.choose_preparation()?;
         if let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") {
-            solver.entry("method").or_insert(Method::METHODS[0].0.into());
+            solver.entry("method").or_insert(Method::default().name().into());
         }
         let loads = self.check_load().and_then(|()| self.read_tangential());
         // an unknown key, such as a misspelt load, is said first

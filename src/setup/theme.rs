@@ -1,23 +1,21 @@
 //! Themes of the pictures of a recording.
 
 use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The ground of the pictures of a recording, and with it all their colours.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Theme {
     /// Light lines on a dark ground.
     #[default]
     Dark,
-    /// Dark lines on white.
+    /// Dark lines on white, for paper and bright rooms.
     Light,
 }
 
 impl Theme {
-    /// The themes by their names in scenes, in a few words.
-    pub const THEMES: [(&str, &str); 2] =
-        [("dark", "Light lines on a dark ground"), ("light", "Dark lines on white, for paper and bright rooms")];
-
     /// Whether it is the dark one, which needs no mention.
     pub fn is_dark(&self) -> bool {
         *self == Self::Dark

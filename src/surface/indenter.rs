@@ -8,6 +8,7 @@ use crate::quantity;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// A smooth indenter, one per periodic cell, with its highest point at height 0 (waves: at their amplitude).
 ///
@@ -27,44 +28,52 @@ use std::f64::consts::TAU;
 /// assert!(surface.heights()[4] > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(tag = "shape", rename_all = "kebab-case", rename_all_fields = "kebab-case", deny_unknown_fields)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Indenter {
     /// A parabolic cylinder on a line, `-x^2/(2R)`.
+    #[strum(message = "-x^2 / (2 radius), a line")]
     Cylinder {
         /// Radius of curvature `R`, a length.
         #[serde(deserialize_with = "quantity::length")]
         radius: f64,
     },
     /// A paraboloid on a surface, `-r^2/(2R)`.
+    #[strum(message = "-r^2 / (2 radius), a surface")]
     Sphere {
         /// Radius of curvature `R`, a length.
         #[serde(deserialize_with = "quantity::length")]
         radius: f64,
     },
     /// One period of a cosine on a line, `D cos(2 pi x/L)`.
+    #[strum(message = "amplitude cos(2 pi x / L), a line")]
     Sine {
         /// Amplitude `D`, a length: half the height from valley to peak.
         #[serde(deserialize_with = "quantity::length")]
         amplitude: f64,
     },
     /// One period of a product of two cosines on a surface, `D cos(2 pi x/Lx) cos(2 pi y/Ly)`.
+    #[strum(message = "amplitude cos(2 pi x / Lx) cos(2 pi y / Ly), a surface")]
     CrossedSine {
         /// Amplitude `D`, a length: half the height from valley to peak.
         #[serde(deserialize_with = "quantity::length")]
         amplitude: f64,
     },
     /// A wedge on a line, `-m |x|`.
+    #[strum(message = "-slope |x|, a line")]
     Wedge {
         /// Slope `m` of its flanks, a length per length.
         slope: f64,
     },
     /// A cone on a surface, `-m r`.
+    #[strum(message = "-slope r, a surface")]
     Cone {
         /// Slope `m` of its flank, a length per length.
         slope: f64,
     },
     /// A power of the distance on a line or a surface, `-A r^n`.
+    #[strum(message = "-coefficient r^exponent")]
     PowerLaw {
         /// Coefficient `A`, a length to the power `1 - n`.
         coefficient: f64,
@@ -72,6 +81,7 @@ pub enum Indenter {
         exponent: f64,
     },
     /// A flat punch, a strip on a line and a disc on a surface: 0 where `r <= b`, else `-depth`.
+    #[strum(message = "flat within half-width, lower by depth outside")]
     Punch {
         /// Half-width or radius `b`, a length below half the shortest period.
         #[serde(deserialize_with = "quantity::length")]
@@ -83,18 +93,6 @@ pub enum Indenter {
 }
 
 impl Indenter {
-    /// The shapes by their names in scenes, with their heights in words.
-    pub const SHAPES: [(&str, &str); 8] = [
-        ("cylinder", "-x^2 / (2 radius), a line"),
-        ("sphere", "-r^2 / (2 radius), a surface"),
-        ("sine", "amplitude cos(2 pi x / L), a line"),
-        ("crossed-sine", "amplitude cos(2 pi x / Lx) cos(2 pi y / Ly), a surface"),
-        ("wedge", "-slope |x|, a line"),
-        ("cone", "-slope r, a surface"),
-        ("power-law", "-coefficient r^exponent"),
-        ("punch", "flat within half-width, lower by depth outside"),
-    ];
-
     /// Its name.
     pub fn name(&self) -> &'static str {
         match self {

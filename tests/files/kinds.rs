@@ -9,6 +9,7 @@ use ndarray_npy::{NpzReader, write_npy};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use strum::IntoEnumIterator;
 
 /// After which a command counts as hung.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -70,9 +71,8 @@ fn run(command: &str, folder: &Path) {
 
 /// The names of all parts of a recording on `grid`.
 fn all_parts(grid: &Grid) -> String {
-    let names = Part::PARTS.map(|(name, _)| name);
-    let known = names.into_iter().filter(|name| Parts::on(grid).has(Part::named(name).unwrap()));
-    known.collect::<Vec<_>>().join(",")
+    let known = Part::iter().filter(|part| Parts::on(grid).has(*part));
+    known.map(Part::name).collect::<Vec<_>>().join(",")
 }
 
 /// Writes steps from the mean pressure to the solution, as another code may make them.

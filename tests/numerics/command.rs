@@ -53,7 +53,11 @@ fn every_name_that_can_be_chosen_can_be_read() {
         let (FlagValue::Choice(names) | FlagValue::Variant(names) | FlagValue::Choices(names)) = flag.value else {
             continue;
         };
-        assert!(is_unknown(flag, "nothing") && !names.iter().any(|(name, _)| is_unknown(flag, name)), "{}", flag.name);
+        assert!(
+            is_unknown(flag, "nothing") && !names().iter().any(|(name, _)| is_unknown(flag, name)),
+            "{}",
+            flag.name
+        );
         chosen += 1;
     }
     assert_eq!(chosen, 14);

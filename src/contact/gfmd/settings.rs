@@ -2,16 +2,20 @@
 
 use crate::error::SettingError;
 use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// Masses of the surface modes.
 ///
 /// Under uniform masses long waves are `n/2` times softer than short ones and relax last. Under masses proportional to stiffness
 /// all modes swing alike; but waves longer than the distance of contact segments, and the mean, are held by the contacts
 /// and get the mass of the wave that is just as long.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Masses {
-    /// One mass for all modes, as in the paper.
+    /// The same for all modes.
+    ///
+    /// So it is in the paper.
     Uniform,
     /// Proportional to the stiffness of the mode.
     Stiffness,
@@ -20,10 +24,13 @@ pub enum Masses {
 /// Damping of the motion.
 ///
 /// Under FIRE velocities turn towards the force, and are dropped when the power becomes negative.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Dynamics {
-    /// Constant friction, in units of the critical damping of the slowest mode.
+    /// Constant friction.
+    ///
+    /// Its unit is the critical damping of the slowest mode.
     Damped,
     /// Fast inertial relaxation engine.
     Fire,

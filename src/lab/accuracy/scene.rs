@@ -17,7 +17,8 @@ const RMS_GRADIENT: f64 = 1e-3;
 const REDUCED_PRESSURE: f64 = 0.05;
 
 /// A contact on ever finer grids.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum AccuracyScene {
     /// A sine on a line, at a fifth of the pressure of full contact
@@ -33,18 +34,9 @@ pub enum AccuracyScene {
 }
 
 impl AccuracyScene {
-    /// All scenes.
-    pub const ALL: [Self; 5] = [Self::Sine, Self::Cylinder, Self::Sphere, Self::RoughLine, Self::RoughSurface];
-
     /// The name of the scene, as on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Sine => "sine",
-            Self::Cylinder => "cylinder",
-            Self::Sphere => "sphere",
-            Self::RoughLine => "rough-line",
-            Self::RoughSurface => "rough-surface",
-        }
+        self.into()
     }
 
     /// Whether the scene is a line.

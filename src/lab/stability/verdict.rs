@@ -2,38 +2,31 @@
 
 use crate::contact::Status;
 use serde::Serialize;
-use std::fmt;
+use strum::Display;
 
 /// A certificate that rounding must not prevent.
 const ATTAINABLE: f64 = 1e-12;
 
 /// How a trial ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Display)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "lowercase")]
 pub enum TrialVerdict {
     /// The solver says so, and the check agrees.
     Converged,
     /// The solver refused it with a clear sentence.
     Refused,
     /// The solver says that it has not converged.
+    #[strum(to_string = "not converged")]
     NotConverged,
     /// The solver and the check disagree, or there was a panic: this must never happen.
+    #[strum(to_string = "WRONG")]
     Wrong,
 }
 
-impl fmt::Display for TrialVerdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Converged => "converged",
-            Self::Refused => "refused",
-            Self::NotConverged => "not converged",
-            Self::Wrong => "WRONG",
-        })
-    }
-}
-
 /// The end that a trial demands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Display)]
+#[strum(serialize_all = "lowercase")]
 pub enum Demand {
     /// The contact must be solved.
     Solution,
@@ -42,21 +35,10 @@ pub enum Demand {
     /// The contact must be solved or refused.
     Either,
     /// The contact must be solved, or the budget run out on the way: of a solver that takes too many steps on a fine grid.
+    #[strum(to_string = "solution or budget")]
     Budget,
     /// The solver must come to [`ATTAINABLE`] and say that it comes no further.
     Limit,
-}
-
-impl fmt::Display for Demand {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Solution => "solution",
-            Self::Refusal => "refusal",
-            Self::Either => "either",
-            Self::Budget => "solution or budget",
-            Self::Limit => "limit",
-        })
-    }
 }
 
 impl Demand {

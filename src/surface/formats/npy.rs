@@ -6,6 +6,7 @@ use ndarray_npy::npy::header::Header;
 use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement, WriteNpyError, WriteNpyExt};
 use std::io::{self, BufReader, Read, SeekFrom, Write};
 use std::ops::Range;
+use strum::EnumString;
 
 /// Bytes at the start of a file that must hold the whole header; NumPy writes 128.
 const HEADER_BYTES: u64 = 4096;
@@ -67,8 +68,9 @@ pub(super) fn write(array: ArrayViewD<f64>, file: impl Write) -> io::Result<()> 
     })
 }
 
-/// A type of numbers.
-#[derive(Clone, Copy)]
+/// A type of numbers, by its name in NumPy without the order of its bytes; the digit says how many they are.
+#[derive(Clone, Copy, EnumString)]
+#[strum(serialize_all = "lowercase")]
 enum Dtype {
     F8,
     F4,
@@ -82,30 +84,13 @@ enum Dtype {
     U8,
 }
 
-impl Dtype {
-    /// The type of a name in NumPy, without the order of its bytes, and how many they are.
-    fn named(name: &str) -> Option<(Self, u64)> {
-        Some(match name {
-            "f8" => (Self::F8, 8),
-            "f4" => (Self::F4, 4),
-            "i1" => (Self::I1, 1),
-            "i2" => (Self::I2, 2),
-            "i4" => (Self::I4, 4),
-            "i8" => (Self::I8, 8),
-            "u1" => (Self::U1, 1),
-            "u2" => (Self::U2, 2),
-            "u4" => (Self::U4, 4),
-            "u8" => (Self::U8, 8),
-            _ => return None,
-        })
-    }
-}
-
 /// The shape of an array and its type: type, rank and length are checked before anything of the claimed size is allocated.
 fn layout(file: &mut dyn ReadSeek, place: Range<u64>, wanted: &ArrayRequest) -> io::Result<(Vec<usize>, Dtype)> {
     let (header, start) = header(file, &place)?;
     let name = header.type_descriptor.to_string();
-    let Some((kind, size)) = Dtype::named(name.trim_matches(['\'', '"', '<', '>', '=', '|'])) else {
+    let plain = name.trim_matches(['\'', '"', '<', '>', '=', '|']);
+    let (Ok(kind), Some(size)) = (plain.parse::<Dtype>(), plain.chars().last().and_then(|last| last.to_digit(10)))
+    else {
         return Err(malformed(format!("it holds values of type {name}, save integers, float32 or float64")));
     };
     let rank = header.shape.len();
@@ -117,7 +102,7 @@ fn layout(file: &mut dyn ReadSeek, place: Range<u64>, wanted: &ArrayRequest) -> 
         return Err(malformed(format!("its array has rank {rank}, save {ranks}")));
     }
     let data = place.end - start;
-    let expected = header.shape.iter().try_fold(size, |product: u64, &n| product.checked_mul(n as u64));
+    let expected = header.shape.iter().try_fold(u64::from(size), |product: u64, &n| product.checked_mul(n as u64));
     match expected {
         Some(expected) if expected == data => Ok((header.shape, kind)),
         _ => {

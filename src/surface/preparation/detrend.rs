@@ -3,6 +3,7 @@
 use super::Scan;
 use super::least_squares::linear;
 use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// Heights below this part of those before a trend was taken off are rounding, and become 0.
 const ROUNDING: f64 = 1e-13;
@@ -16,25 +17,19 @@ const ROUNDING: f64 = 1e-13;
 /// assert!(Detrend::Curvature.apply(bent.clone()).height.iter().all(|h| h.abs() < 1e-13));
 /// assert!(Detrend::Mean.apply(bent).height.sum().abs() < 1e-12);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Detrend {
-    /// The mean height.
+    /// The mean height, which no contact depends on.
     Mean,
-    /// The plane, of a line the straight line.
+    /// The plane of least squares; of a line the straight line.
     Plane,
-    /// The polynomial of second order, of a line the parabola.
+    /// The polynomial of second order; of a line the parabola.
     Curvature,
 }
 
 impl Detrend {
-    /// The trends by their names in scenes, in a few words.
-    pub const TRENDS: [(&str, &str); 3] = [
-        ("mean", "The mean height, which no contact depends on"),
-        ("plane", "The plane of least squares; of a line the straight line"),
-        ("curvature", "The polynomial of second order; of a line the parabola"),
-    ];
-
     /// The heights without their trend.
     pub fn apply(self, scan: Scan) -> Scan {
         let (trend, before) = (self.coefficients(&scan), reach(&scan));

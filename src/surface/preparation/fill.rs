@@ -3,19 +3,20 @@
 use super::Scan;
 use super::laplace::Laplace;
 use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// How voids are filled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Fill {
-    /// By the smoothest heights that meet those around them: each is the mean of its neighbours, which solves Laplace's equation.
+    /// The smoothest heights that meet those around the void.
+    ///
+    /// Each is the mean of its neighbours, which solves Laplace's equation.
     Harmonic,
 }
 
 impl Fill {
-    /// The ways by their names in scenes, in a few words.
-    pub const WAYS: [(&str, &str); 1] = [("harmonic", "The smoothest heights that meet those around the void")];
-
     /// The heights without voids; none where all are void.
     pub fn apply(self, mut scan: Scan) -> Option<Scan> {
         let there = scan.height.iter().filter(|h| !h.is_nan());

@@ -5,17 +5,19 @@ use super::detrend::legendre;
 use super::least_squares::{linear, nearest};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The form to take off measured heights: the body of least squares through all that are there, in any place and with any tilt.
 ///
 /// In the section of a body its height is `c s^2 / (1 + sqrt(1 - c^2 s^2))` at the distance `s` from its highest or lowest point, with the
 /// curvature `c` of either sign. A cylinder lies in any direction, and its axis may be inclined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Form {
-    /// A cylinder; of a line a circle.
+    /// The cylinder of least squares; of a line the circle.
     Cylinder,
-    /// A sphere; of a line a circle.
+    /// The sphere of least squares; of a line the circle.
     Sphere,
 }
 
@@ -23,12 +25,6 @@ pub enum Form {
 const FLAT: f64 = 1e-9;
 
 impl Form {
-    /// The forms by their names in scenes, in a few words.
-    pub const FORMS: [(&str, &str); 2] = [
-        ("cylinder", "The cylinder of least squares; of a line the circle"),
-        ("sphere", "The sphere of least squares; of a line the circle"),
-    ];
-
     /// The heights without their form, and its radius, negative where it is hollow; none where no such body fits.
     pub fn apply(self, scan: Scan) -> Option<(Scan, f64)> {
         let half = scan.half();

@@ -3,10 +3,12 @@
 use super::Scan;
 use crate::surface::Field;
 use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The axes along which heights are mirrored at their last node, so that they are periodic without a jump: `n` nodes become `2 n - 2`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Mirror {
     /// Along x, the columns.
     X,
@@ -17,10 +19,6 @@ pub enum Mirror {
 }
 
 impl Mirror {
-    /// The axes by their names in scenes, in a few words.
-    pub const AXES: [(&str, &str); 3] =
-        [("x", "Along x, the columns"), ("y", "Along y, the rows"), ("both", "Along both; of a profile along it")];
-
     /// Rows and columns of the heights and their images.
     pub fn shape(self, [ny, nx]: [usize; 2]) -> [usize; 2] {
         let twice = |n: usize, is_mirrored: bool| if is_mirrored && n > 2 { 2 * n - 2 } else { n };

@@ -1,20 +1,18 @@
 //! Heights at uneven positions brought to even ones.
 
 use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// How heights at uneven positions are brought to as many even ones over the same length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Resample {
-    /// On straight lines between neighbours.
+    /// As many heights at even positions, on straight lines between neighbours.
     Linear,
 }
 
 impl Resample {
-    /// The ways by their names in scenes, in a few words.
-    pub const WAYS: [(&str, &str); 1] =
-        [("linear", "As many heights at even positions, on straight lines between neighbours")];
-
     /// The heights at even positions, and their spacing, of heights at ever larger positions `x`, two at least.
     pub fn apply(self, x: &[f64], height: &[f64]) -> (Vec<f64>, f64) {
         let last = x.len() - 1;

@@ -16,6 +16,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
+use strum::IntoEnumIterator;
 
 mod axes;
 mod below;
@@ -311,10 +312,9 @@ fn below(entity: &str) -> String {
 fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.rrd");
-    let all = Part::PARTS.map(|(name, _)| Part::named(name).unwrap());
     for problem in [rough_line(), rough_surface()] {
         let can_show = Parts::on(problem.surface().grid());
-        for part in all.into_iter().filter(|&part| can_show.has(part)) {
+        for part in Part::iter().filter(|&part| can_show.has(part)) {
             let what = [part].into_iter().collect();
             record_with(&path, &problem, &Multilevel, None, Options { what, ..Options::default() });
             let recorded = entities(&path).into_iter().filter(|entity| entity.starts_with("/it/"));

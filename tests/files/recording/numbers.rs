@@ -11,6 +11,7 @@ use rerun::StoreKind;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
+use strum::IntoEnumIterator;
 
 const DOCUMENTATION: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/doc/record.md"));
 
@@ -63,8 +64,7 @@ fn the_documented_table_and_recordings_agree() {
                 reference: Some(Arc::new(Reference::from_contact(&end))),
                 ..Scene::from_setup(&setup, &problem)
             };
-            let what = Part::PARTS.iter().filter(|(name, _)| *name != "spectrum");
-            let what = what.map(|(name, _)| Part::named(name).unwrap()).collect();
+            let what = Part::iter().filter(|part| *part != Part::Spectrum).collect();
             let recording = Recording::create(&path, &[scene], Options { what, ..Options::default() }).unwrap();
             solver.solve(&problem, &Stop::default(), &mut recording.recorder(0)).unwrap();
             recording.finish().unwrap();

@@ -15,6 +15,7 @@ use rerun::archetypes::{StateChange, StateConfiguration};
 use rerun::{
     AnnotationContext, AnnotationInfo, Radius, RecordingStream, RecordingStreamResult, Rgba32, SegmentationImage,
 };
+use strum::{EnumCount, EnumMessage, IntoEnumIterator};
 
 /// Names of the lanes, from above.
 const LANES: [&str; 3] = ["grid level", "step", "contact set"];
@@ -25,7 +26,7 @@ const CHANGES: [&str; 4] = ["same", "in", "out", "in and out"];
 /// Levels that have a class of their own.
 const LEVELS: u8 = 16;
 /// First classes of the lanes.
-const FIRST: [u8; 3] = [1, 1 + LEVELS, 1 + LEVELS + Decision::NAMES.len() as u8];
+const FIRST: [u8; 3] = [1, 1 + LEVELS, 1 + LEVELS + Decision::COUNT as u8];
 /// Length of a swatch of the legend, and of the room before and after it, over the size of words.
 const SWATCH: [f64; 3] = [1.4, 1.4, 0.4];
 
@@ -57,8 +58,8 @@ impl Lanes {
         let share = |level: u8| f64::from(level) / f64::from(LEVELS - 1);
         let levels = (0..LEVELS)
             .map(move |level| (FIRST[0] + level, 0, format!("{level}"), mixed(SERIES[1], FAINT, share(level).sqrt())));
-        let kinds = Decision::NAMES.iter().zip(0..).map(|((name, _), kind)| {
-            (FIRST[1] + kind, 1, (*name).to_owned(), SERIES[usize::from(kind) % SERIES.len()])
+        let kinds = Decision::iter().zip(0..).map(|(decision, kind)| {
+            (FIRST[1] + kind, 1, decision.name().to_owned(), SERIES[usize::from(kind) % SERIES.len()])
         });
         let colours = [FAINT, palette.contact, SERIES[1], SERIES[0]];
         let changes = CHANGES
@@ -80,18 +81,13 @@ impl Lanes {
         to.log_static(self.image.root.as_str(), &AnnotationContext::new(classes))?;
         for (lane, state) in STATES.iter().enumerate().take(LANES.len()).skip(1) {
             let classes: Vec<_> = self.classes().filter(|(_, of, ..)| *of == lane).collect();
-            let names = classes
-                .iter()
-                .enumerate()
-                .map(|(i, (_, _, name, _))| if lane == 1 { Decision::NAMES[i].0 } else { name });
+            let labels = classes.iter().map(|(.., name, _)| {
+                let decision = Decision::iter().find(|decision| lane == 1 && decision.name() == name);
+                decision.and_then(|decision| decision.get_message()).unwrap_or(name)
+            });
             let configuration = StateConfiguration::new()
-                .with_values(names)
-                .with_labels(
-                    classes
-                        .iter()
-                        .enumerate()
-                        .map(|(i, (_, _, name, _))| if lane == 1 { Decision::NAMES[i].1 } else { name }),
-                )
+                .with_values(classes.iter().map(|(.., name, _)| name.as_str()))
+                .with_labels(labels)
                 .with_colors(classes.iter().map(|(.., rgb)| colour(*rgb)));
             to.log_static(format!("{}/{state}", self.root), &configuration)?;
         }
@@ -176,7 +172,7 @@ impl LaneRows {
             self.contact = FIRST[2] + bits;
             self.enter(2, step.work(), CHANGES[usize::from(bits)]);
         }
-        let kind = kind.and_then(|kind| Decision::NAMES.iter().position(|(name, _)| *name == kind));
+        let kind = kind.and_then(|kind| Decision::iter().position(|decision| decision.name() == kind));
         let kind = kind.map_or(0, |kind| FIRST[1] + kind as u8);
         self.classes.add([FIRST[0] + (level as u8).min(LEVELS - 1), kind, self.contact]);
     }
