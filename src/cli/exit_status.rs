@@ -49,7 +49,7 @@ pub fn untold(failure: Failure) -> anyhow::Error {
 
 /// Ctrl-C came before the first of several loads was solved.
 #[derive(Debug, thiserror::Error)]
-#[error("interrupted before the first load was solved: no result is written")]
+#[error("interrupted before the first load was solved: no result was written")]
 pub struct Interrupted;
 
 /// Options that do not go together, in one sentence.

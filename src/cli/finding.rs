@@ -111,11 +111,11 @@ impl Finding {
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
         let of_shape = match it.edges_of_shape > MANY_OF_SHAPE {
-            true => format!(", {} of its edges given by the shape", percent(it.edges_of_shape)),
+            true => format!(", {} of the edges given by the shape", percent(it.edges_of_shape)),
             false => String::new(),
         };
         let small = match it.unresolved_share > 0.0 {
-            true => format!(", {} of the contact in those with too few nodes", percent(it.unresolved_share)),
+            true => format!(", {} of the contact in patches with too few nodes", percent(it.unresolved_share)),
             false => String::new(),
         };
         [

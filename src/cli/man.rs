@@ -17,7 +17,7 @@ Examples:
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Man {
-    /// New folder for one page per command, instead of all pages on standard output
+    /// New folder for the pages, one per command [default: all pages go to standard output]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

@@ -21,7 +21,7 @@ pub struct Manners {
     /// Suppress progress and notes: only results, warnings and errors are written
     #[arg(long, short, global = true)]
     quiet: bool,
-    /// Threads that solve; the numbers are the same with any [default: as many as the machine has]
+    /// Number of threads, which does not change the results [default: that of the machine]
     #[arg(long, value_name = "N", global = true, value_parser = threads)]
     threads: Option<NonZeroUsize>,
 }
@@ -33,7 +33,7 @@ impl Manners {
         let Some(threads) = self.threads else { return Ok(()) };
         match ThreadPoolBuilder::new().num_threads(threads.get()).build_global() {
             Ok(()) => Ok(()),
-            Err(error) => usage(format!("{threads} threads cannot be started, give fewer: {error}")),
+            Err(error) => usage(format!("cannot start {threads} threads: give fewer ({error})")),
         }
     }
 }

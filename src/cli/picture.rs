@@ -41,7 +41,7 @@ pub fn of_loads(title: &str, found: &[&Observables], units: Units) -> Figure {
         is_logarithmic: true,
     };
     let kappa_r = LoadPanel {
-        title: "area per load, over the rms gradient in contact",
+        title: "area per load, with the rms gradient in contact",
         label: "kappa_r",
         resolved: |it| it.resolved_kappa_r(),
         counted: |it| it.kappa_r_counted,

@@ -25,7 +25,7 @@ pub fn write(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
 
 fn write_axis(axis: &Scales, out: &mut impl Write) -> io::Result<()> {
     let Scales { noise, noise_share, shortest_wavelength, .. } = axis;
-    let smooth = axis.smooth_wavelength.map_or("nowhere: they are rough down to their spacing".into(), |wavelength| {
+    let smooth = axis.smooth_wavelength.map_or("at no wavelength: rough down to the spacing".into(), |wavelength| {
         format!("below wavelengths of {wavelength:.3e}")
     });
     let rows = [

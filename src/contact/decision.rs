@@ -54,7 +54,7 @@ impl Decision {
         ("conjugate", "conjugate gradients"),
         ("exchange", "nodes exchanged"),
         ("descend", "gradient step"),
-        ("whole-set", "whole-set update, free"),
+        ("whole-set", "active-set update, free"),
         ("guarded", "guarded step"),
         ("damped", "damped motion"),
         ("coast", "FIRE: same time step"),

@@ -127,35 +127,35 @@ observables! {
     mean_pressure: f64, "<p>", "pressure", false, |it| *it.mean_pressure,
         "Mean pressure.";
     reduced_pressure: f64, "p*", "1", false, |it| it.reduced_pressure(),
-        "Reduced pressure, the mean pressure over rms gradient and contact modulus.";
+        "Reduced pressure: mean pressure divided by rms gradient and contact modulus.";
     reduced_pressure_contact: f64, "p_r*", "1", false, |it| it.resolved.reduced_pressure_contact,
         "Reduced pressure with the rms gradient of the contact.";
     reduced_pressure_contact_counted: f64, "p_r*, counted", "1", false, |it| it.counted.reduced_pressure_contact,
         "Reduced pressure with the rms gradient of the nodes in contact.";
     relative_area: f64, "a_rel", "1", true, |it| it.resolved.relative_area,
-        "Relative contact area, with edges resolved between the nodes.";
+        "Relative contact area, with contact edges interpolated between grid nodes.";
     relative_area_counted: f64, "a_rel, counted", "1", true, |it| it.counted.relative_area,
-        "Relative contact area as the share of nodes in contact.";
+        "Relative contact area as the fraction of nodes in contact.";
     relative_area_corrected: f64, "a_rel, corrected", "1", false, |it| it.counted.relative_area_corrected,
-        "Relative contact area as the share of nodes in contact, less the mean excess of counting nodes at its edges.";
+        "Share of nodes in contact, minus the mean excess of counted nodes at the edges.";
     rms_height: f64, "h_rms", "length", false, |it| it.problem.rms_height(),
         "Root mean square of the heights about their mean.";
     rms_gradient: f64, "g_rms", "1", false, |it| it.problem.rms_gradient(),
         "Root-mean-square gradient of the surface.";
     rms_gradient_contact: f64, "g_r", "1", false, |it| it.resolved.rms_gradient_contact,
-        "Root-mean-square gradient over the contact, with edges resolved between the nodes.";
+        "Root-mean-square gradient over the contact, with contact edges interpolated between grid nodes.";
     rms_gradient_contact_counted: f64, "g_r, counted", "1", false, |it| it.counted.rms_gradient_contact,
         "Root-mean-square gradient of the nodes in contact.";
     rms_gradient_contact_corrected: f64, "g_r, corrected", "1", false, |it| it.counted.rms_gradient_contact_corrected,
-        "Root-mean-square gradient of the nodes in contact, less the mean excess of counting nodes at the edges.";
+        "Root-mean-square gradient of the nodes in contact, minus the mean excess of counted nodes at the edges.";
     kappa: f64, "kappa", "1", true, |it| it.resolved.relative_area / it.counted.reduced_pressure,
-        "Relative contact area over reduced pressure, with edges resolved between the nodes.";
+        "Relative contact area over reduced pressure, with contact edges interpolated between grid nodes.";
     kappa_counted: f64, "kappa, counted", "1", false, |it| it.counted.kappa,
         "Share of nodes in contact over reduced pressure.";
     kappa_corrected: f64, "kappa, corrected", "1", false, |it| it.counted.relative_area_corrected / it.counted.reduced_pressure,
         "Corrected relative contact area over reduced pressure.";
     kappa_r: f64, "kappa_r", "1", true, |it| it.resolved.kappa_r,
-        "Relative contact area over the reduced pressure with the rms gradient of the contact, with edges resolved between the nodes.";
+        "Relative contact area over the reduced pressure with the rms gradient of the contact, with contact edges interpolated between grid nodes.";
     kappa_r_counted: f64, "kappa_r, counted", "1", true, |it| it.counted.kappa_r,
         "Share of nodes in contact over the reduced pressure with the rms gradient of these nodes.";
     kappa_r_corrected: f64, "kappa_r, corrected", "1", false, |it| it.counted.kappa_r_corrected,
@@ -165,11 +165,11 @@ observables! {
     mean_gap_over_rms_height: f64, "<g> / h_rms", "1", true, |it| *it.mean_gap / it.problem.rms_height(),
         "Mean gap over the rms height.";
     elastic_energy: f64, "U", "pressure length", false, |it| *it.elastic_energy,
-        "Elastic energy per area, half the mean of pressure times displacement.";
+        "Elastic energy per area: half the mean of pressure times displacement.";
     approach: f64, "d", "length", false, |it| *it.approach,
-        "Approach, how far the surface has moved on from where its highest peak touched the undeformed solid; known where the solid does not sink without end.";
+        "Approach: distance that the surface has moved since its highest peak touched the undeformed solid. Not defined on a periodic half-space.";
     plastic_area: f64, "a_pl", "1", false, |it| *it.plastic_area,
-        "Relative plastic area, the share of nodes that yield under the hardness.";
+        "Relative plastic area: the fraction of nodes at the hardness, where the solid yields.";
     max_pressure: f64, "p_max", "pressure", false, |it| *it.max_pressure,
         "Largest pressure.";
     max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
@@ -177,35 +177,35 @@ observables! {
     patches: usize, "n", "1", true, |it| it.patches.count(),
         "Number of contact patches.";
     nodes_per_patch: f64, "n_c / n", "1", false, |it| it.resolution().nodes_per_patch,
-        "Nodes in contact for each contact patch.";
+        "Nodes in contact per contact patch.";
     unresolved_share: f64, "n_c < few / n_c", "1", false, |it| it.resolution().unresolved_share,
         "Share of the nodes in contact that are in patches too small to trust: of fewer than 4 nodes on lines, 12 on surfaces.";
     edges_of_shape: f64, "n_e / n", "1", false, |it| it.resolved.edges_of_shape as f64 / (it.resolved.edges.max(1)) as f64,
-        "Share of the links between contact and gap at which the shape of the surface gives the edge, as that of a punch does.";
+        "Fraction of the contact edges that are given by the shape of the surface, such as the rim of a punch.";
     relative_area_error: f64, "|da| / a_rel", "1", false, |it| it.resolution().relative_area_error,
         "Estimated relative error of the relative contact area on this grid.";
     kappa_r_error: f64, "|dkappa_r| / kappa_r", "1", false, |it| it.resolution().kappa_r_error,
         "Estimated relative error of kappa_r on this grid.";
     certificate: f64, "eta", "1", true, |it| it.certificate.eta,
-        "Certificate: a bound of the error in energy over load times rms height.";
+        "Certificate: a bound of the energy error, divided by load times rms height.";
     pressure_error_bound: f64, "|dp| / |p|", "1", false, |it| it.certificate.pressure_error_bound,
         "Bound of the relative error of the pressure in the energy norm.";
     certificate_gap: f64, "eta_D", "1", false, |it| it.certificate.eta_gap,
-        "Certificate at a mean gap over what is left of the gap: the relative error of the load in order of magnitude.";
+        "Certificate at a given mean gap, divided by the remaining gap: the order of magnitude of the relative error of the load.";
     mean_gap_error_bound: f64, "|d<g>| / h_rms", "1", false, |it| it.certificate.mean_gap_error_bound,
         "Bound of the error of the mean gap over the rms height.";
     penetration: f64, "-min g / h_rms", "1", false, |it| it.certificate.penetration,
         "Largest penetration over the rms height.";
     load_error: f64, "|dl| / l", "1", false, |it| it.certificate.load_error,
-        "Distance from the load that is prescribed: over it, or for a mean gap over the rms height.";
+        "Error of the load, relative to the given load; at a given mean gap, relative to the rms height.";
     stiffness: f64, "k", "pressure/length", false, |it| it.stiffness,
-        "Contact stiffness, by how much the mean pressure rises as the mean gap falls; known where it was asked for.";
+        "Contact stiffness: increase of the mean pressure per decrease of the mean gap. Computed on request.";
     mean_pressure_error: f64, "|d<p>| / <p>", "1", false, |it| it.mean_pressure_error(),
-        "Relative error of the mean pressure at a mean gap to first order, by the contact stiffness; 0 where the pressure is given.";
+        "Relative error of the mean pressure at a given mean gap, to first order, from the contact stiffness; 0 if the pressure is given.";
     iterations: usize, "iterations", "1", false, |it| it.work.iterations,
         "Relaxation steps of the solver.";
     transforms: u64, "transforms", "1", false, |it| it.work.transforms,
-        "Fourier transforms, forward and inverse counted alike.";
+        "Fourier transforms, forward and inverse.";
 }
 
 impl Observables {

@@ -78,7 +78,7 @@ impl Deref for Values<'_> {
 /// Where in its scheme a solver stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Phase {
-    /// Grid level: 0 is the finest, each further one has half as many points along a side.
+    /// Grid level: 0 is the finest, each further one has half as many points per side.
     pub level: usize,
     /// Outer steps on this level so far: those that change the contact set.
     pub outer: usize,
@@ -182,7 +182,7 @@ impl<'a> Step<'a> {
         self.phase
     }
 
-    /// What the solver decided on its way to this step, where it tells.
+    /// What the solver did on its way to this step, where it tells.
     pub fn decision(&self) -> Option<Decision> {
         self.decision
     }

@@ -30,10 +30,10 @@ pub fn warning_of_rim(contact: &Contact) -> Option<Warning> {
     (pressed > 0).then(|| {
         Warning::new(
             format!(
-                "The contact reaches the free rim at {pressed} nodes. The heights beyond the rim are missing, so the pressure there is that \
-                 of an edge"
+                "The contact reaches the free rim at {pressed} nodes. The heights beyond the rim are missing, so the \
+                 pressure there is that of a sharp edge"
             ),
-            "Give more of the surface, or a lighter load",
+            "Use a larger part of the surface, or a smaller load",
         )
     })
 }
@@ -49,7 +49,7 @@ fn under(count: usize, found: &[&Observables]) -> String {
 fn too_heavy(found: &[&Observables]) -> Option<Warning> {
     let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max)?;
     Some(Warning::new(
-        format!("The reduced pressure {heavy:.3e} is far above 1, where contact is nearly full"),
+        format!("The reduced pressure {heavy:.3e} is far above 1, so the contact is nearly full"),
         "Check the load, the modulus and their units",
     ))
 }
@@ -59,7 +59,7 @@ fn unknown(found: &[&Observables]) -> Option<Warning> {
     (count > 0).then(|| {
         Warning::new(
             format!(
-                "kappa_r and its error cannot be found on this grid, so kappa_r may be wrong by any amount{}",
+                "This grid is too coarse for kappa_r and its error estimate, so kappa_r may be completely wrong{}",
                 under(count, found)
             ),
             "Use a finer grid, or heights that are neither rounded nor clipped",
@@ -76,11 +76,16 @@ fn loose(found: &[&Observables]) -> Option<Warning> {
         Warning::new(
             match largest < 1.0 {
                 true => {
-                    format!("The pressure is known to {:.0} % only, whatever its certificate{under}", 100.0 * largest)
+                    format!(
+                        "The relative error of the pressure may be {:.0} %, although the certificate is small{under}",
+                        100.0 * largest
+                    )
                 }
-                false => format!("The pressure may be off by its own size or more, whatever its certificate{under}"),
+                false => format!(
+                    "The relative error of the pressure may be 100 % or more, although the certificate is small{under}"
+                ),
             },
-            "Set a tolerance of the pressure",
+            "Set a tolerance for the pressure",
         )
         .with_remedy("stop.pressure-tolerance", Some("0.01")),
     )
@@ -115,7 +120,8 @@ fn metal(found: &[&Observables], law: Law) -> Option<Warning> {
     Some(
         Warning::new(
             format!(
-                "The largest pressure is {share:.2} of the contact modulus. No metal bears this: it yields before, over a larger area"
+                "The largest pressure is {share:.2} of the contact modulus. Metals yield at lower pressures, so the \
+                 real contact area is larger"
             ),
             "Give the hardness",
         )

@@ -90,7 +90,7 @@ impl Findings {
             )
         };
         let rows: String = self.rates.iter().map(row).collect();
-        let head = "| wavelength | slowest for | digits a step | free wave, in theory |\n|---|---|---|---|\n";
+        let head = "| wavelength | slowest in | digits per step | in theory, without contact |\n|---|---|---|---|\n";
         if rows.is_empty() { rows } else { format!("{head}{rows}") }
     }
 }
@@ -272,13 +272,14 @@ impl fmt::Display for Findings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { causes, standing, .. } = self;
         if causes.is_empty() {
-            writeln!(f, "Nothing held it up.")?;
+            writeln!(f, "Nothing slowed it down.")?;
         }
         causes.iter().try_for_each(|cause| writeln!(f, "{cause}"))?;
         let Some(Standing { relative_area, kappa_r, steps }) = standing else { return Ok(()) };
         writeln!(
             f,
-            "Area and kappa_r have stood within 1 % of their final values since steps {relative_area} and {kappa_r} of {steps}."
+            "Area and kappa_r are within 1 % of their final values from steps {relative_area} and {kappa_r} of \
+             {steps} on."
         )
     }
 }

@@ -46,13 +46,13 @@ pub enum Base {
     /// It sticks.
     #[default]
     Bonded,
-    /// It slides without friction and without leaving.
+    /// Frictionless and without leaving.
     Sliding,
 }
 
 impl Base {
     /// The bases by their names in scenes, in a few words.
-    pub const BASES: [(&str, &str); 2] = [("bonded", "It sticks"), ("sliding", "It slides without friction")];
+    pub const BASES: [(&str, &str); 2] = [("bonded", "It sticks"), ("sliding", "Frictionless")];
 }
 
 impl Layer {

@@ -48,7 +48,7 @@ impl SiteExport {
     pub fn new(lessons: Vec<Lesson>) -> Result<Self, Refusal> {
         let steps = || lessons.iter().flat_map(|lesson| &lesson.steps);
         let Some(first) = steps().next() else {
-            return Err(Refusal("there is no lesson to export: give one at least".into()));
+            return Err(Refusal("there is no lesson to export: give at least one".into()));
         };
         let mut wanted: Vec<SiteRun> = Vec::new();
         for run in steps().flat_map(of_step) {
@@ -59,7 +59,7 @@ impl SiteExport {
         if wanted.len() > MOST_RUNS {
             let count = wanted.len();
             return Err(Refusal(format!(
-                "{count} states can be turned to in these lessons: leave at most {MOST_RUNS} of them"
+                "these lessons have {count} states to solve: reduce them to at most {MOST_RUNS}"
             )));
         }
         let themed = |theme| wanted.iter().map(move |(kind, knobs)| (*kind, knobs.clone().with_theme(theme)));
@@ -144,10 +144,10 @@ fn solve(
                 RunKind::Solve => report.run.map(|run| run.id),
                 RunKind::Sweep => report.sweep.map(|sweep| sweep.id),
             };
-            return id.ok_or_else(|| "a run came to nothing".into());
+            return id.ok_or_else(|| "a run gave no result".into());
         }
         if goes_on().is_break() {
-            return Err("the export was interrupted: nothing is written".into());
+            return Err("the export was interrupted: nothing was written".into());
         }
         revision = report.revision;
     }

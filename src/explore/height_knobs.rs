@@ -62,7 +62,8 @@ impl HeightKnobs {
         let (most, [ny, nx]) = (most(grid.is_line()), grid.shape());
         if grid.len() > most {
             return Err(Refusal(format!(
-                "{ny} x {nx} points are too many here: crop the heights to at most {most}, and mind that a mirror doubles them"
+                "{ny} x {nx} points are too many here: crop the heights to at most {most} points, and note that \
+                 mirroring doubles them"
             )));
         }
         Ok((recipe, cell))
@@ -83,8 +84,8 @@ impl HeightKnobs {
         let mut choice = if crop == first.preparation.crop { first } else { self.choice(file, crop.clone())? };
         if crop.is_some() {
             let reason = format!(
-                "{rows} x {columns} points, or those of their mirror images, are more than can be solved while someone waits: the middle of \
-                 them is kept"
+                "{rows} x {columns} points (with mirror images, if any) are too many for this page: only the middle \
+                 part is kept"
             );
             choice.reasons.insert(0, reason);
         }

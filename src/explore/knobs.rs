@@ -213,7 +213,7 @@ impl Knobs {
                     Ok(scene.setup.clone())
                 }
                 _ => Err(Refusal(
-                    "the scene of this state is not here: start asperity explore with its setup file".into(),
+                    "the scene of this state is not loaded: start asperity explore with its setup file".into(),
                 )),
             };
         }
@@ -234,7 +234,9 @@ impl Knobs {
         let Some(beside) = &self.beside else { return Ok(None) };
         let refuse = |sentence: &str| Err(Refusal(sentence.into()));
         if beside.beside.is_some() {
-            return refuse("a surface beside another one has none beside it: leave out the inner \"beside\"");
+            return refuse(
+                "a surface that is shown beside another one cannot have one beside it: leave out the inner \"beside\"",
+            );
         }
         let Self { load, hardness, layer, solver, stop, record, theme, .. } = self.clone();
         let other = Self { load, hardness, layer, solver, stop, record, theme, ..Self::clone(beside) };
@@ -285,7 +287,7 @@ impl Knobs {
         Err(Refusal(if self.domain == Domain::Surface && points > most {
             format!("`points` cannot be {points} for a surface: give at most {most} along each side")
         } else if self.bumps.len() > MOST_BUMPS {
-            format!("{} bumps are too many here: give at most {MOST_BUMPS}", self.bumps.len())
+            format!("{} bumps are too many: give at most {MOST_BUMPS}", self.bumps.len())
         } else if self.body == SmoothBody::Flat && !is_rough {
             "a flat without roughness touches everywhere: raise the roughness or choose another body".into()
         } else if is_rough && cutoff <= rolloff {

@@ -172,7 +172,7 @@ impl Lesson {
         let draft: WrittenLesson = toml::from_str(text).map_err(|error| at(error.span(), error.message()))?;
         draft.title.check().map_err(|Refusal(reason)| at(None, &format!("title: {reason}")))?;
         if draft.step.is_empty() {
-            return Err(at(None, "the lesson has no steps: give one at least, as [[step]]"));
+            return Err(at(None, "the lesson has no steps: give at least one, as [[step]]"));
         }
         let step = |step: Spanned<DraftStep>| {
             let span = step.span();
@@ -232,7 +232,7 @@ fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced>
 /// A refusal that names the knob as it is written.
 fn named(key: &str, value: &Value, Refusal(reason): Refusal) -> Refusal {
     let is_named = reason.contains(&format!("`{key}`")) || reason.contains(&format!("`{key}."));
-    Refusal(match reason.strip_prefix(&format!("{value} cannot be: ")) {
+    Refusal(match reason.strip_prefix(&format!("{value} is not possible: ")) {
         Some(advice) => format!("`{key}` cannot be {value}: {advice}"),
         None if is_named => reason,
         None => format!("`{key} = {value}`: {reason}"),
@@ -267,7 +267,7 @@ fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Misplaced> {
         states.extend(further);
         states = distinct(states);
         if states.len() > MOST_STATES {
-            let reason = format!("the values lead to more than {MOST_STATES} states: give fewer");
+            let reason = format!("the values give more than {MOST_STATES} states: give fewer values");
             return Err(misplaced(Refusal(reason)));
         }
     }

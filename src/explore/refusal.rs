@@ -46,7 +46,7 @@ pub fn plain(error: &serde_json::Error) -> String {
     let value = kind.map_or(value.as_str(), |kind| &value[kind.len()..]);
     let wanted = if wanted.starts_with("struct ") { "a map" } else { wanted };
     let wanted = WANTED.iter().find(|(rust, _)| *rust == wanted).map_or(wanted, |(_, words)| words);
-    format!("{value} cannot be: give {wanted}")
+    format!("{value} is not possible: give {wanted}")
 }
 
 /// Types in Rust, and what they take.

@@ -153,7 +153,7 @@ fn state(session: &Session, query: &str) -> Reply {
             let patience = if since.is_some() { PATIENCE } else { Duration::ZERO };
             Reply::json(&session.report(revision, patience))
         }
-        Err(_) => Reply::Error(400, "since is not a revision: give a whole number".into()),
+        Err(_) => Reply::Error(400, "`since` is not a revision: give a whole number".into()),
     }
 }
 
@@ -166,7 +166,7 @@ fn facet(session: &Session, path: &str) -> Option<Reply> {
     }
     Some(match reel.solved() {
         Some(solved) => Reply::json(&(facet.of)(&solved)),
-        None => Reply::Error(409, format!("{id} has no {name}: ask for those of a solve that has ended")),
+        None => Reply::Error(409, format!("{id} has no {name}: request it after the solve has ended")),
     })
 }
 
@@ -205,7 +205,7 @@ fn file(request: &Request<'_>) -> HeightFile {
 /// The recording under the name of its run, once it is complete.
 fn saved_recording(reel: Reel) -> Reply {
     if reel.live.written().is_some() {
-        return Reply::Error(409, format!("{} still runs: wait for its end, or cancel it", reel.id));
+        return Reply::Error(409, format!("{} is still running: wait for its end, or cancel it", reel.id));
     }
     Reply::Recording(RecordingBytes::Live(reel.live), Some(format!("{}.rrd", reel.file_stem)))
 }
@@ -214,7 +214,7 @@ fn saved_recording(reel: Reel) -> Reply {
 fn saved_arrays(reel: &Reel) -> Reply {
     match reel.solved().and_then(|solved| solved.archive()) {
         Some(archive) => Reply::Download(format!("{}.npz", reel.file_stem), archive),
-        None => Reply::Error(409, format!("{} has no arrays: save those of a solve that has ended", reel.id)),
+        None => Reply::Error(409, format!("{} has no arrays: save them after the solve has ended", reel.id)),
     }
 }
 

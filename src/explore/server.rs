@@ -156,7 +156,10 @@ async fn answer<S: Site>(State((site, port, taken)): State<Served<S>>, request: 
     let delivery = (most > Intake::JSON.most).then(|| Delivery::begin(&taken));
     if let Some(None) = delivery {
         tokio::time::timeout(PATIENCE, pass(body, most)).await.ok();
-        return response(Reply::Error(503, "another file is on its way: wait for its end, and send it again".into()));
+        return response(Reply::Error(
+            503,
+            "another file is being sent: wait until it has arrived, and send this one again".into(),
+        ));
     }
     let body = match tokio::time::timeout(PATIENCE, to_bytes(body, most)).await {
         Ok(Ok(body)) => body,

@@ -146,7 +146,7 @@ impl Session {
         if !size.iter().all(|length| WINDOW.contains(length)) {
             let [width, height] = size;
             return Err(Refusal(format!(
-                "a viewer of {width} x {height} points cannot be: give lengths from 1 to 100000"
+                "a viewer cannot have {width} x {height} points: give lengths from 1 to 100000"
             )));
         }
         self.lock().window = Some(size);

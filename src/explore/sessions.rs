@@ -58,7 +58,8 @@ impl Sessions {
             let longest = (0..open.len()).filter(|&i| open[i].is_idle()).min_by_key(|&i| open[i].asked);
             let all_live = || {
                 Refusal(format!(
-                    "{MOST} tabs are open here, which is all that this server has room for: close one of them, and this page goes on by itself"
+                    "{MOST} tabs are open, which is the limit of this server: close one of them, and this page \
+                     continues"
                 ))
             };
             open.remove(longest.ok_or_else(all_live)?).session.close();

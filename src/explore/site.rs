@@ -41,7 +41,7 @@ impl Reply {
     }
 
     pub fn wrong_method(right: &str) -> Self {
-        Self::Error(405, format!("only {right} is answered here"))
+        Self::Error(405, format!("only {right} is accepted here"))
     }
 }
 

@@ -130,7 +130,7 @@ fn record(
     let (title, description) = (report.title.clone(), setup.surface.description());
     let loads = Loads {
         title: title.clone(),
-        description: format!("{description}, each load from the contact before, until contact is full."),
+        description: format!("{description}, each load solved from the previous contact, until the contact is full."),
         axis: LoadAxis::log("p*", loads.to_vec()),
         captions: loads.iter().map(|load| Load::ReducedPressure(*load).to_string()).collect(),
         curves: curves

@@ -32,7 +32,7 @@ struct Errors {
     rows: Vec<Vec<f64>>,
 }
 
-/// What the solver decided, stretch by stretch of steps on which it did the same on the same grid level.
+/// What the solver did, stretch by stretch of steps on which it did the same on the same grid level.
 #[derive(Default, Serialize)]
 struct Decisions {
     stretches: Vec<Stretch>,

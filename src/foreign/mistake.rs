@@ -98,7 +98,11 @@ impl Claim {
         let certificate = trial.fault.certificate;
         Mistake {
             errors: trial.changes.iter().map(|change| change.kind.name()).collect(),
-            sentence: format!("{}; then the certificate is {:.1e}", sentences.join("; and "), certificate.eta),
+            sentence: format!(
+                "{}; with this change the certificate is {:.1e}",
+                sentences.join("; and "),
+                certificate.eta
+            ),
             certificate: certificate.eta,
             pressure_error_bound: certificate.pressure_error_bound,
         }
@@ -113,17 +117,19 @@ impl Claim {
         match change.kind {
             MistakeKind::Arrangement(order) => {
                 let remedy = order.remedy(name, self.surface.grid());
-                format!("the {name}s {} against the heights: give {remedy}", order.words())
+                format!("the {name}s {} relative to the heights: give {remedy}", order.words())
             }
             MistakeKind::Quantity if self.quantity == Quantity::Gap => {
-                "the field is no gap but the displacement: give it by --displacement".into()
+                "the field is the displacement, not the gap: give it with --displacement".into()
             }
-            MistakeKind::Quantity => "the field is no displacement but the gap: give it by --gap".into(),
-            MistakeKind::Heights => "the heights point away from the solid: give -height, with peaks positive".into(),
+            MistakeKind::Quantity => "the field is the gap, not the displacement: give it with --gap".into(),
+            MistakeKind::Heights => {
+                "the heights have the wrong sign: give -height, so that peaks towards the solid are positive".into()
+            }
             _ => match self.quantity {
                 Quantity::Pressure => "the pressures are negative in compression: give -pressure".into(),
                 Quantity::Gap => "the gaps are negative where the surfaces are apart: give -gap".into(),
-                Quantity::Displacement => "the displacements point out of the solid: give -displacement".into(),
+                Quantity::Displacement => "the displacements are positive out of the solid: give -displacement".into(),
             },
         }
     }

@@ -36,7 +36,7 @@ impl CurveRecording {
         let scene = Scene { exact: None, ..Scene::from_setup(&setup, problem) };
         let loads = Loads {
             title: format!("{}, {} loads", scene.title, curve.loads.len()),
-            description: format!("{}, each load from the contact before.", curve.setup.surface.description()),
+            description: format!("{}, each load solved from the previous contact.", curve.setup.surface.description()),
             captions: curve.loads.iter().map(Load::to_string).collect(),
             curves: CURVES
                 .map(|(view, name, colour, _)| RecordedCurve {

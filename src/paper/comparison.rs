@@ -21,7 +21,7 @@ impl Comparison {
             read => read.map_err(|source| FileError::Read { path: path.into(), source })?,
         };
         let rows: csv::Result<Vec<Verdict>> = csv::Reader::from_reader(text.as_slice()).into_deserialize().collect();
-        let reason = "it holds something else than a comparison with the paper: write elsewhere, or remove it";
+        let reason = "it is not a comparison with the paper: give another folder, or remove it";
         let verdicts = rows.map_err(|_| FileError::Target { path: path.into(), reason: reason.into() })?;
         Ok(Self { verdicts })
     }
@@ -62,7 +62,8 @@ impl Comparison {
         let rest = self.verdicts.len() - own().count();
         writeln!(
             out,
-            "\n{good} of {} agree or hold; {rest} are not counted: they follow from others, or are measured otherwise",
+            "\n{good} of {} agree or hold; {rest} are not counted, since they follow from others or are measured \
+             differently",
             own().count()
         )
     }

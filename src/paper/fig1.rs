@@ -18,7 +18,7 @@ const SPHERES: i32 = 5;
 const SHOWN_LINE: usize = 1 << 12;
 const SHOWN_SIDE: usize = 1 << 9;
 
-/// Cylinder and sphere from narrow to wider contacts, the sphere on a grid of `side` points a side.
+/// Cylinder and sphere from narrow to wider contacts, the sphere on a grid of `side` points per side.
 pub fn realisations(side: usize) -> Vec<Realisation> {
     vec![cylinder(LINE, &widths(WIDTHS, CYLINDERS)), sphere(side, &widths(WIDTHS, SPHERES))]
 }

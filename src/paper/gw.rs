@@ -53,12 +53,7 @@ pub fn reproduce() -> Reproduction {
         Verdict::exact("gw.gaussian", "", Gaussian.kappa_r(FAR)),
         depends_on_separation(),
     ];
-    Reproduction::new(
-        "Section 6: Greenwood and Williamson with the gradient over the contact",
-        vec![panel],
-        ramp(),
-        verdicts,
-    )
+    Reproduction::new("Section 6: Greenwood and Williamson with the gradient in contact", vec![panel], ramp(), verdicts)
 }
 
 /// Whether Gaussian heights differ from their limit by more than half of the last digit that the paper prints.

@@ -28,7 +28,7 @@ const MEMORY: f64 = 0.8;
 /// A run that was killed goes on where it was, and its tables are the same to the last bit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Paper {
-    /// Folder of all files; made if it is not there.
+    /// Folder for all files; made if it is not there.
     pub folder: PathBuf,
     /// Rough lines.
     pub lines: Rough,
@@ -52,11 +52,12 @@ pub struct Paper {
 /// How large grids are, and how many surfaces and loads there are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Effort {
-    /// Small grids, short spectra and few loads, to see that it works.
+    /// Use small grids, short spectra and few loads, as a quick test.
     Quick,
-    /// Rough surfaces of up to 8192 points a side, 32 per shortest wavelength, on three grids to extrapolate from.
+    /// Rough surfaces of up to 8192 points per side, 32 per shortest wavelength, on three grids to extrapolate from.
     Usual,
-    /// Rough surfaces of 16384 points a side, the size of the paper as its `eps_c` is read, one for each Hurst exponent.
+    /// Rough surfaces of 16384 points per side, the size of the paper as its `eps_c` is read, one for each Hurst
+    /// exponent.
     Full,
 }
 
@@ -103,7 +104,7 @@ impl Paper {
     /// the points of another study.
     pub(super) fn check(&self, items: &[Item]) -> Result<(), StudyError> {
         if self.folder.is_file() {
-            let reason = "it is a file, give a folder".into();
+            let reason = "it is a file: give a folder".into();
             return Err(FileError::Target { path: self.folder.clone(), reason }.into());
         }
         let comparison = self.file("comparison.csv");

@@ -84,7 +84,7 @@ impl Rough {
 
     /// Checks that there is something to solve, in the right order.
     pub(super) fn check(&self) -> Result<(), StudyError> {
-        check_ascending("points along a side", &self.points)?;
+        check_ascending("points per side", &self.points)?;
         check_ascending("Hurst exponents", &self.hurst)?;
         if self.seeds.is_empty() {
             return Err(StudyError::List { what: "seeds", values: "[]".into() });
@@ -108,7 +108,7 @@ impl Rough {
         points as f64 * self.cutoff / LINE
     }
 
-    /// Points per shortest wavelength of a surface with `side` points along a side.
+    /// Points per shortest wavelength of a surface with `side` points per side.
     pub(super) fn points_per_wave(&self, side: usize) -> f64 {
         side as f64 * self.cutoff / SIDE
     }

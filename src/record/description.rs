@@ -61,7 +61,7 @@ pub fn of_scene(scene: &Scene<'_>, unit: &str) -> String {
     }
     rows.extend(problem.mean_gap().map(|gap| ("mean gap", length(gap))));
     if scene.setup.as_ref().is_some_and(|setup| setup.surface.prepare.mirror.is_some()) {
-        rows.push(("measured part", "outlined by dashes: the rest is its mirror image".into()));
+        rows.push(("measured part", "inside the dashed outline: the rest is its mirror image".into()));
     }
     rows.extend(problem.surface().seed().map(|seed| ("seed", seed.to_string())));
     if let Some(exact) = &scene.exact {

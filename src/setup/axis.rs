@@ -87,11 +87,11 @@ impl ParameterAxis {
     /// [`SetupError::Text`].
     pub fn check_varied(&self) -> Result<(), SetupError> {
         if ["friction", "record"].iter().any(|section| self.path.split('.').next() == Some(section)) {
-            return Err(wrong(&self.path, "it changes no number of a study: give one value".into()));
+            return Err(wrong(&self.path, "it does not change the numbers of a study: give one value".into()));
         }
         let mut seen = BTreeSet::new();
         match (0..self.len()).map(|i| self.word(i)).find(|word| !seen.insert(word.clone())) {
-            Some(word) => Err(wrong(&self.path, format!("{word} is there twice: give each value once"))),
+            Some(word) => Err(wrong(&self.path, format!("{word} occurs twice: give each value once"))),
             None => Ok(()),
         }
     }
@@ -176,9 +176,10 @@ fn item(path: &str, value: &toml::Value) -> Result<ListItem, SetupError> {
     let parse = |word: &str| word.trim().parse::<u64>().ok();
     match (parse(first), parse(last)) {
         (Some(first), Some(last)) if first <= last => Ok(ListItem::Range(first, last)),
-        _ => {
-            Err(wrong(path, format!("`{text}` is no range: write the first and the last whole number, such as 1-100")))
-        }
+        _ => Err(wrong(
+            path,
+            format!("`{text}` is not a range: give the first and the last whole number, such as 1-100"),
+        )),
     }
 }
 

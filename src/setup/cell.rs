@@ -18,7 +18,7 @@ pub enum Boundary {
 impl Boundary {
     /// The boundaries by their names in scenes, in a few words.
     pub const BOUNDARIES: [(&str, &str); 2] =
-        [("periodic", "The cell repeats itself"), ("free", "Nothing presses the solid beyond the cell")];
+        [("periodic", "The cell is repeated periodically"), ("free", "No pressure acts outside the cell")];
 }
 
 /// Points and lengths along the axes of the arrays, in their order: one makes a line, two make a surface.

@@ -26,7 +26,7 @@ impl SetupTable {
             None => return Ok(Vec::new()),
             Some(steps) if steps.as_str() == Some(AUTO) => self.remove(STEPS),
             Some(other) => {
-                let reason = format!("{other} is no way of preparing: give \"{AUTO}\", or the steps one by one");
+                let reason = format!("{other} is not a preparation: give \"{AUTO}\", or the individual steps");
                 return Err(SetupError::Text { place: format!("{STEPS}: "), reason });
             }
         }

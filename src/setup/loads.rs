@@ -65,7 +65,7 @@ impl SetupTable {
         let (Some(text), Some(kind)) = (text, kind) else { return Ok(()) };
         let wrong = |_| {
             let reason =
-                format!("{text:?} has not the form of the normal load, which is a {kind}: give a {kind} as well");
+                format!("{text:?} is not of the same kind as the normal load, which is a {kind}: give a {kind}");
             SetupError::Text { place: format!("{PATH}: "), reason }
         };
         let tangential = read(&kind, text.clone().into()).map_err(wrong);
@@ -82,13 +82,13 @@ fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
     };
     let wrong = || {
         let text = word.as_str().unwrap_or_default();
-        wrong_load(format!("`{text}` is no range: write first..last:number, such as 1e-3..1e-1:13"))
+        wrong_load(format!("`{text}` is not a range: give first..last:number, such as 1e-3..1e-1:13"))
     };
     let (last, count) = rest.rsplit_once(':').ok_or_else(wrong)?;
     let count: u32 = count.trim().parse().ok().filter(|count| *count > 1).ok_or_else(wrong)?;
     if count > MOST_LOADS {
         let text = word.as_str().unwrap_or_default();
-        return Err(wrong_load(format!("`{text}` holds too many loads: give at most {MOST_LOADS}")));
+        return Err(wrong_load(format!("`{text}` has too many loads: give at most {MOST_LOADS}")));
     }
     let end = |end: &str| if end.is_empty() { Err(wrong()) } else { load(kind, super::command::value(end)) };
     let (first, last) = (end(first.trim())?, end(last.trim())?);

@@ -27,7 +27,7 @@ impl Default for Method {
 impl Method {
     /// The methods by their names in scenes, in a few words.
     pub const METHODS: [(&str, &str); 3] = [
-        ("multilevel", "Whole-set updates on nested grids, the fast one"),
+        ("multilevel", "Active-set method on nested grids; the fastest"),
         ("polonsky-keer", "Constrained conjugate gradients"),
         ("gfmd", "Green's function molecular dynamics, the paper's method"),
     ];
@@ -107,8 +107,8 @@ impl Method {
     pub fn transforms(&self) -> &'static str {
         match self {
             Self::Multilevel {} => "about 100, on any grid",
-            Self::PolonskyKeer {} => "two to four a step; finer grids take more steps",
-            Self::Gfmd(_) => "two to four a step and some for certificates",
+            Self::PolonskyKeer {} => "two to four per step; finer grids need more steps",
+            Self::Gfmd(_) => "two to four per step, and some for certificates",
         }
     }
 

@@ -21,7 +21,7 @@ pub enum Part {
     Mesh,
     /// Power spectra of displacement and heights.
     Spectrum,
-    /// Where the error sits: the density of the error in energy.
+    /// Where the error is: the density of the error in energy.
     Error,
     /// The largest shear stress below a line, or in a vertical cut below a surface.
     Stress,
@@ -33,7 +33,7 @@ pub enum Part {
     Waterfall,
     /// The elastic energy step by step against the wavelength.
     Energy,
-    /// What the solver decided: grid level, kind of step, nodes in and out, the end.
+    /// What the solver did: grid level, kind of step, nodes in and out, the end.
     Decisions,
     /// Extreme Ritz values of conjugate gradients.
     Ritz,
@@ -83,21 +83,28 @@ impl Part {
         ("fields", "Pressure and gap: curves of a line, images of a surface"),
         ("mask", "Contact: segments of a line, an image of a surface"),
         ("mesh", "Relief of a surface"),
-        ("spectrum", "Power spectra of displacement and heights; only if asked for, as all below"),
-        ("error", "Where the error sits, the density of the error in energy; of other codes it is usual"),
+        (
+            "spectrum",
+            "Power spectra of displacement and heights; this part and those below are recorded only if you name them",
+        ),
+        (
+            "error",
+            "Where the error is: the density of the energy error; recorded by default for results of other codes",
+        ),
         ("stress", "Largest shear stress below a line, or in a vertical cut through the highest peak of a surface"),
-        ("fringes", "The same as photoelastic fringes: dark wherever 2 tau_max is a whole number of orders"),
+        (
+            "fringes",
+            "The largest shear stress as photoelastic fringes: dark where 2 tau_max is a whole number of fringe orders",
+        ),
         (
             "raster",
-            "Contact by step and place: how long each node has been as it is; of a surface along a row and a column",
+            "Contact by step and position: for how many steps each node has kept its state; for a surface, along a \
+             row and a column",
         ),
-        (
-            "waterfall",
-            "Error by step and wavelength against the final state, which is solved for first: the work twice",
-        ),
+        ("waterfall", "Error by step and wavelength, compared with the final state; solves twice"),
         ("energy", "Elastic energy by step and wavelength"),
-        ("decisions", "Grid level, kind of step, nodes in and out, and the end, as lanes"),
-        ("ritz", "Extreme Ritz values of conjugate gradients: the condition number that they saw"),
+        ("decisions", "Grid level, kind of step, nodes that enter and leave the contact, and the end, as lanes"),
+        ("ritz", "Extreme Ritz values of conjugate gradients, whose ratio is their condition number"),
     ];
 }
 

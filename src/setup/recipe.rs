@@ -257,7 +257,7 @@ impl Recipe {
     pub fn description(&self) -> String {
         let steps = if self.prepare.is_none() { String::new() } else { format!(" ({})", self.prepare.description()) };
         let file = self.height.as_ref().map(|file| format!("heights from {}{steps}", file.display()));
-        let against = self.against.as_ref().map(|file| format!("pressed on those from {}{steps}", file.display()));
+        let against = self.against.as_ref().map(|file| format!("pressed on heights from {}{steps}", file.display()));
         let smooth = self.indenter.map(|indenter| {
             let values = indenter.parameters().into_iter().map(|(name, value)| format!(", {name} {value:?}"));
             format!("{}{}", indenter.name(), values.collect::<String>().replace('_', " "))
@@ -281,7 +281,7 @@ impl Recipe {
 
 /// The channel of a file.
 #[derive(Deserialize)]
-#[serde(untagged, expecting = "give the name of a channel, or its number from 1 on")]
+#[serde(untagged, expecting = "give the name of a channel, or its number (1, 2, ...)")]
 enum NameOrNumber {
     Name(String),
     Number(u64),

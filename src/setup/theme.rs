@@ -16,7 +16,7 @@ pub enum Theme {
 impl Theme {
     /// The themes by their names in scenes, in a few words.
     pub const THEMES: [(&str, &str); 2] =
-        [("dark", "Light lines on a dark ground"), ("light", "Dark lines on white, for paper and bright rooms")];
+        [("dark", "Light lines on a dark background"), ("light", "Dark lines on white, for paper and bright rooms")];
 
     /// Whether it is the dark one, which needs no mention.
     pub fn is_dark(&self) -> bool {

@@ -28,7 +28,7 @@ pub enum ColumnValues {
 
 impl ColumnValues {
     /// How many there are.
-    #[allow(clippy::len_without_is_empty, reason = "columns are asked for rows, not for none")]
+    #[allow(clippy::len_without_is_empty, reason = "columns are made for at least one row")]
     pub fn len(&self) -> usize {
         match self {
             Self::Whole(values) => values.len(),

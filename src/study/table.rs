@@ -148,7 +148,7 @@ fn finished<T>(
     path: &Path,
     mut read: impl FnMut(&StringRecord, &StringRecord) -> csv::Result<T>,
 ) -> Result<Vec<T>, FileError> {
-    let reason = "it holds something else than the points of a study: write elsewhere, or remove it";
+    let reason = "it is not a table of a study: give another name, or remove it";
     let refuse = |_| FileError::Target { path: path.into(), reason: reason.into() };
     let text = bytes(path)?;
     let mut csv = csv::Reader::from_reader(text.as_slice());

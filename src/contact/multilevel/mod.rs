@@ -125,7 +125,7 @@ impl Multilevel {
         if grid.is_line() { 4.0 + 3.0 * relative_area } else { 2.0 + 2.0 / 3.0 + 9.1 * relative_area }
     }
 
-    /// Grids that it works on above `grid` at the most: coarse ones, each of half as many points along a side.
+    /// Grids that it works on above `grid` at the most: coarse ones, each of half as many points per side.
     pub fn coarse_grids(grid: &Grid) -> usize {
         std::iter::successors(halved(grid), halved).count()
     }
@@ -137,7 +137,7 @@ impl Solver for Multilevel {
     }
 
     fn settings(&self) -> String {
-        "whole-set updates on nested grids, guarded".into()
+        "active-set updates on nested grids, with a safeguard".into()
     }
 
     fn solve_from(

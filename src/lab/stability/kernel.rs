@@ -89,7 +89,7 @@ impl Kernel {
 
 impl fmt::Display for Kernel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "displacement of the check beside a sum over images {:>12}", "difference")?;
+        writeln!(f, "displacement of the check and of a sum over images {:>12}", "difference")?;
         self.differences.iter().try_for_each(|(name, difference)| writeln!(f, "{name:<50} {difference:>12.1e}"))
     }
 }

@@ -17,7 +17,7 @@ pub enum TrialVerdict {
     Refused,
     /// The solver says that it has not converged.
     NotConverged,
-    /// The solver and the check disagree, or there was a panic: this must never happen.
+    /// The solver and the check disagree, or there was a panic: this this must never happen.
     Wrong,
 }
 

@@ -109,7 +109,8 @@ fn log(to: &RecordingStream, recordings: &[Playback], runs: &[ComparedRun<'_>]) 
     let curves = observables.into_iter().map(|observable| log_curves(to, runs, observable));
     let curves = curves.collect::<RecordingStreamResult<Vec<_>>>()?;
     let rows: String = runs.iter().map(ComparedRun::row).collect();
-    let about = "All curves are drawn over the active timeline: pick `transforms` or `seconds` instead of `step` to compare work.";
+    let about =
+        "The curves use the selected timeline: choose `transforms` or `seconds` instead of `step` to compare the work.";
     let text = TextDocument::from_markdown(format!(
         "| run | recording | result | differs in |\n|---|---|---|---|\n{rows}\n{about}"
     ));

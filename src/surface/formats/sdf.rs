@@ -72,7 +72,7 @@ impl Header {
         self.refuse_codes()?;
         let [x, y, z] = self.scale;
         if !(z > 0.0 && z.is_finite()) {
-            return Err(malformed(format!("it says that a unit of its heights is {z:?} metres")));
+            return Err(malformed(format!("it states that a unit of its heights is {z:?} metres")));
         }
         let shape = nodes(self.shape[0], self.shape[1], size, bytes)?;
         let is_profile = shape[0] == 1;
@@ -89,8 +89,10 @@ impl Header {
     fn refuse_codes(&self) -> io::Result<()> {
         match (self.compression, self.check) {
             (0, 0) => Ok(()),
-            (0, check) => Err(malformed(format!("its type of check sum is {check}: write it without"))),
-            (compression, _) => Err(malformed(format!("its compression is {compression}: write it without"))),
+            (0, check) => Err(malformed(format!("it has a check sum of type {check}: save it without one"))),
+            (compression, _) => {
+                Err(malformed(format!("it has a compression of type {compression}: save it without compression")))
+            }
         }
     }
 }
@@ -127,8 +129,8 @@ fn find<'a>(header: &'a [(String, String)], name: &str) -> Option<&'a str> {
 }
 
 fn number<T: FromStr>(header: &[(String, String)], name: &str) -> io::Result<T> {
-    let value = find(header, name).ok_or_else(|| malformed(format!("its header does not say {name}")))?;
-    value.parse().map_err(|_| malformed(format!("its header says {name} = {value:?}")))
+    let value = find(header, name).ok_or_else(|| malformed(format!("its header has no {name}")))?;
+    value.parse().map_err(|_| malformed(format!("its header has the invalid value {name} = {value:?}")))
 }
 
 /// A number that stands for something, or the name of it; zero if it is not said.
@@ -147,7 +149,7 @@ fn height(word: &str, numbers: Option<NumberType>, is_iso: bool) -> io::Result<f
     if word.eq_ignore_ascii_case("BAD") {
         return Ok(f64::NAN);
     }
-    let value = word.parse().map_err(|_| malformed(format!("it holds {word:?} among its heights")))?;
+    let value = word.parse().map_err(|_| malformed(format!("its heights contain {word:?}")))?;
     Ok(numbers.map_or(value, |it| it.known(value, is_iso)))
 }
 

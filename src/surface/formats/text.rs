@@ -29,7 +29,7 @@ fn read(file: &mut dyn ReadSeek, _: &ArrayRequest) -> io::Result<ArrayD<f64>> {
     file.rewind()?;
     file.read_to_end(&mut bytes)?;
     if bytes.iter().any(is_control) {
-        return Err(malformed("it is no .npy file, and not all of it is text"));
+        return Err(malformed("it is neither a .npy file nor a text file"));
     }
     let table = TextTable::from_text(&String::from_utf8_lossy(&bytes))?;
     let array = match table.shape() {

@@ -58,7 +58,7 @@ fn a_tab_too_many_waits(explorer: &Explorer, page: &mut Page) {
     assert_eq!(page.value(take), 503);
     let before = open_tab(explorer, page);
     page.until("document.body.dataset.server === 'full'");
-    assert!(page.text(FAULT).starts_with("4 tabs are open here"), "{}", page.text(FAULT));
+    assert!(page.text(FAULT).starts_with("4 tabs are open, which"), "{}", page.text(FAULT));
     let waiting = page.chromium.switch_to(before);
     page.value("location.href = 'about:blank'; true");
     page.until("location.href === 'about:blank'");

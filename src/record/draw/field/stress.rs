@@ -106,7 +106,9 @@ impl StressDrawing {
         let cut = if self.grid.is_line() { "below the line" } else { "in a cut through the highest peak" };
         let colours = format!("Largest shear stress τ_max {cut} (ν = {})", self.poisson);
         let order = self.per_order / self.contact_modulus;
-        let fringes = format!("Photoelastic fringes, dark field: 2 τ_max grows by {order:.0e} E* from dark to dark");
+        let fringes = format!(
+            "Photoelastic fringes, dark field: 2 τ_max increases by {order:.0e} E* from one dark fringe to the next"
+        );
         [(colours, &self.colours), (fringes, &self.fringes)]
             .into_iter()
             .filter_map(|(title, image)| Some((title, image.as_ref()?)))
