@@ -137,7 +137,7 @@ observables! {
     relative_area_counted: f64, "a_rel, counted", "1", true, |it| it.counted.relative_area,
         "Relative contact area as the fraction of nodes in contact.";
     relative_area_corrected: f64, "a_rel, corrected", "1", false, |it| it.counted.relative_area_corrected,
-        "Share of nodes in contact, minus the mean excess of counted nodes at the edges.";
+        "Fraction of nodes in contact, minus the mean excess of counted nodes at the edges.";
     rms_height: f64, "h_rms", "length", false, |it| it.problem.rms_height(),
         "Root mean square of the heights about their mean.";
     rms_gradient: f64, "g_rms", "1", false, |it| it.problem.rms_gradient(),
@@ -149,21 +149,21 @@ observables! {
     rms_gradient_contact_corrected: f64, "g_r, corrected", "1", false, |it| it.counted.rms_gradient_contact_corrected,
         "Root-mean-square gradient of the nodes in contact, minus the mean excess of counted nodes at the edges.";
     kappa: f64, "kappa", "1", true, |it| it.resolved.relative_area / it.counted.reduced_pressure,
-        "Relative contact area over reduced pressure, with contact edges interpolated between grid nodes.";
+        "Relative contact area divided by reduced pressure, with contact edges interpolated between grid nodes.";
     kappa_counted: f64, "kappa, counted", "1", false, |it| it.counted.kappa,
-        "Share of nodes in contact over reduced pressure.";
+        "Fraction of nodes in contact divided by reduced pressure.";
     kappa_corrected: f64, "kappa, corrected", "1", false, |it| it.counted.relative_area_corrected / it.counted.reduced_pressure,
-        "Corrected relative contact area over reduced pressure.";
+        "Corrected relative contact area divided by reduced pressure.";
     kappa_r: f64, "kappa_r", "1", true, |it| it.resolved.kappa_r,
-        "Relative contact area over the reduced pressure with the rms gradient of the contact, with contact edges interpolated between grid nodes.";
+        "Relative contact area divided by the reduced pressure with the rms gradient of the contact, with contact edges interpolated between grid nodes.";
     kappa_r_counted: f64, "kappa_r, counted", "1", true, |it| it.counted.kappa_r,
-        "Share of nodes in contact over the reduced pressure with the rms gradient of these nodes.";
+        "Fraction of nodes in contact, divided by the reduced pressure with the rms gradient of these nodes.";
     kappa_r_corrected: f64, "kappa_r, corrected", "1", false, |it| it.counted.kappa_r_corrected,
-        "Corrected relative contact area over the reduced pressure with the corrected rms gradient of the contact.";
+        "Corrected relative contact area divided by the reduced pressure with the corrected rms gradient of the contact.";
     mean_gap: f64, "<g>", "length", false, |it| *it.mean_gap,
         "Mean gap between the surfaces.";
     mean_gap_over_rms_height: f64, "<g> / h_rms", "1", true, |it| *it.mean_gap / it.problem.rms_height(),
-        "Mean gap over the rms height.";
+        "Mean gap divided by the rms height.";
     elastic_energy: f64, "U", "pressure length", false, |it| *it.elastic_energy,
         "Elastic energy per area: half the mean of pressure times displacement.";
     approach: f64, "d", "length", false, |it| *it.approach,
@@ -173,13 +173,13 @@ observables! {
     max_pressure: f64, "p_max", "pressure", false, |it| *it.max_pressure,
         "Largest pressure.";
     max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
-        "Largest pressure over the contact modulus.";
+        "Largest pressure divided by the contact modulus.";
     patches: usize, "n", "1", true, |it| it.patches.count(),
         "Number of contact patches.";
     nodes_per_patch: f64, "n_c / n", "1", false, |it| it.resolution().nodes_per_patch,
         "Nodes in contact per contact patch.";
     unresolved_share: f64, "n_c < few / n_c", "1", false, |it| it.resolution().unresolved_share,
-        "Share of the nodes in contact that are in patches too small to trust: of fewer than 4 nodes on lines, 12 on surfaces.";
+        "Fraction of the nodes in contact that are in patches too small to trust: fewer than 4 nodes on lines, 12 on surfaces.";
     edges_of_shape: f64, "n_e / n", "1", false, |it| it.resolved.edges_of_shape as f64 / (it.resolved.edges.max(1)) as f64,
         "Fraction of the contact edges that are given by the shape of the surface, such as the rim of a punch.";
     relative_area_error: f64, "|da| / a_rel", "1", false, |it| it.resolution().relative_area_error,
@@ -193,9 +193,9 @@ observables! {
     certificate_gap: f64, "eta_D", "1", false, |it| it.certificate.eta_gap,
         "Certificate at a given mean gap, divided by the remaining gap: the order of magnitude of the relative error of the load.";
     mean_gap_error_bound: f64, "|d<g>| / h_rms", "1", false, |it| it.certificate.mean_gap_error_bound,
-        "Bound of the error of the mean gap over the rms height.";
+        "Bound of the error of the mean gap, divided by the rms height.";
     penetration: f64, "-min g / h_rms", "1", false, |it| it.certificate.penetration,
-        "Largest penetration over the rms height.";
+        "Largest penetration divided by the rms height.";
     load_error: f64, "|dl| / l", "1", false, |it| it.certificate.load_error,
         "Error of the load, relative to the given load; at a given mean gap, relative to the rms height.";
     stiffness: f64, "k", "pressure/length", false, |it| it.stiffness,
@@ -203,7 +203,7 @@ observables! {
     mean_pressure_error: f64, "|d<p>| / <p>", "1", false, |it| it.mean_pressure_error(),
         "Relative error of the mean pressure at a given mean gap, to first order, from the contact stiffness; 0 if the pressure is given.";
     iterations: usize, "iterations", "1", false, |it| it.work.iterations,
-        "Relaxation steps of the solver.";
+        "Iterations of the solver.";
     transforms: u64, "transforms", "1", false, |it| it.work.transforms,
         "Fourier transforms, forward and inverse.";
 }

@@ -140,7 +140,7 @@ fn a_slow_run_is_explained(page: &mut Page) {
     page.until("document.body.dataset.why === latest().id");
     let told = page.text("byId('why-causes').innerText");
     assert!(told.starts_with("The damping is too strong: 8 times the best one for the longest wave"), "{told}");
-    assert!(told.contains("All waves have the same mass") && told.contains("Area and κ_r stand within 1 %"), "{told}");
+    assert!(told.contains("All waves have the same mass") && told.contains("Area and κ_r are within 1 %"), "{told}");
     for id in ["why-contact", "why-errors", "why-decisions"] {
         let drawn = format!(
             "(() => {{ const it = byId('{id}'); const {{ data }} = it.getContext('2d').getImageData(0, 0, it.width, it.height); \
