@@ -171,7 +171,7 @@ impl Certify {
         }
         warnings::print(&verdict.warnings);
         #[cfg(feature = "record")]
-        self.shown.tell();
+        self.shown.report();
         self.out.iter().for_each(|path| wrote(path));
         Ok(())
     }

@@ -43,7 +43,7 @@ pub fn settle(contact: &Contact) -> Result<ExitStatus> {
 }
 
 /// A failure with what it is, where that decides how the command ends.
-pub fn untold(failure: Failure) -> anyhow::Error {
+pub fn with_file_error(failure: Failure) -> anyhow::Error {
     failure.downcast::<FileError>().map_or_else(|other| anyhow!(other), |file| anyhow::Error::new(*file))
 }
 

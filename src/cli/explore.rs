@@ -1,9 +1,9 @@
 //! `asperity explore`: the interactive page.
 
-use super::exit_status::{ExitStatus, Usage, untold, usage};
+use super::command_style::remark;
+use super::exit_status::{ExitStatus, Usage, usage, with_file_error};
 use super::flags::{OfSetup, SceneArgs};
 use super::interrupt::interrupted;
-use super::manners::remark;
 use super::warnings::print;
 use anyhow::Result;
 use asperity::explore::{Explorer, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, SiteExport, Start};
@@ -151,7 +151,7 @@ fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<ExitStatus> {
         }
         if interrupted.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    export.write(folder, &mut goes_on).map_err(untold)?;
+    export.write(folder, &mut goes_on).map_err(with_file_error)?;
     writeln!(stdout(), "{}: {} runs; copy this folder to any web server", folder.display(), export.runs())?;
     Ok(ExitStatus::Done)
 }

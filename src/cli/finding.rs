@@ -7,7 +7,7 @@ use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const TOLD: [&str; 37] = [
+const IN_OTHER_ROWS: [&str; 37] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
@@ -160,7 +160,7 @@ impl Finding {
     /// The observables that no other row holds.
     fn others(&self, units: Units) -> impl Iterator<Item = (String, String)> {
         let values = serde_json::to_value(self.observables).unwrap_or_default();
-        let others = OBSERVABLES.iter().filter(|observable| !TOLD.contains(&observable.name));
+        let others = OBSERVABLES.iter().filter(|observable| !IN_OTHER_ROWS.contains(&observable.name));
         others.filter_map(move |observable| {
             let value = values[observable.name].as_f64()?;
             let words = if observable.unit == "length" { units.length(value) } else { format!("{value:.6e}") };

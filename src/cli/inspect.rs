@@ -168,7 +168,7 @@ impl Inspect {
             if self.json { write_json(&iteration, &mut stdout())? } else { iteration.write_text(&mut stdout())? }
         }
         #[cfg(feature = "record")]
-        self.shown.tell();
+        self.shown.report();
         settle(&contact)
     }
 

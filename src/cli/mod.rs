@@ -5,6 +5,7 @@ mod bench;
 mod certify;
 mod choice;
 mod claim_report;
+mod command_style;
 #[cfg(feature = "record")]
 mod compare;
 mod completions;
@@ -22,7 +23,6 @@ mod interrupt;
 mod iteration;
 mod load_curve;
 mod man;
-mod manners;
 mod nodes;
 mod output;
 mod outputs;
@@ -64,7 +64,7 @@ struct Cli {
     #[command(subcommand)]
     command: Command,
     #[command(flatten)]
-    manners: manners::Manners,
+    style: command_style::CommandStyle,
 }
 
 /// What the program is built from.
@@ -160,8 +160,8 @@ fn is_unheard(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
-fn carry_out(Cli { command, manners }: Cli) -> anyhow::Result<ExitStatus> {
-    manners.keep()?;
+fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
+    style.apply()?;
     match command {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),

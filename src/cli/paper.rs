@@ -89,7 +89,7 @@ impl PaperCommand {
         writeln!(stdout())?;
         comparison.write_text(&mut stdout())?;
         let points = paper.all_points(&items)?;
-        points.iter().filter(|point| !point.is_converged()).try_for_each(tell)?;
+        points.iter().filter(|point| !point.is_converged()).try_for_each(warn)?;
         wrote(&self.out);
         settled(&points, Point::has_contact)
     }
@@ -199,7 +199,7 @@ fn show(bar: &ProgressBar, event: Event<'_>) {
     }
 }
 
-fn tell(Point { name, ny, nx, hurst, seed, observables, .. }: &Point) -> Result<()> {
+fn warn(Point { name, ny, nx, hurst, seed, observables, .. }: &Point) -> Result<()> {
     let [hurst, seed] = [hurst.unwrap_or(f64::NAN), seed.map_or(f64::NAN, |seed| seed as f64)];
     let (p, eta) = (observables.reduced_pressure, observables.certificate);
     let place = format!("{name}, {ny} x {nx} points, H {hurst}, seed {seed}, p* {p:.3e}");

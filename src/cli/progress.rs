@@ -1,6 +1,6 @@
 //! A progress bar for people at a terminal.
 
-use super::manners::is_quiet;
+use super::command_style::is_quiet;
 use asperity::contact::{Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
 use asperity::job::{Pass, Watcher};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_steady_fall_tells_its_end() {
+    fn a_steady_fall_predicts_its_end() {
         let fall = |n: usize| trend((0..n).map(|i| (10.0 + i as f64, -0.5 * i as f64)));
         assert!((fall(20).meets(-20.0).unwrap() - 50.0).abs() < 1e-9);
         assert!(fall(4).meets(-20.0).is_some() && fall(3).meets(-20.0).is_none() && fall(0).meets(-20.0).is_none());

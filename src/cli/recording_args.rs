@@ -32,7 +32,7 @@ impl RecordingArgs {
     }
 
     /// Says that the recording was written, if one was.
-    pub fn tell(&self) {
+    pub fn report(&self) {
         self.record.iter().for_each(|path| wrote(path));
     }
 

@@ -1,7 +1,7 @@
 //! The stress below the contact that a solve has found, in a file.
 
+use super::command_style::remark;
 use super::exit_status::{Usage, usage};
-use super::manners::remark;
 use anyhow::Result;
 use asperity::Grid;
 use asperity::contact::{Contact, archive_of_stress};

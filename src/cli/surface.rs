@@ -164,7 +164,7 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
         points: grid.shape()[outer..].to_vec(),
         size: grid.size()[outer..].to_vec(),
         spacing: grid.spacing()[outer..].to_vec(),
-        steps: prepared.as_ref().map(|it| it.told.clone()).unwrap_or_default(),
+        steps: prepared.as_ref().map(|it| it.effects.clone()).unwrap_or_default(),
         voids,
         survey: None,
         seed: recipe.spectrum.map(|_| recipe.seed()),

@@ -1,7 +1,7 @@
 //! Warnings on standard error, with the flags that help.
 
+use super::command_style::remark;
 use super::exit_status::usage;
-use super::manners::remark;
 use anyhow::Result;
 use asperity::setup::FLAGS;
 use asperity::warning::{Remedy, Warning};

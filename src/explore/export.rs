@@ -4,9 +4,9 @@ use super::facet::{FACETS, MOTION};
 use super::knobs::Knobs;
 use super::lesson::{Lesson, LessonStep};
 use super::page::Page;
-use super::reel::Reel;
 use super::refusal::Refusal;
 use super::session::{RunKind, Session, Stock};
+use super::session_recording::SessionRecording;
 use crate::contact::{Failure, OBSERVABLES};
 use crate::files::fill_folder;
 use crate::record::Output;
@@ -101,10 +101,10 @@ impl SiteExport {
         let mut runs = Vec::new();
         for (done, (kind, knobs)) in self.wanted.iter().enumerate() {
             let id = solve(session, *kind, knobs, &mut || goes_on(done))?;
-            let reel = session.reel(&id).ok_or("a recording is missing")?;
-            copy(&reel.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
-            runs.push(serde_json::to_value(reel.told())?);
-            let script = format!("SOLVED.facets[\"{id}\"] = {};\n", rounded(facets(&reel)));
+            let recording = session.recording(&id).ok_or("a recording is missing")?;
+            copy(&recording.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
+            runs.push(serde_json::to_value(recording.report())?);
+            let script = format!("SOLVED.facets[\"{id}\"] = {};\n", rounded(facets(&recording)));
             write(folder.join("run").join(format!("{id}.js")), script)?;
         }
         let Self { lessons, start, .. } = self;
@@ -113,8 +113,8 @@ impl SiteExport {
 }
 
 /// All facets of a run, or the motion of a sweep.
-fn facets(reel: &Reel) -> Value {
-    match (reel.solved(), reel.swept()) {
+fn facets(recording: &SessionRecording) -> Value {
+    match (recording.solved(), recording.swept()) {
         (Some(solved), _) => FACETS.iter().map(|it| (it.name.to_owned(), (it.of)(&solved))).collect(),
         (None, motion) => json!({ MOTION: motion }),
     }

@@ -1,8 +1,8 @@
 //! Facets: what can be asked of a run that has ended, beyond its report.
 
 use super::patches::PatchTable;
-use super::reel::SolvedRun;
 use super::section::{Section, Shear};
+use super::session_recording::SolvedRun;
 use super::why::Why;
 use serde_json::{Value, json};
 

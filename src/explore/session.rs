@@ -5,9 +5,9 @@ use super::hand::{Held, Hold};
 use super::height_knobs::HeightKnobs;
 use super::knobs::Knobs;
 use super::motion::Motion;
-use super::reel::{Ended, RecordingReport, Reel, SolvedRun};
 use super::refusal::Refusal;
 use super::report::{KnownFault, Numbers, Report, SweepReport};
+use super::session_recording::{Ended, RecordingReport, SessionRecording, SolvedRun};
 use super::source::{SceneFile, SurfaceSource};
 use super::step_numbers::StepNumbers;
 use crate::contact::{Contact, Failure};
@@ -56,7 +56,7 @@ struct SessionState {
     running: bool,
     closed: bool,
     /// The latest recordings, the newest last.
-    recordings: VecDeque<Reel>,
+    recordings: VecDeque<SessionRecording>,
     heights: Option<Heights>,
     scene: Option<Arc<SceneFile>>,
     every: Option<usize>,
@@ -66,27 +66,27 @@ struct SessionState {
 
 impl SessionState {
     /// Keeps a recording, and drops the oldest one that is not pinned.
-    fn keep(&mut self, reel: Reel) {
-        self.recordings.push_back(reel);
+    fn keep(&mut self, recording: SessionRecording) {
+        self.recordings.push_back(recording);
         if self.recordings.len() > RECORDINGS {
-            let is_free = |reel: &Reel| Some(&reel.id) != self.report.pinned.as_ref();
+            let is_free = |recording: &SessionRecording| Some(&recording.id) != self.report.pinned.as_ref();
             self.recordings.iter().position(is_free).map(|place| self.recordings.remove(place));
         }
     }
 
-    fn reel(&self, id: &str) -> Option<&Reel> {
-        self.recordings.iter().find(|reel| reel.id == id)
+    fn recording(&self, id: &str) -> Option<&SessionRecording> {
+        self.recordings.iter().find(|recording| recording.id == id)
     }
 
     /// Notes what came of a recording.
     fn end(&mut self, id: &str, ended: Ended) {
-        let reel = self.recordings.iter_mut().find(|reel| reel.id == id);
-        reel.into_iter().for_each(|reel| reel.ended = Some(ended.clone()));
+        let recording = self.recordings.iter_mut().find(|recording| recording.id == id);
+        recording.into_iter().for_each(|recording| recording.ended = Some(ended.clone()));
     }
 
     /// The curves of the recording that is pinned.
     fn ghost(&self) -> Option<Arc<Ghost>> {
-        Some(Arc::clone(&self.reel(self.report.pinned.as_ref()?)?.solved()?.curves))
+        Some(Arc::clone(&self.recording(self.report.pinned.as_ref()?)?.solved()?.curves))
     }
 }
 
@@ -225,7 +225,7 @@ impl Session {
 
     /// Has the curves of the recording of that name, if it can still be read, stand beside those of new ones, or of none.
     pub(super) fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
-        if let Some(name) = name.as_ref().filter(|name| self.reel(name).is_none()) {
+        if let Some(name) = name.as_ref().filter(|name| self.recording(name).is_none()) {
             return Err(Refusal(format!(
                 "there is no recording {name:?} to pin: choose one of the latest {RECORDINGS}"
             )));
@@ -234,13 +234,13 @@ impl Session {
     }
 
     /// The recording of that name, if it is one of the latest.
-    pub(super) fn reel(&self, name: &str) -> Option<Reel> {
-        self.lock().reel(name).cloned()
+    pub(super) fn recording(&self, name: &str) -> Option<SessionRecording> {
+        self.lock().recording(name).cloned()
     }
 
     /// What is told of the latest recordings that are complete, from the oldest one on.
-    pub(super) fn told(&self) -> Vec<RecordingReport> {
-        self.lock().recordings.iter().filter_map(Reel::told).collect()
+    pub(super) fn reports(&self) -> Vec<RecordingReport> {
+        self.lock().recordings.iter().filter_map(SessionRecording::report).collect()
     }
 
     /// Waits for an order; none when the session is closed.
@@ -286,11 +286,11 @@ impl Turn<'_> {
         self.session.lock().ghost()
     }
 
-    pub fn keep(self, reel: Reel) {
-        self.session.change(|state| state.keep(reel));
+    pub fn keep(self, recording: SessionRecording) {
+        self.session.change(|state| state.keep(recording));
     }
 
-    pub fn tell(self, news: impl FnOnce(&mut Report)) {
+    pub fn update_report(self, news: impl FnOnce(&mut Report)) {
         self.session.change(|state| news(&mut state.report));
     }
 

@@ -2,10 +2,10 @@
 
 use super::knobs::Knobs;
 use super::motion::Motion;
-use super::reel::Reel;
 use super::report::{ExactNumbers, SweepPoint, SweepReport, file_stem};
 use super::section::Section;
 use super::session::Turn;
+use super::session_recording::SessionRecording;
 use crate::contact::{Contact, Each, Failure, Law, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
 use crate::plot::Colour;
@@ -72,7 +72,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     };
     let heaviest = at_load(&problem, heaviest(&loads))?;
     let (recording, live) = record(turn, &report, &setup, &heaviest, &loads, &curves)?;
-    turn.keep(Reel::new(&report.id, &report.file_stem, live));
+    turn.keep(SessionRecording::new(&report.id, &report.file_stem, live));
     let mut press = Press {
         turn,
         setup: &setup,
@@ -82,7 +82,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
         row: None,
         motion: Motion::default(),
     };
-    press.tell();
+    press.publish();
     let pressed = press.all(&problem, &loads);
     press.report.ended = true;
     let Press { report, motion, .. } = press;
@@ -201,11 +201,11 @@ impl Press<'_> {
         self.report.points.push(point);
         let row = *self.row.get_or_insert_with(|| contact.highest_row());
         self.motion.add_load(number, Section::from_load(contact, row));
-        self.tell();
+        self.publish();
         Ok(())
     }
 
-    fn tell(&self) {
-        self.turn.tell(|news| news.sweep = Some(self.report.clone()));
+    fn publish(&self) {
+        self.turn.update_report(|news| news.sweep = Some(self.report.clone()));
     }
 }

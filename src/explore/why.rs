@@ -1,6 +1,6 @@
 //! Why a run took as long as it did, as the page tells it.
 
-use super::reel::SolvedRun;
+use super::session_recording::SolvedRun;
 use crate::contact::{Observer, Step, Wish};
 use crate::diagnosis::{Diagnosis, Findings, Reference, SpectrogramRow};
 use serde::Serialize;

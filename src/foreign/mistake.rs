@@ -70,18 +70,18 @@ impl Claim {
             true => pairs().filter_map(|pair| CorrectedClaim::new(self, &pair)).filter(explains).collect(),
             false => alone,
         };
-        self.told(trials, poisson)
+        self.reported(trials, poisson)
     }
 
     /// The best of some trials, in words. Of factors that have a known cause only these are told.
-    fn told(&self, trials: Vec<CorrectedClaim>, poisson: &[f64]) -> Vec<Mistake> {
+    fn reported(&self, trials: Vec<CorrectedClaim>, poisson: &[f64]) -> Vec<Mistake> {
         let best = trials.iter().map(|trial| trial.fault.size).fold(f64::INFINITY, f64::min);
         let factor = |trial: &CorrectedClaim| trial.changes.iter().find_map(|change| self.factor(change, poisson));
         let is_known = trials.iter().filter_map(factor).any(|factor| factor.is_known());
-        let is_told = |trial: &&CorrectedClaim| {
+        let is_reported = |trial: &&CorrectedClaim| {
             trial.fault.size <= FAR * best && factor(trial).is_none_or(|factor| factor.is_known() || !is_known)
         };
-        trials.iter().filter(is_told).map(|trial| self.mistake(trial, poisson)).collect()
+        trials.iter().filter(is_reported).map(|trial| self.mistake(trial, poisson)).collect()
     }
 
     /// The factor of an error that has one.

@@ -70,12 +70,12 @@ impl Comparison {
 
     /// Writes why numbers differ, each reason once.
     fn write_reasons(&self, out: &mut dyn Write) -> io::Result<()> {
-        let mut told: Vec<&str> = vec![""];
+        let mut reasons: Vec<&str> = vec![""];
         for Verdict { item, why, .. } in &self.verdicts {
-            if !told.contains(&why.as_str()) {
-                let lead = if told.len() == 1 { "\nNotes\n" } else { "" };
+            if !reasons.contains(&why.as_str()) {
+                let lead = if reasons.len() == 1 { "\nNotes\n" } else { "" };
                 writeln!(out, "{lead}{:7} {why}", item.name())?;
-                told.push(why);
+                reasons.push(why);
             }
         }
         Ok(())

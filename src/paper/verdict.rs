@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn deviations_are_told_in_per_cent_and_in_standard_errors() {
+    fn deviations_are_given_in_per_cent_and_in_standard_errors() {
         let off = verdict("fig2.kappa_r", 1.785, [0.004, 0.002, 0.01]);
         assert_eq!(off.found(), "1.785 ± 0.004");
         let error = 0.004f64.hypot(0.002).hypot(0.01 / 10f64.sqrt()).hypot(0.005 / 3f64.sqrt());

@@ -37,12 +37,12 @@ pub fn differences(setups: &[Setup]) -> Vec<String> {
         let mut values = tables.iter().filter_map(|table| table.find(flag.path));
         values.next().is_some_and(|first| values.any(|value| value != first))
     };
-    let is_told = |flag: &&Flag| {
+    let is_written = |flag: &&Flag| {
         let is_setting =
             FLAGS.iter().any(|it| it.name != flag.name && is_variant(it) && differ(it) && beside(it, flag));
         flag.section() != "record" && if is_setting { differ_where_they_are(flag) } else { differ(flag) }
     };
-    tables.iter().map(|table| words(table, FLAGS.iter().filter(is_told))).collect()
+    tables.iter().map(|table| words(table, FLAGS.iter().filter(is_written))).collect()
 }
 
 fn is_variant(flag: &Flag) -> bool {

@@ -31,10 +31,10 @@ impl<'a> Identity<'a> {
     /// For a height file that cannot be read.
     pub fn new(realisation: &'a Realisation) -> Result<Self, StudyError> {
         let setup = realisation.setup.fingerprint()?;
-        let is_told = realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
+        let is_reduced = realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
         let with_loads =
             || format!("{:016x}", fnv1a([setup.as_bytes(), format!("{:?}", realisation.loads).as_bytes()]));
-        Ok(Self { realisation, setup: if is_told { setup } else { with_loads() } })
+        Ok(Self { realisation, setup: if is_reduced { setup } else { with_loads() } })
     }
 
     /// What the realisation is known by.

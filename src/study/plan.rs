@@ -191,8 +191,8 @@ impl Plan {
         self.words_of(i, |axis| axis.path() != ParameterAxis::SEED)
     }
 
-    fn words_of(&self, i: usize, is_told: impl Fn(&ParameterAxis) -> bool) -> String {
-        let chosen = self.places(i).zip(&self.axes).filter(|(_, axis)| is_told(axis));
+    fn words_of(&self, i: usize, is_named: impl Fn(&ParameterAxis) -> bool) -> String {
+        let chosen = self.places(i).zip(&self.axes).filter(|(_, axis)| is_named(axis));
         chosen.map(|(place, axis)| format!("{} {}", axis.name(), axis.word(place))).collect::<Vec<_>>().join(", ")
     }
 

@@ -163,7 +163,7 @@ impl Link {
         // an archive compares its own check sum at the end of a file; more than the points is left to a doubt
         let is_at_end = file.read(&mut [0]).map_err(damaged)? == 0;
         match &self.sum {
-            Some(told) if is_at_end && !is_sum(sum.finalize(), told) => Err(malformed(format!(
+            Some(stated) if is_at_end && !is_sum(sum.finalize(), stated) => Err(malformed(format!(
                 "its file {:?} has another MD5 check sum than its {MAIN} says: the points were changed or damaged",
                 self.name
             ))),

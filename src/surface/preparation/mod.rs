@@ -64,7 +64,7 @@ pub struct Prepared {
     /// The heights.
     pub scan: Scan,
     /// What each step came to.
-    pub told: Vec<String>,
+    pub effects: Vec<String>,
 }
 
 impl Preparation {
@@ -110,7 +110,7 @@ impl Preparation {
     /// # Errors
     /// For a step that these heights do not allow.
     pub fn apply(&self, scan: Scan) -> Result<Prepared, PreparationError> {
-        let mut it = Prepared { scan, told: Vec::new() };
+        let mut it = Prepared { scan, effects: Vec::new() };
         if let Some(crop) = &self.crop {
             let part = crop.apply(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
             it.take(part, |_, part| format!("cropped to {} x {} points", part.shape()[0], part.shape()[1]));
@@ -152,8 +152,8 @@ impl Preparation {
 
 impl Prepared {
     /// Goes on with other heights, and tells what they came to.
-    fn take(&mut self, next: Scan, tell: impl FnOnce(&Scan, &Scan) -> String) {
-        self.told.push(tell(&self.scan, &next));
+    fn take(&mut self, next: Scan, effect: impl FnOnce(&Scan, &Scan) -> String) {
+        self.effects.push(effect(&self.scan, &next));
         self.scan = next;
     }
 

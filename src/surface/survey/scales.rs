@@ -12,7 +12,7 @@ const LEAST: f64 = 1.05;
 /// self-affine.
 const SMOOTH: f64 = 3.0;
 /// Bends of noise over those of the heights at the shortest scale that is told from noise.
-const TOLD_FROM_NOISE: f64 = 0.5;
+const ABOVE_NOISE: f64 = 0.5;
 
 /// Differences of heights over a distance along an axis. Pairs and triples with a void in them do not count.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -75,7 +75,7 @@ impl Scales {
         let bends: Vec<f64> = squares.iter().map(|[_, bends]| *bends).collect();
         let (step, noise) = (squares[0][0], noise(&bends));
         let first = |is_it: &dyn Fn(usize) -> bool| (0..bends.len()).find(|i| is_it(*i));
-        let told = first(&|i| 6.0 * noise <= TOLD_FROM_NOISE * bends[i]).unwrap_or(bends.len() - 1);
+        let above = first(&|i| 6.0 * noise <= ABOVE_NOISE * bends[i]).unwrap_or(bends.len() - 1);
         let rough = first(&|i| bends.get(i + 1).is_none_or(|next| (next / bends[i]).log2() < SMOOTH));
         let wavelength = |i: usize| 2.0 * spacing * 2f64.powi(i as i32);
         Some(Self {
@@ -83,7 +83,7 @@ impl Scales {
             scales: squares.iter().enumerate().map(scale).collect(),
             noise: noise.sqrt(),
             noise_share: if step > 0.0 { (2.0 * noise / step).min(1.0) } else { 0.0 },
-            shortest_wavelength: wavelength(told),
+            shortest_wavelength: wavelength(above),
             smooth_wavelength: rough.filter(|i| *i > 0).map(wavelength),
         })
     }

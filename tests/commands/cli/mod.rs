@@ -1,9 +1,9 @@
 //! What a user does at the command line, run for real on small contacts.
 
 mod below;
+mod command_style;
 mod interruption;
 mod load_curves;
-mod manners;
 mod measured;
 mod memory;
 mod pictures;

@@ -1,8 +1,8 @@
 //! People who come for the first time, with a telephone or before a class: what the page offers them, and where it stands.
 
+use super::appearance::{CUT, PALE, SERIOUS, WIDE, load_axe};
 use super::chromium::installed;
 use super::explorer::{opened, rested, sketched};
-use super::eyes::{CUT, PALE, SERIOUS, WIDE, load_axe};
 use super::page::Page;
 use serde_json::{Value, json};
 

@@ -97,7 +97,11 @@ fn a_server_that_comes_back_is_found() {
     page.until("runs.length === 4 && runs.every((run) => run.ended && run.followed)");
     let port = explorer.kill();
     page.until("document.body.dataset.server === 'gone'");
-    assert!(page.text(FAULT).starts_with("The server has stopped: start asperity explore again"), "{}", page.text(FAULT));
+    assert!(
+        page.text(FAULT).starts_with("The server has stopped: start asperity explore again"),
+        "{}",
+        page.text(FAULT)
+    );
     assert_eq!(page.value(shown), before);
     assert_eq!(page.value(read), true);
     page.type_into("control-load-value", "0.2");

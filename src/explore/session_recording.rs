@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// A recording that can still be read.
 #[derive(Clone)]
-pub struct Reel {
+pub struct SessionRecording {
     /// Name of the recording.
     pub id: String,
     /// Name, without ending, of the files that it is saved as.
@@ -53,14 +53,14 @@ pub enum RecordingReport {
     Sweep(Box<SweepReport>),
 }
 
-impl Reel {
+impl SessionRecording {
     /// A recording that has begun.
     pub fn new(id: &str, file_stem: &str, live: Output) -> Self {
         Self { id: id.into(), file_stem: file_stem.into(), live, ended: None }
     }
 
     /// What the page is told of it, once it is complete.
-    pub fn told(&self) -> Option<RecordingReport> {
+    pub fn report(&self) -> Option<RecordingReport> {
         Some(match self.ended.as_ref()? {
             Ended::Run(solved) => RecordingReport::Run(Box::new(solved.report.clone())),
             Ended::Sweep(report, _) => RecordingReport::Sweep(Box::new(SweepReport::clone(report))),

@@ -17,7 +17,7 @@ static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
 #[derive(Args)]
 #[command(next_help_heading = "All commands")]
-pub struct Manners {
+pub struct CommandStyle {
     /// Suppress progress and notes: only results, warnings and errors are written
     #[arg(long, short, global = true)]
     quiet: bool,
@@ -26,9 +26,9 @@ pub struct Manners {
     threads: Option<NonZeroUsize>,
 }
 
-impl Manners {
-    /// Keeps them from now on.
-    pub fn keep(&self) -> Result<()> {
+impl CommandStyle {
+    /// Applies them to the whole process.
+    pub fn apply(&self) -> Result<()> {
         IS_QUIET.store(self.quiet, Ordering::Relaxed);
         let Some(threads) = self.threads else { return Ok(()) };
         match ThreadPoolBuilder::new().num_threads(threads.get()).build_global() {
