@@ -1,4 +1,4 @@
-//! Tells the program what it is built from: the commit, and the features.
+//! Passes the commit and the features of the build to the program.
 //!
 //! The sources of the command line are not watched, so that a change of them does not build the library anew: after such a
 //! change alone a working copy names the commit that the rest of it is of.

@@ -8,7 +8,7 @@ pub fn one_of(names: impl IntoIterator<Item = (&'static str, &'static str)>) -> 
     PossibleValuesParser::new(names.into_iter().map(|(name, help)| PossibleValue::new(name).help(help)))
 }
 
-/// The value that one of some names stands for.
+/// The value with this name.
 pub fn choice<T: Clone + Send + Sync + 'static>(
     names: impl IntoIterator<Item = (&'static str, &'static str)>,
     of: fn(&str) -> Option<T>,

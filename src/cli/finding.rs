@@ -47,7 +47,7 @@ const IN_OTHER_ROWS: [&str; 37] = [
     "transforms",
 ];
 
-/// A share of edges given by the shape above this one is told.
+/// The share of edges given by the shape is reported above this value.
 const MANY_OF_SHAPE: f64 = 0.05;
 
 /// The numbers of a contact under its load.

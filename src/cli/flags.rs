@@ -38,7 +38,8 @@ pub struct OfSetup;
 /// The surface and its grid alone.
 pub struct OfSurface;
 
-/// The problem that another code has solved, and what is asked of its result: a field of it may be called pressure.
+/// The problem that another code has solved, and the goals for its result. Its mean pressure has another flag, since
+/// `--pressure` is a field here.
 pub struct OfProblem;
 
 impl Extent for OfSetup {

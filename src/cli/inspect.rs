@@ -136,7 +136,7 @@ impl Inspect {
         Ok(outcome)
     }
 
-    /// Replays the steps of a code of some name, and tells how far they are from the reference.
+    /// Replays the steps of another code, and computes their distance from the reference.
     fn inspect(
         &self,
         name: &str,

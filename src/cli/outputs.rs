@@ -97,7 +97,7 @@ impl Outputs {
             .flatten()
     }
 
-    /// Has computed of a contact what is told of it only if it is asked for.
+    /// Computes the optional numbers of a contact that were requested.
     pub fn complete(&self, contact: &Contact) {
         if self.stiffness {
             contact.stiffness();

@@ -72,7 +72,7 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
     }
 }
 
-/// Writes how large the recording over so many loads would become.
+/// Writes the estimated size of a recording over `loads` loads.
 #[cfg(feature = "record")]
 fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut impl Write) -> io::Result<()> {
     let size = Size::new(Options::from(&setup.record).what, &cost.grid);

@@ -73,7 +73,7 @@ pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Resul
     write_rest(plan.rows() / seeds, "lines", out)
 }
 
-/// What stands for a number that is not known.
+/// Placeholder for an unknown number.
 const NONE: &str = "-";
 
 /// Mean and standard deviation with some digits; the first is not known of no values, the second of none and of one.

@@ -137,7 +137,7 @@ impl Describe {
     }
 }
 
-/// Has heights at uneven positions resampled, which a description needs as well, and says so.
+/// Resamples heights at uneven positions, which a description needs, too, and returns a warning.
 fn even(recipe: &mut Recipe) -> Result<Option<String>> {
     let is_given = recipe.prepare.resample.is_some();
     let Some(file) = recipe.height.as_ref().filter(|_| !is_given) else { return Ok(None) };

@@ -7,7 +7,8 @@ use ndarray::{Array0, Array1, Array2, ArrayView, ArrayView1, ArrayView2, Axis, D
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
 
-/// The fields of a contact as `.npz`, each of the `rank` that the heights came in, and all numbers that are told of it.
+/// The fields of a contact as `.npz`, with the `rank` of the array of heights, and all numbers that are reported for
+/// it.
 ///
 /// | array                                                | shape                | what it holds                               |
 /// |------------------------------------------------------|----------------------|---------------------------------------------|

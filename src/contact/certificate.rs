@@ -104,10 +104,11 @@ pub struct Certificate {
     /// `eta_D = (a + |D - d|) / min(D, h_max - D)`, with the highest peak `h_max` above the mean height: at a mean gap `D` the
     /// relative error of the load in order of magnitude. At an approach `h_max - D`, over that alone. Under a mean pressure 0.
     pub eta_gap: f64,
-    /// `sqrt(G / <p u(p)>)`: a bound of the relative error of the pressure in the norm `|x|^2 = <x u(x)>`. At low loads, where
-    /// `h_rms` is a coarse yardstick, this one tells the truth. At a mean gap `G = <p> (a + |D - d|)`, which takes `<p>` for
-    /// the larger of `<p>` and `<p*>`. Infinite where `<p u(p)>` is not positive: a pressure that does not deform the solid,
-    /// such as a uniform one, bounds nothing.
+    /// `sqrt(G / <p u(p)>)`: a bound of the relative error of the pressure in the norm `|x|^2 = <x u(x)>`. At small
+    /// loads `eta` can be small for a poor pressure, since `h_rms` is then large compared with the relevant heights;
+    /// use this bound there. At a mean gap `G = <p> (a + |D - d|)`, which takes `<p>` for the larger of `<p>` and
+    /// `<p*>`. Infinite where `<p u(p)>` is not positive: a pressure that does not deform the solid, such as a uniform
+    /// one, bounds nothing.
     pub pressure_error_bound: f64,
     /// The bound of `|D* - d| / h_rms`, the error of the datum that is found under a mean pressure: of the mean gap on a periodic grid, of
     /// the approach on a free one. At a given mean gap or approach 0.

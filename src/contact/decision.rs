@@ -21,12 +21,12 @@
 pub enum Decision {
     /// The state at the start, or interpolated from a coarser grid.
     Start,
-    /// A step of conjugate gradients on one contact set: so many times the direction, which is the residual (preconditioned, if
-    /// it is) and a share of the direction before. With the share 0 the directions begin anew.
+    /// A step of conjugate gradients on one contact set. The direction is the (preconditioned) residual plus `beta`
+    /// times the previous direction. With `beta = 0` the method restarts.
     Conjugate {
-        /// The step over the direction, `alpha`.
+        /// The length `alpha` of the step, in units of the direction.
         length: f64,
-        /// The share of the direction before, `beta`.
+        /// The weight `beta` of the previous direction.
         share: f64,
     },
     /// A step of conjugate gradients by which nodes entered or left the contact.

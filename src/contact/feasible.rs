@@ -10,9 +10,10 @@ const ROUNDS: usize = 100;
 /// Part of a load that rounding may lose.
 const LOST: f64 = 1e-14;
 
-/// Makes pressures between zero and `ceiling` carry `load`, which is their sum, if so many nodes can: scales those below the ceiling,
-/// of which none reaches it by that. Where these cannot make up for the rest, all fall alike, or rise by the same share of what they
-/// may rise. Returns the factor if all have been scaled by the same one.
+/// Makes pressures between zero and `ceiling` carry `load`, which is their sum, if the nodes can carry it. Values below
+/// the ceiling are scaled, and none reaches the ceiling by that. If this is not enough, all values decrease by the same
+/// amount, or rise by the same fraction of the room up to the ceiling. Returns the factor if all values have been
+/// scaled by the same one.
 pub(super) fn carry(values: &mut [f64], load: f64, ceiling: f64) -> Option<f64> {
     let below = ceiling.next_down();
     for round in 0..ROUNDS {

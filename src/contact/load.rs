@@ -4,7 +4,8 @@ use crate::quantity;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// The load that presses the surface on the solid: one of these numbers, of which the solution tells the others.
+/// The load that presses the surface on the solid: one of these numbers is given, and the solution determines the
+/// others.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Load {

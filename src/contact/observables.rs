@@ -1,4 +1,4 @@
-//! The observables: all numbers that are told of a contact, in one table.
+//! The observables: all numbers that are reported for a contact, in one table.
 //!
 //! A new observable needs one row of the table: results, tables of studies, the explorer and the curves of recordings show what is
 //! in it.
@@ -12,7 +12,7 @@ use ndarray::ArrayView1;
 use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
 
-/// A number that is told of a contact.
+/// A number that is reported for a contact.
 #[derive(Debug, Serialize)]
 pub struct Observable {
     /// The name of its field in [`Observables`], with the unit where two are possible.
@@ -121,7 +121,7 @@ macro_rules! observables {
     };
 }
 
-// name: type, symbol, unit, whether it is traced, how it is had from a state, one sentence
+// name: type, symbol, unit, whether it is traced, how it is computed from a state, one sentence
 #[rustfmt::skip]
 observables! {
     mean_pressure: f64, "<p>", "pressure", false, |it| *it.mean_pressure,

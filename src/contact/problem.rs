@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 /// Per reduced pressure, the mean gap of rough surfaces near full contact falls by this power of e: 5 to 6, as measured.
 const GAP_DECAY: f64 = 5.5;
 
-/// A pressure to start from at a mean gap is so many times the expected one at the most.
+/// At a mean gap, the initial pressure is at most this multiple of the expected one.
 const FARTHEST: f64 = 1e6;
 
 /// Part of the hardness that a pressure to start from at a mean gap has at the most.
@@ -132,9 +132,10 @@ impl Problem {
         .with_load(load)
     }
 
-    /// The elastic problem of the surface that a contact below a hardness has left, see [`crate::contact::Contact::unloaded_surface`],
-    /// under a mean pressure. Rms height, rms gradient, highest peak and mean gap stay those of the surface as it was, so that numbers
-    /// on the way up and back are told over the same ones.
+    /// The elastic problem of the surface that a contact below a hardness has left, see
+    /// [`crate::contact::Contact::unloaded_surface`], under a mean pressure. Rms height, rms gradient, highest peak and
+    /// mean gap stay those of the surface as it was, so that numbers on the way up and back are divided by the same
+    /// values.
     ///
     /// # Errors
     /// The errors of [`Problem::new`].

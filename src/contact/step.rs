@@ -182,7 +182,7 @@ impl<'a> Step<'a> {
         self.phase
     }
 
-    /// What the solver did on its way to this step, where it tells.
+    /// What the solver did in this step, if it reports it.
     pub fn decision(&self) -> Option<Decision> {
         self.decision
     }

@@ -5,7 +5,7 @@ use super::returns::Cycle;
 use serde::Serialize;
 use std::fmt;
 
-/// What held a run up, with the numbers that say so. Displays as a sentence or two, with what would help.
+/// A cause of a slow run, with the numbers that show it. Its text is one or two sentences, with a remedy.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(tag = "cause", rename_all = "snake_case", rename_all_fields = "snake_case")]
 pub enum Cause {

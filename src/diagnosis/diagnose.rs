@@ -20,11 +20,11 @@ const STANDS: f64 = 0.01;
 const OFTEN: u32 = 8;
 /// Rounds of a cycle that are worth telling.
 const ROUNDS: usize = 3;
-/// A damping so many times too strong or too weak is ill chosen.
+/// A damping that is too strong or too weak by this factor is reported.
 const ILL: f64 = 3.0;
 /// A condition that is worth telling, of masses and of conjugate gradients.
 const ILL_CONDITIONED: f64 = 50.0;
-/// Share of the steps for which a band must be the slowest to be told.
+/// Share of the steps for which a band must be the slowest to be reported.
 const LAGS: f64 = 0.2;
 /// Digits a step at which no band is slow.
 const SWIFT: f64 = 0.5;

@@ -1,4 +1,4 @@
-//! What the page is told of a file of heights.
+//! The description of a file of heights for the page.
 
 use super::height_knobs::HeightKnobs;
 use super::refusal::Refusal;

@@ -25,7 +25,7 @@ const PATIENCE: Duration = Duration::from_millis(100);
 /// Bytes of a recording that are copied at once.
 const PIECE: u64 = 1 << 20;
 
-/// Fields are recorded of every so many steps, which makes the recordings of the lessons half as large.
+/// Interval of steps at which fields are recorded, which makes the recordings of the lessons half as large.
 const EVERY: usize = 4;
 /// Significant digits of the numbers in facets, which are drawn, or shown with fewer.
 const DIGITS: usize = 7;
@@ -72,8 +72,8 @@ impl SiteExport {
         self.wanted.len()
     }
 
-    /// Solves all states and writes the site into a folder, which is new or empty, and then whole or as it was. `goes_on` is told now and
-    /// then how many runs are solved.
+    /// Solves all states and writes the site into a folder, which is new or empty. If this fails, the folder is as it
+    /// was before. `goes_on` is called now and then how many runs are solved.
     ///
     /// # Errors
     /// For a folder that cannot be had, a run that cannot be solved, and the wish not to go on.

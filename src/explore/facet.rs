@@ -6,7 +6,7 @@ use super::session_recording::SolvedRun;
 use super::why::Why;
 use serde_json::{Value, json};
 
-/// Something to be told of a run.
+/// Additional data about a run that the page can request.
 pub struct Facet {
     /// Its name in the path under which it is asked for.
     pub name: &'static str,

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct HeightKnobs {
-    /// The mark of the file that they are for, by its bytes, as a description tells it; any file if it is left out.
+    /// The hash of the file that they are for, as in a description; any file if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
     /// The channel, by name or number from 1 on; the first one of heights if it is left out.

@@ -1,4 +1,4 @@
-//! The knobs of the page, and the setup that they stand for.
+//! The knobs of the page, and the setup that they describe.
 
 use super::height_knobs::HeightKnobs;
 use super::refusal::{Refusal, plain};
@@ -158,7 +158,7 @@ impl Knobs {
         serde_json::from_slice(json).map_err(|error| Refusal(plain(&error)))
     }
 
-    /// The setup that the knobs stand for without a file of heights, checked as far as that takes no surface.
+    /// The setup that the knobs describe without a file of heights. Everything that needs no surface is checked.
     ///
     /// # Errors
     /// A sentence with the value that cannot be and what to do.
@@ -186,7 +186,7 @@ impl Knobs {
         self.body == SmoothBody::File
     }
 
-    /// The setup that the knobs stand for beside heights or a scene that they do not hold.
+    /// The setup that the knobs describe, with heights or a scene from outside.
     ///
     /// # Errors
     /// The errors of [`Knobs::setup`].
@@ -323,7 +323,8 @@ impl Knobs {
         })
     }
 
-    /// The parts of the recording that a line or a surface has; without any the traces, since no parts stand for the usual ones.
+    /// The parts of the recording that a line or a surface has; without any the traces, since an empty list means the
+    /// usual parts.
     fn parts(&self, is_line: bool) -> Vec<Part> {
         let missing = if is_line { Part::Mesh } else { Part::Profile };
         let parts: Vec<Part> = self.record.iter().copied().filter(|&part| part != missing).collect();

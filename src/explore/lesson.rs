@@ -46,7 +46,7 @@ pub struct Lesson {
     pub steps: Vec<LessonStep>,
     /// Whether the picture shows the stress below.
     pub stress: bool,
-    /// What is told after the last step.
+    /// The text after the last step.
     pub end: Option<End>,
 }
 
@@ -80,7 +80,7 @@ impl End {
 /// A step of a lesson: a state of the knobs, and what there is to see.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LessonStep {
-    /// What there is to see, told with the answer where something is asked.
+    /// The explanation of the step; after a question it is shown with the answer.
     pub text: Words,
     /// The state of the knobs.
     pub knobs: Knobs,

@@ -19,7 +19,7 @@ pub enum Question {
         /// Which of them is right, from 1 on.
         right: usize,
     },
-    /// A number that the run will tell.
+    /// A number that the run will show.
     Number {
         /// The question.
         question: Words,

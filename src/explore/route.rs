@@ -50,7 +50,7 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/api/describe`   | POST   | takes [`HeightKnobs`](super::HeightKnobs); the description of that file as they take it |
 /// | `/api/hold`       | POST   | takes a [`Hold`](super::Hold); the contact as a hand holds it, [`Held`](super::Held) |
 /// | `/run/ID.rrd`     | GET    | one of the latest recordings, as it grows                             |
-/// | `/api/runs`       | GET    | what is told of the latest recordings that are complete               |
+/// | `/api/runs`       | GET    | reports of the latest complete recordings               |
 /// | `/api/run/ID/NAME`| GET    | a facet of a run that has ended, such as `steps`                      |
 /// | `/save/ID.rrd`    | GET    | one of the latest recordings, once it is complete, to save            |
 /// | `/save/ID.npz`    | GET    | the arrays of the result behind one of them, to save                  |
@@ -128,7 +128,7 @@ fn ordered(session: &Session, request: &Request<'_>) -> Reply {
     answer(done.map(|revision| json!({ "revision": revision })))
 }
 
-/// What a session tells.
+/// The reply about the state of a session, or with one of its recordings.
 fn state_or_recording(session: &Session, request: &Request<'_>) -> Reply {
     match request.path {
         "/api/observables" => Reply::json(&OBSERVABLES),
@@ -191,7 +191,7 @@ fn answer(done: Result<impl Serialize, Refusal>) -> Reply {
     }
 }
 
-/// What JSON stands for.
+/// The value of a JSON text.
 fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, Refusal> {
     serde_json::from_slice(json).map_err(|error| Refusal(plain(&error)))
 }

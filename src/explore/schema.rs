@@ -135,14 +135,14 @@ pub enum KnobKind {
     Number(NumericKnob),
     /// One of some names.
     Choice {
-        /// All names, in the order of the page; an empty one stands for no value.
+        /// All names, in the order of the page; an empty name means no value.
         options: &'static [&'static str],
         /// One of them.
         default: &'static str,
     },
     /// Several of some names.
     Choices {
-        /// All names, in the order of the page; one with spaces stands for several that go together.
+        /// All names, in the order of the page; a name with spaces means several values that belong together.
         options: &'static [&'static str],
         /// Some of them.
         default: &'static [&'static str],

@@ -98,7 +98,7 @@ impl Section {
         Self::along(step.problem(), row, [pressure, gap, centred.view()], step.mean_gap(), STEP_COLUMNS)
     }
 
-    /// The section along a row with its pressure, gap and displacement, in at most so many columns.
+    /// The section along a row with its pressure, gap and displacement, in at most `most` columns.
     fn along(problem: &Problem, row: usize, fields: [ArrayView1<'_, f64>; 3], mean_gap: f64, most: usize) -> Self {
         let grid = problem.surface().grid();
         let [pressure, gap, displacement] = fields;

@@ -125,7 +125,8 @@ async fn termination() -> io::Result<()> {
     std::future::pending().await
 }
 
-/// The right to send a body beyond those of orders, which one request has at a time: so many of them cannot fill the memory.
+/// The right to send a body beyond those of orders, which one request has at a time, so that requests cannot fill the
+/// memory.
 struct Delivery(Arc<AtomicBool>);
 
 impl Delivery {
@@ -175,8 +176,8 @@ async fn answer<S: Site>(State((site, port, taken)): State<Served<S>>, request: 
     response(replied.unwrap_or_else(|_| Reply::Error(500, "the request could not be answered".into())))
 }
 
-/// Reads a body and forgets it, at most so many bytes: a sender who is refused before all is sent would see a broken connection in place
-/// of the answer.
+/// Reads and discards at most `most` bytes of a body: a sender who is refused before everything is sent would see a
+/// broken connection instead of the answer.
 async fn pass(mut body: Body, most: usize) {
     let mut left = most;
     while let Some(Ok(frame)) = poll_fn(|context| Pin::new(&mut body).poll_frame(context)).await {

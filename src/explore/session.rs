@@ -27,7 +27,7 @@ const RECORDINGS: usize = 6;
 /// Lengths of a window in points.
 const WINDOW: RangeInclusive<f64> = 1.0..=1e5;
 
-/// A file of heights, and what the page was told of it last.
+/// A file of heights, and its last description for the page.
 pub type Heights = (HeightFile, Description);
 
 /// What a session begins with, if there is any: a file of heights, and a scene.
@@ -60,7 +60,7 @@ struct SessionState {
     heights: Option<Heights>,
     scene: Option<Arc<SceneFile>>,
     every: Option<usize>,
-    /// Width and height of the viewer on the page in points, if the page has told them.
+    /// Width and height of the viewer on the page in points, if the page has sent them.
     window: Option<[f64; 2]>,
 }
 
@@ -90,7 +90,7 @@ impl SessionState {
     }
 }
 
-/// An order of the page: what is to be done with the knobs and the setup that they stand for.
+/// An order of the page: what to do with the knobs and the setup that they describe.
 pub struct Order {
     pub kind: RunKind,
     pub knobs: Knobs,
@@ -123,8 +123,8 @@ impl Session {
         Self { state: Mutex::new(state), hand: Mutex::default(), changed: Condvar::new() }
     }
 
-    /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
-    /// Knobs that stand for nothing are refused; what runs then goes on.
+    /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it. Invalid knobs
+    /// are refused; a running solve then continues.
     pub(super) fn order(&self, kind: RunKind, knobs: Knobs) -> Result<u64, Refusal> {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
@@ -194,7 +194,7 @@ impl Session {
         Ok(description)
     }
 
-    /// What the page was told of the file of heights last, if there is one.
+    /// The last description of the file of heights for the page, if there is a file.
     pub(super) fn description(&self) -> Option<Description> {
         self.lock().heights.as_ref().map(|(_, description)| description.clone())
     }
@@ -238,7 +238,7 @@ impl Session {
         self.lock().recording(name).cloned()
     }
 
-    /// What is told of the latest recordings that are complete, from the oldest one on.
+    /// Reports of the latest complete recordings, oldest first.
     pub(super) fn reports(&self) -> Vec<RecordingReport> {
         self.lock().recordings.iter().filter_map(SessionRecording::report).collect()
     }

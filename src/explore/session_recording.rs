@@ -45,7 +45,7 @@ pub struct SolvedRun {
     pub motion: Motion,
 }
 
-/// What the page is told of a recording that is complete.
+/// What the page gets about a complete recording.
 #[derive(Serialize)]
 #[serde(untagged)]
 pub enum RecordingReport {
@@ -59,7 +59,7 @@ impl SessionRecording {
         Self { id: id.into(), file_stem: file_stem.into(), live, ended: None }
     }
 
-    /// What the page is told of it, once it is complete.
+    /// What the page gets about it, when it is complete.
     pub fn report(&self) -> Option<RecordingReport> {
         Some(match self.ended.as_ref()? {
             Ended::Run(solved) => RecordingReport::Run(Box::new(solved.report.clone())),

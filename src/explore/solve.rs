@@ -18,7 +18,8 @@ use std::time::{Duration, Instant};
 /// Time between two reports of a running solve.
 const INTERVAL: Duration = Duration::from_millis(60);
 
-/// Solves the setup that the knobs stand for, and the one beside it under the same mean pressure, until all is done or the turn over.
+/// Solves the setup that the knobs describe, and the one beside it under the same mean pressure, until both are solved
+/// or the turn is over.
 pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) -> Result<(), Failure> {
     let problem = setup.problem()?;
     let beside = beside.map(|beside| pressed_alike(beside, &problem)).transpose()?;
@@ -73,7 +74,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     Ok(())
 }
 
-/// A setup under the mean pressure of a problem, and the problem that it stands for.
+/// A setup under the mean pressure of a problem, and its problem.
 fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Failure> {
     let setup = Setup { load: Load::MeanPressure(other.expected_mean_pressure()), ..setup };
     let problem = setup.problem()?;

@@ -14,13 +14,13 @@ use crate::setup::{Part, Setup, Solid};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
 
-/// Loads of a sweep: `p*` from its first value on, so many to a decade, up to the last if contact is not full before.
+/// Loads of a sweep: first value of `p*`, loads per decade, and last value, unless contact is full before.
 const FIRST: f64 = 1e-4;
 const LAST: f64 = 1e2;
 const PER_DECADE: f64 = 12.0;
 /// Contact counts as full from this share of the area on.
 const FULL: f64 = 0.9999;
-/// Below so many nodes in contact the numbers mean little.
+/// With fewer nodes in contact than this, the numbers are not accurate.
 const FEWEST_NODES: usize = 4;
 
 /// A curve of the recording: its view, name, kind and colour, and its value at a point.

@@ -1,4 +1,4 @@
-//! Why a run took as long as it did, as the page tells it.
+//! Why a run took so many steps, for the page.
 
 use super::session_recording::SolvedRun;
 use crate::contact::{Observer, Step, Wish};
@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// The most steps whose errors are told.
+/// Largest number of steps whose errors are reported.
 const MOST_STEPS: usize = 240;
 
 /// What held a run up, and what it did meanwhile.

@@ -12,7 +12,7 @@ use serde::Serialize;
 pub struct Assessment {
     /// The certificate of its pressure as it is, under the load that it carries: infinite with any tension.
     pub given: Certificate,
-    /// How far the prescribed load is missed, over it; 0 at a mean gap, of which the certificates tell.
+    /// Relative error of the prescribed load; 0 at a mean gap, whose error the certificate contains.
     pub load_error: f64,
     /// Negative pressures.
     pub tension: Tension,

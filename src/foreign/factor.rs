@@ -2,7 +2,7 @@
 
 use crate::grid::Grid;
 
-/// Relative distance at which two factors are the same: what a fit to a result of a few digits tells.
+/// Relative difference up to which two factors count as equal: the accuracy of a fit to a result of a few digits.
 const SAME: f64 = 0.01;
 /// Range of `1 - nu^2` for Poisson's ratios from 0.17 to 0.5.
 const OF_POISSON: [f64; 2] = [0.75, 0.97];
@@ -24,7 +24,7 @@ impl Factor {
         Self { sentence, is_known }
     }
 
-    /// The cause of a modulus that is so many times too large, and of one that is as many times too small.
+    /// The cause of a modulus that is too large by this factor, and of one that is too small by it.
     fn cause_of_modulus(factor: f64, poisson: &[f64]) -> Option<(String, String)> {
         if is_same(factor, 2.0) {
             return Some((

@@ -17,12 +17,12 @@ const FEWEST: f64 = 12.0;
 
 /// An everyday error that explains why a claim fails: without it the claim holds, or comes close to that.
 ///
-/// # How it is recognised
-/// Each error is undone in turn, and the claim is certified again, by a transform pair or two. What counts is its fault, of first
-/// order in the error of the pressure: the largest of the bound of its relative error in the energy norm, the share of tension, and
-/// the relative error of the load. An error is recognised where the fault falls tenfold, and to 0.01 at the most, with a load that is
-/// spread over a dozen nodes. Errors are tried alone first, and in pairs if none explains it alone. Those that explain it equally
-/// well, as flipped heights and a shift by half the cell of a sine do, are all told.
+/// # How it is recognised Each error is undone in turn, and the claim is certified again, by a transform pair or two.
+/// What counts is its fault, of first order in the error of the pressure: the largest of the bound of its relative
+/// error in the energy norm, the share of tension, and the relative error of the load. An error is recognised where the
+/// fault falls tenfold, and to 0.01 at the most, with a load that is spread over a dozen nodes. Errors are tried alone
+/// first, and in pairs if none explains it alone. Those that explain it equally well, as flipped heights and a shift by
+/// half the cell of a sine do, are all reported.
 ///
 /// A result that is just not converged does not fit anything else either, so nothing is found. A factor is the one with which the
 /// surface is level under the pressure, by least squares, or with which pressure and gap do no work; factors within 3 % of 1 are
@@ -55,8 +55,8 @@ struct CorrectedClaim {
 }
 
 impl Claim {
-    /// The everyday errors that explain why the claim fails, each a sentence with what to do; none where it holds, or fails for
-    /// another reason. Poisson's ratios of the solid, where they are known, tell some of the factors.
+    /// The everyday errors that explain why the claim fails, each a sentence with what to do; none where it holds, or
+    /// fails for another reason. Poisson's ratios of the solid, if known, explain some of the factors.
     pub fn mistakes(&self, poisson: &[f64]) -> Vec<Mistake> {
         let given = Fault::from_claim(self).map_or(f64::INFINITY, |fault| fault.size);
         let explains =
@@ -73,7 +73,7 @@ impl Claim {
         self.reported(trials, poisson)
     }
 
-    /// The best of some trials, in words. Of factors that have a known cause only these are told.
+    /// The best trials, in words. If some factors have a known cause, only these are reported.
     fn reported(&self, trials: Vec<CorrectedClaim>, poisson: &[f64]) -> Vec<Mistake> {
         let best = trials.iter().map(|trial| trial.fault.size).fold(f64::INFINITY, f64::min);
         let factor = |trial: &CorrectedClaim| trial.changes.iter().find_map(|change| self.factor(change, poisson));

@@ -11,7 +11,7 @@ use crate::theory::hertz;
 
 /// Half-widths of the contacts over the period, from and to.
 const WIDTHS: [f64; 2] = [0.005, 0.1];
-/// Cylinders and spheres between these; every so many-th cylinder is as wide as a sphere.
+/// Numbers of cylinders and spheres between these widths; every sphere is as wide as one of the cylinders.
 const CYLINDERS: i32 = 33;
 const SPHERES: i32 = 5;
 /// Points of the cylinder, and along a side of the sphere, that are shown in a recording.

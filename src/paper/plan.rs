@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 /// Least and largest reduced pressure, as in the paper.
 const LOADS: [f64; 2] = [1e-3, 1e-1];
-/// Least and largest reduced pressure at which the continuum of lines is told.
+/// Smallest and largest reduced pressure at which the continuum values of lines are reported.
 const WIDE_LOADS: [f64; 2] = [1e-4, 0.316_227_766_016_837_94];
 /// Iterations at the most; a point takes some tens.
 const MAX_ITERATIONS: usize = 2000;
@@ -34,7 +34,7 @@ pub struct Paper {
     pub lines: Rough,
     /// Rough surfaces.
     pub surfaces: Rough,
-    /// Rough lines on several grids and under a wider range of loads, to tell the continuum.
+    /// Rough lines on several grids and under a wider range of loads, to find the continuum values.
     pub fine_lines: Rough,
     /// Points along a side of spheres: of Fig. 1, and of Table 1.
     pub sphere_sides: [usize; 2],

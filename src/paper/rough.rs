@@ -26,7 +26,7 @@ pub const WARM: [Colour; 4] = [Colour::VERMILION, Colour::ORANGE, Colour::PURPLE
 /// Colours beside [`WARM`].
 pub const COLD: [Colour; 4] = [Colour::BLUE, Colour::SKY, Colour::GREEN, Colour::GREY];
 
-/// The colour of the Hurst exponent of a number, where colours tell them apart.
+/// The colour of Hurst exponent `number`, if colours distinguish Hurst exponents.
 pub fn shade(number: usize) -> Colour {
     const SHADES: [Colour; 4] = [Colour::VERMILION, Colour::GREEN, Colour::BLUE, Colour::PURPLE];
     SHADES[number % SHADES.len()]
@@ -103,7 +103,7 @@ impl Rough {
         (POINTS_PER_WAVE * LINE / self.cutoff).round() as usize
     }
 
-    /// Points per shortest wavelength of a line of so many points.
+    /// Points per shortest wavelength, for a line of `points` points.
     pub(super) fn points_per_wave_of_line(&self, points: usize) -> f64 {
         points as f64 * self.cutoff / LINE
     }
@@ -156,7 +156,7 @@ impl Rough {
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
     }
 
-    /// The panel with `curves` of symbols, one for each Hurst exponent; the colour tells the quantity.
+    /// The panel with `curves` of symbols, one for each Hurst exponent; the colour shows the quantity.
     pub(super) fn drawn<Q: Copy>(
         &self,
         mut panel: Panel,

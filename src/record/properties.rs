@@ -32,7 +32,7 @@ pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
     with_numbers(known, numbers.into_iter().filter_map(|(name, value)| Some((name, value?))))
 }
 
-/// The reduced pressure, if the load tells it.
+/// The reduced pressure, if the load determines it.
 pub fn reduced_pressure(problem: &Problem) -> Option<f64> {
     match problem.load() {
         Load::ReducedPressure(reduced_pressure) => Some(reduced_pressure),

@@ -91,7 +91,7 @@ impl Setup {
 }
 
 impl Cost {
-    /// Bytes of so many fields of doubles.
+    /// Bytes of a number of fields of doubles.
     pub fn from_fields(grid: &Grid, fields: f64) -> Self {
         Self { grid: *grid, coarse_grids: 0, bytes: bytes(grid, fields) }
     }
@@ -117,7 +117,7 @@ fn bytes(grid: &Grid, fields: f64) -> f64 {
     fields * size_of::<f64>() as f64 * grid.len() as f64
 }
 
-/// Bytes of memory that are free, where the system tells.
+/// Bytes of free memory, if the system reports it.
 pub fn available_bytes() -> Option<f64> {
     #[cfg(all(target_os = "linux", feature = "figures"))]
     {

@@ -69,13 +69,13 @@ impl SetupTable {
             SetupError::Text { place: format!("{PATH}: "), reason }
         };
         let tangential = read(&kind, text.clone().into()).map_err(wrong);
-        // where it is wrong, a number stands for it, so that the rest can be read
+        // if it is wrong, a number replaces it, so that the rest can be read
         self.lay(PATH, tangential.as_ref().map_or(1.0, Load::value).into());
         tangential.map(drop)
     }
 }
 
-/// The loads that a word of a list stands for.
+/// The loads of one word of a list.
 fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
     let Some((first, rest)) = word.as_str().and_then(|text| text.split_once("..")) else {
         return Ok(vec![load(kind, word.clone())?]);

@@ -1,4 +1,4 @@
-//! The one description of a contact to solve: what is pressed, how hard, by which solver, and what is recorded of it.
+//! The description of a contact to solve: surface, solid, load, solver and recording.
 //!
 //! ```text
 //! scene.toml, flags, a result --> Setup --> check, cost --> Problem, Solver
@@ -242,8 +242,9 @@ impl Setup {
         Exact::new(&self.surface.smooth()?, grid, solid.contact_modulus(), mean_pressure)
     }
 
-    /// Sixteen hexadecimal digits that tell setups apart whose contacts differ under the same load: by all that is in them but
-    /// the load, the friction and the recording, and by the bytes of a height file in place of its name.
+    /// Sixteen hexadecimal digits that identify all setups with the same contact under the same load. They depend on
+    /// everything in the setup except the load, the friction and the recording, and by the bytes of a height file in
+    /// place of its name.
     ///
     /// # Errors
     /// For a height file that cannot be read.

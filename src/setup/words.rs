@@ -17,8 +17,8 @@ pub fn in_words(setup: &Setup, sections: &[&str]) -> String {
     words(&table, FLAGS.iter().filter(|flag| sections.contains(&flag.section())))
 }
 
-/// What tells setups apart, recordings left out: for each one the values that are not the same in all. Settings of a method
-/// or a shape that others have not are no difference of their own.
+/// The differences of setups, without their recordings: for each setup, the values that are not the same in all of
+/// them. Settings of a method or a shape that others have not are no difference of their own.
 ///
 /// ```
 /// use asperity::contact::{Gfmd, Load};
@@ -49,7 +49,7 @@ fn is_variant(flag: &Flag) -> bool {
     matches!(flag.value, FlagValue::Variant(_))
 }
 
-/// Whether two flags stand for values of the same table.
+/// Whether two flags set values of the same table.
 fn beside(one: &Flag, other: &Flag) -> bool {
     one.path.rsplit_once('.').map(|(table, _)| table) == other.path.rsplit_once('.').map(|(table, _)| table)
 }

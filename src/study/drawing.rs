@@ -6,7 +6,7 @@ use super::spread::Spread;
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 use std::collections::BTreeMap;
 
-/// Curves at the most; more cannot be told apart.
+/// Largest number of curves; more cannot be distinguished.
 const MOST: usize = 12;
 const COLOURS: [Colour; 6] =
     [Colour::BLUE, Colour::VERMILION, Colour::GREEN, Colour::PURPLE, Colour::ORANGE, Colour::SKY];

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 /// A solved point: a realisation under one of its loads, how the solver ended, and what was found.
 ///
-/// The fields are columns of a table, and so are those of its observables. What tells the points of one realisation from
-/// those of others is its name, the fingerprint of its setup, and the version of the program.
+/// The fields are columns of a table, and so are those of its observables. What distinguishes the points of one
+/// realisation from those of others is its name, the fingerprint of its setup, and the version of the program.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Name of the realisation.

@@ -44,8 +44,8 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// Solves what `table` does not hold yet, writes the finished table and returns its points, realisation by realisation.
-    /// `watch` sees each point as it is solved. Points that did not converge are kept; their status says so.
+    /// Solves what `table` does not hold yet, writes the finished table and returns its points, realisation by
+    /// realisation. `watch` sees each point as it is solved. Points that did not converge are kept, with this status.
     ///
     /// # Errors
     /// For surfaces and loads that cannot be, files that cannot be read or written, and a table of another study, which would

@@ -19,9 +19,9 @@ const MOST_OF_SHAPE: f64 = 0.5;
 
 /// The edges of a contact, each found between the last node in contact and the next one.
 ///
-/// Pressure falls to a free edge as the square root of the distance and the gap opens as its power of three halves. On a grid
-/// such edges are a family of two parameters, strength and place, and the pressure `P` of the last node with the gap `G` of
-/// the next one tell both:
+/// Pressure falls to a free edge as the square root of the distance and the gap opens as its power of three halves. On
+/// a grid such edges are a family of two parameters, strength and place, and the pressure `P` of the last node with the
+/// gap `G` of the next one determine both:
 ///
 /// ```text
 /// s = -c + P / (P + (pi / 2e) G)
@@ -34,11 +34,11 @@ const MOST_OF_SHAPE: f64 = 0.5;
 /// `s = 1 - c + b / a`, and `b / a` follows from `P` and `G`. The place is uniform over one spacing, so counting nodes is too
 /// large by `c` per edge on average.
 ///
-/// **Surfaces.** A straight edge along the grid, and one along its diagonal, obey the same law with `P k` in the place of `P`.
-/// At other angles nodes lie at several distances from the edge; there the law errs by 0.03 spacings for one node and
-/// by less than 0.002 on average (from the factors along lattice directions up to (8, 5)). The cosine comes from how the distance
-/// from the edge, as pressures and gaps tell it, changes along the link and across it. A link counts by `k^2` in area, so
-/// that those along rows and columns add up to the contour.
+/// **Surfaces.** A straight edge along the grid, and one along its diagonal, obey the same law with `P k` in the place
+/// of `P`. At other angles nodes lie at several distances from the edge; there the law errs by 0.03 spacings for one
+/// node and by less than 0.002 on average (from the factors along lattice directions up to (8, 5)). The cosine comes
+/// from how the distance from the edge, as computed from pressures and gaps, changes along the link and across it. A
+/// link counts by `k^2` in area, so that those along rows and columns add up to the contour.
 ///
 /// **What is not an edge of this kind.** The edge of a punch is where its shape has it: the pressure rises towards it, which is
 /// how it is known, over three nodes. Where the last node yields, the pressure falls from the hardness. Both are put halfway between the nodes, as

@@ -30,12 +30,12 @@
 //! - **What it costs.** Whole-set updates cycle when their corrections are loose. So a correction is tightened whenever an update
 //!   was no better, and with that the guard has hardly been needed; the tests force it.
 //!
-//! # Below a hardness
-//! There are three sets: open nodes without pressure, free ones, and those that yield, at `H_c` to the last bit. The correction acts
-//! on the free nodes, under the pressure of those that yield, and an exchange updates all sets by signs: out go free nodes below
-//! zero, in come open ones with `v < lambda`; free ones above `H_c` yield, and those that yield with `v > lambda` are free again,
-//! which the number next below `H_c` stands for. Then free nodes are scaled to the load. Where none is free, `lambda` lies between
-//! the nodes that would carry the load at `H_c` and the others, so that some enter and as many become free, unless it is the solution.
+//! # Below a hardness There are three sets: open nodes without pressure, free ones, and those that yield, at `H_c` to
+//! the last bit. The correction acts on the free nodes, under the pressure of those that yield, and an exchange updates
+//! all sets by signs: out go free nodes below zero, in come open ones with `v < lambda`; free ones above `H_c` yield,
+//! and those that yield with `v > lambda` are free again, which is represented by the number next below `H_c`. Then
+//! free nodes are scaled to the load. Where none is free, `lambda` lies between the nodes that would carry the load at
+//! `H_c` and the others, so that some enter and as many become free, unless it is the solution.
 //!
 //! All of the above holds with `{0 <= p <= H_c}` in the place of `{p >= 0}`: it is convex, every guarded step stays within it, the
 //! projection onto it and the load is exact, and for the projected gradient step `f` falls unless `p` is the solution. The length of
@@ -97,9 +97,8 @@ const PATIENCE: usize = 600;
 /// on surfaces and two fields on lines for the extension, and 8 vectors on the contact set, with 16 bytes for each run of its
 /// nodes. Guarded steps take 3 fields more. Coarse grids are freed before the finest one is set up.
 ///
-/// # Why it is stable
-/// No step length is chosen: corrections are exact minimisers on their set, and guarded steps are exact minimisers on their way.
-/// Why it ends is told at the head of the module.
+/// # Why it is stable No step length is chosen: corrections are exact minimisers on their set, and guarded steps are
+/// exact minimisers on their way. The documentation of the module explains why it terminates.
 ///
 /// # Source
 /// Primal-dual active sets: Hintermueller, Ito & Kunisch, SIAM J. Optim. 13, 865 (2002). Opposite-order preconditioning:

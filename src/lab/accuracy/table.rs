@@ -7,7 +7,7 @@ use super::quantity::{BEST, QUANTITIES};
 use crate::lab::table::{or_dash, points};
 use std::fmt::{self, Formatter};
 
-/// Certificates at which the work is told.
+/// Certificates for which the table lists the work.
 const MILESTONES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
 /// The accuracies that advice is given for.
 const ACCURACIES: [f64; 2] = [0.01, 0.001];
@@ -39,7 +39,7 @@ fn write_models(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
     findings.models.iter().try_for_each(|model| write_row(model.theory, 13, &model.errors.map(entry)[..BEST], f))
 }
 
-/// Writes a line of a table: a name, and entries that fill so many columns each.
+/// Writes a line of a table: a name, and entries that each fill a given number of columns.
 fn write_row(
     name: &str,
     width: usize,

@@ -7,7 +7,7 @@ use crate::grid::Grid;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// Grids of up to so many nodes are summed directly.
+/// Largest number of nodes for which the sum is computed directly.
 const DIRECT: usize = 1000;
 /// Images of the cell on each side, in a small window and in one three times as wide.
 const IMAGES: [i32; 2] = [24, 73];

@@ -11,7 +11,7 @@ const ATTAINABLE: f64 = 1e-12;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TrialVerdict {
-    /// The solver says so, and the check agrees.
+    /// The solver reports convergence, and the check confirms it.
     Converged,
     /// The solver refused it with a clear sentence.
     Refused,

@@ -99,7 +99,7 @@ fn number<T: FromStr>(tags: &[(String, String)], name: &str) -> io::Result<T> {
     value.parse().map_err(|_| malformed(format!("its tag {name} is {value:?}")))
 }
 
-/// The height that stands for none; NaN if there is no other.
+/// The height that marks a void; NaN if there is no other.
 fn void(tags: &[(String, String)]) -> io::Result<f64> {
     match find(tags, "InvalidPixelValue") {
         None => Ok(f64::NAN),

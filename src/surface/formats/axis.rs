@@ -65,7 +65,7 @@ impl CoordinateType {
         }
     }
 
-    /// The number in so many bytes.
+    /// The number in some bytes.
     pub fn number(self, bytes: &[u8]) -> io::Result<f64> {
         let mut bytes = ByteReader::new(bytes);
         Ok(match self {

@@ -97,7 +97,7 @@ pub(super) fn latin(bytes: &[u8]) -> String {
     }
 }
 
-/// The nodes of a map of `columns` by `rows`, each of `size` bytes, if so many fit into `bytes`.
+/// The nodes of a map of `columns` by `rows`, each of `size` bytes, if they fit into `bytes`.
 ///
 /// # Errors
 /// For counts that are not positive, and for more nodes than bytes.

@@ -88,7 +88,7 @@ impl<'a> HeaderReader<'a> {
         if self.is_far { self.long() } else { self.number() }
     }
 
-    /// So many bytes, and those that fill them up to a multiple of four.
+    /// A number of bytes, and the padding to a multiple of four.
     fn padded(&mut self, count: u64) -> io::Result<&'a [u8]> {
         let count = usize::try_from(count).unwrap_or(usize::MAX);
         let bytes = self.at.take(count)?;

@@ -8,10 +8,11 @@ use super::unit::metres;
 use std::collections::HashMap;
 use std::io;
 
-/// A tree of objects, each a name, a length and components of a name, a type and a value, the least significant byte first. The channel of
-/// number N is the data field `/N/data`, whose heights are double-precision numbers row by row from the top in base units; its title is
-/// `/N/data/title`, what is known of it `/N/meta`. Points that its mask `/N/mask` marks are void: that is how Gwyddion keeps missing points
-/// of other files, whose heights it makes up. Graphs, volumes and point clouds are passed over.
+/// A tree of objects, each a name, a length and components of a name, a type and a value, the least significant byte
+/// first. The channel of number N is the data field `/N/data`, whose heights are double-precision numbers row by row
+/// from the top in base units; its title is `/N/data/title`, its metadata `/N/meta`. Points that its mask `/N/mask`
+/// marks are void: that is how Gwyddion keeps missing points of other files, whose heights it makes up. Graphs, volumes
+/// and point clouds are passed over.
 ///
 /// # Source
 /// "Gwyddion file format" in the user's guide of Gwyddion 2.

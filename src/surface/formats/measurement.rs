@@ -15,8 +15,8 @@ use std::path::Path;
 
 /// The heights in a file of an instrument, before anything is done to them.
 ///
-/// A file that states its units gives metres, whatever they are; the numbers of one that does not are kept as they are, and
-/// `is_in_metres` says so. The first row of `height` is that at `y = 0`.
+/// A file that states its units gives metres, whatever they are; the numbers of one that does not are kept as they are,
+/// and `is_in_metres` is true. The first row of `height` is that at `y = 0`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
     /// The format, such as "ISO 25178-71 (SDF)".

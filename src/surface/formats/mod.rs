@@ -1,4 +1,4 @@
-//! Files of heights and other fields, told apart by their content.
+//! Files of heights and other fields, whose format is recognised from their content.
 
 mod al3d;
 #[cfg(feature = "instruments")]

@@ -152,7 +152,7 @@ fn channel<'a>(bytes: &'a [u8], name: String, kind: &str, image: &List, lists: &
     })
 }
 
-/// Bytes of a number as its scale counts them, and as they are stored, of which there are so many.
+/// Bytes of a number as its scale counts them, and as they are stored, and their number.
 fn widths(image: &List, lists: &[List], room: usize) -> io::Result<(i32, usize)> {
     let scaled: u8 = image.find("Bytes/pixel").map_or(Ok(2), |_| image.number("Bytes/pixel"))?;
     let version = lists.iter().find_map(|list| list.find("Version")).and_then(|it| it.strip_prefix("0x"));

@@ -22,7 +22,7 @@ use std::io;
 /// Units are those of the head: `Value units: m`, or in brackets after the names of columns, as in `x (um), z (nm)`.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "text", is_it, channels };
 
-/// Bytes from the start of a file that tell text from anything else.
+/// Number of bytes from the start of a file that are checked to distinguish text from binary data.
 const START: usize = 4096;
 
 /// Whether bytes begin with text, in any encoding of one byte for each letter of ours.

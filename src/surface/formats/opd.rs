@@ -141,7 +141,7 @@ fn map<'a>(array: &Block<'a>, blocks: &[Block<'a>]) -> io::Result<Channel<'a>> {
 /// A number in the bytes of a file.
 type Number = fn(&[u8]) -> io::Result<f64>;
 
-/// How a number of so many bytes is read.
+/// How a number of a given size in bytes is read.
 fn number(size: u16) -> io::Result<Number> {
     match size {
         1 => Ok(|it| ByteReader::new(it).u8().map(f64::from)),

@@ -20,7 +20,7 @@ const DATE: &[u8] = b"AAA AAA 10 00:00:00 0000";
 const VERSION: usize = 490;
 /// Metres in the unit of all lengths.
 const MICROMETRE: f64 = 1e-6;
-/// What stands for a height that was not measured.
+/// The marks of a height that was not measured.
 const VOID: f32 = 1_000_001.0;
 
 fn is_it(bytes: &[u8]) -> bool {

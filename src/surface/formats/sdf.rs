@@ -18,7 +18,7 @@ use std::str::FromStr;
 /// Gwyddion 2.61 for files of ISO-1.0 with eight bytes more than a header has.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "ISO 25178-71 (SDF)", is_it, channels };
 
-/// The dialects, each behind the letter that tells text from binary.
+/// The dialects, each after the letter that distinguishes text from binary.
 const DIALECTS: [&[u8]; 3] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0"];
 /// Names of the types of numbers in texts of BCR, in the order of their codes.
 const TYPES: [&str; 8] = ["UCHAR", "UINTEGER", "ULONGINT", "FLOAT", "CHAR", "INTEGER", "LONGINT", "DOUBLE"];
@@ -62,7 +62,7 @@ struct Header {
 }
 
 impl Header {
-    /// The channel of these heights in so many bytes, of which each takes `size` at least.
+    /// The channel of these heights, if they fit into `bytes`; each takes at least `size`.
     fn channel<'a>(
         self,
         size: usize,
@@ -133,7 +133,7 @@ fn number<T: FromStr>(header: &[(String, String)], name: &str) -> io::Result<T> 
     value.parse().map_err(|_| malformed(format!("its header has the invalid value {name} = {value:?}")))
 }
 
-/// A number that stands for something, or the name of it; zero if it is not said.
+/// A number with a meaning, or the name of that meaning; zero if it is missing.
 fn code(header: &[(String, String)], name: &str) -> io::Result<u8> {
     let value = find(header, name).unwrap_or("0").to_uppercase();
     let named = TYPES.iter().position(|it| *it == value).and_then(|it| u8::try_from(it).ok());
@@ -186,7 +186,7 @@ fn binary(bytes: &[u8]) -> io::Result<Channel<'_>> {
     Ok(Channel { doubts, ..channel })
 }
 
-/// Heights of so many bytes and the trailer, without what a writer puts before them.
+/// A number of bytes of heights and the trailer, without anything that a writer puts before them.
 fn heights(rest: &[u8], length: usize) -> &[u8] {
     rest.strip_prefix(&SUPERFLUOUS).filter(|rest| rest.len() == length).unwrap_or(rest)
 }

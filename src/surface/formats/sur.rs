@@ -22,7 +22,7 @@ pub(super) const INSTRUMENT: Instrument = Instrument { name: "Digital Surf (SUR,
 
 /// What objects of plain and of compressed points begin with.
 const MAGIC: [&[u8; 12]; 2] = [b"DIGITAL SURF", b"DSCOMPRESSED"];
-/// Bytes that a byte of compressed points can stand for at most.
+/// Largest number of bytes that one byte of compressed points can unpack to.
 const LARGEST_RATIO: usize = 1032;
 /// The kinds of files whose objects all are profiles or surfaces: one, a series, several layers.
 const HEIGHTS: [i16; 6] = [1, 2, 4, 5, 7, 8];
@@ -242,7 +242,7 @@ fn plain<'a>(at: &mut ByteReader<'a>, shape: [i64; 2], size: usize, depth: usize
     Ok(PointData::Plain(at.take(ny * nx * size)?))
 }
 
-/// Unpacks so many bytes of a stream, and reads on behind them: check sums are compared at the end.
+/// Unpacks a number of bytes of a stream, and reads on after them: check sums are compared at the end.
 fn unpack(stream: &[u8], length: u64, bytes: &mut Vec<u8>) -> io::Result<()> {
     let mut stream = ZlibDecoder::new(stream);
     stream.by_ref().take(length).read_to_end(bytes)?;

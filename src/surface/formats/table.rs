@@ -11,9 +11,9 @@ const VOIDS: [&str; 4] = ["BAD", "---", "N/A", "#N/A"];
 
 /// Rows of equally many numbers, and the lines above them.
 ///
-/// Numbers are told apart by white space, semicolons or commas. Where something else parts them, a comma is a decimal one. Lines
-/// before the first row are the head, and so is a whole number on a line of its own above rows of several numbers, which counts them;
-/// empty lines and those that begin with `#` or `%` are no rows anywhere.
+/// Numbers are separated by white space, semicolons or commas. If they are separated by something else, a comma is a
+/// decimal comma. Lines before the first row are the head, and so is a whole number on a line of its own above rows of
+/// several numbers, which counts them; empty lines and those that begin with `#` or `%` are no rows anywhere.
 pub(super) struct TextTable {
     /// The lines before the first number, and those that begin with `#` or `%`.
     pub head: Vec<String>,
@@ -103,7 +103,7 @@ impl TextTable {
 enum Comma {
     /// It parts numbers.
     Parts,
-    /// It stands for a decimal point.
+    /// It is a decimal point.
     Decimal,
 }
 

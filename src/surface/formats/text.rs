@@ -9,7 +9,7 @@ use std::io::{self, Read};
 pub(super) const FORMAT: Format =
     Format { is_it: is_text, shape: |file, wanted| Ok(read(file, wanted)?.shape().to_vec()), read };
 
-/// Bytes from the start of a file that tell text from anything else.
+/// Number of bytes from the start of a file that are checked to distinguish text from binary data.
 const START: u64 = 4096;
 
 /// Whether a file begins with text, in any encoding of one byte for each letter of ours.

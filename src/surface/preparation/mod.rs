@@ -93,7 +93,7 @@ impl Preparation {
         steps.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 
-    /// Rows and columns of what is made of so many.
+    /// Rows and columns after the step, from those before it.
     ///
     /// # Errors
     /// [`PreparationError::Crop`].
@@ -151,7 +151,7 @@ impl Preparation {
 }
 
 impl Prepared {
-    /// Goes on with other heights, and tells what they came to.
+    /// Continues with the next heights, and describes the effect of the step.
     fn take(&mut self, next: Scan, effect: impl FnOnce(&Scan, &Scan) -> String) {
         self.effects.push(effect(&self.scan, &next));
         self.scan = next;

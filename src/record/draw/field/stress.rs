@@ -152,7 +152,7 @@ impl StressDrawing {
         let position = start + (column as f64 + 0.5) / COLUMNS as f64 * (end - start);
         let (blocks, spacing) = (self.blocks.cells[1], self.grid.spacing()[1]);
         let per_node = blocks as f64 / self.blocks.shape[1] as f64;
-        // a node is in the middle of what it stands for
+        // a node is in the middle of the area that it represents
         let place = ((position / spacing + 0.5) * per_node - 0.5).rem_euclid(blocks as f64);
         let left = place as usize % blocks;
         (left, (left + 1) % blocks, place.fract())
