@@ -18,7 +18,7 @@ fn main() {
     }
 }
 
-/// The commit of a working copy or of a package; otherwise a few words on why there is none.
+/// The commit of a working copy or of a package; otherwise the reason why there is none.
 fn commit() -> String {
     match std::fs::read_to_string(".cargo_vcs_info.json") {
         Ok(text) => packaged(&text).unwrap_or_else(|| "unknown, of a package without one".into()),

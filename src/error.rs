@@ -124,7 +124,7 @@ pub enum ProblemError {
          a layer or a free boundary"
     )]
     ApproachOfHalfSpace { approach: f64 },
-    /// A mean pressure that the softer body cannot bear, even where all of it yields.
+    /// A mean pressure that the softer body cannot carry, even if all of it yields.
     #[error(
         "a mean pressure of {mean_pressure:?} is above the hardness of {hardness:?}, the highest pressure that the \
          body can carry: give less pressure, or a higher hardness"

@@ -15,7 +15,7 @@ pub fn check_target(path: &Path) -> Result<(), FileError> {
     TemporaryFile::beside(path).map(drop)
 }
 
-/// Checks that no two of the files that are to be written are the same, and that none of them is one that is read, by whatever names.
+/// Checks that all output files are different, and that none of them is an input file, even under another name.
 ///
 /// # Errors
 /// [`FileError::Target`] for the first file that would be lost.

@@ -1,4 +1,4 @@
-//! Quantities as people write and read them.
+//! Quantities as users write and read them.
 //!
 //! Lengths, pressures and forces in scenes are numbers in any consistent set of units or, with the feature `units`, texts
 //! such as `"160 um"`, `"1 GPa"` and `"5 N"`, which are turned into metres, pascals and newtons.

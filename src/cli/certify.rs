@@ -136,7 +136,7 @@ impl Certify {
         }
     }
 
-    /// The contact that a claim makes, recorded if that is asked for.
+    /// The contact that a claim makes, recorded on request.
     fn contact(&self, setup: &Setup, claim: &Claim, problem: &Problem, path: &Path) -> Result<Contact> {
         let frame = Frame { values: claim.values().to_vec(), seconds: None };
         let name = path.display().to_string();

@@ -1,4 +1,4 @@
-//! The verdict on the result of another code, for people and for scripts.
+//! The verdict on the result of another code, as text and as JSON.
 
 use super::finding::Finding;
 use super::output::write_rows;

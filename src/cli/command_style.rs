@@ -9,7 +9,7 @@ use std::io::{Write, stderr};
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Threads at the most: more than any machine has, fewer than a system refuses.
+/// Largest number of threads: more than any machine has, and few enough for any system.
 const MOST_THREADS: usize = 1024;
 
 /// Whether only results, warnings and errors are said. It holds for the whole process, as a bar is drawn from any depth.

@@ -17,7 +17,7 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-/// The program that opens an address in the browser of the person at the keyboard.
+/// The program that opens an address in the user's browser.
 #[cfg(target_os = "macos")]
 const OPEN: &[&str] = &["open"];
 #[cfg(target_os = "windows")]

@@ -1,4 +1,4 @@
-//! Fields of other codes, and what goes with them in a setup.
+//! Fields of other codes, and the parts of a setup that they need.
 
 use super::exit_status::usage;
 use anyhow::Result;

@@ -13,7 +13,7 @@ use clap::{Arg, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
-/// How much of a setup a command takes, and under which names.
+/// Which flags of a setup a command has, and their names.
 pub trait Extent {
     /// The heading of the flags of the load.
     const LOAD: &'static str;
@@ -142,7 +142,8 @@ fn read(path: &Path) -> Result<SetupTable> {
     }
 }
 
-/// Whether a file is called a scene, a summary or a recording, whatever is in it. An archive may hold a result or heights.
+/// Whether the name of a file is that of a scene, a summary or a recording, independent of its content. An archive may
+/// hold a result or heights.
 fn is_named_scene(path: &Path) -> bool {
     let ending = path.extension().unwrap_or_default();
     ["toml", "json", "rrd"].iter().any(|it| ending.eq_ignore_ascii_case(it))

@@ -1,4 +1,4 @@
-//! The iteration of another code, for people and for scripts.
+//! The iteration of another code, as text and as JSON.
 
 use super::claim_report::points;
 use super::finding::Finding;
@@ -59,7 +59,7 @@ impl Iteration {
         write_diagnosis(self.diagnosis.as_ref(), out)
     }
 
-    /// All early steps, ever fewer later ones, and the last.
+    /// All early steps, later ones less often, and the last.
     fn listed(&self) -> impl Iterator<Item = &Distance> {
         let place = |step: usize| (PER_DECADE * (step as f64).log10()).floor();
         let last = self.steps.len().saturating_sub(1);

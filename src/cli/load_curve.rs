@@ -51,7 +51,7 @@ struct Pressed {
     /// The contacts, if their fields are to be written.
     contacts: Vec<Contact>,
     outcome: ExitStatus,
-    /// Why the recording could not be finished, if it could not. The contacts are whole all the same.
+    /// Why the recording could not be finished, if it could not. The contacts are complete in any case.
     failure: Option<FileError>,
 }
 

@@ -1,4 +1,4 @@
-//! The summary of a solve, for people and for scripts.
+//! The summary of a solve, as text and as JSON.
 
 use super::finding::Finding;
 use super::problem_summary::ProblemSummary;

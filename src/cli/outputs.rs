@@ -75,17 +75,17 @@ impl Outputs {
         }
     }
 
-    /// The table, if one is asked for.
+    /// The table, if it is requested.
     pub fn table(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| has_ending(path, "csv"))
     }
 
-    /// The archive, if one is asked for.
+    /// The archive, if it is requested.
     pub fn archive(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| has_ending(path, "npz"))
     }
 
-    /// The picture, if one is asked for.
+    /// The picture, if it is requested.
     pub fn picture(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| has_ending(path, "svg") || has_ending(path, "png"))
     }

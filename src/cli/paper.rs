@@ -94,7 +94,7 @@ impl PaperCommand {
         settled(&points, Point::has_contact)
     }
 
-    /// The items asked for, each once.
+    /// The requested items, each once.
     fn items(&self) -> Vec<Item> {
         let mut items: Vec<Item> = Vec::new();
         for name in &self.parts {
@@ -144,7 +144,7 @@ fn parts() -> PossibleValuesParser {
     items.chain([PossibleValue::new("all").help("All of these")]).collect::<Vec<_>>().into()
 }
 
-/// Puts what is given, if anything, in the place of what is usual.
+/// Replaces the usual values by the given ones, if any.
 fn replace<T>(usual: &mut Vec<T>, given: Vec<T>) {
     if !given.is_empty() {
         *usual = given;

@@ -7,7 +7,7 @@ use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, write_png, 
 use std::cmp::Ordering;
 use std::path::Path;
 
-/// Dots of a curve at the most.
+/// Largest number of dots of a curve.
 const DOTS: usize = 4096;
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;

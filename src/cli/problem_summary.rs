@@ -6,7 +6,7 @@ use asperity::error::SetupError;
 use asperity::setup::{Method, Setup};
 use serde::Serialize;
 
-/// Surface, grid, solid and solver of a solve, for people and for scripts.
+/// Surface, grid, solid and solver of a solve, as text and as JSON.
 #[derive(Serialize)]
 pub struct ProblemSummary {
     /// The parts of the surface, such as a file, in words.

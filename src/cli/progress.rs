@@ -1,4 +1,4 @@
-//! A progress bar for people at a terminal.
+//! A progress bar on a terminal.
 
 use super::command_style::is_quiet;
 use asperity::contact::{Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
@@ -11,8 +11,8 @@ use std::time::Duration;
 /// Places on the bar from the first certificate to the tolerance.
 const LENGTH: u64 = 1000;
 
-/// Shows grid level and certificate on its way to the tolerance, on standard error, if that is a terminal. Of a step it
-/// asks only for what costs nothing.
+/// Shows grid level and certificate, and the progress towards the tolerance, on standard error, if that is a terminal.
+/// It uses only those values of a step that cost nothing.
 pub struct Progress {
     bar: ProgressBar,
     tolerance: f64,

@@ -36,8 +36,8 @@ impl RecordingArgs {
         self.record.iter().for_each(|path| wrote(path));
     }
 
-    /// Goes through the steps of another code, shown to `observer` and recorded under `title` if that is asked for, compared with the
-    /// reference if there is one.
+    /// Goes through the steps of another code, shown to `observer` and recorded under `title` on request, compared with
+    /// the reference if there is one.
     pub fn watch(
         &self,
         title: &str,

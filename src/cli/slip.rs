@@ -1,4 +1,4 @@
-//! What sticks and what slips under a tangential load, for people and for scripts.
+//! What sticks and what slips under a tangential load, as text and as JSON.
 
 use super::units::Units;
 use asperity::contact::PartialSlip;

@@ -93,7 +93,7 @@ impl Stability {
         Ok(if tally.is_stable() { ExitStatus::Done } else { ExitStatus::NotConverged })
     }
 
-    /// The trials whose names were asked for.
+    /// The trials with the requested names.
     fn trials(&self) -> Result<Vec<Trial>> {
         let mut trials = trials(self.quick)?;
         if let Some(unknown) = self.names.iter().find(|name| !trials.iter().any(|trial| trial.name.contains(*name))) {

@@ -7,7 +7,7 @@ use indicatif::HumanDuration;
 use std::io::Write;
 use std::time::Duration;
 
-/// Lines at the most; the rest is in the table.
+/// Largest number of lines; the rest is in the table.
 const LINES: usize = 40;
 
 /// Writes what the rows of a share take, those that take longest first.
@@ -89,7 +89,7 @@ fn write_rest(count: usize, what: &str, out: &mut impl Write) -> Result<()> {
     Ok(())
 }
 
-/// Seconds as people say them.
+/// Seconds in words.
 fn in_words(seconds: f64) -> String {
     match Duration::try_from_secs_f64(seconds) {
         Ok(duration) if seconds >= 1.0 => HumanDuration(duration).to_string(),

@@ -204,7 +204,7 @@ impl Origin {
         self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy"
     }
 
-    /// The warning that lengths are in a unit that nobody knows.
+    /// The warning that the unit of lengths is unknown.
     fn unit_warning(&self, recipe: &Recipe) -> Option<String> {
         (!self.has_unit(recipe)).then(|| {
             "the file has no units, so the heights are used without a unit: give it with --file-unit, such as \
@@ -243,7 +243,7 @@ impl Statistics {
         Ok(record_survey(path, &recipe.title(&grid), &surface, survey, unit, &text)?)
     }
 
-    /// Refuses a format that is in metres for heights in a unit that nobody knows.
+    /// Refuses a format in metres for heights in an unknown unit.
     fn check_unit(&self, recipe: &Recipe, path: &Path) -> Result<(), FileError> {
         let is_array = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
         if is_array || self.file.as_ref().is_none_or(|it| it.has_unit(recipe)) {

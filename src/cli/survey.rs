@@ -1,10 +1,10 @@
-//! What heights are like, for people.
+//! The description of heights, as text.
 
 use super::output::write_rows;
 use asperity::surface::{Scale, Scales, Survey};
 use std::io::{self, Write};
 
-/// Writes what heights are like, and their differences from scale to scale.
+/// Writes the description of heights, and their differences at each scale.
 pub fn write(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
     let [along_y, along_x] = survey.tilt.map(|tilt| format!("{tilt:.3e}"));
     let is_map = survey.axes.iter().any(|axis| axis.axis == "y");

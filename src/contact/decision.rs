@@ -1,6 +1,6 @@
-//! Decisions of solvers on their way from step to step.
+//! What solvers do from step to step.
 
-/// The decision of a solver on its way to a step, for those who ask why a run is as long as it is.
+/// What a solver did to reach a step. It helps to find out why a run needs many steps.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Decision, Each, Load, PolonskyKeer, Solver, Step};
@@ -35,7 +35,7 @@ pub enum Decision {
     Descend,
     /// A free update of the whole contact set.
     WholeSet,
-    /// A guarded step, by which the energy falls for certain.
+    /// A guarded step, which always lowers the energy.
     Guarded,
     /// A step of damped motion.
     Damped,
@@ -48,7 +48,7 @@ pub enum Decision {
 }
 
 impl Decision {
-    /// Its name, and a few words on it, in the order of their declaration.
+    /// Its name and a short description, in the order of declaration.
     pub const NAMES: [(&str, &str); 10] = [
         ("start", "start, or from the coarser grid"),
         ("conjugate", "conjugate gradients"),

@@ -1,11 +1,11 @@
 //! The observables: all numbers that are reported for a contact, in one table.
 //!
-//! A new observable needs one row of the table: results, tables of studies, the explorer and the curves of recordings show what is
-//! in it.
+//! A new observable needs one row of the table. Results, tables of studies, the page and the curves of recordings
+//! follow from it.
 //!
-//! A plain name such as `relative_area` or `kappa_r` is the best value that is known: that with edges of the contact resolved between the
-//! nodes, to which the errors `relative_area_error` and `kappa_r_error` belong. Names that end in `_counted` are from counting
-//! nodes, those that end in `_corrected` from counting nodes less the mean excess.
+//! A plain name such as `relative_area` or `kappa_r` is the most accurate value, with contact edges interpolated
+//! between the nodes. The errors `relative_area_error` and `kappa_r_error` belong to it. Names that end in `_counted`
+//! are from counting nodes. Names that end in `_corrected` are from counting nodes, minus the mean excess.
 
 use crate::contact::{Certificate, Contact, Counted, Load, Patches, Problem, Resolution, Resolved, Step, Work};
 use ndarray::ArrayView1;
@@ -24,23 +24,23 @@ pub struct Observable {
     /// Whether it is a whole number.
     #[serde(skip)]
     pub is_whole: bool,
-    /// Whether the number is drawn step by step: it changes while a contact is solved, and a step knows it.
+    /// Whether the number is recorded at each step.
     pub is_traced: bool,
     /// One sentence.
     pub sentence: &'static str,
-    /// The number of a state; NaN where the state does not know it.
+    /// The number of a state; NaN if it is not known.
     #[serde(skip)]
     pub value: fn(&State<'_>) -> f64,
 }
 
-/// A contact, or the state of a solver at a step, to take observables from. What costs a pass over the nodes is computed when
-/// it is first asked for, and once.
+/// A contact, or the state of a solver at a step, from which observables are computed. Values that need a pass over the
+/// nodes are computed on first use, and once.
 pub struct State<'a> {
     problem: &'a Problem,
     work: Work,
     /// The certificate; NaN where it is not known.
     certificate: Certificate,
-    /// The contact stiffness; NaN where nobody has asked for it.
+    /// The contact stiffness; NaN if it was not requested.
     stiffness: f64,
     counted: Lazy<'a, Counted>,
     resolved: Lazy<'a, Resolved>,
@@ -50,7 +50,7 @@ pub struct State<'a> {
     mean_gap: Lazy<'a, f64>,
     /// The elastic energy; NaN where it is not known.
     elastic_energy: Lazy<'a, f64>,
-    /// The approach; NaN where it is not known, or the solid sinks without end.
+    /// The approach; NaN if it is not known, or not defined.
     approach: Lazy<'a, f64>,
     plastic_area: Lazy<'a, f64>,
     mean_pressure: Lazy<'a, f64>,
@@ -225,8 +225,8 @@ impl Observables {
     }
 }
 
-/// A value whose error is known to be smaller than itself: where patches have too few nodes the value is 0 or NaN, or its error is not
-/// known or infinite.
+/// A value whose error is smaller than the value. If patches have too few nodes, the value is 0 or NaN, or its error is
+/// unknown or infinite.
 fn resolved(value: f64, error: f64) -> Option<f64> {
     (value.is_finite() && value > 0.0 && error < 1.0).then_some(value)
 }
@@ -238,7 +238,7 @@ impl State<'_> {
         Resolution::new(grid, &self.counted, &self.resolved, &self.patches, self.coarser)
     }
 
-    /// The reduced pressure: that which is prescribed, to the last bit, or else the one that is found.
+    /// The reduced pressure: the prescribed one, to the last bit, or else the computed one.
     fn reduced_pressure(&self) -> f64 {
         match self.problem.load() {
             Load::ReducedPressure(prescribed) => prescribed,
@@ -246,7 +246,7 @@ impl State<'_> {
         }
     }
 
-    /// The stiffness times the error of the gap, over the mean pressure.
+    /// The stiffness times the error of the gap, divided by the mean pressure.
     fn mean_pressure_error(&self) -> f64 {
         if self.problem.datum().is_none() {
             return 0.0;

@@ -98,7 +98,7 @@ impl Stop {
         self.pressure_tolerance
     }
 
-    /// Iterations at the most.
+    /// Largest number of iterations.
     pub fn max_iterations(&self) -> usize {
         self.max_iterations
     }

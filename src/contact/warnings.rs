@@ -1,4 +1,5 @@
-//! Warnings about contacts whose numbers mean little: loads beyond full contact, grids that are too coarse, pressures that no metal bears.
+//! Warnings about contacts with unreliable numbers: loads beyond full contact, grids that are too coarse, pressures
+//! above those at which metals yield.
 
 use super::{Contact, Law, Observables};
 use crate::warning::Warning;
@@ -9,15 +10,16 @@ const HEAVIEST: f64 = 10.0;
 const LARGEST_ERROR: f64 = 0.1;
 /// Contact moduli from this one on are those of metals, glasses and ceramics, if they are in pascals.
 const STIFF: f64 = 1e10;
-/// The share of the contact modulus above which no metal bears a pressure: the hardness of steels is 0.01 to 0.04 of it.
+/// The pressure, divided by the contact modulus, above which all metals yield: the hardness of steels is 0.01 to 0.04
+/// of it.
 const HARDEST: f64 = 0.05;
 /// Bounds of the error of the pressure above this one give a warning.
 const LARGEST_BOUND: f64 = 0.1;
 /// A share of the contact in patches that are too small to trust above this one gives a warning.
 const LARGEST_SHARE: f64 = 0.25;
 
-/// Warnings about contacts under one load or several: loads far beyond full contact, errors that are not known, pressures that are not solved
-/// for, grids that are too coarse, and pressures that no metal bears under the law of contact.
+/// Warnings about contacts under one load or several: loads far beyond full contact, errors that are not known,
+/// pressures that are not solved for, grids that are too coarse, and pressures above those at which metals yield.
 pub fn warnings_of(found: &[&Observables], law: Law) -> Vec<Warning> {
     let all = [too_heavy(found), unknown(found), loose(found), coarse(found), metal(found, law)];
     all.into_iter().flatten().collect()
@@ -112,7 +114,7 @@ fn coarse(found: &[&Observables]) -> Option<Warning> {
     )
 }
 
-/// The warning that a stiff solid is pressed harder than metals bear.
+/// The warning that the pressure on a stiff solid is above that at which metals yield.
 fn metal(found: &[&Observables], law: Law) -> Option<Warning> {
     let is_stiff = |it: &&&Observables| it.max_pressure >= STIFF * it.max_pressure_over_modulus;
     let shares = found.iter().filter(is_stiff).map(|it| it.max_pressure_over_modulus);

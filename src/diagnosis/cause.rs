@@ -15,7 +15,7 @@ pub enum Cause {
         tolerance: f64,
         /// The best certificate.
         eta: f64,
-        /// What rounding of the displacement can add to a certificate at the most.
+        /// The most that rounding of the displacement can add to a certificate.
         rounding: f64,
         /// The step since which nothing became better.
         from: usize,

@@ -31,8 +31,9 @@ const SWIFT: f64 = 0.5;
 
 /// Watches a run, and says what held it up and since when its results stood.
 ///
-/// Of each step it takes one pass over the pressure, area and `kappa_r`, and with a [`Reference`] a transform of the early steps and
-/// of ever fewer later ones. Runs are repeatable to the last bit, so the reference is best the final state of the same run made before.
+/// Of each step it takes one pass over the pressure, area and `kappa_r`, and with a [`Reference`] a transform of the
+/// early steps and of later ones less often. Runs are repeatable to the last bit, so the reference is best the final
+/// state of the same run made before.
 pub struct Diagnosis {
     contact: ContactHistory,
     spectrogram: Spectrogram,
@@ -77,7 +78,7 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// The rates as a table in Markdown; nothing if there are none.
+    /// The rates as a table in Markdown; empty if there are none.
     pub fn table(&self) -> String {
         let word = |rate: Option<f64>| rate.map_or("-".into(), |rate| format!("{rate:.1e}"));
         let row = |it: &BandRate| {

@@ -79,7 +79,7 @@ impl Description {
     }
 }
 
-/// The heights as they were measured, but for those that are cropped away.
+/// The heights as they were measured, without those that are cropped.
 fn scan(knobs: &HeightKnobs, file: &HeightFile) -> Result<Scan, Refusal> {
     let Preparation { resample, crop, .. } = knobs.prepare.clone();
     let raw = HeightKnobs { prepare: Preparation { resample, crop, ..Preparation::default() }, ..knobs.clone() };

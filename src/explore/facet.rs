@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 /// Additional data about a run that the page can request.
 pub struct Facet {
-    /// Its name in the path under which it is asked for.
+    /// Its name in the path of the request.
     pub name: &'static str,
     /// It, as JSON.
     pub of: fn(&SolvedRun) -> Value,

@@ -1,4 +1,4 @@
-//! The guard at the door: pages of this very server may ask, and nobody else.
+//! Access control: only pages of this server may send requests.
 
 use axum::http::header::{CONTENT_LENGTH, CONTENT_TYPE, HOST, HeaderName, ORIGIN};
 use axum::http::{HeaderMap, Method};

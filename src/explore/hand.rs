@@ -22,7 +22,7 @@ pub struct Hold {
     knobs: Knobs,
     /// The mean gap, a length; without it the load of the knobs.
     mean_gap: Option<f64>,
-    /// Whether the stress below is asked for.
+    /// Whether the stress below is requested.
     is_deep: bool,
 }
 
@@ -30,7 +30,7 @@ pub struct Hold {
 #[derive(Serialize)]
 pub struct Held {
     section: Section,
-    /// The stress below it, where it is asked for and known.
+    /// The stress below it, if it is requested and can be computed.
     shear: Option<Shear>,
     /// The surface beside, under the same mean pressure.
     beside: Option<Section>,

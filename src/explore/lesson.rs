@@ -132,8 +132,8 @@ impl Lesson {
 
     /// The lessons of a folder, one in each file that ends in `.toml`, by their names.
     ///
-    /// # Errors
-    /// For a folder that cannot be read or has no lesson, and for a lesson that is none, with its line.
+    /// # Errors For a folder that cannot be read or has no lesson, and for an invalid lesson, with the line of the
+    /// error.
     pub fn folder(folder: &Path) -> Result<Vec<Self>, Refusal> {
         let unreadable = |source| FileError::Read { path: folder.into(), source };
         let entries: Result<Vec<PathBuf>, _> =
@@ -216,8 +216,7 @@ impl LessonStep {
 
 /// The knobs that the page starts with, with others laid over them.
 ///
-/// # Errors
-/// A sentence with the place of the knob without which there is none: the first one with which it is said.
+/// # Errors A refusal with the place of the knob that causes it: the first knob with which the refusal appears.
 fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced> {
     let refused = match knobs_of(written) {
         Ok(knobs) => return Ok(knobs),

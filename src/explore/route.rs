@@ -183,7 +183,7 @@ fn recording(session: &Session, path: &str) -> Option<Reply> {
     }
 }
 
-/// What was asked for, or why it is refused.
+/// The requested data, or why they are refused.
 fn answer(done: Result<impl Serialize, Refusal>) -> Reply {
     match done {
         Ok(value) => Reply::json(&value),

@@ -154,12 +154,12 @@ pub enum KnobKind {
     },
     /// A length with its unit, or none.
     Length {
-        /// What a person may write.
+        /// The allowed values.
         example: &'static str,
     },
     /// Numbers of nodes with commas between, or none.
     Nodes {
-        /// What a person may write.
+        /// The allowed values.
         example: &'static str,
     },
 }
@@ -276,7 +276,7 @@ pub fn check(state: &Value) -> Result<(), Refusal> {
     KNOBS.iter().try_for_each(|knob| knob.check(state))
 }
 
-/// A number as people write it: whole ones in all digits.
+/// A number as a user writes it: whole ones in all digits.
 fn in_words(value: f64) -> String {
     if value.fract() == 0.0 && value.abs() < 1e15 { format!("{value}") } else { number_in_words(value) }
 }

@@ -24,7 +24,7 @@ use std::time::Duration;
 
 /// Requests answered at the same time; further ones wait.
 const THREADS: usize = 32;
-/// Ports tried after the one asked for.
+/// Number of ports that are tried after the given one.
 const FURTHER_PORTS: u16 = 32;
 /// Longest time that the head of a request, and its body, may take.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -42,8 +42,7 @@ pub struct Server {
 impl Server {
     /// Takes `port`, or the next one that is free; 0 takes any.
     ///
-    /// # Errors
-    /// If none of them can be had.
+    /// # Errors If none of them is free.
     pub fn bind(port: u16) -> io::Result<Self> {
         let bind = |port| TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
         let mut bound = bind(port);
@@ -130,7 +129,7 @@ async fn termination() -> io::Result<()> {
 struct Delivery(Arc<AtomicBool>);
 
 impl Delivery {
-    /// The right, if nobody has it.
+    /// The right, if no other request has it.
     fn begin(taken: &Arc<AtomicBool>) -> Option<Self> {
         (!taken.swap(true, Ordering::AcqRel)).then(|| Self(Arc::clone(taken)))
     }

@@ -165,13 +165,13 @@ impl Session {
         Ok(state.heights.as_ref().map(|(file, _)| SurfaceSource::Heights(file.clone())))
     }
 
-    /// Solves the contact under the hand, while what runs goes on.
+    /// Solves the contact that is dragged, while a running solve continues.
     pub(super) fn hold(&self, hold: &Hold) -> Result<Held, Refusal> {
         let source = self.source_of(hold.knobs())?;
         hold.solve(source.as_ref(), &mut self.hand.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Takes a file of heights in the place of the one before, and describes it with the steps that it needs.
+    /// Replaces the file of heights, and describes it with the preparation steps that it needs.
     ///
     /// # Errors
     /// For a file that cannot be read; the one before is then kept.

@@ -48,7 +48,7 @@ impl Reply {
 /// The bodies that a path takes.
 #[derive(Clone, Copy)]
 pub struct Intake {
-    /// Their MIME type, which is none of those that pages of others may send without asking.
+    /// Their MIME type, which pages of other origins cannot send without permission.
     pub kind: &'static str,
     /// Their largest size in bytes.
     pub most: usize,

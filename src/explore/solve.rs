@@ -1,4 +1,4 @@
-//! One solve, recorded and reported as it goes.
+//! One solve, recorded and reported while it runs.
 
 use super::knobs::Knobs;
 use super::motion::Motion;

@@ -1,4 +1,4 @@
-//! Contact from first touch to full, load by load, recorded as it goes.
+//! A sweep of the load from first touch to full contact, recorded load by load.
 
 use super::knobs::Knobs;
 use super::motion::Motion;
@@ -18,7 +18,7 @@ use std::ops::ControlFlow;
 const FIRST: f64 = 1e-4;
 const LAST: f64 = 1e2;
 const PER_DECADE: f64 = 12.0;
-/// Contact counts as full from this share of the area on.
+/// Relative area from which the contact counts as full.
 const FULL: f64 = 0.9999;
 /// With fewer nodes in contact than this, the numbers are not accurate.
 const FEWEST_NODES: usize = 4;
@@ -118,7 +118,7 @@ fn exact(setup: &Setup, problem: &Problem) -> Option<Exact> {
     setup.exact(problem.surface().grid(), problem.expected_mean_pressure())
 }
 
-/// Begins the recording: the pictures that were asked for, and always curves and contact.
+/// Begins the recording: the requested pictures, and always curves and contact.
 fn record(
     turn: Turn<'_>,
     report: &SweepReport,
@@ -150,7 +150,7 @@ fn record(
     Ok(LoadRecording::live(&report.id, &loads, turn.options(&parts))?)
 }
 
-/// A sweep on its way.
+/// A running sweep.
 struct Press<'a> {
     turn: Turn<'a>,
     setup: &'a Setup,

@@ -44,7 +44,7 @@ pub struct Spot {
 pub struct Disagreement {
     /// How many they are.
     pub nodes: usize,
-    /// The worst of them, and its gap over the rms height; none where there are none.
+    /// The worst of them, and its gap divided by the rms height; none if there is no such node.
     pub worst: Option<Spot>,
 }
 

@@ -23,7 +23,7 @@ const CURVES: [LoadTrace; 4] = [
     (GAP, "<g> / h_rms", Colour::ORANGE, |it| it.mean_gap_over_rms_height),
 ];
 
-/// The recording of contacts under one load after the other, on its way into a file.
+/// A recording of contacts under several loads that is being written into a file.
 pub struct CurveRecording(LoadRecording);
 
 impl CurveRecording {

@@ -14,7 +14,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// The table of earlier runs; an empty one if there is none. A file that holds anything else is not ours to replace.
+    /// The table of earlier runs; empty if there is none. A file with other content is not replaced.
     pub(super) fn read(path: &Path) -> Result<Self, FileError> {
         let text = match std::fs::read(path) {
             Err(source) if source.kind() == ErrorKind::NotFound => Vec::new(),
@@ -26,7 +26,7 @@ impl Comparison {
         Ok(Self { verdicts })
     }
 
-    /// Puts the verdicts on an item in the place of its earlier ones.
+    /// Replaces the earlier verdicts on an item.
     pub(super) fn replace(&mut self, item: Item, verdicts: Vec<Verdict>) {
         self.verdicts.retain(|verdict| verdict.item != item);
         self.verdicts.extend(verdicts);

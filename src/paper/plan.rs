@@ -15,7 +15,7 @@ use std::path::PathBuf;
 const LOADS: [f64; 2] = [1e-3, 1e-1];
 /// Smallest and largest reduced pressure at which the continuum values of lines are reported.
 const WIDE_LOADS: [f64; 2] = [1e-4, 0.316_227_766_016_837_94];
-/// Iterations at the most; a point takes some tens.
+/// Largest number of iterations; a point takes some tens.
 const MAX_ITERATIONS: usize = 2000;
 /// Certificate of smooth indenters. Their contacts may be so narrow that the rms height, which the certificate is over, is no
 /// measure of what happens in them.
@@ -25,7 +25,7 @@ const MEMORY: f64 = 0.8;
 
 /// The surfaces and loads that the paper is made again with, and the folder of all files.
 ///
-/// A run that was killed goes on where it was, and its tables are the same to the last bit.
+/// A run that was killed continues when it is started again, and its tables are the same to the last bit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Paper {
     /// Folder for all files; made if it is not there.
@@ -38,7 +38,7 @@ pub struct Paper {
     pub fine_lines: Rough,
     /// Points along a side of spheres: of Fig. 1, and of Table 1.
     pub sphere_sides: [usize; 2],
-    /// Certificate `eta` of each point; smooth indenters have one of `1e-12` at the most.
+    /// Certificate `eta` of each point; smooth indenters have one of at most `1e-12`.
     pub tolerance: f64,
     /// Realisations solved at a time; without a number as many as there are threads, if they fit in memory.
     pub workers: Option<usize>,

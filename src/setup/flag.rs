@@ -1,18 +1,18 @@
-//! The flags of the command line that lay values over a setup.
+//! The flags of the command line that set values of a setup.
 
 use super::{Boundary, Method, Part, Theme};
 use crate::elastic::Base;
 use crate::surface::{Detrend, Fill, Form, Indenter, Mirror, Preparation, Resample};
 
-/// A flag of the command line, and the place in a setup that its value is laid over.
+/// A flag of the command line, and the keys of the setup that it sets.
 pub struct Flag {
     /// Its name, without the dashes.
     pub name: &'static str,
-    /// Keys in a setup, with dots between.
+    /// Keys in a setup, separated by dots.
     pub path: &'static str,
     /// The kind of its value.
     pub value: FlagValue,
-    /// A name for its value.
+    /// The placeholder of its value in the help.
     pub placeholder: &'static str,
     /// One sentence.
     pub help: &'static str,
@@ -23,11 +23,11 @@ pub struct Flag {
 pub enum FlagValue {
     /// A number, a quantity with a unit, or a name.
     One,
-    /// One of them, or several with commas between.
+    /// One of them, or several separated by commas.
     List,
-    /// One of some names, with a few words on each.
+    /// One of some names, with a short description each.
     Choice(&'static [(&'static str, &'static str)]),
-    /// One of some names, each with keys of its own: it takes the place of all that stands beside it.
+    /// One of some names that each have their own keys: it replaces all keys of its section or table.
     Variant(&'static [(&'static str, &'static str)]),
     /// Several of some names.
     Choices(&'static [(&'static str, &'static str)]),

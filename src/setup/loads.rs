@@ -5,13 +5,13 @@ use crate::contact::Load;
 use crate::error::{ProblemError, SetupError};
 use serde::Deserialize;
 
-/// Loads of a range at the most.
+/// Largest number of loads of a range.
 const MOST_LOADS: u32 = 100_000;
 
 impl SetupTable {
-    /// Takes a list of loads out of the section `load` and leaves the first of them there; none where there is a single load or
-    /// none. A list such as `[1e5, "1 MPa"]` holds loads, and ranges such as `"1e-3..1e-1:13"`, of 13 loads that are evenly
-    /// spaced in their logarithm.
+    /// Removes a list of loads from the section `load` and keeps the first load. Returns none if there is a single load
+    /// or no load. A list such as `[1e5, "1 MPa"]` may contain ranges such as `"1e-3..1e-1:13"`, which means 13 loads
+    /// with equal ratios.
     ///
     /// ```
     /// use asperity::contact::Load;
@@ -42,7 +42,7 @@ impl SetupTable {
         Ok(Some(loads))
     }
 
-    /// Lays a list of loads, all of the kind of the first one, over the section `load`.
+    /// Sets a list of loads, all of the same kind, in the section `load`.
     pub fn lay_loads(&mut self, loads: &[Load]) {
         let Some(first) = loads.first() else { return };
         let named = toml::Table::try_from(first).expect("a load has a form in TOML");

@@ -5,7 +5,7 @@ use crate::error::SettingError;
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
 
-/// A solver with its settings: the one list of solvers.
+/// A solver with its settings. This is the only list of solvers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "method", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Method {
@@ -18,14 +18,14 @@ pub enum Method {
 }
 
 impl Default for Method {
-    /// The fast one.
+    /// The fastest solver.
     fn default() -> Self {
         Self::Multilevel {}
     }
 }
 
 impl Method {
-    /// The methods by their names in scenes, in a few words.
+    /// The names of the methods in scenes, with a short description.
     pub const METHODS: [(&str, &str); 3] = [
         ("multilevel", "Active-set method on nested grids; the fastest"),
         ("polonsky-keer", "Constrained conjugate gradients"),
@@ -62,22 +62,22 @@ impl Method {
         }
     }
 
-    /// Whether the solver works at a given mean gap, not under a pressure only.
+    /// Whether the solver works at a given mean gap, too, not only under a pressure.
     pub fn takes_mean_gap(&self) -> bool {
         !matches!(self, Self::Gfmd(_))
     }
 
-    /// Whether the solver works on a free boundary, not with images only.
+    /// Whether the solver works with a free boundary, too, not only with a periodic one.
     pub fn takes_free_boundary(&self) -> bool {
         !matches!(self, Self::Gfmd(_))
     }
 
-    /// Whether the solver takes on a hardness.
+    /// Whether the solver works with a hardness.
     pub fn takes_hardness(&self) -> bool {
         !matches!(self, Self::Gfmd(_))
     }
 
-    /// Coarse grids that the solver goes through.
+    /// Coarse grids of the solver.
     pub fn coarse_grids(&self, grid: &Grid) -> usize {
         match self {
             Self::Multilevel {} => Multilevel::coarse_grids(grid),
@@ -85,7 +85,8 @@ impl Method {
         }
     }
 
-    /// Fields of doubles that a solve holds at its peak when a share of the nodes touches, the heights left out.
+    /// Number of fields of doubles that a solve needs at its peak, without the heights, if a share of the nodes is in
+    /// contact.
     pub fn fields(&self, grid: &Grid, relative_area: f64) -> f64 {
         match self {
             Self::Multilevel {} => Multilevel::fields(grid, relative_area),
@@ -94,8 +95,8 @@ impl Method {
         }
     }
 
-    /// Fields that a recording adds to them, as measured: a state is copied to be written while the solver goes on, and one of the
-    /// multilevel solver has fields to be made that others have at hand.
+    /// Fields that a recording adds to them, as measured: a state is copied to be written while the solver continues,
+    /// and one of the multilevel solver has fields to be made that others have at hand.
     pub(super) fn recorded_fields(&self) -> f64 {
         match self {
             Self::Multilevel {} => 4.0,
@@ -112,7 +113,7 @@ impl Method {
         }
     }
 
-    /// Steps on the finest grid at the most, rather more than are usual.
+    /// Estimate of the largest number of steps on the finest grid.
     pub fn steps(&self, max_iterations: usize) -> usize {
         match self {
             Self::Multilevel {} => max_iterations.min(40),

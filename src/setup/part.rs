@@ -27,11 +27,12 @@ pub enum Part {
     Stress,
     /// The same as photoelastic fringes.
     Fringes,
-    /// The contact step by step against the place: how long each node has been as it is.
+    /// The contact by step and position: for how many steps each node has kept its state.
     Raster,
-    /// The error of pressure and displacement step by step against the wavelength, held against the final state: a second pass.
+    /// The error of pressure and displacement by step and wavelength, compared with the final state, which needs a
+    /// second pass.
     Waterfall,
-    /// The elastic energy step by step against the wavelength.
+    /// The elastic energy by step and wavelength.
     Energy,
     /// What the solver did: grid level, kind of step, nodes in and out, the end.
     Decisions,
@@ -58,7 +59,7 @@ impl Part {
         Self::Ritz,
     ];
 
-    /// The parts that show every step of a run at once, of a solve under one load.
+    /// The parts that show all steps of a run in one picture; for a solve under one load only.
     pub const OF_A_RUN: [Self; 5] = [Self::Raster, Self::Waterfall, Self::Energy, Self::Decisions, Self::Ritz];
 
     /// All parts.
@@ -76,7 +77,7 @@ impl Part {
         Self::PARTS.iter().zip(Self::ALL).find(|((other, _), _)| *other == name).map(|(_, part)| part)
     }
 
-    /// The parts by their names in scenes, in a few words.
+    /// The names of the parts in scenes, with a short description.
     pub const PARTS: [(&str, &str); 14] = [
         ("traces", "Numbers of every step"),
         ("profile", "Indenter and solid of a line"),
@@ -108,28 +109,28 @@ impl Part {
     ];
 }
 
-/// The recording of a solve, should one be made.
+/// The recording of a solve, if one is made.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Record {
-    /// Parts, instead of all that a line or a surface usually has.
+    /// Parts; if empty, the usual parts of a line or a surface.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub what: Vec<Part>,
-    /// Fields of every n-th step, instead of all early steps and then ever fewer.
+    /// Interval of steps whose fields are recorded. The default is all early steps, later ones less often.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub every: Option<usize>,
     /// Unit of lengths in the recording; metres are shown as mm, um or nm.
     pub length_unit: String,
-    /// Row and column of a surface along which the raster runs, from 0 on, instead of those of its highest peak.
+    /// Row and column of a surface that the raster shows, counted from 0; if it is left out, those of the highest peak.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub raster_at: Option<[usize; 2]>,
-    /// Ground of the pictures.
+    /// Background of the pictures.
     #[serde(skip_serializing_if = "Theme::is_dark")]
     pub theme: Theme,
 }
 
 impl Default for Record {
-    /// All usual parts, all early steps and then ever fewer, lengths in metres, on a dark ground.
+    /// All usual parts, all early steps, later ones less often, lengths in metres, a dark background.
     fn default() -> Self {
         Self { what: Vec::new(), every: None, length_unit: "m".into(), raster_at: None, theme: Theme::Dark }
     }

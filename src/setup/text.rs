@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use std::io::Write;
 use std::path::Path;
 
-/// A setup on its way: its sections and keys with any values, to lay others over it before it is read.
+/// A setup that is not checked yet: sections and keys with any values, which can be overridden before it is read.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct SetupTable(toml::Table);
 
@@ -207,7 +207,7 @@ impl SetupTable {
         if self.0.get("surface").is_none_or(is_empty) { Err(SetupError::NoSurface) } else { Ok(()) }
     }
 
-    /// Checks that there is one load, and puts one there if there is none, so that the rest can be read.
+    /// Checks that there is one load, and inserts one if there is none, so that the rest can be read.
     fn check_load(&mut self) -> Result<(), SetupError> {
         let load = self.0.entry("load").or_insert_with(|| toml::Table::new().into());
         let keys: Vec<&String> = load.as_table().into_iter().flat_map(toml::Table::keys).collect();
@@ -221,7 +221,7 @@ impl SetupTable {
         checked
     }
 
-    /// The recipe of a surface and its cell, whatever else there is.
+    /// The recipe of a surface and its cell; everything else is ignored.
     ///
     /// # Errors
     /// The errors of [`SetupTable::setup`].

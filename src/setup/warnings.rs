@@ -36,7 +36,7 @@ impl Setup {
         })
     }
 
-    /// The warning that the stress rests on a Poisson's ratio that nobody has given.
+    /// The warning that the stress uses an assumed Poisson's ratio.
     pub fn warning_of_stress(&self) -> Option<Warning> {
         self.poisson().is_none().then(|| {
             Warning::new(
@@ -122,7 +122,7 @@ impl Survey {
     }
 }
 
-/// The warning that much of the gradient is noise, so that area has no limit as the spacing shrinks.
+/// The warning that much of the gradient is noise, so that the area has no limit for small spacings.
 fn warning_of_noise(axes: &[Scales]) -> Option<Warning> {
     let share = axes.iter().map(|it| it.noise_share).fold(0.0, f64::max);
     let wavelength = axes.iter().map(|it| it.shortest_wavelength).fold(0.0, f64::max);

@@ -63,7 +63,7 @@ fn words<'a>(table: &SetupTable, flags: impl Iterator<Item = &'a Flag>) -> Strin
     flags.filter_map(word).collect::<Vec<_>>().join(", ")
 }
 
-/// A value as people write it.
+/// A value as a user writes it.
 pub(super) fn plain(value: &toml::Value) -> String {
     match value {
         toml::Value::String(text) => text.clone(),

@@ -84,7 +84,7 @@ impl Plan {
     }
 }
 
-/// The least and the largest of what is positive and finite; 1 where there is none.
+/// The smallest and the largest of the positive, finite values; 1 if there are none.
 fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let ends = values.filter(|value| value.is_finite() && *value > 0.0);
     let [low, high] = ends.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], value| [low.min(value), high.max(value)]);

@@ -60,7 +60,7 @@ pub struct StudyRow {
 }
 
 impl Plan {
-    /// Rows at the most.
+    /// Largest number of rows.
     pub const MOST_ROWS: usize = 10_000_000;
 
     /// The study that a TOML text describes.

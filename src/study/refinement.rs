@@ -1,4 +1,4 @@
-//! A contact on ever finer grids.
+//! A contact on successively finer grids.
 
 use crate::contact::{Contact, Resolution};
 use crate::error::SetupError;
@@ -12,9 +12,9 @@ const PER_WAVE: f64 = 4.0;
 /// The fewest points per side of such a grid.
 const FEWEST: usize = 64;
 
-/// A contact on ever finer grids, each of twice as many points per side, until area and `kappa_r` have settled: until
-/// the errors that [`Resolution`] estimates are within a tolerance. Plateaus that leave an error above it on any grid
-/// end it at once.
+/// A contact on successively finer grids, each of twice as many points per side, until area and `kappa_r` have settled:
+/// until the errors that [`Resolution`] estimates are within a tolerance. Plateaus that leave an error above it on any
+/// grid end it at once.
 ///
 /// Heights of a file are interpolated, all else is made on the finer grid.
 ///
@@ -74,7 +74,7 @@ impl Refinement {
         })
     }
 
-    /// Solves on ever finer grids by `solve`, which is not called for one that there is no memory for.
+    /// Solves on successively finer grids with `solve`, which is not called for a grid that needs too much memory.
     ///
     /// # Errors
     /// Those of `solve`, and of the first grid.

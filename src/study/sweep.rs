@@ -181,8 +181,8 @@ impl Sweep {
         })
     }
 
-    /// Does a task for each realisation, by its number, `workers` at a time as far as memory goes, those with the most work first;
-    /// the results are in order. After a failure none is begun.
+    /// Does a task for each realisation, by its number, `workers` at a time if memory allows, those with the most work
+    /// first; the results are in order. After a failure none is begun.
     fn in_parallel<T: Send>(&self, task: impl Fn(usize) -> Result<T, StudyError> + Sync) -> Result<Vec<T>, StudyError> {
         let expenses = self.realisations.iter().map(Expense::new).collect::<Result<Vec<_>, _>>()?;
         let tasks: Vec<(f64, f64)> = expenses.iter().map(|it| (it.seconds, it.bytes)).collect();

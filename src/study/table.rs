@@ -18,7 +18,8 @@ use std::path::{Path, PathBuf};
 /// | `NAME.seconds.csv`   | the seconds that each of them took, row by row                                 |
 /// | `NAME.unfinished`    | the points of a study that runs, or was killed, in the order of their coming    |
 ///
-/// The last column of a row of points is its check sum: a row that was changed after it was written counts as missing, and is solved again.
+/// The last column of a row of points is its check sum: a row that was changed after it was written is treated as
+/// missing, and is solved again.
 #[derive(Debug, Clone)]
 pub struct Table {
     path: PathBuf,
@@ -113,7 +114,7 @@ impl Table {
         [self.path.clone(), self.seconds_path(), self.unfinished_path()].into_iter().chain(views).try_for_each(remove)
     }
 
-    /// The paths of what goes beside the table of a whole study.
+    /// The paths of the files beside the table of a whole study.
     pub fn views(&self) -> [PathBuf; 3] {
         ["parquet", "svg", "png"].map(|ending| self.path.with_extension(ending))
     }

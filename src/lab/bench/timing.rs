@@ -43,8 +43,8 @@ pub struct Timing {
 }
 
 impl Timing {
-    /// Solves a contest by each method when its timing is asked for; all that was made is freed in between. With several
-    /// methods the first is what the others are held against.
+    /// Solves a contest by each method when its timing is requested; memory is freed in between. With several methods
+    /// the first is what the others are held against.
     ///
     /// # Errors
     /// Each timing, for a contact that a method cannot take on.

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 pub struct Check {
     /// Certificate, `sum p (v - min v) / (sum p h_rms)` with `v = u - h`; at a mean gap `D`, `|D - d| / h_rms` more.
     pub eta: f64,
-    /// The same over what is left of the gap, `min(D, max h - D)`, in the place of `h_rms`; 0 under a mean pressure.
+    /// The same divided by the remaining gap, `min(D, max h - D)`, instead of `h_rms`; 0 under a mean pressure.
     pub eta_gap: f64,
     /// `sqrt(eta h_rms <p> / <p u>)`: the bound of the relative error of the pressure.
     pub pressure_error: f64,

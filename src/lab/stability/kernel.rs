@@ -14,8 +14,9 @@ const IMAGES: [i32; 2] = [24, 73];
 /// Widths of the pressure that is summed over images, in spacings: smooth on the grid, and gone at the distance that is looked at.
 const WIDTH: f64 = 3.0;
 
-/// The displacement under `pressure`, row by row and with zero mean: small grids by the direct sum, larger ones by a plain transform
-/// for any length. The mean pressure is taken off first: it displaces nothing, but would be rounded. Free grids are summed directly.
+/// The displacement under `pressure`, row by row and with zero mean: small grids by the direct sum, larger ones by a
+/// plain transform for any length. The mean pressure is subtracted first: it displaces nothing, but would be rounded.
+/// Free grids are summed directly.
 pub fn displacement(grid: &Grid, solid: &dyn ElasticSolid, pressure: &[f64]) -> Vec<f64> {
     if !grid.is_periodic() {
         return direct::displacement(grid, solid, pressure);

@@ -42,7 +42,7 @@ pub struct Loads<'a> {
     pub scenes: &'a [Scene<'a>],
 }
 
-/// A recording over loads on its way into a file, which can be opened at any moment.
+/// A recording over loads that is being written into a file, which can be opened at any time.
 ///
 /// Loads can come in any order and from several threads. Loads that never come are not shown.
 pub struct LoadRecording {

@@ -17,7 +17,8 @@ use std::sync::Arc;
 /// The result of a run until there is one.
 pub const UNFINISHED: &str = "still running, or killed";
 
-/// The end of an axis of a run that goes on, over the highest pressure: where the axis is fitted to it, and the most that it may be later.
+/// The end of an axis of a running solve, divided by the highest pressure: when the axis is fitted, and its largest
+/// value later.
 const ROOM: f64 = 2.0;
 const LOWEST: f64 = 4.0;
 /// The highest pressure of a frame over that of the frame before from which on it grows.

@@ -68,7 +68,7 @@ impl SortedPositions {
         Ok(Self { order, x: sorted })
     }
 
-    /// Whether they are evenly spaced but for rounding.
+    /// Whether they are evenly spaced except for rounding.
     fn is_even(&self, spacing: f64) -> bool {
         self.x.iter().enumerate().all(|(i, x)| (x - i as f64 * spacing).abs() <= UNEVEN * spacing)
     }

@@ -6,7 +6,8 @@ use super::least_squares::{linear, nearest};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 
-/// The form to take off measured heights: the body of least squares through all that are there, in any place and with any tilt.
+/// The form to subtract from measured heights: the least-squares body through all heights that exist, at any position
+/// and with any tilt.
 ///
 /// In the section of a body its height is `c s^2 / (1 + sqrt(1 - c^2 s^2))` at the distance `s` from its highest or lowest point, with the
 /// curvature `c` of either sign. A cylinder lies in any direction, and its axis may be inclined.
@@ -19,7 +20,7 @@ pub enum Form {
     Sphere,
 }
 
-/// A curvature below this part of the reciprocal of the map's half length is none.
+/// A curvature below this fraction of the reciprocal of the map's half length counts as zero.
 const FLAT: f64 = 1e-9;
 
 impl Form {

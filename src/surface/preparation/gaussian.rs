@@ -54,7 +54,7 @@ impl Gaussian {
         Self { fields: Padded::new(scan.shape(), &padded), weights }
     }
 
-    /// The sums of neighbours with their weights; beyond the rims there are none.
+    /// The weighted sums of neighbours; there are no neighbours beyond the rims.
     fn sums(&mut self, field: Field) -> Field {
         let mut field = field.as_standard_layout().into_owned();
         self.fields.scale(field.as_slice_mut().expect("standard layout by construction"), &self.weights);

@@ -38,16 +38,16 @@ pub struct Preparation {
     /// How voids are filled.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fill: Option<Fill>,
-    /// The trend that is taken off.
+    /// The trend to subtract.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub detrend: Option<Detrend>,
-    /// The body whose form is taken off.
+    /// The body whose fitted form is subtracted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remove_form: Option<Form>,
-    /// The wavelength above which waves are taken off, see [`Scan::high_pass`].
+    /// The wavelength above which waves are removed, see [`Scan::high_pass`].
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub high_pass: Option<f64>,
-    /// The wavelength below which waves are taken off, see [`Scan::low_pass`].
+    /// The wavelength below which waves are removed, see [`Scan::low_pass`].
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub low_pass: Option<f64>,
     /// The share of each side within which heights run out to their mean, see [`Scan::tapered`].

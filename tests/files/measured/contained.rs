@@ -8,7 +8,7 @@ fn read(file: &[u8], channel: Option<&str>) -> Measurement {
     Measurement::from_bytes(file, channel).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Whether two numbers are the same but for rounding, or both void.
+/// Whether two numbers are the same except for rounding, or both void.
 fn is_same(found: f64, told: f64) -> bool {
     (found.is_nan() && told.is_nan()) || (found - told).abs() <= 1e-6 * told.abs()
 }

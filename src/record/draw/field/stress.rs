@@ -20,12 +20,12 @@ use rerun::{RecordingStream, RecordingStreamResult};
 /// Columns of the pictures, whose pixels are square in space, and the fewest and the most rows: as many as the pane has room for.
 const COLUMNS: usize = 256;
 const ROWS: [usize; 2] = [64, 256];
-/// Pixels of a picture at the most.
+/// Largest number of pixels of a picture.
 pub const MOST_PIXELS: usize = COLUMNS * ROWS[1];
-/// Blocks of the pressure for each column of a picture of a line, and on the whole line at the most.
+/// Blocks of the pressure per column of a picture of a line, and their largest number on the whole line.
 const FINER: usize = 2;
 const MOST: usize = 8192;
-/// Blocks along the longer side of a surface at the most.
+/// Largest number of blocks along the longer side of a surface.
 const MOST_OF_SURFACE: usize = 256;
 /// The largest shear stress below a Hertzian line over the largest pressure: what is expected.
 const HERTZ: f64 = 0.30;
