@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let recipe = Recipe { prepare: choice.preparation, ..recipe };
     let prepared = recipe.prepared(&file, &recipe.grid(&cell)?)?;
-    prepared.told.iter().for_each(|step| println!("{step}"));
+    prepared.effects.iter().for_each(|step| println!("{step}"));
     let survey = Survey::new(&prepared.scan)?;
     for axis in &survey.axes {
         let (noise, share) = (axis.noise, 100.0 * axis.noise_share);

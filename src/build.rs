@@ -1,4 +1,4 @@
-//! Tells the program what it is built from: the commit, and the features.
+//! Passes the commit and the features of the build to the program.
 //!
 //! The sources of the command line are not watched, so that a change of them does not build the library anew: after such a
 //! change alone a working copy names the commit that the rest of it is of.
@@ -18,7 +18,7 @@ fn main() {
     }
 }
 
-/// The commit of a working copy or of a package; otherwise a few words on why there is none.
+/// The commit of a working copy or of a package; otherwise the reason why there is none.
 fn commit() -> String {
     match std::fs::read_to_string(".cargo_vcs_info.json") {
         Ok(text) => packaged(&text).unwrap_or_else(|| "unknown, of a package without one".into()),

@@ -35,7 +35,7 @@ pub enum GridError {
     Length { axis: &'static str, length: f64 },
     /// A solid other than a half-space without images.
     #[error(
-        "a free boundary needs a half-space below it, and this is a {solid}: leave the boundary periodic, or the layer out"
+        "a free boundary needs a half-space, but this is a {solid}: make the boundary periodic, or leave the layer out"
     )]
     FreeSolid { solid: String },
 }
@@ -64,12 +64,14 @@ pub enum SurfaceError {
     CutoffOrder { rolloff: f64, short_cutoff: f64 },
     /// The roll-off is longer than the period.
     #[error(
-        "the roll-off wavelength {rolloff:?} is longer than the period {period:?}: make it shorter or the cell larger"
+        "the roll-off wavelength {rolloff:?} is longer than the period {period:?}: make it shorter, or make the cell \
+         larger"
     )]
     RolloffTooLong { rolloff: f64, period: f64 },
     /// The grid cannot carry the shortest wavelength.
     #[error(
-        "the short cut-off {short_cutoff:?} is finer than the grid, whose shortest wavelength is {shortest:?}: raise it or take more points"
+        "the short cut-off {short_cutoff:?} is too short for the grid, whose shortest wavelength is {shortest:?}: \
+         raise it, or use more points"
     )]
     CutoffTooFine { short_cutoff: f64, shortest: f64 },
     /// An indenter that only makes sense on the other kind of grid.
@@ -77,7 +79,8 @@ pub enum SurfaceError {
     WrongDimension { indenter: &'static str, needs: &'static str, has: &'static str },
     /// An indenter whose half-width or radius is too large for the cell.
     #[error(
-        "a {indenter} of half-width {half_width:?} does not fit the shortest period {period:?}: make it narrower than half of it"
+        "a {indenter} of half-width {half_width:?} does not fit the shortest period {period:?}: make the half-width \
+         less than half the period"
     )]
     TooWide { indenter: &'static str, half_width: f64, period: f64 },
     /// No wavelength of the grid lies in the band of the spectrum.
@@ -94,31 +97,37 @@ pub enum ProblemError {
     #[error("the {name} is {value:?}: give a positive, finite value")]
     NotPositive { name: &'static str, value: f64 },
     /// All heights are the same: the contact area of a flat is its whole area at any load.
-    #[error("the surface is flat (all heights are {height:?}): its contact is undefined, give a surface with relief")]
+    #[error(
+        "the surface is flat (all heights are {height:?}): its contact is undefined, give a surface with different heights"
+    )]
     Flat { height: f64 },
     /// A mean gap that keeps even the highest peak off the solid.
     #[error(
-        "at a mean gap of {mean_gap:?} nothing touches: give less than {highest:?}, the highest peak above the mean height"
+        "at a mean gap of {mean_gap:?} nothing touches: give less than {highest:?}, the height of the highest peak \
+         above the mean"
     )]
     NothingTouches { mean_gap: f64, highest: f64 },
     /// A mean gap that leaves no gap anywhere: every pressure from some value on does that.
     #[error(
-        "at a mean gap of {mean_gap:?} everything touches, at any pressure that is high enough: give between 0 and {highest:?}, or a pressure"
+        "at a mean gap of {mean_gap:?} everything touches, and the pressure is not determined: give a gap between 0 \
+         and {highest:?}, or a pressure"
     )]
     EverythingTouches { mean_gap: f64, highest: f64 },
     /// A mean gap without a period over which it could be kept.
     #[error(
-        "a mean gap of {mean_gap:?} is no load where the boundary is free: give a pressure, a force, or the approach"
+        "a mean gap of {mean_gap:?} is not a load if the boundary is free: give a pressure, a force, or the approach"
     )]
     GapOfFree { mean_gap: f64 },
     /// An approach of a solid that sinks without end.
     #[error(
-        "an approach of {approach:?} has nothing to be measured from on a periodic half-space: give a mean gap or a pressure, a layer or a free boundary"
+        "an approach of {approach:?} is not defined on a periodic half-space: give a mean gap or a pressure, or use \
+         a layer or a free boundary"
     )]
     ApproachOfHalfSpace { approach: f64 },
-    /// A mean pressure that the softer body cannot bear, even where all of it yields.
+    /// A mean pressure that the softer body cannot carry, even if all of it yields.
     #[error(
-        "a mean pressure of {mean_pressure:?} is above the hardness of {hardness:?}, the highest pressure that the body bears: give less, or a higher hardness"
+        "a mean pressure of {mean_pressure:?} is above the hardness of {hardness:?}, the highest pressure that the \
+         body can carry: give less pressure, or a higher hardness"
     )]
     AboveHardness { mean_pressure: f64, hardness: f64 },
     /// Values so large or small that sums of their squares leave the range of doubles.
@@ -134,7 +143,7 @@ pub enum ClaimError {
     /// The field does not have the shape of the heights.
     #[error(
         "the {quantity} of shape {found:?} does not fit heights of {} x {} points: {}", expected[0], expected[1],
-        if *is_transposed { "it is transposed, give its transpose" } else { "give one value for each height" }
+        if *is_transposed { "it is transposed, give the transpose" } else { "give one value for each height" }
     )]
     Shape { quantity: &'static str, found: Vec<usize>, expected: [usize; 2], is_transposed: bool },
     /// A value of the field is NaN or infinite.
@@ -154,7 +163,7 @@ pub enum StepsError {
     #[error("{}, step {step} of the file: {source}", path.display())]
     Step { path: PathBuf, step: usize, source: ClaimError },
     /// Not a single step.
-    #[error("no steps are found: give files of fields (.npy, .npz or text), one or several steps in each")]
+    #[error("no steps were found: give files of fields (.npy, .npz or text) with one or several steps each")]
     Nothing,
     /// Seconds that do not fit the steps.
     #[error("there are {seconds} times for {steps} steps: give one for each step")]
@@ -171,7 +180,7 @@ pub enum SettingError {
     #[error("{name} is {value}: it must lie in {range}")]
     Range { name: &'static str, value: f64, range: &'static str },
     /// A grid that is not finer than the one before it.
-    #[error("the grids go from {from} to {to} points a side: give ever finer grids")]
+    #[error("the grids go from {from} to {to} points per side: give the grids from coarse to fine")]
     NotFiner { from: usize, to: usize },
 }
 
@@ -180,26 +189,21 @@ pub enum SettingError {
 pub enum SolveError {
     /// The iterations or the attainable accuracy ran out.
     #[error(
-        "not converged: {solver} stopped after {iterations} iterations ({reason}) at a certificate of {certificate:.3e}, with the pressure within {pressure_error_bound:.1e}"
+        "not converged: {solver} stopped after {iterations} iterations ({reason}) with the certificate \
+         {certificate:.3e} and a relative error of the pressure of at most {pressure_error_bound:.1e}"
     )]
     NotConverged { solver: String, iterations: usize, reason: String, certificate: f64, pressure_error_bound: f64 },
     /// An observer failed, which ended the run.
     #[error("{0}")]
     Observer(Arc<Failure>),
     /// A solver that moves under a force was given a mean gap.
-    #[error(
-        "{solver} works under a given mean pressure: give one, or choose the solver multilevel or polonsky-keer for a mean gap"
-    )]
+    #[error("{solver} needs a given mean pressure: give one, or choose the solver multilevel or polonsky-keer")]
     NeedsPressure { solver: String },
     /// A solver that moves waves was given a boundary that mixes them.
-    #[error(
-        "{solver} moves every wave on its own, which a free boundary does not let it: choose the solver multilevel or polonsky-keer"
-    )]
+    #[error("{solver} works with periodic boundaries only: choose the solver multilevel or polonsky-keer")]
     NeedsWaves { solver: String },
     /// A solver that moves the surface against a hard wall was given a hardness.
-    #[error(
-        "{solver} moves the surface against a hard wall, which does not yield: choose the solver multilevel or polonsky-keer for a hardness"
-    )]
+    #[error("{solver} cannot solve with a hardness: choose the solver multilevel or polonsky-keer")]
     NeedsHardWall { solver: String },
 }
 
@@ -215,12 +219,13 @@ pub enum SlipError {
     NotPositive { name: &'static str, value: f64 },
     /// A tangential load that is at the limit of friction, or above it.
     #[error(
-        "the tangential load {tangential:?} makes all slide, for friction carries less than {limit:?}: give less, more friction or more normal load"
+        "the tangential load {tangential:?} makes everything slide, since friction carries less than {limit:?}: give \
+         less, or more friction or more normal load"
     )]
     Sliding { tangential: f64, limit: f64 },
     /// A normal load that is not a pressure.
     #[error(
-        "friction needs a pressure that carries it, but {load} is given: give a mean pressure, a reduced pressure or a force"
+        "friction needs a given pressure, but {load} is given: give a mean pressure, a reduced pressure or a force"
     )]
     NeedsPressure { load: String },
 }
@@ -247,11 +252,12 @@ fn bodies_in_words(young: usize, poisson: usize) -> String {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SolidError {
     /// No constants at all.
-    #[error("it is empty: give the contact modulus, or Young's modulus and Poisson's ratio")]
+    #[error("the solid is empty: give the contact modulus, or Young's modulus and Poisson's ratio")]
     Nothing,
     /// The modulus that the constants would make, beside them.
     #[error(
-        "a contact modulus and elastic constants are given: give the modulus, or Young's modulus and Poisson's ratio"
+        "both a contact modulus and elastic constants are given: give only the modulus, or only Young's modulus and \
+         Poisson's ratio"
     )]
     Both,
     /// Constants that are missing, or too many.
@@ -263,7 +269,7 @@ pub enum SolidError {
     Thickness { thickness: f64 },
     /// A solid inside which the stress is not known.
     #[error(
-        "the stress is known in a half-space, below a line or a periodic surface, and this is neither: leave the stress out"
+        "the stress can be computed in a half-space only, below a line or a periodic surface: leave the stress out"
     )]
     NoStress,
     /// A base without a layer on it.
@@ -271,11 +277,11 @@ pub enum SolidError {
     BaseWithoutLayer,
     /// A layer below an elastic body.
     #[error(
-        "{bodies} Young's moduli are given beside a layer: give that of the layer only, what is pressed on it is rigid"
+        "{bodies} Young's moduli are given with a layer: give only that of the layer, since the other body is rigid"
     )]
     BodiesOfLayer { bodies: usize },
     /// A layer whose Poisson's ratio is not known.
-    #[error("{count} Poisson's ratios are given for a layer, whose response depends on it: give one")]
+    #[error("{count} Poisson's ratios are given for a layer: give one")]
     PoissonOfLayer { count: usize },
     #[error("Poisson's ratio is {poisson:?}: it must lie above -1 and at most at 0.5")]
     Poisson { poisson: f64 },
@@ -332,38 +338,40 @@ pub enum SetupError {
     SeedWithoutSpectrum,
     /// A tangential load on a contact that yields.
     #[error(
-        "a tangential load is given beside a hardness, but partial slip is that of elastic contacts: leave one of them out"
+        "a tangential load and a hardness are given, but partial slip is solved for elastic contacts only: leave one \
+         of them out"
     )]
     FrictionOfYielding,
     /// A second file of heights that does not fit the first.
     #[error(
-        "the heights in {} have the shape {found:?} and those that they are pressed on {expected:?}: give arrays of the same shape", path.display()
+        "the heights in {} have the shape {found:?} and those of the other body {expected:?}: give arrays of the \
+         same shape", path.display()
     )]
     Against { path: PathBuf, found: Vec<usize>, expected: Vec<usize> },
     /// Boundaries that fit no axes.
     #[error("{boundaries} boundaries are given for {axes} axes: give one for all of them, or one for each")]
     Boundaries { boundaries: usize, axes: usize },
     /// A datum where no boundary is free, or nearer than the cell is long.
-    #[error("the datum of {datum:?} is too near: give at least the length of the cell along a free axis, {length:?}")]
-    Datum { datum: f64, length: f64 },
     #[error(
-        "a datum is given without a free axis that it could be for: make the boundary free along one axis, or leave the datum out"
+        "the datum distance {datum:?} is too short: give at least the length of the cell along a free axis, {length:?}"
     )]
+    Datum { datum: f64, length: f64 },
+    #[error("a datum is given, but no axis is free: make the boundary free along one axis, or leave the datum out")]
     DatumOfPeriodic,
     /// A preparation of nothing.
-    #[error("heights are to be read or prepared without a height file: give one as well")]
+    #[error("options for reading or preparing heights are given without a height file: give one, or leave them out")]
     PreparationWithoutHeights,
     /// Lengths that neither the file nor the cell says.
-    #[error("no size is given, and no file says one: give it as well")]
+    #[error("no size is given, and the file has none: give it")]
     NoSize,
     /// A unit beside that of the file.
-    #[error("the file says its units, so leave the file unit {unit:?} out")]
+    #[error("the file has units, so leave the file unit {unit:?} out")]
     UnitOfFile { unit: f64 },
     /// Positions that are not evenly spaced.
-    #[error("the positions in {} are not evenly spaced: resample the heights at even ones", path.display())]
+    #[error("the positions in {} are not evenly spaced: resample the heights to even spacing", path.display())]
     Uneven { path: PathBuf },
     /// Heights that are void.
-    #[error("{voids} of {points} heights in {} are void: fill them or crop them away", path.display())]
+    #[error("{voids} of {points} heights in {} are void: fill them, or crop the heights", path.display())]
     Voids { path: PathBuf, voids: usize, points: usize },
     /// A seed that a scene in TOML cannot hold.
     #[error("the seed {seed} is too large: give at most {}", i64::MAX)]
@@ -372,19 +380,19 @@ pub enum SetupError {
     #[error("the points are missing: give one number for a line, two for a surface")]
     NoPoints,
     /// Points beside those of a height file.
-    #[error("points are given beside a height file, which has its own: leave them out")]
+    #[error("points are given, but the height file has its own: leave the points out")]
     PointsOfFile,
     /// No points for each that is given.
-    #[error("the grid is refined 0 times: give 1 or more points for each, or auto")]
+    #[error("the refinement is 0: give 1 or more, or auto")]
     Refine,
     /// Points to be found along some axes only.
-    #[error("points are to be found along some axes only: give auto for all axes, or a number for each")]
+    #[error("points are auto along some axes only: give auto for all axes, or a number for each")]
     SomePoints,
     /// Points to be found without roughness that sets them.
-    #[error("points can be found for roughness alone: give a spectrum, or points and refine = auto")]
+    #[error("points = auto works for a random rough surface only: give a spectrum, or give points and refine = auto")]
     PointsOfNothing,
     /// A tolerance of a grid that is given.
-    #[error("the area has a tolerance but the grid is given: let it be found by refine = auto or points = auto")]
+    #[error("an area tolerance needs refine = auto or points = auto: give one of them, or leave the tolerance out")]
     ToleranceOfGrid,
     /// Lengths of the cell that do not fit the axes.
     #[error("the size of the cell has {sizes} lengths for {axes} axes: give one for all axes, or one for each")]
@@ -393,16 +401,17 @@ pub enum SetupError {
     #[error("the grid has {axes} axes: give one for a line, two for a surface")]
     Axes { axes: usize },
     /// A part of a recording that the grid does not have.
-    #[error("the recording asks for the {part}, which a {of} does not have: leave it out")]
+    #[error("the recording part {part} does not exist for a {of}: leave it out")]
     NoSuchPart { part: &'static str, of: &'static str },
     /// A row or a column that a surface does not have.
     #[error(
-        "the raster is to run along row {row} and column {column} of {} x {} nodes: give a row and a column of a surface, from 0 on",
+        "there is no row {row} and column {column} for the raster in {} x {} nodes: give a row and a column of a \
+         surface, counted from 0",
         shape[0], shape[1]
     )]
     NoSuchNode { row: usize, column: usize, shape: [usize; 2] },
     /// Every 0th step was to be recorded.
-    #[error("every 0th step is to be recorded: give a positive number of steps")]
+    #[error("the recording interval is 0 steps: give a positive number of steps")]
     EveryNone,
     /// A text that is no setup.
     #[error("{place}{reason}")]
@@ -411,7 +420,7 @@ pub enum SetupError {
     #[error(
         "a grid of {} x {} points does not fit in memory: {what} needs at least {}, {}: give fewer points",
         shape[0], shape[1], bytes_in_words(*needed),
-        free.map_or("more than the system grants".into(), |free| format!("and {} are free", bytes_in_words(free)))
+        free.map_or("more than the system allows".into(), |free| format!("and {} are free", bytes_in_words(free)))
     )]
     Memory { shape: [usize; 2], what: String, needed: f64, free: Option<f64> },
 }
@@ -423,7 +432,7 @@ pub enum FileError {
     #[error("cannot read {}: {}", path.display(), reason(source))]
     Read { path: PathBuf, source: std::io::Error },
     /// The file is not what it should be.
-    #[error("{} is not a usable {what} file: {reason}", path.display())]
+    #[error("{} is not a valid {what} file: {reason}", path.display())]
     Format { path: PathBuf, what: &'static str, reason: String },
     /// The file is no recording, or one in which there is nothing to compare.
     #[error("{} cannot be compared: {reason}", path.display())]

@@ -1,6 +1,6 @@
 //! Output files that appear whole or not at all.
 
-use crate::error::{Failure, FileError};
+use crate::error::{Failure, FileError, reason};
 use serde::Serialize;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -15,7 +15,7 @@ pub fn check_target(path: &Path) -> Result<(), FileError> {
     draft_beside(path).map(drop)
 }
 
-/// Checks that no two of the files that are to be written are the same, and that none of them is one that is read, by whatever names.
+/// Checks that all output files are different, and that none of them is an input file, even under another name.
 ///
 /// # Errors
 /// [`FileError::Target`] for the first file that would be lost.
@@ -26,20 +26,22 @@ pub fn check_target(path: &Path) -> Result<(), FileError> {
 /// let [result, same, heights] = ["a.npz", "./a.npz", "h.npy"].map(Path::new);
 /// assert!(check_apart([result], [heights]).is_ok());
 /// let refused = check_apart([result, same], [heights]).unwrap_err();
-/// assert_eq!(refused.to_string(), "cannot write ./a.npz: another output has the same name, give each its own");
+/// assert_eq!(refused.to_string(), "cannot write ./a.npz: two outputs have this name: give each its own name");
 /// ```
 pub fn check_apart<'a, 'b>(
     written: impl IntoIterator<Item = &'a Path>,
     read: impl IntoIterator<Item = &'b Path>,
 ) -> Result<(), FileError> {
-    let mut taken: Vec<(PathBuf, &str)> =
-        read.into_iter().map(|path| (place(path), "it is read, and would be lost: give another name")).collect();
+    let mut taken: Vec<(PathBuf, &str)> = read
+        .into_iter()
+        .map(|path| (place(path), "it is also an input file and would be lost: give another name"))
+        .collect();
     for path in written {
         let place = place(path);
         if let Some((_, reason)) = taken.iter().find(|(other, _)| *other == place) {
             return Err(FileError::Target { path: path.into(), reason: (*reason).into() });
         }
-        taken.push((place, "another output has the same name, give each its own"));
+        taken.push((place, "two outputs have this name: give each its own name"));
     }
     Ok(())
 }
@@ -120,12 +122,12 @@ pub fn write_csv<T: Serialize>(path: &Path, rows: impl IntoIterator<Item = T>) -
 fn check_folder(path: &Path) -> Result<(), FileError> {
     let unfit = |reason: &str| Err(FileError::Target { path: path.into(), reason: reason.into() });
     if path.file_name().is_none() {
-        return unfit("it is no name of a folder, give that of a new one");
+        return unfit("it is not the name of a folder: give a new folder");
     }
     match std::fs::read_dir(path).map(|mut entries| entries.next().is_none()) {
         Ok(true) => Ok(()),
-        Ok(false) => unfit("it is not empty, give a new folder"),
-        Err(_) if path.exists() => unfit("it is no folder that can be read, give a new one"),
+        Ok(false) => unfit("it is not empty: give a new folder"),
+        Err(_) if path.exists() => unfit("it is not a readable folder: give a new folder"),
         Err(_) => check_target(path),
     }
 }
@@ -170,21 +172,21 @@ pub fn fill_folder(path: &Path, fill: impl FnOnce(&Path) -> Result<(), Failure>)
 fn draft_beside(path: &Path) -> Result<NamedTempFile<File>, FileError> {
     let unfit = |reason: String| FileError::Target { path: path.into(), reason };
     if path.file_name().is_none() || path.as_os_str().as_encoded_bytes().ends_with(b"/") || path.is_dir() {
-        return Err(unfit("it is a directory, give the name of a file".into()));
+        return Err(unfit("it is a directory: give the name of a file".into()));
     }
     if path.exists() && !path.is_file() {
-        return Err(unfit("it is not a regular file, give another name".into()));
+        return Err(unfit("it is not a regular file: give another name".into()));
     }
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
     if !folder.is_dir() {
-        return Err(unfit(format!("there is no folder {}, make it first", folder.display())));
+        return Err(unfit(format!("the folder {} does not exist: create it first", folder.display())));
     }
     // `File::create_new` gives the usual permissions; files that tempfile creates can be read by their owner alone
     let draft = Builder::new().prefix(".asperity-").make_in(folder, |draft| File::create_new(draft));
-    draft.map_err(|error| unfit(format!("nothing can be created in {}: {error}", folder.display())))
+    draft.map_err(|error| unfit(format!("nothing can be created in {}: {}", folder.display(), reason(&error))))
 }
 
 fn fill(file: &mut File, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> io::Result<()> {

@@ -162,8 +162,8 @@ impl Grid {
         [self.size[0] / self.shape[0] as f64, self.size[1] / self.shape[1] as f64]
     }
 
-    /// The node, counted row by row, so many nodes along y and x from another: beyond a period on the other side of the cell, beyond a
-    /// free rim the one at the rim.
+    /// The node, counted row by row, `dy` rows and `dx` columns from another: beyond a period on the other side of the
+    /// cell, beyond a free rim the one at the rim.
     ///
     /// ```
     /// let grid = asperity::Grid::surface([4, 5], [1.0, 1.0])?;
@@ -232,7 +232,7 @@ impl Grid {
         })
     }
 
-    /// Number of modes of the full spectrum that each stored coefficient stands for (2, or 1 where it is its own mirror
+    /// Number of modes of the full spectrum that each stored coefficient represents (2, or 1 where it is its own mirror
     /// image): the weights of Parseval's sum, in the order of [`Grid::wavenumbers`].
     pub fn multiplicities(&self) -> impl Iterator<Item = f64> + use<> {
         let [ny, nx] = self.shape;

@@ -55,7 +55,7 @@
 //! | 3 | [`contact`] | the problem, its certificate, solvers, observers, measures and patches | |
 //! | 4 | [`diagnosis`] | why a run was slow: nodes that change often, errors by wavelength, Ritz values | |
 //! | 4 | [`foreign`] | results and iterations of other programs: certified, compared, common mistakes recognised | |
-//! | 4 | [`setup`] | the one description of a contact, and what it costs | (`units`) |
+//! | 4 | [`setup`] | the description of a contact, and its cost | (`units`) |
 //! | 5 | [`study`] | many contacts in one table that an interrupted run continues | (`parquet`) |
 //! | 5 | `plot` | figures as data, written as SVG and PNG | `figures` |
 //! | 6 | `record` | an observer that writes recordings for the Rerun viewer | `record` |

@@ -1,4 +1,4 @@
-//! Quantities as people write and read them.
+//! Quantities as users write and read them.
 //!
 //! Lengths, pressures and forces in scenes are numbers in any consistent set of units or, with the feature `units`, texts
 //! such as `"160 um"`, `"1 GPa"` and `"5 N"`, which are turned into metres, pascals and newtons.
@@ -56,7 +56,7 @@ pub fn bytes_in_words(bytes: f64) -> String {
     if value < 10.0 { format!("{value:.1} {name}") } else { format!("{value:.0} {name}") }
 }
 
-/// Units in which lengths are told, the longest first, in metres.
+/// Units for lengths in text, the longest first, in metres.
 pub const LENGTHS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
 
 /// Units of areas, the largest first, in square metres.
@@ -224,13 +224,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lengths_are_told_in_the_unit_that_fits_them() {
-        let told = [1e-5, 9.9996e-7, 2.5e-10, 3.0, 0.0, 1.25e-4, 160e-6].map(length_in_words);
-        assert_eq!(told, ["10 µm", "1 µm", "0.25 nm", "3 m", "0 m", "125 µm", "160 µm"]);
+    fn lengths_are_written_in_the_unit_that_fits_them() {
+        let words = [1e-5, 9.9996e-7, 2.5e-10, 3.0, 0.0, 1.25e-4, 160e-6].map(length_in_words);
+        assert_eq!(words, ["10 µm", "1 µm", "0.25 nm", "3 m", "0 m", "125 µm", "160 µm"]);
         assert_eq!([11.547e6, 2e9, 0.5, 0.0].map(pressure_in_words), ["11.55 MPa", "2 GPa", "0.5 Pa", "0 Pa"]);
         assert_eq!([1.5e-11, 3.0, 2e-20].map(area_in_words), ["15 µm²", "3 m²", "0.02 nm²"]);
-        let told = [0.1, 1e9, 0.01471, 2.1e-4, 1500.0, -0.05].map(number_in_words);
-        assert_eq!(told, ["0.1", "1e9", "0.01471", "2.1e-4", "1500", "-0.05"]);
+        let words = [0.1, 1e9, 0.01471, 2.1e-4, 1500.0, -0.05].map(number_in_words);
+        assert_eq!(words, ["0.1", "1e9", "0.01471", "2.1e-4", "1500", "-0.05"]);
     }
 
     #[test]

@@ -62,7 +62,7 @@ impl Step {
         self.index
     }
 
-    /// Grid level: 0 is the finest, each further one has half as many points along a side.
+    /// Grid level: 0 is the finest, each further one has half as many points per side.
     #[getter]
     fn level(&self) -> usize {
         self.phase.level
@@ -110,13 +110,14 @@ impl Step {
         self.field(py, |step| step.gap().to_vec())
     }
 
-    /// Relative contact area, with edges resolved between the nodes.
+    /// Relative contact area, with contact edges interpolated between grid nodes.
     #[getter]
     fn relative_area(&self, py: Python<'_>) -> PyResult<f64> {
         self.query(py, |step| step.resolved().relative_area)
     }
 
-    /// Relative contact area over the reduced pressure with the rms gradient of the contact, with edges resolved between the nodes.
+    /// Relative contact area over the reduced pressure with the rms gradient of the contact, with contact edges
+    /// interpolated between grid nodes.
     #[getter]
     fn kappa_r(&self, py: Python<'_>) -> PyResult<f64> {
         self.query(py, |step| step.resolved().kappa_r)

@@ -179,7 +179,7 @@ def test_what_cannot_be_solved_is_refused_before_anything_is(tmp_path: Path) -> 
         with pytest.raises(asp.AsperityError, match=sentence):
             asp.study(STUDY, **keywords)  # type: ignore[arg-type]
     assert not list(tmp_path.iterdir())
-    with pytest.raises(asp.AsperityError, match="line 1, surface.seed: `9-3` is no range"):
+    with pytest.raises(asp.AsperityError, match="line 1, surface.seed: `9-3` is not a range"):
         asp.Study.from_toml("surface = { spectrum = { hurst = 0.5, rolloff-wavelength = 1, rms-gradient = 1 }, seed = '9-3' }\ngrid = { points = 64, size = 1 }")
     with pytest.raises(asp.AsperityError, match="there is no row 81: give a number from 1 to 80"):
         STUDY.setup(81)

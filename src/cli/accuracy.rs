@@ -24,48 +24,48 @@ Examples:
   asperity accuracy sine --quick
   asperity accuracy sphere rough-line --out accuracy
 
-Three errors, all relative, are kept apart:
-  algebraic       of a step against the solution on the same grid
-  discretisation  of a grid against the exact solution, or against a grid four times finer than the finest,
-                  whose own error may hide a quarter of that of the finest
-  model           of a theory against the same
-Area and kappa_r have resolved edges; the errors of counting nodes stand beside those of the grids.";
+The table separates three errors, all relative:
+  algebraic       of a step, compared with the solution on the same grid
+  discretisation  of a grid, compared with the exact solution, or with a grid four times finer than the finest,
+                  whose own error can be a quarter of that of the finest grid
+  model           of a theory, compared with the same reference
+Area and kappa_r are those with contact edges interpolated between grid nodes; errors with counted nodes are beside them.";
 
 #[derive(Args)]
 #[command(after_help = HELP)]
 pub struct Accuracy {
-    /// Scenes to solve, in this order
+    /// Scenes to solve, in the given order
     #[arg(value_enum, value_name = "SCENE", default_values_t = AccuracyScene::value_variants().to_vec())]
     scenes: Vec<AccuracyScene>,
-    /// Points along each side of the grids, coarsest first [default: those of the scene]
+    /// Points along each side of the grids, coarsest first [default: depends on the scene]
     #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
     points: Vec<usize>,
-    /// Certificate eta at which the curves end
+    /// Certificate eta at which the curves stop
     #[arg(long, value_name = "ETA", default_value = "1e-10", allow_negative_numbers = true)]
     tolerance: f64,
-    /// Certificate eta of the solutions that errors are held against, as far as rounding lets it
+    /// Certificate eta of the reference solutions, if rounding allows it
     #[arg(long, value_name = "ETA", default_value = "1e-13", allow_negative_numbers = true)]
     reference_tolerance: f64,
-    /// Iterations at the most
+    /// Largest number of iterations
     #[arg(long, value_name = "N", default_value_t = 100_000)]
     max_iterations: usize,
     /// Seed of the rough surfaces
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Time each curve so many times, after a run to warm up; the median of the seconds is reported
+    /// Measure each curve N times, after a warm-up run; the median time is reported
     #[arg(long, value_name = "N", default_value = "3", value_parser = count)]
     repeats: NonZeroUsize,
     /// Use smaller grids
     #[arg(long, conflicts_with = "points")]
     quick: bool,
-    /// Write accuracy.csv and a figure of each scene, as SVG and PNG, into this folder
+    /// Write accuracy.csv and one figure per scene, as SVG and PNG, into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Record the solvers on the finest grid of each scene side by side, into the same folder
+    /// Record the solvers side by side on the finest grid of each scene, into the same folder
     #[cfg(feature = "record")]
     #[arg(long, requires = "out")]
     record: bool,
-    /// Parts to record, as of `solve`
+    /// Parts to record, as for `solve`
     #[cfg(feature = "record")]
     #[arg(long, value_name = "PART[,PART]", value_delimiter = ',', requires = "record", value_parser = choice::<Part>())]
     record_what: Vec<Part>,
@@ -80,7 +80,7 @@ impl Accuracy {
         }
         writeln!(
             stdout(),
-            "Seconds are those of the solver, without what watches it: median of {} after a warm-up, {} threads",
+            "Times are of the solver alone, without recording: median of {} runs after a warm-up, {} threads",
             self.repeats,
             rayon::current_num_threads()
         )?;
@@ -119,7 +119,7 @@ impl Accuracy {
 /// Makes `folder`, in a folder that must be there, and checks that files can be written into it.
 fn make_folder(folder: &Path) -> Result<()> {
     if folder.is_file() {
-        return usage(format!("--out names {}, which is a file: give a folder", folder.display()));
+        return usage(format!("--out is {}, which is a file: give a folder", folder.display()));
     }
     if !folder.is_dir() {
         check_target(folder)?;

@@ -21,43 +21,43 @@ Examples:
   asperity bench large --solver multilevel --out large.csv
 
 Each row is one case solved by one solver:
-  steps       iterations; for the multilevel solver outer and inner steps on all grids
-  transforms  Fourier transforms; those of coarser grids count by their share of points
-  solve s     seconds in the solver
-  make s      seconds of making the surface and posing the problem
+  steps       iterations; for multilevel, outer and inner steps on all grids
+  transforms  Fourier transforms; a transform on a coarser grid counts in proportion to its points
+  solve s     time of the solver, in seconds
+  make s      time to generate the surface and set up the problem, in seconds
   eta         certificate
-  meas        measuring the contact, its edges resolved, in per cent of the solve
+  meas        time to measure the contact with resolved edges, in per cent of solve s
   kappa_r     with resolved edges
-  MiB         peak of resident memory while the surface was made and solved (Linux; else -);
-              what the allocator kept of earlier rows counts; with glibc, the environment
-              MALLOC_MMAP_THRESHOLD_=131072 has it keep next to nothing
-  ratio       solve s over that of the case's first solver (- for a case with one solver)";
+  MiB         peak resident memory of surface and solve (Linux only; else -);
+              includes memory that the allocator kept from earlier rows; with glibc, set the
+              environment variable MALLOC_MMAP_THRESHOLD_=131072 to avoid this
+  ratio       solve s divided by that of the first solver of the case (- for a single solver)";
 
 #[derive(Args)]
 #[command(after_help = HELP)]
 pub struct Bench {
-    /// Groups of cases to solve, in this order
+    /// Groups of cases to solve, in the given order
     #[arg(value_enum, value_name = "GROUP", default_values_t = Group::USUAL)]
     groups: Vec<Group>,
-    /// The methods, the first of which the others are held against [default: those of the group]
+    /// Solvers; the others are compared with the first [default: depends on the group]
     #[arg(long = "solver", value_parser = choice::<Method>(), value_name = "NAME[,NAME]", value_delimiter = ',')]
     methods: Vec<Method>,
     /// Certificate eta to reach [default: 1e-8, large: 1e-6]
     #[arg(long, value_name = "ETA", allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// Iterations at the most
+    /// Largest number of iterations
     #[arg(long, value_name = "N", default_value_t = 100_000)]
     max_iterations: usize,
     /// Seed of the rough surfaces
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Solve each case so many times; the median of the seconds is reported
+    /// Solve each case N times; the median time is reported
     #[arg(long, value_name = "N", default_value = "1", value_parser = count)]
     repeats: NonZeroUsize,
-    /// Shrink the grids: lines to 2^14 points, surfaces to 256^2, without the waves that are too short for them
+    /// Use smaller grids: lines of 2^14 points, surfaces of 256^2, without the wavelengths that are too short for them
     #[arg(long)]
     quick: bool,
-    /// Write the rows in full precision, again after each one
+    /// Write the rows in full precision; the file is updated after each row
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
     /// Print the cases instead of solving them

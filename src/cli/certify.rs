@@ -1,4 +1,4 @@
-//! `asperity certify`: somebody's result, certified.
+//! `asperity certify`: the certificate of a result of another code.
 
 use super::claim_report::ClaimReport;
 use super::density;
@@ -39,13 +39,14 @@ const RESULT: &str = "Result (one of --pressure, --gap, --displacement; .npy, .n
 #[derive(Args)]
 #[command(after_help = EXAMPLES, group = ArgGroup::new("claim").args(["pressure", "gap", "displacement"]).required(true))]
 pub struct Certify {
-    /// The pressure, positive in compression; without a load it is certified under the one that it carries
+    /// File of the pressure, positive in compression; without a load flag, its own mean pressure is the load
     #[arg(long, value_name = "FILE", help_heading = RESULT)]
     pressure: Option<PathBuf>,
-    /// The gap between the surfaces; without a load it is certified at its own mean
+    /// File of the gap between the surfaces; without a load flag, its own mean gap is the load
     #[arg(long, value_name = "FILE", help_heading = RESULT)]
     gap: Option<PathBuf>,
-    /// The displacement of the solid's surface, positive into the solid; its mean is free, so it needs a load
+    /// File of the displacement of the solid's surface, positive into the solid; any mean value is accepted, so a load
+    /// flag is required
     #[arg(long, value_name = "FILE", help_heading = RESULT)]
     displacement: Option<PathBuf>,
     #[command(flatten)]
@@ -53,7 +54,8 @@ pub struct Certify {
     #[cfg(feature = "record")]
     #[command(flatten)]
     shown: RecordingArgs,
-    /// Write the fields and numbers (.npz), or of a line the nodes (.csv) or a picture of where the error sits (.png, .svg)
+    /// Write fields and numbers (.npz); for a line also the nodes (.csv) or a picture of where the error is (.png,
+    /// .svg)
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Print one JSON object instead of a summary
@@ -79,7 +81,7 @@ impl Certify {
         Cost::from_fields(&grid, FIELDS).check("a certificate")?;
         if !grid.is_line() && !["npz", ""].contains(&self.ending().as_str()) {
             return usage(format!(
-                "a .{} is made of a line only: give a .npz, or --record, for a surface",
+                "a .{} can be written for a line only: for a surface give a .npz, or use --record",
                 self.ending()
             ));
         }
@@ -134,7 +136,7 @@ impl Certify {
         }
     }
 
-    /// The contact that a claim makes, recorded if that is asked for.
+    /// The contact that a claim makes, recorded on request.
     fn contact(&self, setup: &Setup, claim: &Claim, problem: &Problem, path: &Path) -> Result<Contact> {
         let frame = Frame { values: claim.values().to_vec(), seconds: None };
         let name = path.display().to_string();
@@ -169,7 +171,7 @@ impl Certify {
         }
         warnings::print(&verdict.warnings);
         #[cfg(feature = "record")]
-        self.shown.tell();
+        self.shown.report();
         self.out.iter().for_each(|path| wrote(path));
         Ok(())
     }
@@ -184,7 +186,7 @@ impl Certify {
 /// The sentence for a problem that a claim cannot pose, and for the mistake that may be behind it.
 fn refuse(claim: &Claim, setup: &Setup, error: ProblemError) -> Result<Problem> {
     match claim.mistakes(&poisson(setup)).first() {
-        Some(mistake) => usage(format!("{error}; from the numbers, {}", mistake.sentence)),
+        Some(mistake) => usage(format!("{error}; judging from the numbers, {}", mistake.sentence)),
         None => Err(error.into()),
     }
 }

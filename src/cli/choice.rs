@@ -6,7 +6,7 @@ use std::num::NonZeroUsize;
 use std::str::FromStr;
 use strum::{EnumMessage, IntoEnumIterator, ParseError};
 
-/// One of some names, with a few words on each.
+/// One of some names, with a short description each.
 pub fn one_of(names: impl IntoIterator<Item = (&'static str, &'static str)>) -> PossibleValuesParser {
     PossibleValuesParser::new(names.into_iter().map(|(name, help)| PossibleValue::new(name).help(help)))
 }

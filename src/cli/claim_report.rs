@@ -1,4 +1,4 @@
-//! The verdict on the result of another code, for people and for scripts.
+//! The verdict on the result of another code, as text and as JSON.
 
 use super::finding::Finding;
 use super::output::write_rows;
@@ -30,7 +30,7 @@ pub struct ClaimReport {
     #[serde(flatten)]
     pub finding: Finding,
     pub assessment: Assessment,
-    /// Everyday mistakes that explain why it does not hold.
+    /// Common mistakes that explain why it does not hold.
     pub findings: Vec<Mistake>,
     pub warnings: Vec<String>,
     pub setup: Setup,
@@ -47,7 +47,10 @@ impl ClaimReport {
         writeln!(out, "{title}, {}: the {quantity} of {} is {holds}", points(&self.grid), file.display())?;
         let mistakes = self.findings.iter().map(|mistake| ("finding", mistake.sentence.clone()));
         let unexplained = (!self.holds && self.findings.is_empty()).then(|| {
-            ("finding", "no everyday mistake explains it: it is not converged, or solves another problem".into())
+            (
+                "finding",
+                "no common mistake explains it: the result is not converged, or it solves another problem".into(),
+            )
         });
         let own = mistakes.chain(unexplained).chain(self.own());
         let numbers =
@@ -66,7 +69,9 @@ impl ClaimReport {
             (
                 "prescribed",
                 match self.prescribed {
-                    Some(load) if *load_error > ROUNDING => format!("{load}, missed by {load_error:.1e} of it"),
+                    Some(load) if *load_error > ROUNDING => {
+                        format!("{load}, with a relative error of {load_error:.1e}")
+                    }
                     Some(load) => load.to_string(),
                     None => format!("nothing: the load is that of the {}", self.quantity),
                 },
@@ -75,7 +80,7 @@ impl ClaimReport {
         if tension.nodes > 0 && tension.share <= ROUNDING {
             rows.push((
                 "tension",
-                format!("none but rounding: {} nodes, {:.1e} of all pressure", tension.nodes, tension.share),
+                format!("rounding errors only: {} nodes, {:.1e} of all pressure", tension.nodes, tension.share),
             ));
         } else if tension.nodes > 0 {
             let worst = place(tension.node);
@@ -87,23 +92,26 @@ impl ClaimReport {
                 ),
             ));
             let stand_in = match tension.share < 1.0 {
-                true => "the numbers below are those with the tension clipped and the load kept",
-                false => "nothing is left without the tension, and the numbers below are those of a uniform pressure",
+                true => "for the numbers below, tension is set to zero and the load is restored",
+                false => "there is no compression; the numbers below are for a uniform pressure",
             };
             rows.push(("certificate as given", format!("{}: {stand_in}", given.eta)));
         }
         rows.extend([
-            ("error in energy", format!("densest at {}, {:.2} % of it", place(densest.node), 100.0 * densest.value)),
+            (
+                "error in energy",
+                format!("largest density at {}, {:.2} % of the total", place(densest.node), 100.0 * densest.value),
+            ),
             ("penetration", format!("{:.1e} rms heights at {}", deepest.value, place(deepest.node))),
-            ("contact", format!("{pressed} nodes by pressure, {closed} by gap")),
+            ("contact", format!("{pressed} nodes have pressure, {closed} have a closed gap")),
         ]);
         let disagree = |it: &Disagreement| {
             it.worst.map(|Spot { node, value }| {
-                format!("{} nodes, most at {}, with a gap of {value:.1e} rms heights", it.nodes, place(node))
+                format!("{} nodes, the worst at {}, with a gap of {value:.1e} rms heights", it.nodes, place(node))
             })
         };
-        rows.extend(disagree(apart).map(|words| ("pressed though apart", words)));
-        rows.extend(disagree(unpressed).map(|words| ("penetrating, unpressed", words)));
+        rows.extend(disagree(apart).map(|words| ("pressure across a gap", words)));
+        rows.extend(disagree(unpressed).map(|words| ("overlap, no pressure", words)));
         rows
     }
 }

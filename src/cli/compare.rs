@@ -20,7 +20,7 @@ pub struct Compare {
     /// The recordings, two or more
     #[arg(value_name = "FILE.rrd", required = true)]
     recordings: Vec<PathBuf>,
-    /// The recording that is made of them
+    /// The recording to write
     #[arg(long, value_name = "FILE.rrd", default_value = "comparison.rrd", help_heading = "Output")]
     out: PathBuf,
 }
@@ -29,7 +29,7 @@ impl Compare {
     pub fn run(&self) -> Result<ExitStatus> {
         let Self { recordings, out } = self;
         if let [only] = recordings.as_slice() {
-            return usage(format!("{} alone cannot be compared: give two recordings or more", only.display()));
+            return usage(format!("{} is the only recording: give at least two", only.display()));
         }
         check_named(out, &["rrd"])?;
         check_apart([out.as_path()], recordings.iter().map(PathBuf::as_path))?;

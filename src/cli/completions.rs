@@ -1,4 +1,4 @@
-//! `asperity completions`: what a shell needs to complete commands and flags.
+//! `asperity completions`: shell completions.
 
 use super::exit_status::ExitStatus;
 use anyhow::Result;

@@ -21,7 +21,7 @@ pub fn figure(surface: &str, contact: &Contact) -> Figure {
     let highest = contact.max_pressure() / modulus;
     let mut left = Panel::new("pressure", x(), Axis::linear("p / E*", [0.0, ROOM * highest]));
     left.add("", Colour::ORANGE, Mark::Line, curve(grid.spacing()[1], pressure, |p| p / modulus));
-    let title = "where the error sits: p (v - min v)";
+    let title = "where the error is: p (v - min v)";
     let mut right = Panel::new(title, x(), Axis::log("density / largest", [LEAST, 2.0]));
     right.add("", Colour::VERMILION, Mark::Line, curve(grid.spacing()[1], &density, |it| (it / largest).max(LEAST)));
     Figure { title: surface.into(), panels: vec![left, right] }

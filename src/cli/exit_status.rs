@@ -43,13 +43,13 @@ pub fn settle(contact: &Contact) -> Result<ExitStatus> {
 }
 
 /// A failure with what it is, where that decides how the command ends.
-pub fn untold(failure: Failure) -> anyhow::Error {
+pub fn with_file_error(failure: Failure) -> anyhow::Error {
     failure.downcast::<FileError>().map_or_else(|other| anyhow!(other), |file| anyhow::Error::new(*file))
 }
 
 /// Ctrl-C came before the first of several loads was solved.
 #[derive(Debug, thiserror::Error)]
-#[error("interrupted before the first load was solved: no result is written")]
+#[error("interrupted before the first load was solved: no result was written")]
 pub struct Interrupted;
 
 /// Options that do not go together, in one sentence.
@@ -62,7 +62,7 @@ pub fn usage<T>(sentence: impl Into<String>) -> Result<T> {
     Err(Usage(sentence.into()).into())
 }
 
-/// The flags by which a person can give what is missing, to stand behind the sentence of an error.
+/// The flags that give a missing value, to be added to the sentence of an error.
 pub fn remedy(error: &anyhow::Error) -> &'static str {
     if let Some(ClaimError::NoLoad) = error.downcast_ref() {
         return " (--mean-pressure, --reduced-pressure, --mean-gap)";
@@ -79,7 +79,7 @@ pub fn remedy(error: &anyhow::Error) -> &'static str {
     }
 }
 
-/// 2 for what the person at the keyboard can mend, 130 for Ctrl-C, 1 for the rest.
+/// 2 for wrong input, 130 for Ctrl-C, 1 for other failures.
 pub fn exit_code(error: &anyhow::Error) -> u8 {
     if error.is::<Interrupted>() {
         return ExitStatus::Interrupted.exit_code();

@@ -1,9 +1,9 @@
-//! `asperity explore`: turn a knob, watch the contact relax.
+//! `asperity explore`: the interactive page.
 
-use super::exit_status::{ExitStatus, Usage, untold, usage};
+use super::command_style::remark;
+use super::exit_status::{ExitStatus, Usage, usage, with_file_error};
 use super::flags::{OfSetup, SceneArgs};
 use super::interrupt::interrupted;
-use super::manners::remark;
 use super::warnings::print;
 use anyhow::Result;
 use asperity::explore::{Explorer, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, SiteExport, Start};
@@ -17,7 +17,7 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-/// The program that opens an address in the browser of the person at the keyboard.
+/// The program that opens an address in the user's browser.
 #[cfg(target_os = "macos")]
 const OPEN: &[&str] = &["open"];
 #[cfg(target_os = "windows")]
@@ -37,16 +37,17 @@ Examples:
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Explore {
-    /// Where to start: hertz-line, hertz-surface, rough-line or rough-surface, or a scene as `asperity solve` takes it
+    /// What to show first: hertz-line, hertz-surface, rough-line, rough-surface, or a scene file as for `asperity
+    /// solve`
     #[arg(value_name = "START|SCENE.toml", default_value = "rough-line", value_parser = begin)]
     start: Begin,
-    /// A file of heights to start with instead, as if it were dropped on the page
+    /// Show a file of heights first, as if you had dropped it on the page
     #[arg(long, value_name = "FILE")]
     height: Option<PathBuf>,
-    /// A folder of lessons in the place of those of the page, one in each file that ends in .toml
+    /// A folder of lessons (one .toml file each) to show instead of the built-in lessons
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,
-    /// Solve all that the lessons show, and write them as a folder of files for any web server, which is new or empty
+    /// Solve all states that the lessons show, and write a static site into a new or empty folder
     #[arg(long, value_name = "DIR", conflicts_with_all = ["height", "port", "no_open"])]
     export: Option<PathBuf>,
     #[command(flatten)]
@@ -56,10 +57,10 @@ pub struct Explore {
 /// Where the page is.
 #[derive(Args)]
 pub struct PageArgs {
-    /// Port of the loopback interface; if it is in use, the next free one
+    /// Port on this machine (127.0.0.1); if it is in use, the next free port
     #[arg(long, value_name = "PORT", default_value_t = 8765)]
     port: u16,
-    /// Say where the page is, and do not open it
+    /// Print the address of the page, but do not open a browser
     #[arg(long)]
     no_open: bool,
 }
@@ -74,7 +75,7 @@ impl Explore {
             return export(folder, lessons);
         }
         let (sessions, knobs) = match (&self.start, &self.height) {
-            (Begin::Scene(_), Some(_)) => return usage("a scene has heights of its own: give it without --height"),
+            (Begin::Scene(_), Some(_)) => return usage("a scene already has heights: leave --height out"),
             (Begin::Scene(path), None) => with_scene(path)?,
             (Begin::Start(start), Some(path)) => {
                 let heights = HeightFile::from(path.clone()).with_full_path();
@@ -113,10 +114,10 @@ fn begin(text: &str) -> Result<Begin, String> {
 fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
     let mut table = SceneArgs::<OfSetup>::from_file(path.into()).table()?;
     if table.take_loads()?.is_some() {
-        return usage("the page presses under one load at a time, but several are given: give one");
+        return usage("the page solves one load at a time, but several are given: give one");
     }
     if table.take_auto()?.is_some() {
-        return usage("the page has one grid, but a grid is to be found: give a number for refine");
+        return usage("the page cannot use refine = auto or points = auto: give numbers");
     }
     let refused = |Refusal(sentence): Refusal| Usage(sentence);
     let setup = table.setup()?.with_full_path();
@@ -130,8 +131,8 @@ fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
 /// Warnings about what the page does not take from a setup, a sentence each.
 fn left_out(setup: &Setup) -> Vec<String> {
     let load = (!setup.load.is_pressure())
-        .then(|| format!("the page presses by p*, so that it starts with another load than {}", setup.load));
-    let friction = setup.friction.is_some().then(|| "the page leaves friction and the tangential load out".to_owned());
+        .then(|| format!("the page sets the load as p*, so it cannot start with {}", setup.load));
+    let friction = setup.friction.is_some().then(|| "the page ignores friction and the tangential load".to_owned());
     load.into_iter().chain(friction).collect()
 }
 
@@ -150,8 +151,8 @@ fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<ExitStatus> {
         }
         if interrupted.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    export.write(folder, &mut goes_on).map_err(untold)?;
-    writeln!(stdout(), "{}: {} runs; put it on any web server", folder.display(), export.runs())?;
+    export.write(folder, &mut goes_on).map_err(with_file_error)?;
+    writeln!(stdout(), "{}: {} runs; copy this folder to any web server", folder.display(), export.runs())?;
     Ok(ExitStatus::Done)
 }
 
@@ -160,16 +161,16 @@ impl PageArgs {
     pub fn open(&self) -> Result<Server> {
         let server = match Server::bind(self.port) {
             Ok(server) => server,
-            Err(error) => return usage(format!("no port from {} on can be had: {error}", self.port)),
+            Err(error) => return usage(format!("no port from {} on is free: {error}", self.port)),
         };
         let mut out = stdout();
         if self.port != 0 && server.port() != self.port {
-            writeln!(out, "Port {} is in use; {} is taken instead.", self.port, server.port())?;
+            writeln!(out, "Port {} is in use; using {} instead.", self.port, server.port())?;
         }
-        writeln!(out, "{}  (Ctrl-C ends it)", server.address())?;
+        writeln!(out, "{}  (press Ctrl-C to stop)", server.address())?;
         out.flush()?;
         if !self.no_open && !open(&server.address()) {
-            writeln!(out, "No browser could be opened: open the address above in one.")?;
+            writeln!(out, "No browser could be opened. Open the address above yourself.")?;
         }
         Ok(server)
     }

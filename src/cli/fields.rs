@@ -1,4 +1,4 @@
-//! Fields of other codes, and what goes with them in a setup.
+//! Fields of other codes, and the parts of a setup that they need.
 
 use super::exit_status::usage;
 use anyhow::Result;
@@ -32,7 +32,9 @@ pub fn lay_load(table: &mut SetupTable, quantity: Quantity, field: &Field) -> Re
 /// Refuses lists of loads.
 pub fn check_one_load(table: &mut SetupTable) -> Result<()> {
     match table.take_loads()? {
-        Some(loads) if loads.len() > 1 => usage(format!("{} loads are given for one result: give one", loads.len())),
+        Some(loads) if loads.len() > 1 => {
+            usage(format!("{} loads are given, but a result has one load: give one", loads.len()))
+        }
         _ => Ok(()),
     }
 }

@@ -7,7 +7,7 @@ use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const TOLD: [&str; 37] = [
+const IN_OTHER_ROWS: [&str; 37] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
@@ -47,7 +47,7 @@ const TOLD: [&str; 37] = [
     "transforms",
 ];
 
-/// A share of edges given by the shape above this one is told.
+/// The share of edges given by the shape is reported above this value.
 const MANY_OF_SHAPE: f64 = 0.05;
 
 /// The numbers of a contact under its load.
@@ -111,11 +111,11 @@ impl Finding {
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
         let of_shape = match it.edges_of_shape > MANY_OF_SHAPE {
-            true => format!(", {} of its edges given by the shape", percent(it.edges_of_shape)),
+            true => format!(", {} of the edges given by the shape", percent(it.edges_of_shape)),
             false => String::new(),
         };
         let small = match it.unresolved_share > 0.0 {
-            true => format!(", {} of the contact in those with too few nodes", percent(it.unresolved_share)),
+            true => format!(", {} of the contact in patches with too few nodes", percent(it.unresolved_share)),
             false => String::new(),
         };
         [
@@ -160,7 +160,7 @@ impl Finding {
     /// The observables that no other row holds.
     fn others(&self, units: Units) -> impl Iterator<Item = (String, String)> {
         let values = serde_json::to_value(self.observables).unwrap_or_default();
-        let others = OBSERVABLES.iter().filter(|observable| !TOLD.contains(&observable.name));
+        let others = OBSERVABLES.iter().filter(|observable| !IN_OTHER_ROWS.contains(&observable.name));
         others.filter_map(move |observable| {
             let value = values[observable.name].as_f64()?;
             let words = if observable.unit == "length" { units.length(value) } else { format!("{value:.6e}") };

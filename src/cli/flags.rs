@@ -13,7 +13,7 @@ use clap::{Arg, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
-/// How much of a setup a command takes, and under which names.
+/// Which flags of a setup a command has, and their names.
 pub trait Extent {
     /// The heading of the flags of the load.
     const LOAD: &'static str;
@@ -28,7 +28,7 @@ pub trait Extent {
 
     /// The argument for a scene.
     fn scene() -> Arg {
-        Arg::new("scene").value_name("SCENE.toml").help("A scene, or a file of heights; flags override what it says")
+        Arg::new("scene").value_name("SCENE.toml").help("A scene, or a file of heights; flags override its values")
     }
 }
 
@@ -38,7 +38,8 @@ pub struct OfSetup;
 /// The surface and its grid alone.
 pub struct OfSurface;
 
-/// The problem that another code has solved, and what is asked of its result: a field of it may be called pressure.
+/// The problem that another code has solved, and the goals for its result. Its mean pressure has another flag, since
+/// `--pressure` is a field here.
 pub struct OfProblem;
 
 impl Extent for OfSetup {
@@ -70,7 +71,7 @@ impl Extent for OfProblem {
     }
 
     fn scene() -> Arg {
-        Arg::new("scene").long("setup").value_name("SCENE.toml").help("A scene; flags override what it says")
+        Arg::new("scene").long("setup").value_name("SCENE.toml").help("A scene; flags override its values")
     }
 }
 
@@ -141,7 +142,8 @@ fn read(path: &Path) -> Result<SetupTable> {
     }
 }
 
-/// Whether a file is called a scene, a summary or a recording, whatever is in it. An archive may hold a result or heights.
+/// Whether the name of a file is that of a scene, a summary or a recording, independent of its content. An archive may
+/// hold a result or heights.
 fn is_named_scene(path: &Path) -> bool {
     let ending = path.extension().unwrap_or_default();
     ["toml", "json", "rrd"].iter().any(|it| ending.eq_ignore_ascii_case(it))
@@ -171,7 +173,7 @@ impl<E: Extent> clap::Args for SceneArgs<E> {
             .arg(
                 path(Arg::new("setup-of").long("setup-of"))
                     .value_name("RESULT")
-                    .help("The setup that a result carries (.npz, .json or .rrd), instead of a scene")
+                    .help("A result (.npz, .json or .rrd) whose setup is used instead of a scene")
                     .conflicts_with("scene"),
             )
             .args(Self::flags().map(arg::<E>));
@@ -185,7 +187,7 @@ impl<E: Extent> clap::Args for SceneArgs<E> {
 }
 
 /// Heading of the flags of the load.
-pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several as 1e5,1e6 or 1e-3..1e-1:13, which are 13 loads evenly spaced in their logarithm)";
+pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several loads: 1e5,1e6, or 1e-3..1e-1:13 for 13 loads with equal ratios)";
 
 /// A flag as the parser takes it.
 fn arg<E: Extent>(flag: &'static Flag) -> Arg {
@@ -210,7 +212,7 @@ fn heading<E: Extent>(flag: &Flag) -> &'static str {
         "surface" if flag.path.starts_with("surface.spectrum.") || flag.name == "seed" => "Roughness",
         "surface" | "grid" => "Surface (a height file, an indenter, roughness, or a sum of them) and its cell",
         "load" => E::LOAD,
-        "solid" | "law" => "Solid (the contact modulus, or elastic constants; a mean pressure needs it)",
+        "solid" | "law" => "Solid (contact modulus, or elastic constants; required with a mean pressure)",
         "friction" => "Friction (a tangential load after the normal one)",
         "record" => "Recording",
         _ => "Solver",

@@ -1,4 +1,4 @@
-//! `asperity inspect`: somebody's iteration, recorded.
+//! `asperity inspect`: the iterations of another solver, recorded.
 
 use super::choice::choice;
 use super::exit_status::{ExitStatus, settle};
@@ -42,24 +42,24 @@ Examples:
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Inspect {
-    /// Files with steps, or folders of them, in natural order (step2 before step10): .npy, .npz or text, one step each or
-    /// several along a first axis
+    /// Files of steps, or folders of such files, in natural order (step2 before step10): .npy, .npz or text; one step
+    /// per file, or several along the first axis
     #[arg(value_name = "STEPS", required_unless_present = "follow", conflicts_with = "follow")]
     steps: Vec<PathBuf>,
-    /// A folder to take the steps from as they are written, until Ctrl-C
+    /// Folder in which the other solver writes its steps; new steps are read until Ctrl-C
     #[arg(long, value_name = "FOLDER", help_heading = "Steps")]
     follow: Option<PathBuf>,
-    /// End --follow when nothing new has come for so many seconds
+    /// With --follow: stop after this time without a new step, in seconds
     #[arg(long, value_name = "SECONDS", value_parser = seconds, requires = "follow", help_heading = "Steps")]
     idle: Option<Duration>,
-    /// The quantity of the steps, and the name of their array in a .npz
+    /// Quantity in the steps, which is also the name of the array in a .npz
     #[arg(long, value_name = "QUANTITY", default_value = "pressure", help_heading = "Steps",
         value_parser = choice::<Quantity>())]
     kind: Quantity,
-    /// Seconds from the start of all steps, one for each; a .npz may have its own as `seconds` or `time`
+    /// File of the time of each step in seconds, from the start; a .npz may contain it as `seconds` or `time`
     #[arg(long, value_name = "FILE", conflicts_with = "follow", help_heading = "Steps")]
     times: Option<PathBuf>,
-    /// The pressure to compare with, instead of the solution by multilevel to 1e-12
+    /// File of the pressure to compare with [default: the solution by multilevel, with a tolerance of 1e-12]
     #[arg(long, value_name = "FILE", help_heading = "Steps")]
     reference: Option<PathBuf>,
     #[command(flatten)]
@@ -67,7 +67,8 @@ pub struct Inspect {
     #[cfg(feature = "record")]
     #[command(flatten)]
     shown: RecordingArgs,
-    /// Say what held the iteration up: slow wavelengths, nodes that flip, plateaus, contacts that come back
+    /// Explain why the iteration was slow: slow wavelengths, nodes that change their state often, plateaus, contact
+    /// sets that recur
     #[arg(long, help_heading = "Output")]
     diagnose: bool,
     /// Print one JSON object instead of a summary
@@ -131,11 +132,11 @@ impl Inspect {
         let outcome = self.inspect(&folder.display().to_string(), setup, problem, steps)?;
         let broken = |path: PathBuf| read_fields_shape(&path, self.kind.name()).err();
         let left_out = step_files(&[folder.into()])?.into_iter().filter_map(broken);
-        warnings::print(&left_out.map(|error| format!("{error}, and was left out")).collect::<Vec<_>>());
+        warnings::print(&left_out.map(|error| format!("{error}; the file is ignored")).collect::<Vec<_>>());
         Ok(outcome)
     }
 
-    /// Replays the steps of a code of some name, and tells how far they are from the reference.
+    /// Replays the steps of another code, and computes their distance from the reference.
     fn inspect(
         &self,
         name: &str,
@@ -167,7 +168,7 @@ impl Inspect {
             if self.json { write_json(&iteration, &mut stdout())? } else { iteration.write_text(&mut stdout())? }
         }
         #[cfg(feature = "record")]
-        self.shown.tell();
+        self.shown.report();
         settle(&contact)
     }
 
@@ -208,6 +209,6 @@ impl Inspect {
 
 /// A number of seconds.
 fn seconds(text: &str) -> Result<Duration, String> {
-    let wrong = || "give a number of seconds from 0 on".to_owned();
+    let wrong = || "give a number of seconds, 0 or more".to_owned();
     text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()).ok_or_else(wrong)
 }

@@ -1,4 +1,4 @@
-//! The iteration of another code, for people and for scripts.
+//! The iteration of another code, as text and as JSON.
 
 use super::claim_report::points;
 use super::finding::Finding;
@@ -49,7 +49,7 @@ impl Iteration {
         let seconds = |words: String| if is_timed { format!(" {words:>10}") } else { String::new() };
         let head = ["certificate", "pressure", "energy norm"].map(|name| format!(" {name:>12}")).concat();
         writeln!(out, "  {:>8}{}{head}", "step", seconds("seconds".into()))?;
-        for it in self.told() {
+        for it in self.listed() {
             let numbers =
                 [it.certificate, it.pressure_error, it.energy_error].map(|it| format!(" {it:>12.2e}")).concat();
             writeln!(out, "  {:>8}{}{numbers}", it.step, seconds(format!("{:.3}", it.seconds)))?;
@@ -59,11 +59,11 @@ impl Iteration {
         write_diagnosis(self.diagnosis.as_ref(), out)
     }
 
-    /// All early steps, ever fewer later ones, and the last.
-    fn told(&self) -> impl Iterator<Item = &Distance> {
+    /// All early steps, later ones less often, and the last.
+    fn listed(&self) -> impl Iterator<Item = &Distance> {
         let place = |step: usize| (PER_DECADE * (step as f64).log10()).floor();
         let last = self.steps.len().saturating_sub(1);
-        let is_told = move |step: usize| step < 2 || step == last || place(step) > place(step - 1);
-        self.steps.iter().enumerate().filter(move |(step, _)| is_told(*step)).map(|(_, it)| it)
+        let is_listed = move |step: usize| step < 2 || step == last || place(step) > place(step - 1);
+        self.steps.iter().enumerate().filter(move |(step, _)| is_listed(*step)).map(|(_, it)| it)
     }
 }

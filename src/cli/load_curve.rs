@@ -51,7 +51,7 @@ struct Pressed {
     /// The contacts, if their fields are to be written.
     contacts: Vec<Contact>,
     outcome: ExitStatus,
-    /// Why the recording could not be finished, if it could not. The contacts are whole all the same.
+    /// Why the recording could not be finished, if it could not. The contacts are complete in any case.
     failure: Option<FileError>,
 }
 
@@ -59,12 +59,15 @@ struct Pressed {
 pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> Result<ExitStatus> {
     #[cfg(feature = "record")]
     if outputs.live {
-        return usage("--live shows the steps under one load: give one, or --record FILE.rrd instead");
+        return usage(
+            "--live shows the steps under one load, but several are given: give one load, or use --record FILE.rrd",
+        );
     }
     if let Some(part) = curve.setup.record.what.iter().find(|part| Part::OF_A_RUN.contains(part)) {
         let part = part.name();
         return usage(format!(
-            "the {part} shows the steps under one load, but several are given: give one, or leave it out"
+            "the recording part {part} shows the steps under one load, but several are given: give one load, or \
+             leave the part out"
         ));
     }
     let cost = curve.cost(&outputs.extras(curve.loads.len()))?;
@@ -91,7 +94,7 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
     outputs.files().filter(is_whole).for_each(wrote);
     if outcome == ExitStatus::Interrupted {
         warnings::print(&[format!(
-            "interrupted: {} of {} loads are solved and written",
+            "interrupted: {} of {} loads were solved and written",
             solved.loads.len(),
             curve.loads.len()
         )]);

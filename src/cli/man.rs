@@ -1,6 +1,6 @@
 //! `asperity man`: the manual.
 
-use super::exit_status::{ExitStatus, untold};
+use super::exit_status::{ExitStatus, with_file_error};
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::fill_folder;
@@ -17,7 +17,7 @@ Examples:
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Man {
-    /// New folder for one page per command, instead of all pages on standard output
+    /// New folder for the pages, one per command [default: all pages go to standard output]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -27,7 +27,7 @@ impl Man {
         match &self.out {
             Some(folder) => {
                 let filled = fill_folder(folder, |draft| Ok(generate_to(command, draft)?));
-                filled.map_err(untold)?;
+                filled.map_err(with_file_error)?;
                 wrote(folder);
             }
             None => stdout().write_all(&pages(command)?)?,

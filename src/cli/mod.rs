@@ -5,6 +5,7 @@ mod bench;
 mod certify;
 mod choice;
 mod claim_report;
+mod command_style;
 #[cfg(feature = "record")]
 mod compare;
 mod completions;
@@ -22,7 +23,6 @@ mod interrupt;
 mod iteration;
 mod load_curve;
 mod man;
-mod manners;
 mod nodes;
 mod output;
 mod outputs;
@@ -54,9 +54,9 @@ use exit_status::{ExitStatus, exit_code, remedy};
 use std::ffi::OsString;
 use std::io::{self, Write, stderr};
 
-/// Rough contact: press a rigid surface on an elastic half-space and watch it relax.
+/// Rough contact: press a rigid surface on an elastic half-space, and see how the solver converges.
 ///
-/// Exit codes: 0 converged, 2 bad input, 3 not converged (outputs are written all the same), 130 interrupted by Ctrl-C, 1 any other
+/// Exit codes: 0 converged, 2 bad input, 3 not converged (outputs are written), 130 interrupted by Ctrl-C, 1 any other
 /// failure.
 #[derive(Parser)]
 #[command(version, long_version = BUILD, max_term_width = 110)]
@@ -64,7 +64,7 @@ struct Cli {
     #[command(subcommand)]
     command: Command,
     #[command(flatten)]
-    manners: manners::Manners,
+    style: command_style::CommandStyle,
 }
 
 /// What the program is built from.
@@ -78,62 +78,65 @@ const BUILD: &str = concat!(
 
 #[derive(Subcommand)]
 enum Command {
-    /// Error against run time: algebraic, of the grid, and of theories
+    /// Measure errors against run time: of the solver, of the grid, and of theories
     Accuracy(accuracy::Accuracy),
-    /// Time the solvers on chosen cases
+    /// Measure the speed of the solvers
     Bench(bench::Bench),
     /// Certify the pressure, gap or displacement of another code
     ///
-    /// The certificate bounds the error of the result, whatever code has made it. Where it fails, everyday mistakes are recognised
-    /// from the numbers: signs, forces for pressures, wrong moduli, transposed arrays. The result holds if the certificate is within --tolerance,
-    /// and load and tension are off by no more than its root.
+    /// The certificate is a bound of the error of the result, for any code. If the result fails, the program looks for
+    /// common mistakes: signs, forces instead of pressures, wrong moduli, transposed arrays. A result passes if its
+    /// certificate is below --tolerance, and if tension and the error of the load are below the square root of
+    /// --tolerance.
     Certify(Box<certify::Certify>),
-    /// Lay the traces of several recordings over each other
+    /// Compare recordings: draw their curves together
     ///
-    /// One recording comes out, with the curves of certificate, kappa_r, area and others of all runs, named by what tells the runs
-    /// apart, and each recording as it was in a tab of its own.
+    /// The result is one recording. Its first tab shows the curves of all runs together: certificate, kappa_r, area and
+    /// others. The curves are named by the settings in which the runs differ. Each recording is also in its own tab.
     #[cfg(feature = "record")]
     Compare(compare::Compare),
-    /// Write what a shell needs to complete commands and flags
+    /// Write shell completions
     Completions(completions::Completions),
-    /// Hertz beside rough contact, line and surface, solved by GFMD into one recording
+    /// Record smooth (Hertz) and rough contacts side by side, line and surface, solved by GFMD
     #[cfg(feature = "record")]
     Demo(demo::Demo),
-    /// Turn knobs in the browser and watch the contact relax
+    /// Open the interactive page: change parameters and see the contact
     #[cfg(feature = "explore")]
     Explore(explore::Explore),
     /// Analyse another solver's iterations, from files of its steps
     ///
-    /// Every step is certified and recorded like those of our own solvers, and compared with the solution.
+    /// Every step gets a certificate, and is recorded and compared with the solution, like the steps of asperity's own
+    /// solvers.
     Inspect(Box<inspect::Inspect>),
-    /// Write the manual
+    /// Write the manual pages
     ///
-    /// All pages come one after the other on standard output, or one for each command in a new folder.
+    /// All pages are written to standard output, or to a new folder with one page per command.
     Man(man::Man),
     /// Merge the shard tables of a study
     ///
-    /// The tables must hold each row of the study once, and no others. What comes out is that of one machine to the last bit.
+    /// The tables must contain each row of the study exactly once. The result is identical to that of a single machine.
     Merge(study::Merge),
-    /// Make the tables and figures of van Dokkum et al. (2018) again
+    /// Reproduce the tables and figures of van Dokkum et al. (2018)
     ///
-    /// The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018). Each figure comes as a CSV of every
-    /// solved point, SVG, PNG and a recording; comparison.csv holds the final table. Started again after it was killed it goes
-    /// on where it was, and the CSV is the same to the last bit. With other Hurst exponents, seeds, loads and sizes the same
-    /// command makes a study of your own. Lengths are those of the paper: a roll-off of 20 um, of which 8 fit a line and 4 a side
-    /// of a surface.
+    /// The paper: van Dokkum, Khajeh Salehani, Irani & Nicola, Tribol. Lett. 66:115 (2018). Each figure is written as a
+    /// CSV of all solved points, as SVG, as PNG and as a recording; comparison.csv is the final table. If the command
+    /// is interrupted, run it again: it continues, and the CSV files are identical. Other Hurst exponents, seeds, loads
+    /// and sizes give a study of your own. Lengths are those of the paper: a roll-off wavelength of 20 um; a line has 8
+    /// of them, a surface 4 per side.
     Paper(Box<paper::PaperCommand>),
-    /// Solve a contact under a load, or under one after the other
+    /// Solve a contact under one load, or under several loads one after the other
     Solve(Box<solve::Solve>),
     /// Solve stiff and extreme cases and check the results
     Stability(stability::Stability),
-    /// Solve a study: a scene with lists in it, on one machine or on many
+    /// Solve a study (a scene with lists of values), on one machine or on several
     ///
-    /// Each choice from the lists is a realisation, which is solved under all loads one after the other. Started again after it was killed, a study goes
-    /// on where it was. The numbers are the same to the last bit on any number of threads and however the study is cut into shares.
+    /// Each combination of values is a realisation, which is solved under all loads one after the other. If a study is
+    /// interrupted, run it again: it continues. The numbers are identical on any number of threads, and for any
+    /// division into shares.
     Study(Box<study::Study>),
-    /// Make a surface, or describe one
+    /// Generate a surface, or describe one
     Surface(Box<surface::Describe>),
-    /// Open a recording in the browser, or several over each other
+    /// Open a recording in the browser, or compare several
     #[cfg(feature = "explore")]
     #[command(after_help = "Examples:\n  asperity view demo.rrd\n  asperity view demo.rrd --port 9000 --no-open")]
     View(view::View),
@@ -157,8 +160,8 @@ fn is_unheard(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
-fn carry_out(Cli { command, manners }: Cli) -> anyhow::Result<ExitStatus> {
-    manners.keep()?;
+fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
+    style.apply()?;
     match command {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),

@@ -1,4 +1,4 @@
-//! The summary of a solve, for people and for scripts.
+//! The summary of a solve, as text and as JSON.
 
 use super::finding::Finding;
 use super::problem_summary::ProblemSummary;
@@ -55,7 +55,7 @@ impl Summary {
 
 /// Writes what held a run up, if that is known.
 pub fn write_diagnosis(diagnosis: Option<&Findings>, out: &mut impl Write) -> io::Result<()> {
-    diagnosis.map_or(Ok(()), |diagnosis| write!(out, "\nWhat held it up:\n{diagnosis}"))
+    diagnosis.map_or(Ok(()), |diagnosis| write!(out, "\nWhy it was slow:\n{diagnosis}"))
 }
 
 /// Writes an object as one line of JSON.

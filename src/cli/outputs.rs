@@ -17,34 +17,38 @@ const STRESS: &[&str] = &["npz"];
 #[command(next_help_heading = "Output")]
 #[cfg_attr(feature = "record", command(group = clap::ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
 pub struct Outputs {
-    /// Record every relaxation step, or the contact under each of several loads, for the Rerun viewer; an older recording of the name stays until the new one is whole
+    /// Record every step of the solver, or the contact under each of several loads, for the Rerun viewer; an existing
+    /// recording with this name is replaced at the end
     #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd")]
     pub record: Option<PathBuf>,
-    /// Show the steps in the installed Rerun viewer while they are made
+    /// Show the steps live in the installed Rerun viewer
     #[cfg(feature = "record")]
     #[arg(long)]
     pub live: bool,
-    /// Write the fields, distributions, spectra, numbers and setup (.npz), a table (.csv): of the nodes of a line, or of several loads, or a
-    /// picture of the contact or of the load curve (.svg, .png)
+    /// Write fields, distributions, spectra, numbers and setup (.npz), a table of the loads or of the nodes of a line
+    /// (.csv), or a picture of the contact or the load curve (.svg, .png)
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Write the stress in the solid at 64 depths below the contact, of a surface in a vertical cut along x: components, tau_max, von Mises
+    /// Write the stress in the solid at 64 depths below the contact (components, tau_max, von Mises); for a surface, in
+    /// a vertical cut along x
     #[arg(long, value_name = "FILE.npz")]
     pub stress: Option<PathBuf>,
-    /// Row of a surface, from 0 on, below which the stress is cut [default: that of the largest pressure]
+    /// Row of a surface, counted from 0, below which the stress is computed [default: the row of the largest pressure]
     #[arg(long, value_name = "ROW", requires = "stress")]
     pub stress_row: Option<usize>,
-    /// Write what was solved as a scene, all numbers to the last bit
+    /// Write the setup as a scene that reproduces the results to the last bit
     #[arg(long, value_name = "SCENE.toml")]
     pub save_setup: Option<PathBuf>,
-    /// Find the contact stiffness as well, the rise of the mean pressure as the mean gap falls: a tenth of the work more
+    /// Also compute the contact stiffness, the increase of mean pressure per decrease of mean gap; costs about 10 %
+    /// more work
     #[arg(long)]
     pub stiffness: bool,
     /// Print one JSON object instead of a summary
     #[arg(long)]
     pub json: bool,
-    /// Take warnings for errors: before the solve those about heights, after it those about the contact, of which only a recording is written
+    /// Treat warnings as errors: warnings about the heights stop the program before the solve; with warnings about the
+    /// contact, only a recording is written
     #[arg(long)]
     pub strict: bool,
 }
@@ -71,17 +75,17 @@ impl Outputs {
         }
     }
 
-    /// The table, if one is asked for.
+    /// The table, if it is requested.
     pub fn table(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| has_ending(path, "csv"))
     }
 
-    /// The archive, if one is asked for.
+    /// The archive, if it is requested.
     pub fn archive(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| has_ending(path, "npz"))
     }
 
-    /// The picture, if one is asked for.
+    /// The picture, if it is requested.
     pub fn picture(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| has_ending(path, "svg") || has_ending(path, "png"))
     }
@@ -93,7 +97,7 @@ impl Outputs {
             .flatten()
     }
 
-    /// Has computed of a contact what is told of it only if it is asked for.
+    /// Computes the optional numbers of a contact that were requested.
     pub fn complete(&self, contact: &Contact) {
         if self.stiffness {
             contact.stiffness();

@@ -26,17 +26,17 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct PaperCommand {
-    /// Tables and figures to make, in this order
+    /// Tables and figures to make, in the given order
     #[arg(value_name = "PART", default_value = "all", value_parser = parts())]
     parts: Vec<String>,
-    /// Folder of all files
+    /// Folder for all files
     #[arg(long, value_name = "DIR", default_value = "paper")]
     out: PathBuf,
     /// Hurst exponents [default: 0.2,0.5,0.8]
     #[arg(long, value_name = "H,H,...", value_delimiter = ',', allow_negative_numbers = true)]
     hurst: Vec<f64>,
-    /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1, every third one of surfaces; 8 from 1e-4 to
-    /// 0.32 of hurst; with --full 1e-3, 1e-2, 1e-1]
+    /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1, for surfaces every third of
+    /// them; for the item hurst 8 from 1e-4 to 0.32; with --full 1e-3, 1e-2, 1e-1]
     #[arg(long, value_name = "P,P,...", value_delimiter = ',', allow_negative_numbers = true)]
     loads: Vec<f64>,
     /// Seeds of rough lines, such as 1-10 or 3,5,8 [default: 1-10]
@@ -48,32 +48,34 @@ pub struct PaperCommand {
     /// Points of a rough line [default: 262144]
     #[arg(long, value_name = "N")]
     line_points: Option<usize>,
-    /// Points along a side of rough surfaces, coarsest first; from two on, values are extrapolated in the spacing
-    /// [default: 2048,4096,8192, that is 8 to 32 per shortest wavelength; with --full the 64 of the paper's eps_c, 16384]
+    /// Points along a side of rough surfaces, coarsest grid first; with two or more grids, values are extrapolated to
+    /// zero spacing [default: 2048,4096,8192, which is 8 to 32 points per shortest wavelength; with --full 16384, which
+    /// is 64 as in the paper]
     #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
     surface_points: Vec<usize>,
-    /// Shortest wavelength of rough lines, as a share of the roll-off [default: 1/512]
+    /// Shortest wavelength of rough lines, as a fraction of the roll-off wavelength [default: 1/512]
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
     line_cutoff: Option<f64>,
-    /// Shortest wavelength of rough surfaces, as a share of the roll-off [default: 1/64]
+    /// Shortest wavelength of rough surfaces, as a fraction of the roll-off wavelength [default: 1/64]
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
     surface_cutoff: Option<f64>,
     /// Certificate eta of each point
     #[arg(long, value_name = "ETA", default_value = "1e-8", allow_negative_numbers = true)]
     tolerance: f64,
-    /// Realisations solved at a time [default: as many as there are threads, if they fit in memory]
+    /// Realisations solved at the same time [default: the number of threads, or fewer if memory is short]
     #[arg(long, value_name = "N", value_parser = count)]
     workers: Option<NonZeroUsize>,
-    /// Small grids, short spectra and few loads, to see that it works
+    /// Use small grids, short spectra and few loads, as a quick test
     #[arg(long, conflicts_with = "full")]
     quick: bool,
-    /// Rough surfaces of 16384 points a side, the paper's size as we read its eps_c, one for each Hurst exponent
+    /// Use rough surfaces of 16384 points per side (the paper's size, if its eps_c is read this way), one per Hurst
+    /// exponent
     #[arg(long)]
     full: bool,
-    /// Solve all points again, and replace those that are there
+    /// Solve all points again, and replace existing results
     #[arg(long)]
     fresh: bool,
-    /// Write no recordings
+    /// Do not write recordings
     #[cfg(feature = "record")]
     #[arg(long)]
     no_record: bool,
@@ -87,12 +89,12 @@ impl PaperCommand {
         writeln!(stdout())?;
         comparison.write_text(&mut stdout())?;
         let points = paper.all_points(&items)?;
-        points.iter().filter(|point| !point.is_converged()).try_for_each(tell)?;
+        points.iter().filter(|point| !point.is_converged()).try_for_each(warn)?;
         wrote(&self.out);
         settled(&points, Point::has_contact)
     }
 
-    /// The items asked for, each once.
+    /// The requested items, each once.
     fn items(&self) -> Vec<Item> {
         let mut items: Vec<Item> = Vec::new();
         for name in &self.parts {
@@ -142,7 +144,7 @@ fn parts() -> PossibleValuesParser {
     items.chain([PossibleValue::new("all").help("All of these")]).collect::<Vec<_>>().into()
 }
 
-/// Puts what is given, if anything, in the place of what is usual.
+/// Replaces the usual values by the given ones, if any.
 fn replace<T>(usual: &mut Vec<T>, given: Vec<T>) {
     if !given.is_empty() {
         *usual = given;
@@ -164,11 +166,12 @@ fn each_once(seeds: &[RangeInclusive<u64>]) -> Vec<u64> {
 /// `7` or `1-10`.
 fn seeds(text: &str) -> Result<RangeInclusive<u64>, String> {
     let (first, last) = text.split_once('-').unwrap_or((text, text));
-    let parse = |seed: &str| seed.trim().parse::<u64>().map_err(|_| format!("{seed:?} is no seed: give whole numbers"));
+    let parse =
+        |seed: &str| seed.trim().parse::<u64>().map_err(|_| format!("{seed:?} is not a seed: give whole numbers"));
     let seeds = parse(first)?..=parse(last)?;
     let count = seeds.end().saturating_sub(*seeds.start());
     match seeds.is_empty() || count > 100_000 {
-        true => Err(format!("{text} holds no seeds, or too many: give a range such as 1-10")),
+        true => Err(format!("{text} is not a range of seeds, or has too many: give a range such as 1-10")),
         false => Ok(seeds),
     }
 }
@@ -196,9 +199,9 @@ fn show(bar: &ProgressBar, event: Event<'_>) {
     }
 }
 
-fn tell(Point { name, ny, nx, hurst, seed, observables, .. }: &Point) -> Result<()> {
+fn warn(Point { name, ny, nx, hurst, seed, observables, .. }: &Point) -> Result<()> {
     let [hurst, seed] = [hurst.unwrap_or(f64::NAN), seed.map_or(f64::NAN, |seed| seed as f64)];
     let (p, eta) = (observables.reduced_pressure, observables.certificate);
     let place = format!("{name}, {ny} x {nx} points, H {hurst}, seed {seed}, p* {p:.3e}");
-    Ok(writeln!(stdout(), "not converged, left out of all averages: {place}: certificate {eta:.1e}")?)
+    Ok(writeln!(stdout(), "not converged, excluded from all averages: {place}: certificate {eta:.1e}")?)
 }

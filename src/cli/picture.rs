@@ -8,7 +8,7 @@ use asperity::quantity::{LENGTHS, PRESSURES};
 use std::cmp::Ordering;
 use std::path::Path;
 
-/// Dots of a curve at the most.
+/// Largest number of dots of a curve.
 const DOTS: usize = 4096;
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;
@@ -39,7 +39,7 @@ pub fn of_loads(title: &str, found: &[&Observables], units: Units) -> Figure {
         is_logarithmic: true,
     };
     let kappa_r = LoadPanel {
-        title: "area per load, over the rms gradient in contact",
+        title: "area per load, with the rms gradient in contact",
         label: "kappa_r",
         resolved: |it| it.resolved_kappa_r(),
         counted: |it| it.kappa_r_counted,

@@ -6,7 +6,7 @@ use asperity::error::SetupError;
 use asperity::setup::{Method, Setup};
 use serde::Serialize;
 
-/// Surface, grid, solid and solver of a solve, for people and for scripts.
+/// Surface, grid, solid and solver of a solve, as text and as JSON.
 #[derive(Serialize)]
 pub struct ProblemSummary {
     /// The parts of the surface, such as a file, in words.
@@ -54,7 +54,7 @@ impl ProblemSummary {
             prescribed: problem.load().name(),
             solver: setup.solver,
             title: setup.surface.title(grid),
-            solid: setup.solid.map_or("none given: pressures are over it".into(), |solid| solid.description()),
+            solid: setup.solid.map_or("not given: pressures are divided by it".into(), |solid| solid.description()),
             others: others(setup, problem),
             rank,
         })
@@ -98,7 +98,7 @@ fn others(setup: &Setup, problem: &Problem) -> Vec<(&'static str, String)> {
     let is_of_lines = grid.is_line() || grid.periodic() != [false; 2];
     let boundary = length.map(|length| {
         let datum = setup.grid.datum.unwrap_or(length);
-        let said = format!(", the surface stands still at the distance {datum:.6e} from a line load");
+        let said = format!(", zero displacement at the distance {datum:.6e} from a line load");
         ("boundary", format!("{}{}", grid.boundary(), if is_of_lines { said } else { String::new() }))
     });
     layer.into_iter().chain(boundary).collect()

@@ -1,6 +1,6 @@
-//! A progress bar for people at a terminal.
+//! A progress bar on a terminal.
 
-use super::manners::is_quiet;
+use super::command_style::is_quiet;
 use asperity::contact::{Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
 use asperity::job::{Pass, Watcher};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
@@ -11,8 +11,8 @@ use std::time::Duration;
 /// Places on the bar from the first certificate to the tolerance.
 const LENGTH: u64 = 1000;
 
-/// Shows grid level and certificate on its way to the tolerance, on standard error, if that is a terminal. Of a step it
-/// asks only for what costs nothing.
+/// Shows grid level and certificate, and the progress towards the tolerance, on standard error, if that is a terminal.
+/// It uses only those values of a step that cost nothing.
 pub struct Progress {
     bar: ProgressBar,
     tolerance: f64,
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_steady_fall_tells_its_end() {
+    fn a_steady_fall_predicts_its_end() {
         let fall = |n: usize| trend((0..n).map(|i| (10.0 + i as f64, -0.5 * i as f64)));
         assert!((fall(20).meets(-20.0).unwrap() - 50.0).abs() < 1e-9);
         assert!(fall(4).meets(-20.0).is_some() && fall(3).meets(-20.0).is_none() && fall(0).meets(-20.0).is_none());

@@ -32,12 +32,12 @@ impl RecordingArgs {
     }
 
     /// Says that the recording was written, if one was.
-    pub fn tell(&self) {
+    pub fn report(&self) {
         self.record.iter().for_each(|path| wrote(path));
     }
 
-    /// Goes through the steps of another code, shown to `observer` and recorded under `title` if that is asked for, compared with the
-    /// reference if there is one.
+    /// Goes through the steps of another code, shown to `observer` and recorded under `title` on request, compared with
+    /// the reference if there is one.
     pub fn watch(
         &self,
         title: &str,

@@ -1,4 +1,4 @@
-//! What sticks and what slips under a tangential load, for people and for scripts.
+//! What sticks and what slips under a tangential load, as text and as JSON.
 
 use super::units::Units;
 use asperity::contact::PartialSlip;
@@ -43,7 +43,7 @@ impl SlipFinding {
     pub fn rows(&self, units: Units) -> Vec<(String, String)> {
         let [mean, max] = [self.mean_traction, self.max_traction].map(|traction| units.pressure(traction));
         let rows = [
-            ("tangential load", format!("{:.6e} of that at which all slides", self.tangential_over_sliding)),
+            ("tangential load", format!("{:.6e} of the load at which everything slides", self.tangential_over_sliding)),
             ("mean traction", mean),
             ("largest traction", max),
             ("stick area", format!("{:.6} (certificate {:.2e})", self.stick_area, self.stick_certificate)),

@@ -39,15 +39,16 @@ Examples:
 pub struct Solve {
     #[command(flatten)]
     scene: SceneArgs<OfSetup>,
-    /// Go back through several loads after the last one
+    /// After the last load, also solve the loads in reverse order
     #[arg(long, help_heading = super::flags::LOAD)]
     unload: bool,
     #[command(flatten)]
     outputs: Outputs,
-    /// Solve twice, and say what held the solve up the second time: slow wavelengths, nodes that flip, plateaus
+    /// Solve twice, and explain why the solver was slow: slow wavelengths, nodes that change their state often,
+    /// plateaus
     #[arg(long)]
     diagnose: bool,
-    /// Say what the solve would take in memory, transforms and recording, and do none of it
+    /// Print the estimated memory, number of transforms and size of the recording, and do not solve
     #[arg(long, conflicts_with = "json")]
     dry_run: bool,
 }
@@ -62,23 +63,21 @@ impl Solve {
         let units = self.scene.units(&setup.surface);
         match loads {
             Some(_) if auto.is_some() => {
-                usage("a grid is found under one load, but several are given: give one, or a number for --refine")
+                usage("--refine auto needs one load, but several are given: give one load, or a number for --refine")
             }
-            Some(_) if self.diagnose => {
-                usage("--diagnose looks at the steps under one load, but several are given: give one")
-            }
+            Some(_) if self.diagnose => usage("--diagnose needs one load, but several are given: give one"),
             Some(_) if setup.friction.is_some() => {
-                usage("a tangential load follows one normal load, but several are given: give one")
+                usage("a tangential load needs one normal load, but several are given: give one")
             }
             Some(_) if self.outputs.stress.is_some() => {
-                usage("--stress is that under one load, but several are given: give one")
+                usage("--stress needs one load, but several are given: give one")
             }
             Some(loads) if self.unload => {
                 load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, units, self.dry_run)
             }
             Some(loads) => load_curve::run(&LoadCurve { setup, loads }, &self.outputs, units, self.dry_run),
             None if self.unload => {
-                usage("--unload goes back through several loads, but there is one: give more, such as 1e-3..1e-1:13")
+                usage("--unload needs several loads, but one is given: give more, such as 1e-3..1e-1:13")
             }
             None => self.solve(setup, auto),
         }
@@ -91,7 +90,7 @@ impl Solve {
         let cost = job.cost()?;
         outputs.check()?;
         if let Some(path) = outputs.table().filter(|_| !cost.grid.is_line()) {
-            return usage(format!("{} can hold the nodes of a line only: give a .npz for a surface", path.display()));
+            return usage(format!("{}: a .csv of nodes is for lines only; for a surface give a .npz", path.display()));
         }
         if outputs.stress.is_some() {
             job.setup().check_stress(&cost.grid)?;
@@ -188,7 +187,7 @@ impl Solve {
 fn refuse_study(table: &SetupTable) -> Result<()> {
     match table.clone().take_axes()?.first() {
         Some(axis) => usage(format!(
-            "`{}` has {} values, which make a study of this scene: run it by `asperity study`, or give one value",
+            "`{}` has {} values, so this scene is a study: run `asperity study`, or give one value",
             axis.path(),
             axis.len()
         )),

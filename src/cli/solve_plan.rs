@@ -22,7 +22,7 @@ pub struct SolvePlan<'a> {
 pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
     let SolvePlan { setup, cost, loads, is_recorded, is_passed_twice } = *plan;
     let shape = cost.grid.shape();
-    writeln!(out, "Nothing is solved: this is what {} would take.", setup.solver.name())?;
+    writeln!(out, "Estimate for {}; nothing was solved.", setup.solver.name())?;
     writeln!(out, "  points      {}", points(shape))?;
     let coarsest = shape.map(|n| (n >> cost.coarse_grids).max(1));
     match cost.coarse_grids {
@@ -35,11 +35,11 @@ pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
     if is_passed_twice {
         writeln!(
             out,
-            "  passes      2: the first finds the final state that the steps of the second are held against"
+            "  passes      2: the first finds the final state, with which the steps of the second are compared"
         )?;
     }
     if let Some(loads) = loads {
-        writeln!(out, "  loads       {loads}, each solved from the one before")?;
+        writeln!(out, "  loads       {loads}, each solved from the contact under the previous load")?;
     }
     #[cfg(feature = "record")]
     match loads {
@@ -58,7 +58,7 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
     let numbers = bytes_in_words(1e3 * size.step);
     let frame = bytes_in_words(size.frame);
     let pictures = match options.every {
-        Some(every) => format!("about {frame} for each frame, one in {every} steps"),
+        Some(every) => format!("about {frame} per frame, one frame every {every} steps"),
         None => {
             let frames = size.frames(setup.solver.steps(setup.stop.max_iterations()), cost.coarse_grids);
             let most = bytes_in_words(size.still + frames as f64 * size.frame);
@@ -72,7 +72,7 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
     }
 }
 
-/// Writes how large the recording over so many loads would become.
+/// Writes the estimated size of a recording over `loads` loads.
 #[cfg(feature = "record")]
 fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut impl Write) -> io::Result<()> {
     let size = Size::new(Options::from(&setup.record).what, &cost.grid);
@@ -82,7 +82,7 @@ fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut 
 
 /// Writes the grids that a contact may take until it has settled.
 pub fn write_grids(refinement: &Refinement, out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "Finer grids follow until area and kappa_r have settled, each as far as memory goes:")?;
+    writeln!(out, "Finer grids follow until area and kappa_r are accurate enough, if memory allows:")?;
     for setup in refinement.setups().skip(1) {
         let Ok(cost) = setup.cost(&Extras::default()) else { break };
         writeln!(out, "  {:<11} about {}", points(cost.grid.shape()), bytes_in_words(cost.bytes))?;

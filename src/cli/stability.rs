@@ -1,4 +1,4 @@
-//! `asperity stability`: how the solvers bear stiff and extreme cases.
+//! `asperity stability`: the solvers on stiff and extreme cases.
 
 use super::choice::one_of;
 use super::exit_status::{ExitStatus, usage};
@@ -20,25 +20,25 @@ Examples:
   asperity stability punch --solver multilevel --out punch.csv
 
 Each row is one case solved by one solver:
-  steps    iterations; for the multilevel solver outer and inner steps on all grids
-  seconds  in the solver
-  eta      certificate, recomputed from the returned pressure by code that the solvers do not use
-  verdict  converged      the solver says so, and the check agrees
-           refused        with a clear sentence
-           not converged  and it says so: out of budget, or no further progress
-           WRONG          the solver and the check disagree; a NaN, a tension, a missed load, a panic:
-                          must never happen
-           A case that must come to another end than this has a ! before the verdict.
-A case at a mean gap is solved again under the mean pressure that was found, and must open to the same gap; one in
-unusual units is solved again in usual ones. Such a twin counts as the case does.
-The check shares with the solvers the problem and the definition of the half-space, u_q = 2 p_q / (E* |q|).
-The budget of a run is kept by an observer that ends it after the step in which it runs out.
+  steps    iterations; for multilevel, outer and inner steps on all grids
+  seconds  time of the solver
+  eta      certificate, recomputed from the returned pressure with code that the solvers do not use
+  verdict  converged      reported by the solver and confirmed by the check
+           refused        the solver does not accept the case, and reports why
+           not converged  reported as such: no time left, or no further progress
+           WRONG          the solver and the check disagree; a NaN, tension, a wrong load or a panic:
+                          this must never happen
+           A ! before the verdict marks a case whose verdict is not the required one.
+A case with a given mean gap is solved again with the mean pressure found, and must give the same gap; a case in
+unusual units is solved again in usual ones. The second solve counts like the first.
+The check shares only the problem and the half-space, u_q = 2 p_q / (E* |q|), with the solvers.
+An observer stops a run after the step in which its time is used up.
 
-After them what the check displaces, beside a sum over images in which nothing is periodic, and the largest
-stable time steps of molecular dynamics, found by bisection, beside theory.
+At the end, the displacement of the check is compared with a sum over images that uses no periodicity, and the
+largest stable time steps of molecular dynamics, found by bisection, with theory.
 
-Exit code 0 if nothing is WRONG, every solver does what every case demands of it, the check displaces as the
-images say, and the time steps are those of theory; else 3.";
+The exit code is 0 if nothing is WRONG, all verdicts are the required ones, and the two comparisons agree; otherwise
+it is 3.";
 
 /// One of the solvers.
 fn rival() -> impl TypedValueParser<Value = Rival> {
@@ -52,16 +52,16 @@ pub struct Stability {
     /// Cases to run: all those whose name contains one of these [default: all]
     #[arg(value_name = "NAME")]
     names: Vec<String>,
-    /// The methods [default: all but gfmd-uniform, which runs where stiffness matters]
+    /// Solvers [default: all except gfmd-uniform, which runs only in cases where its stiffness matters]
     #[arg(long = "solver", value_parser = rival(), value_name = "NAME[,NAME]", value_delimiter = ',')]
     rivals: Vec<Rival>,
-    /// Seconds that each run may take [default: 60, quick: 5]
+    /// Time limit of each run in seconds [default: 60, quick: 5]
     #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     budget: Option<f64>,
-    /// Shrink the grids and the budget
+    /// Use smaller grids and a shorter time limit
     #[arg(long)]
     quick: bool,
-    /// Write the rows in full precision, again after each one
+    /// Write the rows in full precision; the file is updated after each row
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
     /// Print the cases instead of solving them
@@ -100,7 +100,7 @@ impl Stability {
         Ok(if tally.is_stable() { ExitStatus::Done } else { ExitStatus::NotConverged })
     }
 
-    /// The trials whose names were asked for.
+    /// The trials with the requested names.
     fn trials(&self) -> Result<Vec<Trial>> {
         let mut trials = trials(self.quick)?;
         if let Some(unknown) = self.names.iter().find(|name| !trials.iter().any(|trial| trial.name.contains(*name))) {

@@ -1,7 +1,7 @@
 //! The stress below the contact that a solve has found, in a file.
 
+use super::command_style::remark;
 use super::exit_status::{Usage, usage};
-use super::manners::remark;
 use anyhow::Result;
 use asperity::Grid;
 use asperity::contact::{Contact, archive_of_stress};
@@ -30,7 +30,8 @@ pub fn write(path: &Path, setup: &Setup, contact: &Contact, row: Option<usize>) 
     let (confined, highest) = (contact.confined_stress(stress.poisson), contact.max_pressure());
     if confined != 0.0 {
         remark(format!(
-            "note: The mean pressure is carried without lateral strain. For a body that is free to strain along x, subtract sigma_confined = \
+            "note: This stress is without lateral strain under the mean pressure. If the body is free to expand \
+             along x, subtract sigma_confined = \
              {confined:.3e} ({:.1} % of the largest pressure) from sigma_xx.",
             100.0 * confined.abs() / highest
         ));

@@ -39,25 +39,26 @@ pub struct Study {
     /// The study
     #[arg(value_name = "STUDY.toml")]
     study: PathBuf,
-    /// Table of all rows; beside it come NAME.parquet, NAME.svg and NAME.png [default: that of the study, in this folder]
+    /// Table of all rows; NAME.parquet, NAME.svg and NAME.png are written beside it [default: name of the study, in
+    /// this folder]
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
-    /// Solve one of several shares into a table of its own, such as NAME.3-of-100.csv
+    /// Solve one of several shares, and write it to its own table, such as NAME.3-of-100.csv
     #[arg(long, value_name = "N/COUNT")]
     shard: Option<Shard>,
-    /// Realisations solved at a time [default: as many as there are threads]
+    /// Realisations solved at the same time [default: the number of threads]
     #[arg(long, value_name = "N", value_parser = count)]
     workers: Option<NonZeroUsize>,
-    /// Memory that they may take together, such as 8GB [default: four fifths of what is free]
+    /// Memory for all of them together, such as 8GB [default: 80 % of the free memory]
     #[arg(long, value_name = "BYTES", value_parser = bytes)]
     memory: Option<f64>,
-    /// Solve all rows again, and replace those that are there
+    /// Solve all rows again, and replace existing results
     #[arg(long)]
     fresh: bool,
-    /// Say how many rows there are and what they take in time and memory, and solve none
+    /// Print the number of rows and the estimated time and memory, and do not solve
     #[arg(long)]
     dry_run: bool,
-    /// Record the steps of one row, by its number, instead of solving the study
+    /// Record the steps of the row with this number, instead of solving the study
     #[cfg(feature = "record")]
     #[arg(long, value_name = "ROW", requires = "record", conflicts_with_all = ["shard", "out", "dry_run", "fresh"])]
     record_row: Option<usize>,
@@ -121,7 +122,7 @@ pub fn table_of(study: &Path, given: Option<&Path>) -> Result<PathBuf> {
     let path = match (given, study.file_name()) {
         (Some(path), _) => path.to_path_buf(),
         (None, Some(name)) => Path::new(name).with_extension("csv"),
-        (None, None) => return usage(format!("{} is no name of a study: give a file", study.display())),
+        (None, None) => return usage(format!("{} is not the name of a study: give a file", study.display())),
     };
     check_named(&path, &["csv"])?;
     check_target(&path)?;
@@ -184,7 +185,8 @@ pub struct Merge {
     /// Tables of its shares
     #[arg(value_name = "SHARE.csv", required = true)]
     shares: Vec<PathBuf>,
-    /// Table of all rows; beside it come NAME.parquet, NAME.svg and NAME.png [default: that of the study, in this folder]
+    /// Table of all rows; NAME.parquet, NAME.svg and NAME.png are written beside it [default: name of the study, in
+    /// this folder]
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
 }
@@ -197,7 +199,7 @@ impl Merge {
             self.shares.iter().find(|share| !share.is_file() && !share.with_extension("unfinished").is_file())
         {
             return Err(
-                Usage(format!("there is no table {}: solve that share, or leave it out", share.display())).into()
+                Usage(format!("there is no table {}: solve this share, or leave it out", share.display())).into()
             );
         }
         check_outputs(&Table::new(&path), self.shares.iter().chain([&self.study]).map(PathBuf::as_path))?;

@@ -7,7 +7,7 @@ use indicatif::HumanDuration;
 use std::io::Write;
 use std::time::Duration;
 
-/// Lines at the most; the rest is in the table.
+/// Largest number of lines; the rest is in the table.
 const LINES: usize = 40;
 
 /// Writes what the rows of a share take, those that take longest first.
@@ -21,7 +21,7 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
     let longest = groups.iter().map(|(_, it)| it.seconds).fold(0.0, f64::max);
     let most = groups.iter().map(|(_, it)| it.bytes).fold(0.0, f64::max);
     let at_a_time = (memory / most).floor().clamp(1.0, campaign.workers as f64);
-    writeln!(out, "Nothing is solved: this is what share {} of the study would take.", campaign.shard)?;
+    writeln!(out, "Estimate for share {} of the study; nothing was solved.", campaign.shard)?;
     writeln!(out, "  rows          {} of {}", share.len() * loads, plan.rows())?;
     writeln!(
         out,
@@ -30,12 +30,16 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
         plan.realisations()
     )?;
     writeln!(out, "  work          about {} of one core", in_words(seconds))?;
-    writeln!(out, "  time          about {}, {at_a_time} at a time", in_words((seconds / at_a_time).max(longest)))?;
+    writeln!(
+        out,
+        "  time          about {}, {at_a_time} at the same time",
+        in_words((seconds / at_a_time).max(longest))
+    )?;
     writeln!(out, "  memory        about {}", bytes_in_words(at_a_time * most))?;
     if most > memory {
         writeln!(
             out,
-            "  too large     a realisation needs {} and may have {}",
+            "  too large     a realisation needs {}, but the limit is {}",
             bytes_in_words(most),
             bytes_in_words(memory)
         )?;
@@ -47,7 +51,7 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
         let (count, each, memory) = (in_group(*first), format!("{:.2e} s", it.seconds), bytes_in_words(it.bytes));
         writeln!(out, "{count:>12} {each:>10} {memory:>10}  {}: {}", 1 + first * loads, plan.words_but_seed(*first))?;
     }
-    write_rest(groups.len(), "choices from the lists", out)
+    write_rest(groups.len(), "combinations of values", out)
 }
 
 /// Writes the means over the seeds under each load of what converged and is resolved, by what is chosen from the lists.
@@ -69,7 +73,7 @@ pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Resul
     write_rest(plan.rows() / seeds, "lines", out)
 }
 
-/// What stands for a number that is not known.
+/// Placeholder for an unknown number.
 const NONE: &str = "-";
 
 /// Mean and standard deviation with some digits; the first is not known of no values, the second of none and of one.
@@ -85,7 +89,7 @@ fn write_rest(count: usize, what: &str, out: &mut impl Write) -> Result<()> {
     Ok(())
 }
 
-/// Seconds as people say them.
+/// Seconds in words.
 fn in_words(seconds: f64) -> String {
     match Duration::try_from_secs_f64(seconds) {
         Ok(duration) if seconds >= 1.0 => HumanDuration(duration).to_string(),

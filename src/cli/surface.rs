@@ -34,14 +34,14 @@ Examples:
 pub struct Describe {
     #[command(flatten)]
     scene: SceneArgs<OfSurface>,
-    /// Write the heights in metres, as the ending of the name says: .npy, .sdf, .x3p or .xyz
+    /// Write the heights in metres; the file name gives the format: .npy, .sdf, .x3p or .xyz
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
-    /// Record the heights as a relief, their power spectrum and their gradient from scale to scale, for the Rerun viewer
+    /// Record the heights, their power spectrum and their gradient at each scale, for the Rerun viewer
     #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd", help_heading = "Output")]
     record: Option<PathBuf>,
-    /// Take warnings for errors
+    /// Treat warnings as errors
     #[arg(long, help_heading = "Output")]
     strict: bool,
     /// Print one JSON object instead of a table
@@ -137,7 +137,7 @@ impl Describe {
     }
 }
 
-/// Has heights at uneven positions resampled, which a description needs as well, and says so.
+/// Resamples heights at uneven positions, which a description needs, too, and returns a warning.
 fn even(recipe: &mut Recipe) -> Result<Option<String>> {
     let is_given = recipe.prepare.resample.is_some();
     let Some(file) = recipe.height.as_ref().filter(|_| !is_given) else { return Ok(None) };
@@ -146,8 +146,8 @@ fn even(recipe: &mut Recipe) -> Result<Option<String>> {
     }
     recipe.prepare.resample = Some(Resample::Linear);
     Ok(Some(
-        "The positions are not evenly spaced, and no contact can be solved with them. This describes the heights at even positions, as \
-         --resample linear makes them."
+        "The positions are not evenly spaced, so no contact can be solved. The numbers below are for heights \
+         interpolated to even spacing (--resample linear)."
             .into(),
     ))
 }
@@ -164,7 +164,7 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
         points: grid.shape()[outer..].to_vec(),
         size: grid.size()[outer..].to_vec(),
         spacing: grid.spacing()[outer..].to_vec(),
-        steps: prepared.as_ref().map(|it| it.told.clone()).unwrap_or_default(),
+        steps: prepared.as_ref().map(|it| it.effects.clone()).unwrap_or_default(),
         voids,
         survey: None,
         seed: recipe.spectrum.map(|_| recipe.seed()),
@@ -204,18 +204,20 @@ impl Origin {
         self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy"
     }
 
-    /// The warning that lengths are in a unit that nobody knows.
+    /// The warning that the unit of lengths is unknown.
     fn unit_warning(&self, recipe: &Recipe) -> Option<String> {
         (!self.has_unit(recipe)).then(|| {
-            "the file does not say its units, so that its heights are taken as they are: give them by --file-unit, such as 1um".into()
+            "the file has no units, so the heights are used without a unit: give it with --file-unit, such as \
+             1um"
+            .into()
         })
     }
 
     fn rows(&self) -> Vec<(String, String)> {
-        let unit = if self.is_in_metres { "metres" } else { "not said by the file" };
+        let unit = if self.is_in_metres { "metres" } else { "not given in the file" };
         let channel = match self.channels.as_slice() {
             [one] => one.clone(),
-            all => format!("{}, one of {}: choose by --channel", self.channel, all.join(", ")),
+            all => format!("{}, one of {}: choose with --channel", self.channel, all.join(", ")),
         };
         let rows = [("format", self.format.to_owned()), ("channel", channel), ("lengths", unit.to_owned())];
         rows.map(|(name, value)| (name.to_owned(), value)).into_iter().chain(self.header.clone()).collect()
@@ -228,7 +230,8 @@ impl Statistics {
     fn record(&self, path: &Path, recipe: &Recipe, height: &Field, grid: Grid) -> Result<()> {
         let Some(survey) = self.survey.as_ref().filter(|_| self.voids == 0) else {
             return usage(format!(
-                "{} heights are void, and a relief has none: fill them by --fill harmonic, or --crop them away",
+                "{} heights are void, so the surface cannot be recorded: fill them with --fill harmonic, or cut them \
+                 off with --crop",
                 self.voids
             ));
         };
@@ -240,14 +243,14 @@ impl Statistics {
         Ok(record_survey(path, &recipe.title(&grid), &surface, survey, unit, &text)?)
     }
 
-    /// Refuses a format that is in metres for heights in a unit that nobody knows.
+    /// Refuses a format in metres for heights in an unknown unit.
     fn check_unit(&self, recipe: &Recipe, path: &Path) -> Result<(), FileError> {
         let is_array = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
         if is_array || self.file.as_ref().is_none_or(|it| it.has_unit(recipe)) {
             return Ok(());
         }
         let reason =
-            "it would be in metres, and the height file does not say its units: give them by --file-unit, such as 1um";
+            "the format is in metres, but the height file has no units: give them with --file-unit, such as 1um";
         Err(FileError::Target { path: path.into(), reason: reason.into() })
     }
 

@@ -1,10 +1,10 @@
-//! What heights are like, for people.
+//! The description of heights, as text.
 
 use super::output::write_rows;
 use asperity::surface::{Scale, Scales, Survey};
 use std::io::{self, Write};
 
-/// Writes what heights are like, and their differences from scale to scale.
+/// Writes the description of heights, and their differences at each scale.
 pub fn write(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
     let [along_y, along_x] = survey.tilt.map(|tilt| format!("{tilt:.3e}"));
     let is_map = survey.axes.iter().any(|axis| axis.axis == "y");
@@ -25,7 +25,7 @@ pub fn write(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
 
 fn write_axis(axis: &Scales, out: &mut impl Write) -> io::Result<()> {
     let Scales { noise, noise_share, shortest_wavelength, .. } = axis;
-    let smooth = axis.smooth_wavelength.map_or("nowhere: they are rough down to their spacing".into(), |wavelength| {
+    let smooth = axis.smooth_wavelength.map_or("at no wavelength: rough down to the spacing".into(), |wavelength| {
         format!("below wavelengths of {wavelength:.3e}")
     });
     let rows = [

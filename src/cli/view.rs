@@ -23,7 +23,7 @@ impl View {
         for file in &self.files {
             if !is_recording(file)? {
                 let file = file.display();
-                return usage(format!("{file} is no recording: give a file that `asperity solve --record` wrote"));
+                return usage(format!("{file} is not a recording: give a file written by `asperity solve --record`"));
             }
             print_if_cut_off(file)?;
         }

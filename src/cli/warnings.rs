@@ -1,7 +1,7 @@
 //! Warnings on standard error, with the flags that help.
 
+use super::command_style::remark;
 use super::exit_status::usage;
-use super::manners::remark;
 use anyhow::Result;
 use asperity::setup::FLAGS;
 use asperity::warning::{Remedy, Warning};
@@ -37,7 +37,8 @@ pub fn print_if_cut_off(path: &Path) -> Result<()> {
     if asperity::record::is_cut_off(path)? {
         let path = path.display();
         print(&[format!(
-            "{path} was cut off or is still written: it holds what was recorded before, and axes are not fitted to it."
+            "{path} is incomplete: it was cut off or is still being written. It shows what was recorded so far, and \
+             the axes are not fitted."
         )]);
     }
     Ok(())

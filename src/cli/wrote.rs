@@ -1,6 +1,6 @@
 //! The last words of a command: the files that it wrote, and how each is opened.
 
-use super::manners::remark;
+use super::command_style::remark;
 use std::path::Path;
 
 /// Says on standard error that a file was written, and how it is opened.

@@ -8,7 +8,8 @@ use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
 use std::slice::from_ref;
 
-/// The fields of a contact as `.npz`, each of the `rank` that the heights came in, and all numbers that are told of it.
+/// The fields of a contact as `.npz`, with the `rank` of the array of heights, and all numbers that are reported for
+/// it.
 ///
 /// | array                                                | shape                | what it holds                               |
 /// |------------------------------------------------------|----------------------|---------------------------------------------|
@@ -31,8 +32,8 @@ use std::slice::from_ref;
 ///
 /// The text is `bytes(npz["setup"]).decode()` in Python.
 ///
-/// The archive is made in memory, spectra first, while there is room for their transforms: a `ZipWriter` that meets a full disk
-/// complains on standard error by itself.
+/// The archive is made in memory, spectra first, while there is room for their transforms: a `ZipWriter` that meets a
+/// full disk writes to standard error.
 ///
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet.
@@ -69,7 +70,8 @@ pub fn archive_of_slip(slip: &PartialSlip, rank: usize, setup: Option<&str>) -> 
 /// | `tau_max`, `von_mises`                              | `(depths, nx)` | see [`Stress`]                                 |
 /// | `sigma_confined`                                    | `()`           | the part of `sigma_xx` by the mean pressure without lateral strain, see [`Contact::confined_stress`] |
 /// | `row`                                               | `()`           | the row, from 0                                |
-/// | `poisson`, `poisson_is_assumed`                     | `()`           | Poisson's ratio, and whether nobody gave it    |
+/// | `poisson`, `poisson_is_assumed`                     | `()`           | Poisson's ratio, and whether it was assumed
+/// |
 /// | `setup`                                             | bytes          | the text of the setup that repeats it          |
 ///
 /// # Errors
@@ -142,7 +144,7 @@ const CURVES: [(&str, CurveOf); 5] = [
     ("pressure_spectrum", |contact| contact.pressure_spectrum().density),
 ];
 
-/// An archive on its way.
+/// An archive that is being written.
 struct ArchiveWriter {
     npz: NpzWriter<Cursor<Vec<u8>>>,
     rank: usize,

@@ -51,7 +51,7 @@ impl Contact {
         highest_row(self.problem.surface().grid(), pressure)
     }
 
-    /// The surface and depths from half of the spacing to half of the cell, ever farther from each other.
+    /// The surface, and depths from half of the spacing to half of the cell, at increasing distances.
     pub fn usual_depths(&self) -> Vec<f64> {
         let grid = self.problem.surface().grid();
         depths(0.5 * grid.spacing()[1], 0.5 * grid.size()[1], DEPTHS)

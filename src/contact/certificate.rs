@@ -1,12 +1,12 @@
-//! How far a pressure can be from the solution.
+//! Certificates: bounds of the error of a pressure.
 
 use crate::contact::rounding::Rounding;
 use crate::contact::slack::{Slack, level};
 use crate::contact::{CertificateSums, Problem};
 use serde::Serialize;
 
-/// Rigorous bounds of the error of a feasible pressure `p >= 0`, below the hardness if there is one, under the load that it carries: a duality gap, or Frank-Wolfe gap,
-/// and what follows from it.
+/// Rigorous bounds of the error of a feasible pressure `p >= 0` (below the hardness, if there is one) under the load
+/// that it carries. They follow from a duality gap (Frank-Wolfe gap).
 ///
 /// Angle brackets are means over the nodes, `u = A p` is the displacement, `v = u - h`, and `|x|^2 = <x A x>`, in which a uniform
 /// pressure has no length. An asterisk marks the solution.
@@ -50,8 +50,9 @@ use serde::Serialize;
 /// and near closure, where the gap falls exponentially with the load, it is about `<p> / D`, each times a factor of order one. So
 /// [`Certificate::eta_gap`] is the relative error of the load in order of magnitude.
 ///
-/// **The approach** takes the place of the mean gap where a uniform pressure displaces the surface: `D` is then the highest peak less
-/// the approach, and `A` has the uniform pressure in it. Nothing else changes, as none of the above asks what `A` makes of it.
+/// **The approach** takes the place of the mean gap where a uniform pressure displaces the surface: `D` is then the
+/// highest peak less the approach, and `A` has the uniform pressure in it. Nothing else changes, since the proofs above
+/// do not use `A` of a uniform pressure.
 ///
 /// # Below a hardness
 /// A [`crate::contact::Law`] may ask for `p <= H_c` as well. Then the lowest `<q v>` of all `q` that carry the load is that of a
@@ -62,10 +63,11 @@ use serde::Serialize;
 /// G = <p max(v - lambda, 0)> + <(H_c - p) max(lambda - v, 0)>
 /// ```
 ///
-/// a sum of positive terms. It is no less than the true one for any other `lambda`, since `<(p - q)(v - lambda)>` is no larger than
-/// it for every `q` between 0 and `H_c` with the same load: so rounding of `lambda` does no harm. The variational inequality
-/// `<(p - p*) v*> >= 0` holds among the pressures below `H_c`, and with it `|p - p*|^2 <= G` and all that was said of the pressure.
-/// At a mean gap `D` the same sum with `lambda = -D` bounds `F(p) - F*`, and `<(p - p*) (v + D)>`, for `q` of any load.
+/// a sum of positive terms. It is no less than the true one for any other `lambda`, since `<(p - q)(v - lambda)>` is no
+/// larger than it for every `q` between 0 and `H_c` with the same load: so rounding of `lambda` does no harm. The
+/// variational inequality `<(p - p*) v*> >= 0` holds among the pressures below `H_c`, and with it `|p - p*|^2 <= G` and
+/// all statements about the pressure. At a mean gap `D` the same sum with `lambda = -D` bounds `F(p) - F*`, and `<(p -
+/// p*) (v + D)>`, for `q` of any load.
 ///
 /// Where no node of `p` yields, the bounds of the hard wall hold as well, as more pressures are allowed there, and are used; at a mean
 /// gap the smaller of both.
@@ -78,9 +80,9 @@ use serde::Serialize;
 /// |D* - d| <m> <= G + |m| t - t^2,    t <= sqrt(G)
 /// ```
 ///
-/// with `|m|^2 <= <m^2> / k_min` for the softest stiffness. Where no node has room, all that touches yields, the datum of the
-/// solution may lie anywhere between the highest node that yields and the lowest that is open: it is taken in the middle, or where
-/// all nodes yield at the highest of them, and its bound is infinite.
+/// with `|m|^2 <= <m^2> / k_min` for the softest stiffness. If no node has room, the whole contact yields. The datum of
+/// the solution may then be anywhere between the highest node that yields and the lowest open node. The middle is used
+/// (or the highest node, if all nodes yield), and the bound is infinite.
 ///
 /// # Rounding
 /// The computed `v` is off by `delta`, which [`Certificate::from_displacement`] bounds by magnitudes that it meets. As
@@ -90,40 +92,45 @@ use serde::Serialize;
 /// f(p) - f* <= <(p - p*) v> - t^2 / 2 <= G + |delta|*^2 / 2,    t <= |delta|* / 2 + sqrt(|delta|*^2 / 4 + G)
 /// ```
 ///
-/// The energy errs by the square of the rounding only: by some 1e-22 of the load times the rms height, where `G` itself may err by
-/// 1e-15. At a mean gap the load is free, and the mean of `delta` counts as an error of `D`. All bounds here have these terms in
-/// them. `penetration` and `load_error` are no bounds, but what is measured.
+/// The error of the energy is of second order in the rounding: about 1e-22 of the load times the rms height, where `G`
+/// itself may err by 1e-15. At a mean gap the load is free, and the mean of `delta` counts as an error of `D`. All
+/// bounds here have these terms in them. `penetration` and `load_error` are measured values, not bounds.
 ///
-/// All fields are dimensionless. Where there is no pressure at all, and where a value is negative, above the hardness or not finite,
-/// nothing is bounded: the errors are infinite. At the head of the crate the pressure of somebody else is certified.
+/// All fields are dimensionless. Where there is no pressure at all, and where a value is negative, above the hardness
+/// or not finite, nothing is bounded: the errors are infinite. The documentation of the crate has an example that
+/// certifies the pressure of another code.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Certificate {
-    /// `eta = G / (<p> h_rms)`, the error in energy against load times rms height: what [`crate::contact::Stop`] asks for. At a
-    /// mean gap `eta = (a + |D - d|) / h_rms`, the same against the larger of `<p>` and `<p*>`.
+    /// `eta = G / (<p> h_rms)`, the energy error divided by load times rms height. [`crate::contact::Stop`] uses it as
+    /// the goal. At a mean gap `eta = (a + |D - d|) / h_rms`, the same with the larger of `<p>` and `<p*>`.
     pub eta: f64,
-    /// `eta_D = (a + |D - d|) / min(D, h_max - D)`, with the highest peak `h_max` above the mean height: at a mean gap `D` the
-    /// relative error of the load in order of magnitude. At an approach `h_max - D`, over that alone. Under a mean pressure 0.
+    /// `eta_D = (a + |D - d|) / min(D, h_max - D)`, with the highest peak `h_max` above the mean height: at a mean gap
+    /// `D` the relative error of the load in order of magnitude. At a given approach `h_max - D`, it is divided by the
+    /// approach. Under a mean pressure it is 0.
     pub eta_gap: f64,
-    /// `sqrt(G / <p u(p)>)`: a bound of the relative error of the pressure in the norm `|x|^2 = <x u(x)>`. At low loads, where
-    /// `h_rms` is a coarse yardstick, this one tells the truth. At a mean gap `G = <p> (a + |D - d|)`, which takes `<p>` for
-    /// the larger of `<p>` and `<p*>`. Infinite where `<p u(p)>` is not positive: a pressure that does not deform the solid,
-    /// such as a uniform one, bounds nothing.
+    /// `sqrt(G / <p u(p)>)`: a bound of the relative error of the pressure in the norm `|x|^2 = <x u(x)>`. At small
+    /// loads `eta` can be small for a poor pressure, since `h_rms` is then large compared with the relevant heights;
+    /// use this bound there. At a mean gap `G = <p> (a + |D - d|)`, which takes `<p>` for the larger of `<p>` and
+    /// `<p*>`. Infinite where `<p u(p)>` is not positive: a pressure that does not deform the solid, such as a uniform
+    /// one, gives no bound.
     pub pressure_error_bound: f64,
-    /// The bound of `|D* - d| / h_rms`, the error of the datum that is found under a mean pressure: of the mean gap on a periodic grid, of
-    /// the approach on a free one. At a given mean gap or approach 0.
+    /// The bound of `|D* - d| / h_rms`, the error of the datum under a given mean pressure, which is the mean gap on a
+    /// periodic grid and the approach on a free one. At a given mean gap or approach it is 0.
     pub mean_gap_error_bound: f64,
-    /// How far what is prescribed is missed: `|<p> / mean_pressure - 1|`, or `|D - d| / h_rms` at a mean gap.
+    /// The relative error of the prescribed load: `|<p> / mean_pressure - 1|`, or `|D - d| / h_rms` at a mean gap.
     pub load_error: f64,
     /// Smallest pressure over the mean pressure; never negative in a result.
     pub min_pressure: f64,
-    /// By how much the largest pressure is above the hardness, over it; 0 in a result, and of a hard wall.
+    /// The excess of the largest pressure above the hardness, divided by the hardness; 0 in a result, and for a hard
+    /// wall.
     #[serde(skip_serializing_if = "is_zero")]
     pub above_hardness: f64,
-    /// Largest penetration (negative gap) over `h_rms`, of nodes that yield left out. With the datum of the gap where `<p g> = 0`, as under a mean pressure,
-    /// the deepest node lies `a` below zero, so this **is** `eta`, but for rounding. At a mean gap the datum is `D`, and it is
-    /// `eta` at the most.
+    /// Largest penetration (negative gap) over `h_rms`, without nodes that yield. With the datum of the gap where `<p
+    /// g> = 0`, as under a mean pressure, the deepest node lies `a` below zero, so this **is** `eta`, except for
+    /// rounding. At a mean gap the datum is `D`, and it is at most `eta`.
     pub penetration: f64,
-    /// What rounding of the displacement can add to `eta` at the most, about: no solver gets a certificate below a small part of it.
+    /// The most that rounding of the displacement can add to `eta`, approximately. No solver reaches a certificate far
+    /// below it.
     pub rounding: f64,
 }
 
@@ -141,7 +148,7 @@ impl Certificate {
         rounding: f64::INFINITY,
     };
 
-    /// The certificate of a state that nobody has certified.
+    /// The value for a state without a certificate.
     pub(super) const UNKNOWN: Self = Self {
         eta: f64::NAN,
         eta_gap: f64::NAN,
@@ -154,7 +161,7 @@ impl Certificate {
         rounding: f64::NAN,
     };
 
-    /// The certificate of `pressure`, row by row: by one transform pair of its own.
+    /// The certificate of `pressure`, row by row. It needs one transform pair.
     ///
     /// # Panics
     /// If the length of `pressure` does not fit the grid.
@@ -164,8 +171,8 @@ impl Certificate {
         Self::from_displacement(problem, pressure, &displacement)
     }
 
-    /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is at hand from a transform pair, both row by
-    /// row.
+    /// The certificate of `pressure`, whose displacement `u(pressure)` with zero mean is known from a transform pair,
+    /// both row by row.
     pub fn from_displacement(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
         let sums = CertificateSums::new(problem, pressure, displacement);
         match problem.law().hardness() {
@@ -264,7 +271,7 @@ impl Bounds {
         }
     }
 
-    /// The bounds below a hardness; those of a hard wall hold as well, but for the datum of the gap.
+    /// The bounds below a hardness; those of a hard wall hold as well, except for the datum of the gap.
     fn below_hardness(problem: &Problem, sums: &CertificateSums, slack: &Slack, mean_pressure: f64) -> Self {
         let wall = Self::new(problem, sums, mean_pressure);
         let law = problem.law();
@@ -330,8 +337,8 @@ fn length(rounding: f64, square: f64) -> f64 {
     0.5 * rounding.sqrt() + (0.25 * rounding + square).sqrt()
 }
 
-/// What a prescribed datum leaves to err in: `min(D, h_max - D)` of a mean gap `D`, beyond which everything touches, or nothing; the
-/// approach, beyond which nothing does.
+/// The range of a prescribed datum: `min(D, h_max - D)` of a mean gap `D`, beyond which everything touches, or nothing;
+/// the approach, beyond which nothing does.
 fn room(problem: &Problem, datum: f64) -> f64 {
     let above_mean = datum - problem.mean_height();
     let left = problem.highest() - above_mean;

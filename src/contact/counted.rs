@@ -1,4 +1,4 @@
-//! A contact as its nodes are counted, as the paper defines it.
+//! Contact measures by counting nodes, as the paper defines them.
 
 use crate::contact::{NODE_EXCESS_PER_SWITCH_LINE, Problem, chunks};
 
@@ -8,8 +8,8 @@ use crate::contact::{NODE_EXCESS_PER_SWITCH_LINE, Problem, chunks};
 /// contact edges, Yastrebov, Anciaux & Molinari, Tribol. Int. 2017, arXiv:1701.02727, have 0.118.)
 pub const NODE_EXCESS_PER_SWITCH_SURFACE: f64 = 0.101_378;
 
-/// Area, gradients and proportionality factors of a contact by its nodes, as Eqs. 1, 3, 8 and 9 of van Dokkum et al. (2018) define
-/// them; all are dimensionless.
+/// Area, gradients and proportionality factors of a contact by counting nodes, as Eqs. 1, 3, 8 and 9 of van Dokkum et
+/// al. (2018) define them; all are dimensionless.
 ///
 /// A node is in contact when its pressure is positive. Counting nodes is of first order in the spacing;
 /// [`Resolved`](crate::contact::Resolved) has the same quantities to second order.
@@ -21,16 +21,17 @@ pub struct Counted {
     pub level_nodes: usize,
     /// Switches between contact and gap along rows (and columns): the length of the contact line in spacings.
     pub switches: usize,
-    /// `a_rel`, the share of nodes in contact: what the paper plots.
+    /// `a_rel`, the fraction of nodes in contact, which the paper plots.
     pub relative_area: f64,
-    /// `a_rel` less the excess of counting nodes where the pressure falls to zero, see [`NODE_EXCESS_PER_SWITCH_LINE`] and
-    /// [`NODE_EXCESS_PER_SWITCH_SURFACE`]. At the edge of nodes that yield nothing is taken off.
+    /// `a_rel` minus the excess of counted nodes at edges where the pressure falls to zero, see
+    /// [`NODE_EXCESS_PER_SWITCH_LINE`] and [`NODE_EXCESS_PER_SWITCH_SURFACE`]. At the edge of nodes that yield nothing
+    /// is subtracted.
     pub relative_area_corrected: f64,
     /// `gbar`, root-mean-square gradient of the whole surface (Eq. 8).
     pub rms_gradient: f64,
     /// `gbar_r`, the same over the nodes in contact (Eq. 9); 0 without contact.
     pub rms_gradient_contact: f64,
-    /// `gbar_r` less the excess of counting nodes, which are the steepest of the contact; 0 if nothing is left.
+    /// `gbar_r` minus the contribution of the excess nodes, which are the steepest of the contact; not below 0.
     pub rms_gradient_contact_corrected: f64,
     /// `p* = <p> / (gbar E*)`.
     pub reduced_pressure: f64,
@@ -80,7 +81,7 @@ impl Counted {
     }
 }
 
-/// Root mean square of `count` values with the sum of squares `squares`; 0 of none.
+/// Root mean square of `count` values with the sum of squares `squares`; 0 without values.
 fn rms(squares: f64, count: f64) -> f64 {
     if count > 0.0 { (squares.max(0.0) / count).sqrt() } else { 0.0 }
 }

@@ -1,8 +1,8 @@
-//! Decisions of solvers on their way from step to step.
+//! What solvers do from step to step.
 
 use strum::{EnumCount, EnumIter, EnumMessage, IntoStaticStr};
 
-/// The decision of a solver on its way to a step, for those who ask why a run is as long as it is.
+/// What a solver did to reach a step. It helps to find out why a run needs many steps.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Decision, Each, Load, PolonskyKeer, Solver, Step};
@@ -25,13 +25,13 @@ pub enum Decision {
     /// The state at the start, or interpolated from a coarser grid.
     #[strum(message = "start, or from the coarser grid")]
     Start,
-    /// A step of conjugate gradients on one contact set: so many times the direction, which is the residual (preconditioned, if
-    /// it is) and a share of the direction before. With the share 0 the directions begin anew.
+    /// A step of conjugate gradients on one contact set. The direction is the (preconditioned) residual plus `beta`
+    /// times the previous direction. With `beta = 0` the method restarts.
     #[strum(message = "conjugate gradients")]
     Conjugate {
-        /// The step over the direction, `alpha`.
+        /// The length `alpha` of the step, in units of the direction.
         length: f64,
-        /// The share of the direction before, `beta`.
+        /// The weight `beta` of the previous direction.
         share: f64,
     },
     /// A step of conjugate gradients by which nodes entered or left the contact.
@@ -41,9 +41,9 @@ pub enum Decision {
     #[strum(message = "gradient step")]
     Descend,
     /// A free update of the whole contact set.
-    #[strum(message = "whole-set update, free")]
+    #[strum(message = "active-set update, free")]
     WholeSet,
-    /// A guarded step, by which the energy falls for certain.
+    /// A guarded step, which always lowers the energy.
     #[strum(message = "guarded step")]
     Guarded,
     /// A step of damped motion.

@@ -1,9 +1,10 @@
-//! Where the error of a pressure sits.
+//! Where the error of a pressure is.
 
 use crate::contact::chunks;
 
-/// The density `p (v - min v)` of the error in energy, row by row: its mean is the gap `G` of the [`crate::contact::Certificate`].
-/// Nodes add to it that are pressed and lie above the deepest one. `v = u - h` may have any datum, so a gap will do.
+/// The density `p (v - min v)` of the error in energy, row by row: its mean is the gap `G` of the
+/// [`crate::contact::Certificate`]. Nodes contribute if they have pressure and are above the deepest node. `v = u - h`
+/// may have any datum, so the gap can be used.
 ///
 /// ```
 /// use asperity::contact::error_density;
@@ -14,8 +15,8 @@ pub fn error_density(pressure: &[f64], gap: &[f64]) -> Vec<f64> {
     pressure.iter().zip(gap).map(|(p, g)| p * (g - lowest)).collect()
 }
 
-/// The widest gap of nodes that are in contact by their gap, row by row: twice the largest penetration, as the gap of nodes that
-/// touch errs to either side.
+/// The largest gap that counts as contact: twice the largest penetration, since the gap of nodes in contact has errors
+/// of both signs.
 ///
 /// ```
 /// assert_eq!(asperity::contact::contact_reach(&[0.3, -0.1, 0.05]), 0.2);

@@ -6,7 +6,8 @@ use std::ops::Range;
 
 /// The distribution of a quantity over the nodes of one kind: the pressure of those in contact, or the gap of the others.
 ///
-/// Its integral is the share of these nodes, unless some values are above the last bin. At all other nodes the quantity is zero.
+/// Its integral is the fraction of these nodes, unless some values are above the last bin. At all other nodes the
+/// quantity is zero.
 ///
 /// ```
 /// use asperity::setup::Setup;

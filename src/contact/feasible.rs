@@ -1,4 +1,4 @@
-//! Pressures between zero and a ceiling that carry a load.
+//! Pressures between zero and a ceiling, with a given load.
 //!
 //! A pressure that lies at the ceiling to the last bit yields; one that lies there but is free to fall is [`f64::next_down`] of it.
 
@@ -7,12 +7,13 @@ use crate::chunks;
 /// Rounds of scaling, each of which brings more nodes to the ceiling, and of the search for a shift.
 const ROUNDS: usize = 100;
 
-/// Part of a load that rounding may lose.
+/// Fraction of a load that may be lost by rounding.
 const LOST: f64 = 1e-14;
 
-/// Makes pressures between zero and `ceiling` carry `load`, which is their sum, if so many nodes can: scales those below the ceiling,
-/// of which none reaches it by that. Where these cannot make up for the rest, all fall alike, or rise by the same share of what they
-/// may rise. Returns the factor if all have been scaled by the same one.
+/// Makes pressures between zero and `ceiling` carry `load`, which is their sum, if the nodes can carry it. Values below
+/// the ceiling are scaled, and none reaches the ceiling by that. If this is not enough, all values decrease by the same
+/// amount, or rise by the same fraction of the room up to the ceiling. Returns the factor if all values have been
+/// scaled by the same one.
 pub(super) fn carry(values: &mut [f64], load: f64, ceiling: f64) -> Option<f64> {
     let below = ceiling.next_down();
     for round in 0..ROUNDS {
@@ -111,7 +112,8 @@ mod tests {
         }
     }
 
-    /// The nearest point of a convex set sees every other one at an obtuse angle.
+    /// The angle at the nearest point of a convex set, between the outside point and any other point of the set, is
+    /// obtuse.
     #[test]
     fn the_nearest_pressure_is_no_farther_than_any_other() {
         let noise = |i: usize| (i as f64 * 78.233).sin() * 43758.5453 % 1.0;

@@ -1,5 +1,5 @@
-//! The one guess of contact area and pressure before solving: for the memory of a solve, and for ranges of axes and colours that
-//! must be fixed at the first frame.
+//! Estimates of contact area and pressure before the solve, for its memory, and for ranges of axes and colours, which
+//! are fixed at the first frame.
 
 use crate::contact::Problem;
 use libm::erf;
@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 /// `kappa = a_rel / p*` of rough surfaces at small loads, as van Dokkum et al. (2018) find it.
 const KAPPA: f64 = 2.2;
-/// `kappa_r` of rough lines and surfaces, about.
+/// Approximate `kappa_r` of rough lines and surfaces.
 const KAPPA_R: f64 = 1.9;
 /// Largest pressure over `E* gbar_r`: pressures in contact follow a Rayleigh law of width 1/2 (from Persson's theory), and
 /// one in a few thousand independent points exceeds four widths.
@@ -15,7 +15,7 @@ const LARGEST: f64 = 2.0;
 /// Nodes looked at.
 const SAMPLES: usize = 1 << 16;
 
-/// Area and pressure to expect of a contact.
+/// Expected area and pressure of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forecast {
     /// Share of the area in contact.
@@ -25,8 +25,8 @@ pub struct Forecast {
 }
 
 impl Forecast {
-    /// The relative area of a rough surface that is not made yet, under a reduced pressure: `kappa p*` at small loads, and on
-    /// to full contact by Persson's error function.
+    /// The expected relative area of a rough surface under a reduced pressure, without its heights: `kappa p*` at small
+    /// loads, and Persson's error function up to full contact.
     pub fn relative_area_at(reduced_pressure: f64) -> f64 {
         erf(0.5 * PI.sqrt() * KAPPA * reduced_pressure.max(0.0))
     }

@@ -1,12 +1,12 @@
-//! What pressures are allowed.
+//! The allowed pressures.
 
 use crate::quantity;
 use serde::{Deserialize, Deserializer, Serialize};
 
-/// Part of a hardness by which rounding may keep a node that yields off it.
+/// Relative distance from the hardness up to which a node counts as yielding, because of rounding.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// The law of the contact: what pressures are allowed.
+/// The law of the contact: which pressures are allowed.
 ///
 /// In a scene it is the section `law`: with a `hardness`, a pressure, or left out.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -15,8 +15,8 @@ pub enum Law {
     /// A hard wall: `p >= 0`.
     #[default]
     HardWall,
-    /// A hard wall and a hardness `H_c` of the softer body, a pressure above which it yields: `0 <= p <= H_c` (Almqvist et al., J. Tribol.
-    /// 129, 2007).
+    /// A hard wall and a hardness `H_c`, the pressure at which the softer body yields: `0 <= p <= H_c` (Almqvist et
+    /// al., J. Tribol. 129, 2007).
     Hardness(f64),
 }
 
@@ -42,17 +42,17 @@ impl Law {
         }
     }
 
-    /// Whether a node under this pressure yields: it lies at the hardness, but for rounding.
+    /// Whether a node under this pressure yields: it lies at the hardness, except for rounding.
     pub fn yields(self, pressure: f64) -> bool {
         pressure >= self.ceiling() * (1.0 - ROUNDING)
     }
 
-    /// By how much this pressure may change either way, `min(p, H_c - p)`; of a hard wall the pressure itself.
+    /// The room of this pressure, `min(p, H_c - p)`; for a hard wall, the pressure itself.
     pub(super) fn room(self, pressure: f64) -> f64 {
         if pressure < self.ceiling() { pressure.min(self.ceiling() - pressure) } else { 0.0 }
     }
 
-    /// By how much this pressure is above all that is allowed, over the hardness; 0 within rounding of it.
+    /// The excess of this pressure above the hardness, divided by the hardness; 0 within rounding.
     pub(super) fn excess(self, pressure: f64) -> f64 {
         let excess = pressure / self.ceiling() - 1.0;
         if excess > ROUNDING { excess } else { 0.0 }

@@ -4,7 +4,8 @@ use crate::quantity;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// The load that presses the surface on the solid: one of these numbers, of which the solution tells the others.
+/// The load that presses the surface on the solid: one of these numbers is given, and the solution determines the
+/// others.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Load {
@@ -12,12 +13,12 @@ pub enum Load {
     MeanPressure(#[serde(deserialize_with = "quantity::pressure")] f64),
     /// The reduced pressure `p* = <p> / (gbar E*)`, with the rms gradient `gbar` of the surface; dimensionless.
     ReducedPressure(f64),
-    /// The mean gap `D`, a length: how far apart the mean planes of both surfaces are kept.
+    /// The mean gap `D`, a length: the distance between the mean planes of both surfaces.
     MeanGap(#[serde(deserialize_with = "quantity::length")] f64),
     /// The force on the cell, on a line per length across it.
     Force(#[serde(deserialize_with = "quantity::force")] f64),
-    /// The approach, a length: how far the surface moves on from where its highest peak touches the undeformed solid, on a solid that
-    /// does not sink without end.
+    /// The approach, a length: how far the surface moves after its highest peak has touched the undeformed solid. It is
+    /// not defined on a periodic half-space.
     Approach(#[serde(deserialize_with = "quantity::length")] f64),
 }
 
@@ -55,18 +56,18 @@ impl Load {
         }
     }
 
-    /// Whether it is measured against what a uniform pressure displaces.
+    /// Whether it depends on the displacement by a uniform pressure.
     pub(super) fn keeps_uniform(&self) -> bool {
         matches!(self, Self::Approach(_))
     }
 
-    /// Whether the pressure is prescribed, and the datum of the gap found.
+    /// Whether the pressure is prescribed, so that the datum of the gap is unknown.
     pub fn is_pressure(&self) -> bool {
         matches!(self, Self::MeanPressure(_) | Self::ReducedPressure(_) | Self::Force(_))
     }
 }
 
-/// Symbol and number, of four digits at the most.
+/// Symbol and number, of at most four digits.
 ///
 /// ```
 /// use asperity::contact::Load;

@@ -1,4 +1,4 @@
-//! Contact problems, their solvers, and what is measured on their solutions.
+//! Contact problems, their solvers, and the measures of their solutions.
 //!
 //! ```text
 //! Problem --> Solver::solve --(Step)--> Observer

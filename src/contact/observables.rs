@@ -1,18 +1,18 @@
-//! The observables: all numbers that are told of a contact, in one table.
+//! The observables: all numbers that are reported for a contact, in one table.
 //!
-//! A new observable needs one row of the table: results, tables of studies, the explorer and the curves of recordings show what is
-//! in it.
+//! A new observable needs one row of the table. Results, tables of studies, the page and the curves of recordings
+//! follow from it.
 //!
-//! A plain name such as `relative_area` or `kappa_r` is the best value that is known: that with edges of the contact resolved between the
-//! nodes, to which the errors `relative_area_error` and `kappa_r_error` belong. Names that end in `_counted` are from counting
-//! nodes, those that end in `_corrected` from counting nodes less the mean excess.
+//! A plain name such as `relative_area` or `kappa_r` is the most accurate value, with contact edges interpolated
+//! between the nodes. The errors `relative_area_error` and `kappa_r_error` belong to it. Names that end in `_counted`
+//! are from counting nodes. Names that end in `_corrected` are from counting nodes, minus the mean excess.
 
 use crate::contact::{Certificate, Contact, Counted, Load, Patches, Problem, Resolution, Resolved, Step, Work};
 use ndarray::ArrayView1;
 use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
 
-/// A number that is told of a contact.
+/// A number that is reported for a contact.
 #[derive(Debug, Serialize)]
 pub struct Observable {
     /// The name of its field in [`Observables`], with the unit where two are possible.
@@ -24,23 +24,23 @@ pub struct Observable {
     /// Whether it is a whole number.
     #[serde(skip)]
     pub is_whole: bool,
-    /// Whether the number is drawn step by step: it changes while a contact is solved, and a step knows it.
+    /// Whether the number is recorded at each step.
     pub is_traced: bool,
     /// One sentence.
     pub sentence: &'static str,
-    /// The number of a state; NaN where the state does not know it.
+    /// The number of a state; NaN if it is not known.
     #[serde(skip)]
     pub value: fn(&State<'_>) -> f64,
 }
 
-/// A contact, or the state of a solver at a step, to take observables from. What costs a pass over the nodes is computed when
-/// it is first asked for, and once.
+/// A contact, or the state of a solver at a step, from which observables are computed. Values that need a pass over the
+/// nodes are computed on first use, and once.
 pub struct State<'a> {
     problem: &'a Problem,
     work: Work,
     /// The certificate; NaN where it is not known.
     certificate: Certificate,
-    /// The contact stiffness; NaN where nobody has asked for it.
+    /// The contact stiffness; NaN if it was not requested.
     stiffness: f64,
     counted: Lazy<'a, Counted>,
     resolved: Lazy<'a, Resolved>,
@@ -50,7 +50,7 @@ pub struct State<'a> {
     mean_gap: Lazy<'a, f64>,
     /// The elastic energy; NaN where it is not known.
     elastic_energy: Lazy<'a, f64>,
-    /// The approach; NaN where it is not known, or the solid sinks without end.
+    /// The approach; NaN if it is not known, or not defined.
     approach: Lazy<'a, f64>,
     plastic_area: Lazy<'a, f64>,
     mean_pressure: Lazy<'a, f64>,
@@ -121,91 +121,91 @@ macro_rules! observables {
     };
 }
 
-// name: type, symbol, unit, whether it is traced, how it is had from a state, one sentence
+// name: type, symbol, unit, whether it is traced, how it is computed from a state, one sentence
 #[rustfmt::skip]
 observables! {
     mean_pressure: f64, "<p>", "pressure", false, |it| *it.mean_pressure,
         "Mean pressure.";
     reduced_pressure: f64, "p*", "1", false, |it| it.reduced_pressure(),
-        "Reduced pressure, the mean pressure over rms gradient and contact modulus.";
+        "Reduced pressure: mean pressure divided by rms gradient and contact modulus.";
     reduced_pressure_contact: f64, "p_r*", "1", false, |it| it.resolved.reduced_pressure_contact,
         "Reduced pressure with the rms gradient of the contact.";
     reduced_pressure_contact_counted: f64, "p_r*, counted", "1", false, |it| it.counted.reduced_pressure_contact,
         "Reduced pressure with the rms gradient of the nodes in contact.";
     relative_area: f64, "a_rel", "1", true, |it| it.resolved.relative_area,
-        "Relative contact area, with edges resolved between the nodes.";
+        "Relative contact area, with contact edges interpolated between grid nodes.";
     relative_area_counted: f64, "a_rel, counted", "1", true, |it| it.counted.relative_area,
-        "Relative contact area as the share of nodes in contact.";
+        "Relative contact area as the fraction of nodes in contact.";
     relative_area_corrected: f64, "a_rel, corrected", "1", false, |it| it.counted.relative_area_corrected,
-        "Relative contact area as the share of nodes in contact, less the mean excess of counting nodes at its edges.";
+        "Fraction of nodes in contact, minus the mean excess of counted nodes at the edges.";
     rms_height: f64, "h_rms", "length", false, |it| it.problem.rms_height(),
         "Root mean square of the heights about their mean.";
     rms_gradient: f64, "g_rms", "1", false, |it| it.problem.rms_gradient(),
         "Root-mean-square gradient of the surface.";
     rms_gradient_contact: f64, "g_r", "1", false, |it| it.resolved.rms_gradient_contact,
-        "Root-mean-square gradient over the contact, with edges resolved between the nodes.";
+        "Root-mean-square gradient over the contact, with contact edges interpolated between grid nodes.";
     rms_gradient_contact_counted: f64, "g_r, counted", "1", false, |it| it.counted.rms_gradient_contact,
         "Root-mean-square gradient of the nodes in contact.";
     rms_gradient_contact_corrected: f64, "g_r, corrected", "1", false, |it| it.counted.rms_gradient_contact_corrected,
-        "Root-mean-square gradient of the nodes in contact, less the mean excess of counting nodes at the edges.";
+        "Root-mean-square gradient of the nodes in contact, minus the mean excess of counted nodes at the edges.";
     kappa: f64, "kappa", "1", true, |it| it.resolved.relative_area / it.counted.reduced_pressure,
-        "Relative contact area over reduced pressure, with edges resolved between the nodes.";
+        "Relative contact area divided by reduced pressure, with contact edges interpolated between grid nodes.";
     kappa_counted: f64, "kappa, counted", "1", false, |it| it.counted.kappa,
-        "Share of nodes in contact over reduced pressure.";
+        "Fraction of nodes in contact divided by reduced pressure.";
     kappa_corrected: f64, "kappa, corrected", "1", false, |it| it.counted.relative_area_corrected / it.counted.reduced_pressure,
-        "Corrected relative contact area over reduced pressure.";
+        "Corrected relative contact area divided by reduced pressure.";
     kappa_r: f64, "kappa_r", "1", true, |it| it.resolved.kappa_r,
-        "Relative contact area over the reduced pressure with the rms gradient of the contact, with edges resolved between the nodes.";
+        "Relative contact area divided by the reduced pressure with the rms gradient of the contact, with contact edges interpolated between grid nodes.";
     kappa_r_counted: f64, "kappa_r, counted", "1", true, |it| it.counted.kappa_r,
-        "Share of nodes in contact over the reduced pressure with the rms gradient of these nodes.";
+        "Fraction of nodes in contact, divided by the reduced pressure with the rms gradient of these nodes.";
     kappa_r_corrected: f64, "kappa_r, corrected", "1", false, |it| it.counted.kappa_r_corrected,
-        "Corrected relative contact area over the reduced pressure with the corrected rms gradient of the contact.";
+        "Corrected relative contact area divided by the reduced pressure with the corrected rms gradient of the contact.";
     mean_gap: f64, "<g>", "length", false, |it| *it.mean_gap,
         "Mean gap between the surfaces.";
     mean_gap_over_rms_height: f64, "<g> / h_rms", "1", true, |it| *it.mean_gap / it.problem.rms_height(),
-        "Mean gap over the rms height.";
+        "Mean gap divided by the rms height.";
     elastic_energy: f64, "U", "pressure length", false, |it| *it.elastic_energy,
-        "Elastic energy per area, half the mean of pressure times displacement.";
+        "Elastic energy per area: half the mean of pressure times displacement.";
     approach: f64, "d", "length", false, |it| *it.approach,
-        "Approach, how far the surface has moved on from where its highest peak touched the undeformed solid; known where the solid does not sink without end.";
+        "Approach: distance that the surface has moved since its highest peak touched the undeformed solid. Not defined on a periodic half-space.";
     plastic_area: f64, "a_pl", "1", false, |it| *it.plastic_area,
-        "Relative plastic area, the share of nodes that yield under the hardness.";
+        "Relative plastic area: the fraction of nodes at the hardness, where the solid yields.";
     max_pressure: f64, "p_max", "pressure", false, |it| *it.max_pressure,
         "Largest pressure.";
     max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
-        "Largest pressure over the contact modulus.";
+        "Largest pressure divided by the contact modulus.";
     patches: usize, "n", "1", true, |it| it.patches.count(),
         "Number of contact patches.";
     nodes_per_patch: f64, "n_c / n", "1", false, |it| it.resolution().nodes_per_patch,
-        "Nodes in contact for each contact patch.";
+        "Nodes in contact per contact patch.";
     unresolved_share: f64, "n_c < few / n_c", "1", false, |it| it.resolution().unresolved_share,
-        "Share of the nodes in contact that are in patches too small to trust: of fewer than 4 nodes on lines, 12 on surfaces.";
+        "Fraction of the nodes in contact that are in patches too small to trust: fewer than 4 nodes on lines, 12 on surfaces.";
     edges_of_shape: f64, "n_e / n", "1", false, |it| it.resolved.edges_of_shape as f64 / (it.resolved.edges.max(1)) as f64,
-        "Share of the links between contact and gap at which the shape of the surface gives the edge, as that of a punch does.";
+        "Fraction of the contact edges that are given by the shape of the surface, such as the rim of a punch.";
     relative_area_error: f64, "|da| / a_rel", "1", false, |it| it.resolution().relative_area_error,
         "Estimated relative error of the relative contact area on this grid.";
     kappa_r_error: f64, "|dkappa_r| / kappa_r", "1", false, |it| it.resolution().kappa_r_error,
         "Estimated relative error of kappa_r on this grid.";
     certificate: f64, "eta", "1", true, |it| it.certificate.eta,
-        "Certificate: a bound of the error in energy over load times rms height.";
+        "Certificate: a bound of the energy error, divided by load times rms height.";
     pressure_error_bound: f64, "|dp| / |p|", "1", false, |it| it.certificate.pressure_error_bound,
         "Bound of the relative error of the pressure in the energy norm.";
     certificate_gap: f64, "eta_D", "1", false, |it| it.certificate.eta_gap,
-        "Certificate at a mean gap over what is left of the gap: the relative error of the load in order of magnitude.";
+        "Certificate at a given mean gap, divided by the remaining gap: the order of magnitude of the relative error of the load.";
     mean_gap_error_bound: f64, "|d<g>| / h_rms", "1", false, |it| it.certificate.mean_gap_error_bound,
-        "Bound of the error of the mean gap over the rms height.";
+        "Bound of the error of the mean gap, divided by the rms height.";
     penetration: f64, "-min g / h_rms", "1", false, |it| it.certificate.penetration,
-        "Largest penetration over the rms height.";
+        "Largest penetration divided by the rms height.";
     load_error: f64, "|dl| / l", "1", false, |it| it.certificate.load_error,
-        "Distance from the load that is prescribed: over it, or for a mean gap over the rms height.";
+        "Error of the load, relative to the given load; at a given mean gap, relative to the rms height.";
     stiffness: f64, "k", "pressure/length", false, |it| it.stiffness,
-        "Contact stiffness, by how much the mean pressure rises as the mean gap falls; known where it was asked for.";
+        "Contact stiffness: increase of the mean pressure per decrease of the mean gap. Computed on request.";
     mean_pressure_error: f64, "|d<p>| / <p>", "1", false, |it| it.mean_pressure_error(),
-        "Relative error of the mean pressure at a mean gap to first order, by the contact stiffness; 0 where the pressure is given.";
+        "Relative error of the mean pressure at a given mean gap, to first order, from the contact stiffness; 0 if the pressure is given.";
     iterations: usize, "iterations", "1", false, |it| it.work.iterations,
-        "Relaxation steps of the solver.";
+        "Iterations of the solver.";
     transforms: u64, "transforms", "1", false, |it| it.work.transforms,
-        "Fourier transforms, forward and inverse counted alike.";
+        "Fourier transforms, forward and inverse.";
 }
 
 impl Observables {
@@ -225,8 +225,8 @@ impl Observables {
     }
 }
 
-/// A value whose error is known to be smaller than itself: where patches have too few nodes the value is 0 or NaN, or its error is not
-/// known or infinite.
+/// A value whose error is smaller than the value. If patches have too few nodes, the value is 0 or NaN, or its error is
+/// unknown or infinite.
 fn resolved(value: f64, error: f64) -> Option<f64> {
     (value.is_finite() && value > 0.0 && error < 1.0).then_some(value)
 }
@@ -238,7 +238,7 @@ impl State<'_> {
         Resolution::new(grid, &self.counted, &self.resolved, &self.patches, self.coarser)
     }
 
-    /// The reduced pressure: that which is prescribed, to the last bit, or else the one that is found.
+    /// The reduced pressure: the prescribed one, to the last bit, or else the computed one.
     fn reduced_pressure(&self) -> f64 {
         match self.problem.load() {
             Load::ReducedPressure(prescribed) => prescribed,
@@ -246,7 +246,7 @@ impl State<'_> {
         }
     }
 
-    /// The stiffness times the error of the gap, over the mean pressure.
+    /// The stiffness times the error of the gap, divided by the mean pressure.
     fn mean_pressure_error(&self) -> f64 {
         if self.problem.datum().is_none() {
             return 0.0;

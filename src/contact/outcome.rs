@@ -125,8 +125,8 @@ impl Contact {
         self.fault().map_or(Ok(self), Err)
     }
 
-    /// Why the contact is not what was asked for, if it is not: [`SolveError::Observer`] with the failure of an observer, or
-    /// [`SolveError::NotConverged`] with the certificate that was reached.
+    /// Why the contact did not reach its goals, if it did not: [`SolveError::Observer`] with the failure of an
+    /// observer, or [`SolveError::NotConverged`] with the certificate that was reached.
     pub fn fault(&self) -> Option<SolveError> {
         if let Some(failure) = &self.failure {
             return Some(SolveError::Observer(failure.clone()));
@@ -172,7 +172,7 @@ impl Contact {
     /// Contact stiffness `k = -d<p>/d<g>`, a pressure per length: by how much the mean pressure rises as the mean gap falls. It is
     /// infinite where all nodes touch.
     ///
-    /// It is computed when it is first asked for, by about a tenth of the work of a solve, and from then on one of the
+    /// It is computed on first use, by about a tenth of the work of a solve, and from then on one of the
     /// [`crate::contact::Observables`] of this contact.
     ///
     /// ```
@@ -191,7 +191,7 @@ impl Contact {
         *self.stiffness.get_or_init(|| multilevel::stiffness(&self.problem, self.pressures(), displacement()))
     }
 
-    /// The stiffness, if it has been asked for.
+    /// The stiffness, if it has been computed.
     pub(super) fn known_stiffness(&self) -> Option<f64> {
         self.stiffness.get().copied()
     }

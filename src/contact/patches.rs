@@ -123,7 +123,7 @@ impl Patch {
     }
 }
 
-/// Disjoint sets of items, each set a tree whose root stands for it.
+/// Disjoint sets of items; each set is a tree, and its root represents it.
 struct Forest {
     parent: Vec<usize>,
 }

@@ -15,10 +15,10 @@ use crate::surface::Field;
 
 /// Constrained conjugate gradients (Polonsky & Keer 1999).
 ///
-/// Minimises `f(p) = 1/2 <p, u(p)> - <p, h>` over `p >= 0` with `<p>` given, or `f(p) + D <p>` with the mean gap `D` given. Each
-/// iteration takes the conjugate gradient step of the nodes in contact with the exact step length, clips tension, brings nodes
-/// that penetrate into contact, and under a mean pressure rescales to it. When nodes enter the contact, the direction restarts
-/// from the gradient; when nodes leave, it goes on without them.
+/// Minimises `f(p) = 1/2 <p, u(p)> - <p, h>` over `p >= 0` with `<p>` given, or `f(p) + D <p>` with the mean gap `D`
+/// given. Each iteration takes the conjugate gradient step of the nodes in contact with the exact step length, clips
+/// tension, brings nodes that penetrate into contact, and under a mean pressure rescales to it. When nodes enter the
+/// contact, the direction restarts from the gradient; when nodes leave, it continues without them.
 ///
 /// Nodes that enter with a step that suits others may be pressed too hard, nodes that leave may leave others too much, and both
 /// may take turns for ever. So where the energy would rise as nodes enter or leave, the iteration takes a gradient step
@@ -59,7 +59,7 @@ use crate::surface::Field;
 pub struct PolonskyKeer;
 
 impl PolonskyKeer {
-    /// Fields of doubles that a solve holds at its peak, the heights left out.
+    /// Number of fields of doubles that a solve needs at its peak, without the heights.
     pub const FIELDS: f64 = 7.0;
 }
 
@@ -345,8 +345,9 @@ impl<'a> Iterate<'a> {
         self.fresh = false;
     }
 
-    /// Scales the pressure, whose sum is given, to the load, if that is prescribed, and returns the factor. Where nodes yield and the
-    /// direction keeps the load, it is 1 but for rounding; none is returned where a ceiling lets some nodes scale only.
+    /// Scales the pressure, whose sum is given, to the load, if that is prescribed, and returns the factor. Where nodes
+    /// yield and the direction keeps the load, it is 1 except for rounding; none is returned where a ceiling lets some
+    /// nodes scale only.
     fn carry(&mut self, sum: f64) -> Option<f64> {
         let Some(mean) = self.problem.mean_pressure() else { return Some(1.0) };
         let load = mean * self.p.len() as f64;

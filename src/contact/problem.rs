@@ -9,19 +9,20 @@ use std::sync::{Arc, OnceLock};
 /// Per reduced pressure, the mean gap of rough surfaces near full contact falls by this power of e: 5 to 6, as measured.
 const GAP_DECAY: f64 = 5.5;
 
-/// A pressure to start from at a mean gap is so many times the expected one at the most.
+/// At a mean gap, the initial pressure is at most this multiple of the expected one.
 const FARTHEST: f64 = 1e6;
 
-/// Part of the hardness that a pressure to start from at a mean gap has at the most.
+/// Largest initial pressure at a mean gap, as a fraction of the hardness.
 const OF_HARDNESS: f64 = 0.5;
 
 /// A rigid surface pressed on an elastic solid, frictionless and without adhesion, under a given pressure or force, or at a given
 /// mean gap or approach.
 ///
 /// Find `p >= 0` and a datum `d` such that the gap `g = u(p) - h + d >= 0` and `p g = 0`, with `u(p)` from
-/// [`crate::elastic::Response`]. Under a [`Law`] with a hardness `H_c`, `p <= H_c` as well, and `g <= 0` where `p = H_c`: there the
-/// softer body yields, and the surfaces overlap by `-g`. Heights have no mean but for rounding, nor have displacements on a
-/// periodic grid, so there the datum is the mean gap, and the mean of the heights where they have one.
+/// [`crate::elastic::Response`]. Under a [`Law`] with a hardness `H_c`, `p <= H_c` as well, and `g <= 0` where `p =
+/// H_c`: there the softer body yields, and the surfaces overlap by `-g`. Heights have no mean except for rounding, nor
+/// have displacements on a periodic grid, so there the datum is the mean gap, and the mean of the heights where they
+/// have one.
 ///
 /// | prescribed      | minimises over `p >= 0`                        | found                                   |
 /// |-----------------|------------------------------------------------|-----------------------------------------|
@@ -55,11 +56,11 @@ pub struct Problem {
     compliance: Arc<Compliance>,
     law: Law,
     load: Load,
-    /// The mean pressure that is prescribed, in whatever form.
+    /// The prescribed mean pressure, if the load determines it.
     mean_pressure: Option<f64>,
     expected_mean_pressure: f64,
     rms_height: f64,
-    /// Mean of the heights that a surface keeps, which is rounding at the most.
+    /// Mean of the heights that a surface keeps, which is at most rounding.
     mean_height: f64,
     highest: f64,
     rms_gradient: OnceLock<f64>,
@@ -132,9 +133,10 @@ impl Problem {
         .with_load(load)
     }
 
-    /// The elastic problem of the surface that a contact below a hardness has left, see [`crate::contact::Contact::unloaded_surface`],
-    /// under a mean pressure. Rms height, rms gradient, highest peak and mean gap stay those of the surface as it was, so that numbers
-    /// on the way up and back are told over the same ones.
+    /// The elastic problem of the surface that a contact below a hardness has left, see
+    /// [`crate::contact::Contact::unloaded_surface`], under a mean pressure. Rms height, rms gradient, highest peak and
+    /// mean gap stay those of the surface as it was, so that numbers on the way up and back are divided by the same
+    /// values.
     ///
     /// # Errors
     /// The errors of [`Problem::new`].
@@ -256,7 +258,7 @@ impl Problem {
         self.compliance.solid()
     }
 
-    /// What pressures are allowed.
+    /// The allowed pressures.
     pub fn law(&self) -> Law {
         self.law
     }
@@ -292,7 +294,7 @@ impl Problem {
         }
     }
 
-    /// The mean of the heights, which is rounding at the most.
+    /// The mean of the heights, which is at most rounding.
     pub(super) fn mean_height(&self) -> f64 {
         self.mean_height
     }
@@ -320,9 +322,9 @@ impl Problem {
         self.mean_pressure.unwrap_or_else(|| chunks::sum(pressure.len(), |i| pressure[i]) / pressure.len() as f64)
     }
 
-    /// The pressure that a run starts from: what `start` holds of one, or the uniform pressure. It is scaled to the mean pressure if
-    /// that is given, and to the expected one if it is so much higher that rounding would hide what it displaces. Values that are no
-    /// pressures (negative, not finite) count as none, and none is above the hardness.
+    /// The pressure that a run starts from: what `start` holds of one, or the uniform pressure. It is scaled to the
+    /// mean pressure if that is given, and to the expected one if it is so much higher that rounding would hide what it
+    /// displaces. Values that are no pressures (negative, not finite) become 0, and none is above the hardness.
     ///
     /// # Panics
     /// If the shape of `start` is not that of the grid.
@@ -376,7 +378,8 @@ impl Problem {
         self.highest
     }
 
-    /// Root-mean-square gradient `gbar` of the whole surface, of one that has yielded as it was before; computed when first asked for.
+    /// Root-mean-square gradient `gbar` of the whole surface, of one that has yielded as it was before; computed on
+    /// first use.
     pub fn rms_gradient(&self) -> f64 {
         *self.rms_gradient.get_or_init(|| self.surface.rms_gradient())
     }

@@ -23,10 +23,11 @@ const MOST_LEVEL: f64 = 0.5;
 /// resolved and corrected values; else they are all of the latter. The error of `kappa_r` is the sum of those of area and
 /// gradient, which may cancel in it. They say nothing of waves that the grid cannot carry.
 ///
-/// Nodes on plateaus, see [`crate::surface::Surface::is_level`], do not tell how the surface runs between them, as where heights are
-/// rounded or clipped. Half of their share in the contact is added to the errors of area and gradient, and where they are most of
-/// it, that of `kappa_r` is not known. Of 582 contacts of rough, clipped, worn, rounded and spiky heights, two were told an error
-/// below a third of that against the same heights unrounded on a fine grid; without it, 56 were.
+/// Nodes on plateaus, see [`crate::surface::Surface::is_level`], do not determine the surface between them, as where
+/// heights are rounded or clipped. Half of their share in the contact is added to the errors of area and gradient, and
+/// where they are most of it, that of `kappa_r` is not known. Of 582 contacts of rough, clipped, worn, rounded and
+/// spiky heights, two were told an error below a third of that against the same heights unrounded on a fine grid;
+/// without it, 56 were.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolution {
     /// Nodes in contact for each patch; 0 without contact.

@@ -7,10 +7,10 @@ use crate::contact::{CertificateSums, Problem};
 /// lengths are transformed as convolutions of three times as many steps, and get more than four times as much.
 const TRANSFORM: f64 = 16.0 * f64::EPSILON;
 
-/// Relative rounding of the differences of `u`, `h` and the reference: four at the most.
+/// Relative rounding of the differences of `u`, `h` and the reference: at most four.
 const RHO: f64 = 4.0 * f64::EPSILON;
 
-/// Terms that a sum adds one after the other at the most.
+/// Largest number of terms that a sum adds one after the other.
 const IN_A_ROW: f64 = 32_768.0;
 
 /// Bounds of the error `delta` of the computed `v = u - h`, of which the certificate is made, in the two norms that matter.

@@ -51,7 +51,7 @@ pub struct Run<'a, P = Vec<f64>> {
 }
 
 impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
-    /// Begins a run of `solver` and tells the observer.
+    /// Begins a run of `solver` and notifies the observer.
     pub fn begin(solver: &'a dyn Solver, problem: &'a Problem, stop: &Stop, observer: &'a mut dyn Observer) -> Self {
         let failure = observer.begin(solver, problem, stop).err();
         Self {
@@ -91,7 +91,7 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         Work { iterations: self.iterations, transforms, seconds }
     }
 
-    /// Counts `seconds` as those of the work so far, which was done elsewhere, in the place of those of the clock.
+    /// Sets the seconds of the work so far, which was done elsewhere, instead of using the clock.
     pub fn set_seconds(&mut self, seconds: f64) {
         self.given_secs = Some(seconds);
     }

@@ -6,8 +6,8 @@ use crate::contact::{Law, Problem, chunks};
 /// yield; `v = u - h`.
 #[derive(Clone, Copy)]
 pub(super) struct Slack {
-    /// `G = <p max(v - lambda, 0)> + <(H_c - p) max(lambda - v, 0)>` with the best `lambda`, or at a datum `D` with `-D`; infinite
-    /// where no node yields and nobody asks.
+    /// `G = <p max(v - lambda, 0)> + <(H_c - p) max(lambda - v, 0)>` with the best `lambda`, or at a datum `D` with
+    /// `-D`; infinite if no node yields and it is not needed.
     pub gain: f64,
     /// `<m>` of the room `m = min(p, H_c - p)`.
     pub room: f64,

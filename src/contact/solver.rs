@@ -18,8 +18,9 @@ pub trait Solver {
         None
     }
 
-    /// Solves `problem` from the flat start, until `stop`, showing every step to `observer`. The contact comes back whether
-    /// the run converged or not: its status says so, and [`Contact::converged`] makes an error of one that did not.
+    /// Solves `problem` from the flat start, until `stop`, showing every step to `observer`. The contact comes back
+    /// whether the run converged or not: its status states it, and [`Contact::converged`] returns an error if it did
+    /// not.
     ///
     /// # Errors
     /// For problems that the solver cannot take on.

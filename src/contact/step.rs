@@ -4,8 +4,7 @@ use crate::contact::{Certificate, Counted, Decision, Edges, Patches, Problem, Re
 use std::cell::{LazyCell, OnceCell};
 use std::ops::Deref;
 
-/// The state of a solver at one relaxation step. What is not asked for is not computed, and what is asked for is computed
-/// once.
+/// The state of a solver at one step. Values that are not used are not computed; others are computed once.
 ///
 /// | part           | given by                     | where it is not given                                    |
 /// |----------------|------------------------------|----------------------------------------------------------|
@@ -27,7 +26,7 @@ pub struct Step<'a> {
     force: Option<&'a [f64]>,
     /// The potential energy, if it is known without the force.
     potential: Option<Energy>,
-    /// The datum, where it was not given, once it was asked for.
+    /// The datum, if it was not given, after its first use.
     found_datum: OnceCell<f64>,
     gap: OnceCell<Vec<f64>>,
     counted: OnceCell<Counted>,
@@ -35,11 +34,11 @@ pub struct Step<'a> {
     patches: OnceCell<Patches>,
 }
 
-/// A field of a state, row by row: at hand, or made when it is asked for.
+/// A field of a state, row by row: given, or computed on first use.
 pub enum Values<'a> {
     /// A field that the solver holds.
     AtHand(&'a [f64]),
-    /// A field that is made when it is first asked for.
+    /// A field that is computed on first use.
     Lazy(LazyField<'a>),
 }
 
@@ -78,7 +77,7 @@ impl Deref for Values<'_> {
 /// Where in its scheme a solver stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Phase {
-    /// Grid level: 0 is the finest, each further one has half as many points along a side.
+    /// Grid level: 0 is the finest, each further one has half as many points per side.
     pub level: usize,
     /// Outer steps on this level so far: those that change the contact set.
     pub outer: usize,
@@ -146,7 +145,7 @@ impl<'a> Step<'a> {
         Self { phase, ..self }
     }
 
-    /// The step with what the solver decided on its way to it.
+    /// The step with the decision of the solver.
     pub fn with_decision(self, decision: impl Into<Option<Decision>>) -> Self {
         Self { decision: decision.into(), ..self }
     }
@@ -182,7 +181,7 @@ impl<'a> Step<'a> {
         self.phase
     }
 
-    /// What the solver decided on its way to this step, where it tells.
+    /// What the solver did in this step, if it reports it.
     pub fn decision(&self) -> Option<Decision> {
         self.decision
     }

@@ -16,9 +16,10 @@ const LEAST_PRESSURE_TOLERANCE: f64 = 1e-100;
 /// | `eta_gap <= sqrt(tolerance)`                  | at a given mean gap                      |
 /// | `pressure_error_bound <= pressure_tolerance`  | where a pressure tolerance is given      |
 ///
-/// `eta` is an error in energy, of second order in that of the pressure; the relative error of a load, which `eta_gap` stands for,
-/// is of first order, so it gets the root of the tolerance. The rms height, over which `eta` is taken, says little about an
-/// indenter that is narrow in its cell, or about very light contacts: there a pressure tolerance says what is meant.
+/// `eta` is an error in energy, of second order in that of the pressure; the relative error of a load, which `eta_gap`
+/// estimates, is of first order, so it gets the root of the tolerance. The rms height, over which `eta` is taken, says
+/// little about an indenter that is narrow in its cell, or about very light contacts: there a pressure tolerance says
+/// what is meant.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
@@ -97,7 +98,7 @@ impl Stop {
         self.pressure_tolerance
     }
 
-    /// Iterations at the most.
+    /// Largest number of iterations.
     pub fn max_iterations(&self) -> usize {
         self.max_iterations
     }

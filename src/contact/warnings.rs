@@ -1,4 +1,5 @@
-//! Warnings about contacts whose numbers mean little: loads beyond full contact, grids that are too coarse, pressures that no metal bears.
+//! Warnings about contacts with unreliable numbers: loads beyond full contact, grids that are too coarse, pressures
+//! above those at which metals yield.
 
 use super::{Contact, Law, Observables};
 use crate::warning::Warning;
@@ -9,15 +10,16 @@ const HEAVIEST: f64 = 10.0;
 const LARGEST_ERROR: f64 = 0.1;
 /// Contact moduli from this one on are those of metals, glasses and ceramics, if they are in pascals.
 const STIFF: f64 = 1e10;
-/// The share of the contact modulus above which no metal bears a pressure: the hardness of steels is 0.01 to 0.04 of it.
+/// The pressure, divided by the contact modulus, above which all metals yield: the hardness of steels is 0.01 to 0.04
+/// of it.
 const HARDEST: f64 = 0.05;
 /// Bounds of the error of the pressure above this one give a warning.
 const LARGEST_BOUND: f64 = 0.1;
 /// A share of the contact in patches that are too small to trust above this one gives a warning.
 const LARGEST_SHARE: f64 = 0.25;
 
-/// Warnings about contacts under one load or several: loads far beyond full contact, errors that are not known, pressures that are not solved
-/// for, grids that are too coarse, and pressures that no metal bears under the law of contact.
+/// Warnings about contacts under one load or several: loads far beyond full contact, errors that are not known,
+/// pressures that are not solved for, grids that are too coarse, and pressures above those at which metals yield.
 pub fn warnings_of(found: &[&Observables], law: Law) -> Vec<Warning> {
     let all = [too_heavy(found), unknown(found), loose(found), coarse(found), metal(found, law)];
     all.into_iter().flatten().collect()
@@ -30,10 +32,10 @@ pub fn warning_of_rim(contact: &Contact) -> Option<Warning> {
     (pressed > 0).then(|| {
         Warning::new(
             format!(
-                "The contact reaches the free rim at {pressed} nodes. The heights beyond the rim are missing, so the pressure there is that \
-                 of an edge"
+                "The contact reaches the free rim at {pressed} nodes. The heights beyond the rim are missing, so the \
+                 pressure there is that of a sharp edge"
             ),
-            "Give more of the surface, or a lighter load",
+            "Use a larger part of the surface, or a smaller load",
         )
     })
 }
@@ -49,7 +51,7 @@ fn under(count: usize, found: &[&Observables]) -> String {
 fn too_heavy(found: &[&Observables]) -> Option<Warning> {
     let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max)?;
     Some(Warning::new(
-        format!("The reduced pressure {heavy:.3e} is far above 1, where contact is nearly full"),
+        format!("The reduced pressure {heavy:.3e} is far above 1, so the contact is nearly full"),
         "Check the load, the modulus and their units",
     ))
 }
@@ -59,7 +61,7 @@ fn unknown(found: &[&Observables]) -> Option<Warning> {
     (count > 0).then(|| {
         Warning::new(
             format!(
-                "kappa_r and its error cannot be found on this grid, so kappa_r may be wrong by any amount{}",
+                "This grid is too coarse for kappa_r and its error estimate, so kappa_r may be completely wrong{}",
                 under(count, found)
             ),
             "Use a finer grid, or heights that are neither rounded nor clipped",
@@ -76,11 +78,16 @@ fn loose(found: &[&Observables]) -> Option<Warning> {
         Warning::new(
             match largest < 1.0 {
                 true => {
-                    format!("The pressure is known to {:.0} % only, whatever its certificate{under}", 100.0 * largest)
+                    format!(
+                        "The relative error of the pressure may be {:.0} %, although the certificate is small{under}",
+                        100.0 * largest
+                    )
                 }
-                false => format!("The pressure may be off by its own size or more, whatever its certificate{under}"),
+                false => format!(
+                    "The relative error of the pressure may be 100 % or more, although the certificate is small{under}"
+                ),
             },
-            "Set a tolerance of the pressure",
+            "Set a tolerance for the pressure",
         )
         .with_remedy("stop.pressure-tolerance", Some("0.01")),
     )
@@ -107,7 +114,7 @@ fn coarse(found: &[&Observables]) -> Option<Warning> {
     )
 }
 
-/// The warning that a stiff solid is pressed harder than metals bear.
+/// The warning that the pressure on a stiff solid is above that at which metals yield.
 fn metal(found: &[&Observables], law: Law) -> Option<Warning> {
     let is_stiff = |it: &&&Observables| it.max_pressure >= STIFF * it.max_pressure_over_modulus;
     let shares = found.iter().filter(is_stiff).map(|it| it.max_pressure_over_modulus);
@@ -115,7 +122,8 @@ fn metal(found: &[&Observables], law: Law) -> Option<Warning> {
     Some(
         Warning::new(
             format!(
-                "The largest pressure is {share:.2} of the contact modulus. No metal bears this: it yields before, over a larger area"
+                "The largest pressure is {share:.2} of the contact modulus. Metals yield at lower pressures, so the \
+                 real contact area is larger"
             ),
             "Give the hardness",
         )

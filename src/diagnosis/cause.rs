@@ -5,7 +5,7 @@ use super::returns::Cycle;
 use serde::Serialize;
 use std::fmt;
 
-/// What held a run up, with the numbers that say so. Displays as a sentence or two, with what would help.
+/// A cause of a slow run, with the numbers that show it. Its text is one or two sentences, with a remedy.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(tag = "cause", rename_all = "snake_case", rename_all_fields = "snake_case")]
 pub enum Cause {
@@ -15,7 +15,7 @@ pub enum Cause {
         tolerance: f64,
         /// The best certificate.
         eta: f64,
-        /// What rounding of the displacement can add to a certificate at the most.
+        /// The most that rounding of the displacement can add to a certificate.
         rounding: f64,
         /// The step since which nothing became better.
         from: usize,
@@ -97,11 +97,11 @@ impl Cause {
             None => "the end of the run",
             Some(next) if next.has_changed => "a change of the contact set",
             Some(next) => next.decision.map_or("a step like the others", |decision| match decision.name() {
-                "conjugate" => "a step of conjugate gradients on the same set",
+                "conjugate" => "a step of conjugate gradients on the same contact set",
                 "descend" => "a gradient step",
                 "guarded" => "a guarded step",
-                "whole-set" => "an update of the whole set",
-                "halt" => "a halt of FIRE",
+                "whole-set" => "an update of the whole contact set",
+                "halt" => "a restart of FIRE",
                 _ => "a step like the others",
             }),
         };
@@ -114,51 +114,55 @@ impl fmt::Display for Cause {
         match *self {
             Self::Rounding { tolerance, eta, rounding, from } => write!(
                 f,
-                "The tolerance {tolerance:.1e} lies below rounding: nothing became better after step {from}, at a certificate of {eta:.1e}, \
-                 of which rounding of the displacement can make {rounding:.1e}. Ask for a larger tolerance."
+                "The tolerance {tolerance:.1e} is below the rounding error: the certificate did not improve after \
+                 step {from}. It is {eta:.1e}, of which rounding of the displacement can cause {rounding:.1e}. \
+                 Choose a larger tolerance."
             ),
             Self::Cycle { period, rounds, from, nodes } => write!(
                 f,
-                "The contact set goes in circles: from step {from} on it came back {rounds} times after every {period} changes, in which \
-                 {nodes} nodes enter and leave. Solve more tightly on each set, or accept only changes that lower the energy."
+                "The contact set cycles: from step {from} on, the same set recurred {rounds} times, after every \
+                 {period} changes, in which {nodes} nodes enter and leave. Solve more accurately on each set, or \
+                 accept only changes that lower the energy."
             ),
             Self::Damping { damping, rate, best } => write!(
                 f,
-                "The damping is ill chosen: it is {damping:.2} times the critical one of the longest wave, which {} and loses {rate:.1e} \
-                 digits a step, in theory. With the damping 1 it loses {best:.1e}.",
+                "The damping is not well chosen: it is {damping:.2} times the critical damping of the longest wave, \
+                 which {}. In theory, its error decreases by {rate:.1e} digits per step; with damping 1 by \
+                 {best:.1e}.",
                 if damping > 1.0 { "creeps" } else { "swings" }
             ),
             Self::Masses { condition, best } => write!(
                 f,
-                "Uniform masses: the time step must suit the shortest wave, which is {condition:.0} times stiffer than the longest, so that \
-                 the error loses {best:.1e} digits a step at the best damping. Take masses proportional to stiffness, FIRE, or another \
-                 solver."
+                "Uniform masses: the time step must suit the shortest wave, which is {condition:.0} times stiffer \
+                 than the longest. Even with the best damping, the error decreases by only {best:.1e} digits per \
+                 step. Use masses proportional to stiffness, FIRE, or another solver."
             ),
             Self::SlowBand { wavelengths: [long, short], share, rate, theory } => {
                 write!(
                     f,
-                    "Waves from {short:.3e} to {long:.3e} long were the slowest: the largest error was theirs for {:.0} % of the steps, and they \
-                     lost {rate:.1e} digits a step",
+                    "Wavelengths from {short:.3e} to {long:.3e} converged slowest: they had the largest error in \
+                     {:.0} % of the steps, and their error decreased by {rate:.1e} digits per step",
                     100.0 * share
                 )?;
-                theory.map_or(Ok(()), |theory| write!(f, " (a free wave, in theory: {theory:.1e})"))?;
+                theory.map_or(Ok(()), |theory| write!(f, " (in theory, without contact: {theory:.1e})"))?;
                 f.write_str(".")
             }
             Self::Condition { level, condition } => write!(
                 f,
-                "Conjugate gradients saw a condition number of at least {condition:.1e} on grid level {level}: some {:.0} steps for each digit \
-                 of the certificate.",
+                "Conjugate gradients had a condition number of at least {condition:.1e} on grid level {level}: about \
+                 {:.0} steps for each digit of the certificate.",
                 condition.sqrt() * std::f64::consts::LN_10 / 4.0
             ),
             Self::Flips { nodes, times, position: [y, x], most } => {
                 let place = if y > 0.0 { format!("y = {y:.4e}, x = {x:.4e}") } else { format!("x = {x:.4e}") };
                 write!(
                     f,
-                    "{nodes} nodes entered or left the contact more than {times} times each, the one at {place} {most} times."
+                    "{nodes} nodes entered or left the contact more than {times} times each; the one at {place} did \
+                     so {most} times."
                 )
             }
             Self::Plateau { steps: [from, to], eta, end } => {
-                write!(f, "The certificate stood at {eta:.1e} from step {from} to step {to}, until {end}.")
+                write!(f, "The certificate stayed at {eta:.1e} from step {from} to step {to}, until {end}.")
             }
         }
     }

@@ -5,8 +5,8 @@ use crate::grid::Grid;
 
 /// The contact of a run, node by node: since when each of them is in contact or out of it, and how often it changed.
 ///
-/// A node of a coarser grid stands for the nodes of the finest one around it. Steps inside an outer one do not count: their contact
-/// is not what the solver holds for the contact set.
+/// A node of a coarser grid represents the nodes of the finest grid around it. Steps inside an outer one do not count:
+/// their contact is not what the solver holds for the contact set.
 #[derive(Debug, Clone)]
 pub struct ContactHistory {
     grid: Grid,
@@ -73,7 +73,7 @@ impl ContactHistory {
         y * self.grid.shape()[1] + x
     }
 
-    /// Sets the nodes that a node of a coarser grid stands for.
+    /// Sets the nodes that a node of a coarser grid represents.
     fn set(&mut self, [y, x]: [usize; 2], [along_y, along_x]: [usize; 2], touches: bool, counts: bool) {
         for row in y..y + along_y {
             let first = self.at([row, x]);

@@ -35,7 +35,7 @@ pub struct Plateau {
 /// The step that ended a plateau.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Next {
-    /// What the solver decided, where it tells.
+    /// What the solver did, if it reports it.
     pub decision: Option<Decision>,
     /// Whether nodes entered or left the contact.
     pub has_changed: bool,

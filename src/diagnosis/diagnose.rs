@@ -20,19 +20,20 @@ const STANDS: f64 = 0.01;
 const OFTEN: u32 = 8;
 /// Rounds of a cycle that are worth telling.
 const ROUNDS: usize = 3;
-/// A damping so many times too strong or too weak is ill chosen.
+/// A damping that is too strong or too weak by this factor is reported.
 const ILL: f64 = 3.0;
 /// A condition that is worth telling, of masses and of conjugate gradients.
 const ILL_CONDITIONED: f64 = 50.0;
-/// Share of the steps for which a band must be the slowest to be told.
+/// Share of the steps for which a band must be the slowest to be reported.
 const LAGS: f64 = 0.2;
 /// Digits a step at which no band is slow.
 const SWIFT: f64 = 0.5;
 
 /// Watches a run, and says what held it up and since when its results stood.
 ///
-/// Of each step it takes one pass over the pressure, area and `kappa_r`, and with a [`Reference`] a transform of the early steps and
-/// of ever fewer later ones. Runs are repeatable to the last bit, so the reference is best the final state of the same run made before.
+/// Of each step it takes one pass over the pressure, area and `kappa_r`, and with a [`Reference`] a transform of the
+/// early steps and of later ones less often. Runs are repeatable to the last bit, so the reference is best the final
+/// state of the same run made before.
 pub struct Diagnosis {
     contact: ContactHistory,
     spectrogram: Spectrogram,
@@ -77,7 +78,7 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// The rates as a table in Markdown; nothing if there are none.
+    /// The rates as a table in Markdown; empty if there are none.
     pub fn table(&self) -> String {
         let word = |rate: Option<f64>| rate.map_or("-".into(), |rate| format!("{rate:.1e}"));
         let row = |it: &BandRate| {
@@ -90,7 +91,7 @@ impl Findings {
             )
         };
         let rows: String = self.rates.iter().map(row).collect();
-        let head = "| wavelength | slowest for | digits a step | free wave, in theory |\n|---|---|---|---|\n";
+        let head = "| wavelength | slowest in | digits per step | in theory, without contact |\n|---|---|---|---|\n";
         if rows.is_empty() { rows } else { format!("{head}{rows}") }
     }
 }
@@ -272,13 +273,14 @@ impl fmt::Display for Findings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { causes, standing, .. } = self;
         if causes.is_empty() {
-            writeln!(f, "Nothing held it up.")?;
+            writeln!(f, "Nothing slowed it down.")?;
         }
         causes.iter().try_for_each(|cause| writeln!(f, "{cause}"))?;
         let Some(Standing { relative_area, kappa_r, steps }) = standing else { return Ok(()) };
         writeln!(
             f,
-            "Area and kappa_r have stood within 1 % of their final values since steps {relative_area} and {kappa_r} of {steps}."
+            "Area and kappa_r are within 1 % of their final values from steps {relative_area} and {kappa_r} of \
+             {steps} on."
         )
     }
 }

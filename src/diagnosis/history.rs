@@ -19,7 +19,7 @@ pub struct History<C> {
 }
 
 impl<C> History<C> {
-    /// No steps yet, of at most so many columns, two or more.
+    /// An empty history of at most `most` columns, two or more.
     pub fn new(most: usize, merge: fn(&mut C, C)) -> Self {
         Self { columns: Vec::new(), most: most.max(2), per_column: 1, steps: 0, merge }
     }

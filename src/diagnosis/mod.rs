@@ -1,4 +1,4 @@
-//! Why a run took as long as it did: numbers of every step that tell, and what follows from them in words.
+//! Why a run took so many steps: the numbers of every step that show it, and the conclusions in words.
 //!
 //! ```text
 //! Solver --(Step)--> Diagnosis: ContactHistory, Spectrogram, Ritz, Returns --> Cause, in words

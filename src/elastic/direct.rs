@@ -49,7 +49,7 @@ pub fn influence(grid: &Grid, solid: &dyn ElasticSolid) -> Vec<f64> {
     (0..ny * nx).map(at).collect()
 }
 
-/// The influence so many nodes along y and x away, by the sum over all modes.
+/// The influence at a distance of `y` rows and `x` columns, by the sum over all modes.
 fn periodic(grid: &Grid, solid: &dyn ElasticSolid, [y, x]: [usize; 2]) -> f64 {
     let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
     let signed = |k: usize, n: usize| if 2 * k > n { k as f64 - n as f64 } else { k as f64 };

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-/// From so many widths on, the influence of a strip is taken from its series: the closed form loses digits to its differences.
+/// Distance, in widths, from which the influence of a strip is computed by a series: there the closed form loses digits
+/// by cancellation.
 const FAR: f64 = 16.0;
 
 /// Step and end of the trapezium rule for waves. It errs by `exp(-pi^2 / STEP)`, and the integrand has fallen by `exp(-END)`.

@@ -15,9 +15,9 @@ use std::sync::Arc;
 ///
 /// `u_q = factor(q) 2 p_q / (E* |q|)` for `q != 0`,
 ///
-/// with the pressure `p >= 0` in compression, the displacement `u` of the surface positive into the solid, and the contact
-/// modulus `E* = E / (1 - nu^2)`. There the mean of `u` is a datum and is returned as zero, unless the [`Compliance`] was made to keep
-/// it; and the inverse is exact but for the mean.
+/// with the pressure `p >= 0` in compression, the displacement `u` of the surface positive into the solid, and the
+/// contact modulus `E* = E / (1 - nu^2)`. There the mean of `u` is a datum and is returned as zero, unless the
+/// [`Compliance`] was made to keep it; and the inverse is exact except for the mean.
 ///
 /// Along a free axis nothing is beyond the cell: `u` is the sum over all elements of the cell of what a uniform pressure on each
 /// displaces at the centre of each other, by a convolution padded with zeros (Liu, Wang & Liu 2000). Its inverse is approximated by

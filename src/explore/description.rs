@@ -1,4 +1,4 @@
-//! What the page is told of a file of heights.
+//! The description of a file of heights for the page.
 
 use super::height_knobs::HeightKnobs;
 use super::refusal::Refusal;
@@ -75,11 +75,11 @@ impl Description {
             return Ok(());
         }
         let name = &self.name;
-        Err(Refusal(format!("another file, {name}, has taken the place of this one: drop this one again")))
+        Err(Refusal(format!("this file was replaced by another file, {name}: drop this file again")))
     }
 }
 
-/// The heights as they were measured, but for those that are cropped away.
+/// The heights as they were measured, without those that are cropped.
 fn scan(knobs: &HeightKnobs, file: &HeightFile) -> Result<Scan, Refusal> {
     let Preparation { resample, crop, .. } = knobs.prepare.clone();
     let raw = HeightKnobs { prepare: Preparation { resample, crop, ..Preparation::default() }, ..knobs.clone() };
@@ -90,9 +90,9 @@ fn scan(knobs: &HeightKnobs, file: &HeightFile) -> Result<Scan, Refusal> {
 /// What a file says of itself.
 fn of_file(measured: &Measurement, knobs: &HeightKnobs) -> Vec<(String, String)> {
     let lengths = match (measured.is_in_metres, knobs.unit) {
-        (true, _) => "metres, as the file says".into(),
+        (true, _) => "metres, as given in the file".into(),
         (false, Some(unit)) => format!("1 in the file is {}", length(unit)),
-        (false, None) => "not said by the file: taken as metres".into(),
+        (false, None) => "not given in the file: metres assumed".into(),
     };
     let [ny, nx] = measured.height.dim().into();
     let points = if measured.is_profile { nx.to_string() } else { format!("{ny} x {nx}") };

@@ -4,9 +4,9 @@ use super::facet::{FACETS, MOTION};
 use super::knobs::Knobs;
 use super::lesson::{Lesson, LessonStep};
 use super::page::Page;
-use super::reel::Reel;
 use super::refusal::Refusal;
 use super::session::{RunKind, Session, Stock};
+use super::session_recording::SessionRecording;
 use crate::contact::{Failure, OBSERVABLES};
 use crate::files::fill_folder;
 use crate::record::Output;
@@ -25,7 +25,7 @@ const PATIENCE: Duration = Duration::from_millis(100);
 /// Bytes of a recording that are copied at once.
 const PIECE: u64 = 1 << 20;
 
-/// Fields are recorded of every so many steps, which makes the recordings of the lessons half as large.
+/// Interval of steps at which fields are recorded, which makes the recordings of the lessons half as large.
 const EVERY: usize = 4;
 /// Significant digits of the numbers in facets, which are drawn, or shown with fewer.
 const DIGITS: usize = 7;
@@ -48,7 +48,7 @@ impl SiteExport {
     pub fn new(lessons: Vec<Lesson>) -> Result<Self, Refusal> {
         let steps = || lessons.iter().flat_map(|lesson| &lesson.steps);
         let Some(first) = steps().next() else {
-            return Err(Refusal("there is no lesson to export: give one at least".into()));
+            return Err(Refusal("there is no lesson to export: give at least one".into()));
         };
         let mut wanted: Vec<SiteRun> = Vec::new();
         for run in steps().flat_map(of_step) {
@@ -59,7 +59,7 @@ impl SiteExport {
         if wanted.len() > MOST_RUNS {
             let count = wanted.len();
             return Err(Refusal(format!(
-                "{count} states can be turned to in these lessons: leave at most {MOST_RUNS} of them"
+                "these lessons have {count} states to solve: reduce them to at most {MOST_RUNS}"
             )));
         }
         let themed = |theme| wanted.iter().map(move |(kind, knobs)| (*kind, knobs.clone().with_theme(theme)));
@@ -72,11 +72,10 @@ impl SiteExport {
         self.wanted.len()
     }
 
-    /// Solves all states and writes the site into a folder, which is new or empty, and then whole or as it was. `goes_on` is told now and
-    /// then how many runs are solved.
+    /// Solves all states and writes the site into a folder, which is new or empty. If this fails, the folder is as it
+    /// was before. `goes_on` is called now and then how many runs are solved.
     ///
-    /// # Errors
-    /// For a folder that cannot be had, a run that cannot be solved, and the wish not to go on.
+    /// # Errors For a folder that cannot be created, for a run that cannot be solved, and for an interruption.
     pub fn write(&self, folder: &Path, goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<(), Failure> {
         let page = Page::new("explore")?;
         let (session, solver) = Session::start(Stock { every: Some(EVERY), ..Stock::default() }, 0);
@@ -101,10 +100,10 @@ impl SiteExport {
         let mut runs = Vec::new();
         for (done, (kind, knobs)) in self.wanted.iter().enumerate() {
             let id = solve(session, *kind, knobs, &mut || goes_on(done))?;
-            let reel = session.reel(&id).ok_or("a recording is missing")?;
-            copy(&reel.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
-            runs.push(serde_json::to_value(reel.told())?);
-            let script = format!("SOLVED.facets[\"{id}\"] = {};\n", rounded(facets(&reel)));
+            let recording = session.recording(&id).ok_or("a recording is missing")?;
+            copy(&recording.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
+            runs.push(serde_json::to_value(recording.report())?);
+            let script = format!("SOLVED.facets[\"{id}\"] = {};\n", rounded(facets(&recording)));
             write(folder.join("run").join(format!("{id}.js")), script)?;
         }
         let Self { lessons, start, .. } = self;
@@ -113,8 +112,8 @@ impl SiteExport {
 }
 
 /// All facets of a run, or the motion of a sweep.
-fn facets(reel: &Reel) -> Value {
-    match (reel.solved(), reel.swept()) {
+fn facets(recording: &SessionRecording) -> Value {
+    match (recording.solved(), recording.swept()) {
         (Some(solved), _) => FACETS.iter().map(|it| (it.name.to_owned(), (it.of)(&solved))).collect(),
         (None, motion) => json!({ MOTION: motion }),
     }
@@ -144,10 +143,10 @@ fn solve(
                 RunKind::Solve => report.run.map(|run| run.id),
                 RunKind::Sweep => report.sweep.map(|sweep| sweep.id),
             };
-            return id.ok_or_else(|| "a run came to nothing".into());
+            return id.ok_or_else(|| "a run gave no result".into());
         }
         if goes_on().is_break() {
-            return Err("the export was interrupted: nothing is written".into());
+            return Err("the export was interrupted: nothing was written".into());
         }
         revision = report.revision;
     }

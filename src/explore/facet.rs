@@ -1,14 +1,14 @@
 //! Facets: what can be asked of a run that has ended, beyond its report.
 
 use super::patches::PatchTable;
-use super::reel::SolvedRun;
 use super::section::{Section, Shear};
+use super::session_recording::SolvedRun;
 use super::why::Why;
 use serde_json::{Value, json};
 
-/// Something to be told of a run.
+/// Additional data about a run that the page can request.
 pub struct Facet {
-    /// Its name in the path under which it is asked for.
+    /// Its name in the path of the request.
     pub name: &'static str,
     /// It, as JSON.
     pub of: fn(&SolvedRun) -> Value,

@@ -1,4 +1,4 @@
-//! The guard at the door: pages of this very server may ask, and nobody else.
+//! Access control: only pages of this server may send requests.
 
 use axum::http::header::{CONTENT_LENGTH, CONTENT_TYPE, HOST, HeaderName, ORIGIN};
 use axum::http::{HeaderMap, Method};
@@ -12,7 +12,7 @@ pub fn refuse(method: &Method, headers: &HeaderMap, port: u16, kind: &str) -> Op
     let is_own = |host: &str| HOSTS.iter().any(|own| host == format!("{own}:{port}"));
     let text = |name: &HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
     if headers.get_all(HOST).iter().count() != 1 || !text(&HOST).is_some_and(is_own) {
-        return Some((403, format!("this server answers to http://127.0.0.1:{port} only")));
+        return Some((403, format!("this server accepts requests to http://127.0.0.1:{port} only")));
     }
     if text(&ORIGIN).is_some_and(|origin| !origin.strip_prefix("http://").is_some_and(is_own)) {
         return Some((403, "other pages may not use this server".into()));
@@ -23,7 +23,7 @@ pub fn refuse(method: &Method, headers: &HeaderMap, port: u16, kind: &str) -> Op
     if method == Method::POST && text(&CONTENT_TYPE) != Some(kind) {
         return Some((415, format!("send it with the content type {kind}")));
     }
-    (method != Method::GET && method != Method::POST).then(|| (405, "only GET and POST are answered here".into()))
+    (method != Method::GET && method != Method::POST).then(|| (405, "only GET and POST requests are accepted".into()))
 }
 
 /// Bytes that the body is said to have; none if nothing is said.

@@ -22,7 +22,7 @@ pub struct Hold {
     knobs: Knobs,
     /// The mean gap, a length; without it the load of the knobs.
     mean_gap: Option<f64>,
-    /// Whether the stress below is asked for.
+    /// Whether the stress below is requested.
     is_deep: bool,
 }
 
@@ -30,7 +30,7 @@ pub struct Hold {
 #[derive(Serialize)]
 pub struct Held {
     section: Section,
-    /// The stress below it, where it is asked for and known.
+    /// The stress below it, if it is requested and can be computed.
     shear: Option<Shear>,
     /// The surface beside, under the same mean pressure.
     beside: Option<Section>,
@@ -48,8 +48,7 @@ impl Hold {
     /// Solves, from the pressures before, of this surface and of the one beside, if they are on the same grid: the new ones then take their
     /// places.
     ///
-    /// # Errors
-    /// A sentence on knobs that stand for nothing, and on a gap at which nothing or everything touches.
+    /// # Errors A refusal for invalid knobs, and for a gap at which nothing or everything touches.
     pub(super) fn solve(
         &self,
         source: Option<&SurfaceSource>,

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct HeightKnobs {
-    /// The mark of the file that they are for, by its bytes, as a description tells it; any file if it is left out.
+    /// The hash of the file that they are for, as in a description; any file if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
     /// The channel, by name or number from 1 on; the first one of heights if it is left out.
@@ -62,7 +62,8 @@ impl HeightKnobs {
         let (most, [ny, nx]) = (most(grid.is_line()), grid.shape());
         if grid.len() > most {
             return Err(Refusal(format!(
-                "{ny} x {nx} points are too many here: crop the heights to at most {most}, and mind that a mirror doubles them"
+                "{ny} x {nx} points are too many here: crop the heights to at most {most} points, and note that \
+                 mirroring doubles them"
             )));
         }
         Ok((recipe, cell))
@@ -70,8 +71,7 @@ impl HeightKnobs {
 
     /// The knobs with the steps that the heights of a file need, and why they need them.
     ///
-    /// # Errors
-    /// For a file that cannot be read, and one whose lengths nobody says.
+    /// # Errors For a file that cannot be read, and one without known lengths.
     pub fn chosen(&self, file: &HeightFile) -> Result<(Self, Vec<String>), Refusal> {
         let layout = file.layout(self.channel.as_deref())?;
         let most = most(layout.is_profile);
@@ -83,8 +83,8 @@ impl HeightKnobs {
         let mut choice = if crop == first.preparation.crop { first } else { self.choice(file, crop.clone())? };
         if crop.is_some() {
             let reason = format!(
-                "{rows} x {columns} points, or those of their mirror images, are more than can be solved while someone waits: the middle of \
-                 them is kept"
+                "{rows} x {columns} points (with mirror images, if any) are too many for this page: only the middle \
+                 part is kept"
             );
             choice.reasons.insert(0, reason);
         }

@@ -1,6 +1,6 @@
 //! The name of a file that a page sends.
 
-/// Letters of a name at the most.
+/// Largest number of characters of a name.
 const LONGEST: usize = 100;
 /// The name of a file that has none.
 const NAMELESS: &str = "heights";

@@ -1,4 +1,4 @@
-//! The knobs of the page, and the setup that they stand for.
+//! The knobs of the page, and the setup that they describe.
 
 use super::height_knobs::HeightKnobs;
 use super::refusal::{Refusal, plain};
@@ -158,7 +158,7 @@ impl Knobs {
         serde_json::from_slice(json).map_err(|error| Refusal(plain(&error)))
     }
 
-    /// The setup that the knobs stand for without a file of heights, checked as far as that takes no surface.
+    /// The setup that the knobs describe without a file of heights. Everything that needs no surface is checked.
     ///
     /// # Errors
     /// A sentence with the value that cannot be and what to do.
@@ -186,7 +186,7 @@ impl Knobs {
         self.body == SmoothBody::File
     }
 
-    /// The setup that the knobs stand for beside heights or a scene that they do not hold.
+    /// The setup that the knobs describe, with heights or a scene from outside.
     ///
     /// # Errors
     /// The errors of [`Knobs::setup`].
@@ -213,7 +213,7 @@ impl Knobs {
                     Ok(scene.setup.clone())
                 }
                 _ => Err(Refusal(
-                    "the scene of this state is not here: start asperity explore with its setup file".into(),
+                    "the scene of this state is not loaded: start asperity explore with its setup file".into(),
                 )),
             };
         }
@@ -234,7 +234,9 @@ impl Knobs {
         let Some(beside) = &self.beside else { return Ok(None) };
         let refuse = |sentence: &str| Err(Refusal(sentence.into()));
         if beside.beside.is_some() {
-            return refuse("a surface beside another one has none beside it: leave out the inner \"beside\"");
+            return refuse(
+                "a surface that is shown beside another one cannot have one beside it: leave out the inner \"beside\"",
+            );
         }
         let Self { load, hardness, layer, solver, stop, record, theme, .. } = self.clone();
         let other = Self { load, hardness, layer, solver, stop, record, theme, ..Self::clone(beside) };
@@ -285,7 +287,7 @@ impl Knobs {
         Err(Refusal(if self.domain == Domain::Surface && points > most {
             format!("`points` cannot be {points} for a surface: give at most {most} along each side")
         } else if self.bumps.len() > MOST_BUMPS {
-            format!("{} bumps are too many here: give at most {MOST_BUMPS}", self.bumps.len())
+            format!("{} bumps are too many: give at most {MOST_BUMPS}", self.bumps.len())
         } else if self.body == SmoothBody::Flat && !is_rough {
             "a flat without roughness touches everywhere: raise the roughness or choose another body".into()
         } else if is_rough && cutoff <= rolloff {
@@ -321,7 +323,8 @@ impl Knobs {
         })
     }
 
-    /// The parts of the recording that a line or a surface has; without any the traces, since no parts stand for the usual ones.
+    /// The parts of the recording that a line or a surface has; without any the traces, since an empty list means the
+    /// usual parts.
     fn parts(&self, is_line: bool) -> Vec<Part> {
         let missing = if is_line { Part::Mesh } else { Part::Profile };
         let parts: Vec<Part> = self.record.iter().copied().filter(|&part| part != missing).collect();

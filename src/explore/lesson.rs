@@ -46,7 +46,7 @@ pub struct Lesson {
     pub steps: Vec<LessonStep>,
     /// Whether the picture shows the stress below.
     pub stress: bool,
-    /// What is told after the last step.
+    /// The text after the last step.
     pub end: Option<End>,
 }
 
@@ -80,7 +80,7 @@ impl End {
 /// A step of a lesson: a state of the knobs, and what there is to see.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LessonStep {
-    /// What there is to see, told with the answer where something is asked.
+    /// The explanation of the step; after a question it is shown with the answer.
     pub text: Words,
     /// The state of the knobs.
     pub knobs: Knobs,
@@ -132,8 +132,8 @@ impl Lesson {
 
     /// The lessons of a folder, one in each file that ends in `.toml`, by their names.
     ///
-    /// # Errors
-    /// For a folder that cannot be read or has no lesson, and for a lesson that is none, with its line.
+    /// # Errors For a folder that cannot be read or has no lesson, and for an invalid lesson, with the line of the
+    /// error.
     pub fn folder(folder: &Path) -> Result<Vec<Self>, Refusal> {
         let unreadable = |source| FileError::Read { path: folder.into(), source };
         let entries: Result<Vec<PathBuf>, _> =
@@ -172,7 +172,7 @@ impl Lesson {
         let draft: WrittenLesson = toml::from_str(text).map_err(|error| at(error.span(), error.message()))?;
         draft.title.check().map_err(|Refusal(reason)| at(None, &format!("title: {reason}")))?;
         if draft.step.is_empty() {
-            return Err(at(None, "the lesson has no steps: give one at least, as [[step]]"));
+            return Err(at(None, "the lesson has no steps: give at least one, as [[step]]"));
         }
         let step = |step: Spanned<DraftStep>| {
             let span = step.span();
@@ -216,8 +216,7 @@ impl LessonStep {
 
 /// The knobs that the page starts with, with others laid over them.
 ///
-/// # Errors
-/// A sentence with the place of the knob without which there is none: the first one with which it is said.
+/// # Errors A refusal with the place of the knob that causes it: the first knob with which the refusal appears.
 fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced> {
     let refused = match knobs_of(written) {
         Ok(knobs) => return Ok(knobs),
@@ -232,7 +231,7 @@ fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced>
 /// A refusal that names the knob as it is written.
 fn named(key: &str, value: &Value, Refusal(reason): Refusal) -> Refusal {
     let is_named = reason.contains(&format!("`{key}`")) || reason.contains(&format!("`{key}."));
-    Refusal(match reason.strip_prefix(&format!("{value} cannot be: ")) {
+    Refusal(match reason.strip_prefix(&format!("{value} is not possible: ")) {
         Some(advice) => format!("`{key}` cannot be {value}: {advice}"),
         None if is_named => reason,
         None => format!("`{key} = {value}`: {reason}"),
@@ -267,7 +266,7 @@ fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Misplaced> {
         states.extend(further);
         states = distinct(states);
         if states.len() > MOST_STATES {
-            let reason = format!("the values lead to more than {MOST_STATES} states: give fewer");
+            let reason = format!("the values give more than {MOST_STATES} states: give fewer values");
             return Err(misplaced(Refusal(reason)));
         }
     }

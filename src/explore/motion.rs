@@ -8,8 +8,8 @@ use std::ops::ControlFlow;
 /// How much later the next step is kept than the last one: of 100 000 steps that makes 140, most of them early, where most happens.
 const LATER: f64 = 1.08;
 
-/// The sections of a run and the numbers of their steps, less that of its end, which is told by itself; or those of a sweep and the numbers
-/// of their loads.
+/// The sections of a run and the numbers of their steps, without the last one, which is reported separately; or those
+/// of a sweep and the numbers of their loads.
 #[derive(Clone, Default, Serialize)]
 pub struct Motion {
     steps: Vec<usize>,

@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// The most patches that are told of, the largest first, and those of them that are drawn.
+/// Largest number of patches that are reported, the largest first, and of patches that are drawn.
 const MOST: usize = 4000;
 const DRAWN: usize = 100;
 /// The most columns of the map of a line, and rows and columns of that of a surface.

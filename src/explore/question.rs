@@ -19,7 +19,7 @@ pub enum Question {
         /// Which of them is right, from 1 on.
         right: usize,
     },
-    /// A number that the run will tell.
+    /// A number that the run will show.
     Number {
         /// The question.
         question: Words,
@@ -124,7 +124,7 @@ fn check_observable(of: &str) -> Result<(), Refusal> {
     if OBSERVABLES.iter().any(|it| it.name == of) {
         return Ok(());
     }
-    Err(Refusal(format!("{of:?} is no number of a run: give one such as \"kappa_r\"")))
+    Err(Refusal(format!("{of:?} is not a number of a run: give one such as \"kappa_r\"")))
 }
 
 /// A curve of a sweep.
@@ -161,17 +161,18 @@ impl Question {
             Self::Choose { choices, .. } if !(2..=6).contains(&choices.len()) => {
                 refuse(format!("{} choices are given: give two to six", choices.len()))
             }
-            Self::Choose { choices, right, .. } if !(1..=choices.len()).contains(right) => {
-                refuse(format!("choice {right} is to be right, but there are {}: count them from 1 on", choices.len()))
-            }
+            Self::Choose { choices, right, .. } if !(1..=choices.len()).contains(right) => refuse(format!(
+                "choice {right} is marked as right, but there are {} choices: count from 1",
+                choices.len()
+            )),
             Self::Choose { choices, .. } => choices.iter().try_for_each(Choice::check),
             Self::Number { of, .. } => check_observable(of),
             Self::Act { .. } if sweeps => {
-                refuse("the load is swept where something is to be done: leave out sweep = true".into())
+                refuse("a step with a goal cannot sweep the load: leave out sweep = true".into())
             }
             Self::Act { goal, .. } => goal.check(),
             Self::Draw { .. } if !sweeps => {
-                refuse("a curve is asked for, but the load is not swept: give sweep = true".into())
+                refuse("a question about a curve needs a sweep of the load: give sweep = true".into())
             }
             Self::Draw { .. } => Ok(()),
         }

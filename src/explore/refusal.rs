@@ -2,7 +2,7 @@
 
 use crate::error::{FileError, ProblemError, SetupError, SurfaceError};
 
-/// An order that stands for nothing, in one sentence.
+/// The refusal of an invalid request, in one sentence.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{0}")]
 pub struct Refusal(pub String);
@@ -31,7 +31,7 @@ impl From<SurfaceError> for Refusal {
     }
 }
 
-/// The fault of a text in JSON, in words of the page: names of types in Rust are told as what they take.
+/// The fault of a JSON text, in words of the page: names of Rust types are replaced by the values that they accept.
 pub fn plain(error: &serde_json::Error) -> String {
     let said = error.to_string();
     let said = said.rsplit_once(" at line ").map_or(said.as_str(), |(said, _)| said);
@@ -46,7 +46,7 @@ pub fn plain(error: &serde_json::Error) -> String {
     let value = kind.map_or(value.as_str(), |kind| &value[kind.len()..]);
     let wanted = if wanted.starts_with("struct ") { "a map" } else { wanted };
     let wanted = WANTED.iter().find(|(rust, _)| *rust == wanted).map_or(wanted, |(_, words)| words);
-    format!("{value} cannot be: give {wanted}")
+    format!("{value} is not possible: give {wanted}")
 }
 
 /// Types in Rust, and what they take.

@@ -1,4 +1,4 @@
-//! The state of a session as the page is told.
+//! The state of a session, as the page gets it.
 
 use super::knobs::{Knobs, MODULUS};
 use crate::contact::{Contact, Failure, Observables, Step};
@@ -79,7 +79,7 @@ pub struct RunWarning {
     pub warning: Warning,
 }
 
-/// What is told of the surface beside.
+/// What is reported for the surface beside.
 #[derive(Clone, Serialize)]
 pub struct Beside {
     pub title: String,

@@ -5,10 +5,10 @@ use super::height_name::plain_name;
 use super::knobs::Knobs;
 use super::lesson::Lesson;
 use super::page::Page;
-use super::reel::Reel;
 use super::refusal::{Refusal, plain};
 use super::schema::MOST_HEIGHTS;
 use super::session::{RunKind, Session};
+use super::session_recording::SessionRecording;
 use super::sessions::Sessions;
 use super::site::{Intake, Reply, Request, Site};
 use super::stream::RecordingBytes;
@@ -50,7 +50,7 @@ const PATIENCE: Duration = Duration::from_millis(900);
 /// | `/api/describe`   | POST   | takes [`HeightKnobs`](super::HeightKnobs); the description of that file as they take it |
 /// | `/api/hold`       | POST   | takes a [`Hold`](super::Hold); the contact as a hand holds it, [`Held`](super::Held) |
 /// | `/run/ID.rrd`     | GET    | one of the latest recordings, as it grows                             |
-/// | `/api/runs`       | GET    | what is told of the latest recordings that are complete               |
+/// | `/api/runs`       | GET    | reports of the latest complete recordings               |
 /// | `/api/run/ID/NAME`| GET    | a facet of a run that has ended, such as `steps`                      |
 /// | `/save/ID.rrd`    | GET    | one of the latest recordings, once it is complete, to save            |
 /// | `/save/ID.npz`    | GET    | the arrays of the result behind one of them, to save                  |
@@ -101,7 +101,7 @@ impl Explorer {
             (_, "POST") => ordered(&session, request),
             ("/api/start", _) => Reply::json(&self.start),
             ("/api/lessons", _) => Reply::json(&self.lessons),
-            _ => told(&session, request),
+            _ => state_or_recording(&session, request),
         }
     }
 }
@@ -128,14 +128,14 @@ fn ordered(session: &Session, request: &Request<'_>) -> Reply {
     answer(done.map(|revision| json!({ "revision": revision })))
 }
 
-/// What a session tells.
-fn told(session: &Session, request: &Request<'_>) -> Reply {
+/// The reply about the state of a session, or with one of its recordings.
+fn state_or_recording(session: &Session, request: &Request<'_>) -> Reply {
     match request.path {
         "/api/observables" => Reply::json(&OBSERVABLES),
         "/api/state" => state(session, request.query),
-        "/api/runs" => Reply::json(&session.told()),
+        "/api/runs" => Reply::json(&session.reports()),
         "/api/heights" => Reply::json(&session.description()),
-        path => reel(session, path).or_else(|| facet(session, path)).unwrap_or_else(|| Reply::missing(path)),
+        path => recording(session, path).or_else(|| facet(session, path)).unwrap_or_else(|| Reply::missing(path)),
     }
 }
 
@@ -153,37 +153,37 @@ fn state(session: &Session, query: &str) -> Reply {
             let patience = if since.is_some() { PATIENCE } else { Duration::ZERO };
             Reply::json(&session.report(revision, patience))
         }
-        Err(_) => Reply::Error(400, "since is not a revision: give a whole number".into()),
+        Err(_) => Reply::Error(400, "`since` is not a revision: give a whole number".into()),
     }
 }
 
 /// A facet of one of the latest runs or sweeps, once it has ended; of a sweep there is its motion.
 fn facet(session: &Session, path: &str) -> Option<Reply> {
     let (id, name) = path.strip_prefix("/api/run/")?.split_once('/')?;
-    let (reel, facet) = (session.reel(id)?, FACETS.iter().find(|facet| facet.name == name)?);
-    if let Some(motion) = reel.swept().filter(|_| name == MOTION) {
+    let (recording, facet) = (session.recording(id)?, FACETS.iter().find(|facet| facet.name == name)?);
+    if let Some(motion) = recording.swept().filter(|_| name == MOTION) {
         return Some(Reply::json(&motion));
     }
-    Some(match reel.solved() {
+    Some(match recording.solved() {
         Some(solved) => Reply::json(&(facet.of)(&solved)),
-        None => Reply::Error(409, format!("{id} has no {name}: ask for those of a solve that has ended")),
+        None => Reply::Error(409, format!("{id} has no {name}: request it after the solve has ended")),
     })
 }
 
 /// One of the latest recordings, to show or to save, or the arrays of its result.
-fn reel(session: &Session, path: &str) -> Option<Reply> {
+fn recording(session: &Session, path: &str) -> Option<Reply> {
     let (folder, file) = path.strip_prefix('/')?.split_once('/')?;
     let (id, kind) = file.rsplit_once('.')?;
-    let reel = session.reel(id)?;
+    let recording = session.recording(id)?;
     match (folder, kind) {
-        ("run", "rrd") => Some(Reply::Recording(RecordingBytes::Live(reel.live), None)),
-        ("save", "rrd") => Some(saved_recording(reel)),
-        ("save", "npz") => Some(saved_arrays(&reel)),
+        ("run", "rrd") => Some(Reply::Recording(RecordingBytes::Live(recording.live), None)),
+        ("save", "rrd") => Some(saved_recording(recording)),
+        ("save", "npz") => Some(saved_arrays(&recording)),
         _ => None,
     }
 }
 
-/// What was asked for, or why it is refused.
+/// The requested data, or why they are refused.
 fn answer(done: Result<impl Serialize, Refusal>) -> Reply {
     match done {
         Ok(value) => Reply::json(&value),
@@ -191,7 +191,7 @@ fn answer(done: Result<impl Serialize, Refusal>) -> Reply {
     }
 }
 
-/// What JSON stands for.
+/// The value of a JSON text.
 fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, Refusal> {
     serde_json::from_slice(json).map_err(|error| Refusal(plain(&error)))
 }
@@ -203,18 +203,18 @@ fn file(request: &Request<'_>) -> HeightFile {
 }
 
 /// The recording under the name of its run, once it is complete.
-fn saved_recording(reel: Reel) -> Reply {
-    if reel.live.written().is_some() {
-        return Reply::Error(409, format!("{} still runs: wait for its end, or cancel it", reel.id));
+fn saved_recording(recording: SessionRecording) -> Reply {
+    if recording.live.written().is_some() {
+        return Reply::Error(409, format!("{} is still running: wait for its end, or cancel it", recording.id));
     }
-    Reply::Recording(RecordingBytes::Live(reel.live), Some(format!("{}.rrd", reel.file_stem)))
+    Reply::Recording(RecordingBytes::Live(recording.live), Some(format!("{}.rrd", recording.file_stem)))
 }
 
 /// The arrays under the name of their run, once there are any.
-fn saved_arrays(reel: &Reel) -> Reply {
-    match reel.solved().and_then(|solved| solved.archive()) {
-        Some(archive) => Reply::Download(format!("{}.npz", reel.file_stem), archive),
-        None => Reply::Error(409, format!("{} has no arrays: save those of a solve that has ended", reel.id)),
+fn saved_arrays(recording: &SessionRecording) -> Reply {
+    match recording.solved().and_then(|solved| solved.archive()) {
+        Some(archive) => Reply::Download(format!("{}.npz", recording.file_stem), archive),
+        None => Reply::Error(409, format!("{} has no arrays: save them after the solve has ended", recording.id)),
     }
 }
 

@@ -135,14 +135,14 @@ pub enum KnobKind {
     Number(NumericKnob),
     /// One of some names.
     Choice {
-        /// All names, in the order of the page; an empty one stands for no value.
+        /// All names, in the order of the page; an empty name means no value.
         options: &'static [&'static str],
         /// One of them.
         default: &'static str,
     },
     /// Several of some names.
     Choices {
-        /// All names, in the order of the page; one with spaces stands for several that go together.
+        /// All names, in the order of the page; a name with spaces means several values that belong together.
         options: &'static [&'static str],
         /// Some of them.
         default: &'static [&'static str],
@@ -154,12 +154,12 @@ pub enum KnobKind {
     },
     /// A length with its unit, or none.
     Length {
-        /// What a person may write.
+        /// The allowed values.
         example: &'static str,
     },
     /// Numbers of nodes with commas between, or none.
     Nodes {
-        /// What a person may write.
+        /// The allowed values.
         example: &'static str,
     },
 }
@@ -276,7 +276,7 @@ pub fn check(state: &Value) -> Result<(), Refusal> {
     KNOBS.iter().try_for_each(|knob| knob.check(state))
 }
 
-/// A number as people write it: whole ones in all digits.
+/// A number as a user writes it: whole ones in all digits.
 fn in_words(value: f64) -> String {
     if value.fract() == 0.0 && value.abs() < 1e15 { format!("{value}") } else { number_in_words(value) }
 }

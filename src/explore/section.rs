@@ -1,4 +1,4 @@
-//! The section through a contact that the page draws by itself.
+//! The section through a contact, which the page draws without the viewer.
 
 use crate::contact::{Contact, Problem, Step};
 use crate::elastic::stress::highest_row;
@@ -20,8 +20,9 @@ const POISSON: f64 = 0.3;
 /// A contact along a line, or along the row of a surface in which the pressure is largest. A column shows the node at which the rigid surface
 /// is highest in it, which touches first and is the same node at all loads. Lengths are in metres, pressures over the contact modulus.
 ///
-/// Heights are measured upwards from the surface of the unloaded solid. A displacement `u` points into the solid, so the solid's surface
-/// stands at `-u` and the rigid surface at `gap - u`, the negative of its heights but for a constant: its shape is the same at all loads.
+/// Heights are measured upwards from the surface of the unloaded solid. A displacement `u` points into the solid, so
+/// the solid's surface stands at `-u` and the rigid surface at `gap - u`, the negative of its heights, up to a
+/// constant: its shape is the same at all loads.
 #[derive(Clone, Serialize)]
 pub struct Section {
     /// Length of the section.
@@ -100,7 +101,7 @@ impl Section {
         Self::along(step.problem(), row, [pressure, gap, centred.view()], step.mean_gap(), STEP_COLUMNS)
     }
 
-    /// The section along a row with its pressure, gap and displacement, in at most so many columns.
+    /// The section along a row with its pressure, gap and displacement, in at most `most` columns.
     fn along(problem: &Problem, row: usize, fields: [ArrayView1<'_, f64>; 3], mean_gap: f64, most: usize) -> Self {
         let grid = problem.surface().grid();
         let [pressure, gap, displacement] = fields;

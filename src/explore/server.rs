@@ -24,7 +24,7 @@ use std::time::Duration;
 
 /// Requests answered at the same time; further ones wait.
 const THREADS: usize = 32;
-/// Ports tried after the one asked for.
+/// Number of ports that are tried after the given one.
 const FURTHER_PORTS: u16 = 32;
 /// Longest time that the head of a request, and its body, may take.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -42,8 +42,7 @@ pub struct Server {
 impl Server {
     /// Takes `port`, or the next one that is free; 0 takes any.
     ///
-    /// # Errors
-    /// If none of them can be had.
+    /// # Errors If none of them is free.
     pub fn bind(port: u16) -> io::Result<Self> {
         let bind = |port| TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
         let mut bound = bind(port);
@@ -125,11 +124,12 @@ async fn termination() -> io::Result<()> {
     std::future::pending().await
 }
 
-/// The right to send a body beyond those of orders, which one request has at a time: so many of them cannot fill the memory.
+/// The right to send a body beyond those of orders, which one request has at a time, so that requests cannot fill the
+/// memory.
 struct Delivery(Arc<AtomicBool>);
 
 impl Delivery {
-    /// The right, if nobody has it.
+    /// The right, if no other request has it.
     fn begin(taken: &Arc<AtomicBool>) -> Option<Self> {
         (!taken.swap(true, Ordering::AcqRel)).then(|| Self(Arc::clone(taken)))
     }
@@ -156,7 +156,10 @@ async fn answer<S: Site>(State((site, port, taken)): State<Served<S>>, request: 
     let delivery = (most > Intake::JSON.most).then(|| Delivery::begin(&taken));
     if let Some(None) = delivery {
         tokio::time::timeout(PATIENCE, pass(body, most)).await.ok();
-        return response(Reply::Error(503, "another file is on its way: wait for its end, and send it again".into()));
+        return response(Reply::Error(
+            503,
+            "another file is being sent: wait until it has arrived, and send this one again".into(),
+        ));
     }
     let body = match tokio::time::timeout(PATIENCE, to_bytes(body, most)).await {
         Ok(Ok(body)) => body,
@@ -172,8 +175,8 @@ async fn answer<S: Site>(State((site, port, taken)): State<Served<S>>, request: 
     response(replied.unwrap_or_else(|_| Reply::Error(500, "the request could not be answered".into())))
 }
 
-/// Reads a body and forgets it, at most so many bytes: a sender who is refused before all is sent would see a broken connection in place
-/// of the answer.
+/// Reads and discards at most `most` bytes of a body: a sender who is refused before everything is sent would see a
+/// broken connection instead of the answer.
 async fn pass(mut body: Body, most: usize) {
     let mut left = most;
     while let Some(Ok(frame)) = poll_fn(|context| Pin::new(&mut body).poll_frame(context)).await {

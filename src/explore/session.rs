@@ -5,9 +5,9 @@ use super::hand::{Held, Hold};
 use super::height_knobs::HeightKnobs;
 use super::knobs::Knobs;
 use super::motion::Motion;
-use super::reel::{Ended, RecordingReport, Reel, SolvedRun};
 use super::refusal::Refusal;
 use super::report::{KnownFault, Numbers, Report, SweepReport};
+use super::session_recording::{Ended, RecordingReport, SessionRecording, SolvedRun};
 use super::source::{SceneFile, SurfaceSource};
 use super::step_numbers::StepNumbers;
 use crate::contact::{Contact, Failure};
@@ -27,7 +27,7 @@ const RECORDINGS: usize = 6;
 /// Lengths of a window in points.
 const WINDOW: RangeInclusive<f64> = 1.0..=1e5;
 
-/// A file of heights, and what the page was told of it last.
+/// A file of heights, and its last description for the page.
 pub type Heights = (HeightFile, Description);
 
 /// What a session begins with, if there is any: a file of heights, and a scene.
@@ -56,41 +56,41 @@ struct SessionState {
     running: bool,
     closed: bool,
     /// The latest recordings, the newest last.
-    recordings: VecDeque<Reel>,
+    recordings: VecDeque<SessionRecording>,
     heights: Option<Heights>,
     scene: Option<Arc<SceneFile>>,
     every: Option<usize>,
-    /// Width and height of the viewer on the page in points, if the page has told them.
+    /// Width and height of the viewer on the page in points, if the page has sent them.
     window: Option<[f64; 2]>,
 }
 
 impl SessionState {
     /// Keeps a recording, and drops the oldest one that is not pinned.
-    fn keep(&mut self, reel: Reel) {
-        self.recordings.push_back(reel);
+    fn keep(&mut self, recording: SessionRecording) {
+        self.recordings.push_back(recording);
         if self.recordings.len() > RECORDINGS {
-            let is_free = |reel: &Reel| Some(&reel.id) != self.report.pinned.as_ref();
+            let is_free = |recording: &SessionRecording| Some(&recording.id) != self.report.pinned.as_ref();
             self.recordings.iter().position(is_free).map(|place| self.recordings.remove(place));
         }
     }
 
-    fn reel(&self, id: &str) -> Option<&Reel> {
-        self.recordings.iter().find(|reel| reel.id == id)
+    fn recording(&self, id: &str) -> Option<&SessionRecording> {
+        self.recordings.iter().find(|recording| recording.id == id)
     }
 
     /// Notes what came of a recording.
     fn end(&mut self, id: &str, ended: Ended) {
-        let reel = self.recordings.iter_mut().find(|reel| reel.id == id);
-        reel.into_iter().for_each(|reel| reel.ended = Some(ended.clone()));
+        let recording = self.recordings.iter_mut().find(|recording| recording.id == id);
+        recording.into_iter().for_each(|recording| recording.ended = Some(ended.clone()));
     }
 
     /// The curves of the recording that is pinned.
     fn ghost(&self) -> Option<Arc<Ghost>> {
-        Some(Arc::clone(&self.reel(self.report.pinned.as_ref()?)?.solved()?.curves))
+        Some(Arc::clone(&self.recording(self.report.pinned.as_ref()?)?.solved()?.curves))
     }
 }
 
-/// An order of the page: what is to be done with the knobs and the setup that they stand for.
+/// An order of the page: what to do with the knobs and the setup that they describe.
 pub struct Order {
     pub kind: RunKind,
     pub knobs: Knobs,
@@ -123,8 +123,8 @@ impl Session {
         Self { state: Mutex::new(state), hand: Mutex::default(), changed: Condvar::new() }
     }
 
-    /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it.
-    /// Knobs that stand for nothing are refused; what runs then goes on.
+    /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it. Invalid knobs
+    /// are refused; a running solve then continues.
     pub(super) fn order(&self, kind: RunKind, knobs: Knobs) -> Result<u64, Refusal> {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
@@ -146,7 +146,7 @@ impl Session {
         if !size.iter().all(|length| WINDOW.contains(length)) {
             let [width, height] = size;
             return Err(Refusal(format!(
-                "a viewer of {width} x {height} points cannot be: give lengths from 1 to 100000"
+                "a viewer cannot have {width} x {height} points: give lengths from 1 to 100000"
             )));
         }
         self.lock().window = Some(size);
@@ -165,13 +165,13 @@ impl Session {
         Ok(state.heights.as_ref().map(|(file, _)| SurfaceSource::Heights(file.clone())))
     }
 
-    /// Solves the contact under the hand, while what runs goes on.
+    /// Solves the contact that is dragged, while a running solve continues.
     pub(super) fn hold(&self, hold: &Hold) -> Result<Held, Refusal> {
         let source = self.source_of(hold.knobs())?;
         hold.solve(source.as_ref(), &mut self.hand.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Takes a file of heights in the place of the one before, and describes it with the steps that it needs.
+    /// Replaces the file of heights, and describes it with the preparation steps that it needs.
     ///
     /// # Errors
     /// For a file that cannot be read; the one before is then kept.
@@ -194,7 +194,7 @@ impl Session {
         Ok(description)
     }
 
-    /// What the page was told of the file of heights last, if there is one.
+    /// The last description of the file of heights for the page, if there is a file.
     pub(super) fn description(&self) -> Option<Description> {
         self.lock().heights.as_ref().map(|(_, description)| description.clone())
     }
@@ -225,7 +225,7 @@ impl Session {
 
     /// Has the curves of the recording of that name, if it can still be read, stand beside those of new ones, or of none.
     pub(super) fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
-        if let Some(name) = name.as_ref().filter(|name| self.reel(name).is_none()) {
+        if let Some(name) = name.as_ref().filter(|name| self.recording(name).is_none()) {
             return Err(Refusal(format!(
                 "there is no recording {name:?} to pin: choose one of the latest {RECORDINGS}"
             )));
@@ -234,13 +234,13 @@ impl Session {
     }
 
     /// The recording of that name, if it is one of the latest.
-    pub(super) fn reel(&self, name: &str) -> Option<Reel> {
-        self.lock().reel(name).cloned()
+    pub(super) fn recording(&self, name: &str) -> Option<SessionRecording> {
+        self.lock().recording(name).cloned()
     }
 
-    /// What is told of the latest recordings that are complete, from the oldest one on.
-    pub(super) fn told(&self) -> Vec<RecordingReport> {
-        self.lock().recordings.iter().filter_map(Reel::told).collect()
+    /// Reports of the latest complete recordings, oldest first.
+    pub(super) fn reports(&self) -> Vec<RecordingReport> {
+        self.lock().recordings.iter().filter_map(SessionRecording::report).collect()
     }
 
     /// Waits for an order; none when the session is closed.
@@ -286,11 +286,11 @@ impl Turn<'_> {
         self.session.lock().ghost()
     }
 
-    pub fn keep(self, reel: Reel) {
-        self.session.change(|state| state.keep(reel));
+    pub fn keep(self, recording: SessionRecording) {
+        self.session.change(|state| state.keep(recording));
     }
 
-    pub fn tell(self, news: impl FnOnce(&mut Report)) {
+    pub fn update_report(self, news: impl FnOnce(&mut Report)) {
         self.session.change(|state| news(&mut state.report));
     }
 

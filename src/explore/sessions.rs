@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 /// The most sessions at the same time, each with a solver thread and recordings of its own.
 const MOST: usize = 4;
-/// Time after which a session from which nobody has asked anything may make room for a new one; a page that is open asks every second.
+/// Time without requests after which a new session may replace a session; an open page sends a request every second.
 const IDLE: Duration = Duration::from_secs(60);
 
 /// The sessions of a server.
@@ -50,15 +50,16 @@ impl Sessions {
         Self { stock, open: Mutex::default() }
     }
 
-    /// Begins a session, whose runs are numbered on from `after`, and returns its name. If there is no room for it, the one that was
-    /// not asked for the longest time ends, if that is long enough.
+    /// Begins a session, whose runs are numbered on from `after`, and returns its name. If there is no room for it, the
+    /// one that was without requests for the longest time ends, if that time is long enough.
     pub(super) fn begin(&self, after: u32) -> Result<String, Refusal> {
         let mut open = self.lock();
         if open.len() >= MOST {
             let longest = (0..open.len()).filter(|&i| open[i].is_idle()).min_by_key(|&i| open[i].asked);
             let all_live = || {
                 Refusal(format!(
-                    "{MOST} tabs are open here, which is all that this server has room for: close one of them, and this page goes on by itself"
+                    "{MOST} tabs are open, which is the limit of this server: close one of them, and this page \
+                     continues"
                 ))
             };
             open.remove(longest.ok_or_else(all_live)?).session.close();
@@ -69,7 +70,7 @@ impl Sessions {
         Ok(name)
     }
 
-    /// The session of a name, which then counts as asked.
+    /// The session with this name. This counts as a request.
     pub(super) fn session(&self, name: &str) -> Option<Arc<Session>> {
         let mut open = self.lock();
         let found = open.iter_mut().find(|it| it.name == name)?;
@@ -102,7 +103,7 @@ impl Open {
     }
 }
 
-/// A name that nobody guesses: 128 bits from keys that the system gives to the process.
+/// A name that cannot be guessed: 128 bits from random keys of the system.
 fn unguessable() -> String {
     let keys = RandomState::new();
     format!("{:016x}{:016x}", keys.hash_one(0), keys.hash_one(1))

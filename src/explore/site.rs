@@ -41,14 +41,14 @@ impl Reply {
     }
 
     pub fn wrong_method(right: &str) -> Self {
-        Self::Error(405, format!("only {right} is answered here"))
+        Self::Error(405, format!("only {right} is accepted here"))
     }
 }
 
 /// The bodies that a path takes.
 #[derive(Clone, Copy)]
 pub struct Intake {
-    /// Their MIME type, which is none of those that pages of others may send without asking.
+    /// Their MIME type, which pages of other origins cannot send without permission.
     pub kind: &'static str,
     /// Their largest size in bytes.
     pub most: usize,

@@ -1,10 +1,10 @@
-//! One solve, recorded and reported as it goes.
+//! One solve, recorded and reported while it runs.
 
 use super::knobs::Knobs;
 use super::motion::Motion;
-use super::reel::Reel;
 use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
 use super::session::Turn;
+use super::session_recording::SessionRecording;
 use super::step_numbers::StepNumbers;
 use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
 use crate::error::{SetupError, SolveError};
@@ -18,7 +18,8 @@ use std::time::{Duration, Instant};
 /// Time between two reports of a running solve.
 const INTERVAL: Duration = Duration::from_millis(60);
 
-/// Solves the setup that the knobs stand for, and the one beside it under the same mean pressure, until all is done or the turn over.
+/// Solves the setup that the knobs describe, and the one beside it under the same mean pressure, until both are solved
+/// or the turn is over.
 pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) -> Result<(), Failure> {
     let problem = setup.problem()?;
     let beside = beside.map(|beside| pressed_alike(beside, &problem)).transpose()?;
@@ -49,8 +50,8 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     });
     let job = job.recorded_with(options, |scenes, options| {
         let (recording, live) = Recording::live(&id, scenes, options)?;
-        turn.keep(Reel::new(&id, &file_stem, live));
-        turn.tell(|news| news.run = Some(report));
+        turn.keep(SessionRecording::new(&id, &file_stem, live));
+        turn.update_report(|news| news.run = Some(report));
         Ok(recording)
     });
     let mut watch = RunCollector {
@@ -62,7 +63,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     };
     let solved = job.run(&mut watch)?.solved;
     let doubts = doubts(&solved);
-    turn.tell(|news| news.run.iter_mut().for_each(|run| run.warnings.clone_from(&doubts)));
+    turn.update_report(|news| news.run.iter_mut().for_each(|run| run.warnings.clone_from(&doubts)));
     let mut contacts = solved.into_iter().map(|solved| solved.contact);
     let (contact, other) = (contacts.next().expect("a job solves its first run"), contacts.next());
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
@@ -73,7 +74,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     Ok(())
 }
 
-/// A setup under the mean pressure of a problem, and the problem that it stands for.
+/// A setup under the mean pressure of a problem, and its problem.
 fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Failure> {
     let setup = Setup { load: Load::MeanPressure(other.expected_mean_pressure()), ..setup };
     let problem = setup.problem()?;
@@ -90,7 +91,7 @@ fn doubts(solved: &[Solved]) -> Vec<RunWarning> {
 
 /// What each step of the preparation came to.
 fn prepared(setup: &Setup, surface: &Surface) -> Result<Vec<String>, SetupError> {
-    let of = |file| Ok(setup.surface.prepared(file, surface.grid())?.told);
+    let of = |file| Ok(setup.surface.prepared(file, surface.grid())?.effects);
     setup.surface.height.as_ref().map_or(Ok(Vec::new()), of)
 }
 
@@ -130,7 +131,7 @@ impl Observer for ProgressReport<'_, '_> {
         if let Some(reported) = self.reported.as_mut().filter(|reported| reported.elapsed() >= INTERVAL) {
             **reported = Instant::now();
             let numbers = Numbers::from_step(step);
-            self.turn.tell(|news| {
+            self.turn.update_report(|news| {
                 if let Some(run) = &mut news.run {
                     run.numbers = Some(numbers);
                 }

@@ -1,4 +1,4 @@
-//! A recording on its way to the browser, while it is still written.
+//! A recording that is sent to the browser while it is being written.
 
 use crate::record::Output;
 use axum::body::{Body, Bytes};
@@ -16,7 +16,7 @@ const PAUSE: Duration = Duration::from_millis(10);
 pub enum RecordingBytes {
     /// Being written, or written, by this process.
     Live(Output),
-    /// A file that a person named.
+    /// A file that the user named.
     File(File),
 }
 

@@ -1,11 +1,11 @@
-//! Contact from first touch to full, load by load, recorded as it goes.
+//! A sweep of the load from first touch to full contact, recorded load by load.
 
 use super::knobs::Knobs;
 use super::motion::Motion;
-use super::reel::Reel;
 use super::report::{ExactNumbers, SweepPoint, SweepReport, file_stem};
 use super::section::Section;
 use super::session::Turn;
+use super::session_recording::SessionRecording;
 use crate::contact::{Contact, Each, Failure, Law, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
 use crate::plot::Colour;
@@ -14,13 +14,13 @@ use crate::setup::{Part, Setup, Solid};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
 
-/// Loads of a sweep: `p*` from its first value on, so many to a decade, up to the last if contact is not full before.
+/// Loads of a sweep: first value of `p*`, loads per decade, and last value, unless contact is full before.
 const FIRST: f64 = 1e-4;
 const LAST: f64 = 1e2;
 const PER_DECADE: f64 = 12.0;
-/// Contact counts as full from this share of the area on.
+/// Relative area from which the contact counts as full.
 const FULL: f64 = 0.9999;
-/// Below so many nodes in contact the numbers mean little.
+/// With fewer nodes in contact than this, the numbers are not accurate.
 const FEWEST_NODES: usize = 4;
 
 /// A curve of the recording: its view, name, kind and colour, and its value at a point.
@@ -72,7 +72,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     };
     let heaviest = at_load(&problem, heaviest(&loads))?;
     let (recording, live) = record(turn, &report, &setup, &heaviest, &loads, &curves)?;
-    turn.keep(Reel::new(&report.id, &report.file_stem, live));
+    turn.keep(SessionRecording::new(&report.id, &report.file_stem, live));
     let mut press = Press {
         turn,
         setup: &setup,
@@ -82,7 +82,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
         row: None,
         motion: Motion::default(),
     };
-    press.tell();
+    press.publish();
     let pressed = press.all(&problem, &loads);
     press.report.ended = true;
     let Press { report, motion, .. } = press;
@@ -118,7 +118,7 @@ fn exact(setup: &Setup, problem: &Problem) -> Option<Exact> {
     setup.exact(problem.surface().grid(), problem.expected_mean_pressure())
 }
 
-/// Begins the recording: the pictures that were asked for, and always curves and contact.
+/// Begins the recording: the requested pictures, and always curves and contact.
 fn record(
     turn: Turn<'_>,
     report: &SweepReport,
@@ -130,7 +130,7 @@ fn record(
     let (title, description) = (report.title.clone(), setup.surface.description());
     let loads = Loads {
         title: title.clone(),
-        description: format!("{description}, each load from the contact before, until contact is full."),
+        description: format!("{description}, each load solved from the previous contact, until the contact is full."),
         axis: LoadAxis::log("p*", loads.to_vec()),
         captions: loads.iter().map(|load| Load::ReducedPressure(*load).to_string()).collect(),
         curves: curves
@@ -150,7 +150,7 @@ fn record(
     Ok(LoadRecording::live(&report.id, &loads, turn.options(&parts))?)
 }
 
-/// A sweep on its way.
+/// A running sweep.
 struct Press<'a> {
     turn: Turn<'a>,
     setup: &'a Setup,
@@ -201,11 +201,11 @@ impl Press<'_> {
         self.report.points.push(point);
         let row = *self.row.get_or_insert_with(|| contact.highest_row());
         self.motion.add_load(number, Section::from_load(contact, row));
-        self.tell();
+        self.publish();
         Ok(())
     }
 
-    fn tell(&self) {
-        self.turn.tell(|news| news.sweep = Some(self.report.clone()));
+    fn publish(&self) {
+        self.turn.update_report(|news| news.sweep = Some(self.report.clone()));
     }
 }

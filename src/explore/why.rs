@@ -1,13 +1,13 @@
-//! Why a run took as long as it did, as the page tells it.
+//! Why a run took so many steps, for the page.
 
-use super::reel::SolvedRun;
+use super::session_recording::SolvedRun;
 use crate::contact::{Observer, Step, Wish};
 use crate::diagnosis::{Diagnosis, Findings, Reference, SpectrogramRow};
 use serde::Serialize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// The most steps whose errors are told.
+/// Largest number of steps whose errors are reported.
 const MOST_STEPS: usize = 240;
 
 /// What held a run up, and what it did meanwhile.
@@ -32,7 +32,7 @@ struct Errors {
     rows: Vec<Vec<f64>>,
 }
 
-/// What the solver decided, stretch by stretch of steps on which it did the same on the same grid level.
+/// What the solver did, stretch by stretch of steps on which it did the same on the same grid level.
 #[derive(Default, Serialize)]
 struct Decisions {
     stretches: Vec<Stretch>,

@@ -12,7 +12,7 @@ use serde::Serialize;
 pub struct Assessment {
     /// The certificate of its pressure as it is, under the load that it carries: infinite with any tension.
     pub given: Certificate,
-    /// How far the prescribed load is missed, over it; 0 at a mean gap, of which the certificates tell.
+    /// Relative error of the prescribed load; 0 at a mean gap, whose error the certificate contains.
     pub load_error: f64,
     /// Negative pressures.
     pub tension: Tension,
@@ -44,7 +44,7 @@ pub struct Spot {
 pub struct Disagreement {
     /// How many they are.
     pub nodes: usize,
-    /// The worst of them, and its gap over the rms height; none where there are none.
+    /// The worst of them, and its gap divided by the rms height; none if there is no such node.
     pub worst: Option<Spot>,
 }
 

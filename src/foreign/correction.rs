@@ -1,4 +1,4 @@
-//! What may have gone wrong with a result on its way, and the claim without it.
+//! A possible mistake in a result, and the result without it.
 
 use super::arrangement::Arrangement;
 use super::claim::{Claim, ClaimedState};
@@ -18,7 +18,7 @@ pub(super) enum MistakeKind {
     Sign,
     /// The peaks point the other way.
     Heights,
-    /// The modulus, or the size or unit that goes with it, is off by a factor.
+    /// The modulus is wrong by a factor, or the size or a unit.
     Modulus,
     /// The pressures are off by a factor.
     #[strum(serialize = "pressure-factor")]

@@ -2,7 +2,7 @@
 
 use crate::grid::Grid;
 
-/// Relative distance at which two factors are the same: what a fit to a result of a few digits tells.
+/// Relative difference up to which two factors count as equal: the accuracy of a fit to a result of a few digits.
 const SAME: f64 = 0.01;
 /// Range of `1 - nu^2` for Poisson's ratios from 0.17 to 0.5.
 const OF_POISSON: [f64; 2] = [0.75, 0.97];
@@ -24,12 +24,13 @@ impl Factor {
         Self { sentence, is_known }
     }
 
-    /// The cause of a modulus that is so many times too large, and of one that is as many times too small.
+    /// The cause of a modulus that is too large by this factor, and of one that is too small by it.
     fn cause_of_modulus(factor: f64, poisson: &[f64]) -> Option<(String, String)> {
         if is_same(factor, 2.0) {
             return Some((
-                "half of it is that of two equal bodies, 1/E* = 2 (1 - nu^2)/E".into(),
-                "the pressures are those of one elastic body, 1/E* = (1 - nu^2)/E, or of a kernel with E* for E*/2"
+                "half of this value is the contact modulus of two equal bodies, 1/E* = 2 (1 - nu^2)/E".into(),
+                "the pressures are those of one elastic body, 1/E* = (1 - nu^2)/E, or of a kernel with E* instead of \
+                 E*/2"
                     .into(),
             ));
         }
@@ -38,8 +39,10 @@ impl Factor {
         let nu = poisson.iter().copied().find(is_poisson).or_else(|| is_any.then(|| (1.0 - factor).sqrt()));
         if let Some(nu) = nu {
             return Some((
-                format!("by 1 - nu^2 for nu = {nu:.2}, as of Young's modulus E given for E* = E/(1 - nu^2)"),
-                format!("by 1 - nu^2 for nu = {nu:.2}, as of pressures that were found with E for E* = E/(1 - nu^2)"),
+                format!("by 1 - nu^2 for nu = {nu:.2}, as if Young's modulus E was given instead of E* = E/(1 - nu^2)"),
+                format!(
+                    "by 1 - nu^2 for nu = {nu:.2}, as if the pressures were computed with E instead of E* = E/(1 - nu^2)"
+                ),
             ));
         }
         let unit = of_unit(factor)?;
@@ -50,8 +53,8 @@ impl Factor {
     pub fn from_pressure(factor: f64, grid: &Grid) -> Self {
         let [dy, dx] = grid.spacing();
         let forces = [
-            (dx, "forces per width: divide them by the spacing dx"),
-            (dx * dy, "forces of nodes: divide them by dx dy"),
+            (dx, "forces per unit width: divide them by the spacing dx"),
+            (dx * dy, "forces at the nodes: divide them by dx dy"),
         ];
         let force = forces.into_iter().skip(usize::from(!grid.is_line())).find(|(cell, _)| is_same(factor * cell, 1.0));
         if let Some((cell, words)) = force {

@@ -37,8 +37,8 @@ impl Fault {
     }
 }
 
-/// How far the load that is prescribed is missed by the pressure as it is: over it, or 0 at a mean gap, of which the certificate
-/// tells.
+/// How far the load that is prescribed is missed by the pressure as it is: relative to it, or 0 at a mean gap, whose
+/// error the certificate contains.
 pub(super) fn load_error(state: &ClaimedState) -> f64 {
     let mean = state.pressure.iter().sum::<f64>() / state.pressure.len() as f64;
     state.problem.mean_pressure().map_or(0.0, |prescribed| (mean / prescribed - 1.0).abs())

@@ -27,7 +27,7 @@ pub struct Follow<'a> {
 }
 
 impl<'a> Follow<'a> {
-    /// Follows a folder until nothing has come for some time, if a time is given, or `is_over` says so.
+    /// Follows a folder until no new step has come for the given time, if any, or until `is_over` returns true.
     ///
     /// # Errors
     /// [`FileError::Read`] for a folder that cannot be read.

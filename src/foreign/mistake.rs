@@ -17,12 +17,12 @@ const FEWEST: f64 = 12.0;
 
 /// An everyday error that explains why a claim fails: without it the claim holds, or comes close to that.
 ///
-/// # How it is recognised
-/// Each error is undone in turn, and the claim is certified again, by a transform pair or two. What counts is its fault, of first
-/// order in the error of the pressure: the largest of the bound of its relative error in the energy norm, the share of tension, and
-/// the relative error of the load. An error is recognised where the fault falls tenfold, and to 0.01 at the most, with a load that is
-/// spread over a dozen nodes. Errors are tried alone first, and in pairs if none explains it alone. Those that explain it equally
-/// well, as flipped heights and a shift by half the cell of a sine do, are all told.
+/// # How it is recognised Each error is undone in turn, and the claim is certified again, by a transform pair or two.
+/// What counts is its fault, of first order in the error of the pressure: the largest of the bound of its relative
+/// error in the energy norm, the share of tension, and the relative error of the load. An error is recognised where the
+/// fault falls tenfold, and to at most 0.01, with a load that is spread over a dozen nodes. Errors are tried alone
+/// first, and in pairs if none explains it alone. Those that explain it equally well, as flipped heights and a shift by
+/// half the cell of a sine do, are all reported.
 ///
 /// A result that is just not converged does not fit anything else either, so nothing is found. A factor is the one with which the
 /// surface is level under the pressure, by least squares, or with which pressure and gap do no work; factors within 3 % of 1 are
@@ -55,8 +55,8 @@ struct CorrectedClaim {
 }
 
 impl Claim {
-    /// The everyday errors that explain why the claim fails, each a sentence with what to do; none where it holds, or fails for
-    /// another reason. Poisson's ratios of the solid, where they are known, tell some of the factors.
+    /// The everyday errors that explain why the claim fails, each a sentence with what to do; none where it holds, or
+    /// fails for another reason. Poisson's ratios of the solid, if known, explain some of the factors.
     pub fn mistakes(&self, poisson: &[f64]) -> Vec<Mistake> {
         let given = Fault::from_claim(self).map_or(f64::INFINITY, |fault| fault.size);
         let explains =
@@ -70,18 +70,18 @@ impl Claim {
             true => pairs().filter_map(|pair| CorrectedClaim::new(self, &pair)).filter(explains).collect(),
             false => alone,
         };
-        self.told(trials, poisson)
+        self.reported(trials, poisson)
     }
 
-    /// The best of some trials, in words. Of factors that have a known cause only these are told.
-    fn told(&self, trials: Vec<CorrectedClaim>, poisson: &[f64]) -> Vec<Mistake> {
+    /// The best trials, in words. If some factors have a known cause, only these are reported.
+    fn reported(&self, trials: Vec<CorrectedClaim>, poisson: &[f64]) -> Vec<Mistake> {
         let best = trials.iter().map(|trial| trial.fault.size).fold(f64::INFINITY, f64::min);
         let factor = |trial: &CorrectedClaim| trial.changes.iter().find_map(|change| self.factor(change, poisson));
         let is_known = trials.iter().filter_map(factor).any(|factor| factor.is_known());
-        let is_told = |trial: &&CorrectedClaim| {
+        let is_reported = |trial: &&CorrectedClaim| {
             trial.fault.size <= FAR * best && factor(trial).is_none_or(|factor| factor.is_known() || !is_known)
         };
-        trials.iter().filter(is_told).map(|trial| self.mistake(trial, poisson)).collect()
+        trials.iter().filter(is_reported).map(|trial| self.mistake(trial, poisson)).collect()
     }
 
     /// The factor of an error that has one.
@@ -98,7 +98,11 @@ impl Claim {
         let certificate = trial.fault.certificate;
         Mistake {
             errors: trial.changes.iter().map(|change| change.kind.name()).collect(),
-            sentence: format!("{}; then the certificate is {:.1e}", sentences.join("; and "), certificate.eta),
+            sentence: format!(
+                "{}; with this change the certificate is {:.1e}",
+                sentences.join("; and "),
+                certificate.eta
+            ),
             certificate: certificate.eta,
             pressure_error_bound: certificate.pressure_error_bound,
         }
@@ -113,17 +117,19 @@ impl Claim {
         match change.kind {
             MistakeKind::Arrangement(order) => {
                 let remedy = order.remedy(name, self.surface.grid());
-                format!("the {name}s {} against the heights: give {remedy}", order.words())
+                format!("the {name}s {} relative to the heights: give {remedy}", order.words())
             }
             MistakeKind::Quantity if self.quantity == Quantity::Gap => {
-                "the field is no gap but the displacement: give it by --displacement".into()
+                "the field is the displacement, not the gap: give it with --displacement".into()
             }
-            MistakeKind::Quantity => "the field is no displacement but the gap: give it by --gap".into(),
-            MistakeKind::Heights => "the heights point away from the solid: give -height, with peaks positive".into(),
+            MistakeKind::Quantity => "the field is the gap, not the displacement: give it with --gap".into(),
+            MistakeKind::Heights => {
+                "the heights have the wrong sign: give -height, so that peaks towards the solid are positive".into()
+            }
             _ => match self.quantity {
                 Quantity::Pressure => "the pressures are negative in compression: give -pressure".into(),
                 Quantity::Gap => "the gaps are negative where the surfaces are apart: give -gap".into(),
-                Quantity::Displacement => "the displacements point out of the solid: give -displacement".into(),
+                Quantity::Displacement => "the displacements are positive out of the solid: give -displacement".into(),
             },
         }
     }

@@ -30,13 +30,13 @@ impl Quantity {
         self.into()
     }
 
-    /// The pressure that `values` of this quantity, row by row, stand for: values of a pressure as they are, and else the pressure that makes the
-    /// displacement.
+    /// The pressure that corresponds to `values` of this quantity, row by row: a pressure is taken as it is; else it is
+    /// the pressure that makes the displacement.
     ///
-    /// A gap `g = u - h + d` tells the displacement but for its mean, and the stiffness `K` makes of it `K u`, the pressure less its
-    /// mean. The mean is the one that is prescribed or, at a given mean gap, the one that leaves no work: `<p g> = 0`. Rounding
-    /// of `u` is rough, and comes out of `K` much enlarged; its size shows in the largest tension, so where the surfaces are apart
-    /// a pressure up to twice as large counts as none.
+    /// A gap `g = u - h + d` determines the displacement except for its mean. The stiffness `K` gives `K u`, the
+    /// pressure less its mean. The mean is the one that is prescribed or, at a given mean gap, the one that leaves no
+    /// work: `<p g> = 0`. Rounding of `u` is rough, and comes out of `K` much enlarged; its size shows in the largest
+    /// tension, so where the surfaces are apart a pressure up to twice as large counts as none.
     ///
     /// # Panics
     /// If the length of `values` does not fit the grid.

@@ -18,11 +18,12 @@ pub struct Frame {
     pub seconds: Option<f64>,
 }
 
-/// The steps of another code in the place of a solver: they are certified and shown like those of any other, to the last one, whether it holds or not.
+/// The steps of another code, as a solver: all of them are certified and shown like those of any solver, even after one
+/// has converged.
 ///
-/// The pressure of a step is clipped and scaled to the load where it is not feasible. The contact that comes back is that of the
-/// last step, and is converged if that meets the goals. Work is that of the other code: steps, and seconds where they are known, or else
-/// none. Frames that cannot be had end the run with the failure that they give.
+/// The pressure of a step is clipped and scaled to the load where it is not feasible. The contact that comes back is
+/// that of the last step, and is converged if that meets the goals. Work is that of the other code: steps, and seconds
+/// where they are known, or else none. A frame that cannot be read ends the run with its failure.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Each, Load, Solver};

@@ -29,7 +29,8 @@ pub struct Steps<P> {
     count: usize,
 }
 
-/// The files with steps among `paths`, of which folders stand for all such files in them, in natural order: `step2` before `step10`.
+/// The files with steps among `paths`, and all such files in the folders among them, in natural order: `step2` before
+/// `step10`.
 ///
 /// # Errors
 /// [`FileError::Read`] for a folder that cannot be read.

@@ -36,7 +36,8 @@ impl Filter {
         Self::with_used_rows(grid, grid.shape()[0])
     }
 
-    /// Plans the transforms of fields on a surface's `grid` of which only the first rows are not zero, and only those are asked for.
+    /// Plans the transforms of fields on a surface's `grid` of which only the first rows are not zero, and only these
+    /// rows are needed.
     pub fn with_used_rows(grid: &Grid, used_rows: usize) -> Self {
         if !grid.is_line() {
             return Self::Surface(SurfaceFilter::new(grid, used_rows));

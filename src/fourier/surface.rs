@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 /// Bands of columns are transformed, scaled and transformed back while they are in the cache.
 pub(crate) struct SurfaceFilter {
     shape: [usize; 2],
-    /// Rows that are not all zero, and asked for; the first ones.
+    /// The first rows, which are not all zero and are needed.
     used_rows: usize,
     plans: Plans,
     /// `q_x` of each column and `q_y^2` of each row up to Nyquist; the other rows are their mirror images.
@@ -24,7 +24,7 @@ pub(crate) struct SurfaceFilter {
 }
 
 impl SurfaceFilter {
-    /// Plans the transforms of fields of which only the first `used_rows` are not zero and only those are asked for.
+    /// Plans the transforms of fields of which only the first `used_rows` are not zero, and only these rows are needed.
     pub fn new(grid: &Grid, used_rows: usize) -> Self {
         let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
         let plans = Plans::new(grid);

@@ -23,7 +23,7 @@ const CURVES: [LoadTrace; 4] = [
     (GAP, "<g> / h_rms", Colour::ORANGE, |it| it.mean_gap_over_rms_height),
 ];
 
-/// The recording of contacts under one load after the other, on its way into a file.
+/// A recording of contacts under several loads that is being written into a file.
 pub struct CurveRecording(LoadRecording);
 
 impl CurveRecording {
@@ -36,7 +36,7 @@ impl CurveRecording {
         let scene = Scene { exact: None, ..Scene::from_setup(&setup, problem) };
         let loads = Loads {
             title: format!("{}, {} loads", scene.title, curve.loads.len()),
-            description: format!("{}, each load from the contact before.", curve.setup.surface.description()),
+            description: format!("{}, each load solved from the previous contact.", curve.setup.surface.description()),
             captions: curve.loads.iter().map(Load::to_string).collect(),
             curves: CURVES
                 .map(|(view, name, colour, _)| RecordedCurve {

@@ -1,5 +1,4 @@
-//! One run of a setup, written once for all front ends: what it costs, its first pass, the solve, its recording, its diagnosis, and what
-//! is doubtful about what comes out.
+//! One run of a setup, the same for all front ends: cost, first pass, solve, recording, diagnosis and warnings.
 //!
 //! ```text
 //! Setup --> Job --prepare--> Ready --run--> Outcome { contacts, slip, diagnosis, warnings }
@@ -82,7 +81,8 @@ impl<'a> Job<'a> {
         self
     }
 
-    /// The job on a grid that is found first: on ever finer grids until area and `kappa_r` have settled.
+    /// The job on a grid that is found first: it solves on successively finer grids until area and `kappa_r` have
+    /// settled.
     pub fn refined(mut self, auto: Auto) -> Self {
         let refinement = Refinement::new(self.runs[0].setup.clone(), auto);
         if let Some(setup) = refinement.setups().next() {
@@ -97,25 +97,27 @@ impl<'a> Job<'a> {
         Self { start, ..self }
     }
 
-    /// The job with a diagnosis of what held its first run up. A first pass finds the final state that the steps are compared with.
+    /// The job with a diagnosis of why its first run was slow. A first pass finds the final state, with which the steps
+    /// are compared.
     pub fn diagnosed(self, is_diagnosed: bool) -> Self {
         Self { is_diagnosed, ..self }
     }
 
-    /// The job with the memory counted of what the caller does with the contact of the first run, such as its stiffness or an archive. A
-    /// recording and a diagnosis are counted by the job itself.
+    /// The job with additional memory for what the caller does with the contact of the first run, such as its stiffness
+    /// or an archive. The job itself counts the memory of a recording and a diagnosis.
     pub fn with_extras(self, extras: Extras) -> Self {
         Self { extras, ..self }
     }
 
-    /// The job with every step recorded, with the parts that the setup of the first run names, by the recording that `open` begins.
+    /// The job with a recording of every step. `open` begins the recording; its parts are those of the setup of the
+    /// first run.
     #[cfg(feature = "record")]
     pub fn recorded(self, open: impl FnOnce(&[Scene<'_>], Options) -> Result<Recording, FileError> + 'a) -> Self {
         let options = self.runs[0].options();
         self.recorded_with(options, open)
     }
 
-    /// The job with every step recorded with some options, by the recording that `open` begins.
+    /// The job with a recording of every step, with these options. `open` begins the recording.
     #[cfg(feature = "record")]
     pub fn recorded_with(
         self,
@@ -125,22 +127,22 @@ impl<'a> Job<'a> {
         Self { recorded: Some((Box::new(open), options)), ..self }
     }
 
-    /// The setup of the first run, on the coarsest grid if a grid is to be found.
+    /// The setup of the first run, on the coarsest grid if the grid is automatic.
     pub fn setup(&self) -> &Setup {
         &self.runs[0].setup
     }
 
-    /// The grids that are tried, if a grid is to be found.
+    /// The grids that are tried, if the grid is automatic.
     pub fn refinement(&self) -> Option<&Refinement> {
         self.refinement.as_ref()
     }
 
-    /// Whether a first pass finds the final state that the steps of a run are compared with.
+    /// Whether a first pass finds the final state, with which the steps of a run are compared.
     pub fn is_passed_twice(&self) -> bool {
         self.runs.iter().any(|run| self.needs_reference(run))
     }
 
-    /// What the first run takes of memory.
+    /// The memory of the first run.
     ///
     /// # Errors
     /// The errors of [`Setup::cost`].
@@ -148,7 +150,7 @@ impl<'a> Job<'a> {
         self.setup().cost(&self.extras())
     }
 
-    /// What is done besides solving.
+    /// The work in addition to the solve.
     fn extras(&self) -> Extras {
         Extras { is_recorded: self.is_recorded(), is_diagnosed: self.is_passed_twice(), ..self.extras }
     }
@@ -160,7 +162,7 @@ impl<'a> Job<'a> {
         false
     }
 
-    /// Whether the final state of a run must be found before its steps are watched.
+    /// Whether the final state of a run is needed before its steps are observed.
     fn needs_reference(&self, run: &JobRun<'_>) -> bool {
         let has_waterfall = self.is_recorded() && run.setup.record.what.contains(&Part::Waterfall);
         run.is_repeatable() && run.reference.is_none() && (self.is_diagnosed || has_waterfall)

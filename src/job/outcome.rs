@@ -14,15 +14,16 @@ pub struct Outcome {
     pub diagnosis: Option<Findings>,
 }
 
-/// The contact of one run. A recording that could not be finished stands in [`Contact::failure`]; the contact is whole all the same.
+/// The contact of one run. A recording that could not be finished stands in [`Contact::failure`]; the contact is
+/// complete in any case.
 pub struct Solved {
-    /// The setup that was solved, on the grid that was found.
+    /// The setup that was solved, on its final grid.
     pub setup: Setup,
     /// The contact.
     pub contact: Contact,
-    /// What sticks and what slips under the tangential load of the setup; none for a contact that is not converged.
+    /// The stick and slip areas under the tangential load of the setup; none for a contact that is not converged.
     pub slip: Option<PartialSlip>,
-    /// Whether the contact has settled on the last grid, where a grid was to be found.
+    /// Whether area and `kappa_r` were accurate enough on the last grid, if the grid was automatic.
     pub is_settled: bool,
 }
 

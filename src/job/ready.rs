@@ -14,7 +14,7 @@ use crate::study::Settled;
 use crate::warning::Warning;
 use std::sync::Arc;
 
-/// A job whose surfaces and problems are made, so that they can be judged before anything is solved.
+/// A job whose surfaces and problems exist, so that its warnings are known before the solve.
 pub struct Ready<'a> {
     pub(super) job: Job<'a>,
 }
@@ -30,7 +30,7 @@ impl<'a> Job<'a> {
         Ok(Ready { job: self })
     }
 
-    /// Does it all: see [`Job::prepare`] and [`Ready::run`].
+    /// Prepares and runs the job: see [`Job::prepare`] and [`Ready::run`].
     ///
     /// # Errors
     /// The errors of both.
@@ -50,8 +50,8 @@ impl Ready<'_> {
         self.job.runs.iter().flat_map(|run| run.setup.surface.warnings(problem(run).surface())).collect()
     }
 
-    /// Finds the grid, solves, records and diagnoses. The contacts always come back, converged or not; what went wrong with a recording stands
-    /// in their [`Contact::failure`].
+    /// Finds the grid, solves, records and diagnoses. The contacts are always returned, converged or not; a failure of
+    /// the recording is in their [`Contact::failure`].
     ///
     /// # Errors
     /// For a recording that cannot be begun, and the errors of [`Solver::solve`](crate::contact::Solver::solve).
@@ -78,7 +78,7 @@ impl Ready<'_> {
         })
     }
 
-    /// Solves on ever finer grids, if a grid is to be found.
+    /// Solves on successively finer grids, if the grid is automatic.
     fn settle(&self, watch: &mut dyn Watcher) -> Result<Option<Settled>, SetupError> {
         let Some(refinement) = &self.job.refinement else { return Ok(None) };
         let first = &self.job.runs[0];
@@ -90,7 +90,7 @@ impl Ready<'_> {
         Ok(Some(settled))
     }
 
-    /// Finds the final states that steps are compared with, each by a pass of its own.
+    /// Finds the final states, with which steps are compared, each in a separate pass.
     fn find_references(&mut self, watch: &mut dyn Watcher) -> Result<(), SetupError> {
         for i in 0..self.job.runs.len() {
             let run = &self.job.runs[i];
@@ -104,7 +104,7 @@ impl Ready<'_> {
         Ok(())
     }
 
-    /// Solves all runs one after the other, and records them if that is asked for.
+    /// Solves all runs one after the other, and records them on request.
     fn solve(
         &mut self,
         diagnosis: &mut Option<Diagnosis>,
@@ -148,7 +148,7 @@ impl Ready<'_> {
         Ok(run.solver().solve_from(start, problem(run), &run.setup.stop, &mut seen)?)
     }
 
-    /// A contact with what sticks in it under the tangential load of its setup.
+    /// A contact with its stick area under the tangential load of its setup.
     fn solved(
         &self,
         i: usize,
@@ -167,7 +167,7 @@ impl Ready<'_> {
     }
 }
 
-/// The problem of a run, which is there once the job is ready.
+/// The problem of a run, which exists when the job is ready.
 fn problem<'r>(run: &'r JobRun<'_>) -> &'r Problem {
     run.problem.as_ref().expect("a job that is ready has posed its problems")
 }

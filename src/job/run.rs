@@ -11,10 +11,10 @@ use std::sync::Arc;
 
 /// Fields of a result.
 const RESULT_FIELDS: f64 = 3.0;
-/// Fields of heights and of what watches, besides those of a solver.
+/// Fields of heights and observers, in addition to those of a solver.
 const OTHER_FIELDS: f64 = 4.0;
 
-/// One solve of a job: a setup, and how it is shown in a recording.
+/// One solve of a job: a setup, and its place in a recording.
 #[derive(Clone)]
 pub struct JobRun<'a> {
     /// Root of its entities in a recording.
@@ -23,13 +23,13 @@ pub struct JobRun<'a> {
     pub title: Option<String>,
     /// What is solved.
     pub setup: Setup,
-    /// Heights at hand that no file holds, in place of those that the setup names. Finer grids interpolate them.
+    /// Heights in memory, which replace those that the setup names. Finer grids interpolate them.
     pub heights: Option<Arc<Surface>>,
-    /// The problem of the setup, where it is at hand already.
+    /// The problem of the setup, where it already exists.
     pub problem: Option<Problem>,
-    /// The state that each step is compared with, where it is at hand already.
+    /// The state that each step is compared with, where it already exists.
     pub reference: Option<Arc<Reference>>,
-    /// Whether the exact solution is drawn beside the computed one, where there is one.
+    /// Whether the exact solution, if there is one, is drawn beside the computed one.
     pub shows_exact: bool,
     /// The steps of another code, in place of the solver of the setup.
     pub other: Option<&'a dyn Solver>,
@@ -56,22 +56,22 @@ impl<'a> JobRun<'a> {
         Self { title: Some(title.into()), problem: Some(problem), other: Some(steps), ..Self::new(setup) }
     }
 
-    /// What a progress bar calls it: its title, if it has one, else its solver.
+    /// Its name in a progress bar: its title, if it has one, else its solver.
     pub fn label(&self) -> &str {
         self.title.as_deref().unwrap_or_else(|| self.solver().name())
     }
 
-    /// The solver, or what shows the steps of another code.
+    /// The solver, or the replay of the steps of another code.
     pub(super) fn solver(&self) -> &dyn Solver {
         self.other.unwrap_or_else(|| self.setup.solver.solver())
     }
 
-    /// Whether a pass before finds the same final state.
+    /// Whether a first pass finds the same final state.
     pub(super) fn is_repeatable(&self) -> bool {
         self.other.is_none()
     }
 
-    /// Makes the problem if it is not at hand, and if there is memory for the solve.
+    /// Makes the problem, unless it exists, if there is memory for the solve.
     pub(super) fn pose(&mut self, extras: &Extras) -> Result<(), SetupError> {
         if self.problem.is_none() {
             self.check_memory(&self.setup, extras)?;
@@ -100,12 +100,12 @@ impl<'a> JobRun<'a> {
         cost.check(setup.solver.name())
     }
 
-    /// Points of a finer grid for each of that of the heights at hand, along each axis.
+    /// Refinement of the grid of the heights in memory, along each axis.
     fn refinement_to(&self, finer: &Setup) -> usize {
         (finer.grid.refine() / self.setup.grid.refine()).max(1)
     }
 
-    /// The options of a recording that the setup names; of the steps of another code the density of the error is shown as well,
+    /// The options of a recording in the setup. For the steps of another code, the density of the error is also shown,
     /// unless the setup names the parts.
     #[cfg(feature = "record")]
     pub(super) fn options(&self) -> Options {

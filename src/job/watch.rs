@@ -1,4 +1,4 @@
-//! What watches the solves of a job.
+//! The observers of the solves of a job.
 
 use super::run::JobRun;
 use crate::contact::Observer;
@@ -6,25 +6,25 @@ use crate::contact::Observer;
 /// A solve of a job that is about to begin.
 #[derive(Clone, Copy)]
 pub enum Pass<'a> {
-    /// A solve on one of the grids that are tried until the contact has settled.
+    /// A solve on one of the grids that are tried until area and `kappa_r` are accurate enough.
     Grid(&'a JobRun<'a>),
     /// The first pass, which finds the final state that steps are compared with.
     Reference(&'a JobRun<'a>),
-    /// The solve that is asked for, and its number in the job, from 0.
+    /// A main solve of the job, and its number, from 0.
     Solve(&'a JobRun<'a>, usize),
-    /// The solve under the smaller load that finds what sticks under a tangential load.
+    /// The solve under the smaller load, which gives the stick area under a tangential load.
     Stick(&'a JobRun<'a>),
 }
 
 /// Makes the observer of each solve of a job.
 ///
-/// Nobody watches by `()`.
+/// `()` makes no observers.
 pub trait Watcher {
     /// The observer of a solve.
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_>;
 }
 
-/// Shows every step of the solves that are asked for to one observer, and none of the passes before and after them.
+/// Shows every step of the main solves to one observer, but not those of the first pass and of the solves for slip.
 pub struct ShowSteps<'o>(pub &'o mut dyn Observer);
 
 impl Watcher for ShowSteps<'_> {

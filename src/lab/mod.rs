@@ -1,4 +1,4 @@
-//! Experiments on the solvers themselves: how exact they are, how fast, and what they bear.
+//! Experiments on the solvers themselves: accuracy, speed and stability.
 //!
 //! | module        | question                                                                                              |
 //! |---------------|-------------------------------------------------------------------------------------------------------|

@@ -19,14 +19,14 @@ pub struct Rival {
 impl Rival {
     /// The fast one, which experiments rely on.
     pub const MULTILEVEL: Self =
-        rival("multilevel", "multilevel", "Whole-set updates on nested grids", Method::Multilevel {});
+        rival("multilevel", "multilevel", "Active-set method on nested grids", Method::Multilevel {});
     /// All rivals, where stiffness matters.
     #[rustfmt::skip]
     pub const ALL: [Self; 4] = [
         Self::MULTILEVEL,
         rival("polonsky-keer", "polonsky-keer", "Constrained conjugate gradients", Method::PolonskyKeer {}),
         rival("gfmd", "gfmd, stiffness masses, FIRE", "Green's function molecular dynamics: masses proportional to stiffness, FIRE", gfmd(Masses::Stiffness, Dynamics::Fire)),
-        rival("gfmd-uniform", "gfmd, uniform masses", "The paper's molecular dynamics: uniform masses and plain damping, which long waves make slow", gfmd(Masses::Uniform, Dynamics::Damped)),
+        rival("gfmd-uniform", "gfmd, uniform masses", "The paper's molecular dynamics: uniform masses and constant damping; slow because of the long waves", gfmd(Masses::Uniform, Dynamics::Damped)),
     ];
     /// The rivals of most experiments.
     pub const USUAL: &'static [Self] = Self::ALL.split_at(3).0;

@@ -14,19 +14,19 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// The table of earlier runs; an empty one if there is none. A file that holds anything else is not ours to replace.
+    /// The table of earlier runs; empty if there is none. A file with other content is not replaced.
     pub(super) fn read(path: &Path) -> Result<Self, FileError> {
         let text = match std::fs::read(path) {
             Err(source) if source.kind() == ErrorKind::NotFound => Vec::new(),
             read => read.map_err(|source| FileError::Read { path: path.into(), source })?,
         };
         let rows: csv::Result<Vec<Verdict>> = csv::Reader::from_reader(text.as_slice()).into_deserialize().collect();
-        let reason = "it holds something else than a comparison with the paper: write elsewhere, or remove it";
+        let reason = "it is not a comparison with the paper: give another folder, or remove it";
         let verdicts = rows.map_err(|_| FileError::Target { path: path.into(), reason: reason.into() })?;
         Ok(Self { verdicts })
     }
 
-    /// Puts the verdicts on an item in the place of its earlier ones.
+    /// Replaces the earlier verdicts on an item.
     pub(super) fn replace(&mut self, item: Item, verdicts: Vec<Verdict>) {
         self.verdicts.retain(|verdict| verdict.item != item);
         self.verdicts.extend(verdicts);
@@ -62,19 +62,20 @@ impl Comparison {
         let rest = self.verdicts.len() - own().count();
         writeln!(
             out,
-            "\n{good} of {} agree or hold; {rest} are not counted: they follow from others, or are measured otherwise",
+            "\n{good} of {} agree or hold; {rest} are not counted, since they follow from others or are measured \
+             differently",
             own().count()
         )
     }
 
     /// Writes why numbers differ, each reason once.
     fn write_reasons(&self, out: &mut dyn Write) -> io::Result<()> {
-        let mut told: Vec<&str> = vec![""];
+        let mut reasons: Vec<&str> = vec![""];
         for Verdict { item, why, .. } in &self.verdicts {
-            if !told.contains(&why.as_str()) {
-                let lead = if told.len() == 1 { "\nNotes\n" } else { "" };
+            if !reasons.contains(&why.as_str()) {
+                let lead = if reasons.len() == 1 { "\nNotes\n" } else { "" };
                 writeln!(out, "{lead}{:7} {why}", item.name())?;
-                told.push(why);
+                reasons.push(why);
             }
         }
         Ok(())

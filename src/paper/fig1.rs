@@ -11,14 +11,14 @@ use crate::theory::hertz;
 
 /// Half-widths of the contacts over the period, from and to.
 const WIDTHS: [f64; 2] = [0.005, 0.1];
-/// Cylinders and spheres between these; every so many-th cylinder is as wide as a sphere.
+/// Numbers of cylinders and spheres between these widths; every sphere is as wide as one of the cylinders.
 const CYLINDERS: i32 = 33;
 const SPHERES: i32 = 5;
 /// Points of the cylinder, and along a side of the sphere, that are shown in a recording.
 const SHOWN_LINE: usize = 1 << 12;
 const SHOWN_SIDE: usize = 1 << 9;
 
-/// Cylinder and sphere from narrow to wider contacts, the sphere on a grid of `side` points a side.
+/// Cylinder and sphere from narrow to wider contacts, the sphere on a grid of `side` points per side.
 pub fn realisations(side: usize) -> Vec<Realisation> {
     vec![cylinder(LINE, &widths(WIDTHS, CYLINDERS)), sphere(side, &widths(WIDTHS, SPHERES))]
 }

@@ -17,7 +17,8 @@ const LEVEL: f64 = 1e-1;
 const VIEW: &str = "κ and κ_r";
 
 /// Why the fits are not level.
-const BENT: &str = "Eq. 11 bends where its points do: kappa itself falls from p* = 0.01 to 0.1, whatever the weights.";
+const BENT: &str =
+    "Eq. 11 has the curvature of its points: kappa itself decreases from p* = 0.01 to 0.1, for all weights.";
 
 /// A fit to the points of one Hurst exponent, or of all.
 #[derive(Serialize)]

@@ -10,9 +10,9 @@ use crate::plot::{Colour, Mark};
 use crate::study::Estimate;
 
 /// Why values differ.
-const COARSER: &str = "Counted nodes exceed the area, the more so the coarser the grid. Readings that fit: a coarser effective resolution, another criterion of contact, or another average than ours.";
+const COARSER: &str = "Counting nodes overestimates the area, more so on coarser grids. Possible reasons: a coarser effective resolution, another contact criterion, or another average than here.";
 /// Why the fit lies below the points.
-const HEAVY: &str = "The squares of the fit weigh most at the heaviest loads, where kappa is smallest.";
+const HEAVY: &str = "The least-squares fit gives most weight to the largest loads, where kappa is smallest.";
 
 /// The figure, and what the paper says of it.
 pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {

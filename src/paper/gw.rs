@@ -9,9 +9,9 @@ use serde::Serialize;
 /// Separations over the scale of the heights.
 const RANGE: [f64; 2] = [-2.0, 10.0];
 const STEPS: i32 = 120;
-/// A separation so large that it stands for the limit.
+/// A separation large enough to represent the limit.
 const FAR: f64 = 1e6;
-/// The separation at which one value is told.
+/// The separation at which one value is reported.
 const NEAR: f64 = 3.0;
 
 /// Both kinds of heights with their colours and the separation from which on their curves are drawn.
@@ -53,12 +53,7 @@ pub fn reproduce() -> Reproduction {
         Verdict::exact("gw.gaussian", "", Gaussian.kappa_r(FAR)),
         depends_on_separation(),
     ];
-    Reproduction::new(
-        "Section 6: Greenwood and Williamson with the gradient over the contact",
-        vec![panel],
-        ramp(),
-        verdicts,
-    )
+    Reproduction::new("Section 6: Greenwood and Williamson with the gradient in contact", vec![panel], ramp(), verdicts)
 }
 
 /// Whether Gaussian heights differ from their limit by more than half of the last digit that the paper prints.

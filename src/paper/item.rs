@@ -21,7 +21,7 @@ pub enum Item {
     Fig4,
     /// Lines over surfaces, from the points of Figs. 2 and 4.
     Fig5,
-    /// Section 6: Greenwood and Williamson with the gradient over the contact.
+    /// Section 6: Greenwood and Williamson with the gradient in contact.
     Gw,
     /// Indenters that the paper leaves out: power laws, and a sine to full contact.
     Beyond,

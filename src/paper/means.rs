@@ -300,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn pairs_of_the_same_seed_tell_what_their_scatter_hides() {
+    fn pairs_of_the_same_seed_show_what_their_scatter_hides() {
         let (points, measure) = (points(), Measure::Resolved);
         let kappa_r = measure.kappa_r();
         let [low, high] = [0.2, 0.8].map(|hurst| points.limit(Some(hurst), Some(0.1), None, measure, kappa_r));

@@ -21,7 +21,7 @@ use crate::theory::persson::Pressures;
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// Profiles of lines, and surfaces, of each Hurst exponent at the most.
+/// Largest number of profiles of lines, and of surfaces, per Hurst exponent.
 const LINES: usize = 4;
 const SURFACES: usize = 2;
 /// Loads, about.

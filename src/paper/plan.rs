@@ -13,9 +13,9 @@ use std::path::PathBuf;
 
 /// Least and largest reduced pressure, as in the paper.
 const LOADS: [f64; 2] = [1e-3, 1e-1];
-/// Least and largest reduced pressure at which the continuum of lines is told.
+/// Smallest and largest reduced pressure at which the continuum values of lines are reported.
 const WIDE_LOADS: [f64; 2] = [1e-4, 0.316_227_766_016_837_94];
-/// Iterations at the most; a point takes some tens.
+/// Largest number of iterations; a point takes some tens.
 const MAX_ITERATIONS: usize = 2000;
 /// Certificate of smooth indenters. Their contacts may be so narrow that the rms height, which the certificate is over, is no
 /// measure of what happens in them.
@@ -25,20 +25,20 @@ const MEMORY: f64 = 0.8;
 
 /// The surfaces and loads that the paper is made again with, and the folder of all files.
 ///
-/// A run that was killed goes on where it was, and its tables are the same to the last bit.
+/// A run that was killed continues when it is started again, and its tables are the same to the last bit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Paper {
-    /// Folder of all files; made if it is not there.
+    /// Folder for all files; made if it is not there.
     pub folder: PathBuf,
     /// Rough lines.
     pub lines: Rough,
     /// Rough surfaces.
     pub surfaces: Rough,
-    /// Rough lines on several grids and under a wider range of loads, to tell the continuum.
+    /// Rough lines on several grids and under a wider range of loads, to find the continuum values.
     pub fine_lines: Rough,
     /// Points along a side of spheres: of Fig. 1, and of Table 1.
     pub sphere_sides: [usize; 2],
-    /// Certificate `eta` of each point; smooth indenters have one of `1e-12` at the most.
+    /// Certificate `eta` of each point; smooth indenters have one of at most `1e-12`.
     pub tolerance: f64,
     /// Realisations solved at a time; without a number as many as there are threads, if they fit in memory.
     pub workers: Option<usize>,
@@ -52,11 +52,12 @@ pub struct Paper {
 /// How large grids are, and how many surfaces and loads there are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Effort {
-    /// Small grids, short spectra and few loads, to see that it works.
+    /// Use small grids, short spectra and few loads, as a quick test.
     Quick,
-    /// Rough surfaces of up to 8192 points a side, 32 per shortest wavelength, on three grids to extrapolate from.
+    /// Rough surfaces of up to 8192 points per side, 32 per shortest wavelength, on three grids to extrapolate from.
     Usual,
-    /// Rough surfaces of 16384 points a side, the size of the paper as its `eps_c` is read, one for each Hurst exponent.
+    /// Rough surfaces of 16384 points per side, the size of the paper as its `eps_c` is read, one for each Hurst
+    /// exponent.
     Full,
 }
 
@@ -103,7 +104,7 @@ impl Paper {
     /// the points of another study.
     pub(super) fn check(&self, items: &[Item]) -> Result<(), StudyError> {
         if self.folder.is_file() {
-            let reason = "it is a file, give a folder".into();
+            let reason = "it is a file: give a folder".into();
             return Err(FileError::Target { path: self.folder.clone(), reason }.into());
         }
         let comparison = self.file("comparison.csv");

@@ -8,7 +8,7 @@ use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, Recorded
 use crate::study::Realisation;
 use std::path::Path;
 
-const DESCRIPTION: &str = "Tribology Letters 66:115 (2018), made again. Pick a load on the time line, or click one in a curve load by load, to see its contact.";
+const DESCRIPTION: &str = "Tribology Letters 66:115 (2018), reproduced. To see the contact under a load, choose the load on the time line, or click a point of a curve.";
 
 /// Records `figure`, the curves of `ramp`, and `contacts` under its loads.
 pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation]) -> Result<(), StudyError> {

@@ -26,7 +26,7 @@ pub const WARM: [Colour; 4] = [Colour::VERMILION, Colour::ORANGE, Colour::PURPLE
 /// Colours beside [`WARM`].
 pub const COLD: [Colour; 4] = [Colour::BLUE, Colour::SKY, Colour::GREEN, Colour::GREY];
 
-/// The colour of the Hurst exponent of a number, where colours tell them apart.
+/// The colour of Hurst exponent `number`, if colours distinguish Hurst exponents.
 pub fn shade(number: usize) -> Colour {
     const SHADES: [Colour; 4] = [Colour::VERMILION, Colour::GREEN, Colour::BLUE, Colour::PURPLE];
     SHADES[number % SHADES.len()]
@@ -84,7 +84,7 @@ impl Rough {
 
     /// Checks that there is something to solve, in the right order.
     pub(super) fn check(&self) -> Result<(), StudyError> {
-        check_ascending("points along a side", &self.points)?;
+        check_ascending("points per side", &self.points)?;
         check_ascending("Hurst exponents", &self.hurst)?;
         if self.seeds.is_empty() {
             return Err(StudyError::List { what: "seeds", values: "[]".into() });
@@ -103,12 +103,12 @@ impl Rough {
         (POINTS_PER_WAVE * LINE / self.cutoff).round() as usize
     }
 
-    /// Points per shortest wavelength of a line of so many points.
+    /// Points per shortest wavelength, for a line of `points` points.
     pub(super) fn points_per_wave_of_line(&self, points: usize) -> f64 {
         points as f64 * self.cutoff / LINE
     }
 
-    /// Points per shortest wavelength of a surface with `side` points along a side.
+    /// Points per shortest wavelength of a surface with `side` points per side.
     pub(super) fn points_per_wave(&self, side: usize) -> f64 {
         side as f64 * self.cutoff / SIDE
     }
@@ -156,7 +156,7 @@ impl Rough {
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
     }
 
-    /// The panel with `curves` of symbols, one for each Hurst exponent; the colour tells the quantity.
+    /// The panel with `curves` of symbols, one for each Hurst exponent; the colour shows the quantity.
     pub(super) fn drawn<Q: Copy>(
         &self,
         mut panel: Panel,

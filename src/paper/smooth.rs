@@ -32,7 +32,7 @@ pub fn cylinder(points: usize, widths: &[f64]) -> Realisation {
     realisation("cylinder", Indenter::Cylinder { radius: RADIUS }, Cell::line(points, PERIOD), loads)
 }
 
-/// A sphere on a surface of `side` points a side, loaded to the contact radii `widths`, over the period.
+/// A sphere on a surface of `side` points per side, loaded to the contact radii `widths`, over the period.
 pub fn sphere(side: usize, widths: &[f64]) -> Realisation {
     let loads = loads(&hertz::sphere(RADIUS, 1.0), widths);
     realisation("sphere", Indenter::Sphere { radius: RADIUS }, Cell::surface([side; 2], [PERIOD; 2]), loads)

@@ -10,7 +10,7 @@ use crate::study::{Estimate, Point, Realisation};
 /// Half-widths of the contacts over the period, from and to: so small that the neighbouring cells do not matter.
 const WIDTHS: [f64; 2] = [0.01, 0.03];
 
-/// Cylinder and sphere, the sphere on a grid of `side` points a side.
+/// Cylinder and sphere, the sphere on a grid of `side` points per side.
 pub fn realisations(side: usize) -> Vec<Realisation> {
     vec![cylinder(LINE, &widths(WIDTHS, 24)), sphere(side, &widths(WIDTHS, 6))]
 }

@@ -25,7 +25,7 @@ struct Printed {
     printed: String,
     /// Realisations of each Hurst exponent that the number is a mean over.
     realisations: Option<f64>,
-    /// What the number or statement follows from, if it is none of its own.
+    /// What the number or statement follows from, if it is not independent.
     follows: String,
     place: String,
 }
@@ -160,7 +160,7 @@ impl Verdict {
 }
 
 impl Printed {
-    /// The number or statement that goes by `key`.
+    /// The number or statement with this `key`.
     fn from_key(key: &str) -> Self {
         let mut rows = csv::Reader::from_reader(PRINTED.as_bytes()).into_deserialize::<Self>().flatten();
         rows.find(|row| row.key == key).unwrap_or_else(|| panic!("assets/paper.csv holds no {key}"))
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn deviations_are_told_in_per_cent_and_in_standard_errors() {
+    fn deviations_are_given_in_per_cent_and_in_standard_errors() {
         let off = verdict("fig2.kappa_r", 1.785, [0.004, 0.002, 0.01]);
         assert_eq!(off.found(), "1.785 ± 0.004");
         let error = 0.004f64.hypot(0.002).hypot(0.01 / 10f64.sqrt()).hypot(0.005 / 3f64.sqrt());

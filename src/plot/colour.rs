@@ -1,6 +1,7 @@
 //! The palette: one set of colours for figures and recordings.
 
-/// Red, green and blue. The named colours are told apart by the colour-blind (Okabe & Ito, "Color Universal Design", 2008).
+/// Red, green and blue. People with colour blindness can distinguish the named colours (Okabe & Ito, "Color Universal
+/// Design", 2008).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Colour(pub [u8; 3]);
 

@@ -6,7 +6,7 @@ use skrifa::metrics::GlyphMetrics;
 use skrifa::{FontRef, GlyphId, MetadataProvider};
 use std::sync::{Arc, LazyLock};
 
-/// Font of an SVG: the one that comes with the program, or else whatever the reader of the SVG has.
+/// Font of an SVG: the one that comes with the program, or else one of the reader of the SVG.
 pub const FAMILY: &str = "DejaVu Sans, sans-serif";
 /// From the middle of a line of words down to its baseline, over the size of the font.
 pub const BASELINE: f64 = 0.36;

@@ -27,7 +27,7 @@ pub enum Mark {
     },
 }
 
-/// A shape that tells a series from others without colours.
+/// A shape that distinguishes a series from others without colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Symbol {
     /// A circle.

@@ -5,8 +5,8 @@ use crate::contact::{Solver, Stop};
 use crate::quantity::{length_in_words, number_in_words};
 use crate::setup::{fnv1a, in_words};
 
-/// The name of a recording, which tells it from others beside it: surface, load and solver with its settings, or the titles of
-/// several scenes.
+/// The name of a recording, which distinguishes it from other recordings: surface, load and solver with its settings,
+/// or the titles of several scenes.
 pub fn name(scenes: &[Scene<'_>]) -> String {
     match scenes {
         [Scene { setup: Some(setup), problem, .. }] => {
@@ -27,7 +27,7 @@ pub fn application(title: &str, scenes: &[Scene<'_>]) -> String {
     application_of(&[&[title.to_owned()], scenes.iter().map(describe).collect::<Vec<_>>().as_slice()].concat())
 }
 
-/// The application that some words stand for.
+/// The application with this name.
 pub fn application_of(words: &[String]) -> String {
     format!("asperity-{:016x}", fnv1a(words.iter().map(|word| word.as_bytes())))
 }
@@ -61,7 +61,7 @@ pub fn of_scene(scene: &Scene<'_>, unit: &str) -> String {
     }
     rows.extend(problem.mean_gap().map(|gap| ("mean gap", length(gap))));
     if scene.setup.as_ref().is_some_and(|setup| setup.surface.prepare.mirror.is_some()) {
-        rows.push(("measured part", "outlined by dashes: the rest is its mirror image".into()));
+        rows.push(("measured part", "inside the dashed outline: the rest is its mirror image".into()));
     }
     rows.extend(problem.surface().seed().map(|seed| ("seed", seed.to_string())));
     if let Some(exact) = &scene.exact {

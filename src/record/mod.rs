@@ -16,8 +16,8 @@
 //! thousand that the axis states; the numbers behind them stand beside them. Steps of coarser grids are drawn on the axes of
 //! the scene, each node at its true place.
 //!
-//! The viewer keeps a layout to each application: a recording is an application of its own, the same for the same scenes, and
-//! its name tells surface, load and solver.
+//! The viewer keeps a layout to each application: a recording is an application of its own, the same for the same
+//! scenes, and its name states surface, load and solver.
 //!
 //! ```no_run
 //! use asperity::{Grid, Indenter, Problem, Stop};

@@ -34,7 +34,7 @@ impl Playback {
         let unreadable = |source| FileError::Read { path: path.into(), source };
         let useless = |reason: &str| FileError::Incomparable { path: path.into(), reason: reason.into() };
         if !is_recording(path)? {
-            return Err(useless("it is no recording: give a file that `asperity solve --record` wrote"));
+            return Err(useless("it is not a recording: give a file written by `asperity solve --record`"));
         }
         let mut file = File::open(path).map_err(unreadable)?;
         let damaged = |error| unreadable(io::Error::other(format!("the recording is damaged: {error}")));
@@ -50,7 +50,7 @@ impl Playback {
                 }
             }
         }
-        let without = "it has no traces over steps: record it anew, with the part `traces`";
+        let without = "it has no curves over steps: record it again with the part `traces`";
         if playback.roots().is_empty() { Err(useless(without)) } else { Ok(playback) }
     }
 

@@ -32,7 +32,7 @@ pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
     with_numbers(known, numbers.into_iter().filter_map(|(name, value)| Some((name, value?))))
 }
 
-/// The reduced pressure, if the load tells it.
+/// The reduced pressure, if the load determines it.
 pub fn reduced_pressure(problem: &Problem) -> Option<f64> {
     match problem.load() {
         Load::ReducedPressure(reduced_pressure) => Some(reduced_pressure),
@@ -46,7 +46,7 @@ pub fn of_run(solver: &dyn Solver, stop: &Stop) -> AnyValues {
     with_numbers(with_texts(texts), [("tolerance", stop.tolerance())])
 }
 
-/// The end of a run and the observables of what came out, but for those that were known before.
+/// The end of a run and the observables of its result, except those that were known before.
 pub fn of_contact(contact: &Contact) -> AnyValues {
     let state = State::from(contact);
     let is_known = |name: &str| match name {
@@ -60,7 +60,7 @@ pub fn of_contact(contact: &Contact) -> AnyValues {
     with_numbers(ended, observables.chain([("solver_seconds", contact.work.seconds)]))
 }
 
-/// The name of the property of an observable: its own, but for the one that is also the name of a timeline.
+/// The name of the property of an observable: its own name, except for the one that is also the name of a timeline.
 fn property(observable: &'static str) -> &'static str {
     if observable == TRANSFORMS { "solver_transforms" } else { observable }
 }

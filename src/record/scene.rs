@@ -20,7 +20,8 @@ pub struct Scene<'a> {
     /// The exact solution, where there is one; its pressure is drawn beside the computed one. A line is then shown around
     /// its contact only.
     pub exact: Option<Exact>,
-    /// The state that errors by wavelength are held against, such as the end of the same run made before; without it there are none.
+    /// The state for errors by wavelength, such as the end of an earlier, identical run; without it there are no such
+    /// errors.
     pub reference: Option<Arc<Reference>>,
 }
 
@@ -41,7 +42,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The exact area and pressure, or a guess of them where there are none.
+    /// The exact area and pressure, or an estimate of them if there is no exact solution.
     pub(super) fn forecast(&self) -> Forecast {
         let guess = Forecast::new(self.problem);
         let Some(exact) = &self.exact else { return guess };

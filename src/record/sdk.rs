@@ -1,5 +1,5 @@
-//! What the SDK of the viewer moves or changes from release to release, in one place: its plain data types, the streams that it
-//! makes, and what it writes into them by itself.
+//! What the SDK of the viewer moves or changes from release to release, in one place: its plain data types, the streams
+//! that it makes, and what it adds to them.
 
 use rerun::external::re_log_types::ApplicationId;
 use rerun::sink::MemorySinkStorage;
@@ -7,8 +7,8 @@ use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 
 pub use rerun::datatypes::{ChannelDatatype, Float32, ImageFormat, Range2D, TimeRange, Uuid};
 
-/// A stream of a recording with a title for people, whose times are ours alone. The identity is left to chance where none is
-/// given; one that is given must not keep title and properties out of the recording.
+/// A stream of a recording with a title, without the times that the SDK adds. The identity is random if none is given;
+/// one that is given must not keep title and properties out of the recording.
 pub fn recording(application: &str, title: &str, id: Option<&str>) -> RecordingStreamResult<RecordingStream> {
     let builder = RecordingStreamBuilder::new(ApplicationId::new_or_unknown(application));
     let builder = if let Some(id) = id { builder.recording_id(id) } else { builder };

@@ -35,7 +35,8 @@ impl Size {
         }
     }
 
-    /// Frames of the automatic schedule at the most, for a number of steps on the finest grid above `coarser` ones.
+    /// Largest number of frames of the automatic schedule, for a number of steps on the finest grid above `coarser`
+    /// ones.
     pub fn frames(&self, steps: usize, coarser: usize) -> usize {
         self.schedule.most_frames(steps, coarser)
     }

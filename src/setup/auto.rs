@@ -1,23 +1,23 @@
-//! Grids that are to be found.
+//! Grids that are found automatically.
 
 use super::text::SetupTable;
 use crate::error::{SettingError, SetupError};
 
-/// Relative error of area and `kappa_r` that a grid must have, unless another is given.
+/// Default of the relative error of area and `kappa_r` that a grid may have.
 const TOLERANCE: f64 = 0.01;
 
-/// What is asked of a grid that is to be found.
+/// The requirements for a grid that is found automatically.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Auto {
     /// Estimated relative error of area and `kappa_r`.
     pub tolerance: f64,
-    /// Axes along which the points are to be found as well, from the shortest wave of the roughness.
+    /// Number of axes, if the points are found automatically, too, from the shortest wavelength of the roughness.
     pub axes: Option<usize>,
 }
 
 impl SetupTable {
-    /// Takes out of the section `grid` what asks for a grid to be found: `refine = "auto"` or `points = "auto"` (of a surface
-    /// `["auto", "auto"]`), with `area-tolerance`; none where the grid is given.
+    /// Removes the request for an automatic grid from the section `grid`: `refine = "auto"` or `points = "auto"` (of a
+    /// surface `["auto", "auto"]`), with `area-tolerance`. Returns none if the grid is given.
     ///
     /// ```
     /// use asperity::setup::SetupTable;
@@ -28,8 +28,8 @@ impl SetupTable {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// # Errors
-    /// For a tolerance that is not positive or stands alone, and for points of a surface of which only some are to be found.
+    /// # Errors For a tolerance that is not positive or is given without an automatic grid, and for points of a surface
+    /// that are automatic along one axis only.
     pub fn take_auto(&mut self) -> Result<Option<Auto>, SetupError> {
         let is_auto = |value: &toml::Value| value.as_str() == Some("auto");
         let axes = match self.find("grid.points") {
@@ -62,7 +62,7 @@ impl SetupTable {
     }
 }
 
-/// The tolerance that is given, or the usual one.
+/// The given tolerance, or the default.
 fn positive(given: Option<toml::Value>) -> Result<f64, SetupError> {
     let number =
         |value: toml::Value| value.as_float().or(value.as_integer().map(|value| value as f64)).unwrap_or(f64::NAN);

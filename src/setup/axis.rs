@@ -1,4 +1,4 @@
-//! Lists in setups, which make many of one.
+//! Lists of values in setups, which describe studies.
 
 use super::text::SetupTable;
 use super::words::plain;
@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 /// Keys of whole numbers that may be ranges, such as `"1-100"`.
 const RANGES: [&str; 3] = [ParameterAxis::SEED, "grid.refine", "stop.max-iterations"];
 
-/// A list in a setup: the keys where it stands, and the values that are tried there.
+/// A list in a setup: its keys, and the values for them.
 ///
 /// ```
 /// use asperity::setup::SetupTable;
@@ -47,7 +47,7 @@ impl ParameterAxis {
     /// The keys of the seed of random surfaces.
     pub const SEED: &str = "surface.seed";
 
-    /// The keys where the list stands, such as `surface.spectrum.hurst`.
+    /// The keys of the list, such as `surface.spectrum.hurst`.
     pub fn path(&self) -> &str {
         &self.path
     }
@@ -57,13 +57,13 @@ impl ParameterAxis {
         FLAGS.iter().find(|flag| flag.path == self.path).map_or(&self.path, |flag| flag.name)
     }
 
-    /// How many values there are, at least one.
+    /// The number of values, at least one.
     #[allow(clippy::len_without_is_empty, reason = "a list that is empty is none")]
     pub fn len(&self) -> u64 {
         self.items.iter().fold(0, |sum: u64, item| sum.saturating_add(item.len()))
     }
 
-    /// Value number `i`, from 0, as people write it.
+    /// Value number `i`, from 0, as a user writes it.
     pub fn word(&self, i: u64) -> String {
         self.value(i).as_ref().map_or(String::new(), plain)
     }
@@ -80,18 +80,18 @@ impl ParameterAxis {
         None
     }
 
-    /// Refuses a list whose values do not make different contacts: with the same value twice, or of a section that changes no
-    /// numbers. All of its values are gone through.
+    /// Refuses a list whose values do not give different contacts: one that has a value twice, or that is in a section
+    /// without influence on the numbers. It checks all values.
     ///
     /// # Errors
     /// [`SetupError::Text`].
     pub fn check_varied(&self) -> Result<(), SetupError> {
         if ["friction", "record"].iter().any(|section| self.path.split('.').next() == Some(section)) {
-            return Err(wrong(&self.path, "it changes no number of a study: give one value".into()));
+            return Err(wrong(&self.path, "it does not change the numbers of a study: give one value".into()));
         }
         let mut seen = BTreeSet::new();
         match (0..self.len()).map(|i| self.word(i)).find(|word| !seen.insert(word.clone())) {
-            Some(word) => Err(wrong(&self.path, format!("{word} is there twice: give each value once"))),
+            Some(word) => Err(wrong(&self.path, format!("{word} occurs twice: give each value once"))),
             None => Ok(()),
         }
     }
@@ -107,12 +107,11 @@ fn wrong(path: &str, reason: String) -> SetupError {
 }
 
 impl SetupTable {
-    /// Takes the lists of values out and leaves the first value of each there, so that what is left is a setup; the loads are
-    /// left to [`SetupTable::take_loads`]. A list of lists stands where a setup has a list, such as the points of a surface. The
-    /// lists come in the order of [`FLAGS`], that of the seeds last.
+    /// Removes the lists of values and keeps the first value of each, so that a setup remains. Loads are handled by
+    /// [`SetupTable::take_loads`]. A quantity that is a list itself, such as the points of a surface, needs a list of
+    /// lists. The lists are in the order of [`FLAGS`], the seeds last.
     ///
-    /// # Errors
-    /// [`SetupError::Text`] for an empty list and for a range that is none.
+    /// # Errors [`SetupError::Text`] for an empty list and for an invalid range.
     pub fn take_axes(&mut self) -> Result<Vec<ParameterAxis>, SetupError> {
         let mut axes = Vec::new();
         for (section, value) in self.sections() {
@@ -125,7 +124,7 @@ impl SetupTable {
         Ok(axes)
     }
 
-    /// Lays value number `i` of a list, from 0, over what stands at its keys.
+    /// Sets value number `i` of a list, counted from 0, at its keys.
     pub fn lay_axis(&mut self, axis: &ParameterAxis, i: u64) {
         if let Some(value) = axis.value(i) {
             self.lay(&axis.path, value);
@@ -133,7 +132,7 @@ impl SetupTable {
     }
 }
 
-/// Where a list comes among others.
+/// The position of a list among the others.
 fn place(path: &str) -> (bool, usize) {
     let is_at = |flag: &Flag| flag.path.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
     (path == ParameterAxis::SEED, FLAGS.iter().position(is_at).unwrap_or(FLAGS.len()))
@@ -161,7 +160,7 @@ fn find(path: &str, value: &toml::Value, axes: &mut Vec<ParameterAxis>) -> Resul
     Ok(())
 }
 
-/// Whether an array is one value of a setup, and no list of values.
+/// Whether an array is a single value of a setup, not a list of values.
 fn is_one(path: &str, values: &[toml::Value]) -> bool {
     let takes_list = |flag: &Flag| flag.path == path && matches!(flag.value, FlagValue::List | FlagValue::Choices(_));
     FLAGS.iter().any(takes_list) && !values.iter().all(toml::Value::is_array)
@@ -176,20 +175,21 @@ fn item(path: &str, value: &toml::Value) -> Result<ListItem, SetupError> {
     let parse = |word: &str| word.trim().parse::<u64>().ok();
     match (parse(first), parse(last)) {
         (Some(first), Some(last)) if first <= last => Ok(ListItem::Range(first, last)),
-        _ => {
-            Err(wrong(path, format!("`{text}` is no range: write the first and the last whole number, such as 1-100")))
-        }
+        _ => Err(wrong(
+            path,
+            format!("`{text}` is not a range: give the first and the last whole number, such as 1-100"),
+        )),
     }
 }
 
-/// A value at some keys of a setup, as a column of a table holds it.
+/// A value of a setup, as in a column of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Scalar {
     /// A whole number from 0 on.
     Whole(u64),
     /// A number.
     Number(f64),
-    /// Anything else, as people write it.
+    /// Anything else, as a user writes it.
     Text(String),
 }
 

@@ -6,14 +6,14 @@ use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
-/// What is beyond the cell along an axis.
+/// The boundary of the cell along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Boundary {
-    /// The cell repeats itself.
+    /// The cell is repeated periodically.
     Periodic,
-    /// Nothing presses the solid beyond the cell.
+    /// The solid continues outside the cell, without pressure on it.
     Free,
 }
 
@@ -21,11 +21,11 @@ pub enum Boundary {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Cell {
-    /// Points along the axes; none where a height file has its own.
+    /// Points along the axes; empty if a height file has its own.
     #[serde(default, skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
     pub points: Vec<usize>,
-    /// Lengths along the axes; one serves all of them, and none where a height file says its own. Those beside a height file are the lengths of
-    /// all that is in it, before anything is cropped or mirrored.
+    /// Lengths along the axes; one value holds for all axes. Empty if a height file has its own. Lengths that are given
+    /// with a height file are those of the whole file, before it is cropped or mirrored.
     #[serde(
         default,
         skip_serializing_if = "Vec::is_empty",
@@ -33,21 +33,21 @@ pub struct Cell {
         deserialize_with = "one_or_more::lengths"
     )]
     pub size: Vec<f64>,
-    /// Points for each of those above, or of a height file, along each axis; 1 if it is left out. Heights of a file are
-    /// interpolated, all else is made on the finer grid.
+    /// Refinement factor of the points, or of those of a height file, along each axis; 1 if it is left out. Heights of
+    /// a file are interpolated; everything else is generated on the finer grid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub refine: Option<usize>,
-    /// Boundaries along the axes; one serves all of them, and none is periodic.
+    /// Boundaries along the axes; one value holds for all axes. Empty means periodic.
     #[serde(default, skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
     pub boundary: Vec<Boundary>,
-    /// Distance from a line load at which the surface stands still, a length, where one axis only is free, as that of a line: the length
-    /// of the cell along it if it is left out. See [`crate::elastic::ElasticSolid::datum`].
+    /// If exactly one axis is free: the distance from a line load at which the displacement is zero, a length. The
+    /// default is the length of the cell along this axis. See [`crate::elastic::ElasticSolid::datum`].
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "crate::quantity::some_length")]
     pub datum: Option<f64>,
 }
 
 impl Cell {
-    /// Points along an axis that are to be found.
+    /// The number that means automatic points along an axis.
     pub(super) const ANY: i64 = Grid::MIN_POINTS as i64;
 
     /// The cell of a line.
@@ -55,7 +55,7 @@ impl Cell {
         Self { points: vec![points], size: vec![length], refine: None, boundary: Vec::new(), datum: None }
     }
 
-    /// The cell of a height file that says its points and lengths.
+    /// The cell of a height file with points and lengths.
     pub fn file() -> Self {
         Self { points: Vec::new(), size: Vec::new(), refine: None, boundary: Vec::new(), datum: None }
     }
@@ -70,7 +70,7 @@ impl Cell {
         Self { points: points.into(), size: size.into(), refine: None, boundary: Vec::new(), datum: None }
     }
 
-    /// Points for each that is given along an axis.
+    /// Refinement factor along each axis.
     pub fn refine(&self) -> usize {
         self.refine.unwrap_or(1)
     }

@@ -5,7 +5,7 @@ use super::text::SetupTable;
 use crate::error::SetupError;
 use crate::surface::PreparationChoice;
 
-/// What stands in the place of steps that are to be chosen, and where.
+/// The word for steps that are to be chosen automatically, and its keys.
 const AUTO: &str = "auto";
 const PREPARE: &str = "surface.prepare";
 const STEPS: &str = "surface.prepare.steps";
@@ -13,8 +13,9 @@ const STEPS: &str = "surface.prepare.steps";
 const SURVEY_FIELDS: f64 = 9.0;
 
 impl SetupTable {
-    /// Puts the steps that a height file needs in the place of `surface.prepare.steps = "auto"`, or of `surface.prepare = "auto"` for short, so
-    /// that the setup holds them one by one, and returns the reasons for them. Steps that are given beside it are kept as they are.
+    /// Writes the steps that a height file needs instead of `surface.prepare.steps = "auto"`, or of `surface.prepare =
+    /// "auto"` for short, so that the setup holds them one by one, and returns the reasons for them. Steps that are
+    /// given beside it are kept as they are.
     ///
     /// # Errors
     /// For other words in its place, for no height file, and for one that cannot be read.
@@ -26,7 +27,7 @@ impl SetupTable {
             None => return Ok(Vec::new()),
             Some(steps) if steps.as_str() == Some(AUTO) => self.remove(STEPS),
             Some(other) => {
-                let reason = format!("{other} is no way of preparing: give \"{AUTO}\", or the steps one by one");
+                let reason = format!("{other} is not a preparation: give \"{AUTO}\", or the individual steps");
                 return Err(SetupError::Text { place: format!("{STEPS}: "), reason });
             }
         }

@@ -59,7 +59,7 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// The value that the words of a flag stand for.
+/// The value of the words of a flag.
 fn read(flag: &Flag, words: &[String]) -> toml::Value {
     let is_list = matches!(flag.value, FlagValue::Choices(_));
     match words {

@@ -1,4 +1,4 @@
-//! The cost of a solve, said before it is started.
+//! The cost of a solve, known before it starts.
 
 use super::Setup;
 use crate::contact::Multilevel;
@@ -6,10 +6,10 @@ use crate::elastic::Compliance;
 use crate::error::SetupError;
 use crate::grid::Grid;
 
-/// Fields that are held while random roughness is made: lines, surfaces.
+/// Fields that are needed to generate random roughness: lines, surfaces.
 const SYNTHESIS_FIELDS: [f64; 2] = [5.9, 3.8];
-/// Fields that are held for each contact while an archive is made in memory: lines, with positions and spectra of as many values, and
-/// surfaces; for each node of a surface in contact its contour besides.
+/// Fields that an archive of one contact needs in memory: for lines (with positions and spectra) and for surfaces. The
+/// contour of a surface adds memory for each node in contact.
 const ARCHIVE_FIELDS: [f64; 2] = [16.5, 8.8];
 const CONTOUR_FIELDS: f64 = 3.5;
 /// Fields of a contact that is kept.
@@ -34,18 +34,18 @@ const PICTURES: [[f64; 3]; 2] = [[10.5e6, 6.6e3, 2048.0], [18e6, 0.11e6, 512.0]]
 pub struct Cost {
     /// The finest grid.
     pub grid: Grid,
-    /// Coarse grids besides it.
+    /// Coarse grids in addition.
     pub coarse_grids: usize,
     /// Bytes at the peak, with the share of the nodes in contact that is expected.
     pub bytes: f64,
 }
 
-/// What is done besides solving, as far as it takes memory.
+/// The work in addition to the solve, if it needs memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Extras {
     /// Whether the steps are recorded.
     pub is_recorded: bool,
-    /// Whether the steps are diagnosed, in a recording or by themselves.
+    /// Whether the steps are diagnosed, with or without a recording.
     pub is_diagnosed: bool,
     /// Whether the contact stiffness is found.
     pub has_stiffness: bool,
@@ -56,7 +56,7 @@ pub struct Extras {
 }
 
 impl Setup {
-    /// The cost of the solve with what is done besides.
+    /// The cost of the solve with the additional work.
     ///
     /// # Errors
     /// The errors of [`Setup::check`], and those of reading measured heights.
@@ -91,12 +91,12 @@ impl Setup {
 }
 
 impl Cost {
-    /// Bytes of so many fields of doubles.
+    /// Bytes of a number of fields of doubles.
     pub fn from_fields(grid: &Grid, fields: f64) -> Self {
         Self { grid: *grid, coarse_grids: 0, bytes: bytes(grid, fields) }
     }
 
-    /// Refuses what needs more memory than is free, or than the system grants.
+    /// Refuses a solve that needs more memory than is free, or than the system allows.
     ///
     /// # Errors
     /// [`SetupError::Memory`].
@@ -117,7 +117,7 @@ fn bytes(grid: &Grid, fields: f64) -> f64 {
     fields * size_of::<f64>() as f64 * grid.len() as f64
 }
 
-/// Bytes of memory that are free, where the system tells.
+/// Bytes of free memory, if the system reports it.
 pub fn available_bytes() -> Option<f64> {
     #[cfg(all(target_os = "linux", feature = "figures"))]
     {

@@ -1,4 +1,4 @@
-//! The contact to expect of a setup, before anything is solved or a large surface is made.
+//! The expected contact of a setup, without solving it or generating a large surface.
 
 use super::Setup;
 use crate::contact::{Forecast, Load};
@@ -7,14 +7,15 @@ use crate::grid::Grid;
 use crate::surface::Spectrum;
 use std::f64::consts::{SQRT_2, TAU};
 
-/// Nodes along a side of the grid on which a smooth surface is looked at: lines, surfaces.
+/// Nodes along a side of the grid on which a smooth surface is sampled: lines, surfaces.
 const SIDES: [usize; 2] = [4096, 64];
 /// Waves at which a spectrum is integrated.
 const WAVES: usize = 512;
 
 impl Setup {
-    /// The relative contact area to expect, about: of random roughness by its reduced pressure or, at a mean gap, by the nodes that lie
-    /// above it; of smooth shapes from the heights on a small grid; of measured heights from the heights themselves.
+    /// The approximate relative contact area: of random roughness by its reduced pressure or, at a mean gap, by the
+    /// nodes that lie above it; of smooth shapes from the heights on a small grid; of measured heights from the heights
+    /// themselves.
     ///
     /// # Errors
     /// The errors of [`Setup::problem`].

@@ -1,4 +1,4 @@
-//! The flags of the command line that lay values over a setup.
+//! The flags of the command line that set values of a setup.
 
 use super::{Boundary, Method, Part, Theme};
 use crate::contact::{Dynamics, Masses};
@@ -6,15 +6,15 @@ use crate::elastic::Base;
 use crate::surface::{Detrend, Fill, Form, Indenter, Mirror, Preparation, Resample};
 use strum::{EnumMessage, IntoEnumIterator};
 
-/// A flag of the command line, and the place in a setup that its value is laid over.
+/// A flag of the command line, and the keys of the setup that it sets.
 pub struct Flag {
     /// Its name, without the dashes.
     pub name: &'static str,
-    /// Keys in a setup, with dots between.
+    /// Keys in a setup, separated by dots.
     pub path: &'static str,
     /// The kind of its value.
     pub value: FlagValue,
-    /// A name for its value.
+    /// The placeholder of its value in the help.
     pub placeholder: &'static str,
     /// One sentence.
     pub help: &'static str,
@@ -25,24 +25,24 @@ pub struct Flag {
 pub enum FlagValue {
     /// A number, a quantity with a unit, or a name.
     One,
-    /// One of them, or several with commas between.
+    /// One of them, or several separated by commas.
     List,
-    /// One of some names, with a few words on each.
+    /// One of some names, with a short description each.
     Choice(Choices),
-    /// One of some names, each with keys of its own: it takes the place of all that stands beside it.
+    /// One of some names that each have their own keys: it replaces all keys of its section or table.
     Variant(Choices),
     /// Several of some names.
     Choices(Choices),
 }
 
-/// Names to choose from, with a few words on each.
+/// Names to choose from, with a short description each.
 pub type Choices = fn() -> Vec<(&'static str, &'static str)>;
 
-/// The names of the variants of an enum, with a few words on each: its message, or the first line of its documentation.
+/// The names of the variants of an enum, with a short description each: its message, or the first line of its documentation.
 ///
 /// ```
 /// use asperity::setup::{Theme, choices};
-/// assert_eq!(choices::<Theme>()[0], ("dark", "Light lines on a dark ground"));
+/// assert_eq!(choices::<Theme>()[0], ("dark", "Light lines on a dark background"));
 /// ```
 pub fn choices<T: IntoEnumIterator + EnumMessage + Into<&'static str>>() -> Vec<(&'static str, &'static str)> {
     let choice = |it: T| {
@@ -56,20 +56,20 @@ pub fn choices<T: IntoEnumIterator + EnumMessage + Into<&'static str>>() -> Vec<
 /// All flags, in the order of a command line.
 #[rustfmt::skip]
 pub const FLAGS: &[Flag] = &[
-    flag("height", "surface.height", FlagValue::One, "FILE", "Heights of a line or a surface from a file of an instrument, .npy, .npz or text of numbers; peaks towards the solid are positive"),
-    flag("against", "surface.against", FlagValue::One, "FILE", "Heights of a second surface of the same shape, on which the first is pressed: peaks towards the first are positive, and they are added"),
-    flag("channel", "surface.channel", FlagValue::One, "NAME", "Channel of a file that has several, by name or number"),
-    flag("file-unit", "surface.file-unit", FlagValue::One, "L", "Length of 1 in a file that does not say its units, such as 1um"),
-    flag("prepare", "surface.prepare.steps", FlagValue::Choice(|| Preparation::WAYS.to_vec()), "WAY", "Choose the steps that the heights need, and say why; steps that are given are kept"),
-    flag("resample", "surface.prepare.resample", FlagValue::Choice(choices::<Resample>), "WAY", "Bring heights at uneven positions to even ones"),
-    flag("crop", "surface.prepare.crop", FlagValue::List, "A,B[,C,D]", "Part that is kept: first node and one beyond the last, of a map those of rows, then columns"),
+    flag("height", "surface.height", FlagValue::One, "FILE", "File of heights of a line or a surface: an instrument's format, .npy, .npz or text; peaks towards the solid are positive"),
+    flag("against", "surface.against", FlagValue::One, "FILE", "File of heights of the second body, of the same shape; peaks towards the first body are positive; both heights are added"),
+    flag("channel", "surface.channel", FlagValue::One, "NAME", "Channel of a file with several channels, by name or number"),
+    flag("file-unit", "surface.file-unit", FlagValue::One, "L", "Unit of the heights in a file without units, such as 1um"),
+    flag("prepare", "surface.prepare.steps", FlagValue::Choice(|| Preparation::WAYS.to_vec()), "WAY", "auto: choose the preparation steps from the heights, and print the reasons; steps that you give are kept"),
+    flag("resample", "surface.prepare.resample", FlagValue::Choice(choices::<Resample>), "WAY", "Interpolate heights at uneven positions to even spacing"),
+    flag("crop", "surface.prepare.crop", FlagValue::List, "A,B[,C,D]", "Part to keep: first node and last node + 1; of a map, first for the rows and then for the columns"),
     flag("fill", "surface.prepare.fill", FlagValue::Choice(choices::<Fill>), "WAY", "Fill voids"),
-    flag("detrend", "surface.prepare.detrend", FlagValue::Choice(choices::<Detrend>), "TREND", "Trend to take off the heights"),
-    flag("remove-form", "surface.prepare.remove-form", FlagValue::Choice(choices::<Form>), "FORM", "Body whose fitted form is taken off"),
-    flag("high-pass", "surface.prepare.high-pass", FlagValue::One, "LAMBDA", "Wavelength above which waves are taken off, by the Gaussian filter of ISO 16610"),
-    flag("low-pass", "surface.prepare.low-pass", FlagValue::One, "LAMBDA", "Wavelength below which waves are taken off, by the Gaussian filter of ISO 16610"),
-    flag("taper", "surface.prepare.taper", FlagValue::One, "SHARE", "Share of each side within which heights run out to their mean, at most 0.5"),
-    flag("mirror", "surface.prepare.mirror", FlagValue::Choice(choices::<Mirror>), "AXES", "Axes along which heights are mirrored, so that they are periodic without a jump"),
+    flag("detrend", "surface.prepare.detrend", FlagValue::Choice(choices::<Detrend>), "TREND", "Trend to subtract from the heights"),
+    flag("remove-form", "surface.prepare.remove-form", FlagValue::Choice(choices::<Form>), "FORM", "Shape to fit and subtract"),
+    flag("high-pass", "surface.prepare.high-pass", FlagValue::One, "LAMBDA", "Remove longer wavelengths (Gaussian filter, ISO 16610)"),
+    flag("low-pass", "surface.prepare.low-pass", FlagValue::One, "LAMBDA", "Remove shorter wavelengths (Gaussian filter, ISO 16610)"),
+    flag("taper", "surface.prepare.taper", FlagValue::One, "SHARE", "Fraction of each side within which the heights go to their mean smoothly, at most 0.5"),
+    flag("mirror", "surface.prepare.mirror", FlagValue::Choice(choices::<Mirror>), "AXES", "Axes along which the heights are mirrored, which makes them periodic without a jump"),
     flag("indenter", "surface.indenter.shape", FlagValue::Variant(choices::<Indenter>), "SHAPE", "A smooth indenter, centred in the cell"),
     flag("radius", "surface.indenter.radius", FlagValue::One, "R", "Radius of the cylinder or sphere"),
     flag("amplitude", "surface.indenter.amplitude", FlagValue::One, "D", "Amplitude of the sine or crossed sine (half of its peak-to-valley height)"),
@@ -78,44 +78,44 @@ pub const FLAGS: &[Flag] = &[
     flag("exponent", "surface.indenter.exponent", FlagValue::One, "n", "Exponent n of the power law A r^n"),
     flag("half-width", "surface.indenter.half-width", FlagValue::One, "B", "Half-width or radius of the punch"),
     flag("depth", "surface.indenter.depth", FlagValue::One, "D", "Height of the step at the rim of the punch"),
-    flag("hurst", "surface.spectrum.hurst", FlagValue::One, "H", "Self-affine roughness of this Hurst exponent, in (0, 1]; added to what else is given"),
+    flag("hurst", "surface.spectrum.hurst", FlagValue::One, "H", "Self-affine roughness with this Hurst exponent, in (0, 1]; it is added to the indenter or heights"),
     flag("rolloff", "surface.spectrum.rolloff-wavelength", FlagValue::One, "LAMBDA", "Wavelength above which the spectrum is flat"),
     flag("short-cutoff", "surface.spectrum.short-cutoff", FlagValue::One, "LAMBDA", "Wavelength below which the spectrum is zero"),
-    flag("rms-gradient", "surface.spectrum.rms-gradient", FlagValue::One, "G", "Root-mean-square gradient of the roughness, made exact for the realisation"),
-    flag("seed", "surface.seed", FlagValue::One, "SEED", "Seed of the realisation [default: 1]"),
-    flag("bumps", "surface.bumps", FlagValue::List, "X,H,W[,...]", "Bumps on a line, three lengths for each: where it is, its height (a hollow has a negative one) and its width"),
-    flag("points", "grid.points", FlagValue::List, "N[,N]", "Points along the array's axes, in their order: one makes a line, two a surface; of roughness auto or auto,auto"),
-    flag("size", "grid.size", FlagValue::List, "L[,L]", "Lengths of the cell along the array's axes, in their order; one value serves all axes; not needed where a height file says its own"),
-    flag("refine", "grid.refine", FlagValue::One, "N", "Points for each point of the file (interpolated) or of --points, along each axis; auto: until area and kappa_r settle"),
-    flag("area-tolerance", "grid.area-tolerance", FlagValue::One, "ERROR", "Estimated relative error of area and kappa_r at which --refine auto or --points auto ends [default: 0.01]"),
-    flag("boundary", "grid.boundary", FlagValue::Choices(choices::<Boundary>), "B[,B]", "Boundary along the array's axes, in their order; one value serves all axes [default: periodic]"),
-    flag("datum", "grid.datum", FlagValue::One, "D", "Distance from a line load at which the surface stands still, where one axis only is free [default: the length of the cell along it]"),
-    flag("modulus", "solid.contact-modulus", FlagValue::One, "E*", "Contact modulus E* = E / (1 - nu^2), a pressure: with a unit such as 1GPa, or a number in your units"),
-    flag("young", "solid.young", FlagValue::List, "E[,E]", "Young's modulus, a pressure, of the elastic body, or of both: 1/E* = sum (1 - nu^2)/E; with --poisson"),
-    flag("poisson", "solid.poisson", FlagValue::List, "NU[,NU]", "Poisson's ratio of the same"),
-    flag("layer", "solid.layer", FlagValue::One, "T", "Thickness of an elastic layer on a rigid base, in the place of a half-space; with --poisson"),
-    flag("base", "solid.base", FlagValue::Choice(choices::<Base>), "BASE", "How the layer lies on its base [default: bonded]"),
-    flag("hardness", "law.hardness", FlagValue::One, "H_C", "Hardness of the softer body, a pressure above which it yields: no pressure is higher; with a unit or in that of the modulus, without a modulus over it"),
-    flag("pressure", "load.mean-pressure", FlagValue::List, "P[,P]", "Mean pressure, with a unit or in that of the modulus, which must be given; several are solved one after the other"),
-    flag("reduced-pressure", "load.reduced-pressure", FlagValue::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus pressures are over E*"),
-    flag("mean-gap", "load.mean-gap", FlagValue::List, "G[,G]", "Mean gap between the mean planes of both surfaces, below the highest peak; not with --solver gfmd"),
-    flag("friction", "friction.coefficient", FlagValue::One, "MU", "Coefficient of friction under a tangential load; with --tangential"),
-    flag("tangential", "friction.tangential", FlagValue::One, "Q", "Tangential load along x, less than MU times the normal one and in its form: a mean traction, or over rms gradient x modulus, or a force"),
-    flag("force", "load.force", FlagValue::List, "F[,F]", "Force on the cell, on a line per length across it, with a unit or in those of modulus and size"),
-    flag("approach", "load.approach", FlagValue::List, "D[,D]", "Approach since the highest peak touched: of a layer or a free boundary, not with --solver gfmd"),
+    flag("rms-gradient", "surface.spectrum.rms-gradient", FlagValue::One, "G", "Root-mean-square gradient of the roughness; each realisation is scaled to it exactly"),
+    flag("seed", "surface.seed", FlagValue::One, "SEED", "Seed of the random numbers [default: 1]"),
+    flag("bumps", "surface.bumps", FlagValue::List, "X,H,W[,...]", "Bumps on a line, three lengths each: position, height (negative for a hollow) and width"),
+    flag("points", "grid.points", FlagValue::List, "N[,N]", "Grid points along the array's axes: one number for a line, two (rows, columns) for a surface; for roughness also auto or auto,auto"),
+    flag("size", "grid.size", FlagValue::List, "L[,L]", "Lengths of the cell along the array's axes (rows, columns); one value holds for all axes; not needed if the height file has them"),
+    flag("refine", "grid.refine", FlagValue::One, "N", "Refinement factor of the file's grid (interpolated) or of --points, along each axis; auto: refine until area and kappa_r are accurate"),
+    flag("area-tolerance", "grid.area-tolerance", FlagValue::One, "ERROR", "Estimated relative error of area and kappa_r at which --refine auto or --points auto stops [default: 0.01]"),
+    flag("boundary", "grid.boundary", FlagValue::Choices(choices::<Boundary>), "B[,B]", "Boundary along the array's axes (rows, columns); one value holds for all axes [default: periodic]"),
+    flag("datum", "grid.datum", FlagValue::One, "D", "If only one axis is free: distance from a line load at which the displacement is zero [default: the length of the cell along it]"),
+    flag("modulus", "solid.contact-modulus", FlagValue::One, "E*", "Contact modulus E* = E / (1 - nu^2), with a unit such as 1GPa, or a number in your units"),
+    flag("young", "solid.young", FlagValue::List, "E[,E]", "Young's modulus of the elastic body, or of both bodies: 1/E* = sum (1 - nu^2)/E; needs --poisson"),
+    flag("poisson", "solid.poisson", FlagValue::List, "NU[,NU]", "Poisson's ratio of the elastic body, or of both bodies"),
+    flag("layer", "solid.layer", FlagValue::One, "T", "Thickness of an elastic layer on a rigid base, instead of a half-space; needs --poisson"),
+    flag("base", "solid.base", FlagValue::Choice(choices::<Base>), "BASE", "How the layer is held on its base [default: bonded]"),
+    flag("hardness", "law.hardness", FlagValue::One, "H_C", "Hardness of the softer body: it yields at this pressure, and no pressure is higher; with a unit, or in the unit of the modulus; without a modulus, divided by E*"),
+    flag("pressure", "load.mean-pressure", FlagValue::List, "P[,P]", "Mean pressure, with a unit, or in the unit of the modulus; needs a modulus; several values are solved one after the other"),
+    flag("reduced-pressure", "load.reduced-pressure", FlagValue::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus, pressures are divided by E*"),
+    flag("mean-gap", "load.mean-gap", FlagValue::List, "G[,G]", "Mean gap: distance between the mean planes of both surfaces, less than the highest peak; not with --solver gfmd"),
+    flag("friction", "friction.coefficient", FlagValue::One, "MU", "Coefficient of friction; needs --tangential"),
+    flag("tangential", "friction.tangential", FlagValue::One, "Q", "Tangential load along x, less than MU times the normal load, and of the same kind as it: a mean traction, a reduced traction or a force"),
+    flag("force", "load.force", FlagValue::List, "F[,F]", "Force on the cell (for a line, force per length), with a unit, or in the units of modulus and size"),
+    flag("approach", "load.approach", FlagValue::List, "D[,D]", "Approach of the bodies after the first contact, for a layer or a free boundary; not with --solver gfmd"),
     flag("solver", "solver.method", FlagValue::Variant(choices::<Method>), "METHOD", "The method [default: multilevel]"),
     flag("masses", "solver.masses", FlagValue::Choice(choices::<Masses>), "MASSES", "GFMD: masses of the surface modes [default: uniform]"),
     flag("dynamics", "solver.dynamics", FlagValue::Choice(choices::<Dynamics>), "DYNAMICS", "GFMD: damping of the motion [default: damped]"),
-    flag("time-step", "solver.time-step", FlagValue::One, "DT", "GFMD: time step over the stability limit, in (0, 1) [default: 0.5]"),
-    flag("damping", "solver.damping", FlagValue::One, "C", "GFMD: friction over the critical one of the slowest mode [default: 1]"),
-    flag("tolerance", "stop.tolerance", FlagValue::One, "ETA", "Certificate eta to reach: error in energy over load times rms height [default: 1e-8]"),
-    flag("pressure-tolerance", "stop.pressure-tolerance", FlagValue::One, "E", "Bound of the relative error of the pressure to reach as well, in the energy norm: for indenters that are narrow in their cell"),
-    flag("max-iterations", "stop.max-iterations", FlagValue::One, "N", "Iterations at the most [default: 100000]"),
+    flag("time-step", "solver.time-step", FlagValue::One, "DT", "GFMD: time step divided by the stability limit, in (0, 1) [default: 0.5]"),
+    flag("damping", "solver.damping", FlagValue::One, "C", "GFMD: damping divided by the critical damping of the slowest mode [default: 1]"),
+    flag("tolerance", "stop.tolerance", FlagValue::One, "ETA", "Stop at this certificate eta, a bound of the energy error divided by load times rms height [default: 1e-8]"),
+    flag("pressure-tolerance", "stop.pressure-tolerance", FlagValue::One, "E", "Stop only if the bound of the relative error of the pressure (energy norm) is also below this; use it for indenters that are narrow in their cell"),
+    flag("max-iterations", "stop.max-iterations", FlagValue::One, "N", "Largest number of iterations [default: 100000]"),
     flag("record-what", "record.what", FlagValue::Choices(choices::<Part>), "PART[,PART]", "Parts to record [default: traces, profile or mesh, fields, mask]"),
-    flag("raster-at", "record.raster-at", FlagValue::List, "ROW,COLUMN", "Row and column of a surface, from 0 on, along which the raster runs [default: through the highest peak]"),
-    flag("record-every", "record.every", FlagValue::One, "N", "Record the fields of every N-th step [default: all early steps and then ever fewer]"),
-    flag("length-unit", "record.length-unit", FlagValue::One, "UNIT", "Unit of lengths in the recording; metres are shown as mm, um or nm [default: m]"),
-    flag("theme", "record.theme", FlagValue::Choice(choices::<Theme>), "THEME", "Ground of the pictures in the recording [default: dark]"),
+    flag("raster-at", "record.raster-at", FlagValue::List, "ROW,COLUMN", "Row and column of a surface, counted from 0, that the raster shows [default: through the highest peak]"),
+    flag("record-every", "record.every", FlagValue::One, "N", "Record the fields of every N-th step [default: all early steps, later ones less often]"),
+    flag("length-unit", "record.length-unit", FlagValue::One, "UNIT", "Unit of the given lengths, for the recording; metres are shown as mm, um or nm [default: m]"),
+    flag("theme", "record.theme", FlagValue::Choice(choices::<Theme>), "THEME", "Background of the pictures in the recording [default: dark]"),
 ];
 
 const fn flag(

@@ -27,7 +27,7 @@ impl SetupError {
     }
 }
 
-/// The line on which keys with dots between stand, or as many of the first of them as are there.
+/// The line of keys that are separated by dots, or of the longest part of them that exists.
 fn line(text: &str, path: &str) -> Option<usize> {
     let table = DeTable::parse(text).ok()?;
     let span = span(table.get_ref(), path)?;

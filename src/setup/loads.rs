@@ -5,13 +5,13 @@ use crate::contact::Load;
 use crate::error::{ProblemError, SetupError};
 use serde::Deserialize;
 
-/// Loads of a range at the most.
+/// Largest number of loads of a range.
 const MOST_LOADS: u32 = 100_000;
 
 impl SetupTable {
-    /// Takes a list of loads out of the section `load` and leaves the first of them there; none where there is a single load or
-    /// none. A list such as `[1e5, "1 MPa"]` holds loads, and ranges such as `"1e-3..1e-1:13"`, of 13 loads that are evenly
-    /// spaced in their logarithm.
+    /// Removes a list of loads from the section `load` and keeps the first load. Returns none if there is a single load
+    /// or no load. A list such as `[1e5, "1 MPa"]` may contain ranges such as `"1e-3..1e-1:13"`, which means 13 loads
+    /// with equal ratios.
     ///
     /// ```
     /// use asperity::contact::Load;
@@ -42,7 +42,7 @@ impl SetupTable {
         Ok(Some(loads))
     }
 
-    /// Lays a list of loads, all of the kind of the first one, over the section `load`.
+    /// Sets a list of loads, all of the same kind, in the section `load`.
     pub fn lay_loads(&mut self, loads: &[Load]) {
         let Some(first) = loads.first() else { return };
         let named = toml::Table::try_from(first).expect("a load has a form in TOML");
@@ -65,30 +65,30 @@ impl SetupTable {
         let (Some(text), Some(kind)) = (text, kind) else { return Ok(()) };
         let wrong = |_| {
             let reason =
-                format!("{text:?} has not the form of the normal load, which is a {kind}: give a {kind} as well");
+                format!("{text:?} is not of the same kind as the normal load, which is a {kind}: give a {kind}");
             SetupError::Text { place: format!("{PATH}: "), reason }
         };
         let tangential = read(&kind, text.clone().into()).map_err(wrong);
-        // where it is wrong, a number stands for it, so that the rest can be read
+        // if it is wrong, a number replaces it, so that the rest can be read
         self.lay(PATH, tangential.as_ref().map_or(1.0, Load::value).into());
         tangential.map(drop)
     }
 }
 
-/// The loads that a word of a list stands for.
+/// The loads of one word of a list.
 fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
     let Some((first, rest)) = word.as_str().and_then(|text| text.split_once("..")) else {
         return Ok(vec![load(kind, word.clone())?]);
     };
     let wrong = || {
         let text = word.as_str().unwrap_or_default();
-        wrong_load(format!("`{text}` is no range: write first..last:number, such as 1e-3..1e-1:13"))
+        wrong_load(format!("`{text}` is not a range: give first..last:number, such as 1e-3..1e-1:13"))
     };
     let (last, count) = rest.rsplit_once(':').ok_or_else(wrong)?;
     let count: u32 = count.trim().parse().ok().filter(|count| *count > 1).ok_or_else(wrong)?;
     if count > MOST_LOADS {
         let text = word.as_str().unwrap_or_default();
-        return Err(wrong_load(format!("`{text}` holds too many loads: give at most {MOST_LOADS}")));
+        return Err(wrong_load(format!("`{text}` has too many loads: give at most {MOST_LOADS}")));
     }
     let end = |end: &str| if end.is_empty() { Err(wrong()) } else { load(kind, super::command::value(end)) };
     let (first, last) = (end(first.trim())?, end(last.trim())?);

@@ -6,7 +6,7 @@ use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
 
-/// A solver with its settings: the one list of solvers.
+/// A solver with its settings. This is the only list of solvers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, EnumIter, EnumMessage, EnumString, IntoStaticStr)]
 #[serde(tag = "method", rename_all = "kebab-case", deny_unknown_fields)]
 #[strum(serialize_all = "kebab-case")]
@@ -26,7 +26,7 @@ pub enum Method {
 }
 
 impl Default for Method {
-    /// The fast one.
+    /// The fastest solver.
     fn default() -> Self {
         Self::Multilevel {}
     }
@@ -58,22 +58,22 @@ impl Method {
         }
     }
 
-    /// Whether the solver works at a given mean gap, not under a pressure only.
+    /// Whether the solver works at a given mean gap, too, not only under a pressure.
     pub fn takes_mean_gap(&self) -> bool {
         !matches!(self, Self::Gfmd(_))
     }
 
-    /// Whether the solver works on a free boundary, not with images only.
+    /// Whether the solver works with a free boundary, too, not only with a periodic one.
     pub fn takes_free_boundary(&self) -> bool {
         !matches!(self, Self::Gfmd(_))
     }
 
-    /// Whether the solver takes on a hardness.
+    /// Whether the solver works with a hardness.
     pub fn takes_hardness(&self) -> bool {
         !matches!(self, Self::Gfmd(_))
     }
 
-    /// Coarse grids that the solver goes through.
+    /// Coarse grids of the solver.
     pub fn coarse_grids(&self, grid: &Grid) -> usize {
         match self {
             Self::Multilevel {} => Multilevel::coarse_grids(grid),
@@ -81,7 +81,8 @@ impl Method {
         }
     }
 
-    /// Fields of doubles that a solve holds at its peak when a share of the nodes touches, the heights left out.
+    /// Number of fields of doubles that a solve needs at its peak, without the heights, if a share of the nodes is in
+    /// contact.
     pub fn fields(&self, grid: &Grid, relative_area: f64) -> f64 {
         match self {
             Self::Multilevel {} => Multilevel::fields(grid, relative_area),
@@ -90,8 +91,8 @@ impl Method {
         }
     }
 
-    /// Fields that a recording adds to them, as measured: a state is copied to be written while the solver goes on, and one of the
-    /// multilevel solver has fields to be made that others have at hand.
+    /// Fields that a recording adds to them, as measured: a state is copied to be written while the solver continues,
+    /// and one of the multilevel solver has fields to be made that others have at hand.
     pub(super) fn recorded_fields(&self) -> f64 {
         match self {
             Self::Multilevel {} => 4.0,
@@ -103,12 +104,12 @@ impl Method {
     pub fn transforms(&self) -> &'static str {
         match self {
             Self::Multilevel {} => "about 100, on any grid",
-            Self::PolonskyKeer {} => "two to four a step; finer grids take more steps",
-            Self::Gfmd(_) => "two to four a step and some for certificates",
+            Self::PolonskyKeer {} => "two to four per step; finer grids need more steps",
+            Self::Gfmd(_) => "two to four per step, and some for certificates",
         }
     }
 
-    /// Steps on the finest grid at the most, rather more than are usual.
+    /// Estimate of the largest number of steps on the finest grid.
     pub fn steps(&self, max_iterations: usize) -> usize {
         match self {
             Self::Multilevel {} => max_iterations.min(40),

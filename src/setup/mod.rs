@@ -1,4 +1,4 @@
-//! The one description of a contact to solve: what is pressed, how hard, by which solver, and what is recorded of it.
+//! The description of a contact to solve: surface, solid, load, solver and recording.
 //!
 //! ```text
 //! scene.toml, flags, a result --> Setup --> check, cost --> Problem, Solver
@@ -6,9 +6,9 @@
 //!                                   +----- carried by every result
 //! ```
 //!
-//! A scene may hold a list of loads, `load.reduced-pressure = [1e-3, 1e-2]` or `"1e-3..1e-1:13"`: [`SetupTable::take_loads`] takes it out
-//! for [`crate::study::LoadCurve`], and what is left is a setup under the first one. [`SetupTable::take_axes`] takes all other lists out, for
-//! [`crate::study::Plan`].
+//! A scene may hold a list of loads, `load.reduced-pressure = [1e-3, 1e-2]` or `"1e-3..1e-1:13"`:
+//! [`SetupTable::take_loads`] removes it, for [`crate::study::LoadCurve`], and a setup with the first load remains.
+//! [`SetupTable::take_axes`] removes all other lists, for [`crate::study::Plan`].
 //!
 //! A setup is read from TOML, or from JSON with the feature `units`. Lengths and pressures are numbers in any consistent set of
 //! units or, with that feature, texts such as `"160 um"` and `"1 GPa"`, which become metres and pascals. A setup that is written
@@ -86,7 +86,7 @@ use std::sync::Arc;
 /// | `load`    | a mean pressure or a force (of a `solid`), a reduced pressure, a mean gap, an approach | must be there |
 /// | `friction` | a coefficient of friction and a tangential load            | none                            |
 /// | `solver`  | the method and its settings                                  | multilevel                      |
-/// | `stop`    | certificate to reach, and iterations at the most             | 1e-8, 100 000                   |
+/// | `stop`    | certificate to reach, and largest number of iterations             | 1e-8, 100 000                   |
 /// | `record`  | parts and theme of a recording                               | the usual parts, dark           |
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -95,10 +95,11 @@ pub struct Setup {
     pub surface: Recipe,
     /// Points and size.
     pub grid: Cell,
-    /// The elastic solid, a half-space or a layer; without it pressures are over its contact modulus, and a mean pressure is no load.
+    /// The elastic solid, a half-space or a layer. Without it, pressures are divided by the contact modulus, and a mean
+    /// pressure is not allowed as a load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solid: Option<Solid>,
-    /// What pressures are allowed.
+    /// The allowed pressures.
     #[serde(default, skip_serializing_if = "Law::is_hard_wall")]
     pub law: Law,
     /// The load.
@@ -112,14 +113,14 @@ pub struct Setup {
     /// When the solver stops.
     #[serde(default)]
     pub stop: Stop,
-    /// The recording, should one be made.
+    /// The recording, if one is made.
     #[serde(default)]
     pub record: Record,
 }
 
 impl Setup {
-    /// The setup of a surface on a grid under a load: pressures over the modulus, the usual solver, stop and recording. Under a
-    /// mean pressure it needs a solid as well, see [`Setup::on`].
+    /// The setup of a surface on a grid under a load, with the default solver, stop and recording. Pressures are
+    /// divided by the modulus. A mean pressure also needs a solid, see [`Setup::on`].
     pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
         let (solid, law, friction, solver, stop, record) = Default::default();
         Self { surface, grid, solid, law, load, friction, solver, stop, record }
@@ -130,7 +131,7 @@ impl Setup {
         Self { solid: Some(solid), ..self }
     }
 
-    /// The contact modulus; 1 where no solid is given and pressures are over it.
+    /// The contact modulus; 1 if no solid is given.
     ///
     /// # Errors
     /// [`SetupError::NoModulus`] for a mean pressure on no solid, [`SetupError::Solid`] for elastic constants that no body has.
@@ -145,7 +146,7 @@ impl Setup {
         }
     }
 
-    /// The solid that responds; a half-space of the modulus 1 where none is given.
+    /// The elastic solid; a half-space with modulus 1 if none is given.
     ///
     /// # Errors
     /// The errors of [`Setup::contact_modulus`].
@@ -154,12 +155,12 @@ impl Setup {
         Ok(self.solid.unwrap_or(solid).elastic(self.grid.datum)?)
     }
 
-    /// Poisson's ratio of the elastic body, of two the first one; none where only the contact modulus is known.
+    /// Poisson's ratio of the elastic body, or of the first of two; none if only the contact modulus is known.
     pub fn poisson(&self) -> Option<f64> {
         self.solid.and_then(|solid| solid.poisson())
     }
 
-    /// Checks all that can be checked without making the surface, and returns the grid. Of a height file only the header is
+    /// Checks everything that does not need the surface, and returns the grid. Only the header of a height file is
     /// read.
     ///
     /// # Errors
@@ -171,7 +172,7 @@ impl Setup {
         Ok(grid)
     }
 
-    /// Checks all but the surface, on a grid.
+    /// Checks everything except the surface, on a grid.
     fn check_on(&self, grid: &Grid) -> Result<(), SetupError> {
         self.solver.check()?;
         self.stop.check()?;
@@ -193,7 +194,7 @@ impl Setup {
         Ok(())
     }
 
-    /// Refuses the stress inside a solid in which it is not known.
+    /// Refuses the stress in a solid for which it cannot be computed.
     ///
     /// # Errors
     /// [`SolidError::NoStress`].
@@ -201,7 +202,8 @@ impl Setup {
         if is_known(grid, self.elastic()?.as_ref()) { Ok(()) } else { Err(SolidError::NoStress.into()) }
     }
 
-    /// Refuses a tangential load that friction cannot carry, or beside yielding, which the difference of two contacts does not hold for.
+    /// Refuses a tangential load that friction cannot carry, and a tangential load with yielding, for which the
+    /// difference of two contacts is not valid.
     fn check_friction(&self) -> Result<(), SetupError> {
         let Some(friction) = self.friction else { return Ok(()) };
         friction.ratio(self.load)?;
@@ -224,7 +226,7 @@ impl Setup {
         self.problem_of(self.surface()?)
     }
 
-    /// The problem of heights that are at hand, in the place of those that the recipe makes.
+    /// The problem of heights that are given, instead of those that the recipe makes.
     ///
     /// # Errors
     /// The errors of [`Setup::check`] that do not concern the surface, of [`Problem::new`] and of [`Problem::with_law`].
@@ -234,7 +236,7 @@ impl Setup {
         Ok(Problem::new(surface, self.elastic()?, self.load)?.with_law(self.law)?)
     }
 
-    /// The exact solution under a mean pressure, where the surface is an indenter that has one and nothing
+    /// The exact solution under a mean pressure, if the surface is an indenter with an exact solution and nothing
     /// yields.
     pub fn exact(&self, grid: &Grid, mean_pressure: f64) -> Option<Exact> {
         self.law.is_hard_wall().then_some(())?;
@@ -242,8 +244,9 @@ impl Setup {
         Exact::new(&self.surface.smooth()?, grid, solid.contact_modulus(), mean_pressure)
     }
 
-    /// Sixteen hexadecimal digits that tell setups apart whose contacts differ under the same load: by all that is in them but
-    /// the load, the friction and the recording, and by the bytes of a height file in place of its name.
+    /// Sixteen hexadecimal digits that identify all setups with the same contact under the same load. They depend on
+    /// everything in the setup except the load, the friction and the recording, and by the bytes of a height file in
+    /// place of its name.
     ///
     /// # Errors
     /// For a height file that cannot be read.

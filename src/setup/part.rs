@@ -23,28 +23,28 @@ pub enum Part {
     Mask,
     /// Relief of a surface.
     Mesh,
-    /// Power spectra of displacement and heights; only if asked for, as all below.
+    /// Power spectra of displacement and heights; this part and those below are recorded only if you name them.
     Spectrum,
-    /// Where the error sits, the density of the error in energy; of other codes it is usual.
+    /// Where the error is: the density of the energy error; recorded by default for results of other codes.
     Error,
     /// Largest shear stress below a line, or in a vertical cut through the highest peak of a surface.
     Stress,
-    /// The same as photoelastic fringes: dark wherever 2 tau_max is a whole number of orders.
+    /// The largest shear stress as photoelastic fringes: dark where 2 tau_max is a whole number of fringe orders.
     Fringes,
-    /// Contact by step and place: how long each node has been as it is; of a surface along a row and a column.
+    /// Contact by step and position: for how many steps each node has kept its state; of a surface along a row and a column.
     Raster,
-    /// Error by step and wavelength against the final state, which is solved for first: the work twice.
+    /// Error by step and wavelength, compared with the final state; solves twice.
     Waterfall,
     /// Elastic energy by step and wavelength.
     Energy,
-    /// Grid level, kind of step, nodes in and out, and the end, as lanes.
+    /// Grid level, kind of step, nodes that enter and leave the contact, and the end, as lanes.
     Decisions,
-    /// Extreme Ritz values of conjugate gradients: the condition number that they saw.
+    /// Extreme Ritz values of conjugate gradients, whose ratio is their condition number.
     Ritz,
 }
 
 impl Part {
-    /// The parts that show every step of a run at once, of a solve under one load.
+    /// The parts that show all steps of a run in one picture; for a solve under one load only.
     pub const OF_A_RUN: [Self; 5] = [Self::Raster, Self::Waterfall, Self::Energy, Self::Decisions, Self::Ritz];
 
     /// Its name in scenes.
@@ -53,28 +53,28 @@ impl Part {
     }
 }
 
-/// The recording of a solve, should one be made.
+/// The recording of a solve, if one is made.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Record {
-    /// Parts, instead of all that a line or a surface usually has.
+    /// Parts; if empty, the usual parts of a line or a surface.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub what: Vec<Part>,
-    /// Fields of every n-th step, instead of all early steps and then ever fewer.
+    /// Interval of steps whose fields are recorded. The default is all early steps, later ones less often.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub every: Option<usize>,
     /// Unit of lengths in the recording; metres are shown as mm, um or nm.
     pub length_unit: String,
-    /// Row and column of a surface along which the raster runs, from 0 on, instead of those of its highest peak.
+    /// Row and column of a surface that the raster shows, counted from 0; if it is left out, those of the highest peak.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub raster_at: Option<[usize; 2]>,
-    /// Ground of the pictures.
+    /// Background of the pictures.
     #[serde(skip_serializing_if = "Theme::is_dark")]
     pub theme: Theme,
 }
 
 impl Default for Record {
-    /// All usual parts, all early steps and then ever fewer, lengths in metres, on a dark ground.
+    /// All usual parts, all early steps, later ones less often, lengths in metres, a dark background.
     fn default() -> Self {
         Self { what: Vec::new(), every: None, length_unit: "m".into(), raster_at: None, theme: Theme::Dark }
     }

@@ -16,18 +16,19 @@ pub struct Recipe {
     /// A file of heights of a line or a surface, see [`HeightFile`]; peaks towards the solid are positive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub height: Option<HeightFile>,
-    /// A file of heights of a second surface of the same shape, on which the first is pressed: peaks towards the first are positive, rows
-    /// and columns lie on those of the first, and the heights are added to its.
+    /// A file of heights of the second body, of the same shape. Peaks towards the first body are positive. Rows and
+    /// columns correspond, and both heights are added.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<HeightFile>,
-    /// The channel of files that have several, by name or number from 1 on; the first one of heights if it is left out.
+    /// The channel of files with several channels, by name or number (1, 2, ...). The default is the first channel of
+    /// heights.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "name_or_number")]
     pub channel: Option<String>,
-    /// The length of 1 in a file that does not say its units: heights and distances are multiplied by it. Without it they are taken as they
-    /// are.
+    /// The unit of a file that states none: heights and distances are multiplied by it. Without it they are used as
+    /// they are.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub file_unit: Option<f64>,
-    /// What is done to the heights of files.
+    /// The preparation of the heights of files.
     #[serde(skip_serializing_if = "Preparation::is_none")]
     pub prepare: Preparation,
     /// A smooth indenter, centred in the cell.
@@ -39,7 +40,7 @@ pub struct Recipe {
     /// The realisation of the roughness; 1 if none is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
-    /// Bumps and hollows on a line, added to what else there is.
+    /// Bumps and hollows on a line, added to the other parts.
     #[serde(skip_serializing_if = "Bumps::is_empty")]
     pub bumps: Bumps,
 }
@@ -60,7 +61,7 @@ impl Recipe {
         self.indenter.filter(|_| !self.is_measured() && self.spectrum.is_none() && self.bumps.is_empty())
     }
 
-    /// Whether the surface is random, and so all the same everywhere.
+    /// Whether the surface is random, and so the same at all places.
     pub fn is_random(&self) -> bool {
         self.spectrum.is_some() && !self.is_measured() && self.indenter.is_none() && self.bumps.is_empty()
     }
@@ -80,8 +81,8 @@ impl Recipe {
         Ok(self.files().next().map(|file| file.layout(self.channel.as_deref())).transpose()?)
     }
 
-    /// Checks that both files of heights have the same shape, that their positions are even or made so, and that what is said of files is
-    /// said of one.
+    /// Checks that both files of heights have the same shape and even (or resampled) positions, and that options for
+    /// files are given only with a file.
     fn check_files(&self) -> Result<(), SetupError> {
         if !self.is_measured() && (self.channel.is_some() || self.file_unit.is_some() || !self.prepare.is_none()) {
             return Err(SetupError::PreparationWithoutHeights);
@@ -100,11 +101,11 @@ impl Recipe {
         }
     }
 
-    /// The grid that the recipe makes of a cell: that of the height file, if there is one, whose lengths take the place of those that the
-    /// cell leaves out.
+    /// The grid of the recipe on a cell: that of the height file, if there is one. Its lengths are used if the cell has
+    /// none.
     ///
-    /// # Errors
-    /// For a file that cannot be read, points beside those of a file, lengths that nobody says, and as [`Cell::grid`].
+    /// # Errors For a file that cannot be read, points in addition to those of a file, unknown lengths, and as
+    /// [`Cell::grid`].
     pub fn grid(&self, cell: &Cell) -> Result<Grid, SetupError> {
         if self.is_measured() && !cell.points.is_empty() {
             return Err(SetupError::PointsOfFile);
@@ -121,7 +122,7 @@ impl Recipe {
         }
     }
 
-    /// The distances of neighbours in a file: those that follow from the lengths of a cell, or else those that the file says.
+    /// The spacing of a file: from the lengths of the cell, or else from the file.
     fn spacing(&self, layout: &Layout, cell: &Cell) -> Result<[f64; 2], SetupError> {
         let [ny, nx] = layout.shape;
         let unit = self.unit(layout.is_in_metres)?;
@@ -133,7 +134,7 @@ impl Recipe {
         Ok(whole.unrefined(&shape)?.spacing())
     }
 
-    /// The length of 1 in a file.
+    /// The unit of a file.
     fn unit(&self, is_in_metres: bool) -> Result<f64, SetupError> {
         match self.file_unit {
             None => Ok(1.0),
@@ -143,7 +144,7 @@ impl Recipe {
         }
     }
 
-    /// Axes of the arrays that are written of it.
+    /// Number of axes of its arrays.
     ///
     /// # Errors
     /// For a height file that cannot be read.
@@ -151,7 +152,7 @@ impl Recipe {
         Ok(self.layout()?.map_or(cell.points.len(), |layout| if layout.is_profile { 1 } else { 2 }))
     }
 
-    /// Checks that the surface can be made on a grid. None is made.
+    /// Checks that the surface can be generated on a grid, without generating it.
     ///
     /// # Errors
     /// For no surface at all, a preparation without a height file, and an indenter, a spectrum or bumps that cannot be on this grid.
@@ -172,7 +173,7 @@ impl Recipe {
         Ok(())
     }
 
-    /// The heights of a file on a grid that is theirs or a finer one, prepared, and what each step came to.
+    /// The prepared heights of a file, on their own grid or a finer one, and the effect of each step.
     ///
     /// # Errors
     /// For a file that cannot be read, positions that are not evenly spaced, and steps that its heights do not allow.
@@ -190,7 +191,7 @@ impl Recipe {
         Ok(self.prepare.apply(Scan { height: measured.height * unit, spacing })?)
     }
 
-    /// The preparation that the heights of a file need on a cell, after they are cropped as the recipe says.
+    /// The preparation that the heights of a file need on a cell, after the cropping of the recipe.
     ///
     /// # Errors
     /// For no file, and the errors of [`Recipe::grid`] and [`Recipe::prepared`].
@@ -239,7 +240,7 @@ impl Recipe {
         self.seed.unwrap_or(1)
     }
 
-    /// A name for people, such as "Rough cylinder".
+    /// A title, such as "Rough cylinder".
     pub fn title(&self, grid: &Grid) -> String {
         let file = self.height.as_ref().and_then(|file| file.path().file_stem());
         let body = match (file, self.indenter) {
@@ -257,7 +258,7 @@ impl Recipe {
     pub fn description(&self) -> String {
         let steps = if self.prepare.is_none() { String::new() } else { format!(" ({})", self.prepare.description()) };
         let file = self.height.as_ref().map(|file| format!("heights from {}{steps}", file.display()));
-        let against = self.against.as_ref().map(|file| format!("pressed on those from {}{steps}", file.display()));
+        let against = self.against.as_ref().map(|file| format!("pressed on heights from {}{steps}", file.display()));
         let smooth = self.indenter.map(|indenter| {
             let values = indenter.parameters().into_iter().map(|(name, value)| format!(", {name} {value:?}"));
             format!("{}{}", indenter.name(), values.collect::<String>().replace('_', " "))
@@ -281,7 +282,7 @@ impl Recipe {
 
 /// The channel of a file.
 #[derive(Deserialize)]
-#[serde(untagged, expecting = "give the name of a channel, or its number from 1 on")]
+#[serde(untagged, expecting = "give the name of a channel, or its number (1, 2, ...)")]
 enum NameOrNumber {
     Name(String),
     Number(u64),

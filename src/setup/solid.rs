@@ -101,7 +101,7 @@ impl Solid {
         }
     }
 
-    /// Poisson's ratio of the elastic body, of two the first one; none where only the contact modulus is known.
+    /// Poisson's ratio of the elastic body, or of the first of two; none if only the contact modulus is known.
     pub fn poisson(&self) -> Option<f64> {
         match self {
             Self::ContactModulus(_) => None,

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use std::io::Write;
 use std::path::Path;
 
-/// A setup on its way: its sections and keys with any values, to lay others over it before it is read.
+/// A setup that is not checked yet: sections and keys with any values, which can be overridden before it is read.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct SetupTable(toml::Table);
 
@@ -35,8 +35,10 @@ impl SetupTable {
     /// [`SetupError::Text`] for a text that is no JSON object.
     #[cfg(feature = "units")]
     pub fn from_json(text: &str) -> Result<Self, SetupError> {
-        let wrong =
-            |why: String| SetupError::Text { place: String::new(), reason: format!("this is no setup in JSON: {why}") };
+        let wrong = |why: String| SetupError::Text {
+            place: String::new(),
+            reason: format!("this is not a setup in JSON: {why}"),
+        };
         let mut value: serde_json::Value = serde_json::from_str(text).map_err(|error| wrong(error.to_string()))?;
         let setup = value.get_mut("setup").map(serde_json::Value::take).unwrap_or(value);
         let shape = "give an object with sections such as `surface` and `load`, and no value that is null";
@@ -53,7 +55,7 @@ impl SetupTable {
             Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| error.in_file(path))?.with_heights_of(path)),
             Ok(None) => Self::read_scene(path),
             Err(FileError::Format { reason, .. }) => {
-                let reason = format!("no setup is in it: {reason}");
+                let reason = format!("it contains no setup: {reason}");
                 Err(SetupError::Text { place: String::new(), reason }.in_file(path))
             }
             Err(error) => Err(error.into()),
@@ -205,21 +207,21 @@ impl SetupTable {
         if self.0.get("surface").is_none_or(is_empty) { Err(SetupError::NoSurface) } else { Ok(()) }
     }
 
-    /// Checks that there is one load, and puts one there if there is none, so that the rest can be read.
+    /// Checks that there is one load, and inserts one if there is none, so that the rest can be read.
     fn check_load(&mut self) -> Result<(), SetupError> {
         let load = self.0.entry("load").or_insert_with(|| toml::Table::new().into());
         let keys: Vec<&String> = load.as_table().into_iter().flat_map(toml::Table::keys).collect();
         let checked = match keys.as_slice() {
             [_] => return Ok(()),
             [] if load.is_table() => Err(SetupError::NoLoad),
-            [] => Err(wrong_load("a name and a number belong here, such as { mean-pressure = 0.01 }".into())),
+            [] => Err(wrong_load("expected a name and a number, such as { mean-pressure = 0.01 }".into())),
             [one, other, ..] => Err(wrong_load(format!("both {one} and {other} are given: give one of them"))),
         };
         *load = toml::Table::from_iter([("mean-pressure".to_owned(), toml::Value::Float(1.0))]).into();
         checked
     }
 
-    /// The recipe of a surface and its cell, whatever else there is.
+    /// The recipe of a surface and its cell; everything else is ignored.
     ///
     /// # Errors
     /// The errors of [`SetupTable::setup`].
@@ -267,8 +269,8 @@ const PLAIN: [(&str, &str); 12] = [
     ("integer `", "number `"),
     ("string \"", "text \""),
     ("sequence", "list"),
-    ("expected usize", "expected a whole number from 0 on"),
-    ("expected u64", "expected a whole number from 0 on"),
+    ("expected usize", "expected a whole number, 0 or more"),
+    ("expected u64", "expected a whole number, 0 or more"),
     ("expected f64", "expected a number"),
     ("expected path string", "expected the name of a file"),
     ("expected variant identifier", "expected a name"),
@@ -285,12 +287,12 @@ fn explained(message: &str, keys: &str) -> String {
     match names.split_first() {
         Some((unknown, known)) if message.starts_with("unknown") => match nearest(unknown, known) {
             Some(nearest) => format!("{message}: did you mean `{nearest}`?"),
-            None => format!("{message}: leave it out, or choose what it goes with"),
+            None => format!("{message}: leave it out, or choose an option that has it"),
         },
         Some((missing, _)) if message.starts_with("missing") => {
             let flag = FLAGS.iter().find(|flag| flag.path.strip_prefix(keys) == Some(&format!(".{missing}")));
             let flag = flag.map_or(String::new(), |flag| format!(" (--{})", flag.name));
-            format!("{message}: give it as well{flag}")
+            format!("{message}: give it{flag}")
         }
         _ => message,
     }

@@ -3,12 +3,12 @@
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
-/// The ground of the pictures of a recording, and with it all their colours.
+/// The background of the pictures of a recording, which all their colours fit.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Theme {
-    /// Light lines on a dark ground.
+    /// Light lines on a dark background.
     #[default]
     Dark,
     /// Dark lines on white, for paper and bright rooms.

@@ -28,20 +28,20 @@ impl Setup {
         (beta > LARGEST_BETA).then(|| {
             Warning::new(
                 format!(
-                    "In these bodies the normal load alone causes tangential tractions (Dundurs' beta is {beta:.2}). The stick and slip \
-                     areas leave them out"
+                    "In these bodies the normal load alone causes tangential tractions (Dundurs' beta is {beta:.2}). \
+                     The stick and slip areas neglect them"
                 ),
                 "The result is exact for equal bodies and for a Poisson's ratio of 0.5",
             )
         })
     }
 
-    /// The warning that the stress rests on a Poisson's ratio that nobody has given.
+    /// The warning that the stress uses an assumed Poisson's ratio.
     pub fn warning_of_stress(&self) -> Option<Warning> {
         self.poisson().is_none().then(|| {
             Warning::new(
                 format!("The stress assumes a Poisson's ratio of {USUAL_POISSON}"),
-                "Give Young's modulus and Poisson's ratio in place of the contact modulus",
+                "Give Young's modulus and Poisson's ratio instead of the contact modulus",
             )
             .with_remedy("solid.poisson", None)
         })
@@ -67,8 +67,8 @@ impl Recipe {
     /// Warnings about heights with voids, of which there are some among `points` heights.
     pub fn warnings_of_voids(&self, survey: &Survey, points: usize) -> Vec<Warning> {
         let voids = Warning::new(
-            format!("{} of {points} heights are void, and no contact can be solved with them", survey.voids),
-            "Fill them, or crop them away",
+            format!("{} of {points} heights are void, so no contact can be solved", survey.voids),
+            "Fill them, or crop the heights",
         )
         .with_remedy("surface.prepare.fill", Some("harmonic"))
         .with_remedy("surface.prepare.crop", None);
@@ -85,7 +85,8 @@ impl Recipe {
     fn warnings_of_jumps(&self, jumps: [f64; 2]) -> Vec<Warning> {
         let jump = |(axis, jump): (&str, f64)| {
             let statement = format!(
-                "The heights jump by {jump:.3} rms steps across the period along {axis}, where the contact is not real"
+                "The heights jump by {jump:.3} rms steps across the period along {axis}, and the contact there is an \
+                 artefact"
             );
             let warning = match self.prepare.detrend {
                 Some(Detrend::Plane | Detrend::Curvature) => {
@@ -93,7 +94,7 @@ impl Recipe {
                         .with_remedy("surface.prepare.mirror", None)
                 }
                 _ if self.is_measured() => {
-                    Warning::new(statement, "Take off their trend and mirror them, or use a free boundary")
+                    Warning::new(statement, "Subtract the trend and mirror the heights, or use a free boundary")
                         .with_remedy("surface.prepare.steps", Some("auto"))
                 }
                 _ => Warning::new(statement, "Use a longer cell, or a free boundary"),
@@ -114,21 +115,22 @@ impl Survey {
                     "The rms gradient is {:.0} % larger at the spacing than at twice the spacing, so area and kappa depend on the spacing",
                     100.0 * (growth - 1.0)
                 ),
-                "Compare only files that are filtered below the same wavelength",
+                "Compare only files with the same low-pass filter",
             )
             .with_remedy("surface.prepare.low-pass", None)
         })
     }
 }
 
-/// The warning that much of the gradient is noise, so that area has no limit as the spacing shrinks.
+/// The warning that much of the gradient is noise, so that the area has no limit for small spacings.
 fn warning_of_noise(axes: &[Scales]) -> Option<Warning> {
     let share = axes.iter().map(|it| it.noise_share).fold(0.0, f64::max);
     let wavelength = axes.iter().map(|it| it.shortest_wavelength).fold(0.0, f64::max);
     (share > NOISIEST).then(|| {
         Warning::new(
             format!(
-                "Noise at the spacing makes {:.0} % of the mean square gradient, so area and kappa are those of the instrument",
+                "Noise at the spacing makes {:.0} % of the mean square gradient, so area and kappa depend on the \
+                 noise of the instrument",
                 100.0 * share
             ),
             "Filter the noise out",
@@ -161,8 +163,11 @@ fn spacing_of_file(recipe: &Recipe, file: &HeightFile, surface: &Surface, refine
     let is_same = (power - unit).abs() < SAME_LENGTH;
     (!is_same).then(|| {
         Warning::new(
-            format!("The points in {} are {own:.6e} apart and those of the grid {spacing:.6e}", file.display()),
-            "Leave the size out, or give that of the file",
+            format!(
+                "The points in {} are {own:.6e} apart, but the grid has a spacing of {spacing:.6e}",
+                file.display()
+            ),
+            "Leave the size out, or give the size of the file",
         )
     })
 }

@@ -17,8 +17,8 @@ pub fn in_words(setup: &Setup, sections: &[&str]) -> String {
     words(&table, FLAGS.iter().filter(|flag| sections.contains(&flag.section())))
 }
 
-/// What tells setups apart, recordings left out: for each one the values that are not the same in all. Settings of a method
-/// or a shape that others have not are no difference of their own.
+/// The differences of setups, without their recordings: for each setup, the values that are not the same in all of
+/// them. Settings of a method or a shape that others have not are no difference of their own.
 ///
 /// ```
 /// use asperity::contact::{Gfmd, Load};
@@ -37,19 +37,19 @@ pub fn differences(setups: &[Setup]) -> Vec<String> {
         let mut values = tables.iter().filter_map(|table| table.find(flag.path));
         values.next().is_some_and(|first| values.any(|value| value != first))
     };
-    let is_told = |flag: &&Flag| {
+    let is_written = |flag: &&Flag| {
         let is_setting =
             FLAGS.iter().any(|it| it.name != flag.name && is_variant(it) && differ(it) && beside(it, flag));
         flag.section() != "record" && if is_setting { differ_where_they_are(flag) } else { differ(flag) }
     };
-    tables.iter().map(|table| words(table, FLAGS.iter().filter(is_told))).collect()
+    tables.iter().map(|table| words(table, FLAGS.iter().filter(is_written))).collect()
 }
 
 fn is_variant(flag: &Flag) -> bool {
     matches!(flag.value, FlagValue::Variant(_))
 }
 
-/// Whether two flags stand for values of the same table.
+/// Whether two flags set values of the same table.
 fn beside(one: &Flag, other: &Flag) -> bool {
     one.path.rsplit_once('.').map(|(table, _)| table) == other.path.rsplit_once('.').map(|(table, _)| table)
 }
@@ -63,7 +63,7 @@ fn words<'a>(table: &SetupTable, flags: impl Iterator<Item = &'a Flag>) -> Strin
     flags.filter_map(word).collect::<Vec<_>>().join(", ")
 }
 
-/// A value as people write it.
+/// A value as a user writes it.
 pub(super) fn plain(value: &toml::Value) -> String {
     match value {
         toml::Value::String(text) => text.clone(),

@@ -161,7 +161,8 @@ impl Plan {
         })
     }
 
-    /// Makes the rows of a share into columns, some thousand at a time. `each` is told whether they are the first.
+    /// Makes the rows of a share into columns, some thousand at a time. `each` also gets whether they are the first
+    /// ones.
     pub(super) fn in_columns(
         &self,
         share: &[usize],

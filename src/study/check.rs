@@ -1,4 +1,4 @@
-//! The check sum of a row, which tells a row that was changed after it was written.
+//! The check sum of a row, which shows whether a row was changed after it was written.
 
 use crate::setup::fnv1a;
 use csv::{StringRecord, WriterBuilder};

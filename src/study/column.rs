@@ -28,7 +28,7 @@ pub enum ColumnValues {
 
 impl ColumnValues {
     /// How many there are.
-    #[allow(clippy::len_without_is_empty, reason = "columns are asked for rows, not for none")]
+    #[allow(clippy::len_without_is_empty, reason = "columns are made for at least one row")]
     pub fn len(&self) -> usize {
         match self {
             Self::Whole(values) => values.len(),
@@ -62,7 +62,7 @@ impl Plan {
     /// # Errors
     /// The errors of [`Plan::realisation`].
     pub fn columns(&self, rows: &[StudyRow], points: &[Point]) -> Result<Vec<Column>, StudyError> {
-        let mut told: Vec<RowSource<'_>> = Vec::with_capacity(rows.len());
+        let mut sources: Vec<RowSource<'_>> = Vec::with_capacity(rows.len());
         let mut last: Option<(usize, Setup)> = None;
         for (&row, point) in rows.iter().zip(points) {
             let setup = match last.take() {
@@ -70,21 +70,21 @@ impl Plan {
                 _ => self.realisation(row.realisation)?.setup.with_full_path(),
             };
             let setup = Setup { load: self.loads()[row.load], ..setup };
-            told.push(RowSource { row, point, setup: setup.to_table() });
+            sources.push(RowSource { row, point, setup: setup.to_table() });
             last = Some((row.realisation, setup));
         }
         let first = self.realisation(0)?.setup.to_table();
         let whole = |name: &str, of: &dyn Fn(&RowSource<'_>) -> Option<u64>| {
-            column(name, ColumnValues::Whole(told.iter().map(of).collect()))
+            column(name, ColumnValues::Whole(sources.iter().map(of).collect()))
         };
         let number = |name: &str, of: &dyn Fn(&RowSource<'_>) -> Option<f64>| {
-            column(name, ColumnValues::Number(told.iter().map(of).collect()))
+            column(name, ColumnValues::Number(sources.iter().map(of).collect()))
         };
         let text = |name: &str, of: &dyn Fn(&RowSource<'_>) -> String| {
-            column(name, ColumnValues::Text(told.iter().map(of).collect()))
+            column(name, ColumnValues::Text(sources.iter().map(of).collect()))
         };
         let mut columns = vec![whole("row", &|it| Some(it.row.number as u64))];
-        columns.extend(self.axes().iter().map(|axis| chosen(axis, &first, &told)));
+        columns.extend(self.axes().iter().map(|axis| chosen(axis, &first, &sources)));
         columns.push(number(&self.load_name(), &|it| Some(self.loads()[it.row.load].value())));
         columns.extend([
             text("name", &|it| it.point.name.clone()),
@@ -101,7 +101,7 @@ impl Plan {
             text("setup", &|it| it.point.setup.clone()),
             text("version", &|it| it.point.version.clone()),
         ]);
-        let numbers: Vec<_> = told.iter().map(|it| it.point.observables.numbers()).collect();
+        let numbers: Vec<_> = sources.iter().map(|it| it.point.observables.numbers()).collect();
         columns.extend(OBSERVABLES.iter().enumerate().map(|(i, it)| {
             let values = numbers.iter().map(|numbers| numbers[i]);
             match it.is_whole {
@@ -124,8 +124,8 @@ fn column(name: &str, values: ColumnValues) -> Column {
 }
 
 /// The column of a list: what the setups of the rows hold there, of the kind that the `first` setup of the study has.
-fn chosen(axis: &ParameterAxis, first: &SetupTable, told: &[RowSource<'_>]) -> Column {
-    let scalars = || told.iter().map(|it| it.setup.scalar(axis.path()));
+fn chosen(axis: &ParameterAxis, first: &SetupTable, sources: &[RowSource<'_>]) -> Column {
+    let scalars = || sources.iter().map(|it| it.setup.scalar(axis.path()));
     let values = match first.scalar(axis.path()) {
         Some(Scalar::Whole(_)) => ColumnValues::Whole(scalars().map(|it| it.and_then(whole)).collect()),
         Some(Scalar::Number(_)) => ColumnValues::Number(scalars().map(|it| it.and_then(number)).collect()),

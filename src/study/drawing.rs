@@ -6,7 +6,7 @@ use super::spread::Spread;
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 use std::collections::BTreeMap;
 
-/// Curves at the most; more cannot be told apart.
+/// Largest number of curves; more cannot be distinguished.
 const MOST: usize = 12;
 const COLOURS: [Colour; 6] =
     [Colour::BLUE, Colour::VERMILION, Colour::GREEN, Colour::PURPLE, Colour::ORANGE, Colour::SKY];
@@ -84,7 +84,7 @@ impl Plan {
     }
 }
 
-/// The least and the largest of what is positive and finite; 1 where there is none.
+/// The smallest and the largest of the positive, finite values; 1 if there are none.
 fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let ends = values.filter(|value| value.is_finite() && *value > 0.0);
     let [low, high] = ends.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], value| [low.min(value), high.max(value)]);

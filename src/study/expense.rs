@@ -43,7 +43,7 @@ impl Expense {
     }
 }
 
-/// How much longer a motion takes under a light load than under a heavy one, where the load tells.
+/// Factor by which a motion takes longer under a small load than under a large one, if the load is known.
 fn lightness(load: &Load) -> f64 {
     let reduced_pressure = match load {
         Load::ReducedPressure(pressure) => pressure.clamp(1e-4, 1.0),

@@ -21,7 +21,7 @@ impl Flattened {
         Some(Self { surface: surface.into(), mean_pressure })
     }
 
-    /// The problem of this surface in the place of `problem` where its load is lower than what the surface has borne.
+    /// The problem of this surface instead of `problem` if its load is lower than a load that the surface has carried.
     ///
     /// # Errors
     /// [`StudyError::Unload`] under a load that is no pressure.

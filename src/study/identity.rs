@@ -1,4 +1,4 @@
-//! Points told apart by the setup that they come from.
+//! Points, identified by their setup.
 
 use super::point::Point;
 use super::realisation::Realisation;
@@ -12,7 +12,8 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// The identity of a realisation: by its name, its setup and the version of the program, tables know its points.
 pub(super) struct Identity<'a> {
     realisation: &'a Realisation,
-    /// Fingerprint of the setup, and of its loads where they are no reduced pressures, which points do not tell.
+    /// Fingerprint of the setup; it includes the loads if these are not reduced pressures, since the points do not
+    /// contain them.
     setup: String,
 }
 
@@ -31,10 +32,10 @@ impl<'a> Identity<'a> {
     /// For a height file that cannot be read.
     pub fn new(realisation: &'a Realisation) -> Result<Self, StudyError> {
         let setup = realisation.setup.fingerprint()?;
-        let is_told = realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
+        let is_reduced = realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
         let with_loads =
             || format!("{:016x}", fnv1a([setup.as_bytes(), format!("{:?}", realisation.loads).as_bytes()]));
-        Ok(Self { realisation, setup: if is_told { setup } else { with_loads() } })
+        Ok(Self { realisation, setup: if is_reduced { setup } else { with_loads() } })
     }
 
     /// What the realisation is known by.
@@ -101,7 +102,7 @@ impl<'a> Identity<'a> {
     }
 }
 
-/// Whether a point is under a load, which is that of some number, from 0, where the point does not tell its value.
+/// Whether a point has a load. If the point does not contain the value, the number of the load (from 0) decides.
 fn is_under(point: &Point, number: usize, load: &Load) -> bool {
     match load {
         Load::ReducedPressure(value) => point.observables.reduced_pressure == *value,

@@ -74,7 +74,7 @@ impl Ledger {
         self.points.iter().flatten().map(Vec::len).sum()
     }
 
-    /// The realisations that are missing, in batches for so many workers, those that take longest first.
+    /// The missing realisations, in batches for a number of workers, the longest first.
     ///
     /// # Errors
     /// The errors of [`Plan::expenses`].

@@ -1,10 +1,10 @@
-//! The limit of a quantity on ever finer grids, with its error.
+//! The limit of a quantity on successively finer grids, with its error.
 
 use super::estimate::Estimate;
 use super::spread::Spread;
 use std::collections::BTreeMap;
 
-/// Grids that an extrapolation takes at the most: the finest of them.
+/// Largest number of grids of an extrapolation, which uses the finest ones.
 const GRIDS: usize = 3;
 
 /// The values of a quantity on one grid, by the realisations.
@@ -21,12 +21,12 @@ pub struct GridValues {
 pub struct Limit {
     /// Power of the spacing: 1 for counted nodes, 2 for edges between the nodes.
     pub order: i32,
-    /// The spacing of the grid that is asked for; 0 for the continuum.
+    /// The spacing of the target grid; 0 for the continuum.
     pub spacing: f64,
 }
 
 impl Limit {
-    /// The quantity on the grid that is asked for, from those on some `grids`, coarsest first: by the polynomial in
+    /// The quantity on the target grid, from those on some `grids`, coarsest first: by the polynomial in
     /// `spacing^order` through the finest three.
     ///
     /// The means over realisations are taken grid by grid of the difference from the coarser one, which scatters far less than

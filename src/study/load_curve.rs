@@ -41,7 +41,7 @@ pub struct LoadCurve {
 }
 
 impl LoadCurve {
-    /// The curve that goes back through the same loads after the last one.
+    /// The curve that returns through the same loads after the last one.
     pub fn and_back(mut self) -> Self {
         let back: Vec<Load> = self.loads.iter().rev().skip(1).copied().collect();
         self.loads.extend(back);
@@ -75,7 +75,7 @@ impl LoadCurve {
         self.problem_of(self.setup.surface()?)
     }
 
-    /// The same problem of heights that are at hand, in the place of those that the setup describes.
+    /// The same problem of heights that are given, instead of those that the setup describes.
     ///
     /// # Errors
     /// The errors of [`Setup::problem_of`], under any of the loads.
@@ -90,8 +90,8 @@ impl LoadCurve {
     /// Solves `problem` under one load after the other. `watch` makes the observer of each load and `each` sees each contact, both
     /// by the number of the load, from 0.
     ///
-    /// # Errors
-    /// For loads that cannot be, such as a mean gap after the surface has yielded, and those of `each`. What did not converge is shown all the same.
+    /// # Errors For impossible loads, such as a mean gap after the surface has yielded, and those of `each`. Contacts
+    /// that did not converge are shown, too.
     pub fn press<O: Observer, E: From<StudyError>>(
         &self,
         problem: &Problem,

@@ -11,8 +11,8 @@ use std::path::Path;
 /// Name of the realisations in tables.
 const NAME: &str = "study";
 
-/// A setup with lists in it, which stands for many: one realisation for each choice of a value from every list, each solved under
-/// all loads.
+/// A setup with lists of values, which describes many setups: one realisation for each combination of values, each
+/// solved under all loads.
 ///
 /// The rows of the study are numbered from 1. The loads run fastest, then the seeds, then the other lists, the last of them in the
 /// order of [`crate::setup::FLAGS`] first. What comes out of a row depends on its realisation alone: not on the share in which it is solved, nor on
@@ -60,7 +60,7 @@ pub struct StudyRow {
 }
 
 impl Plan {
-    /// Rows at the most.
+    /// Largest number of rows.
     pub const MOST_ROWS: usize = 10_000_000;
 
     /// The study that a TOML text describes.
@@ -191,8 +191,8 @@ impl Plan {
         self.words_of(i, |axis| axis.path() != ParameterAxis::SEED)
     }
 
-    fn words_of(&self, i: usize, is_told: impl Fn(&ParameterAxis) -> bool) -> String {
-        let chosen = self.places(i).zip(&self.axes).filter(|(_, axis)| is_told(axis));
+    fn words_of(&self, i: usize, is_named: impl Fn(&ParameterAxis) -> bool) -> String {
+        let chosen = self.places(i).zip(&self.axes).filter(|(_, axis)| is_named(axis));
         chosen.map(|(place, axis)| format!("{} {}", axis.name(), axis.word(place))).collect::<Vec<_>>().join(", ")
     }
 

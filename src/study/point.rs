@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 /// A solved point: a realisation under one of its loads, how the solver ended, and what was found.
 ///
-/// The fields are columns of a table, and so are those of its observables. What tells the points of one realisation from
-/// those of others is its name, the fingerprint of its setup, and the version of the program.
+/// The fields are columns of a table, and so are those of its observables. What distinguishes the points of one
+/// realisation from those of others is its name, the fingerprint of its setup, and the version of the program.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Name of the realisation.
@@ -30,7 +30,7 @@ pub struct Point {
     /// Number of the load in its realisation, from 1.
     #[serde(rename = "load_number")]
     pub load: usize,
-    /// Certificate `eta` that was asked for.
+    /// Certificate `eta` that was requested.
     pub tolerance: f64,
     /// How the solver stopped.
     pub status: Status,
@@ -77,8 +77,8 @@ impl Point {
         self.relative_area().is_some() && self.kappa_r().is_some()
     }
 
-    /// Whether the solver converged and the grid gives the contact an area and a gradient, however large their errors. That is enough for an
-    /// extrapolation over grids, which finds the error by itself.
+    /// Whether the solver converged and the grid gives the contact an area and a gradient, however large their errors.
+    /// That is enough for an extrapolation over grids, which estimates the error itself.
     pub fn has_contact(&self) -> bool {
         let Observables { relative_area, kappa_r, .. } = self.observables;
         self.is_converged() && relative_area > 0.0 && kappa_r > 0.0 && kappa_r.is_finite()

@@ -11,7 +11,7 @@ use crate::setup::Setup;
 pub struct Realisation {
     /// Name in tables.
     pub name: String,
-    /// The contact, but for its load.
+    /// The contact, without its load.
     pub setup: Setup,
     /// Loads instead of its own, each but the first started from the contact before.
     pub loads: Vec<Load>,
@@ -21,8 +21,8 @@ impl Realisation {
     /// Solves the setup under its loads, each from the contact before and `watch`ed by an observer of its own, and shows each contact to
     /// `each`, which may end that.
     ///
-    /// # Errors
-    /// For surfaces and loads that cannot be, and those of `each`. What did not converge is shown all the same.
+    /// # Errors For impossible surfaces and loads, and the errors of `each`. Contacts that did not converge are shown,
+    /// too.
     pub fn press<O: Observer, E: From<StudyError>>(
         &self,
         watch: impl FnMut(usize) -> O,

@@ -1,19 +1,20 @@
-//! A contact on ever finer grids.
+//! A contact on successively finer grids.
 
 use crate::contact::{Contact, Resolution};
 use crate::error::SetupError;
 use crate::setup::{Auto, Extras, Setup};
 use crate::warning::Warning;
 
-/// The finest grid has this many times as many points along a side as the first one.
+/// The finest grid has this many times as many points per side as the first one.
 const MOST: usize = 64;
 /// Points per shortest wave of the roughness on the first grid, where points are not given.
 const PER_WAVE: f64 = 4.0;
-/// The fewest points along a side of such a grid.
+/// The fewest points per side of such a grid.
 const FEWEST: usize = 64;
 
-/// A contact on ever finer grids, each of twice as many points along a side, until area and `kappa_r` have settled: until the
-/// errors that [`Resolution`] estimates are within a tolerance. Plateaus that leave an error above it on any grid end it at once.
+/// A contact on successively finer grids, each of twice as many points per side, until area and `kappa_r` have settled:
+/// until the errors that [`Resolution`] estimates are within a tolerance. Plateaus that leave an error above it on any
+/// grid end it at once.
 ///
 /// Heights of a file are interpolated, all else is made on the finer grid.
 ///
@@ -73,7 +74,7 @@ impl Refinement {
         })
     }
 
-    /// Solves on ever finer grids by `solve`, which is not called for one that there is no memory for.
+    /// Solves on successively finer grids with `solve`, which is not called for a grid that needs too much memory.
     ///
     /// # Errors
     /// Those of `solve`, and of the first grid.
@@ -115,7 +116,8 @@ impl Refinement {
     /// The warning that the errors are above the tolerance on the finest grid that could be tried.
     pub fn warning() -> Warning {
         Warning::new(
-            "Area and kappa_r have not settled on the finest grid that memory, 64-fold refinement and plateaus of the heights allow",
+            "Area and kappa_r are not accurate enough on the finest possible grid (limited by memory, by 64-fold \
+             refinement, or by plateaus in the heights)",
             "Use a larger tolerance, or heights that are smoother and less rounded",
         )
         .with_remedy("grid.area-tolerance", None)

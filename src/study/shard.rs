@@ -51,7 +51,7 @@ impl FromStr for Shard {
         let parse = |word: &str| word.trim().parse::<usize>().ok();
         match text.split_once('/').map(|(number, count)| (parse(number), parse(count))) {
             Some((Some(number @ 1..), Some(count))) if number <= count => Ok(Self { number, count }),
-            _ => Err(format!("{text:?} is no share: give its number and how many there are, such as 3/100")),
+            _ => Err(format!("{text:?} is not a share: give its number and the number of shares, such as 3/100")),
         }
     }
 }

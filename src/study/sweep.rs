@@ -44,8 +44,8 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// Solves what `table` does not hold yet, writes the finished table and returns its points, realisation by realisation.
-    /// `watch` sees each point as it is solved. Points that did not converge are kept; their status says so.
+    /// Solves what `table` does not hold yet, writes the finished table and returns its points, realisation by
+    /// realisation. `watch` sees each point as it is solved. Points that did not converge are kept, with this status.
     ///
     /// # Errors
     /// For surfaces and loads that cannot be, files that cannot be read or written, and a table of another study, which would
@@ -181,8 +181,8 @@ impl Sweep {
         })
     }
 
-    /// Does a task for each realisation, by its number, `workers` at a time as far as memory goes, those with the most work first;
-    /// the results are in order. After a failure none is begun.
+    /// Does a task for each realisation, by its number, `workers` at a time if memory allows, those with the most work
+    /// first; the results are in order. After a failure none is begun.
     fn in_parallel<T: Send>(&self, task: impl Fn(usize) -> Result<T, StudyError> + Sync) -> Result<Vec<T>, StudyError> {
         let expenses = self.realisations.iter().map(Expense::new).collect::<Result<Vec<_>, _>>()?;
         let tasks: Vec<(f64, f64)> = expenses.iter().map(|it| (it.seconds, it.bytes)).collect();

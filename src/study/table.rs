@@ -18,7 +18,8 @@ use std::path::{Path, PathBuf};
 /// | `NAME.seconds.csv`   | the seconds that each of them took, row by row                                 |
 /// | `NAME.unfinished`    | the points of a study that runs, or was killed, in the order of their coming    |
 ///
-/// The last column of a row of points is its check sum: a row that was changed after it was written counts as missing, and is solved again.
+/// The last column of a row of points is its check sum: a row that was changed after it was written is treated as
+/// missing, and is solved again.
 #[derive(Debug, Clone)]
 pub struct Table {
     path: PathBuf,
@@ -113,7 +114,7 @@ impl Table {
         [self.path.clone(), self.seconds_path(), self.unfinished_path()].into_iter().chain(views).try_for_each(remove)
     }
 
-    /// The paths of what goes beside the table of a whole study.
+    /// The paths of the files beside the table of a whole study.
     pub fn views(&self) -> [PathBuf; 3] {
         ["parquet", "svg", "png"].map(|ending| self.path.with_extension(ending))
     }
@@ -148,7 +149,7 @@ fn finished<T>(
     path: &Path,
     mut read: impl FnMut(&StringRecord, &StringRecord) -> csv::Result<T>,
 ) -> Result<Vec<T>, FileError> {
-    let reason = "it holds something else than the points of a study: write elsewhere, or remove it";
+    let reason = "it is not a table of a study: give another name, or remove it";
     let refuse = |_| FileError::Target { path: path.into(), reason: reason.into() };
     let text = bytes(path)?;
     let mut csv = csv::Reader::from_reader(text.as_slice());

@@ -1,4 +1,4 @@
-//! What goes beside the table of a study.
+//! The files that are written beside the table of a study.
 
 use super::plan::Plan;
 use super::point::Point;
@@ -8,7 +8,8 @@ use crate::plot::{write_png, write_svg};
 use std::path::{Path, PathBuf};
 
 impl Plan {
-    /// Writes what goes beside the table of a whole study, NAME.parquet and the figure as NAME.svg and NAME.png, and returns these paths.
+    /// Writes the files beside the table of a whole study, NAME.parquet and the figure as NAME.svg and NAME.png, and
+    /// returns these paths.
     ///
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].

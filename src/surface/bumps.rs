@@ -84,7 +84,7 @@ impl TryFrom<Vec<Length>> for Bumps {
             Ok(Self(bumps.iter().map(|lengths| Bump::from_lengths(lengths.map(|Length(length)| length))).collect()))
         } else {
             let count = lengths.len();
-            Err(format!("{count} lengths are no bumps: give three for each, where it is, its height and its width"))
+            Err(format!("{count} lengths do not describe bumps: give three per bump (position, height and width)"))
         }
     }
 }

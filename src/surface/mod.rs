@@ -140,7 +140,7 @@ impl Surface {
         self.mean_height
     }
 
-    /// The heights as they were given, but for rounding: a field made anew.
+    /// The heights as they were given, except for rounding: a field made anew.
     pub fn heights_as_given(&self) -> Field {
         &self.height + self.mean_height
     }

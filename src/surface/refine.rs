@@ -57,8 +57,8 @@ impl Surface {
     }
 }
 
-/// The Fourier coefficients of `from` in the order of `to`; those of the shortest waves of an even number of points stand for two
-/// waves of opposite direction each.
+/// The Fourier coefficients of `from` in the order of `to`; those of the shortest waves of an even number of points
+/// represent two waves of opposite direction each.
 fn padded(from: &Grid, to: &Grid, modes: &[Complex]) -> Vec<Complex> {
     let ([ny, nx], [fine_ny, _]) = (from.shape(), to.shape());
     let mut padded = vec![Complex::default(); to.modes()];

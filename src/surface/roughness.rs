@@ -109,8 +109,8 @@ pub struct PowerSpectrum {
     pub wavenumber: Vec<f64>,
     /// `C(q)`; of heights length^3 for lines, length^4 for surfaces.
     pub density: Vec<f64>,
-    /// Measure of the waves that each value stands for in the integrals above, all signs and directions counted: 1/length
-    /// for lines, 1/length^2 for surfaces.
+    /// Measure of the waves that each value represents in the integrals above, all signs and directions counted:
+    /// 1/length for lines, 1/length^2 for surfaces.
     pub measure: Vec<f64>,
 }
 

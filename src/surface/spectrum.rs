@@ -49,7 +49,7 @@ pub struct Spectrum {
 impl Spectrum {
     /// `C(q) / C(q_r)` at the wavenumber `q` (1/length), of a line or else a surface.
     ///
-    /// A wavelength that equals the short cut-off but for rounding (1e-11) is cut off.
+    /// A wavelength that equals the short cut-off except for rounding (1e-11) is cut off.
     pub fn density(&self, q: f64, is_line: bool) -> f64 {
         if !(q > 0.0 && q < self.largest_wavenumber()) {
             return 0.0;

@@ -38,7 +38,7 @@ fn the_three_errors_of_a_sine_are_told_apart() {
     let rows = rows(&folder);
     let kinds: HashSet<&str> = rows.iter().map(|row| row["kind"].as_str()).collect();
     assert_eq!(kinds, HashSet::from(["algebraic", "discretisation", "model"]));
-    for words in ["discretisation: ", "algebraic: ", "model: ", "when may I stop", "for kappa_r to 1 % use"] {
+    for words in ["discretisation: ", "algebraic: ", "model: ", "when to stop", "for kappa_r to 1 % use"] {
         assert!(out.contains(words), "{words} in {out}");
     }
     assert!(out.lines().all(|line| line.len() <= 120), "{out}");
@@ -122,7 +122,7 @@ fn what_cannot_be_is_refused_before_anything_runs() {
     std::fs::write(folder.join("file"), "").unwrap();
     let refused = [
         ("torus", "rough-surface"),
-        ("sine --out missing/out", "there is no folder missing"),
+        ("sine --out missing/out", "the folder missing does not exist"),
         ("sine --out file", "--out names file"),
         ("sine --repeats 0", "'0' for '--repeats <N>': give a positive whole number"),
         ("sine --tolerance -1", "the tolerance is -1"),

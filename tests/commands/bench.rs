@@ -80,7 +80,7 @@ fn what_cannot_be_is_refused_before_anything_runs() {
     let groups = ["tiny", "smooth", "surfaces", "lines", "growth", "peers", "large"];
     assert_refused(&folder.run("bench tiny"), &groups);
     assert_refused(&folder.run("bench --solver newton"), &["newton", "multilevel", "polonsky-keer", "gfmd"]);
-    assert_refused(&folder.run("bench --quick growth --out missing/x.csv"), &["there is no folder missing"]);
+    assert_refused(&folder.run("bench --quick growth --out missing/x.csv"), &["the folder missing does not exist"]);
     assert_refused(
         &folder.run("bench --quick growth --repeats 0"),
         &["'0' for '--repeats", "give a positive whole number"],

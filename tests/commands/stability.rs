@@ -50,7 +50,11 @@ fn a_budget_that_runs_out_is_no_convergence() {
 fn demands_on_every_solver_count() {
     let output = Folder::new().run("stability stiff --quick --solver gfmd-uniform --budget 1e-6");
     assert_eq!(output.status.code(), Some(3));
-    assert!(text(&output.stdout).contains("0 runs are wrong, 1 miss the end"), "{}", text(&output.stdout));
+    assert!(
+        text(&output.stdout).contains("0 runs are wrong, 1 have not the required verdict"),
+        "{}",
+        text(&output.stdout)
+    );
 }
 
 #[test]
@@ -58,7 +62,7 @@ fn what_cannot_be_is_refused_before_anything_runs() {
     let folder = Folder::new();
     assert_refused(&folder.run("stability --quick spike spyke"), &["spyke", "--list"]);
     assert_refused(&folder.run("stability --quick --solver newton"), &["newton", "gfmd-uniform"]);
-    assert_refused(&folder.run("stability --quick --out missing/x.csv"), &["there is no folder missing"]);
+    assert_refused(&folder.run("stability --quick --out missing/x.csv"), &["the folder missing does not exist"]);
     for budget in ["0", "-1", "NaN", "inf"] {
         assert_refused(&folder.run(&format!("stability --quick --budget {budget}")), &["--budget"]);
     }

@@ -103,11 +103,11 @@ fn texts_of_numbers_are_read() {
     std::fs::write(&path, b"Width: 12 \xb5m\n1 2.5\n3 -4\n").unwrap();
     assert_eq!(read_heights(&path).unwrap(), matrix);
     for (text, words) in [
-        ("1 2\n3 4\n5\n", "line 3 holds 1 numbers, those before it 2"),
+        ("1 2\n3 4\n5\n", "line 3 has 1 numbers, but the lines before it have 2"),
         ("1 2\n\n3 four\n", "line 3 holds \"four\", which is no number"),
         ("1,5\n2,5\n", "\"1,5\" may be one number with a decimal comma or two whole ones: write points for commas"),
-        ("1,5,2 2,5\n", "no text of numbers either: it begins with \"1,5,2 2,5\""),
-        ("# nothing\n", "no text of numbers either: it begins with \"# nothing\""),
+        ("1,5,2 2,5\n", "nor a text of numbers: it begins with \"1,5,2 2,5\""),
+        ("# nothing\n", "nor a text of numbers: it begins with \"# nothing\""),
     ] {
         std::fs::write(&path, text).unwrap();
         assert!(reason(&path).contains(words), "{text:?}: {}", reason(&path));
@@ -138,7 +138,7 @@ fn two_columns_or_rows_are_positions_and_heights() {
     ndarray_npy::write_npy(&path, &Array2::<f64>::zeros((5, 3))).unwrap();
     assert_eq!((read_shape(&path).unwrap(), Measurement::read(&path, None).unwrap().spacing), (vec![5, 3], None));
     ndarray_npy::write_npy(&path, &Array2::from_elem((5, 2), 1.0)).unwrap();
-    assert!(reason(&path).contains("positions, is 1.0 throughout: give the heights alone"));
+    assert!(reason(&path).contains("positions, is 1.0 everywhere: give the heights alone"));
 }
 
 /// Real files, those of the tests of SurfaceTopography, where they are beside the project.
@@ -166,7 +166,7 @@ fn unusable_files_say_why() {
     assert!(reason(folder.path()).contains("directory"));
     for text in [&b""[..], b"hello", b"12 \x01", b"\x93NUMPY\x01\x00\xff\xff", b"\x93NUMPY\x02\x00\xff\xff\xff\xff"] {
         std::fs::write(&path, text).unwrap();
-        assert!(reason(&path).contains("no .npy file"), "{text:?}: {}", reason(&path));
+        assert!(reason(&path).contains("neither a .npy file"), "{text:?}: {}", reason(&path));
     }
     ndarray_npy::write_npy(&path, &arr1(&[true, false])).unwrap();
     assert!(reason(&path).contains("'|b1', save integers, float32 or float64"), "{}", reason(&path));
@@ -192,7 +192,7 @@ fn truncated_and_boastful_files_are_refused() {
     assert!(reason(&path).contains("999999999999"), "{}", reason(&path));
     let nested = [b"\x93NUMPY\x01\x00\x00\x0f", &[b'('; 0x0f00][..]].concat();
     std::fs::write(&path, nested).unwrap();
-    assert!(reason(&path).contains("no .npy file"));
+    assert!(reason(&path).contains("neither a .npy file"));
 }
 
 #[test]

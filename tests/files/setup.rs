@@ -157,14 +157,14 @@ fn refusal(from: &str, to: &str) -> String {
 fn what_is_wrong_is_said_in_one_sentence() {
     let (cylinder, load) = ("indenter = { shape = \"cylinder\", radius = 1.0 }", "load = { mean-pressure = 0.01 }");
     const SOLID: &str = "solid = { contact-modulus = 1.0 }";
-    let (whole, name) = ("expected a whole number from 0 on", "expected the name of a file");
+    let (whole, name) = ("expected a whole number, 0 or more", "expected the name of a file");
     for (from, to, words) in [
         (load, "", "no load is given: give a mean pressure, a reduced pressure or a mean gap"),
         (load, "load = {}", "no load is given: give a mean pressure, a reduced pressure or a mean gap"),
         ("= 0.01", "= 0.01, mean-gap = 1.0", "load: both mean-gap and mean-pressure are given: give one of them"),
-        (load, "load = 3", "load: a name and a number belong here, such as { mean-pressure = 0.01 }"),
-        (load, "load = \"mean-gap\"", "load: a name and a number belong here, such as { mean-pressure = 0.01 }"),
-        (load, "[[load]]\nmean-gap = 1", "load: a name and a number belong here, such as { mean-pressure = 0.01 }"),
+        (load, "load = 3", "load: expected a name and a number, such as { mean-pressure = 0.01 }"),
+        (load, "load = \"mean-gap\"", "load: expected a name and a number, such as { mean-pressure = 0.01 }"),
+        (load, "[[load]]\nmean-gap = 1", "load: expected a name and a number, such as { mean-pressure = 0.01 }"),
         ("0.01", "true", "load: invalid type: boolean `true`, expected a pressure: a number, or one with a unit"),
         ("0.01", "-1", "the mean pressure is -1.0: give a positive, finite value"),
         ("mean-pressure = 0.01", "reduced-pressure = \"1\"", "load: invalid type: text \"1\", expected a number"),
@@ -177,9 +177,9 @@ fn what_is_wrong_is_said_in_one_sentence() {
         ("shape = \"cylinder\", ", "", "surface.indenter: missing field `shape`: give it as well"),
         (", radius = 1.0", "", "surface.indenter: missing field `radius`: give it as well"),
         (cylinder, "height = 3", name),
-        (cylinder, "height = \"none.npy\"", "points are given beside a height file, which has its own: leave them out"),
+        (cylinder, "height = \"none.npy\"", "points are given, but the height file has its own: leave the points out"),
         ("1.0 }", "1.0 }, seed = 3", "a seed is given without roughness"),
-        ("1.0 }", "1.0 }, seed = -3", "surface.seed: invalid value: number `-3`, expected a whole number from 0 on"),
+        ("1.0 }", "1.0 }, seed = -3", "surface.seed: invalid value: number `-3`, expected a whole number, 0 or more"),
         ("64", "64.5", whole),
         ("64", "\"64\"", whole),
         ("64", "2", "2 points along x are too few: give at least 4"),
@@ -187,7 +187,7 @@ fn what_is_wrong_is_said_in_one_sentence() {
         ("points = 64, ", "", "the points are missing: give one number for a line, two for a surface"),
         ("4.0", "[1.0, 2.0]", "the size of the cell has 2 lengths for 1 axes: give one for all axes, or one for each"),
         ("4.0", "true", "grid.size: invalid type: boolean `true`, expected one value, or a list"),
-        (", size = 4.0", "", "no size is given, and no file says one: give it as well"),
+        (", size = 4.0", "", "no size is given, and the file has none: give it"),
         ("\"cylinder\"", "\"sphere\"", "a sphere needs a surface, but the grid is a line"),
         (load, "load = { mean-gap = 9.0 }", "at a mean gap of 9.0 nothing touches: give less than 0.66"),
         ("grid", "solver = \"gfmd\"\ngrid", "solver: invalid type: text \"gfmd\", expected a section for the Method"),
@@ -200,7 +200,7 @@ fn what_is_wrong_is_said_in_one_sentence() {
         ("grid", "stop = { max-iterations = 1.5 }\ngrid", whole),
         ("grid", "record = { what = \"mesh\" }\ngrid", "record.what: invalid type: text \"mesh\", expected a list"),
         ("grid", "record = { what = [\"mesh\"] }\ngrid", "the recording asks for the mesh, which a line does not have"),
-        ("grid", "record = { every = 0 }\ngrid", "every 0th step is to be recorded: give a positive number of steps"),
+        ("grid", "record = { every = 0 }\ngrid", "the recording interval is 0 steps: give a positive number of steps"),
         (
             "{ contact-modulus = 1.0 }",
             "1e9",
@@ -226,7 +226,7 @@ fn what_is_wrong_is_said_in_one_sentence() {
         (
             "1.0 }",
             "1.0 }, prepare.detrend = \"mean\"",
-            "heights are to be read or prepared without a height file: give one as well",
+            "options for reading or preparing heights are given without a height file: give one, or leave them out",
         ),
         ("1.0 }", "1.0, radius = 2.0 }", "line 1: duplicate key"),
         ("load =", "load", "line 4: "),
@@ -288,8 +288,8 @@ fn lists_and_ranges_of_loads_are_read_and_written() {
         ("mean-pressure = []", "load: the list is empty: give at least one load"),
         ("mean-pressure = [1.0, -2.0]", "the mean pressure is -2.0: give a positive, finite value"),
         ("mean-gap = [1.0, \"x\"]", "load: invalid value: text \"x\", expected a length"),
-        ("mean-pressure = '1..10'", "load: `1..10` is no range: write first..last:number, such as 1e-3..1e-1:13"),
-        ("mean-pressure = '1..10:1'", "`1..10:1` is no range"),
+        ("mean-pressure = '1..10'", "load: `1..10` is not a range: give first..last:number, such as 1e-3..1e-1:13"),
+        ("mean-pressure = '1..10:1'", "`1..10:1` is not a range"),
         ("mean-pressure = '0..10:3'", "the mean pressure is 0.0: give a positive, finite value"),
         ("reduced-pressure = '1..x:3'", "load: invalid type: text \"x\", expected a number"),
         ("mean_pressure = [1.0]", "load: unknown variant `mean_pressure`"),

@@ -176,7 +176,7 @@ fn penetration_is_that_of_the_deepest_node() {
     assert!((found.penetration - 0.75 * 2f64.sqrt()).abs() < 1e-12 && found.eta > found.penetration);
 }
 
-/// A uniform pressure of any size deforms nothing but for rounding, and bounds nothing.
+/// A uniform pressure of any size deforms nothing except for rounding, and bounds nothing.
 #[test]
 fn a_pressure_that_deforms_nothing_bounds_no_pressure() {
     for points in [16, 255, 1021] {

@@ -86,7 +86,7 @@ fn everyday(peer: &Peer) -> Vec<Spoiled> {
     let grid = *peer.surface.grid();
     let [gap, displacement] = lengths(peer, &peer.pressure);
     let [dy, dx] = grid.spacing();
-    let (cell, force) = if grid.is_line() { (dx, "forces per width") } else { (dx * dy, "forces of nodes") };
+    let (cell, force) = if grid.is_line() { (dx, "forces per width") } else { (dx * dy, "forces at the nodes") };
     let upside_down = Surface::new(grid, -peer.surface.heights_as_given()).unwrap();
     let (modulus, given) = (ContactModulus(peer.contact_modulus), Some(peer.load()));
     let mut all = vec![
@@ -94,15 +94,19 @@ fn everyday(peer: &Peer) -> Vec<Spoiled> {
         spoiled(claim(peer, None, Quantity::Pressure, &-&peer.pressure), "sign", "give -pressure"),
         spoiled(claim(peer, given, Quantity::Displacement, &-&displacement), "sign", "give -displacement"),
         spoiled(claim(peer, given, Quantity::Gap, &-&gap), "sign", "give -gap"),
-        spoiled(claim(peer, given, Quantity::Gap, &displacement), "quantity", "give it by --displacement"),
-        spoiled(claim(peer, given, Quantity::Displacement, &gap), "quantity", "give it by --gap"),
+        spoiled(claim(peer, given, Quantity::Gap, &displacement), "quantity", "give it with --displacement"),
+        spoiled(claim(peer, given, Quantity::Displacement, &gap), "quantity", "give it with --gap"),
         spoiled(pressure_claim(peer, &(&peer.pressure * cell)), "pressure-factor", force),
         spoiled(claim(peer, None, Quantity::Pressure, &(&peer.pressure * cell)), "pressure-factor", force),
         spoiled(pressure_claim(peer, &(&peer.pressure * 1e-6)), "pressure-factor", "units"),
         spoiled(with_modulus(peer, 2.0, given), "modulus", "two equal bodies"),
         spoiled(with_modulus(peer, 0.5, None), "modulus", "one elastic body"),
-        spoiled(with_modulus(peer, 0.91, given), "modulus", "nu = 0.30, as of Young's modulus E given for E*"),
-        spoiled(with_modulus(peer, 1.0 / 0.91, None), "modulus", "nu = 0.30, as of pressures that were found with E"),
+        spoiled(
+            with_modulus(peer, 0.91, given),
+            "modulus",
+            "nu = 0.30, as if Young's modulus E was given instead of E*",
+        ),
+        spoiled(with_modulus(peer, 1.0 / 0.91, None), "modulus", "nu = 0.30, as if the pressures were computed with E"),
         spoiled(with_modulus(peer, 1.37, given), "modulus", "1.3700 times too large"),
     ];
     let quantities = [Quantity::Pressure, Quantity::Gap, Quantity::Displacement];

@@ -1,4 +1,4 @@
-//! Lengths and pressures with units, and bytes, as people write and read them.
+//! Lengths and pressures with units, and bytes, as users write and read them.
 
 use asperity::quantity::{bytes_in_words, force, length, pressure};
 use serde::de::IntoDeserializer as _;

@@ -73,7 +73,7 @@ fn lines_of_micrometres_are_prepared_like_longer_ones() {
     let (rest, radius) = Form::Sphere.apply(arc).unwrap();
     assert!((radius / 1e-3 - 1.0).abs() < 1e-6 && largest(&rest) < 1e-12, "{radius}, {}", largest(&rest));
     let filtered: Preparation = toml::from_str("low-pass = 1e-5\nhigh-pass = 1e-4").unwrap();
-    assert_eq!(filtered.apply(line(&|x| (3e5 * x).sin())).unwrap().told.len(), 2);
+    assert_eq!(filtered.apply(line(&|x| (3e5 * x).sin())).unwrap().effects.len(), 2);
 }
 
 /// The transmission of ISO 16610-21, equation (4): half of the amplitude at the cut-off.
@@ -173,11 +173,11 @@ fn steps_follow_one_another_and_tell_what_they_came_to() {
     assert_eq!(prepared.scan.shape(), [10, 38]);
     assert_eq!(prepared.scan.shape(), steps.shape([20, 30]).unwrap());
     let first = |sentence: &String| sentence.split(' ').take(2).collect::<Vec<_>>().join(" ");
-    let told: Vec<_> = prepared.told.iter().map(first).collect();
+    let told: Vec<_> = prepared.effects.iter().map(first).collect();
     assert_eq!(told[0], "cropped to");
     assert!(told[1].ends_with("voids"), "{told:?}");
     assert_eq!(told[2..], ["the trend", "low-pass filter", "tapered within", "mirrored to"]);
-    assert_eq!(Preparation::default().apply(rough.clone()).unwrap().told, Vec::<String>::new());
+    assert_eq!(Preparation::default().apply(rough.clone()).unwrap().effects, Vec::<String>::new());
     let refused = |steps: Preparation| steps.apply(rough.clone()).unwrap_err();
     let none = Preparation::default;
     assert!(matches!(

@@ -3,9 +3,10 @@
 use crate::contact::{Edge, Edges};
 
 impl<G: Fn(usize) -> f64 + Sync> Edges<'_, G> {
-    /// The segments of contact along a line (of a surface, along its first row), from left to right, as their first and last
-    /// position, lengths; one across the period ends beyond it, and one at a free rim half a spacing beyond its node. A line all of
-    /// which touches is one segment; a segment that is shorter than nothing by the law of its edges is left out.
+    /// The segments of contact along a line (of a surface, along its first row), from left to right, as their first and
+    /// last position, lengths; a segment across the period ends beyond it, and a segment at a free rim ends half a
+    /// spacing beyond its node. A line in full contact is one segment. A segment whose length would be negative is left
+    /// out.
     pub fn segments(&self) -> Vec<[f64; 2]> {
         let nx = self.grid.shape()[1];
         let spacing = self.grid.spacing()[1];

@@ -1,4 +1,4 @@
-//! The law of a straight edge: what the nodes on either side tell of its place.
+//! The law of a straight edge: its position, computed from the nodes on both sides.
 
 use std::f64::consts::{E, PI};
 

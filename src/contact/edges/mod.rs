@@ -1,4 +1,4 @@
-//! Where a contact ends between the nodes.
+//! The edges of a contact, interpolated between the nodes.
 //!
 //! Letters of this file: `l` spacing, `P = p l / E*` pressure of the last node in contact as a length, `G` gap of the next node,
 //! `s` distance of the edge from the last node in spacings along the link of the two, `k` cosine of the angle between that
@@ -14,14 +14,15 @@ pub use law::NODE_EXCESS_PER_SWITCH_LINE;
 use law::{EdgeSide, GAP_WEIGHT};
 use normal::EdgeNormal;
 
-/// Share of the edges of a contact above which those that its shape gives leave the gradient over it without a meaning.
+/// If more than this share of the edges of a contact is given by its shape, the gradient over the contact is
+/// meaningless.
 const MOST_OF_SHAPE: f64 = 0.5;
 
 /// The edges of a contact, each found between the last node in contact and the next one.
 ///
-/// Pressure falls to a free edge as the square root of the distance and the gap opens as its power of three halves. On a grid
-/// such edges are a family of two parameters, strength and place, and the pressure `P` of the last node with the gap `G` of
-/// the next one tell both:
+/// Pressure falls to a free edge as the square root of the distance and the gap opens as its power of three halves. On
+/// a grid such edges are a family of two parameters, strength and place, and the pressure `P` of the last node with the
+/// gap `G` of the next one determine both:
 ///
 /// ```text
 /// s = -c + P / (P + (pi / 2e) G)
@@ -34,16 +35,17 @@ const MOST_OF_SHAPE: f64 = 0.5;
 /// `s = 1 - c + b / a`, and `b / a` follows from `P` and `G`. The place is uniform over one spacing, so counting nodes is too
 /// large by `c` per edge on average.
 ///
-/// **Surfaces.** A straight edge along the grid, and one along its diagonal, obey the same law with `P k` in the place of `P`.
-/// At other angles nodes lie at several distances from the edge; there the law errs by 0.03 spacings for one node and
-/// by less than 0.002 on average (from the factors along lattice directions up to (8, 5)). The cosine comes from how the distance
-/// from the edge, as pressures and gaps tell it, changes along the link and across it. A link counts by `k^2` in area, so
-/// that those along rows and columns add up to the contour.
+/// **Surfaces.** A straight edge along the grid, and one along its diagonal, obey the same law with `P k` instead of
+/// `P`. At other angles the nodes have several distances from the edge; the error of the law is then 0.03 spacings for
+/// one node and less than 0.002 on average (from the factors along lattice directions up to (8, 5)). The cosine comes
+/// from how the distance from the edge, as computed from pressures and gaps, changes along the link and across it. A
+/// link counts by `k^2` in area, so that those along rows and columns add up to the contour.
 ///
-/// **What is not an edge of this kind.** The edge of a punch is where its shape has it: the pressure rises towards it, which is
-/// how it is known, over three nodes. Where the last node yields, the pressure falls from the hardness. Both are put halfway between the nodes, as
-/// counting does, and no node touches over less than its pressure needs at the highest one that is allowed. A node or two in contact
-/// have two edges each of which takes the other for far away; their area may be wrong by as much as it is, but not negative.
+/// **What is not an edge of this kind.** The edge of a punch is given by its shape. It is recognised by a pressure that
+/// rises towards the edge over three nodes. Where the last node yields, the pressure falls from the hardness. Both are
+/// put halfway between the nodes, as counting does, and no node touches over less than its pressure needs at the
+/// highest one that is allowed. The law of an edge assumes that the other edge is far away, which is wrong for patches
+/// of one or two nodes: the error of their area may be as large as the area, but the area is never negative.
 ///
 /// # Source
 /// This crate's own; [`crate::theory::counting_excess`] has the excess at any angle.
@@ -129,8 +131,8 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         }
     }
 
-    /// The area and the square gradients of a node in contact: those of its cell, cut off or extended at its edges, and no less than
-    /// bears its pressure.
+    /// The area and the square gradients of a node in contact: those of its cell, cut off or extended at its edges, and
+    /// no less than is needed to carry its pressure.
     fn share(&self, node: usize, square_slope: &impl Fn(usize) -> f64) -> EdgeSums {
         let square = square_slope(node);
         let mut sums = EdgeSums { area: 1.0, squares: square, ..EdgeSums::default() };

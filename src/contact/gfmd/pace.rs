@@ -3,8 +3,8 @@
 use super::{Dynamics, Gfmd, Masses};
 use crate::contact::{Decision, chunks};
 
-/// Constants of FIRE (Bitzek et al. 2006): steps of falling energy before the time step grows, its growth and its
-/// cut, and the share of the velocity that turns towards the force, with its decay.
+/// Constants of FIRE (Bitzek et al. 2006): steps of decreasing energy before the time step grows, its growth and
+/// reduction factors, and the mixing parameter of the velocity with its decay.
 const PATIENCE: usize = 5;
 const GROWTH: f64 = 1.1;
 const CUT: f64 = 0.5;
@@ -29,7 +29,8 @@ enum Damping {
 }
 
 impl Pace {
-    /// Limits the step by the stiffest mode and sets the friction by the softest, for the modes' `stiffness`.
+    /// Chooses the time step from the stiffest mode and the damping from the softest, given the `stiffness` of the
+    /// modes.
     pub fn new(settings: &Gfmd, stiffness: &[f64]) -> Self {
         let positive = || stiffness.iter().copied().filter(|&k| k > 0.0);
         let stiffest = positive().fold(0.0, f64::max);

@@ -1,9 +1,9 @@
-//! The certificate of constraint forces.
+//! Certificates of the constraint forces.
 
 use crate::contact::{Certificate, Problem, Run, chunks};
 use crate::elastic::Response;
 
-/// Checks are this many times rarer than the steps made so far: a run passes its end by at most two per cent.
+/// The interval between checks is this fraction of the steps so far, so a run has at most two per cent of extra steps.
 const RARITY: usize = 50;
 
 /// Scales the constraint forces to the load and certifies them as a pressure, at a thinning share of the steps.

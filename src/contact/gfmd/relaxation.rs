@@ -1,9 +1,9 @@
-//! How fast damped motion forgets.
+//! The relaxation rates of damped motion.
 
 use super::{Gfmd, Masses, Pace};
 use crate::contact::Problem;
 
-/// The relaxation of free waves under damped motion: how fast each of them forgets, in theory.
+/// The relaxation of free waves under damped motion: the theoretical decay rate of each.
 ///
 /// A wave of stiffness `k` that no contact holds moves by `w' - w = keep (w - w_before) - add k w / m`, so that from step to step it
 /// shrinks by the larger root of
@@ -12,9 +12,10 @@ use crate::contact::Problem;
 /// x^2 - (1 + keep - s k / m / (1 + f)) x + keep = 0,    keep = (1 - f) / (1 + f),    s = dt^2
 /// ```
 ///
-/// with the friction `f`. Where the roots are complex the wave swings and shrinks by `sqrt(keep)`, whatever its stiffness; where they
-/// are real it creeps, the softer the slower. The contact holds waves longer than its own pattern, which then relax faster; the mean,
-/// which nothing but the contact holds, is slower than the longest wave where the contact is small.
+/// with the friction `f`. Where the roots are complex the wave oscillates and decays by `sqrt(keep)`, independent of
+/// its stiffness; where they are real it creeps, the softer the slower. The contact holds waves longer than its own
+/// pattern, which then relax faster; the mean, which nothing but the contact holds, is slower than the longest wave
+/// where the contact is small.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relaxation {
     step: f64,
@@ -37,23 +38,23 @@ impl Relaxation {
         Some(Self { step: pace.step, friction: pace.friction()?, masses: settings.masses, ends: [softest, stiffest] })
     }
 
-    /// Decimal digits of its amplitude that a wave of this stiffness, of a pressure per length, loses in a step.
+    /// Decrease of the amplitude per step, in decimal digits, for a wave of this stiffness (pressure per length).
     pub fn decades_per_step(&self, stiffness: f64) -> f64 {
         -shrinkage(self.step * self.softness(stiffness), self.friction).log10()
     }
 
-    /// Digits that the longest wave loses in a step.
+    /// Decrease of the longest wave per step, in digits.
     pub fn slowest_decades_per_step(&self) -> f64 {
         self.decades_per_step(self.ends[0])
     }
 
-    /// Digits that the longest wave would lose if the friction were critical for it: the most that any friction achieves.
+    /// Decrease of the longest wave per step at critical damping, in digits: the best possible value.
     pub fn best_decades_per_step(&self) -> f64 {
         let step = self.step * self.softness(self.ends[0]);
         -shrinkage(step, critical(step)).log10()
     }
 
-    /// The friction over the critical one of the longest wave: below 1 it swings, above it creeps.
+    /// The damping divided by the critical damping of the longest wave: below 1 it oscillates, above 1 it creeps.
     pub fn damping(&self) -> f64 {
         self.friction / critical(self.step * self.softness(self.ends[0]))
     }

@@ -6,9 +6,9 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// Masses of the surface modes.
 ///
-/// Under uniform masses long waves are `n/2` times softer than short ones and relax last. Under masses proportional to stiffness
-/// all modes swing alike; but waves longer than the distance of contact segments, and the mean, are held by the contacts
-/// and get the mass of the wave that is just as long.
+/// Under uniform masses long waves are `n/2` times softer than short ones and relax last. With masses proportional to
+/// stiffness, all modes oscillate with the same period. But waves longer than the distance between contact segments,
+/// and the mean, are held by the contacts. They get the mass of the wave whose length is this distance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -23,7 +23,7 @@ pub enum Masses {
 
 /// Damping of the motion.
 ///
-/// Under FIRE velocities turn towards the force, and are dropped when the power becomes negative.
+/// FIRE turns velocities towards the force, and sets them to zero when the power becomes negative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -45,9 +45,9 @@ pub enum Dynamics {
 /// With uniform masses that is the projection of the step onto `w >= h`, as in the paper. With masses proportional to stiffness
 /// the inertia acts among the free nodes only; the state of rest is the same.
 ///
-/// A step costs one transform pair with uniform masses and two with masses proportional to stiffness; the certificate is
-/// computed at a share of the steps that falls to one in fifty, for one pair more. Memory: 8 fields of n doubles and two
-/// [`crate::elastic::Response`]s.
+/// A step costs one transform pair with uniform masses and two with masses proportional to stiffness; the certificate
+/// needs one more pair, and is computed at a decreasing share of the steps, at last every fiftieth. Memory: 8 fields of
+/// n doubles and two [`crate::elastic::Response`]s.
 ///
 /// The method works under a mean pressure only: at a mean gap it returns [`crate::error::SolveError::NeedsPressure`].
 ///
@@ -82,14 +82,14 @@ pub struct Gfmd {
     pub masses: Masses,
     /// How the motion is damped.
     pub dynamics: Dynamics,
-    /// Time step over the stability limit of the stiffest mode, above 0 and below 1.
+    /// Time step divided by the stability limit of the stiffest mode, above 0 and below 1.
     pub time_step: f64,
-    /// Friction over the critical one of the slowest mode, positive.
+    /// Damping divided by the critical damping of the slowest mode, positive.
     pub damping: f64,
 }
 
 impl Gfmd {
-    /// Fields of doubles that a solve holds at its peak, the heights left out.
+    /// Number of fields of doubles that a solve needs at its peak, without the heights.
     pub const FIELDS: f64 = 10.0;
 
     /// Checks the settings.
@@ -109,7 +109,7 @@ impl Gfmd {
 }
 
 impl Default for Gfmd {
-    /// The paper's way: uniform masses, plain damping; half of the stable time step.
+    /// The settings of the paper: uniform masses and constant damping, with half of the stable time step.
     fn default() -> Self {
         Self { masses: Masses::Uniform, dynamics: Dynamics::Damped, time_step: 0.5, damping: 1.0 }
     }

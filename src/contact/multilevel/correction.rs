@@ -6,7 +6,7 @@ use crate::chunks;
 use crate::contact::{Decision, Status};
 use crate::elastic::Response;
 
-/// Conjugate gradient steps at the most.
+/// Largest number of conjugate gradient steps.
 const MOST_STEPS: usize = 100;
 
 /// The correction `delta` on the nodes of a set, found by conjugate gradients; vectors live on the set.
@@ -28,7 +28,7 @@ pub(super) struct Correction<'a> {
 }
 
 impl<'a> Correction<'a> {
-    /// A correction of nothing yet, for the `residual` `lambda - v` on `support`.
+    /// A zero correction, for the `residual` `lambda - v` on `support`.
     pub fn new(support: &'a Support, residual: Vec<f64>, keeps_load: bool, response: &mut Response) -> Self {
         let zeros = || vec![0.0; residual.len()];
         let (delta, direction) = (zeros(), zeros());

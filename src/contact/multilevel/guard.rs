@@ -1,4 +1,4 @@
-//! Guarded steps, which lower the energy for certain.
+//! Guarded steps, which always lower the energy.
 
 use super::correction::{dot, remove_mean};
 use super::level::{InnerStepCallback, Level};
@@ -119,7 +119,7 @@ mod tests {
         Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(mean_pressure)).unwrap()
     }
 
-    /// Surfaces on which whole-set updates are known to stall, collapse or cycle when left alone.
+    /// Surfaces on which whole-set updates without the guard are known to stall, collapse or cycle.
     fn hard() -> Vec<Problem> {
         let indenter = |indenter: Indenter, mean_pressure| {
             let surface = indenter.surface(Grid::line(256, 1.0).unwrap()).unwrap();

@@ -5,7 +5,7 @@ use crate::contact::{Load, Problem};
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
 
-/// The fewest points along a side of a coarse grid.
+/// The fewest points per side of a coarse grid.
 const FEWEST: usize = 32;
 
 /// The problem on the [`halved`] grid, if there is one and what is left on it is neither flat nor too low to be touched.

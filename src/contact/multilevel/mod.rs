@@ -1,16 +1,15 @@
-//! Whole contact sets at once, on nested grids, with a guard that makes it certain.
+//! An active-set method on nested grids, with a safeguard that guarantees convergence.
 //!
 //! Letters of this file's folder: `p` pressure, `u` displacement, `v = u - h`, `S` the contact set, `lambda` the mean of `v` on
 //! it or minus a given mean gap, `r = lambda - v` the residual on `S`, `delta` the correction of `p` on `S`, `eta` the
 //! certificate.
 //!
-//! # Why it is fast
-//! On a given set the pressure solves `A delta = r` with the compliance `A` restricted to `S`. Its inverse is the Schur
-//! complement of the stiffness `K = A^-1` of the whole plane: `K` after the extension of `r` from `S` that costs the least
-//! energy. An approximate extension `E` gives the preconditioner `E' K E`, symmetric and positive whatever `E` is.
-//! Extension by zero, the usual choice of opposite-order preconditioning, tears long waves apart at the rims of many small
-//! patches; the [`extension::Extension`] used here lets them fade as the capacity of a patch says, and two or three steps
-//! of conjugate gradients then reduce the residual fiftyfold, on any number of nodes.
+//! # Why it is fast On a given set the pressure solves `A delta = r` with the compliance `A` restricted to `S`. Its
+//! inverse is the Schur complement of the stiffness `K = A^-1` of the whole plane: `K` after the extension of `r` from
+//! `S` that costs the least energy. An approximate extension `E` gives the preconditioner `E' K E`, symmetric and
+//! positive for any `E`. Extension by zero, the usual choice of opposite-order preconditioning, tears long waves apart
+//! at the rims of many small patches; the [`extension::Extension`] used here lets them fade as the capacity of a patch
+//! says, and two or three steps of conjugate gradients then reduce the residual fiftyfold, on any number of nodes.
 //!
 //! # Why it ends
 //! Call a state *better* when its distance from the goals of the run, which is proportional to the certificate, is at most nine
@@ -27,19 +26,20 @@
 //!   certificate is zero, so it halves after finitely many of them. Between two guarded phases, and between two better states,
 //!   there are at most a few free updates. Hence the certificate falls by a fixed factor again and again and reaches every
 //!   tolerance above rounding.
-//! - **What it costs.** Whole-set updates cycle when their corrections are loose. So a correction is tightened whenever an update
-//!   was no better, and with that the guard has hardly been needed; the tests force it.
+//! - **What it costs.** Whole-set updates cycle when their corrections are loose. So a correction is tightened whenever
+//!   an update was no better, so the guard is rarely needed; the tests force it.
 //!
-//! # Below a hardness
-//! There are three sets: open nodes without pressure, free ones, and those that yield, at `H_c` to the last bit. The correction acts
-//! on the free nodes, under the pressure of those that yield, and an exchange updates all sets by signs: out go free nodes below
-//! zero, in come open ones with `v < lambda`; free ones above `H_c` yield, and those that yield with `v > lambda` are free again,
-//! which the number next below `H_c` stands for. Then free nodes are scaled to the load. Where none is free, `lambda` lies between
-//! the nodes that would carry the load at `H_c` and the others, so that some enter and as many become free, unless it is the solution.
+//! # Below a hardness There are three sets: open nodes without pressure, free ones, and those that yield, at `H_c` to
+//! the last bit. The correction acts on the free nodes, under the pressure of those that yield, and an exchange updates
+//! all sets by signs: out go free nodes below zero, in come open ones with `v < lambda`; free ones above `H_c` yield,
+//! and those that yield with `v > lambda` are free again, which is represented by the number next below `H_c`. Then
+//! free nodes are scaled to the load. Where none is free, `lambda` lies between the nodes that would carry the load at
+//! `H_c` and the others, so that some enter and as many become free, unless it is the solution.
 //!
-//! All of the above holds with `{0 <= p <= H_c}` in the place of `{p >= 0}`: it is convex, every guarded step stays within it, the
-//! projection onto it and the load is exact, and for the projected gradient step `f` falls unless `p` is the solution. The length of
-//! that step comes from the free nodes: after an exchange the gradient is uniform on them, and the length zero, at the solution only.
+//! All of the above holds with `{0 <= p <= H_c}` instead of `{p >= 0}`: it is convex, every guarded step stays within
+//! it, the projection onto it and the load is exact, and for the projected gradient step `f` falls unless `p` is the
+//! solution. The length of that step comes from the free nodes: after an exchange the gradient is uniform on them, and
+//! the length zero, at the solution only.
 
 mod correction;
 mod extension;
@@ -70,17 +70,17 @@ const COARSE_REDUCTION: f64 = 0.1;
 /// A coarse grid with a worse certificate has not found its contact, as below a hardness where that of light loads is smaller than a
 /// few of its nodes. The contact of the finest grid is not compared with it.
 const COMPARABLE: f64 = 0.1;
-/// Updates that a coarse grid gets at the most.
+/// Largest number of updates on a coarse grid.
 const COARSE_UPDATES: usize = 12;
 
-/// Steps of a grid without a better state after which a run is given up, besides as many again as it took to find the best
-/// one. Only rounding makes it so.
+/// Number of steps on a grid without a better state after which a run stops, in addition to as many steps as it took to
+/// find the best state. Only rounding causes this.
 const PATIENCE: usize = 600;
 
-/// Nested grids of whole-set updates: the fast solver.
+/// Active-set updates on nested grids: the fastest solver.
 ///
 /// On each grid, from the coarsest on, repeats:
-/// 1. on the contact set, solve for the pressure that makes the gap vanish, whatever its sign, by preconditioned conjugate
+/// 1. on the contact set, solve for the pressure that makes the gap vanish, of any sign, by preconditioned conjugate
 ///    gradients: the inner steps;
 /// 2. take nodes out whose pressure is negative and in where the gap is negative, all at once;
 /// 3. go on from that pressure, clipped and scaled to the load, with its own displacement: an outer step.
@@ -90,16 +90,15 @@ const PATIENCE: usize = 600;
 /// finest grid; from a worse one the way over coarse grids is shorter.
 ///
 /// Outer and inner steps of all grids are shown to the observer and count as iterations. An inner step is shown as the
-/// feasible pressure next to it, clipped and scaled, whose fields are made only if they are asked for. Transforms of coarse
-/// grids count by their share of points.
+/// feasible pressure next to it, clipped and scaled, whose fields are made only on request. Transforms of coarse grids
+/// count by their share of points.
 ///
 /// Memory on the finest grid, besides the heights: 1 field of n doubles, the [`crate::elastic::Response`], two thirds of a field
 /// on surfaces and two fields on lines for the extension, and 8 vectors on the contact set, with 16 bytes for each run of its
 /// nodes. Guarded steps take 3 fields more. Coarse grids are freed before the finest one is set up.
 ///
-/// # Why it is stable
-/// No step length is chosen: corrections are exact minimisers on their set, and guarded steps are exact minimisers on their way.
-/// Why it ends is told at the head of the module.
+/// # Why it is stable No step length is chosen: corrections are exact minimisers on their set, and guarded steps are
+/// exact minimisers on their way. The documentation of the module explains why it terminates.
 ///
 /// # Source
 /// Primal-dual active sets: Hintermueller, Ito & Kunisch, SIAM J. Optim. 13, 865 (2002). Opposite-order preconditioning:
@@ -120,12 +119,13 @@ const PATIENCE: usize = 600;
 pub struct Multilevel;
 
 impl Multilevel {
-    /// Fields of doubles that a solve holds at its peak when a share of the nodes touches, the heights left out.
+    /// Number of fields of doubles that a solve needs at its peak, without the heights, if a share of the nodes is in
+    /// contact.
     pub fn fields(grid: &Grid, relative_area: f64) -> f64 {
         if grid.is_line() { 4.0 + 3.0 * relative_area } else { 2.0 + 2.0 / 3.0 + 9.1 * relative_area }
     }
 
-    /// Grids that it works on above `grid` at the most: coarse ones, each of half as many points along a side.
+    /// Largest number of coarse grids above `grid`, each with half as many points per side.
     pub fn coarse_grids(grid: &Grid) -> usize {
         std::iter::successors(halved(grid), halved).count()
     }
@@ -137,7 +137,7 @@ impl Solver for Multilevel {
     }
 
     fn settings(&self) -> String {
-        "whole-set updates on nested grids, guarded".into()
+        "active-set updates on nested grids, with a safeguard".into()
     }
 
     fn solve_from(

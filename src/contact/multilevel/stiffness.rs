@@ -9,7 +9,8 @@ use crate::elastic::Response;
 /// Reduction of the residual. The stiffness errs by the square of it.
 const REDUCTION: f64 = 1e-2;
 
-/// The contact stiffness `k = -d<p>/dD` of a pressure whose displacement is at hand, both row by row: a pressure per length.
+/// The contact stiffness `k = -d<p>/dD` of a pressure whose displacement is given, both row by row: a pressure per
+/// length.
 ///
 /// As the gap closes by `dD`, the nodes of the contact set `S` move down alike, `A_SS dp = dD`, and those at its edge, where
 /// pressure and gap are zero, enter or leave at second order only. So `k = 1' A_SS^-1 1 / n`. It is found from
@@ -21,8 +22,8 @@ const REDUCTION: f64 = 1e-2;
 /// which starts from the pressure itself. Conjugate gradients approach the minimum from above, and `k` from below, with the square
 /// of the error of `x`. Where all nodes touch, a uniform pressure displaces nothing, and the stiffness is infinite.
 ///
-/// Below a hardness `S` are the free nodes only: those that yield carry what they carry. Their share of the displacement is then
-/// taken off by one more transform pair. Where no node is free, the stiffness is zero.
+/// Below a hardness `S` are the free nodes only: those that yield carry what they carry. Their share of the
+/// displacement is then subtracted with one more transform pair. Where no node is free, the stiffness is zero.
 pub(in crate::contact) fn stiffness(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
     let mut response = problem.response();
     let law = problem.law();

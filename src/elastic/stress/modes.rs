@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 /// Depths of one task, which plans the transforms that they share.
 const DEPTHS_PER_TASK: usize = 8;
 
-/// Waves so many times deeper than `1/q` are left out: what remains of them is less than rounding.
+/// Depth, in units of `1/q`, below which a wave is left out: its amplitude is there below rounding.
 const DEEPEST: f64 = 50.0;
 
 /// The stress below row `row` of a periodic pressure on a grid; a line has the row 0.

@@ -40,8 +40,8 @@ pub struct ConvergenceCurve {
 }
 
 impl ConvergenceCurve {
-    /// Measures errors against the all but exact solution `reference` in a first run, which warms up, and seconds in `repeats`
-    /// further runs, in which nobody looks at the fields.
+    /// Measures errors against the all but exact solution `reference` in a first run, which warms up, and seconds in
+    /// `repeats` further runs, in which no fields are computed.
     pub fn measure(
         rival: Rival,
         reference: &Contact,

@@ -6,13 +6,13 @@ use super::quantity::{KAPPA_R, KAPPA_R_COUNTED};
 use crate::lab::Rival;
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 
-/// Errors above this tell nothing and are left out.
+/// Errors above this value are meaningless and are not drawn.
 const TOP: f64 = 10.0;
 
-/// The figure of the findings on a scene; the legend of one panel tells the solvers apart, that of the other the lines.
+/// The figure of the findings on a scene. One panel has a legend of the solvers, the other a legend of the lines.
 pub fn figure(findings: &Measurements) -> Figure {
     let points = findings.finest().next().map_or(0, |curve| curve.shape[1]);
-    let kind = if findings.scene.is_line() { "points" } else { "points a side" };
+    let kind = if findings.scene.is_line() { "points" } else { "points per side" };
     let title = format!("{}, {points} {kind}: error against work", findings.scene.name());
     let seconds = panel(findings, "run time in s, median", ConvergencePoint::median, |rival| rival.title);
     let mut transforms = panel(findings, "Fourier transforms", |point| point.transforms as f64, |_| "");

@@ -59,8 +59,8 @@ impl Ladder {
         Ok(Self { against, truth: truth[0], rungs })
     }
 
-    /// The largest error of `quantity` on the grid of this many points along a side and on all finer ones: a coarse grid may
-    /// be right by chance.
+    /// The largest error of `quantity` on the grid of this many points per side and on all finer ones: a coarse grid
+    /// may be right by chance.
     pub fn error_from(&self, side: usize, quantity: usize) -> Option<f64> {
         let finer = self.rungs.iter().filter(|rung| rung.shape[1] >= side);
         finer.map(|rung| rung.errors[quantity]).try_fold(0.0, |worst: f64, error| Some(worst.max(error?)))

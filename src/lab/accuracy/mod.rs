@@ -1,8 +1,8 @@
 //! Error against run time.
 //!
-//! Three errors, all relative, are kept apart: the algebraic one of a step against the solution on the same grid, that of the
-//! discretisation of a grid against the truth (the exact solution, or a grid four times finer than the finest), and that of the
-//! model, a theory held against the same truth.
+//! The table separates three errors, all relative: the algebraic one of a step against the solution on the same grid,
+//! that of the discretisation of a grid against the truth (the exact solution, or a grid four times finer than the
+//! finest), and that of the model, a theory held against the same truth.
 //!
 //! ```text
 //! Experiment { Scene, grids, stops } --> Findings { Ladder of grids, Models, Curves of the solvers } --> table, figure, CSV

@@ -1,11 +1,11 @@
-//! Quantities that people read off a contact.
+//! The quantities of a contact whose errors are measured.
 
 use crate::contact::{Observables, State};
 use crate::theory::Exact;
 
 /// The names of the quantities: area and `kappa_r` have resolved edges, unless their nodes are counted.
 pub const QUANTITIES: [&str; 6] = ["area", "kappa_r", "mean gap", "peak pressure", "area nodes", "kappa_r nodes"];
-/// Those among them, the first ones, that people should read off a contact.
+/// The first of them, which are recommended.
 pub const BEST: usize = 4;
 /// The place of `kappa_r` among them.
 pub const KAPPA_R: usize = 1;

@@ -7,9 +7,9 @@ use crate::setup::Setup;
 
 /// A scene whose surface is the same on all grids.
 ///
-/// A rough surface has a given rms gradient by finite differences, which depend on the grid, so that scaling it on each grid
-/// would change the surface from one to the next. Here it is scaled once, on the finest grid. Its rms height tells the scale on
-/// the others: all of them carry the same waves, and by Parseval's theorem the same mean square of them.
+/// A rough surface has a given rms gradient by finite differences, which depend on the grid, so that scaling it on each
+/// grid would change the surface from one to the next. Here it is scaled once, on the finest grid. Its rms height gives
+/// the scale on the others: all of them carry the same waves, and by Parseval's theorem the same mean square of them.
 #[derive(Debug, Clone, Copy)]
 pub struct Realised {
     pub scene: AccuracyScene,

@@ -16,7 +16,7 @@ pub const AMPLITUDE: f64 = 0.01;
 const RMS_GRADIENT: f64 = 1e-3;
 const REDUCED_PRESSURE: f64 = 0.05;
 
-/// A contact on ever finer grids.
+/// A contact on successively finer grids.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]

@@ -7,7 +7,7 @@ use super::quantity::{BEST, QUANTITIES};
 use crate::lab::table::{or_dash, points};
 use std::fmt::{self, Formatter};
 
-/// Certificates at which the work is told.
+/// Certificates for which the table lists the work.
 const MILESTONES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
 /// The accuracies that advice is given for.
 const ACCURACIES: [f64; 2] = [0.01, 0.001];
@@ -25,7 +25,7 @@ impl fmt::Display for Measurements {
 }
 
 fn write_ladder(ladder: &Ladder, f: &mut Formatter<'_>) -> fmt::Result {
-    writeln!(f, "  discretisation: errors against {}, rms over {LOADS} loads", ladder.against)?;
+    writeln!(f, "  discretisation: errors compared with {}, rms over {LOADS} loads", ladder.against)?;
     write_row("points", 13, QUANTITIES, f)?;
     let entry = |error| or_dash(error, percent);
     ladder.rungs.iter().try_for_each(|rung| write_row(&points(rung.shape), 13, rung.errors.map(entry), f))?;
@@ -33,13 +33,13 @@ fn write_ladder(ladder: &Ladder, f: &mut Formatter<'_>) -> fmt::Result {
 }
 
 fn write_models(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
-    writeln!(f, "  model: predictions over the truth, less one")?;
+    writeln!(f, "  model: relative errors of the predictions")?;
     write_row("theory", 13, &QUANTITIES[..BEST], f)?;
     let entry = |error| or_dash(error, |error| format!("{:+.2} %", 100.0 * error));
     findings.models.iter().try_for_each(|model| write_row(model.theory, 13, &model.errors.map(entry)[..BEST], f))
 }
 
-/// Writes a line of a table: a name, and entries that fill so many columns each.
+/// Writes a line of a table: a name, and entries that each fill a given number of columns.
 fn write_row(
     name: &str,
     width: usize,
@@ -56,7 +56,8 @@ fn write_work(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
     let Some(ConvergenceCurve { shape, reference_eta, .. }) = findings.finest().next() else { return Ok(()) };
     writeln!(
         f,
-        "  algebraic: ms (half the spread in %) and transforms to eta, {} points; L2 of p in the end, against eta {:.0e}",
+        "  algebraic: ms (half the spread in %) and transforms to eta, {} points; L2 error of p at the end, for eta \
+         {:.0e}",
         points(*shape),
         reference_eta
     )?;
@@ -87,7 +88,7 @@ fn milliseconds(seconds: f64) -> String {
 fn write_settled(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
     writeln!(
         f,
-        "  when may I stop: the largest eta seen from which on a quantity stays within 1 % / 0.1 % of its final value"
+        "  when to stop: the largest eta from which on a quantity stays within 1 % / 0.1 % of its final value"
     )?;
     write_row("solver", 19, &QUANTITIES[..BEST], f)?;
     findings.finest().try_for_each(|curve| {
@@ -104,7 +105,7 @@ fn settled(curve: &ConvergenceCurve, quantity: usize, accuracy: f64) -> Option<f
 }
 
 fn write_advice(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
-    writeln!(f, "  recommended: the fastest that was measured, total error = discretisation + algebraic")?;
+    writeln!(f, "  recommended: the fastest of the measured runs, total error = discretisation + algebraic")?;
     for (quantity, name) in QUANTITIES.iter().take(BEST).enumerate() {
         for accuracy in ACCURACIES {
             write!(f, "{INDENT}for {name} to {} % ", 100.0 * accuracy)?;
@@ -114,7 +115,7 @@ fn write_advice(findings: &Measurements, f: &mut Formatter<'_>) -> fmt::Result {
                 Some(choice) => writeln!(f, "{}", choice.sentence())?,
                 None => {
                     let best = or_dash(all().map(|choice| choice.total()).min_by(f64::total_cmp), percent);
-                    writeln!(f, "use a finer grid: the best of these has {best}")?;
+                    writeln!(f, "use a finer grid: the best of these grids has {best}")?;
                 }
             }
         }

@@ -14,7 +14,7 @@ pub enum Group {
     Surfaces,
     /// Rough lines of 2^18 points, short cut-off 1/512 of the roll-off
     Lines,
-    /// Rough lines and surfaces of a fixed spectrum on ever finer grids
+    /// Rough lines and surfaces of a fixed spectrum on successively finer grids
     Growth,
     /// A rough surface of 2048^2 and a line of 2^18 points, by conjugate gradients as well
     Peers,

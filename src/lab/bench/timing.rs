@@ -36,15 +36,15 @@ pub struct Timing {
     certificate: f64,
     relative_area: f64,
     kappa_r: f64,
-    /// Peak of resident memory while the surface was made and solved, where the system tells.
+    /// Peak resident memory while the surface was generated and solved, if the system reports it.
     peak_mib: Option<f64>,
     /// Seconds in the solver over those of the first method, if there are several.
     ratio: Option<f64>,
 }
 
 impl Timing {
-    /// Solves a contest by each method when its timing is asked for; all that was made is freed in between. With several
-    /// methods the first is what the others are held against.
+    /// Solves a contest by each method when its timing is requested; memory is freed in between. With several methods
+    /// the first is what the others are held against.
     ///
     /// # Errors
     /// Each timing, for a contact that a method cannot take on.
@@ -132,8 +132,8 @@ impl fmt::Display for Timing {
     }
 }
 
-/// Runs `run`, and says how much memory was resident at its peak, in MiB, where the system tells: the high-water mark of the
-/// whole process (`VmHWM`), set back to what is resident at the start. What the allocator keeps of earlier runs counts.
+/// Runs `run`, and returns its peak resident memory in MiB, if the system reports it: the high-water mark of the whole
+/// process (`VmHWM`), set back to what is resident at the start. What the allocator keeps of earlier runs counts.
 #[cfg(target_os = "linux")]
 fn peak_of<T>(run: impl FnOnce() -> T) -> (T, Option<f64>) {
     use procfs::process::{ClearRefs, Process};

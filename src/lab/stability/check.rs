@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 pub struct Check {
     /// Certificate, `sum p (v - min v) / (sum p h_rms)` with `v = u - h`; at a mean gap `D`, `|D - d| / h_rms` more.
     pub eta: f64,
-    /// The same over what is left of the gap, `min(D, max h - D)`, in the place of `h_rms`; 0 under a mean pressure.
+    /// The same divided by the remaining gap, `min(D, max h - D)`, instead of `h_rms`; 0 under a mean pressure.
     pub eta_gap: f64,
     /// `sqrt(eta h_rms <p> / <p u>)`: the bound of the relative error of the pressure.
     pub pressure_error: f64,
@@ -107,12 +107,12 @@ impl Check {
             return Some("the pressure or its displacement is not finite".into());
         }
         if self.min_pressure < 0.0 {
-            return Some(format!("a tension of {:.1e} of the mean pressure", -self.min_pressure));
+            return Some(format!("tension of {:.1e} times the mean pressure", -self.min_pressure));
         }
         if self.over_hardness > 1.0 + 1e-14 {
             return Some(format!("a pressure of {} times the hardness", self.over_hardness));
         }
-        (self.load_error > 1e-12).then(|| format!("the load is missed by {:.1e}", self.load_error))
+        (self.load_error > 1e-12).then(|| format!("the relative error of the load is {:.1e}", self.load_error))
     }
 
     /// The reason why a pressure that is said to have the certificate `tolerance`, and the `pressure_tolerance` if there is one, does
@@ -120,7 +120,7 @@ impl Check {
     pub fn doubt(&self, tolerance: f64, pressure_tolerance: Option<f64>) -> Option<String> {
         let lengths = [("eta", self.eta), ("the penetration", self.penetration), ("the energy", self.energy)]
             .map(|(name, value)| (name, value, tolerance, self.rounding));
-        let gap = ("eta over what is left of the gap", self.eta_gap, tolerance.sqrt(), self.gap_rounding);
+        let gap = ("eta divided by the remaining gap", self.eta_gap, tolerance.sqrt(), self.gap_rounding);
         let pressure =
             pressure_tolerance.map(|tolerance| ("the error of the pressure", self.pressure_error, tolerance, 0.0));
         let worst = lengths.into_iter().chain([gap]).chain(pressure);

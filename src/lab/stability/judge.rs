@@ -27,11 +27,11 @@ pub fn judge(trial: &Trial, rival: &Rival, budget: Duration, watch: ObserverMake
             let (verdict, note) = match fault(trial, &contact, &check).or_else(mismatch) {
                 Some(fault) => (TrialVerdict::Wrong, fault),
                 None if trial.demand_of(rival) == Demand::Refusal => {
-                    (TrialVerdict::Wrong, "this cannot be solved".into())
+                    (TrialVerdict::Wrong, "this case cannot be solved".into())
                 }
                 None if !contact.is_converged() => (TrialVerdict::NotConverged, contact.status.to_string()),
                 None => match unsolved_twin {
-                    Some(twin) => (TrialVerdict::NotConverged, format!("its twin: {}", twin.status)),
+                    Some(twin) => (TrialVerdict::NotConverged, format!("second solve: {}", twin.status)),
                     None => (TrialVerdict::Converged, String::new()),
                 },
             };
@@ -58,7 +58,8 @@ fn disagreement(contact: &Contact, check: &Check) -> Option<String> {
     }
     let said = contact.certificate.eta;
     let differs = (said - check.eta).abs() > AGREEMENT * check.eta + check.rounding;
-    (said.is_nan() || differs).then(|| format!("the certificate is said to be {said:.1e}, but is {:.1e}", check.eta))
+    (said.is_nan() || differs)
+        .then(|| format!("the reported certificate is {said:.1e}, the true one {:.1e}", check.eta))
 }
 
 /// How a contact differs from its twin, if both have converged and it does by more than their tolerances let it.
@@ -79,7 +80,7 @@ fn unlike_under_its_load(contact: &Contact, twin: &Contact, tolerance: f64) -> O
     let difference = (twin.mean_gap() - gap).abs() / left;
     let is_like = difference <= 2.0 * tolerance.sqrt();
     (!is_like)
-        .then(|| format!("under the load that was found the gap differs by {difference:.1e} of what is left of it"))
+        .then(|| format!("with the mean pressure found, the gap differs by {difference:.1e} of the remaining gap"))
 }
 
 /// How dimensionless results differ.
@@ -93,7 +94,7 @@ fn unlike_in_other_units(contact: &Contact, twin: &Contact) -> Option<String> {
     let pressure = (&a.2 - &b.2).fold(0.0, |most: f64, p| most.max(p.abs())) / largest;
     let differences = [("area", (a.0 / b.0 - 1.0).abs()), ("kappa_r", (a.1 / b.1 - 1.0).abs()), ("pressure", pressure)];
     let worst = differences.into_iter().find(|(_, difference)| difference.is_nan() || *difference > UNITS)?;
-    Some(format!("the {} differs by {:.1e} from that in other units", worst.0, worst.1))
+    Some(format!("in usual units, the {} differs by {:.1e}", worst.0, worst.1))
 }
 
 /// The message of a panic.
@@ -147,6 +148,6 @@ mod tests {
         let pose = || sine(Load::MeanGap(1e-15));
         let report = judged(&with_twin(Load::MeanPressure(0.01), EquivalentContact::InOtherUnits(Box::new(pose))));
         assert_eq!(report.verdict, TrialVerdict::NotConverged);
-        assert!(!report.as_demanded && report.to_string().contains("its twin: no further progress"), "{report}");
+        assert!(!report.as_demanded && report.to_string().contains("second solve: no further progress"), "{report}");
     }
 }

@@ -7,15 +7,16 @@ use crate::grid::Grid;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// Grids of up to so many nodes are summed directly.
+/// Largest number of nodes for which the sum is computed directly.
 const DIRECT: usize = 1000;
 /// Images of the cell on each side, in a small window and in one three times as wide.
 const IMAGES: [i32; 2] = [24, 73];
 /// Widths of the pressure that is summed over images, in spacings: smooth on the grid, and gone at the distance that is looked at.
 const WIDTH: f64 = 3.0;
 
-/// The displacement under `pressure`, row by row and with zero mean: small grids by the direct sum, larger ones by a plain transform
-/// for any length. The mean pressure is taken off first: it displaces nothing, but would be rounded. Free grids are summed directly.
+/// The displacement under `pressure`, row by row and with zero mean: small grids by the direct sum, larger ones by a
+/// plain transform for any length. The mean pressure is subtracted first: it displaces nothing, but would be rounded.
+/// Free grids are summed directly.
 pub fn displacement(grid: &Grid, solid: &dyn ElasticSolid, pressure: &[f64]) -> Vec<f64> {
     if !grid.is_periodic() {
         return direct::displacement(grid, solid, pressure);
@@ -89,7 +90,7 @@ impl Kernel {
 
 impl fmt::Display for Kernel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "displacement of the check beside a sum over images {:>12}", "difference")?;
+        writeln!(f, "displacement of the check and of a sum over images {:>12}", "difference")?;
         self.differences.iter().try_for_each(|(name, difference)| writeln!(f, "{name:<50} {difference:>12.1e}"))
     }
 }

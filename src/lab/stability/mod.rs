@@ -1,4 +1,4 @@
-//! How the solvers bear stiff and extreme contacts.
+//! The solvers on stiff and extreme contacts.
 //!
 //! ```text
 //! trials --> Trial { problem, Demand, Twin } --(Rival)--> judge: Check of the pressure --> Report { Verdict } --> Tally

@@ -9,7 +9,7 @@ use crate::lab::table::{or_dash, points};
 use serde::Serialize;
 use std::fmt;
 
-/// The names of the columns in which a report displays, 120 wide but for notes.
+/// The names of the columns in which a report displays, 120 characters wide without the notes.
 pub const HEAD: &str = "\
 case                            points solver          steps seconds     eta   verdict       note";
 

@@ -35,7 +35,7 @@ pub fn shaped(grid: Grid, height: impl Fn(usize, usize) -> f64) -> SurfaceResult
     Ok(Surface::new(grid, Field::from_shape_fn(grid.shape(), |(y, x)| height(y, x)))?)
 }
 
-/// A flat but for one node.
+/// Flat, except for one node.
 pub fn spike(grid: Grid, node: [usize; 2]) -> SurfaceResult {
     shaped(grid, |y, x| if [y, x] == node { 1.0 } else { 0.0 })
 }

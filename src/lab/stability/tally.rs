@@ -53,8 +53,9 @@ impl fmt::Display for Tally {
         if self.is_stable() {
             return Ok(());
         }
-        let steps = if *agrees { "" } else { ", and a time step is not what theory says" };
-        let kernel = if *has_kernel { "" } else { ", and the displacement of the check is no sum over images" };
-        write!(f, "\nnot stable: {wrong} runs are wrong, {missed} miss the end that their case demands{kernel}{steps}")
+        let steps = if *agrees { "" } else { ", and a time step differs from theory" };
+        let kernel =
+            if *has_kernel { "" } else { ", and the displacement of the check differs from the sum over images" };
+        write!(f, "\nnot stable: {wrong} runs are wrong, {missed} have not the required verdict{kernel}{steps}")
     }
 }

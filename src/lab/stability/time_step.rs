@@ -129,7 +129,7 @@ impl TestMotion {
         let noise = |i: usize| if (self.is_free)(i) { ((i * i) as f64 * 0.7).sin() + 0.1 } else { 0.0 };
         let mut w: Vec<f64> = (0..POINTS).map(noise).collect();
         let mut dw = vec![0.0; POINTS];
-        // in so many steps a motion grows by a factor of a million, or not at all
+        // in this number of steps, an unstable motion grows by a factor of a million
         for _ in 0..4000 {
             response.pressure(&w, &mut f);
             (0..POINTS).for_each(|i| f[i] = if (self.is_free)(i) { -f[i] } else { 0.0 });

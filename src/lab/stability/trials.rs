@@ -151,7 +151,7 @@ fn shapes_apart(kind: &'static str, grid: Grid) -> impl Iterator<Item = Trial> {
     })
 }
 
-/// A surface at a mean gap that is so many times its highest peak, or its rms height.
+/// A surface at a mean gap that is a multiple of its highest peak, or of its rms height.
 fn apart(name: String, grid: Grid, [of_peak, of_rms]: [f64; 2], surface: SurfaceMaker) -> Trial {
     let pose = move || {
         let problem = pressed(surface(grid)?, Load::ReducedPressure(0.1))?;

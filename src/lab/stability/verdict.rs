@@ -12,7 +12,7 @@ const ATTAINABLE: f64 = 1e-12;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "lowercase")]
 pub enum TrialVerdict {
-    /// The solver says so, and the check agrees.
+    /// The solver reports convergence, and the check confirms it.
     Converged,
     /// The solver refused it with a clear sentence.
     Refused,

@@ -12,7 +12,7 @@ use crate::record::scene::Scene;
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
-/// What a drawing is made from: a scene, what is expected of it, and how it is to be drawn.
+/// The input of a drawing: a scene, the expected ranges of its values, and the options of the recording.
 pub struct Subject<'a> {
     pub scene: &'a Scene<'a>,
     pub forecast: Forecast,

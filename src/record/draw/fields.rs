@@ -9,7 +9,7 @@ use crate::record::parts::Parts;
 use crate::setup::Part;
 use std::borrow::Cow;
 
-/// Patches that can be pointed at, at the most.
+/// Largest number of patches that show their numbers under the pointer.
 const MOST_PATCHES: usize = 256;
 
 /// The fields of a frame, row by row.

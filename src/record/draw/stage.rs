@@ -174,10 +174,10 @@ impl Stage {
         let Observables { kappa_r, kappa_r_error: error, .. } = Observables::new(contact);
         let grid = match error.is_nan() {
             true => String::new(),
-            false => format!(". kappa_r is {kappa_r:.4}, within about {:.1} % on this grid", 100.0 * error),
+            false => format!(". kappa_r is {kappa_r:.4}, with an error of about {:.1} % on this grid", 100.0 * error),
         };
         format!(
-            "{how} at a certificate of {:.2e}, after {} steps, {} transforms and {:.3} s{grid}",
+            "{how} with the certificate {:.2e}, after {} steps, {} transforms and {:.3} s{grid}",
             certificate.eta, work.iterations, work.transforms, work.seconds
         )
     }

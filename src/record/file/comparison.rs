@@ -24,8 +24,9 @@ const ROOM: f64 = 1.8;
 
 /// Writes one recording with the traces of several over each other, and behind them each as it was.
 ///
-/// Each scene of each recording is a run, named by what tells it from the others, or by its file where that takes many words. The traces are under
-/// `/compare/OBSERVABLE/NUMBER`, the recordings under `/recording_NUMBER`, numbers from 1 on.
+/// Each scene of each recording is a run. It is named by the settings that differ, or by its file if these are too
+/// many. The traces are under `/compare/OBSERVABLE/NUMBER`, the recordings under `/recording_NUMBER`, numbers from 1
+/// on.
 ///
 /// # Errors
 /// [`FileError::Read`] for a file that is missing, unreadable or damaged, [`FileError::Incomparable`] for one that is no
@@ -53,7 +54,7 @@ struct ComparedRun<'a> {
     differences: String,
 }
 
-/// All runs, named by what tells their setups apart as long as that is short, or else by their files.
+/// All runs. They are named by the settings that differ, or by their files if these names would be too long.
 fn runs(recordings: &[Playback]) -> Vec<ComparedRun<'_>> {
     let scenes: Vec<_> =
         recordings.iter().flat_map(|playback| playback.roots().into_iter().map(move |root| (playback, root))).collect();
@@ -109,7 +110,8 @@ fn log(to: &RecordingStream, recordings: &[Playback], runs: &[ComparedRun<'_>]) 
     let curves = observables.into_iter().map(|observable| log_curves(to, runs, observable));
     let curves = curves.collect::<RecordingStreamResult<Vec<_>>>()?;
     let rows: String = runs.iter().map(ComparedRun::row).collect();
-    let about = "All curves are drawn over the active timeline: pick `transforms` or `seconds` instead of `step` to compare work.";
+    let about =
+        "The curves use the selected timeline: choose `transforms` or `seconds` instead of `step` to compare the work.";
     let text = TextDocument::from_markdown(format!(
         "| run | recording | result | differs in |\n|---|---|---|---|\n{rows}\n{about}"
     ));

@@ -42,7 +42,7 @@ pub struct Loads<'a> {
     pub scenes: &'a [Scene<'a>],
 }
 
-/// A recording over loads on its way into a file, which can be opened at any moment.
+/// A recording over loads that is being written into a file, which can be opened at any time.
 ///
 /// Loads can come in any order and from several threads. Loads that never come are not shown.
 pub struct LoadRecording {
@@ -65,7 +65,7 @@ struct LoadsSoFar {
 impl LoadRecording {
     /// Opens the file, and writes into it the layout and all that does not change from load to load.
     ///
-    /// The part [`Part::Traces`] of the `options` stands for the curves, and `every` does not count.
+    /// The part [`Part::Traces`] of the `options` means the curves, and `every` is ignored.
     ///
     /// # Errors
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.

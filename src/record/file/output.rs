@@ -30,7 +30,7 @@ pub struct Output {
     /// Where the file is until it is whole.
     grown_at: Arc<Path>,
     pace: FlushPace,
-    /// The first failure, apart from the rest so that nobody waits for a message on its way into the file.
+    /// The first failure. It has its own lock, so that reading it does not wait for a write.
     failure: Arc<OnceLock<io::Error>>,
     state: Arc<Mutex<OutputState>>,
 }

@@ -3,10 +3,10 @@
 use rerun::log::ChunkBatcherConfig;
 use std::time::{Duration, Instant};
 
-/// Nodes of the steps that are written together at the most: a second of a solver. Each time some twenty entities get a head
-/// of 1.8 kB, so that to write more often makes files longer.
+/// Largest number of nodes of the steps that are written together: about one second of a solver. Each time some twenty
+/// entities get a head of 1.8 kB, so that to write more often makes files longer.
 const MOST: usize = 1 << 23;
-/// Nodes that a step counts for at the least, so that 1024 steps are written together at the most.
+/// Smallest number of nodes that a step counts for, so that at most 1024 steps are written together.
 const LEAST: usize = 1 << 13;
 /// Nodes of the steps that are written first.
 const FIRST: usize = 1 << 19;

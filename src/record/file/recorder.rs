@@ -10,8 +10,8 @@ use std::panic::resume_unwind;
 /// Records the steps of one scene, as far as the options ask for it: numbers at every step, fields at those that they
 /// pick and at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are recorded.
 ///
-/// The solver goes on while a thread writes what it has shown, at most a few states behind. A failure to write ends the run at
-/// one of the next steps or at its end.
+/// The solver continues while a thread writes its states, with a delay of at most a few states. A failure to write ends
+/// the run at one of the next steps or at its end.
 pub struct Recorder<'r> {
     recording: &'r Recording,
     /// The writer, unless it is with the worker.

@@ -16,19 +16,20 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A recording on its way into a file, which can be opened at any moment.
+/// A recording that is being written into a file, which can be opened at any time.
 pub struct Recording {
     pub(super) stream: RecordingStream,
     output: Output,
     pub(super) stages: Arc<[Stage]>,
     pub(super) options: Options,
-    /// All that does not change, on its way.
+    /// The static data, being written.
     statics: Arc<BackgroundTask>,
 }
 
 impl Recording {
-    /// Opens the file, which grows as `NAME.part.rrd` beside an older one of that name until it is whole, writes into it the layout of `scenes`, so that a viewer has it before anything else, and begins to write all that
-    /// does not change from step to step, while the caller goes on.
+    /// Opens the file, which grows as `NAME.part.rrd` beside an older one of that name until it is whole, writes into
+    /// it the layout of `scenes`, so that a viewer has it before anything else, and begins to write all that does not
+    /// change from step to step, while the caller continues.
     ///
     /// # Errors
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
@@ -155,7 +156,7 @@ fn log_static(stream: &RecordingStream, stages: &[Stage], ghost: Option<&Ghost>)
 
 /// What a recording is called.
 pub struct Name {
-    /// The title for people.
+    /// The title.
     title: String,
     /// The application to which the viewer keeps a layout: recordings with layouts of their own have each its own.
     application: String,

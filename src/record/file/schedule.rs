@@ -31,8 +31,8 @@ impl Schedule {
         if grid.is_line() { Self::LINE } else { Self::SURFACE }
     }
 
-    /// Frames at the most, of so many steps on the finest grid above `coarser` ones, each of which is left after some tens of
-    /// steps and four frames; the last state counts.
+    /// Largest number of frames, for a number of steps on the finest grid above `coarser` ones, each of which is left
+    /// after some tens of steps and four frames; the last state counts.
     pub fn most_frames(self, steps: usize, coarser: usize) -> usize {
         let decades = (steps.max(self.dense) as f64 / self.dense as f64).log10();
         steps.min(self.dense) + (self.per_decade * decades).ceil() as usize + 1 + 4 * coarser

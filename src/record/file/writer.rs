@@ -15,9 +15,10 @@ use std::io;
 use std::sync::Arc;
 
 /// The result of a run until there is one.
-pub const UNFINISHED: &str = "still running, or ended by force";
+pub const UNFINISHED: &str = "still running, or killed";
 
-/// The end of an axis of a run that goes on, over the highest pressure: where the axis is fitted to it, and the most that it may be later.
+/// The end of an axis of a running solve, divided by the highest pressure: when the axis is fitted, and its largest
+/// value later.
 const ROOM: f64 = 2.0;
 const LOWEST: f64 = 4.0;
 /// The highest pressure of a frame over that of the frame before from which on it grows.
@@ -143,7 +144,7 @@ impl Writer {
         self.stage().settle(&self.stream, self.stage().extent(fields))?;
         let found = self.steps.end(&self.stream, contact)?.map_or_else(String::new, |found| {
             let words = found.to_string();
-            format!("\n\n**What held it up**: {}\n\n{}", words.trim_end().replace('\n', "\n\n"), found.table())
+            format!("\n\n**Why it was slow**: {}\n\n{}", words.trim_end().replace('\n', "\n\n"), found.table())
         });
         self.log_description(&(Stage::result(contact) + &found))?;
         properties::send(&self.stream, &self.stage().root, &properties::of_contact(contact))

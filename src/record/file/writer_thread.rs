@@ -1,4 +1,4 @@
-//! A thread that writes the steps of a solve while the solver goes on.
+//! A thread that writes the steps of a solve while the solver continues.
 
 use super::writer::Writer;
 use crate::contact::{Snapshot, Step};
@@ -26,7 +26,7 @@ pub struct WriterThread {
     written: Receiver<Snapshot>,
     /// States that can still be made.
     unmade: usize,
-    /// States that are handed over next, and how many at the most.
+    /// States that are handed over next, and their largest number.
     next: Vec<Snapshot>,
     together: usize,
     handed_over: Instant,

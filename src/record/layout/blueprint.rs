@@ -92,8 +92,8 @@ impl Blueprint {
         self.store.log("time_panel", &time)
     }
 
-    /// A new identity. It tells classes of panes apart, as the viewer keeps what it knows of a pane when the next recording
-    /// brings another layout.
+    /// A new identity. It distinguishes classes of panes, because the viewer keeps what it knows of a pane when the
+    /// next recording brings another layout.
     fn next_id(&mut self, class: &str) -> Uuid {
         self.panes += 1;
         let mut bytes = *b"asperity\x80\0\0\0\0\0\0\0";

@@ -14,7 +14,7 @@ pub fn copy(blueprint: &ChunkStore, root: &str) -> Option<Pane> {
     copy.pane(&format!("container/{}", viewport?.0))
 }
 
-/// A layout on its way to another root.
+/// A layout that is copied to another root.
 struct Copy<'a> {
     blueprint: &'a ChunkStore,
     root: &'a str,

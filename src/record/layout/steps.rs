@@ -134,7 +134,7 @@ fn pictures_of_surface(stage: &Stage) -> Pane {
     Pane::even(kind, &stage.title, panes)
 }
 
-/// The pictures that are recorded, in groups that share a pane; the first one stands for the scene.
+/// The pictures that are recorded, in groups that share a pane; the first one represents the scene.
 fn views(stage: &Stage) -> Vec<Vec<(Place, Pane)>> {
     let mut groups: Vec<Vec<(Place, Pane)>> = Vec::new();
     for (place, pane) in stage.panes(&[Place::Main, Place::Field]) {

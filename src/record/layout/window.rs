@@ -60,7 +60,7 @@ impl Sizes {
         }
     }
 
-    /// Adds a pane under a row of tabs, which stands for the title of a view.
+    /// Adds a pane below a row of tabs, which shows the title of the view.
     fn add_tab(&mut self, pane: &Pane, [width, height]: [f64; 2]) {
         let is_view = matches!(pane, Pane::View(_));
         self.add(pane, [width, if is_view { height } else { height - TITLE }]);

@@ -48,7 +48,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 /// What begins with the depth image, at a place behind the header.
 fn depth(header_end: ByteReader<'_>, place: usize) -> io::Result<&[u8]> {
     match place < header_end.at() {
-        true => Err(malformed(format!("it says that its depth image is at byte {place}, where its header is"))),
+        true => Err(malformed(format!("its depth image cannot be at byte {place}, where the header is"))),
         false => Ok(header_end.seek(place)?.rest()),
     }
 }
@@ -61,10 +61,9 @@ fn doubts(tags: &[(String, String)], length: usize, [ny, nx]: [usize; 2]) -> io:
     let next = places.filter(|place: &usize| *place > start && *place <= length).min().unwrap_or(length);
     Ok(match next.checked_sub(end) {
         Some(rest) => left_over(rest, "the depth image").into_iter().collect(),
-        None => vec![format!(
-            "the depth image of {ny} rows of {nx} points reaches {} bytes into what follows it",
-            end - next
-        )],
+        None => {
+            vec![format!("the depth image of {ny} rows of {nx} points overlaps the next part by {} bytes", end - next)]
+        }
     })
 }
 
@@ -73,7 +72,7 @@ fn tags(at: &mut ByteReader) -> io::Result<Vec<(String, String)>> {
     let mut tags = vec![tag(at)?, tag(at)?];
     let count: usize = number(&tags, "TagCount")?;
     if count > at.rest().len() / TAG {
-        return Err(malformed(format!("it says that it has {count} tags, and has {} bytes for them", at.rest().len())));
+        return Err(malformed(format!("it states {count} tags, but has only {} bytes for them", at.rest().len())));
     }
     for _ in 0..count {
         tags.push(tag(at)?);
@@ -100,7 +99,7 @@ fn number<T: FromStr>(tags: &[(String, String)], name: &str) -> io::Result<T> {
     value.parse().map_err(|_| malformed(format!("its tag {name} is {value:?}")))
 }
 
-/// The height that stands for none; NaN if there is no other.
+/// The height that marks a void; NaN if there is no other.
 fn void(tags: &[(String, String)]) -> io::Result<f64> {
     match find(tags, "InvalidPixelValue") {
         None => Ok(f64::NAN),

@@ -16,7 +16,7 @@ pub(super) struct CoordinateAxis {
 
 impl CoordinateAxis {
     pub fn new(axes: Node, name: &str) -> io::Result<Self> {
-        let axis = child(axes, name).ok_or_else(|| malformed(format!("it says nothing of its axis {name}")))?;
+        let axis = child(axes, name).ok_or_else(|| malformed(format!("it does not describe its axis {name}")))?;
         let kind = match find(axis, "AxisType") {
             Some("I") => None,
             Some("A") => Some(CoordinateType::new(find(axis, "DataType").unwrap_or_default())?),
@@ -50,7 +50,7 @@ impl CoordinateType {
             "D" => Self::Double,
             _ => {
                 return Err(malformed(format!(
-                    "it holds coordinates of the type {name:?}, which is none of I, L, F, D"
+                    "it holds coordinates of the type {name:?}, which is not one of I, L, F, D"
                 )));
             }
         })
@@ -65,7 +65,7 @@ impl CoordinateType {
         }
     }
 
-    /// The number in so many bytes.
+    /// The number in some bytes.
     pub fn number(self, bytes: &[u8]) -> io::Result<f64> {
         let mut bytes = ByteReader::new(bytes);
         Ok(match self {
@@ -91,6 +91,6 @@ pub(super) fn find<'a>(node: Node<'a, '_>, path: &str) -> Option<&'a str> {
 /// The number at the end of a path of names.
 pub(super) fn number<T: std::str::FromStr>(node: Node, path: &str) -> io::Result<Option<T>> {
     let parse =
-        |text: &str| text.parse().map_err(|_| malformed(format!("it says {text:?} for {path}, which is no number")));
+        |text: &str| text.parse().map_err(|_| malformed(format!("it has {text:?} for {path}, which is not a number")));
     find(node, path).filter(|it| !it.is_empty()).map(parse).transpose()
 }

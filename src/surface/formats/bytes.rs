@@ -26,7 +26,10 @@ impl<'a> ByteReader<'a> {
     /// For a place beyond the end.
     pub fn seek(mut self, at: usize) -> io::Result<Self> {
         if at > self.all.len() {
-            return Err(malformed(format!("it refers to byte {at} and has {}: it is cut short", self.all.len())));
+            return Err(malformed(format!(
+                "it refers to byte {at}, but has only {} bytes: it is incomplete",
+                self.all.len()
+            )));
         }
         self.at = at;
         Ok(self)
@@ -42,7 +45,7 @@ impl<'a> ByteReader<'a> {
     /// # Errors
     /// For fewer bytes than that.
     pub fn take(&mut self, count: usize) -> io::Result<&'a [u8]> {
-        let cut = || malformed(format!("{count} bytes are missing at byte {}: it is cut short", self.at));
+        let cut = || malformed(format!("{count} bytes are missing at byte {}: it is incomplete", self.at));
         let taken = self.at.checked_add(count).and_then(|end| self.all.get(self.at..end)).ok_or_else(cut)?;
         self.at += count;
         Ok(taken)
@@ -68,7 +71,7 @@ impl<'a> ByteReader<'a> {
 
 /// The statement that bytes are left over behind something, if there are any.
 pub(super) fn left_over(count: usize, behind: &str) -> Option<String> {
-    (count > 0).then(|| format!("{count} bytes are left over behind {behind}"))
+    (count > 0).then(|| format!("{count} unexpected bytes follow {behind}"))
 }
 
 /// Readers of numbers of one type, the first byte the least significant one.
@@ -94,19 +97,17 @@ pub(super) fn latin(bytes: &[u8]) -> String {
     }
 }
 
-/// The nodes of a map of `columns` by `rows`, each of `size` bytes, if so many fit into `bytes`.
+/// The nodes of a map of `columns` by `rows`, each of `size` bytes, if they fit into `bytes`.
 ///
 /// # Errors
 /// For counts that are not positive, and for more nodes than bytes.
 pub(super) fn nodes(rows: i64, columns: i64, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
     let shape = [usize::try_from(rows), usize::try_from(columns)];
     let [Ok(ny @ 1..), Ok(nx @ 1..)] = shape else {
-        return Err(malformed(format!("it says that it has {rows} rows of {columns} points")));
+        return Err(malformed(format!("it states {rows} rows of {columns} points")));
     };
     match ny.checked_mul(nx).and_then(|n| n.checked_mul(size)) {
         Some(needed) if needed <= bytes => Ok([ny, nx]),
-        _ => Err(malformed(format!(
-            "it says that it has {rows} rows of {columns} points, and has {bytes} bytes for them"
-        ))),
+        _ => Err(malformed(format!("it states {rows} rows of {columns} points, but has {bytes} bytes for them"))),
     }
 }

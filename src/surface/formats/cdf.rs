@@ -31,7 +31,7 @@ impl<'a> File<'a> {
         let variables = header.list("variables", HeaderReader::variable)?;
         let known = dimensions.len() as u64;
         if let Some((name, wrong)) = variables.iter().find_map(|it| Some((&it.name, it.beyond(known)?))) {
-            return Err(malformed(format!("its variable {name:?} has dimension {wrong} of {known}")));
+            return Err(malformed(format!("its variable {name:?} has dimension {wrong}, but there are {known}")));
         }
         Ok(Self { bytes, dimensions, attributes, variables })
     }
@@ -48,13 +48,13 @@ impl<'a> File<'a> {
         if lengths.contains(&0) {
             let name = &variable.name;
             return Err(malformed(format!(
-                "its variable {name:?} has a dimension without limit: write it with `nccopy -u`"
+                "its variable {name:?} has an unlimited dimension: convert it with `nccopy -u`"
             )));
         }
         let (rows, columns) = match lengths[..] {
             [columns] => (1, columns),
             [rows, columns] => (rows, columns),
-            _ => return Err(malformed(format!("its variable {:?} is no map and no profile", variable.name))),
+            _ => return Err(malformed(format!("its variable {:?} is neither a map nor a profile", variable.name))),
         };
         let mut at = ByteReader::new(self.bytes).seek(variable.place)?;
         let shape = nodes(rows, columns, variable.kind.size(), at.rest().len())?;
@@ -88,7 +88,7 @@ impl<'a> HeaderReader<'a> {
         if self.is_far { self.long() } else { self.number() }
     }
 
-    /// So many bytes, and those that fill them up to a multiple of four.
+    /// A number of bytes, and the padding to a multiple of four.
     fn padded(&mut self, count: u64) -> io::Result<&'a [u8]> {
         let count = usize::try_from(count).unwrap_or(usize::MAX);
         let bytes = self.at.take(count)?;
@@ -105,9 +105,7 @@ impl<'a> HeaderReader<'a> {
     fn list<T>(&mut self, what: &str, item: impl Fn(&mut Self) -> io::Result<T>) -> io::Result<Vec<T>> {
         self.number()?; // its tag
         match self.count()? {
-            count if count > MOST => {
-                Err(malformed(format!("it has {count} {what}, more than the {MOST} that are read")))
-            }
+            count if count > MOST => Err(malformed(format!("it has {count} {what}, but at most {MOST} are read"))),
             count => (0..count).map(|_| item(self)).collect(),
         }
     }

@@ -59,12 +59,12 @@ pub(super) fn choose<'a>(channels: Vec<Channel<'a>>, wanted: Option<&str>) -> io
     match (found, wanted) {
         (Some(channel), _) if channel.is_height => Ok(channel),
         (Some(channel), _) => {
-            Err(malformed(format!("its channel {:?} holds no heights: choose one of {names}", channel.name)))
+            Err(malformed(format!("its channel {:?} contains no heights: choose one of {names}", channel.name)))
         }
         (None, Some(name)) => Err(malformed(format!("it has no channel {name:?}: choose one of {names}"))),
-        (None, None) if all.is_empty() => Err(malformed("it holds no heights")),
+        (None, None) if all.is_empty() => Err(malformed("it contains no heights")),
         (None, None) => {
-            Err(malformed(format!("it holds no heights: none of its channels {} is a length", all.join(", "))))
+            Err(malformed(format!("it contains no heights: none of its channels {} is a length", all.join(", "))))
         }
     }
 }

@@ -21,7 +21,7 @@ pub struct ArrayRequest<'a> {
 pub struct Format {
     /// Whether a file is of this format.
     pub is_it: fn(&mut dyn ReadSeek) -> bool,
-    /// The shape of the array, without reading it where a header tells.
+    /// The shape of the array. It is not read if a header states the shape.
     pub shape: fn(&mut dyn ReadSeek, &ArrayRequest) -> io::Result<Vec<usize>>,
     /// The array.
     pub read: fn(&mut dyn ReadSeek, &ArrayRequest) -> io::Result<ArrayD<f64>>,

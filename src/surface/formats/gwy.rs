@@ -8,10 +8,11 @@ use super::unit::metres;
 use std::collections::HashMap;
 use std::io;
 
-/// A tree of objects, each a name, a length and components of a name, a type and a value, the least significant byte first. The channel of
-/// number N is the data field `/N/data`, whose heights are double-precision numbers row by row from the top in base units; its title is
-/// `/N/data/title`, what is known of it `/N/meta`. Points that its mask `/N/mask` marks are void: that is how Gwyddion keeps missing points
-/// of other files, whose heights it makes up. Graphs, volumes and point clouds are passed over.
+/// A tree of objects, each a name, a length and components of a name, a type and a value, the least significant byte
+/// first. The channel of number N is the data field `/N/data`, whose heights are double-precision numbers row by row
+/// from the top in base units; its title is `/N/data/title`, its metadata `/N/meta`. Points that its mask `/N/mask`
+/// marks are void: that is how Gwyddion keeps missing points of other files, whose heights it makes up. Graphs, volumes
+/// and point clouds are passed over.
 ///
 /// # Source
 /// "Gwyddion file format" in the user's guide of Gwyddion 2.
@@ -29,7 +30,7 @@ fn is_it(bytes: &[u8]) -> bool {
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let Some(rest) = bytes.strip_prefix(MAGIC) else {
         return Err(malformed(format!(
-            "it is of the version {:?}, not GWYP: write it with Gwyddion 2",
+            "it has the version {:?}, not GWYP: save it with Gwyddion 2",
             latin(&bytes[..4])
         )));
     };
@@ -77,7 +78,7 @@ impl<'a> ComponentValue<'a> {
             b'D' => Self::Doubles(array(at, 8)?),
             b'S' => (0..at.u32()?).try_for_each(|_| string(at).map(drop)).map(|()| Self::Other)?,
             b'O' => (0..at.u32()?).try_for_each(|_| skip(at).map(drop)).map(|()| Self::Other)?,
-            _ => return Err(malformed(format!("it holds a value of the type {:?}, which is none", char::from(kind)))),
+            _ => return Err(malformed(format!("it contains a value of the unknown type {:?}", char::from(kind)))),
         })
     }
 }
@@ -85,7 +86,7 @@ impl<'a> ComponentValue<'a> {
 /// The text up to the next zero.
 fn string(at: &mut ByteReader) -> io::Result<String> {
     let length = at.rest().iter().position(|byte| *byte == 0);
-    let length = length.ok_or_else(|| malformed(format!("it holds a text at byte {} without an end", at.at())))?;
+    let length = length.ok_or_else(|| malformed(format!("the text at byte {} has no end", at.at())))?;
     let text = latin(at.take(length)?);
     at.u8()?;
     Ok(text)
@@ -183,7 +184,7 @@ fn doubles(bytes: &[u8]) -> impl Iterator<Item = io::Result<f64>> {
 /// The channel of a number.
 fn channel<'a>(file: &ComponentMap<'a>, number: u64) -> io::Result<Channel<'a>> {
     let named = |name: &str| format!("/{number}/{name}");
-    let missing = || malformed(format!("its {} is no data field", named("data")));
+    let missing = || malformed(format!("its {} is not a data field", named("data")));
     let field = file.object(&named("data"))?.ok_or_else(missing)?;
     let (shape, bytes) = field.field()?;
     let mask = file.object(&named("mask"))?.map(|it| it.field()).transpose()?;

@@ -42,7 +42,7 @@ impl Layout {
         let lateral = lateral_unit.filter(|_| is_in_metres).unwrap_or(1.0);
         let spacing = spacing.map(|it| it.map(|it| it * lateral));
         if let Some(wrong) = spacing.into_iter().flatten().find(|it| !(*it > 0.0 && it.is_finite())) {
-            return Err(malformed(format!("it says that its points are {wrong:?} apart")));
+            return Err(malformed(format!("it states a spacing of {wrong:?}")));
         }
         let positions = positions.as_ref().map(|x| SortedPositions::new(x, lateral)).transpose()?;
         let mean = positions.as_ref().and_then(|it| Some(it.x.last()? / (it.x.len() - 1) as f64));
@@ -56,19 +56,19 @@ impl SortedPositions {
     /// The positions in a file, times the length of its unit.
     fn new(x: &[f64], unit: f64) -> io::Result<Self> {
         if let Some(wrong) = x.iter().find(|x| !x.is_finite()) {
-            return Err(malformed(format!("it holds the position {wrong:?}")));
+            return Err(malformed(format!("it contains the position {wrong:?}")));
         }
         let mut order: Vec<usize> = (0..x.len()).collect();
         order.sort_by(|i, j| x[*i].total_cmp(&x[*j]));
         let first = order.first().map_or(0.0, |i| x[*i]);
         let sorted: Vec<f64> = order.iter().map(|i| (x[*i] - first) * unit).collect();
         if let Some(i) = (1..sorted.len()).find(|&i| sorted[i] == sorted[i - 1]) {
-            return Err(malformed(format!("it holds two heights at the position {:?}", x[order[i]])));
+            return Err(malformed(format!("it contains two heights at the position {:?}", x[order[i]])));
         }
         Ok(Self { order, x: sorted })
     }
 
-    /// Whether they are evenly spaced but for rounding.
+    /// Whether they are evenly spaced except for rounding.
     fn is_even(&self, spacing: f64) -> bool {
         self.x.iter().enumerate().all(|(i, x)| (x - i as f64 * spacing).abs() <= UNEVEN * spacing)
     }

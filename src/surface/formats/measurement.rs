@@ -15,8 +15,8 @@ use std::path::Path;
 
 /// The heights in a file of an instrument, before anything is done to them.
 ///
-/// A file that states its units gives metres, whatever they are; the numbers of one that does not are kept as they are, and
-/// `is_in_metres` says so. The first row of `height` is that at `y = 0`.
+/// A file that states its units gives metres, whatever they are; the numbers of one that does not are kept as they are,
+/// and `is_in_metres` is true. The first row of `height` is that at `y = 0`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
     /// The format, such as "ISO 25178-71 (SDF)".
@@ -147,7 +147,7 @@ impl Measurement {
         let values = values()?;
         let found = values.len();
         let height = Field::from_shape_vec(shape, values).map_err(|_| {
-            malformed(format!("it holds {found} heights, which are not {} rows of {}", shape[0], shape[1]))
+            malformed(format!("it contains {found} heights, but {} rows of {} are needed", shape[0], shape[1]))
         })?;
         let unit = unit.filter(|_| is_in_metres).unwrap_or(1.0);
         let height = height.mapv_into(|h| if h.is_finite() { h * unit } else { f64::NAN });
@@ -177,7 +177,7 @@ impl Measurement {
 /// The format of the bytes of a file.
 fn instrument(bytes: &[u8]) -> io::Result<&'static Instrument> {
     let found = INSTRUMENTS.iter().find(|it| (it.is_it)(bytes));
-    found.ok_or_else(|| malformed("it is in no format that is known here"))
+    found.ok_or_else(|| malformed("its format is not known"))
 }
 
 /// Whether a file is a NumPy array or an archive of such.

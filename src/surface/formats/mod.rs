@@ -1,4 +1,4 @@
-//! Files of heights and other fields, told apart by their content.
+//! Files of heights and other fields, whose format is recognised from their content.
 
 mod al3d;
 #[cfg(feature = "instruments")]
@@ -164,7 +164,7 @@ fn with_file<T>(
 fn open(path: &Path) -> io::Result<File> {
     match std::fs::metadata(path)?.is_file() {
         true => File::open(path),
-        false => Err(malformed("it is a directory or a device, give a file")),
+        false => Err(malformed("it is a directory or a device: give a file")),
     }
 }
 

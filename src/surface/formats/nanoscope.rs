@@ -45,7 +45,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let lists = lists(&text);
     let images: Vec<&List> = lists.iter().filter(|list| list.is_image()).collect();
     if images.len() > MOST {
-        return Err(malformed(format!("it holds {} images, and {MOST} at the most are read", images.len())));
+        return Err(malformed(format!("it contains {} images, but at most {MOST} are read", images.len())));
     }
     let mut channels: Vec<Channel> = Vec::new();
     for image in &images {
@@ -89,7 +89,7 @@ impl<'a> List<'a> {
     }
 
     fn need(&self, name: &str) -> io::Result<&'a str> {
-        self.find(name).ok_or_else(|| malformed(format!("its {} does not say {name}", self.name)))
+        self.find(name).ok_or_else(|| malformed(format!("its {} has no {name}", self.name)))
     }
 
     /// A value of a group, such as that of `@2:Z scale`.
@@ -104,7 +104,7 @@ impl<'a> List<'a> {
     fn number<T: FromStr>(&self, name: &str) -> io::Result<T> {
         let value = self.need(name)?;
         let number = value.split_whitespace().next().and_then(|word| word.parse().ok());
-        number.ok_or_else(|| malformed(format!("its {} says {name}: {value}", self.name)))
+        number.ok_or_else(|| malformed(format!("its {} has an invalid {name}: {value}", self.name)))
     }
 
     /// What an image shows, as a word of the format and one for people, out of `S [ZSensor] "Height Sensor"`.
@@ -127,7 +127,8 @@ fn channel<'a>(bytes: &'a [u8], name: String, kind: &str, image: &List, lists: &
     let data = ByteReader::new(bytes).seek(image.number("Data offset")?)?.rest();
     let length: usize = image.number("Data length")?;
     let missing = length.saturating_sub(data.len());
-    let missing = (missing > 0).then(|| format!("{length} bytes are counted for {name:?}, and {missing} are missing"));
+    let missing =
+        (missing > 0).then(|| format!("{name:?} has {length} bytes according to the file, but {missing} are missing"));
     let data = data.get(..length).unwrap_or(data);
     let [rows, columns] = [image.number("Number of lines")?, image.number("Samps/line")?];
     let [ny, nx] = nodes(rows, columns, 2, data.len())?;
@@ -151,7 +152,7 @@ fn channel<'a>(bytes: &'a [u8], name: String, kind: &str, image: &List, lists: &
     })
 }
 
-/// Bytes of a number as its scale counts them, and as they are stored, of which there are so many.
+/// Bytes of a number as its scale counts them, and as they are stored, and their number.
 fn widths(image: &List, lists: &[List], room: usize) -> io::Result<(i32, usize)> {
     let scaled: u8 = image.find("Bytes/pixel").map_or(Ok(2), |_| image.number("Bytes/pixel"))?;
     let version = lists.iter().find_map(|list| list.find("Version")).and_then(|it| it.strip_prefix("0x"));
@@ -159,7 +160,7 @@ fn widths(image: &List, lists: &[List], room: usize) -> io::Result<(i32, usize)>
     match scaled {
         2 if is_long && room >= 4 => Ok((2, 4)),
         2 | 4 => Ok((scaled.into(), scaled.into())),
-        _ => Err(malformed(format!("its images have {scaled} bytes a point, which are neither 2 nor 4"))),
+        _ => Err(malformed(format!("its images have {scaled} bytes per point, neither 2 nor 4"))),
     }
 }
 
@@ -191,7 +192,7 @@ fn scale(text: &str) -> Option<ValueScale<'_>> {
 /// The metres that all numbers of an image span, none if they are of another unit.
 fn range(image: &List, lists: &[List]) -> io::Result<Option<f64>> {
     let text = image.find_in_group("Z scale");
-    let text = text.ok_or_else(|| malformed("its images have no @2:Z scale: it is older than version 4.3"))?;
+    let text = text.ok_or_else(|| malformed("its images have no @2:Z scale: the file is older than version 4.3"))?;
     let hard = scale(text).ok_or_else(|| malformed(format!("its Z scale is {text:?}")))?;
     let Some(name) = hard.sensitivity else { return Ok(metres(hard.unit).map(|unit| hard.number * unit)) };
     let name = format!("@{name}");

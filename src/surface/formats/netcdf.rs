@@ -34,7 +34,7 @@ fn is_it(bytes: &[u8]) -> bool {
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     if bytes.starts_with(HDF5) {
-        return Err(malformed("it is of NetCDF-4 or another format of HDF5: convert it with `nccopy -3`"));
+        return Err(malformed("it is a NetCDF-4 file or another HDF5 file: convert it with `nccopy -3`"));
     }
     let file = File::new(bytes)?;
     let mut candidates: Vec<_> = file.variables.iter().filter(|it| file.may_be_heights(it)).collect();
@@ -71,7 +71,7 @@ impl<'a> File<'a> {
         let shape = if is_turned { [columns, rows] } else { [rows, columns] };
         let is_uneven = !is_profile && (x.uneven.is_some() || y.uneven.is_some());
         let values = move || match is_uneven {
-            true => Err(malformed("it holds a map whose coordinates are not evenly spaced")),
+            true => Err(malformed("its map has coordinates that are not evenly spaced")),
             false => Ok((0..rows * columns).map(|i| number(if is_turned { turned(i) } else { i })).collect()),
         };
         Ok(Channel {

@@ -91,7 +91,7 @@ fn layout(file: &mut dyn ReadSeek, place: Range<u64>, wanted: &ArrayRequest) -> 
     let plain = name.trim_matches(['\'', '"', '<', '>', '=', '|']);
     let (Ok(kind), Some(size)) = (plain.parse::<Dtype>(), plain.chars().last().and_then(|last| last.to_digit(10)))
     else {
-        return Err(malformed(format!("it holds values of type {name}, save integers, float32 or float64")));
+        return Err(malformed(format!("its values have the type {name}: save integers, float32 or float64")));
     };
     let rank = header.shape.len();
     if !wanted.ranks.contains(&rank) {
@@ -99,7 +99,7 @@ fn layout(file: &mut dyn ReadSeek, place: Range<u64>, wanted: &ArrayRequest) -> 
             2 => "rank 1 (a line) or 2 (a surface)",
             _ => "rank 1 or 2 (one step), or one more (several)",
         };
-        return Err(malformed(format!("its array has rank {rank}, save {ranks}")));
+        return Err(malformed(format!("its array has rank {rank}: save {ranks}")));
     }
     let data = place.end - start;
     let expected = header.shape.iter().try_fold(u64::from(size), |product: u64, &n| product.checked_mul(n as u64));
@@ -107,7 +107,7 @@ fn layout(file: &mut dyn ReadSeek, place: Range<u64>, wanted: &ArrayRequest) -> 
         Some(expected) if expected == data => Ok((header.shape, kind)),
         _ => {
             let shape = header.shape;
-            Err(malformed(format!("it holds {data} bytes of data, which is not what its shape {shape:?} needs")))
+            Err(malformed(format!("it has {data} bytes of data, but its shape {shape:?} needs a different number")))
         }
     }
 }
@@ -122,7 +122,7 @@ pub(super) fn header(file: &mut dyn ReadSeek, place: &Range<u64>) -> io::Result<
     let header = Header::from_reader(&mut rest).map_err(|error| {
         let why = error.to_string(); // a syntax error draws where it is, from an arrow on
         let why = why.split("-->").next().unwrap_or_default().trim_end_matches([':', ' ', '\n']);
-        malformed(format!("it is no .npy file ({why})"))
+        malformed(format!("it is not a valid .npy file ({why})"))
     })?;
     Ok((header, place.start + (start.len() - rest.len()) as u64))
 }

@@ -52,7 +52,7 @@ fn member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Range<u64>> {
         Some(place) => Ok(place),
         None => {
             let names = names(file)?.join(", ");
-            Err(malformed(format!("it is an archive without the array `{name}`: it holds {names}")))
+            Err(malformed(format!("it is an archive without the array `{name}`: it contains {names}")))
         }
     }
 }
@@ -67,7 +67,7 @@ pub(super) fn find_member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Opt
         if member.array.as_deref() == Some(name) {
             return match member.is_stored {
                 true => Ok(Some(member.place)),
-                false => Err(malformed("it is compressed: save it by numpy.savez")),
+                false => Err(malformed("it is compressed: save it with numpy.savez")),
             };
         }
         at = member.place.end;
@@ -99,7 +99,7 @@ struct Member {
 
 /// The member that begins at a place, if one does.
 fn next(file: &mut dyn ReadSeek, at: u64) -> io::Result<Option<Member>> {
-    let cut_short = |error: io::Error| malformed(format!("it is a broken archive ({error})"));
+    let cut_short = |error: io::Error| malformed(format!("it is a damaged archive ({error})"));
     let bytes = file.seek(SeekFrom::End(0))?;
     let mut head = [0; HEAD];
     let is_read = file.seek(SeekFrom::Start(at)).and_then(|_| file.read_exact(&mut head)).is_ok();
@@ -116,7 +116,7 @@ fn next(file: &mut dyn ReadSeek, at: u64) -> io::Result<Option<Member>> {
     };
     let end = size.and_then(|size| start.checked_add(size)).filter(|&end| end <= bytes);
     let is_plain = head[6] & 0b1001 == 0;
-    let cut = || malformed("it is an archive that is cut short, encrypted or streamed");
+    let cut = || malformed("it is an archive that is incomplete, encrypted or streamed");
     let end = end.filter(|_| is_plain).ok_or_else(cut)?;
     let array = found.strip_suffix(b".npy").map(|name| String::from_utf8_lossy(name).into_owned());
     Ok(Some(Member { array, place: start..end, is_stored: number(&head[8..10]) == 0 }))

@@ -22,7 +22,7 @@ use std::io;
 /// Units are those of the head: `Value units: m`, or in brackets after the names of columns, as in `x (um), z (nm)`.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "text", is_it, channels };
 
-/// Bytes from the start of a file that tell text from anything else.
+/// Number of bytes from the start of a file that are checked to distinguish text from binary data.
 const START: usize = 4096;
 
 /// Whether bytes begin with text, in any encoding of one byte for each letter of ours.
@@ -50,9 +50,9 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 fn doubts(table: &TextTable, remarks: &Remarks) -> Vec<String> {
     let [found_rows, found_columns] = table.shape();
     let rows = [table.rows, remarks.shape[0]].into_iter().flatten().find(|rows| *rows != found_rows);
-    let rows = rows.map(|rows| format!("the head says {rows} rows, and there are {found_rows}"));
+    let rows = rows.map(|rows| format!("the header states {rows} rows, but there are {found_rows}"));
     let columns = remarks.shape[1].filter(|columns| *columns != found_columns);
-    let columns = columns.map(|columns| format!("the head says {columns} columns, and there are {found_columns}"));
+    let columns = columns.map(|columns| format!("the header states {columns} columns, but there are {found_columns}"));
     rows.into_iter().chain(columns).collect()
 }
 
@@ -90,8 +90,7 @@ fn positions(table: TextTable, remarks: &Remarks) -> Channel<'static> {
 
 /// Points of a map.
 fn points(table: &TextTable, remarks: &Remarks) -> io::Result<Channel<'static>> {
-    let why = "it holds three columns, which are not x, y and height on an evenly spaced grid: resample the points, or write the heights \
-               row by row as .npy";
+    let why = "it has three columns, but they are not x, y and height on an evenly spaced grid: resample the points, or save the heights row by row as .npy";
     let of_column = |column: usize| remarks.column_units.get(column).copied().flatten();
     let map = map(table).ok_or_else(|| malformed(why))?;
     Ok(Channel {

@@ -36,7 +36,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let arrays: Vec<&Block> = blocks.iter().filter(|it| it.kind == ARRAY).collect();
     let heights = arrays.iter().filter(|it| it.is_height()).count();
     if heights > MOST {
-        return Err(malformed(format!("it holds {heights} arrays of heights, and {MOST} at the most are read")));
+        return Err(malformed(format!("it contains {heights} arrays of heights, but at most {MOST} are read")));
     }
     let channels =
         arrays.into_iter().map(|array| if array.is_height() { map(array, &blocks) } else { array.channel() });
@@ -72,8 +72,8 @@ fn blocks(bytes: &[u8]) -> io::Result<(Vec<Block<'_>>, usize)> {
 fn entry(at: &mut ByteReader) -> io::Result<(String, u16, usize)> {
     let (name, kind, length) = (at.text(16)?, at.u16()?, at.i32()?);
     at.u16()?; // a number of unknown meaning
-    let length =
-        usize::try_from(length).map_err(|_| malformed(format!("it says that its block {name:?} has {length} bytes")));
+    let length = usize::try_from(length)
+        .map_err(|_| malformed(format!("its block {name:?} has an invalid length of {length} bytes")));
     Ok((name, kind, length?))
 }
 
@@ -123,8 +123,8 @@ fn map<'a>(array: &Block<'a>, blocks: &[Block<'a>]) -> io::Result<Channel<'a>> {
     let find = |name: &str| blocks.iter().find(|it| it.name == name).and_then(Block::number);
     let positive = |name: &str, default: Option<f64>| match find(name).or(default) {
         Some(value) if value > 0.0 && value.is_finite() => Ok(value),
-        Some(value) => Err(malformed(format!("it says that its {name} is {value:?}"))),
-        None => Err(malformed(format!("it does not say its {name}"))),
+        Some(value) => Err(malformed(format!("its {name} has the invalid value {value:?}"))),
+        None => Err(malformed(format!("it has no {name}"))),
     };
     let [size, aspect] = [positive("Pixel_size", None)?, positive("Aspect", Some(1.0))?];
     let header = blocks.iter().filter_map(|block| Some((block.name.clone(), block.value()?)));
@@ -141,20 +141,20 @@ fn map<'a>(array: &Block<'a>, blocks: &[Block<'a>]) -> io::Result<Channel<'a>> {
 /// A number in the bytes of a file.
 type Number = fn(&[u8]) -> io::Result<f64>;
 
-/// How a number of so many bytes is read.
+/// How a number of a given size in bytes is read.
 fn number(size: u16) -> io::Result<Number> {
     match size {
         1 => Ok(|it| ByteReader::new(it).u8().map(f64::from)),
         2 => Ok(|it| ByteReader::new(it).i16().map(|value| if value < 32766 { value.into() } else { f64::NAN })),
         4 => Ok(|it| ByteReader::new(it).f32().map(|value| if value.abs() < 1e38 { value.into() } else { f64::NAN })),
-        _ => Err(malformed(format!("it says that a number of an array has {size} bytes"))),
+        _ => Err(malformed(format!("a number of an array cannot have {size} bytes"))),
     }
 }
 
 /// Values row by row of those that are stored column by column, each from its last row on.
 fn rows_of(stored: Vec<f64>, [ny, nx]: [usize; 2]) -> io::Result<Vec<f64>> {
     let columns =
-        Array2::from_shape_vec((nx, ny), stored).map_err(|error| malformed(format!("it is broken: {error}")))?;
+        Array2::from_shape_vec((nx, ny), stored).map_err(|error| malformed(format!("it is damaged: {error}")))?;
     let mut rows = columns.reversed_axes();
     rows.invert_axis(Axis(0));
     Ok(rows.iter().copied().collect())

@@ -20,7 +20,7 @@ const DATE: &[u8] = b"AAA AAA 10 00:00:00 0000";
 const VERSION: usize = 490;
 /// Metres in the unit of all lengths.
 const MICROMETRE: f64 = 1e-6;
-/// What stands for a height that was not measured.
+/// The marks of a height that was not measured.
 const VOID: f32 = 1_000_001.0;
 
 fn is_it(bytes: &[u8]) -> bool {
@@ -56,7 +56,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     for layer in 1..=fields.layers {
         let (shape, heights) = layer_of(&mut at)?;
         if fields.is_profile && shape[0] != 1 {
-            return Err(malformed(format!("it is a profile and says that it has {} rows", shape[0])));
+            return Err(malformed(format!("it is a profile, but states {} rows", shape[0])));
         }
         let values = move || heights.chunks_exact(4).map(height).collect();
         let name = if fields.layers == 1 { "height".to_owned() } else { format!("layer {layer}") };
@@ -80,7 +80,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 fn doubt(fields: &Fields, name: &str, [ny, nx]: [usize; 2]) -> Option<String> {
     let [rows, columns] = fields.counts;
     let is_other = !fields.is_profile && rows > 0 && columns > 0 && [rows as usize, columns as usize] != [ny, nx];
-    is_other.then(|| format!("the fields say {rows} rows of {columns} points, and {name} has {ny} rows of {nx}"))
+    is_other.then(|| format!("the header states {rows} rows of {columns} points, but {name} has {ny} rows of {nx}"))
 }
 
 fn fields(at: &mut ByteReader) -> io::Result<Fields> {

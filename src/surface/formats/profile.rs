@@ -55,11 +55,11 @@ fn check(position: ArrayView1<f64>) -> io::Result<()> {
     match position.iter().enumerate().find_map(is_off) {
         None if spacing != 0.0 => Ok(()),
         None => Err(malformed(format!(
-            "its first column or row, of positions, is {first:?} throughout: give the heights alone"
+            "its first column or row, the positions, is {first:?} everywhere: give the heights alone"
         ))),
         Some((i, x)) => Err(malformed(format!(
-            "it holds pairs of position and height, and the position {x:?} in place {} is not evenly spaced between {first:?} and \
-             {last:?}: interpolate the heights at even positions, and give the heights alone",
+            "it contains pairs of position and height, but position number {}, {x:?}, is not evenly spaced between \
+             {first:?} and {last:?}: interpolate the heights to even spacing, and give the heights alone",
             i + 1
         ))),
     }

@@ -18,7 +18,7 @@ use std::str::FromStr;
 /// Gwyddion 2.61 for files of ISO-1.0 with eight bytes more than a header has.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "ISO 25178-71 (SDF)", is_it, channels };
 
-/// The dialects, each behind the letter that tells text from binary.
+/// The dialects, each after the letter that distinguishes text from binary.
 const DIALECTS: [&[u8]; 3] = [b"ISO-1.0", b"ISO-2.0", b"BCR-1.0"];
 /// Names of the types of numbers in texts of BCR, in the order of their codes.
 const TYPES: [&str; 8] = ["UCHAR", "UINTEGER", "ULONGINT", "FLOAT", "CHAR", "INTEGER", "LONGINT", "DOUBLE"];
@@ -62,7 +62,7 @@ struct Header {
 }
 
 impl Header {
-    /// The channel of these heights in so many bytes, of which each takes `size` at least.
+    /// The channel of these heights, if they fit into `bytes`; each takes at least `size`.
     fn channel<'a>(
         self,
         size: usize,
@@ -72,7 +72,7 @@ impl Header {
         self.refuse_codes()?;
         let [x, y, z] = self.scale;
         if !(z > 0.0 && z.is_finite()) {
-            return Err(malformed(format!("it says that a unit of its heights is {z:?} metres")));
+            return Err(malformed(format!("it states that a unit of its heights is {z:?} metres")));
         }
         let shape = nodes(self.shape[0], self.shape[1], size, bytes)?;
         let is_profile = shape[0] == 1;
@@ -89,8 +89,10 @@ impl Header {
     fn refuse_codes(&self) -> io::Result<()> {
         match (self.compression, self.check) {
             (0, 0) => Ok(()),
-            (0, check) => Err(malformed(format!("its type of check sum is {check}: write it without"))),
-            (compression, _) => Err(malformed(format!("its compression is {compression}: write it without"))),
+            (0, check) => Err(malformed(format!("it has a check sum of type {check}: save it without one"))),
+            (compression, _) => {
+                Err(malformed(format!("it has a compression of type {compression}: save it without compression")))
+            }
         }
     }
 }
@@ -127,11 +129,11 @@ fn find<'a>(header: &'a [(String, String)], name: &str) -> Option<&'a str> {
 }
 
 fn number<T: FromStr>(header: &[(String, String)], name: &str) -> io::Result<T> {
-    let value = find(header, name).ok_or_else(|| malformed(format!("its header does not say {name}")))?;
-    value.parse().map_err(|_| malformed(format!("its header says {name} = {value:?}")))
+    let value = find(header, name).ok_or_else(|| malformed(format!("its header has no {name}")))?;
+    value.parse().map_err(|_| malformed(format!("its header has the invalid value {name} = {value:?}")))
 }
 
-/// A number that stands for something, or the name of it; zero if it is not said.
+/// A number with a meaning, or the name of that meaning; zero if it is missing.
 fn code(header: &[(String, String)], name: &str) -> io::Result<u8> {
     let value = find(header, name).unwrap_or("0").to_uppercase();
     let named = TYPES.iter().position(|it| *it == value).and_then(|it| u8::try_from(it).ok());
@@ -147,7 +149,7 @@ fn height(word: &str, numbers: Option<NumberType>, is_iso: bool) -> io::Result<f
     if word.eq_ignore_ascii_case("BAD") {
         return Ok(f64::NAN);
     }
-    let value = word.parse().map_err(|_| malformed(format!("it holds {word:?} among its heights")))?;
+    let value = word.parse().map_err(|_| malformed(format!("its heights contain {word:?}")))?;
     Ok(numbers.map_or(value, |it| it.known(value, is_iso)))
 }
 
@@ -184,7 +186,7 @@ fn binary(bytes: &[u8]) -> io::Result<Channel<'_>> {
     Ok(Channel { doubts, ..channel })
 }
 
-/// Heights of so many bytes and the trailer, without what a writer puts before them.
+/// A number of bytes of heights and the trailer, without anything that a writer puts before them.
 fn heights(rest: &[u8], length: usize) -> &[u8] {
     rest.strip_prefix(&SUPERFLUOUS).filter(|rest| rest.len() == length).unwrap_or(rest)
 }

@@ -22,7 +22,7 @@ pub(super) const INSTRUMENT: Instrument = Instrument { name: "Digital Surf (SUR,
 
 /// What objects of plain and of compressed points begin with.
 const MAGIC: [&[u8; 12]; 2] = [b"DIGITAL SURF", b"DSCOMPRESSED"];
-/// Bytes that a byte of compressed points can stand for at most.
+/// Largest number of bytes that one byte of compressed points can unpack to.
 const LARGEST_RATIO: usize = 1032;
 /// The kinds of files whose objects all are profiles or surfaces: one, a series, several layers.
 const HEIGHTS: [i16; 6] = [1, 2, 4, 5, 7, 8];
@@ -114,7 +114,7 @@ impl<'a> ObjectHeader<'a> {
         let format = at.i16()?;
         if format != 0 {
             return Err(malformed(format!(
-                "it is written for machines of the type {format}: only that for PC is read"
+                "it is written for machines of type {format}: only the type PC can be read"
             )));
         }
         let objects = at.i16()?;
@@ -204,7 +204,7 @@ impl<'a> ObjectHeader<'a> {
             bytes.chunks_exact(size).take(count).map(|it| Ok(height(number(it)?))).collect()
         };
         let doubt = (self.total > 0 && self.total != count as i64)
-            .then(|| format!("{} points are counted, and {} rows of {} are {count}", self.total, shape[0], shape[1]));
+            .then(|| format!("it states {} points, but {} rows of {} are {count}", self.total, shape[0], shape[1]));
         Ok(Channel {
             is_height,
             is_profile,
@@ -223,7 +223,7 @@ fn is_packed(at: &mut ByteReader) -> io::Result<bool> {
     match at.take(12)? {
         magic if magic == MAGIC[0] => Ok(false),
         magic if magic == MAGIC[1] => Ok(true),
-        other => Err(malformed(format!("it has no object but {:?} at byte {}", latin(other), at.at() - 12))),
+        other => Err(malformed(format!("it has {:?} instead of an object at byte {}", latin(other), at.at() - 12))),
     }
 }
 
@@ -242,13 +242,13 @@ fn plain<'a>(at: &mut ByteReader<'a>, shape: [i64; 2], size: usize, depth: usize
     Ok(PointData::Plain(at.take(ny * nx * size)?))
 }
 
-/// Unpacks so many bytes of a stream, and reads on behind them: check sums are compared at the end.
+/// Unpacks a number of bytes of a stream, and reads on after them: check sums are compared at the end.
 fn unpack(stream: &[u8], length: u64, bytes: &mut Vec<u8>) -> io::Result<()> {
     let mut stream = ZlibDecoder::new(stream);
     stream.by_ref().take(length).read_to_end(bytes)?;
     match stream.read(&mut [0])? {
         0 => Ok(()),
-        _ => Err(malformed(format!("a stream has more than the {length} bytes that are expected"))),
+        _ => Err(malformed(format!("a stream has more than the expected {length} bytes"))),
     }
 }
 

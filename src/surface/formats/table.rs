@@ -11,9 +11,9 @@ const VOIDS: [&str; 4] = ["BAD", "---", "N/A", "#N/A"];
 
 /// Rows of equally many numbers, and the lines above them.
 ///
-/// Numbers are told apart by white space, semicolons or commas. Where something else parts them, a comma is a decimal one. Lines
-/// before the first row are the head, and so is a whole number on a line of its own above rows of several numbers, which counts them;
-/// empty lines and those that begin with `#` or `%` are no rows anywhere.
+/// Numbers are separated by white space, semicolons or commas. If they are separated by something else, a comma is a
+/// decimal comma. Lines before the first row are the head, and so is a whole number on a line of its own above rows of
+/// several numbers, which counts them; empty lines and those that begin with `#` or `%` are no rows anywhere.
 pub(super) struct TextTable {
     /// The lines before the first number, and those that begin with `#` or `%`.
     pub head: Vec<String>,
@@ -64,7 +64,7 @@ impl TextTable {
         let numbers = words.iter().filter(|word| word.is_ok()).count();
         match wrong {
             Some(word) if words.len() == self.columns && 2 * numbers >= words.len() => {
-                Err(malformed(format!("line {place} holds {word:?}, which is no number")))
+                Err(malformed(format!("line {place} has {word:?}, which is not a number")))
             }
             _ => Ok(()),
         }
@@ -74,7 +74,7 @@ impl TextTable {
     fn add(&mut self, place: usize, line: &str, comma: Comma) -> io::Result<()> {
         let before = self.values.len();
         for number in comma.numbers(line) {
-            let wrong = |word| malformed(format!("line {place} holds {word:?}, which is no number"));
+            let wrong = |word| malformed(format!("line {place} has {word:?}, which is not a number"));
             self.values.push(number.map_err(wrong)?);
         }
         let found = self.values.len() - before;
@@ -84,7 +84,7 @@ impl TextTable {
         if found == self.columns {
             return Ok(());
         }
-        Err(malformed(format!("line {place} holds {found} numbers, those before it {}", self.columns)))
+        Err(malformed(format!("line {place} has {found} numbers, but the lines before it have {}", self.columns)))
     }
 
     /// Rows and columns.
@@ -103,7 +103,7 @@ impl TextTable {
 enum Comma {
     /// It parts numbers.
     Parts,
-    /// It stands for a decimal point.
+    /// It is a decimal point.
     Decimal,
 }
 
@@ -143,7 +143,8 @@ fn refuse_doubtful<'a>(mut lines: impl Iterator<Item = &'a str> + Clone) -> io::
     if !lines.all(is_doubtful) {
         return Ok(());
     }
-    let reason = "may be one number with a decimal comma or two whole ones: write points for commas, or spaces between";
+    let reason =
+        "may be one number with a decimal comma or two whole ones: write decimal points, or spaces between the numbers";
     Err(malformed(format!("{first:?} {reason}")))
 }
 
@@ -161,5 +162,5 @@ fn words(line: &str) -> usize {
 
 fn no_numbers(text: &str) -> io::Error {
     let start: String = text.trim_start().lines().next().unwrap_or_default().chars().take(SHOWN).collect();
-    malformed(format!("it is no .npy file, and no text of numbers either: it begins with {start:?}"))
+    malformed(format!("it is neither a .npy file nor a text of numbers: it begins with {start:?}"))
 }

@@ -9,7 +9,7 @@ use std::io::{self, Read};
 pub(super) const FORMAT: Format =
     Format { is_it: is_text, shape: |file, wanted| Ok(read(file, wanted)?.shape().to_vec()), read };
 
-/// Bytes from the start of a file that tell text from anything else.
+/// Number of bytes from the start of a file that are checked to distinguish text from binary data.
 const START: u64 = 4096;
 
 /// Whether a file begins with text, in any encoding of one byte for each letter of ours.
@@ -29,7 +29,7 @@ fn read(file: &mut dyn ReadSeek, _: &ArrayRequest) -> io::Result<ArrayD<f64>> {
     file.rewind()?;
     file.read_to_end(&mut bytes)?;
     if bytes.iter().any(is_control) {
-        return Err(malformed("it is no .npy file, and not all of it is text"));
+        return Err(malformed("it is neither a .npy file nor a text file"));
     }
     let table = TextTable::from_text(&String::from_utf8_lossy(&bytes))?;
     let array = match table.shape() {

@@ -28,9 +28,9 @@ const MAIN: &str = "main.xml";
 const SUM: &str = "md5checksum.hex";
 /// Points that are unpacked at a time.
 const PIECE: usize = 1 << 16;
-/// Bytes that a byte of an archive can stand for at most: the limit of its compression.
+/// Largest number of bytes that one byte of an archive can unpack to: the limit of its compression.
 const LARGEST_RATIO: usize = 1032;
-/// Bytes of a description that a byte of an archive may stand for: many more make a document that is larger than anything of use.
+/// Largest number of bytes of a description per byte of an archive: beyond it, a document is too large to be useful.
 const TEXT_RATIO: u64 = 64;
 /// Attributes of a description at most: the time that it takes to compare them grows with their square.
 const ATTRIBUTES: usize = 1024;
@@ -163,7 +163,7 @@ impl Link {
         // an archive compares its own check sum at the end of a file; more than the points is left to a doubt
         let is_at_end = file.read(&mut [0]).map_err(damaged)? == 0;
         match &self.sum {
-            Some(told) if is_at_end && !is_sum(sum.finalize(), told) => Err(malformed(format!(
+            Some(stated) if is_at_end && !is_sum(sum.finalize(), stated) => Err(malformed(format!(
                 "its file {:?} has another MD5 check sum than its {MAIN} says: the points were changed or damaged",
                 self.name
             ))),
@@ -181,7 +181,7 @@ struct DescribedSurface {
 }
 
 impl DescribedSurface {
-    /// The surface of a description whose archive unpacks to so many bytes at most.
+    /// The surface of a description whose archive unpacks to at most `bytes` bytes.
     fn new(root: Node, bytes: usize) -> io::Result<Self> {
         let missing = |what: &str| malformed(format!("its {MAIN} has no {what}"));
         let record = |name: &str| child(root, name).ok_or_else(|| missing(name));
@@ -315,7 +315,7 @@ fn data(list: Node) -> Vec<String> {
     data.map(|it| it.text().unwrap_or_default().trim().to_owned()).collect()
 }
 
-/// Rows and columns, so many that their points, each of `size` bytes, fit into `bytes`.
+/// Rows and columns, if their points, each of `size` bytes, fit into `bytes`.
 fn shape(record: Node, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
     let [columns, rows, layers] = match number(record, "ListDimension")? {
         Some(points) => [points, 1, 1],

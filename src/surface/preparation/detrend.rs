@@ -5,10 +5,10 @@ use super::least_squares::linear;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
-/// Heights below this part of those before a trend was taken off are rounding, and become 0.
+/// Heights below this fraction of those before the trend was subtracted are rounding errors, and become 0.
 const ROUNDING: f64 = 1e-13;
 
-/// The trend to take off measured heights: the polynomial of least squares through all that are there.
+/// The trend to subtract from measured heights: the polynomial of least squares through all that are there.
 ///
 /// ```
 /// use asperity::surface::{Detrend, Scan};

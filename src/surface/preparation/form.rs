@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
-/// The form to take off measured heights: the body of least squares through all that are there, in any place and with any tilt.
+/// The form to subtract from measured heights: the least-squares body through all heights that exist, at any position
+/// and with any tilt.
 ///
 /// In the section of a body its height is `c s^2 / (1 + sqrt(1 - c^2 s^2))` at the distance `s` from its highest or lowest point, with the
 /// curvature `c` of either sign. A cylinder lies in any direction, and its axis may be inclined.
@@ -21,7 +22,7 @@ pub enum Form {
     Sphere,
 }
 
-/// A curvature below this part of the reciprocal of the map's half length is none.
+/// A curvature below this fraction of the reciprocal of the map's half length counts as zero.
 const FLAT: f64 = 1e-9;
 
 impl Form {

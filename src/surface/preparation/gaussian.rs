@@ -54,7 +54,7 @@ impl Gaussian {
         Self { fields: Padded::new(scan.shape(), &padded), weights }
     }
 
-    /// The sums of neighbours with their weights; beyond the rims there are none.
+    /// The weighted sums of neighbours; there are no neighbours beyond the rims.
     fn sums(&mut self, field: Field) -> Field {
         let mut field = field.as_standard_layout().into_owned();
         self.fields.scale(field.as_slice_mut().expect("standard layout by construction"), &self.weights);
@@ -62,14 +62,14 @@ impl Gaussian {
     }
 }
 
-/// Weights of the filter at 0, 1, 2, ... nodes distance, of an axis of so many nodes.
+/// Weights of the filter at 0, 1, 2, ... nodes distance, of an axis of `nodes` nodes.
 fn kernel(spacing: f64, wavelength: f64, nodes: usize) -> Vec<f64> {
     let alpha = (LN_2 / PI).sqrt();
     let reach = (REACH * wavelength / spacing).ceil().min((nodes - 1) as f64) as usize;
     (0..=reach).map(|i| (-PI * (i as f64 * spacing / (alpha * wavelength)).powi(2)).exp()).collect()
 }
 
-/// The transform of weights to both sides on a line of so many points, of the waves up to Nyquist.
+/// The transform of weights to both sides on a line of `points` points, for the wavenumbers up to Nyquist.
 fn transformed(kernel: &[f64], points: usize) -> Vec<f64> {
     let line = Grid::line(points, 1.0).expect("an axis of a grid is a line");
     let at = |i: usize| kernel.get(i.min(points - i)).copied().unwrap_or(0.0);

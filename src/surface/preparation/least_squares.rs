@@ -49,8 +49,8 @@ impl<const N: usize> NormalEquations<N> {
     }
 }
 
-/// The coefficients with which the sum of `N` functions is nearest to the values at the points; 0 for functions that the points do
-/// not tell from those before.
+/// The coefficients with which the sum of `N` functions is nearest to the values at the points; 0 for functions that
+/// the points do not distinguish from those before.
 pub(super) fn linear<const N: usize>(points: impl Iterator<Item = ([f64; N], f64)>) -> [f64; N] {
     NormalEquations::new(points).solve()
 }

@@ -38,16 +38,16 @@ pub struct Preparation {
     /// How voids are filled.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fill: Option<Fill>,
-    /// The trend that is taken off.
+    /// The trend to subtract.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub detrend: Option<Detrend>,
-    /// The body whose form is taken off.
+    /// The body whose fitted form is subtracted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remove_form: Option<Form>,
-    /// The wavelength above which waves are taken off, see [`Scan::high_pass`].
+    /// The wavelength above which waves are removed, see [`Scan::high_pass`].
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub high_pass: Option<f64>,
-    /// The wavelength below which waves are taken off, see [`Scan::low_pass`].
+    /// The wavelength below which waves are removed, see [`Scan::low_pass`].
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub low_pass: Option<f64>,
     /// The share of each side within which heights run out to their mean, see [`Scan::tapered`].
@@ -64,7 +64,7 @@ pub struct Prepared {
     /// The heights.
     pub scan: Scan,
     /// What each step came to.
-    pub told: Vec<String>,
+    pub effects: Vec<String>,
 }
 
 impl Preparation {
@@ -93,7 +93,7 @@ impl Preparation {
         steps.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 
-    /// Rows and columns of what is made of so many.
+    /// Rows and columns after the step, from those before it.
     ///
     /// # Errors
     /// [`PreparationError::Crop`].
@@ -110,7 +110,7 @@ impl Preparation {
     /// # Errors
     /// For a step that these heights do not allow.
     pub fn apply(&self, scan: Scan) -> Result<Prepared, PreparationError> {
-        let mut it = Prepared { scan, told: Vec::new() };
+        let mut it = Prepared { scan, effects: Vec::new() };
         if let Some(crop) = &self.crop {
             let part = crop.apply(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
             it.take(part, |_, part| format!("cropped to {} x {} points", part.shape()[0], part.shape()[1]));
@@ -151,9 +151,9 @@ impl Preparation {
 }
 
 impl Prepared {
-    /// Goes on with other heights, and tells what they came to.
-    fn take(&mut self, next: Scan, tell: impl FnOnce(&Scan, &Scan) -> String) {
-        self.told.push(tell(&self.scan, &next));
+    /// Continues with the next heights, and describes the effect of the step.
+    fn take(&mut self, next: Scan, effect: impl FnOnce(&Scan, &Scan) -> String) {
+        self.effects.push(effect(&self.scan, &next));
         self.scan = next;
     }
 

@@ -12,7 +12,7 @@ pub struct Scan {
 }
 
 impl Scan {
-    /// The heights of a surface at every so many nodes along each axis, those of a line along it.
+    /// The heights of a surface at every `every`-th node along each axis; for a line, along x only.
     pub fn from_surface(surface: &Surface, every: usize) -> Self {
         let (grid, heights) = (surface.grid(), surface.heights_as_given());
         let every = grid.shape().map(|n| if n == 1 { 1 } else { every });

@@ -16,7 +16,7 @@ impl Scan {
     }
 }
 
-/// Tukey's window of so many nodes; 1 for a single one.
+/// Tukey's window of `nodes` nodes; 1 for a single node.
 fn window(nodes: usize, share: f64) -> Vec<f64> {
     let last = nodes.saturating_sub(1) as f64;
     let at = |i: usize| {

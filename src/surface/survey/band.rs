@@ -17,7 +17,7 @@ const WINDOWED: f64 = 1.0 + 2.0 * 4.0 / 9.0 + 2.0 / 36.0;
 /// Standard deviations of the stated error, and what is added for the bend of a spectrum at its ends.
 const DEVIATIONS: f64 = 3.0;
 const BEND: f64 = 0.02;
-/// A Hurst exponent that may be further off than this is not told.
+/// A Hurst exponent with a larger error than this is not reported.
 const LARGEST_ERROR: f64 = 0.5;
 
 /// The waves in a quarter of an octave.

@@ -12,9 +12,10 @@ const NOISE: f64 = 0.25;
 
 /// A preparation chosen for heights, with a reason for each step.
 ///
-/// Uneven positions are made even and voids filled. Heights that are not periodic lose their terms of second order, or their plane alone
-/// where no period is asked for and they may be a body; they are then mirrored along the axes on which they still jump. Waves that cannot be
-/// told from noise are filtered out where the noise makes a quarter of the mean square gradient.
+/// Uneven positions are made even and voids filled. Heights that are not periodic lose their terms of second order, or
+/// their plane alone where no period is asked for and they may be a body; they are then mirrored along the axes on
+/// which they still jump. Waves that cannot be distinguished from noise are filtered out where the noise makes a
+/// quarter of the mean square gradient.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparationChoice {
     /// The steps.
@@ -71,7 +72,7 @@ impl PreparationChoice {
         trend.apply(scan)
     }
 
-    /// Mirrors along the axes on which heights jump by more than so many rms steps.
+    /// Mirrors along the axes on which heights jump by more than a number of rms steps.
     fn mirror(&mut self, survey: &Survey, periodic: [bool; 2], most: f64) {
         let [y, x] = [0, 1].map(|axis| periodic[axis] && survey.jumps[axis] > most);
         let (mirror, axes) = match [y, x] {

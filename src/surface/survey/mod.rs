@@ -30,7 +30,8 @@ use std::f64::consts::PI;
 /// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Survey {
-    /// Nodes without a height. What follows but for the axes is told of heights whose voids are filled, see [`Fill::Harmonic`].
+    /// Nodes without a height. The following fields, except those of the axes, are for heights with filled voids, see
+    /// [`Fill::Harmonic`].
     pub voids: usize,
     /// Slopes along y and x of the plane of least squares.
     pub tilt: [f64; 2],
@@ -79,7 +80,7 @@ impl Survey {
         self.axes.iter().map(|it| it.noise_share).fold(0.0, f64::max)
     }
 
-    /// The shortest wavelength that is told from noise along all axes; 0 where no axis is long enough to say.
+    /// The shortest wavelength above the noise along all axes; 0 if no axis is long enough.
     pub fn shortest_wavelength(&self) -> f64 {
         self.axes.iter().map(|it| it.shortest_wavelength).fold(0.0, f64::max)
     }

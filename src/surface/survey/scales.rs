@@ -6,13 +6,14 @@ use crate::surface::{Scan, Surface};
 /// Bends that grow by less than this factor from the spacing to twice the spacing are noise: those of independent heights do not grow, and
 /// those of a self-affine surface grow by `2^(2H)`.
 const NOISE: f64 = 1.1;
-/// Least growth from two to four spacings, over that from one to two, from which noise can be told from roughness.
+/// Smallest growth from two to four spacings, divided by that from one to two, at which noise can be distinguished from
+/// roughness.
 const LEAST: f64 = 1.05;
 /// Exponent of the growth of bends from which on heights are smooth at a scale: 4 where they have a curvature, at most 2 where they are
 /// self-affine.
 const SMOOTH: f64 = 3.0;
-/// Bends of noise over those of the heights at the shortest scale that is told from noise.
-const TOLD_FROM_NOISE: f64 = 0.5;
+/// Second differences of noise divided by those of the heights, at the shortest scale that counts as above the noise.
+const ABOVE_NOISE: f64 = 0.5;
 
 /// Differences of heights over a distance along an axis. Pairs and triples with a void in them do not count.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -27,22 +28,25 @@ pub struct Scale {
     pub rms_curvature: f64,
 }
 
-/// Heights along an axis: their differences at the spacing and at its doubles, and what these tell of noise and resolution.
+/// Heights along an axis: their differences at one, two, four, ... spacings, and the noise and resolution that follow
+/// from them.
 ///
-/// The mean square `B(s)` of the bends `h(x + s) - 2 h(x) + h(x - s)` is that of independent noise of the rms height `sigma`, which does
-/// not depend on `s`, and that of the surface, which grows as `s^(2H)` where it is self-affine: `B(s) = 6 sigma^2 + b s^(2H)`. Its values
-/// at one, two and four spacings give `sigma`; noise that is weaker than the steps of the surface is told as less than it is.
+/// The mean square `B(s)` of the bends `h(x + s) - 2 h(x) + h(x - s)` is that of independent noise of the rms height
+/// `sigma`, which does not depend on `s`, and that of the surface, which grows as `s^(2H)` where it is self-affine:
+/// `B(s) = 6 sigma^2 + b s^(2H)`. Its values at one, two and four spacings give `sigma`; noise that is weaker than the
+/// steps of the surface is underestimated.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Scales {
     /// The axis, "y" or "x".
     pub axis: &'static str,
     /// Differences at one spacing, two, four and so on, as far as a quarter of the axis.
     pub scales: Vec<Scale>,
-    /// Rms height of independent noise, a length; 0 where none can be told from the roughness.
+    /// Rms height of independent noise, a length; 0 if it cannot be distinguished from the roughness.
     pub noise: f64,
     /// The share of that noise in the mean square gradient at the spacing.
     pub noise_share: f64,
-    /// The shortest wavelength that is told from noise, twice the distance at which the bends are twice those of the noise.
+    /// The shortest wavelength above the noise: twice the distance at which the second differences are twice those of
+    /// the noise.
     pub shortest_wavelength: f64,
     /// The wavelength below which the heights are smooth, so that gradient and contact no longer depend on the spacing; none for heights
     /// that are rough down to their spacing.
@@ -50,7 +54,8 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// The scales of a surface along y and x, at every so many nodes along an axis; an axis of less than 9 of these is left out.
+    /// The scales of a surface along y and x, at every `every`-th node along an axis; an axis of less than 9 of these is
+    /// left out.
     pub fn from_surface(surface: &Surface, every: usize) -> Vec<Self> {
         let scan = Scan::from_surface(surface, every);
         (0..2).filter_map(|axis| Self::new(&scan, axis)).collect()
@@ -75,7 +80,7 @@ impl Scales {
         let bends: Vec<f64> = squares.iter().map(|[_, bends]| *bends).collect();
         let (step, noise) = (squares[0][0], noise(&bends));
         let first = |is_it: &dyn Fn(usize) -> bool| (0..bends.len()).find(|i| is_it(*i));
-        let told = first(&|i| 6.0 * noise <= TOLD_FROM_NOISE * bends[i]).unwrap_or(bends.len() - 1);
+        let above = first(&|i| 6.0 * noise <= ABOVE_NOISE * bends[i]).unwrap_or(bends.len() - 1);
         let rough = first(&|i| bends.get(i + 1).is_none_or(|next| (next / bends[i]).log2() < SMOOTH));
         let wavelength = |i: usize| 2.0 * spacing * 2f64.powi(i as i32);
         Some(Self {
@@ -83,7 +88,7 @@ impl Scales {
             scales: squares.iter().enumerate().map(scale).collect(),
             noise: noise.sqrt(),
             noise_share: if step > 0.0 { (2.0 * noise / step).min(1.0) } else { 0.0 },
-            shortest_wavelength: wavelength(told),
+            shortest_wavelength: wavelength(above),
             smooth_wavelength: rough.filter(|i| *i > 0).map(wavelength),
         })
     }
@@ -102,7 +107,7 @@ fn noise(bends: &[f64]) -> f64 {
     }
 }
 
-/// The mean squares of steps and bends over so many spacings; none where there are no such nodes.
+/// The mean squares of first and second differences over a number of spacings; none if there are no such nodes.
 fn differences(scan: &Scan, axis: usize, distance: usize) -> Option<[f64; 2]> {
     let ([ny, nx], h) = (scan.shape(), &scan.height);
     let h = h.as_slice()?;

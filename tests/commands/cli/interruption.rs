@@ -39,7 +39,7 @@ fn loads_that_are_solved_are_written_when_the_rest_is_interrupted() {
     let table = std::fs::read_to_string(folder.join("curve.csv")).unwrap();
     let solved = table.lines().count() - 1;
     assert!((1..1000).contains(&solved) && table.matches(",converged,").count() == solved, "{table}");
-    assert!(said.contains(&format!("interrupted: {solved} of 1000 loads are solved and written")), "{said}");
+    assert!(said.contains(&format!("interrupted: {solved} of 1000 loads were solved and written")), "{said}");
     assert_is_recording(&folder, "curve.rrd");
     let setup = std::fs::read_to_string(folder.join("done.toml")).unwrap();
     assert_eq!(

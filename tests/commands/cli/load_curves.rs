@@ -43,7 +43,11 @@ fn a_load_curve_is_written_and_repeated_from_its_setup() {
     let one = folder.run("solve curve.toml --pressure 1e7 --json");
     assert_close(number(&json(&one), "mean_pressure"), 1e7, 1e-12, "load");
     let dry = folder.run("solve curve.toml --dry-run");
-    assert!(text(&dry.stdout).contains("loads       3, each solved from the one before"), "{}", text(&dry.stdout));
+    assert!(
+        text(&dry.stdout).contains("loads       3, each solved from the contact under the previous load"),
+        "{}",
+        text(&dry.stdout)
+    );
 }
 
 #[test]

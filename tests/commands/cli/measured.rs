@@ -54,7 +54,7 @@ fn steps_that_are_chosen_are_said_and_stored_one_by_one() {
     std::fs::write(folder.join("wrong.toml"), "surface = { height = \"part.txt\", prepare.steps = \"all\" }").unwrap();
     let wrong = folder.run("surface wrong.toml");
     assert_eq!(wrong.status.code(), Some(2));
-    assert!(text(&wrong.stderr).contains("\"all\" is no way of preparing: give \"auto\""), "{}", text(&wrong.stderr));
+    assert!(text(&wrong.stderr).contains("\"all\" is not a preparation: give \"auto\""), "{}", text(&wrong.stderr));
 }
 
 #[test]
@@ -137,7 +137,7 @@ fn a_low_pass_filter_longer_than_the_map_is_refused() {
     assert_eq!(filtered("1").status.code(), Some(0));
     let refused = filtered("1.5");
     let sentence =
-        "a low-pass filter at the wavelength 1.5 takes off all heights: give at most the longer side of the map, 1.0";
+        "a low-pass filter at the wavelength 1.5 removes all heights: give at most the longer side of the map, 1.0";
     assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains(sentence), "{}", text(&refused.stderr));
 }
 

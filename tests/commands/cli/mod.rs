@@ -1,9 +1,9 @@
 //! What a user does at the command line, run for real on small contacts.
 
 mod below;
+mod command_style;
 mod interruption;
 mod load_curves;
-mod manners;
 mod measured;
 mod memory;
 mod pictures;
@@ -269,7 +269,11 @@ fn a_narrow_contact_is_solved_to_a_bound_of_its_pressure() {
     assert_eq!(tight["setup"]["stop"]["pressure-tolerance"], 1e-5);
     let output = folder.run(&format!("solve {narrow} --pressure-tolerance 1e-30 --max-iterations 40"));
     assert_eq!(output.status.code(), Some(3));
-    assert!(text(&output.stderr).contains("with the pressure within"), "{}", text(&output.stderr));
+    assert!(
+        text(&output.stderr).contains("and a relative error of the pressure of at most"),
+        "{}",
+        text(&output.stderr)
+    );
 }
 
 #[test]

@@ -56,7 +56,7 @@ fn points_of_roughness_are_found() {
     for (points, tolerance) in [("auto", 3e-3), ("auto,auto", 3e-2)] {
         let run = format!("solve --points {points} {rough} --area-tolerance {tolerance}");
         let plan = folder.run(&format!("{run} --dry-run"));
-        assert!(text(&plan.stdout).contains("Finer grids follow until area and kappa_r have settled"));
+        assert!(text(&plan.stdout).contains("Finer grids follow until area and kappa_r are accurate enough"));
         let settled = json(&folder.run(&format!("{run} --json")));
         assert!(number(&settled, "kappa_r_error") <= tolerance, "{points}: {settled}");
         assert!(
@@ -72,13 +72,13 @@ fn grids_that_cannot_be_found_are_refused() {
     let rough = "--hurst 0.8 --rolloff 0.5 --short-cutoff 0.1 --rms-gradient 0.01 --size 1 --reduced-pressure 0.05";
     for (run, words) in [
         (format!("{HILLS} --refine 0"), "the grid is refined 0 times"),
-        (format!("{HILLS} --area-tolerance 0.1"), "the area has a tolerance but the grid is given"),
+        (format!("{HILLS} --area-tolerance 0.1"), "an area tolerance needs refine = auto or points = auto"),
         (format!("{HILLS} --refine auto --area-tolerance -1"), "the tolerance of the area is -1"),
         (format!("{HILLS},3e-5 --refine auto"), "a grid is found under one load, but several are given"),
-        (format!("--points auto,64 {rough}"), "points are to be found along some axes only"),
+        (format!("--points auto,64 {rough}"), "points are auto along some axes only"),
         (
             "--points auto --indenter cylinder --radius 1 --size 4 --reduced-pressure 0.1".into(),
-            "points can be found for roughness",
+            "points = auto works for a random rough surface",
         ),
         (format!("{HILLS} --refine 99999999999999"), "points"),
     ] {

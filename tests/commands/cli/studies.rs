@@ -115,14 +115,14 @@ fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
     assert!(done(&folder, "study study.toml").status.success() && before > 0);
     // what is missing, twice there or of another study
     let missing = refused(&folder, &format!("merge study.toml {} --out no.csv", shares[1..].join(" ")));
-    assert!(missing.contains(" of 24 rows are in none of the tables, or were changed there "), "{missing}");
+    assert!(missing.contains(" of 24 rows are missing in the tables, or were changed "), "{missing}");
     let share = std::fs::read_to_string(folder.join(&shares[2])).unwrap();
     let number = share.lines().nth(1).unwrap().split(',').find(|field| field.starts_with("0.")).unwrap();
     std::fs::write(folder.join("edited.csv"), share.replacen(number, "0.25", 1)).unwrap();
     let others = [0, 1, 3, 4].map(|i| shares[i].as_str()).join(" ");
     let edited = refused(&folder, &format!("merge study.toml {others} edited.csv --out no.csv"));
     assert!(
-        edited.contains("2 of 24 rows are in none of the tables, or were changed there after they were solved"),
+        edited.contains("2 of 24 rows are missing in the tables, or were changed after they were solved"),
         "{edited}"
     );
     let twice = refused(&folder, &format!("merge study.toml {} study.csv --out no.csv", shares.join(" ")));
@@ -179,8 +179,8 @@ fn wrong_studies_are_refused_with_line_and_value() {
         said
     };
     let cases = [
-        ("\"1-3\"", "\"9-3\"", "study.toml: line 2, surface.seed: `9-3` is no range: write the first and the last"),
-        ("\"1-3\"", "[1, \"2-x\"]", "line 2, surface.seed: `2-x` is no range"),
+        ("\"1-3\"", "\"9-3\"", "study.toml: line 2, surface.seed: `9-3` is not a range: give the first and the last"),
+        ("\"1-3\"", "[1, \"2-x\"]", "line 2, surface.seed: `2-x` is not a range"),
         ("\"1-3\"", "[4, \"2-6\"]", "line 2, surface.seed: 4 is there twice"),
         ("\"1-3\"", "[]", "line 2, surface.seed: the list is empty"),
         ("\"1-3\"", "\"1-1000000000000\"", "the lists make 8000000000000 rows, and a study has at most 10000000"),
@@ -188,7 +188,7 @@ fn wrong_studies_are_refused_with_line_and_value() {
         ("[0.3, 0.8]", "[0.3, 1.8]", "row 13 (hurst 1.8, points 1024, seed 1): the Hurst exponent is 1.8"),
         ("[0.3, 0.8]", "[0.3, \"rough\"]", "line 2, surface.spectrum.hurst: invalid type: text \"rough\""),
         ("[0.01, 0.1]", "[0.01, -0.1]", "reduced pressure is -0.1"),
-        ("[0.01, 0.1]", "\"1e-3..1e-1:4000000000\"", "line 4, load: `1e-3..1e-1:4000000000` holds too many loads"),
+        ("[0.01, 0.1]", "\"1e-3..1e-1:4000000000\"", "line 4, load: `1e-3..1e-1:4000000000` has too many loads"),
         ("size = 1.0", "size = 1.0, pionts = [1, 2]", "grid: unknown field `pionts`"),
         ("[[1024], [2048]]", "[[1024], [2]]", "2 points along x are too few"),
         (
@@ -203,10 +203,10 @@ fn wrong_studies_are_refused_with_line_and_value() {
     }
     let folder = folder_with(STUDY);
     for (flags, expected) in [
-        ("--shard 0/4", "is no share: give its number and how many there are"),
-        ("--shard 5/4", "is no share"),
+        ("--shard 0/4", "is not a share: give its number and the number of shares"),
+        ("--shard 5/4", "is not a share"),
         ("--memory 3XB", "give a positive number with kB, MB, GB or TB"),
-        ("--memory 1kB", "of memory and may have 1.0 kB"),
+        ("--memory 1kB", "of memory, but the limit is 1.0 kB"),
         ("--out study.npz", "study.npz"),
     ] {
         let output = folder.run(&format!("study study.toml {flags}"));
@@ -228,7 +228,7 @@ fn wrong_studies_are_refused_with_line_and_value() {
     assert!(text(&said.stdout).contains("rows          48 of 48"), "{}{}", text(&said.stdout), text(&said.stderr));
     std::fs::write(folder.join("study.csv"), "a,b\n1,2\n").unwrap();
     for line in ["study study.toml", "study study.toml --fresh"] {
-        assert!(refused(&folder, line).contains("something else than the points of a study"));
+        assert!(refused(&folder, line).contains("it is not a table of a study"));
         assert_eq!(bytes(&folder, "study.csv"), b"a,b\n1,2\n");
     }
 }

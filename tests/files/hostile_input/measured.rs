@@ -98,7 +98,7 @@ fn archives_do_not_reach_beyond_themselves() {
     refuse_files(&[
         ("a.x3p", link("../../x"), "../../x"),
         ("b.x3p", link("/etc/passwd"), "/etc/passwd"),
-        ("c.x3p", changed(x3p::file(), b"main.xml", b"../n.xml"), "in no format that is known"),
+        ("c.x3p", changed(x3p::file(), b"main.xml", b"../n.xml"), "its format is not known"),
     ]);
     let folder = folder();
     let climbing = changed(link("../../12345/data"), b"bindata/data.bin", b"../../12345/data");
@@ -161,7 +161,7 @@ fn formats_in_metres_need_to_know_them() {
     std::fs::write(folder.join("rough.txt"), "1 2 1 3\n4 1 5 1\n2 6 1 1\n1 2 1 7\n").unwrap();
     for ending in ["sdf", "x3p", "xyz"] {
         let line = format!("surface rough.txt --size 1 --out new.{ending}");
-        refuse_in_one_sentence(&folder, &line, "give them by --file-unit");
+        refuse_in_one_sentence(&folder, &line, "give them with --file-unit");
         let known = folder.run(&format!("{line} --file-unit 1um"));
         assert!(known.status.success(), "{}", text(&known.stderr));
         let again = folder.run(&format!("surface new.{ending} --out again.{ending}"));

@@ -243,7 +243,7 @@ fn grids_that_cannot_be_are_refused() {
         ("--points 8,8 --size 1,1,1", "3 lengths"),
         ("--size 1", "the points are missing"),
         ("--points 8", "--size"),
-        ("--height old --points 8 --size 1", "points are given beside a height file"),
+        ("--height old --points 8 --size 1", "points are given, but the height file has its own"),
     ] {
         refuse_all(&[(&with(grid), offence)]);
     }
@@ -420,7 +420,7 @@ fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
         ("long.npy", "long.npy is not a usable height file: it holds"),
         ("nothing.npy", "nothing.npy is not a usable height file"),
         ("table.csv", "2 points"),
-        ("words.txt", "words.txt is not a usable height file: it is no .npy file, and no text of numbers"),
+        ("words.txt", "words.txt is not a usable height file: it is neither a .npy file nor a text of numbers"),
         ("uneven.npy", "the positions in uneven.npy are not evenly spaced"),
         ("noise.npy", "noise.npy is not a usable height file"),
         ("sub", "sub is not a usable height file: it is a directory"),
@@ -755,7 +755,7 @@ fn iterations_that_cannot_be_inspected_are_refused() {
         ("good.npy short.npy", "short.npy, step 0 of the file: the pressure of shape [7] does not fit"),
         ("good.npy nan.npy", "nan.npy, step 0 of the file: the pressure at row 0, column 2 is NaN"),
         ("cube.npy", "cube.npy, step 0 of the file: the pressure of shape [2, 2, 8] does not fit"),
-        ("sub", "no steps are found"),
+        ("sub", "no steps were found"),
         ("none.npy", "cannot read none.npy"),
         ("cut.npy", "cut.npy is not a usable pressure file"),
         ("noise.npz", "noise.npz is not a usable pressure file"),

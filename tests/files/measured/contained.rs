@@ -8,7 +8,7 @@ fn read(file: &[u8], channel: Option<&str>) -> Measurement {
     Measurement::from_bytes(file, channel).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Whether two numbers are the same but for rounding, or both void.
+/// Whether two numbers are the same except for rounding, or both void.
 fn is_same(found: f64, told: f64) -> bool {
     (found.is_nan() && told.is_nan()) || (found - told).abs() <= 1e-6 * told.abs()
 }
@@ -96,7 +96,7 @@ fn sur_has_objects_comments_and_profiles() {
 fn sur_is_refused_when_it_is_cut_short() {
     for file in [containers::sur::file(), containers::sur::packed()] {
         let error = Measurement::from_bytes(&file[..file.len() - 1], None).unwrap_err().to_string();
-        assert!(error.contains("cut short") || error.contains("points, and has"), "{error}");
+        assert!(error.contains("incomplete") || error.contains("points, but has"), "{error}");
     }
     let mut file = containers::sur::packed();
     let place = 512 + 10 + 4 + 8 * 5 + 5; // within the first of five streams

@@ -73,7 +73,7 @@ fn a_row_that_no_count_accounts_for_is_told() {
             "sur",
             sur::file(),
             replaced(sur::file(), &integers([5, 4, 20]), &integers([5, 3, 20])),
-            "20 points are counted, and 3 rows of 5 are 15",
+            "it states 20 points, but 3 rows of 5 are 15",
         ),
         (
             "x3p",
@@ -154,7 +154,7 @@ fn texts_whose_head_counts_otherwise_are_told() {
     let near = |found: f64, told: f64| (found - told).abs() < 1e-12 * told;
     assert!(near(measured.positions.unwrap()[2], 2.5e-6) && near(measured.height[[0, 3]], 7e-9));
     let found = doubts(format!("µm nm\n3\n{rows}").as_bytes());
-    assert!(found.len() == 1 && found[0].contains("the head says 3 rows, and there are 4"), "{found:?}");
+    assert!(found.len() == 1 && found[0].contains("the header states 3 rows, but there are 4"), "{found:?}");
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn texts_of_holographic_microscopes_are_metres() {
     assert!(measured.spacing.unwrap().iter().all(|spacing| (spacing - 3.7e-7).abs() < 1e-18));
     assert!((measured.height[[3, 4]] - 5.0 * 6.3e-8).abs() < 1e-18);
     let found = doubts(format!("{head}{}", "1 2 3 4 5\n".repeat(6)).as_bytes());
-    assert!(found.len() == 1 && found[0].contains("the head says 4 rows, and there are 6"), "{found:?}");
+    assert!(found.len() == 1 && found[0].contains("the header states 4 rows, but there are 6"), "{found:?}");
 }
 
 #[test]

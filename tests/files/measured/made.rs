@@ -55,7 +55,7 @@ fn al3d() {
     assert_says(&measured, "Comment", "steel");
     assert_says(&measured, "InvalidPixelValue", "3.0000000281e+15");
     let early = changed(&file, b"689\0", b"600\0");
-    assert_eq!(reason(&early), "it says that its depth image is at byte 600, where its header is");
+    assert_eq!(reason(&early), "its depth image cannot be at byte 600, where the header is");
     assert!(
         reason(&file[..file.len() - 10]).starts_with("it holds 18 heights"),
         "{}",
@@ -63,7 +63,7 @@ fn al3d() {
     );
     let many =
         changed(&file, &[&b"TagCount"[..], &[0; 12], b"6\0"].concat(), &[&b"TagCount"[..], &[0; 12], b"66"].concat());
-    assert!(reason(&many).starts_with("it says that it has 66 tags"), "{}", reason(&many));
+    assert!(reason(&many).starts_with("it states 66 tags"), "{}", reason(&many));
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn nanoscope_that_is_refused() {
     let text = changed(&file, b"\\*File list\r", b"?*File list\r");
     assert_eq!(reason(&text), "its images are text: export them as binary data");
     let old = String::from_utf8_lossy(&file).replace("@2:Z scale", "Z scale");
-    assert_eq!(reason(old.as_bytes()), "its images have no @2:Z scale: it is older than version 4.3");
+    assert_eq!(reason(old.as_bytes()), "its images have no @2:Z scale: the file is older than version 4.3");
 }
 
 #[test]
@@ -125,7 +125,7 @@ fn opd_that_is_refused() {
     assert_eq!(reason(&changed(&file, b"Wavelength", b"Wavelenght")), "it does not say its Wavelength");
     let flat = changed(&file, &0.25_f32.to_le_bytes(), &0_f32.to_le_bytes());
     assert_eq!(reason(&flat), "it says that its Pixel_size is 0.0");
-    assert!(reason(&file[..file.len() - 1]).contains("cut short"), "{}", reason(&file[..file.len() - 1]));
+    assert!(reason(&file[..file.len() - 1]).contains("incomplete"), "{}", reason(&file[..file.len() - 1]));
 }
 
 #[test]
@@ -151,9 +151,9 @@ fn plu_that_is_refused() {
     file[428] = 7;
     assert_eq!(reason(&file), "it is a measurement of type 7, neither a profile nor a topography");
     file[428] = 1;
-    assert_eq!(reason(&file), "it is a profile and says that it has 4 rows");
+    assert_eq!(reason(&file), "it is a profile, but states 4 rows");
     file[490] = 7;
-    assert_eq!(reason(&file), "it is in no format that is known here");
+    assert_eq!(reason(&file), "its format is not known");
 }
 
 #[test]
@@ -234,11 +234,11 @@ fn sdf_that_is_refused() {
     let file = sdf::file();
     assert_eq!(
         reason(&changed(&file, b"Compression = 0", b"Compression = 1")),
-        "its compression is 1: write it without"
+        "it has a compression of type 1: save it without compression"
     );
     assert_eq!(
         reason(&changed(&file, b"CheckType = 0", b"CheckType = 1")),
-        "its type of check sum is 1: write it without"
+        "it has a check sum of type 1: save it without one"
     );
     assert_eq!(reason(&changed(&file, b"BAD", b"BUD")), "it holds \"BUD\" among its heights");
     assert!(reason(&changed(&file, b"1.0e-9", b"0")).contains("a unit of its heights is 0.0 metres"));

@@ -79,7 +79,7 @@ fn profile_deviation(name: &str, measured: &Measurement, truth: &Value) -> f64 {
     let number = |value: &Value| value.as_f64().unwrap();
     let count = truth["points"].as_u64().unwrap() as usize;
     assert_eq!((measured.height.dim(), measured.is_profile), ((1, count), true), "{name}");
-    // positions that are even but for rounding are so here, and some of them are not to the peer
+    // positions that are even except for rounding are so here, and some of them are not to the peer
     assert!(measured.positions.is_none() || truth["uniform"] == false, "{name}");
     let x = measured.x().unwrap();
     let even = if measured.positions.is_none() { 0.1 * x[1] } else { 0.0 };

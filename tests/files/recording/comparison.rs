@@ -137,7 +137,10 @@ fn the_command_compares_two_or_more_and_says_what_it_wrote() {
     for (line, words) in [
         ("compare a.rrd", "a.rrd alone cannot be compared: give two recordings or more"),
         ("compare a.rrd missing.rrd", "cannot read missing.rrd"),
-        ("compare a.rrd b.rrd --out ./b.rrd", "cannot write ./b.rrd: it is read, and would be lost: give another name"),
+        (
+            "compare a.rrd b.rrd --out ./b.rrd",
+            "cannot write ./b.rrd: it is also an input file and would be lost: give another name",
+        ),
         ("view --no-open a.rrd missing.rrd", "cannot read missing.rrd"),
     ] {
         let (code, said) = run(line);

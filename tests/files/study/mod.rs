@@ -172,7 +172,7 @@ fn the_points_of_another_study_are_not_replaced() {
     assert!(unfinished.exists());
     fs::write(&path, "a,b\n1,2\n").unwrap();
     let refused = first.run(&table, &|_| ()).unwrap_err().to_string();
-    assert!(refused.contains("something else than the points of a study"), "{refused}");
+    assert!(refused.contains("it is not a table of a study"), "{refused}");
     assert_eq!(fs::read(&path).unwrap(), b"a,b\n1,2\n");
 }
 

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 fn the_picture_takes_the_place_of_the_viewer(page: &mut Page) {
     let note = page.text("document.getElementById('viewer-note').innerText");
-    assert!(note.contains("goes on without it"), "{note}");
+    assert!(note.contains("works without it"), "{note}");
     let [.., viewer] = page.place("viewer");
     let [.., own] = page.place("own");
     assert!(own > 3.0 * viewer, "the picture is {own} high, what is left of the viewer {viewer}");

@@ -171,6 +171,6 @@ fn a_course_needs_no_server_of_its_own() {
     page.open(&format!("file://{}?theme=dark", site.join("index.html").display()));
     page.until("document.body.dataset.viewer === 'failed'");
     let note = page.text("document.getElementById('viewer-note').innerText");
-    assert!(note.starts_with("Browsers do not let a page from a folder read files"), "{note}");
+    assert!(note.starts_with("Browsers do not let a page that is opened from a folder read files"), "{note}");
     a_lesson_is_taken(&mut page, false);
 }

@@ -1,8 +1,8 @@
 //! People of all kinds: who reads German, who has a finger for a pointer, who has it on paper.
 
+use super::appearance::{CUT, PALE, SERIOUS, WIDE, load_axe};
 use super::chromium::installed;
 use super::explorer::{rested, sketched};
-use super::eyes::{CUT, PALE, SERIOUS, WIDE, load_axe};
 use super::page::Page;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::{Value, json};

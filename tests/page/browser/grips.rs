@@ -84,7 +84,7 @@ fn what_is_lifted_clear_stays(page: &mut Page) {
     page.mouse("mouseReleased", [grip[0], grip[1] - 300.0]);
     rested(page);
     assert_eq!(page.value("Math.max(...section.pressure)"), 0.0);
-    assert_eq!(page.text("document.getElementById('title').innerText"), "Lifted clear of the solid: nothing touches");
+    assert_eq!(page.text("document.getElementById('title').innerText"), "Above the solid: nothing touches");
     let cells = "['relative_area', 'exact relative_area'].map((name) => document.querySelector(`#numbers td[data-number=\"${name}\"]`).innerText)";
     assert_eq!(page.value(cells), json!(["0", ""]));
     assert_eq!(load(page), before);

@@ -101,7 +101,7 @@ fn news_do_not_interrupt(page: &mut Page) {
 fn what_is_no_file_of_heights_is_refused(page: &mut Page) {
     drop_on(page, "controls", "prose.txt", "<b>no numbers</b> at all");
     page.until("document.getElementById('fault').innerText.startsWith('prose.txt is not')");
-    assert!(fault(page).contains("no text of numbers"), "{}", fault(page));
+    assert!(fault(page).contains("nor a text of numbers"), "{}", fault(page));
     assert!(page.text("description.name").starts_with("<img"));
 }
 

@@ -66,7 +66,7 @@ fn guess_number(page: &mut Page, ask: &Value, means: Means) {
         assert!(tell(page, "0.5"), "a number that is far off has a second try");
         assert!(why(page).starts_with("0.5 is too "), "{}", why(page));
     } else if is_open {
-        assert_eq!(why(page), "4000 is too large. Try once more.");
+        assert_eq!(why(page), "4000 is too large. Try again.");
     }
     if is_open {
         assert!(!tell(page, "0.5"), "the second number is an answer");
@@ -85,7 +85,7 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
             let wrong = 1 + choices.iter().position(|it| it["because"].is_object()).unwrap();
             means.press(page, &format!("answer-{wrong}"));
             let because = choices[wrong - 1]["because"]["en"].as_str().unwrap();
-            assert_eq!(why(page), format!("Not so. {because} Try once more."));
+            assert_eq!(why(page), format!("No. {because} Try again."));
             assert_eq!(page.value(&format!("byId('answer-{wrong}').disabled")), true);
             means.press(page, &format!("answer-{}", ask["right"]));
         }

@@ -90,15 +90,15 @@ const HOSTILE: [(&str, &str); 19] = [
     ("'['.repeat(1e4) + ']'.repeat(1e4)", "longer than 16384"),
     ("'{\"knobs\":' + '['.repeat(5e3) + ']'.repeat(5e3) + '}'", ""),
     ("'[]'", "domain"),
-    ("'7'", "holds no state"),
-    ("'null'", "holds no state"),
+    ("'7'", "contains no state"),
+    ("'null'", "contains no state"),
     ("'{\"knobs\":NaN}'", "JSON"),
     ("'{\"__proto__\":{\"lesson\":\"crawl\",\"step\":1}}'", "domain"),
     ("e({ knobs: { ...knobs, load: 1e99 } })", "p* cannot be 1e+99: give a number from 0.00001 to 1000."),
     ("e({ knobs: { ...knobs, seed: -3 } })", "Seed cannot be -3: give a whole number from 0 to 4294967295."),
-    ("e({ knobs: { ...knobs, load: '0.1' } })", "cannot be: give a number"),
+    ("e({ knobs: { ...knobs, load: '0.1' } })", "is not possible: give a number"),
     ("e({ knobs: { ...knobs, body: '<img src=x onerror=hacked=1>' } })", "unknown variant"),
-    ("e({ knobs, pinned: { ...knobs, points: -1 } })", "-1 cannot be: give a whole number"),
+    ("e({ knobs, pinned: { ...knobs, points: -1 } })", "-1 is not possible: give a whole number"),
     ("e({ lesson: '<script>hacked=1</script>', step: 1 })", "there is no lesson"),
     ("e({ lesson: 'crawl', step: -1 })", "has no step -1"),
     ("e({ lesson: 'crawl', step: 1e99 })", "has no step 1e+99"),
@@ -117,7 +117,7 @@ fn addresses_that_are_none_do_no_harm() {
         ));
         page.until("!byId('fault').hidden");
         let said = page.text("byId('fault').innerText");
-        assert!(said.starts_with("This address is none of the page: "), "{address}: {said}");
+        assert!(said.starts_with("This address is not valid: "), "{address}: {said}");
         assert!(said.contains(words) && said.len() < 1000, "{address}: {said}");
     }
     assert_eq!(page.value("typeof hacked"), "undefined");

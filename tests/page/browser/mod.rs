@@ -3,17 +3,17 @@
 //! Without Chromium the tests pass and say that they are skipped; the last line `browser tests: 4 ran, 0 skipped` counts them.
 //! `CHROME` or `CHROMIUM` names a Chromium that is not on the path.
 
+mod appearance;
 mod blind;
 mod chromium;
 mod course;
 mod downloads;
 mod everyone;
 mod explorer;
-mod eyes;
 mod globals;
 mod grips;
-mod hands;
 mod heights;
+mod keyboard;
 mod lessons;
 mod links;
 mod measures;

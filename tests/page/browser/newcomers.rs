@@ -1,8 +1,8 @@
 //! People who come for the first time, with a telephone or before a class: what the page offers them, and where it stands.
 
+use super::appearance::{CUT, PALE, SERIOUS, WIDE, load_axe};
 use super::chromium::installed;
 use super::explorer::{opened, rested, sketched};
-use super::eyes::{CUT, PALE, SERIOUS, WIDE, load_axe};
 use super::page::Page;
 use serde_json::{Value, json};
 
@@ -140,7 +140,7 @@ fn a_slow_run_is_explained(page: &mut Page) {
     page.until("document.body.dataset.why === latest().id");
     let told = page.text("byId('why-causes').innerText");
     assert!(told.starts_with("The damping is too strong: 8 times the best one for the longest wave"), "{told}");
-    assert!(told.contains("All waves have the same mass") && told.contains("Area and κ_r stand within 1 %"), "{told}");
+    assert!(told.contains("All waves have the same mass") && told.contains("Area and κ_r are within 1 %"), "{told}");
     for id in ["why-contact", "why-errors", "why-decisions"] {
         let drawn = format!(
             "(() => {{ const it = byId('{id}'); const {{ data }} = it.getContext('2d').getImageData(0, 0, it.width, it.height); \

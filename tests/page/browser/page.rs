@@ -134,7 +134,7 @@ impl Page {
         self.chromium.page("Input.dispatchMouseEvent", event);
     }
 
-    /// Types a value into a field, in the place of what is there.
+    /// Types a value into a field, instead of what is there.
     pub fn fill(&mut self, id: &str, value: &str) {
         self.value(&format!("document.getElementById('{id}').focus(); document.getElementById('{id}').select()"));
         self.chromium.page("Input.insertText", json!({"text": value}));

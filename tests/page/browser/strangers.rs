@@ -92,7 +92,7 @@ fn pages_of_others_get_nothing() {
     }
     page.open(&rebound);
     assert!(
-        page.text("document.body.innerText").contains("this server answers to"),
+        page.text("document.body.innerText").contains("this server accepts requests to"),
         "a name that leads here is answered"
     );
     assert_eq!(fetched(&mut page, "/api/state", "{}"), "basic 403");

@@ -58,7 +58,7 @@ fn a_tab_too_many_waits(explorer: &Explorer, page: &mut Page) {
     assert_eq!(page.value(take), 503);
     let before = open_tab(explorer, page);
     page.until("document.body.dataset.server === 'full'");
-    assert!(page.text(FAULT).starts_with("4 tabs are open here"), "{}", page.text(FAULT));
+    assert!(page.text(FAULT).starts_with("4 tabs are open, which"), "{}", page.text(FAULT));
     let waiting = page.chromium.switch_to(before);
     page.value("location.href = 'about:blank'; true");
     page.until("location.href === 'about:blank'");
@@ -97,7 +97,11 @@ fn a_server_that_comes_back_is_found() {
     page.until("runs.length === 4 && runs.every((run) => run.ended && run.followed)");
     let port = explorer.kill();
     page.until("document.body.dataset.server === 'gone'");
-    assert!(page.text(FAULT).starts_with("The server has ended: start asperity explore again"), "{}", page.text(FAULT));
+    assert!(
+        page.text(FAULT).starts_with("The server has stopped: start asperity explore again"),
+        "{}",
+        page.text(FAULT)
+    );
     assert_eq!(page.value(shown), before);
     assert_eq!(page.value(read), true);
     page.type_into("control-load-value", "0.2");

@@ -116,9 +116,9 @@ fn nothing_is_written_over() {
     let file = lessons.join("two.toml");
     for (site, reason) in [
         (&lessons, "it is not empty"),
-        (&file, "it is no folder"),
-        (&folder.path().join("none/site"), "there is no folder"),
-        (&lessons.join(".."), "it is no name of a folder"),
+        (&file, "it is not a readable folder"),
+        (&folder.path().join("none/site"), "does not exist: create it first"),
+        (&lessons.join(".."), "it is not the name of a folder"),
     ] {
         let output = export(&lessons, site).output().unwrap();
         let told = String::from_utf8(output.stderr).unwrap();
@@ -154,6 +154,6 @@ fn an_interrupt_leaves_nothing() {
     std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(1));
     std::io::Read::read_to_string(&mut pipe, &mut told).unwrap();
-    assert!(told.contains("the export was interrupted: nothing is written"), "{told}");
+    assert!(told.contains("the export was interrupted: nothing was written"), "{told}");
     assert_eq!(names(folder.path()), ["lessons".to_owned()].into());
 }

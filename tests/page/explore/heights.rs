@@ -110,7 +110,7 @@ fn a_map_in_text_is_described_prepared_and_solved() {
         (&json!("sample 1.txt"), &json!(false), &Value::Null)
     );
     assert_eq!((row(&told, "points"), row(&told, "size")), ("32 x 48", "3.2 µm x 4.8 µm"));
-    assert_eq!((row(&told, "channel"), row(&told, "lengths")), ("Topography", "metres, as the file says"));
+    assert_eq!((row(&told, "channel"), row(&told, "lengths")), ("Topography", "metres, as given in the file"));
     assert_eq!(row(&told, "voids"), "1 of 1536 heights");
     let prepare = &told["knobs"]["prepare"];
     assert_eq!((&prepare["fill"], prepare["mirror"].is_string()), (&json!("harmonic"), true), "{prepare}");
@@ -178,7 +178,7 @@ fn heights_that_jump_are_warned_of_and_voids_refused() {
     let knobs = with(json!({"body": "file", "heights": {"auto": false}}));
     page.order("/api/solve", &knobs);
     let state = page.wait(|state| state["busy"] == false && state["fault"].is_string());
-    assert_eq!(state["fault"], "1 of 1536 heights in sample.txt are void: fill them or crop them away");
+    assert_eq!(state["fault"], "1 of 1536 heights in sample.txt are void: fill them, or crop the heights");
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn what_is_too_much_to_wait_for_is_cropped_or_refused() {
     let told = page.post("/api/describe", "{\"width\": 9e-6}").json();
     let crop: Vec<usize> = serde_json::from_value(told["knobs"]["prepare"]["crop"].clone()).unwrap();
     assert_eq!((crop[0] + crop[1], crop[2] + crop[3]), (900, 900), "{crop:?} is not in the middle");
-    assert!(told["reasons"][0].as_str().unwrap().contains("the middle of them is kept"), "{}", told["reasons"]);
+    assert!(told["reasons"][0].as_str().unwrap().contains("only the middle part is kept"), "{}", told["reasons"]);
     assert!((2 * (crop[1] - crop[0])) * (crop[3] - crop[2]) <= 1 << 20, "{crop:?}");
     assert_eq!(told["fault"], Value::Null);
     let by_hand = json!({"width": 9e-6, "auto": false, "prepare": {"mirror": "both"}});

@@ -137,10 +137,10 @@ fn lessons_that_cannot_be_say_where() {
     for (text, line, words) in [
         ("title = ".to_owned(), 1, ""),
         ("title = \"T\"\nstep = []\n".into(), 1, "the lesson has no steps"),
-        (STEP.replace("\"T\"", "\" \""), 1, "title: a text has no words"),
+        (STEP.replace("\"T\"", "\" \""), 1, "title: a text is empty"),
         (STEP.replace("\"T\"", "3"), 1, "give a text, or texts by language"),
         (STEP.replace("\"Look.\"", "{ english = \"Look.\" }"), 3, "\"english\" is no language: give two letters"),
-        (STEP.replace("\"Look.\"", "{}"), 3, "a text has no words"),
+        (STEP.replace("\"Look.\"", "{}"), 3, "a text is empty"),
         (format!("{STEP}colour = 3\n"), 5, "unknown field `colour`"),
         (format!("{STEP}\n[[step]]\nknobs.load = 0.1\n"), 6, "missing field `text`"),
         (format!("{STEP}knobs.load = \"much\"\n"), 5, "`load` cannot be \"much\": give a number"),
@@ -174,21 +174,21 @@ fn lessons_that_cannot_be_say_where() {
         (
             ask("{ kind = \"choose\", question = \"?\", choices = [\"a\", \"b\"], right = 3 }"),
             5,
-            "choice 3 is to be right",
+            "choice 3 is marked as right",
         ),
-        (ask("{ kind = \"choose\", question = \"\", choices = [\"a\", \"b\"], right = 1 }"), 5, "a text has no words"),
+        (ask("{ kind = \"choose\", question = \"\", choices = [\"a\", \"b\"], right = 1 }"), 5, "a text is empty"),
         (ask("{ kind = \"number\", question = \"?\", of = \"kappa_q\" }"), 5, "\"kappa_q\" is no number of a run"),
         (
             ask("{ kind = \"draw\", question = \"?\", curve = \"kappa\" }"),
             5,
-            "the load is not swept: give sweep = true",
+            "needs a sweep of the load: give sweep = true",
         ),
         (
             ask(
                 "{ kind = \"choose\", question = \"?\", choices = [\"a\", { text = \"b\", because = \"\" }], right = 1 }",
             ),
             5,
-            "a text has no words",
+            "a text is empty",
         ),
         (ask("{ kind = \"act\", question = \"?\", goal = {} }"), 5, "the goal is empty"),
         (ask("{ kind = \"act\", question = \"?\", goal = { area = [0, 1] } }"), 5, "\"area\" is no number of a run"),
@@ -202,9 +202,9 @@ fn lessons_that_cannot_be_say_where() {
                 "{STEP}sweep = true\nask = {{ kind = \"act\", question = \"?\", goal = {{ patches = [1, 1] }} }}\n"
             ),
             6,
-            "the load is swept where something is to be done",
+            "a step with a goal cannot sweep the load",
         ),
-        (format!("{STEP}[end]\nseen = \"\"\n"), 5, "end: a text has no words"),
+        (format!("{STEP}[end]\nseen = \"\"\n"), 5, "end: a text is empty"),
     ] {
         let said = refused(&text);
         assert!(said.contains(&format!("lesson.toml, line {line}: ")) && said.contains(words), "{text}: {said}");

@@ -89,7 +89,7 @@ fn repeats(folder: &Path, run: &Value) {
 fn a_state_of_another_scene_says_that_it_is_not_here() {
     let folder = tempfile::tempdir().unwrap();
     let (_, start) = page(scene(folder.path(), SCENES[1]));
-    let sentence = "the scene of this state is not here: start asperity explore with its setup file";
+    let sentence = "the scene of this state is not loaded: start asperity explore with its setup file";
     let (elsewhere, _) = page(scene(folder.path(), &SCENES[1].replace("--seed 7", "--seed 8")));
     for page in [Page::open(), elsewhere] {
         for path in ["/api/solve", "/api/sweep"] {
@@ -113,7 +113,7 @@ fn what_solve_refuses_is_refused_in_its_words() {
         ("surface = { height = 'none.npy' }\nload = { reduced-pressure = 0.1 }\n".into(), None),
         (
             format!("{sphere}grid = {{ points = [16, 16], size = 1.0 }}\nload = {{ reduced-pressure = [0.1, 0.2] }}\n"),
-            Some("the page presses under one load at a time"),
+            Some("the page solves one load at a time"),
         ),
         (
             format!(

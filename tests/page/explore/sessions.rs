@@ -42,7 +42,7 @@ fn more_sessions_than_there_is_room_for_are_refused_until_one_leaves() {
     let others = [1, 2, 3].map(|_| beside(&page));
     let refused = page.post("/api/session", "0");
     assert_eq!(refused.status, 503);
-    assert!(refused.text().starts_with("4 tabs are open here"), "{}", refused.text());
+    assert!(refused.text().starts_with("4 tabs are open, which"), "{}", refused.text());
     assert_eq!(others[1].post("/api/leave", "{}").status, 200);
     others[2].post("/api/leave", "{}");
     assert_eq!(others[2].get("/api/runs").status, 200, "one that comes back lives on");

@@ -44,7 +44,11 @@ fn bumps_that_cannot_be_are_refused() {
         );
         Setup::from_toml(&text).and_then(|setup| setup.surface().map(|_| ())).unwrap_err().to_string()
     };
-    assert!(scene(two, "[64]").contains("2 lengths are no bumps: give three for each"), "{}", scene(two, "[64]"));
+    assert!(
+        scene(two, "[64]").contains("2 lengths do not describe bumps: give three per bump"),
+        "{}",
+        scene(two, "[64]")
+    );
     assert!(scene(flat, "[64]").contains("the width of a bump is 0.0"), "{}", scene(flat, "[64]"));
     let surface = scene("bumps = [1e-5, 1e-7, 1e-6]", "[64, 64]");
     assert!(surface.contains("a bump needs a line"), "{surface}");

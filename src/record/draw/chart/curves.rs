@@ -14,11 +14,11 @@ pub struct RecordedCurve {
     pub name: String,
     /// Red, green and blue, as on paper: on other grounds it is drawn as pale or dark as it must be to be seen.
     pub colour: [u8; 3],
-    /// What it stands for.
+    /// What it shows.
     pub kind: CurveKind,
 }
 
-/// What a curve stands for, and so its look.
+/// What a curve shows, which decides how it looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CurveKind {
     /// Results of solves: a line with dots.

@@ -7,7 +7,7 @@ use rerun::{Radius, RecordingStream, RecordingStreamResult};
 
 /// Room above a panel for the current load.
 const HEAD: f64 = 14.0;
-/// Size of the words that tell the current load.
+/// Size of the text that shows the current load.
 const TEXT: f64 = 16.0;
 
 /// The panels of a figure and the places of the loads along their x axes.
@@ -36,7 +36,7 @@ impl FigurePicture {
         panels.map(|(i, (title, _, [width, height]))| (title.as_str(), root(i), [0.0, *width, 0.0, *height]))
     }
 
-    /// Gives each panel the proportions of its pane, whose size in points `pane` tells by the root of the panel.
+    /// Gives each panel the proportions of its pane, whose size in points `pane` returns for the root of the panel.
     pub fn fit(&mut self, pane: impl Fn(&str) -> Option<[f64; 2]>) {
         for (i, (_, _, size)) in self.panels.iter_mut().enumerate() {
             *size = pane(&root(i)).unwrap_or(*size);

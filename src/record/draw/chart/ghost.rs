@@ -17,7 +17,7 @@ pub struct Ghost {
 }
 
 impl Ghost {
-    /// A ghost without steps. The `name` tells its curves from others.
+    /// A ghost without steps. The `name` distinguishes its curves from others.
     pub fn new(name: &str) -> Self {
         let compared = traced().filter(|observable| COMPARED.contains(&observable.name));
         Self { name: name.into(), traces: ObservableTraces::new(compared), pressure: None }

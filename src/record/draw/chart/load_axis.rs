@@ -2,8 +2,8 @@
 
 use crate::plot::{Axis, AxisScale};
 
-/// The quantity that tells loads apart, and its value at each of them, in their order. A value that has no place on the axis
-/// leaves its load without one.
+/// The quantity that distinguishes the loads, and its value at each load, in order. A value that has no place on the
+/// axis leaves its load without one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadAxis {
     /// Name of the quantity, with its unit.

@@ -15,9 +15,9 @@ pub const LOAD: &str = "load";
 
 /// From the box to the legend, the length of a line in it, and the room before a name, over the size of words.
 const LEGEND: [f64; 3] = [1.0, 1.6, 0.5];
-/// Distance of the entries of the legend at the most, over the size of words.
+/// Largest distance of the entries of the legend, divided by the size of the text.
 const ENTRY: f64 = 1.6;
-/// The legend takes so much of the width of its pane at the most; longer names are drawn smaller.
+/// Largest share of the width of its pane that the legend takes; longer names are drawn smaller.
 const MOST_LEGEND: f64 = 0.4;
 
 /// Radii of the dot of a load, and of the marker at the current one.

@@ -110,7 +110,7 @@ impl TracesOfRun {
         to.send_columns(format!("{}/trace/{PHASE}", self.root), times(&phases), numbers)
     }
 
-    /// Sends the changes of the width, which tell curves on coarse grids from those on the finest one.
+    /// Sends the changes of the line width: curves are thin on coarse grids, and thick on the finest grid.
     fn flush_widths(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let widths = std::mem::take(&mut self.widths);
         for observable in traced().filter(|observable| !widths.is_empty() && has_levels(observable)) {
@@ -162,13 +162,13 @@ impl RunDrawing for TracesOfRun {
     }
 }
 
-/// Whether the width of its curve tells coarse grids from the finest one.
+/// Whether the line width of its curve shows if the grid is coarse.
 fn has_levels(observable: &Observable) -> bool {
     !COUNTED.contains(&observable.name)
 }
 
-/// Records names and colours of the curves under `root`, those of exact values where there are any. Beside other scenes,
-/// `scene` tells them apart.
+/// Records names and colours of the curves under `root`, those of exact values where there are any. Beside other
+/// scenes, `scene` distinguishes them.
 fn log_styles(
     to: &RecordingStream,
     root: &str,

@@ -53,8 +53,8 @@ impl FieldCurves {
         Ok(())
     }
 
-    /// Records the curve of a field in pieces, each with its position `x` and the value that it stands for, of those of its
-    /// nodes the one that `pick` prefers: numbers for programs, and for people who point at the curve.
+    /// Records the curve of a field in pieces, each with its position `x` and the value that it represents, of those of
+    /// its nodes the one that `pick` prefers: numbers for programs, and for the text at the pointer.
     fn log_field(
         &self,
         to: &RecordingStream,

@@ -1,4 +1,4 @@
-//! Where the error sits: the density of the error in energy, of a line as a curve and of a surface as an image.
+//! Where the error is: the density of the error in energy, of a line as a curve and of a surface as an image.
 
 use crate::contact::{contact_reach, error_density};
 use crate::plot::{AxesFrame, Axis};
@@ -69,8 +69,8 @@ impl ErrorDensity {
         let class = |id, name: &str, color| AnnotationInfo { id, label: Some(name.into()), color: Some(color) };
         let classes = AnnotationContext::new([
             class(GAP_CLASS, "no contact, or both", Rgba32::from_unmultiplied_rgba(0, 0, 0, 0)),
-            class(APART_CLASS, "pressed though apart", colour(self.palette.solid).0),
-            class(UNPRESSED_CLASS, "touching without pressure", colour(self.palette.exact).0),
+            class(APART_CLASS, "pressure across a gap", colour(self.palette.solid).0),
+            class(UNPRESSED_CLASS, "touching, no pressure", colour(self.palette.exact).0),
         ]);
         to.log_static(self.root.as_str(), &classes)?;
         let format = format(frame, ChannelDatatype::U8);
@@ -84,13 +84,13 @@ impl Drawing for ErrorDensity {
         let root = &self.root;
         let pane = match &self.shape {
             CurveOrImage::Curve { frame, .. } => {
-                let title = "Where the error sits: p (v - min v); contact by pressure (below) and by gap (above)";
+                let title =
+                    "Where the error is: p (v - min v); contact by pressure (lower line) and by gap (upper line)";
                 let picture = (root.clone(), canvas::bounds(frame, 0.0));
                 PaneView::plane(title, root, vec![format!("{root}/**")], picture, self.palette)
             }
-            CurveOrImage::Image { image, .. } => image.pane(
-                "Where the error sits: p (v - min v); blue: pressed though apart, green: touching without pressure",
-            ),
+            CurveOrImage::Image { image, .. } => image
+                .pane("Where the error is: p (v - min v); blue: pressure across a gap, green: touching, no pressure"),
         };
         vec![(Place::Further, pane)]
     }

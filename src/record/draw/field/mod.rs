@@ -1,4 +1,5 @@
-//! Pictures of fields: pressure, gap, the surface of the solid, its spectrum, the stress below it, and where the error sits.
+//! Pictures of fields: pressure, gap, the surface of the solid, its spectrum, the stress below it, and where the error
+//! is.
 
 mod curves;
 mod error_density;

@@ -15,7 +15,7 @@ use crate::record::draw::ink::ruler::measured;
 use glam::Vec3;
 use rerun::{Color, LineStrips3D, Mesh3D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
-/// Most vertices along a side, but for the one that closes the period.
+/// Largest number of vertices along a side, without the one that closes the period.
 const VERTICES: usize = 128;
 /// Length of the longer side.
 const LENGTH: f64 = 10.0;

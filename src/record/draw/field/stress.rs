@@ -20,12 +20,12 @@ use rerun::{RecordingStream, RecordingStreamResult};
 /// Columns of the pictures, whose pixels are square in space, and the fewest and the most rows: as many as the pane has room for.
 const COLUMNS: usize = 256;
 const ROWS: [usize; 2] = [64, 256];
-/// Pixels of a picture at the most.
+/// Largest number of pixels of a picture.
 pub const MOST_PIXELS: usize = COLUMNS * ROWS[1];
-/// Blocks of the pressure for each column of a picture of a line, and on the whole line at the most.
+/// Blocks of the pressure per column of a picture of a line, and their largest number on the whole line.
 const FINER: usize = 2;
 const MOST: usize = 8192;
-/// Blocks along the longer side of a surface at the most.
+/// Largest number of blocks along the longer side of a surface.
 const MOST_OF_SURFACE: usize = 256;
 /// The largest shear stress below a Hertzian line over the largest pressure: what is expected.
 const HERTZ: f64 = 0.30;
@@ -106,7 +106,9 @@ impl StressDrawing {
         let cut = if self.grid.is_line() { "below the line" } else { "in a cut through the highest peak" };
         let colours = format!("Largest shear stress τ_max {cut} (ν = {})", self.poisson);
         let order = self.per_order / self.contact_modulus;
-        let fringes = format!("Photoelastic fringes, dark field: 2 τ_max grows by {order:.0e} E* from dark to dark");
+        let fringes = format!(
+            "Photoelastic fringes, dark field: 2 τ_max increases by {order:.0e} E* from one dark fringe to the next"
+        );
         [(colours, &self.colours), (fringes, &self.fringes)]
             .into_iter()
             .filter_map(|(title, image)| Some((title, image.as_ref()?)))
@@ -150,7 +152,7 @@ impl StressDrawing {
         let position = start + (column as f64 + 0.5) / COLUMNS as f64 * (end - start);
         let (blocks, spacing) = (self.blocks.cells[1], self.grid.spacing()[1]);
         let per_node = blocks as f64 / self.blocks.shape[1] as f64;
-        // a node is in the middle of what it stands for
+        // a node is in the middle of the area that it represents
         let place = ((position / spacing + 0.5) * per_node - 0.5).rem_euclid(blocks as f64);
         let left = place as usize % blocks;
         (left, (left + 1) % blocks, place.fract())

@@ -164,7 +164,7 @@ fn outline(palette: &Palette, element: &Element) -> Option<Strip> {
     }
 }
 
-/// The words of a sheet, drawn as lines; beside the lines the words themselves, for programs and for people who point at them.
+/// The text of a sheet, drawn as lines, together with the text itself, for programs and for the pointer.
 pub fn written(palette: &Palette, sheet: &Sheet) -> impl AsComponents + use<> {
     let mut lines: Vec<[[f32; 2]; 2]> = Vec::new();
     let mut size = 0.0f64;

@@ -39,7 +39,7 @@ const SHADES: u16 = 20;
 #[derive(Debug, PartialEq)]
 pub struct Palette {
     pub ground: Colour,
-    /// Words, and whatever else must stand out.
+    /// Text, and everything else that must stand out.
     pub ink: Colour,
     pub indenter: Colour,
     pub indenter_fill: Colour,

@@ -166,7 +166,7 @@ pub fn has_contour(grid: &Grid) -> bool {
     pixels(grid) >= grid.len()
 }
 
-/// Points of a curve along a line on `grid`, at the most.
+/// Largest number of points of a curve along a line on `grid`.
 pub fn curve_points(grid: &Grid) -> f64 {
     grid.len().min(2 * Columns::MOST) as f64
 }

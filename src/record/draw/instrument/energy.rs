@@ -1,4 +1,4 @@
-//! The elastic energy step by step against the wavelength.
+//! The elastic energy by step and wavelength.
 
 use crate::record::draw::drawing::{Drawing, Subject};
 use crate::record::draw::instrument::waterfall::{Waterfall, WaterfallQuantity, Waterfalls};

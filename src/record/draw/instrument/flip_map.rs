@@ -31,7 +31,7 @@ impl FlipMap {
     /// The view of the map.
     pub fn pane(&self) -> Pane {
         let picture = (self.root.clone(), canvas::bounds(&self.plane.frame, canvas::SCALE_ROOM));
-        let title = "How often nodes entered or left";
+        let title = "How often nodes entered or left the contact";
         PaneView::plane(title, &self.root, vec![format!("{}/**", self.root)], picture, self.plane.palette)
     }
 

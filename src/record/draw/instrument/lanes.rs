@@ -197,7 +197,7 @@ pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
 
 impl Drawing for Lanes {
     fn panes(&self) -> Vec<(Place, Pane)> {
-        let panes = [self.image.pane("What the solver decided"), PaneView::lanes("As states", &self.root)];
+        let panes = [self.image.pane("What the solver did"), PaneView::lanes("As states", &self.root)];
         panes.map(|pane| (Place::RunDecisions, pane)).into()
     }
 

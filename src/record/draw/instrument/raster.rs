@@ -12,7 +12,7 @@ use crate::record::draw::plane::Plane;
 use crate::record::sdk::{ChannelDatatype, ImageFormat};
 use rerun::{AnnotationContext, AnnotationInfo, RecordingStream, RecordingStreamResult, Rgba32, SegmentationImage};
 
-/// Rows of the image at the most, and columns.
+/// Largest numbers of rows and columns of the image.
 const ROWS: usize = 512;
 pub const COLUMNS: usize = 1024;
 /// Classes of ages: 1 step, 2 to 3, 4 to 7 and so on.

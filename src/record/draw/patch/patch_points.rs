@@ -1,4 +1,4 @@
-//! Contact patches as points, which tell of themselves when one points at them.
+//! Contact patches as points, which show their numbers when the pointer is on them.
 
 use crate::plot::Colour;
 use crate::record::draw::fields::PatchReading;

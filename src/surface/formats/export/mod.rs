@@ -14,7 +14,7 @@ use file_writer::FileWriter;
 use std::io;
 use std::path::Path;
 
-/// A format that heights are written in, told by the ending of a name.
+/// A format for writing heights, recognised by the ending of a file name.
 struct ExportFormat {
     ending: &'static str,
     write: fn(&Scan, &mut FileWriter) -> io::Result<()>,
@@ -35,8 +35,8 @@ impl Scan {
         EXPORTS.iter().map(|it| it.ending).collect()
     }
 
-    /// Writes heights in metres to a file for other programs, in the format that the ending of its name stands for. All digits are kept,
-    /// the first row is that at `y = 0`, and one row is a profile.
+    /// Writes heights in metres to a file for other programs, in the format of the ending of its name. All digits are
+    /// kept, the first row is that at `y = 0`, and one row is a profile.
     ///
     /// | ending | format | voids |
     /// |--------|--------|-------|

@@ -4,8 +4,8 @@ use super::file_writer::FileWriter;
 use crate::surface::Scan;
 use std::io::{self, Write};
 
-/// Writes x, y and height of each point of a map, or x and height of a profile, in metres, below a head that says so. Voids of a map are
-/// left out; those of a profile are NaN, as its positions would be uneven without them.
+/// Writes x, y and height of each point of a map, or x and height of a profile, in metres, below a header that states
+/// the unit. Voids of a map are left out; those of a profile are NaN, as its positions would be uneven without them.
 pub(super) fn write(scan: &Scan, file: &mut FileWriter) -> io::Result<()> {
     let is_profile = scan.is_line();
     let [y, x] = [0, 1].map(|axis| positions(scan, axis));

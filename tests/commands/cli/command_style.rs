@@ -54,7 +54,7 @@ fn the_manual_has_a_page_for_every_command() {
     }
     let again = folder.run("man --out man1");
     assert_eq!(again.status.code(), Some(2));
-    assert!(text(&again.stderr).contains("it is not empty, give a new folder"), "{}", text(&again.stderr));
+    assert!(text(&again.stderr).contains("it is not empty: give a new folder"), "{}", text(&again.stderr));
 }
 
 #[test]

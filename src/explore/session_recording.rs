@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// A recording that can still be read.
 #[derive(Clone)]
-pub struct Reel {
+pub struct SessionRecording {
     /// Name of the recording.
     pub id: String,
     /// Name, without ending, of the files that it is saved as.
@@ -45,7 +45,7 @@ pub struct SolvedRun {
     pub motion: Motion,
 }
 
-/// What the page is told of a recording that is complete.
+/// What the page gets about a complete recording.
 #[derive(Serialize)]
 #[serde(untagged)]
 pub enum RecordingReport {
@@ -53,14 +53,14 @@ pub enum RecordingReport {
     Sweep(Box<SweepReport>),
 }
 
-impl Reel {
+impl SessionRecording {
     /// A recording that has begun.
     pub fn new(id: &str, file_stem: &str, live: Output) -> Self {
         Self { id: id.into(), file_stem: file_stem.into(), live, ended: None }
     }
 
-    /// What the page is told of it, once it is complete.
-    pub fn told(&self) -> Option<RecordingReport> {
+    /// What the page gets about it, when it is complete.
+    pub fn report(&self) -> Option<RecordingReport> {
         Some(match self.ended.as_ref()? {
             Ended::Run(solved) => RecordingReport::Run(Box::new(solved.report.clone())),
             Ended::Sweep(report, _) => RecordingReport::Sweep(Box::new(SweepReport::clone(report))),

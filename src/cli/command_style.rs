@@ -9,7 +9,7 @@ use std::io::{Write, stderr};
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Threads at the most: more than any machine has, fewer than a system refuses.
+/// Largest number of threads: more than any machine has, and few enough for any system.
 const MOST_THREADS: usize = 1024;
 
 /// Whether only results, warnings and errors are said. It holds for the whole process, as a bar is drawn from any depth.
@@ -17,23 +17,23 @@ static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
 #[derive(Args)]
 #[command(next_help_heading = "All commands")]
-pub struct Manners {
+pub struct CommandStyle {
     /// Suppress progress and notes: only results, warnings and errors are written
     #[arg(long, short, global = true)]
     quiet: bool,
-    /// Threads that solve; the numbers are the same with any [default: as many as the machine has]
+    /// Number of threads, which does not change the results [default: that of the machine]
     #[arg(long, value_name = "N", global = true, value_parser = threads)]
     threads: Option<NonZeroUsize>,
 }
 
-impl Manners {
-    /// Keeps them from now on.
-    pub fn keep(&self) -> Result<()> {
+impl CommandStyle {
+    /// Applies them to the whole process.
+    pub fn apply(&self) -> Result<()> {
         IS_QUIET.store(self.quiet, Ordering::Relaxed);
         let Some(threads) = self.threads else { return Ok(()) };
         match ThreadPoolBuilder::new().num_threads(threads.get()).build_global() {
             Ok(()) => Ok(()),
-            Err(error) => usage(format!("{threads} threads cannot be started, give fewer: {error}")),
+            Err(error) => usage(format!("cannot start {threads} threads: give fewer ({error})")),
         }
     }
 }
