@@ -8,12 +8,20 @@ use crate::contact::Status;
 use crate::contact::bound::{is_uniform, to_bound};
 use crate::contact::feasible::nearest;
 
+/// Parts of a Newton step that are tried, the first of which nearly always lowers `f`.
+const NEWTON_PARTS: [f64; 6] = [1.0, 0.25, 0.0625, 1.6e-2, 4e-3, 1e-3];
+
 impl Level<'_> {
-    /// A guarded step: towards the pressure of a whole-set update if that is wished for and `f` falls on that way, else towards
-    /// that of a projected gradient step.
+    /// A guarded step: on the finest grid below a hardness a projected Newton step, elsewhere towards the pressure of a whole-set update
+    /// if that is wished for, and towards that of a projected gradient step if `f` does not fall by these.
     pub fn descend(&mut self, by_set: bool, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         self.admit();
-        if by_set {
+        if self.is_newton_guarded() {
+            let (status, is_taken) = self.newton_step(watch);
+            if status.is_some() || is_taken {
+                return status;
+            }
+        } else if by_set {
             let from = self.pressure.clone();
             let status = self.update(watch);
             let towards = std::mem::replace(&mut self.pressure, from).spread();
@@ -26,6 +34,33 @@ impl Level<'_> {
         let downhill = self.gradient_step();
         self.approach(&downhill);
         None
+    }
+
+    /// A projected Newton step, and whether it was taken: the correction of the free nodes, projected onto the pressures between the bounds
+    /// that carry the load of these nodes, or a part of it, so that `f` falls. Returns also why the run is to end, if it is.
+    fn newton_step(&mut self, watch: &mut InnerStepCallback<'_>) -> (Option<Status>, bool) {
+        let (ceiling, u) = (self.ceiling(), self.u.clone());
+        let free = self.pressure.free(ceiling);
+        let corrected = self.correction(free.as_ref(), watch);
+        (self.u, self.is_fresh) = (u, true);
+        let Some((delta, status)) = corrected else { return (None, false) };
+        if status.is_some() {
+            return (status, false);
+        }
+        let below: Vec<f64> = self.pressure.values.iter().copied().filter(|&p| p < ceiling).collect();
+        let load = chunks::sum(below.len(), |i| below[i]);
+        let is_taken = NEWTON_PARTS.iter().any(|part| {
+            let moved: Vec<f64> = below.iter().zip(&delta).map(|(p, delta)| p + part * delta).collect();
+            let moved = match self.problem.mean_pressure() {
+                Some(_) => nearest(moved, load, ceiling),
+                None => moved.into_iter().map(|p| p.clamp(0.0, ceiling)).collect(),
+            };
+            let mut moved = moved.into_iter();
+            let mut replaced = |p: f64| if p < ceiling { moved.next().unwrap_or(p) } else { p };
+            let values: Vec<f64> = self.pressure.values.iter().map(|&p| replaced(p)).collect();
+            self.approach(&self.pressure.support.spread(&values))
+        });
+        (None, is_taken)
     }
 
     /// Moves to the minimum of `f` between the pressure and `towards`, if `f` falls on that way.
@@ -42,7 +77,9 @@ impl Level<'_> {
         let curvature = dot(&way, &response);
         let share = if curvature > 0.0 { (-slope / curvature).min(1.0) } else { 1.0 };
         let ceiling = self.ceiling();
-        chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p = (*p + share * way[i]).min(ceiling)));
+        // what is moved to the ceiling lies there to the last bit
+        let moved = |p: f64, i: usize| if share == 1.0 { towards[i] } else { (p + share * way[i]).min(ceiling) };
+        chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p = moved(*p, i)));
         self.pressure = SparsePressure::from_field(&p, self.response.rows());
         self.is_fresh = false;
         true

@@ -7,6 +7,8 @@ use crate::chunks;
 use crate::contact::best::Best;
 use crate::contact::{Certificate, CertificateSums, Decision, Edges, Problem, Resolved, Status, slack};
 use crate::elastic::Response;
+use std::collections::HashSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 
 /// A state is better when its distance from the goals is this part of that of the last better one.
@@ -15,6 +17,9 @@ const BETTER: f64 = 0.9;
 pub(super) const STALE: usize = 5;
 /// The part to which guarded steps bring the least distance before updates are free again.
 pub(super) const RELEASE: f64 = 0.5;
+
+/// Phases of guarded steps on the finest grid below a hardness after which updates are not free again.
+const GUARDED_PHASES: usize = 2;
 
 /// Reduction of the residual in a whole-set update, its part after an update that was no better, and the least. Loose
 /// corrections cost less, but may let the sets cycle; tight ones have not been seen to.
@@ -32,6 +37,12 @@ pub(super) struct Level<'a> {
     pub is_fresh: bool,
     reduction: f64,
     pub mode: Mode,
+    /// Whether it is the grid of the problem that is to be solved.
+    is_finest: bool,
+    /// Contact sets, and the nodes of them that yield, after free updates so far, as their hashes.
+    seen: HashSet<u64>,
+    /// Phases of guarded steps so far.
+    guarded_phases: usize,
 }
 
 /// Free updates, of which the last `stale` were no better than `mark`; or guarded steps, `steps` so far, until the distance from
@@ -61,7 +72,15 @@ impl<'a> Level<'a> {
             is_fresh: false,
             reduction: REDUCTION,
             mode: Mode::Free { mark: f64::INFINITY, stale: 0 },
+            is_finest: true,
+            seen: HashSet::new(),
+            guarded_phases: 0,
         }
+    }
+
+    /// The same state on a grid that lies `depth` below the finest.
+    pub fn at_depth(self, depth: usize) -> Self {
+        Self { is_finest: depth == 0, ..self }
     }
 
     /// Sees to it that the displacement is that of the pressure, and returns the certificate of both.
@@ -116,15 +135,18 @@ impl<'a> Level<'a> {
 
     /// Decides how to go on from a state that is this far from the goals.
     pub fn choose_mode(&mut self, distance: f64, best: &Best<SparsePressure>) {
+        let recurs = matches!(self.mode, Mode::Free { .. }) && self.is_newton_guarded() && self.recurs();
         self.mode = match self.mode {
             Mode::Free { mark, .. } if distance <= BETTER * mark => Mode::Free { mark: distance, stale: 0 },
-            Mode::Free { mark, stale } if stale < STALE => {
+            Mode::Free { mark, stale } if stale < STALE && !recurs => {
                 self.reduction = (TIGHTENING * self.reduction).max(TIGHTEST);
                 Mode::Free { mark, stale: stale + 1 }
             }
             Mode::Free { .. } => {
                 self.return_to(best);
-                Mode::Guarded { release: RELEASE * best.distance, steps: 0 }
+                self.guarded_phases += 1;
+                let stays = self.is_newton_guarded() && self.guarded_phases >= GUARDED_PHASES;
+                Mode::Guarded { release: if stays { 0.0 } else { RELEASE * best.distance }, steps: 0 }
             }
             Mode::Guarded { release, .. } if distance <= release => {
                 self.admit();
@@ -132,6 +154,21 @@ impl<'a> Level<'a> {
             }
             Mode::Guarded { release, steps } => Mode::Guarded { release, steps: steps + 1 },
         };
+    }
+
+    /// Whether guarded steps are projected Newton steps, which pay on the finest grid below a hardness.
+    pub fn is_newton_guarded(&self) -> bool {
+        self.is_finest && self.ceiling().is_finite()
+    }
+
+    /// Whether the contact set, and the nodes of it that yield, are those after an earlier update: the updates are in a cycle.
+    fn recurs(&mut self) -> bool {
+        let SparsePressure { support, values } = &self.pressure;
+        let ceiling = self.ceiling();
+        let mut hasher = DefaultHasher::new();
+        support.hash(&mut hasher);
+        values.iter().enumerate().filter(|(_, p)| **p >= ceiling).for_each(|(node, _)| node.hash(&mut hasher));
+        !self.seen.insert(hasher.finish())
     }
 
     fn return_to(&mut self, best: &Best<SparsePressure>) {
@@ -211,27 +248,15 @@ impl<'a> Level<'a> {
         self.leave_extremes();
         let (ceiling, free) = (self.ceiling(), self.pressure.free(self.ceiling()));
         let free = free.as_ref();
-        let mut extension =
-            Extension::new(free.unwrap_or(&self.pressure.support), self.problem.surface().grid().shape());
         let gap = self.problem.datum();
-        let residual = self.on_set(free, |v| -(v + gap.unwrap_or(0.0)));
-        if residual.is_empty() {
-            return None;
-        }
-        let Self { response, u, pressure: SparsePressure { support, values }, .. } = self;
-        let mut correction = Correction::new(free.unwrap_or(support), residual, gap.is_none(), response);
-        let status = correction.solve(self.reduction, &mut extension, response, u, &mut |correction, response| {
-            let signed = || corrected(values, &correction.delta, ceiling);
-            watch(support, &signed, correction.last, response)
-        });
-        let delta = correction.delta;
+        let (delta, status) = self.correction(free, watch)?;
+        let values = &mut self.pressure.values;
         match free {
             None => {
                 chunks::update(values, |range, p| p.iter_mut().zip(&delta[range]).for_each(|(p, delta)| *p += delta));
             }
             Some(_) => *values = corrected(values, &delta, ceiling),
         }
-        drop(extension);
         self.is_fresh = false;
         self.refresh();
         let lambda = gap.map_or_else(|| mean(&self.on_set(free, |v| v)), |gap| -gap);
@@ -240,6 +265,30 @@ impl<'a> Level<'a> {
             self.is_fresh = false;
         }
         status
+    }
+
+    /// The correction of the pressure on the `free` nodes of the set, or on all of it, and whether the run is to end; none on no
+    /// nodes. The displacement is lost by that.
+    pub fn correction(
+        &mut self,
+        free: Option<&Support>,
+        watch: &mut InnerStepCallback<'_>,
+    ) -> Option<(Vec<f64>, Option<Status>)> {
+        let (ceiling, gap) = (self.ceiling(), self.problem.datum());
+        let residual = self.on_set(free, |v| -(v + gap.unwrap_or(0.0)));
+        if residual.is_empty() {
+            return None;
+        }
+        let Self { response, u, pressure: SparsePressure { support, values }, .. } = self;
+        let set = free.unwrap_or(support);
+        let mut extension = Extension::new(set, self.problem.surface().grid().shape());
+        let mut correction = Correction::new(set, residual, gap.is_none(), response);
+        let status = correction.solve(self.reduction, &mut extension, response, u, &mut |correction, response| {
+            let signed = || corrected(values, &correction.delta, ceiling);
+            watch(support, &signed, correction.last, response)
+        });
+        self.is_fresh = false;
+        Some((correction.delta, status))
     }
 
     /// Where nothing touches, or all that touches yields, lets nodes in. Where all nodes do at a mean gap, the load is too large, but no correction sees that,

@@ -36,6 +36,12 @@
 //! free nodes are scaled to the load. Where none is free, `lambda` lies between the nodes that would carry the load at
 //! `H_c` and the others, so that some enter and as many become free, unless it is the solution.
 //!
+//! Two things differ on the finest grid. If an update returns to sets of an earlier one without a better state, the
+//! updates are in a cycle, and the guard takes over at once. Its steps are projected Newton steps there: the correction
+//! on the free nodes is projected onto the bounds and the load of these nodes by a common shift, and `f` is minimised
+//! exactly on the way to the result. If `f` does not fall on that way, nor on shorter ones, a projected gradient step
+//! follows. After the second guarded phase, updates are not free again.
+//!
 //! All of the above holds with `{0 <= p <= H_c}` instead of `{p >= 0}`: it is convex, every guarded step stays within
 //! it, the projection onto it and the load is exact, and for the projected gradient step `f` falls unless `p` is the
 //! solution. The length of that step comes from the free nodes: after an exchange the gradient is uniform on them, and
@@ -95,7 +101,7 @@ const PATIENCE: usize = 600;
 ///
 /// Memory on the finest grid, besides the heights: 1 field of n doubles, the [`crate::elastic::Response`], two thirds of a field
 /// on surfaces and two fields on lines for the extension, and 8 vectors on the contact set, with 16 bytes for each run of its
-/// nodes. Guarded steps take 3 fields more. Coarse grids are freed before the finest one is set up.
+/// nodes. Guarded steps take 4 fields more. Coarse grids are freed before the finest one is set up.
 ///
 /// # Why it is stable No step length is chosen: corrections are exact minimisers on their set, and guarded steps are
 /// exact minimisers on their way. The documentation of the module explains why it terminates.
@@ -185,7 +191,7 @@ impl Cascade<'_> {
     /// ended there, if it did.
     fn level_on<'p>(&mut self, problem: &'p Problem, depth: usize) -> (Level<'p>, Option<Status>) {
         let Some(coarse) = coarser(problem) else {
-            return (Level::new(problem, |rows| SparsePressure::first(problem, rows)), None);
+            return (Level::new(problem, |rows| SparsePressure::first(problem, rows)).at_depth(depth), None);
         };
         let (mut level, ended) = self.level_on(&coarse, depth + 1);
         let ended = self.relax(&mut level, depth + 1, ended);
@@ -195,7 +201,7 @@ impl Cascade<'_> {
         drop(level.response);
         self.run.best = Best::none(self.run.iterations());
         let [from, to] = [&coarse, problem].map(|problem| problem.surface().grid());
-        (Level::new(problem, |rows| prolong(&pressure, from, to, rows)), ended)
+        (Level::new(problem, |rows| prolong(&pressure, from, to, rows)).at_depth(depth), ended)
     }
 
     /// Iterates on one grid, and says why the run ends, unless it goes on to a finer grid. A run that has `ended` gets no more

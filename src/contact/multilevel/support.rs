@@ -6,7 +6,7 @@ use std::ops::Range;
 
 /// A set of nodes, as runs along the rows in which a half-space takes its fields. Values on it are vectors with one entry per
 /// node, in the order of the nodes.
-#[derive(Clone, PartialEq)]
+#[derive(Clone, PartialEq, Hash)]
 pub(super) struct Support {
     /// Length of a row.
     width: usize,
@@ -16,7 +16,7 @@ pub(super) struct Support {
     rows: Vec<RowStart>,
 }
 
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq, Hash)]
 struct RowStart {
     run: usize,
     node: usize,
