@@ -14,7 +14,7 @@ pub enum Theme {
 }
 
 impl Theme {
-    /// The themes by their names in scenes, in a few words.
+    /// The themes and their names in scenes, with a short description.
     pub const THEMES: [(&str, &str); 2] =
         [("dark", "Light lines on a dark background"), ("light", "Dark lines on white, for paper and bright rooms")];
 

@@ -8,15 +8,16 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Fill {
-    /// By the smoothest heights that meet those around them: each is the mean of its neighbours, which solves Laplace's equation.
+    /// With the smoothest heights that fit those around them: each is the mean of its neighbours, which solves
+    /// Laplace's equation.
     Harmonic,
 }
 
 impl Fill {
-    /// The ways by their names in scenes, in a few words.
+    /// The ways and their names in scenes, with a short description.
     pub const WAYS: [(&str, &str); 1] = [("harmonic", "The smoothest heights that meet those around the void")];
 
-    /// The heights without voids; none where all are void.
+    /// The heights without voids; none if all heights are void.
     pub fn apply(self, mut scan: Scan) -> Option<Scan> {
         let there = scan.height.iter().filter(|h| !h.is_nan());
         let (count, sum) = there.fold((0usize, 0.0), |(n, sum), h| (n + 1, sum + h));

@@ -17,7 +17,7 @@ pub enum Mirror {
 }
 
 impl Mirror {
-    /// The axes by their names in scenes, in a few words.
+    /// The axes and their names in scenes, with a short description.
     pub const AXES: [(&str, &str); 3] =
         [("x", "Along x, the columns"), ("y", "Along y, the rows"), ("both", "Along both; of a profile along it")];
 

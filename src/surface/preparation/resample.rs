@@ -1,17 +1,17 @@
-//! Heights at uneven positions brought to even ones.
+//! Heights at uneven positions, interpolated to even spacing.
 
 use serde::{Deserialize, Serialize};
 
-/// How heights at uneven positions are brought to as many even ones over the same length.
+/// How heights at uneven positions are interpolated to the same number of even positions over the same length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Resample {
-    /// On straight lines between neighbours.
+    /// Linearly between neighbours.
     Linear,
 }
 
 impl Resample {
-    /// The ways by their names in scenes, in a few words.
+    /// The ways and their names in scenes, with a short description.
     pub const WAYS: [(&str, &str); 1] =
         [("linear", "As many heights at even positions, on straight lines between neighbours")];
 
