@@ -30,7 +30,7 @@ pub struct Contact {
     pub rank: usize,
     /// What slowed the solver down, in words, if that was asked for.
     pub diagnosis: Option<String>,
-    /// What sticks and what slips, if there is friction.
+    /// The stick and slip areas, if there is friction.
     pub slip: Option<PartialSlip>,
 }
 

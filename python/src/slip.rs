@@ -76,7 +76,7 @@ impl PartialSlip {
 
 #[pymethods]
 impl Contact {
-    /// What sticks and what slips, if the contact was solved with `friction` and converged; otherwise None.
+    /// The stick and slip areas, if the contact was solved with `friction` and converged; otherwise None.
     #[getter]
     fn slip(&self, py: Python<'_>) -> PyResult<Option<PartialSlip>> {
         let Some(slip) = &self.slip else { return Ok(None) };

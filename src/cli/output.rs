@@ -17,7 +17,7 @@ pub struct Summary {
     pub subject: ProblemSummary,
     #[serde(flatten)]
     pub finding: Finding,
-    /// What sticks and what slips under a tangential load.
+    /// The stick and slip areas under a tangential load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub slip: Option<SlipFinding>,
     /// Findings of `--diagnose`: what held the solve up.

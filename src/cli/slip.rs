@@ -1,4 +1,4 @@
-//! What sticks and what slips under a tangential load, as text and as JSON.
+//! The stick and slip areas under a tangential load, as text and as JSON.
 
 use super::units::Units;
 use asperity::contact::PartialSlip;
@@ -15,7 +15,7 @@ pub struct SlipFinding {
     /// The mean traction, a pressure.
     pub mean_traction: f64,
     pub max_traction: f64,
-    /// The area that sticks over that of the cell, its edges resolved between the nodes.
+    /// The area that sticks over that of the cell, with edges interpolated between the nodes.
     pub stick_area: f64,
     pub slip_area: f64,
     /// The certificate of the contact under the smaller load.

@@ -34,7 +34,7 @@ impl Observer for () {
     }
 }
 
-/// Forwards to the observers that `$self` holds: all see everything, and the first wish or failure counts.
+/// Forwards to the observers that `$self` holds: all of them see every step, and the first wish or failure counts.
 macro_rules! forward {
     ($self:ident => $each:expr) => {
         fn begin(&mut $self, solver: &dyn Solver, problem: &Problem, stop: &Stop) -> Result<(), Failure> {

@@ -26,7 +26,7 @@ pub struct Contact {
     pub displacement: Field,
     /// Gap between the surfaces.
     pub gap: Field,
-    /// Error bounds of this very pressure, from a fresh transform pair.
+    /// Error bounds of this pressure, computed with a separate transform pair.
     pub certificate: Certificate,
     /// Area and gradient of the contact on the next coarser grid, if the solver went over one.
     pub coarser: Option<Resolved>,
@@ -44,17 +44,17 @@ pub struct Contact {
 /// Work of a solver.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Work {
-    /// Relaxation steps.
+    /// Iterations.
     pub iterations: usize,
-    /// Fourier transforms, forward and inverse counted alike.
+    /// Fourier transforms, forward and inverse.
     pub transforms: u64,
     /// Seconds, without those spent in observers.
     pub seconds: f64,
 }
 
 impl Contact {
-    /// The contact with `pressure`, its displacement and certificate recomputed. No more than two fields are made besides it at
-    /// a time, that of the half-space included.
+    /// The contact with `pressure`, its displacement and certificate recomputed. At most two more fields are needed at
+    /// a time, including that of the half-space.
     pub(super) fn new(problem: &Problem, pressure: Vec<f64>, mut response: Response, work: Work, solver: &str) -> Self {
         let mut displacement = vec![0.0; pressure.len()];
         response.displacement(&pressure, &mut displacement);
@@ -79,8 +79,9 @@ impl Contact {
         }
     }
 
-    /// The contact that another one's parts make: its fields (pressure, displacement and gap), certificate, work, status, solver and the
-    /// state on the next coarser grid, none of which is computed again. It serves to carry a contact to another process.
+    /// The contact with the parts of another contact: fields (pressure, displacement and gap), certificate, work,
+    /// status, solver and the state on the next coarser grid. Nothing is computed again. This moves a contact to
+    /// another process.
     ///
     /// # Errors
     /// [`SurfaceError::Shape`] for a field that does not fit the grid of the problem.
@@ -137,7 +138,7 @@ impl Contact {
         (!self.is_converged()).then_some(fault)
     }
 
-    /// Notes that something that fed or watched the run failed.
+    /// Stores the failure of an observer, or of the source of the steps.
     pub fn fail(&mut self, failure: impl Into<Failure>) {
         self.failure.get_or_insert_with(|| Arc::new(failure.into()));
     }
@@ -153,7 +154,7 @@ impl Contact {
         Edges::new(&self.problem, self.pressures(), |node| gap[node])
     }
 
-    /// Area, gradient and `kappa_r` with the edges resolved between the nodes.
+    /// Area, gradient and `kappa_r` with edges interpolated between the nodes.
     pub fn resolved(&self) -> Resolved {
         self.edges().resolved()
     }
@@ -169,10 +170,10 @@ impl Contact {
         Patches::new(self.pressures(), self.problem.surface().grid())
     }
 
-    /// Contact stiffness `k = -d<p>/d<g>`, a pressure per length: by how much the mean pressure rises as the mean gap falls. It is
-    /// infinite where all nodes touch.
+    /// Contact stiffness `k = -d<p>/d<g>`, a pressure per length: the increase of the mean pressure per decrease of the
+    /// mean gap. It is infinite if all nodes touch.
     ///
-    /// It is computed on first use, by about a tenth of the work of a solve, and from then on one of the
+    /// It is computed on first use, with about a tenth of the work of a solve. From then on it is one of the
     /// [`crate::contact::Observables`] of this contact.
     ///
     /// ```
@@ -206,22 +207,23 @@ impl Contact {
         mean(self.pressures())
     }
 
-    /// Mean gap between the surfaces as they were before any of them yielded: their overlap, where they yield or have yielded, counts
-    /// against the gap elsewhere, so that it may be negative.
+    /// Mean gap between the surfaces as they were before they yielded. The overlap of nodes that yield or have yielded
+    /// is a negative gap, so the mean may be negative.
     pub fn mean_gap(&self) -> f64 {
         mean(self.gap.as_slice().expect("results are made in standard layout")) - self.problem.flattened_by()
     }
 
-    /// The approach, a length: how far the surface has moved on from where its highest peak touched the undeformed solid. None on a
-    /// solid that sinks without end, a periodic half-space. Of a line on a free boundary it is taken from the datum of the solid, see
-    /// [`crate::elastic::ElasticSolid::datum`].
+    /// The approach, a length: the distance that the surface has moved since its highest peak touched the undeformed
+    /// solid. None on a periodic half-space, where it is not defined. For a line with a free boundary it is measured
+    /// from the datum of the solid, see [`crate::elastic::ElasticSolid::datum`].
     pub fn approach(&self) -> Option<f64> {
         let displacement = self.displacement.as_slice().expect("results are made in standard layout");
         let datum = self.mean_gap() - mean(displacement);
         Some(self.problem.highest() - datum + self.uniform_displacement()?)
     }
 
-    /// What the mean pressure displaces everywhere alike, where the displacement leaves it out; none on a solid that sinks without end.
+    /// The uniform displacement by the mean pressure, if the displacement does not contain it; none if it is not
+    /// defined.
     fn uniform_displacement(&self) -> Option<f64> {
         match self.problem.compliance().has_uniform() {
             true => Some(0.0),
@@ -229,9 +231,10 @@ impl Contact {
         }
     }
 
-    /// Elastic energy `<p u>/2` per area of the cell, pressure times length, with what the mean pressure displaces everywhere alike: on a
-    /// layer that is finite, on a periodic half-space the displacement is taken from its mean. Under one load after the other it grows
-    /// with the [approach](Self::approach) `d` as `<p> = dU/dd`, and on a half-space falls with the mean gap as `<p> = -dU/d<g>`.
+    /// Elastic energy `<p u>/2` per area of the cell, pressure times length, including the uniform displacement by the
+    /// mean pressure. This is finite on a layer; on a periodic half-space the displacement has zero mean. Under
+    /// increasing loads the energy grows with the [approach](Self::approach) `d` as `<p> = dU/dd`. On a half-space it
+    /// decreases with the mean gap as `<p> = -dU/d<g>`.
     pub fn elastic_energy(&self) -> f64 {
         let displacement = self.displacement.as_slice().expect("results are made in standard layout");
         let pressure = self.pressures();

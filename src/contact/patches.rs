@@ -5,7 +5,8 @@ use crate::contact::Problem;
 use crate::grid::Grid;
 use std::ops::Range;
 
-/// The contact patches of a pressure field: sets of nodes with `p > 0` that touch along rows or columns, across the period where there is one.
+/// The contact patches of a pressure field: sets of nodes with `p > 0` that are connected along rows or columns, across
+/// the period if there is one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Patches {
     sizes: Vec<usize>,
@@ -33,7 +34,8 @@ impl Patches {
 
 /// The nodes of each patch as runs along rows, by their numbers on the grid.
 ///
-/// Runs of contact along rows are joined with those they overlap in the next row, so the cost beyond one pass is that of the runs.
+/// Runs of contact along rows are joined with overlapping runs of the next row. The cost is one pass over the nodes,
+/// and the work for the runs.
 fn members(pressure: &[f64], grid: &Grid) -> Vec<Vec<Range<usize>>> {
     let ([ny, nx], [round_y, round_x]) = (grid.shape(), grid.periodic());
     let rows: Vec<Vec<Range<usize>>> = chunks::rows(ny, nx, |y| runs(&pressure[y * nx..][..nx]));

@@ -1,4 +1,4 @@
-//! What yields of a contact.
+//! The plastic part of a contact.
 
 use crate::contact::{Contact, chunks};
 use crate::error::SurfaceError;
@@ -6,20 +6,21 @@ use crate::surface::Surface;
 use ndarray::Array2;
 use serde::Serialize;
 
-/// What yields of a contact below a hardness, shares and a length over the whole cell. All are zero on a hard wall.
+/// The plastic part of a contact with a hardness: fractions and a length for the whole cell. All are zero for a hard
+/// wall.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Plasticity {
-    /// Share of the nodes that yield, under the hardness.
+    /// Fraction of the nodes that yield.
     pub area: f64,
-    /// Mean overlap: by how much the surfaces would pass through each other where they yield, a length. It is the volume that is
-    /// displaced plastically, over the area of the cell.
+    /// Mean overlap of the surfaces where they yield, a length: the plastically displaced volume divided by the area of
+    /// the cell.
     pub overlap: f64,
-    /// Share of the load that nodes carry which yield.
+    /// Fraction of the load that is carried by nodes that yield.
     pub load_share: f64,
 }
 
 impl Plasticity {
-    /// What yields of `contact`.
+    /// The plastic part of `contact`.
     pub(super) fn new(contact: &Contact) -> Self {
         let (law, n) = (contact.problem.law(), contact.pressure.len() as f64);
         let of_yielding = |value: &dyn Fn(f64, f64) -> f64| -> f64 {
@@ -36,7 +37,7 @@ impl Plasticity {
 }
 
 impl Contact {
-    /// What yields of the contact, where there is a hardness.
+    /// The plastic part of the contact; zero without a hardness.
     pub fn plasticity(&self) -> Plasticity {
         Plasticity::new(self)
     }
@@ -47,8 +48,9 @@ impl Contact {
         self.pressure.mapv(|p| law.yields(p))
     }
 
-    /// The surface as it comes out of this contact: its heights less the overlap of the nodes that yield. On a hard wall, which is
-    /// elastic, the same load makes the same pressure on it as the hardness did, and lower loads follow the way back.
+    /// The surface after this contact: its heights minus the overlap of the nodes that yield. With this surface and a
+    /// hard wall, the same load gives the same pressure as with the hardness, and smaller loads give the unloading
+    /// curve.
     ///
     /// # Errors
     /// None that is known: heights less an overlap are finite.

@@ -20,18 +20,19 @@ use crate::surface::Field;
 /// tension, brings nodes that penetrate into contact, and under a mean pressure rescales to it. When nodes enter the
 /// contact, the direction restarts from the gradient; when nodes leave, it continues without them.
 ///
-/// Nodes that enter with a step that suits others may be pressed too hard, nodes that leave may leave others too much, and both
-/// may take turns for ever. So where the energy would rise as nodes enter or leave, the iteration takes a gradient step
-/// instead, scaled to the load, and stops where the energy is lowest on the way. It falls on that way for certain.
+/// When nodes enter or leave the contact, the step may be too large, and the iteration could cycle. So if the energy
+/// would rise, the iteration takes a gradient step instead, scaled to the load, with the length that minimises the
+/// energy. The energy always decreases in this step.
 ///
-/// Below a hardness `H_c` nodes that reach it yield: they stay at it until they lie apart, `g > 0`, and enter like others then. The
-/// direction lives on the nodes between zero and `H_c`, without its mean under a mean pressure, so that it keeps the load.
+/// With a hardness `H_c`, nodes that reach it yield: they stay at `H_c` until their gap is positive. The direction is
+/// defined on the nodes between zero and `H_c`. Under a mean pressure its mean is subtracted, so that it keeps the
+/// load.
 ///
-/// At a mean gap even the last node may leave the contact. Then all that penetrate without pressure enter in the same
-/// iteration, with a step that is safe for every mode.
+/// At a mean gap even the last node may leave the contact. Then all nodes that penetrate without pressure enter in the
+/// same iteration, with a step that is safe for every mode.
 ///
-/// One transform pair per iteration while the set stays (the displacement follows the step by linearity), two otherwise.
-/// Memory: 6 fields of n doubles besides the [`Response`](crate::elastic::Response).
+/// One transform pair per iteration while the set stays (the displacement follows the step by linearity), two
+/// otherwise. Memory: 6 fields of n doubles and the [`Response`](crate::elastic::Response).
 ///
 /// # Why it is stable
 /// On a fixed contact set the step is that of conjugate gradients for a symmetric positive semi-definite operator, and the

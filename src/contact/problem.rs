@@ -15,14 +15,14 @@ const FARTHEST: f64 = 1e6;
 /// Largest initial pressure at a mean gap, as a fraction of the hardness.
 const OF_HARDNESS: f64 = 0.5;
 
-/// A rigid surface pressed on an elastic solid, frictionless and without adhesion, under a given pressure or force, or at a given
-/// mean gap or approach.
+/// A rigid surface that is pressed on an elastic solid, without friction and adhesion, under a given pressure or force,
+/// or at a given mean gap or approach.
 ///
 /// Find `p >= 0` and a datum `d` such that the gap `g = u(p) - h + d >= 0` and `p g = 0`, with `u(p)` from
 /// [`crate::elastic::Response`]. Under a [`Law`] with a hardness `H_c`, `p <= H_c` as well, and `g <= 0` where `p =
-/// H_c`: there the softer body yields, and the surfaces overlap by `-g`. Heights have no mean except for rounding, nor
-/// have displacements on a periodic grid, so there the datum is the mean gap, and the mean of the heights where they
-/// have one.
+/// H_c`: there the softer body yields, and the surfaces overlap by `-g`. Heights have zero mean except for rounding,
+/// and so have displacements on a periodic grid. So the datum is the mean gap there, plus the mean of the heights, if
+/// any.
 ///
 /// | prescribed      | minimises over `p >= 0`                        | found                                   |
 /// |-----------------|------------------------------------------------|-----------------------------------------|
@@ -37,7 +37,7 @@ const OF_HARDNESS: f64 = 0.5;
 /// | mean pressure             | `<p>`   | pressure |
 /// | mean gap, approach        | `D`     | length   |
 ///
-/// Any consistent set of units will do; tolerances are dimensionless.
+/// Any consistent set of units can be used; tolerances are dimensionless.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
@@ -67,7 +67,7 @@ pub struct Problem {
     yielded: Option<Yielded>,
 }
 
-/// What a surface has borne before, on which it is elastic now.
+/// The history of a surface that has yielded and is elastic now.
 #[derive(Debug, Clone, Copy)]
 struct Yielded {
     /// Mean of what was flattened, a length.
@@ -76,7 +76,7 @@ struct Yielded {
     hardness: f64,
 }
 
-/// The contact modulus `E* = E / (1 - nu^2)` of an elastic half-space, a pressure: the shortest name of a solid.
+/// The contact modulus `E* = E / (1 - nu^2)` of an elastic half-space, a pressure: the simplest solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactModulus(pub f64);
 
@@ -87,8 +87,8 @@ impl From<ContactModulus> for Arc<dyn ElasticSolid> {
 }
 
 impl Problem {
-    /// Poses the problem of a surface, pressed by a load on a solid: a half-space of a [`ContactModulus`], or any other [`ElasticSolid`]. A mean
-    /// gap must lie between 0 and the highest peak above the mean height.
+    /// Makes the problem of a surface that is pressed by a load on a solid: a half-space of a [`ContactModulus`], or
+    /// any other [`ElasticSolid`]. A mean gap must lie between 0 and the highest peak above the mean height.
     ///
     /// # Errors
     /// [`ProblemError::NotPositive`] for a modulus or load that is not positive and finite, [`ProblemError::Flat`] if all
@@ -133,7 +133,7 @@ impl Problem {
         .with_load(load)
     }
 
-    /// The elastic problem of the surface that a contact below a hardness has left, see
+    /// The elastic problem of the surface after a contact with a hardness, see
     /// [`crate::contact::Contact::unloaded_surface`], under a mean pressure. Rms height, rms gradient, highest peak and
     /// mean gap stay those of the surface as it was, so that numbers on the way up and back are divided by the same
     /// values.
@@ -182,7 +182,7 @@ impl Problem {
         Self { load, mean_pressure, ..self }.below_hardness()
     }
 
-    /// The problem with a law of what pressures are allowed.
+    /// The problem with a law of contact.
     ///
     /// # Errors
     /// [`ProblemError::NotPositive`] for a hardness that is not positive and finite, [`ProblemError::AboveHardness`] for one that does
@@ -194,7 +194,7 @@ impl Problem {
         Self { law, ..self }.below_hardness()
     }
 
-    /// The problem with the mean pressure to expect, which the law must let be.
+    /// The problem with the expected mean pressure, which the law must allow.
     fn below_hardness(self) -> Result<Self, ProblemError> {
         let hardness = self.law.ceiling();
         let expected_mean_pressure = match self.mean_pressure {
@@ -263,23 +263,23 @@ impl Problem {
         self.law
     }
 
-    /// The highest pressure that is allowed, or that was when the surface yielded; infinite where nothing ever yields.
+    /// The highest allowed pressure, or the one that was allowed when the surface yielded; infinite if nothing yields.
     pub(super) fn highest_pressure(&self) -> f64 {
         self.yielded.map_or(self.law.ceiling(), |it| it.hardness)
     }
 
-    /// By how much the mean of the heights has fallen since the surface yielded, a length.
+    /// The decrease of the mean of the heights since the surface yielded, a length.
     pub(super) fn flattened_by(&self) -> f64 {
         self.yielded.map_or(0.0, |it| it.overlap)
     }
 
-    /// The response of the solid over the grid, planned anew. Displacements on a periodic grid have no mean, unless the approach is
-    /// prescribed.
+    /// The response of the solid on the grid, newly planned. Displacements on a periodic grid have no mean, unless the
+    /// approach is prescribed.
     pub fn response(&self) -> Response {
         Response::from_compliance(self.compliance.clone())
     }
 
-    /// The compliance of the solid over the grid.
+    /// The compliance of the solid on the grid.
     pub fn compliance(&self) -> &Compliance {
         &self.compliance
     }
@@ -304,12 +304,12 @@ impl Problem {
         self.load
     }
 
-    /// The mean pressure, where it is prescribed, as itself, as a reduced pressure or as a force.
+    /// The mean pressure, if it is prescribed directly, as a reduced pressure or as a force.
     pub fn mean_pressure(&self) -> Option<f64> {
         self.mean_pressure
     }
 
-    /// The mean gap, where it is prescribed.
+    /// The mean gap, if it is prescribed.
     pub fn mean_gap(&self) -> Option<f64> {
         match self.load {
             Load::MeanGap(mean_gap) => Some(mean_gap),
@@ -322,9 +322,9 @@ impl Problem {
         self.mean_pressure.unwrap_or_else(|| chunks::sum(pressure.len(), |i| pressure[i]) / pressure.len() as f64)
     }
 
-    /// The pressure that a run starts from: what `start` holds of one, or the uniform pressure. It is scaled to the
-    /// mean pressure if that is given, and to the expected one if it is so much higher that rounding would hide what it
-    /// displaces. Values that are no pressures (negative, not finite) become 0, and none is above the hardness.
+    /// The initial pressure of a run: `start`, or the uniform pressure. It is scaled to the mean pressure, if that is
+    /// given; it is also scaled to the expected one, if it is so large that rounding would hide its displacement.
+    /// Negative and non-finite values become 0, and none is above the hardness.
     ///
     /// # Panics
     /// If the shape of `start` is not that of the grid.
@@ -373,13 +373,12 @@ impl Problem {
         self.rms_height
     }
 
-    /// The highest peak above the mean height, above which no mean gap lets the surfaces touch.
+    /// The highest peak above the mean height. At a larger mean gap the surfaces do not touch.
     pub fn highest(&self) -> f64 {
         self.highest
     }
 
-    /// Root-mean-square gradient `gbar` of the whole surface, of one that has yielded as it was before; computed on
-    /// first use.
+    /// Root-mean-square gradient `gbar` of the whole surface (before it yielded, if it has); computed on first use.
     pub fn rms_gradient(&self) -> f64 {
         *self.rms_gradient.get_or_init(|| self.surface.rms_gradient())
     }

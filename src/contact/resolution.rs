@@ -6,28 +6,30 @@ use crate::grid::Grid;
 /// Nodes of the patches that are too small to trust, fewer than these: lines, surfaces.
 const FEWEST_NODES: [usize; 2] = [4, 12];
 
-/// Share of the differences between measures, and between grids, in the error of the resolved values. Calibrated on rough lines and
-/// surfaces of H = 0.2 to 0.8 at reduced pressures of 0.001 to 0.5, from 2 to 256 points per shortest wave: of 235 contacts, one
-/// was told an error of the area below a third of the true one, none an error of `kappa_r` below the true one, and half were told
-/// up to three times the error of the area and seven times that of `kappa_r`.
+/// Share of the differences between measures, and between grids, in the error of the resolved values. Calibrated on
+/// rough lines and surfaces of H = 0.2 to 0.8 at reduced pressures of 0.001 to 0.5, from 2 to 256 points per shortest
+/// wave: of 235 contacts, one had an estimated error of the area below a third of the true one, none had an estimated
+/// error of `kappa_r` below the true one, and half had estimates up to three times the error of the area and seven
+/// times that of `kappa_r`.
 const SHARE: f64 = 0.5;
 
 /// Share of the contact on plateaus above which the error of the gradient is not known.
 const MOST_LEVEL: f64 = 0.5;
 
-/// How well a grid resolves a contact: how small its patches are, and how far its area and `kappa_r` may be from those of a grid
-/// of infinitely many points of the same surface. Dimensionless all.
+/// How well a grid resolves a contact: the size of its patches, and the estimated errors of area and `kappa_r` compared
+/// with an infinitely fine grid of the same surface. All values are dimensionless.
 ///
-/// The errors are estimates, no bounds. Where the solver has been on the next coarser grid, they are half of the difference between
-/// the resolved values of the two grids, which for errors of second order is three times the error, and half of that between
-/// resolved and corrected values; else they are all of the latter. The error of `kappa_r` is the sum of those of area and
-/// gradient, which may cancel in it. They say nothing of waves that the grid cannot carry.
+/// The errors are estimates, not bounds. If the solver has used the next coarser grid, they are half of the difference
+/// between the resolved values of the two grids, which for errors of second order is three times the error, and half of
+/// that between resolved and corrected values; else they are all of the latter. The error of `kappa_r` is the sum of
+/// those of area and gradient, which may cancel in it. They do not contain the effect of wavelengths that are too short
+/// for the grid.
 ///
 /// Nodes on plateaus, see [`crate::surface::Surface::is_level`], do not determine the surface between them, as where
 /// heights are rounded or clipped. Half of their share in the contact is added to the errors of area and gradient, and
-/// where they are most of it, that of `kappa_r` is not known. Of 582 contacts of rough, clipped, worn, rounded and
-/// spiky heights, two were told an error below a third of that against the same heights unrounded on a fine grid;
-/// without it, 56 were.
+/// if they are most of the contact, the error of `kappa_r` is unknown. Of 582 contacts of rough, clipped, worn, rounded
+/// and spiky heights, two had an estimate below a third of the error, compared with the same heights, unrounded, on a
+/// fine grid; without the addition there were 56.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolution {
     /// Nodes in contact for each patch; 0 without contact.
@@ -54,7 +56,7 @@ impl Resolution {
         FEWEST_NODES[usize::from(!grid.is_line())]
     }
 
-    /// The resolution of a contact on `grid`, with what the next coarser grid had of it, if that is known.
+    /// The resolution of a contact on `grid`, with the state on the next coarser grid, if that is known.
     pub fn new(
         grid: &Grid,
         counted: &Counted,

@@ -1,4 +1,4 @@
-//! What rounding can do to a certificate.
+//! The effect of rounding on a certificate.
 
 use crate::contact::{CertificateSums, Problem};
 

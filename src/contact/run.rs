@@ -8,15 +8,16 @@ use crate::elastic::Response;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-/// Iterations without a better state after which a run is given up, see [`Best::is_stale`]: long enough for the plateaus of
+/// Iterations without a better state after which a run stops, see [`Best::is_stale`]: long enough for the plateaus of
 /// conjugate gradients and damped dynamics.
 const PATIENCE: usize = 2000;
 
-/// The bookkeeping of a run: iterations, the clock that halts for observers, the best state, and the reasons to stop.
+/// The bookkeeping of a run: iterations, the clock, which stops during observers, the best state, and the reasons to
+/// stop.
 ///
 /// A solver begins a run, and at each iteration certifies its pressure, offers it as the best one, shows the step, and
-/// advances, until the run says why to stop. Then the run makes the contact of the best pressure, whose certificate comes
-/// from a fresh transform pair.
+/// advances, until the run returns a reason to stop. Then the run makes the contact of the best pressure, and computes
+/// its certificate with a separate transform pair.
 ///
 /// ```text
 /// let mut run = Run::begin(self, problem, stop, observer);
@@ -70,7 +71,7 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         }
     }
 
-    /// The run with another number of iterations without a better state after which it is given up.
+    /// The run with another number of iterations without a better state after which it stops.
     pub fn with_patience(self, patience: usize) -> Self {
         Self { patience, ..self }
     }
@@ -111,7 +112,7 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         self.best.offer(self.stop.distance(certificate), pressure, self.iterations);
     }
 
-    /// Shows a step to the observer and says why to stop, if so.
+    /// Shows a step to the observer, and returns the reason to stop, if any.
     pub fn show(&mut self, step: &Step<'_>) -> Option<Status> {
         let ended = self.pass(step);
         match step.certificate() {
@@ -124,7 +125,7 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         }
     }
 
-    /// Shows a step on the way to one that counts, and says why to stop, if so.
+    /// Shows an intermediate step, and returns the reason to stop, if any.
     pub fn pass(&mut self, step: &Step<'_>) -> Option<Status> {
         match self.watch(step) {
             Err(failure) => {
@@ -149,20 +150,20 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         wish
     }
 
-    /// Goes on to the next iteration.
+    /// Continues with the next iteration.
     pub fn advance(&mut self) {
         self.iterations += 1;
     }
 
-    /// Ends the run: the contact with the best pressure that was offered or, without one, with the uniform pressure, which is
-    /// always feasible. The half-space makes its displacement, and its transforms are those of the run.
+    /// Ends the run: the contact with the best pressure that was offered or, without one, with the uniform pressure,
+    /// which is always feasible. The half-space computes its displacement, and counts the transforms of the run.
     pub fn finish(self, status: Status, response: Response) -> Contact {
         let transforms = response.transforms();
         self.finish_after(status, transforms, response)
     }
 
-    /// Ends the run like [`Run::finish`], after more transforms than those of one half-space. What the solver calls converged is
-    /// judged again by the certificate of the contact, for all goals.
+    /// Ends the run like [`Run::finish`], after more transforms than those of one half-space. If the solver reports
+    /// convergence, the certificate of the contact is checked again for all goals.
     pub fn finish_after(mut self, status: Status, transforms: u64, response: Response) -> Contact {
         let work = self.work(transforms);
         let uniform = || vec![self.problem.expected_mean_pressure(); self.problem.nodes()];

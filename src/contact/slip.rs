@@ -19,8 +19,8 @@ use serde::{Deserialize, Serialize};
 pub struct Friction {
     /// Coulomb's coefficient of friction `mu`.
     pub coefficient: f64,
-    /// The tangential load `Q`, in the form of the normal one: a mean traction beside a mean pressure, over `gbar E*` beside a reduced
-    /// pressure, and a force, on a line per length across it, beside a force.
+    /// The tangential load `Q`, of the same kind as the normal one: a mean traction with a mean pressure, a mean
+    /// traction divided by `gbar E*` with a reduced pressure, and a force (for a line, per length) with a force.
     #[serde(deserialize_with = "crate::quantity::pressure")]
     pub tangential: f64,
 }
@@ -39,7 +39,7 @@ impl Friction {
         Ok(())
     }
 
-    /// The share `Q/(mu P)` of the tangential load at which all slides.
+    /// The ratio `Q/(mu P)` of the tangential load to that at which everything slides.
     ///
     /// # Errors
     /// The errors of [`Friction::check`], [`SlipError::NeedsPressure`] for a load that is no pressure, and [`SlipError::Sliding`]
@@ -55,13 +55,15 @@ impl Friction {
     }
 }
 
-/// A contact that is pressed together by `P`, and then pulled along `x` by `Q < mu P`: a part of it sticks, the rest has slipped.
+/// A contact under the normal load `P` and then the tangential load `Q < mu P` along `x`: a part of it sticks, the rest
+/// slips.
 ///
 /// By Ciavarella and by Jäger, the traction is the difference of two normal contacts,
 ///
 /// `tau = mu [p(P) - p(P - Q/mu)]`,
 ///
-/// and what touches under the smaller load is what sticks: there the traction does not reach `mu p`. Outside of it `tau = mu p`.
+/// and the stick area is the contact area under the smaller load: there the traction is below `mu p`. In the slip area
+/// `tau = mu p`.
 ///
 /// | grid    | it is exact                                                                                             |
 /// |---------|---------------------------------------------------------------------------------------------------------|
@@ -90,7 +92,7 @@ impl Friction {
 pub struct PartialSlip {
     /// Friction and tangential load.
     pub friction: Friction,
-    /// The tangential load over the one at which all slides, `Q/(mu P)`.
+    /// The tangential load divided by that at which everything slides, `Q/(mu P)`.
     pub ratio: f64,
     /// The contact under the normal load `P`.
     pub pressed: Contact,
@@ -122,22 +124,22 @@ impl PartialSlip {
         (&self.pressed.pressure - &self.stuck.pressure) * self.friction.coefficient
     }
 
-    /// Nodes that touch and have not slipped.
+    /// Nodes that stick.
     pub fn sticks(&self) -> ndarray::Array2<bool> {
         self.stuck.mask()
     }
 
-    /// Area and gradient of what sticks, its edges resolved between the nodes.
+    /// Area and gradient of the stick area, with edges interpolated between the nodes.
     pub fn stick(&self) -> Resolved {
         self.stuck.resolved()
     }
 
-    /// Area and gradient of all that touches, its edges resolved between the nodes.
+    /// Area and gradient of the whole contact, with edges interpolated between the nodes.
     pub fn touching(&self) -> Resolved {
         self.pressed.resolved()
     }
 
-    /// The area that has slipped over that of the cell.
+    /// The slip area divided by the area of the cell.
     pub fn slip_area(&self) -> f64 {
         self.touching().relative_area - self.stick().relative_area
     }

@@ -1,8 +1,8 @@
-//! States of a solver that outlive their steps.
+//! Copies of the states of a solver.
 
 use crate::contact::{Certificate, Decision, Energy, Phase, Problem, Step, Work};
 
-/// A copy of the state that a [`Step`] shows, to be looked at later or on another thread.
+/// A copy of the state that a [`Step`] shows, for later use, or for use on another thread.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Each, Load, PolonskyKeer, Snapshot, Solver, Step};
@@ -30,7 +30,7 @@ pub struct Snapshot {
     datum: Option<f64>,
     pressure: Vec<f64>,
     displacement: Vec<f64>,
-    /// The energy, of methods that move the surface: their forces, from which it follows, are not kept.
+    /// The energy, for methods that move the surface. It is stored because their forces are not.
     potential: Option<Energy>,
 }
 

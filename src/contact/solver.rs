@@ -1,11 +1,11 @@
-//! The interface of all solvers, and of all that watch one: its beginning, every step, and its end.
+//! The interfaces of solvers and of observers.
 
 use crate::contact::{Contact, Problem, Relaxation, Step, Stop};
 use crate::error::{Failure, SolveError};
 use crate::surface::Field;
 use std::ops::ControlFlow;
 
-/// A solver of contact problems. [`crate::contact::Run`] keeps the books of one.
+/// A solver of contact problems. [`crate::contact::Run`] does the bookkeeping of a solve.
 pub trait Solver {
     /// Name of the solver, as in scenes and on the command line.
     fn name(&self) -> &str;
@@ -13,13 +13,13 @@ pub trait Solver {
     /// Settings of the solver, in words.
     fn settings(&self) -> String;
 
-    /// How fast free waves relax in theory, of solvers that have one rate for all steps.
+    /// The theoretical relaxation rates of free waves, for solvers with constant rates.
     fn relaxation(&self, _problem: &Problem) -> Option<Relaxation> {
         None
     }
 
-    /// Solves `problem` from the flat start, until `stop`, showing every step to `observer`. The contact comes back
-    /// whether the run converged or not: its status states it, and [`Contact::converged`] returns an error if it did
+    /// Solves `problem` from the flat start, until `stop`, showing every step to `observer`. The contact is returned
+    /// even if the run did not converge: its status states it, and [`Contact::converged`] returns an error if it did
     /// not.
     ///
     /// # Errors
@@ -28,8 +28,8 @@ pub trait Solver {
         self.solve_from(None, problem, stop, observer)
     }
 
-    /// Solves `problem` from the pressure `start`, such as the solution at a neighbouring load. Any values will do, see
-    /// [`Problem::first_pressure`].
+    /// Solves `problem` from the pressure `start`, such as the solution at a neighbouring load. Any values are allowed,
+    /// see [`Problem::first_pressure`].
     ///
     /// # Errors
     /// The errors of [`Solver::solve`].
@@ -45,16 +45,17 @@ pub trait Solver {
     ) -> Result<Contact, SolveError>;
 }
 
-/// The wish of an observer after a step: to go on, to end the run with what it has found, or to end it since the observer failed.
+/// The wish of an observer after a step: continue, end the run with its best state, or end it because the observer
+/// failed.
 pub type Wish = Result<ControlFlow<()>, Failure>;
 
-/// Watches a solver. Solvers know this interface and never who watches.
+/// Observes a solver. Solvers know only this interface, not the observer.
 ///
-/// `&mut ()` watches nothing and [`crate::contact::Each`] makes an observer of a closure. Several observers of one run are a tuple, a `Vec` or an
-/// `Option`: each of them sees every step, and the run ends when any of them wishes or fails. A failure ends the run with
-/// [`crate::contact::Status::ObserverFailed`]; [`Contact::converged`] returns it.
+/// `&mut ()` does nothing, and [`crate::contact::Each`] makes an observer of a closure. Several observers of one run
+/// are a tuple, a `Vec` or an `Option`: each of them sees every step, and the run ends when any of them wishes or
+/// fails. A failure ends the run with [`crate::contact::Status::ObserverFailed`]; [`Contact::converged`] returns it.
 pub trait Observer {
-    /// Sees what will be solved, by which solver, and when that stops.
+    /// Called before the first step, with the problem, the solver and its goals.
     ///
     /// # Errors
     /// For an observer that cannot watch: the run ends at its first step.
@@ -62,13 +63,13 @@ pub trait Observer {
         Ok(())
     }
 
-    /// Sees one relaxation step; `Break` ends the run with what it has found.
+    /// Called at each step; `Break` ends the run with its best state.
     ///
     /// # Errors
     /// For an observer that cannot go on: the run ends.
     fn step(&mut self, step: &Step<'_>) -> Wish;
 
-    /// Sees what came out.
+    /// Called at the end, with the contact.
     ///
     /// # Errors
     /// For an observer that could not finish.

@@ -13,9 +13,9 @@ pub enum Status {
     Converged,
     /// The iteration cap was reached.
     IterationCap,
-    /// Nothing improved any more: the tolerance lies below what rounding, or the method, attains.
+    /// There was no further progress: the tolerance is below the limit of rounding, or of the method.
     Stalled,
-    /// The steps of another code came to their end.
+    /// The steps of another code ended.
     Ended,
     /// The observer wished to stop.
     StoppedByObserver,

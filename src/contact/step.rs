@@ -74,18 +74,19 @@ impl Deref for Values<'_> {
     }
 }
 
-/// Where in its scheme a solver stands.
+/// The position of a solver in its scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Phase {
     /// Grid level: 0 is the finest, each further one has half as many points per side.
     pub level: usize,
-    /// Outer steps on this level so far: those that change the contact set.
+    /// Outer steps on this level so far; these change the contact set.
     pub outer: usize,
     /// Inner steps within the outer one so far; 0 at the outer step itself.
     pub inner: usize,
 }
 
-/// The energy that a method lowers, over `<p> h_rms`. At the solution both kinds have the same magnitude and opposite signs.
+/// The energy that a method lowers, divided by `<p> h_rms`. At the solution both kinds have the same magnitude and
+/// opposite signs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Energy {
     /// `<p u> / 2 - <p h>`, of methods that move the pressure; at a given mean gap `D` with `D <p>` added.
@@ -166,7 +167,7 @@ impl<'a> Step<'a> {
         Self { potential: Some(energy), ..self }
     }
 
-    /// The problem being solved; on a coarse level that of its grid, with as many nodes as there are values of each field.
+    /// The problem being solved; on a coarse level, the problem on its grid, which has the size of the fields.
     pub fn problem(&self) -> &'a Problem {
         self.problem
     }
@@ -266,7 +267,7 @@ impl<'a> Step<'a> {
         Edges::new(self.problem, &self.pressure, move |node| u[node] - h[node] + datum)
     }
 
-    /// Area, gradient and `kappa_r` with the edges resolved between the nodes.
+    /// Area, gradient and `kappa_r` with edges interpolated between the nodes.
     pub fn resolved(&self) -> &Resolved {
         self.resolved.get_or_init(|| self.edges().resolved())
     }

@@ -4,11 +4,11 @@ use crate::contact::Certificate;
 use crate::error::SettingError;
 use serde::{Deserialize, Serialize};
 
-/// The least tolerance of the pressure, whose square has a place among doubles.
+/// The smallest tolerance of the pressure, whose square is still a normal double.
 const LEAST_PRESSURE_TOLERANCE: f64 = 1e-100;
 
-/// When a solver stops, besides at the wish of its observer: the goals that its [`Certificate`] must meet, all of them, and the
-/// iterations that it gets.
+/// When a solver stops: the goals for its [`Certificate`], all of which must be met, and the largest number of
+/// iterations. (An observer can stop it, too.)
 ///
 /// | goal                                          | where                                    |
 /// |-----------------------------------------------|------------------------------------------|
@@ -17,9 +17,9 @@ const LEAST_PRESSURE_TOLERANCE: f64 = 1e-100;
 /// | `pressure_error_bound <= pressure_tolerance`  | where a pressure tolerance is given      |
 ///
 /// `eta` is an error in energy, of second order in that of the pressure; the relative error of a load, which `eta_gap`
-/// estimates, is of first order, so it gets the root of the tolerance. The rms height, over which `eta` is taken, says
-/// little about an indenter that is narrow in its cell, or about very light contacts: there a pressure tolerance says
-/// what is meant.
+/// estimates, is of first order, so its goal is the root of the tolerance. `eta` is divided by the rms height, which is
+/// not the relevant height for an indenter that is narrow in its cell, or for very small loads. Use a pressure
+/// tolerance in these cases.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
@@ -52,7 +52,7 @@ impl Stop {
         Ok(stop)
     }
 
-    /// The stop that asks for a bound of the relative error of the pressure as well, see
+    /// The stop with a goal for the bound of the relative error of the pressure, too, see
     /// [`Certificate::pressure_error_bound`].
     ///
     /// # Errors
@@ -63,7 +63,7 @@ impl Stop {
         Ok(stop)
     }
 
-    /// Checks what was read from elsewhere.
+    /// Checks values that were read from a file.
     ///
     /// # Errors
     /// The errors of [`Stop::new`] and [`Stop::with_pressure_tolerance`].
@@ -110,8 +110,8 @@ impl Stop {
             && self.pressure_tolerance.is_none_or(|tolerance| certificate.pressure_error_bound <= tolerance)
     }
 
-    /// How far a certificate is from the goals: `eta`, or the `eta` that would be as far from its tolerance as another error is from
-    /// its own, if that is larger. All fall alike, the bound of the pressure by its square.
+    /// How far a certificate is from the goals: `eta`, or the `eta` that would be as far from its tolerance as another
+    /// error is from its own, if that is larger. The bound of the pressure enters with its square.
     pub fn distance(&self, certificate: &Certificate) -> f64 {
         let gap = certificate.eta_gap / self.gap_tolerance() * self.tolerance;
         let pressure = self.pressure_tolerance.map_or(0.0, |it| (certificate.pressure_error_bound / it).powi(2));

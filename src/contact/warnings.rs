@@ -19,7 +19,7 @@ const LARGEST_BOUND: f64 = 0.1;
 const LARGEST_SHARE: f64 = 0.25;
 
 /// Warnings about contacts under one load or several: loads far beyond full contact, errors that are not known,
-/// pressures that are not solved for, grids that are too coarse, and pressures above those at which metals yield.
+/// inaccurate pressures, grids that are too coarse, and pressures above those at which metals yield.
 pub fn warnings_of(found: &[&Observables], law: Law) -> Vec<Warning> {
     let all = [too_heavy(found), unknown(found), loose(found), coarse(found), metal(found, law)];
     all.into_iter().flatten().collect()

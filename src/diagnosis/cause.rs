@@ -1,4 +1,4 @@
-//! What held a run up, in words.
+//! Causes of a slow run, in words.
 
 use super::curve::Plateau;
 use super::returns::Cycle;
@@ -9,7 +9,7 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(tag = "cause", rename_all = "snake_case", rename_all_fields = "snake_case")]
 pub enum Cause {
-    /// The tolerance lies below what rounding lets a certificate reach.
+    /// The tolerance is below the certificate that rounding allows.
     Rounding {
         /// The tolerance.
         tolerance: f64,
@@ -17,55 +17,55 @@ pub enum Cause {
         eta: f64,
         /// The most that rounding of the displacement can add to a certificate.
         rounding: f64,
-        /// The step since which nothing became better.
+        /// The step after which nothing improved.
         from: usize,
     },
-    /// The contact set comes back again and again.
+    /// The contact set cycles.
     Cycle {
         /// Changes of the set until it is the same again.
         period: usize,
-        /// How often the cycle was gone through.
+        /// The number of times that the cycle was repeated.
         rounds: usize,
         /// The step at which it began.
         from: usize,
         /// Nodes that entered or left in every round.
         nodes: usize,
     },
-    /// A friction far from the one that is best for the longest wave.
+    /// A damping far from the best one for the longest wave.
     Damping {
-        /// The friction over the critical one of the longest wave.
+        /// The damping divided by the critical damping of the longest wave.
         damping: f64,
-        /// Digits that the longest wave loses in a step, in theory.
+        /// Theoretical decrease of the error of the longest wave, in digits per step.
         rate: f64,
-        /// The most digits that it could lose.
+        /// Its best possible decrease, in digits per step.
         best: f64,
     },
     /// One mass for waves of very different stiffness.
     Masses {
-        /// Stiffness over mass of the shortest wave, over that of the longest.
+        /// Ratio of stiffness to mass of the shortest wave, divided by that of the longest.
         condition: f64,
-        /// Digits that the longest wave loses in a step at the best friction, in theory.
+        /// Theoretical decrease of the error of the longest wave at the best damping, in digits per step.
         best: f64,
     },
-    /// Waves that lagged behind the others.
+    /// Waves that converged more slowly than the others.
     SlowBand {
         /// Their longest and shortest wavelength.
         wavelengths: [f64; 2],
         /// Share of the steps in which they had the largest part of the energy of the error.
         share: f64,
-        /// Digits that their error lost in a step, in the later half of the run.
+        /// Decrease of their error in the later half of the run, in digits per step.
         rate: f64,
-        /// Digits that a free wave of theirs loses in a step, where theory says.
+        /// Theoretical decrease of such a wave without contact, in digits per step, if known.
         theory: Option<f64>,
     },
-    /// An operator that conjugate gradients are slow on.
+    /// An operator with a large condition number, on which conjugate gradients are slow.
     Condition {
         /// Grid level.
         level: usize,
         /// The largest ratio of Ritz values, a lower bound of the condition number.
         condition: f64,
     },
-    /// Nodes that could not decide.
+    /// Nodes that changed their state often.
     Flips {
         /// Nodes that entered or left more often than `times`.
         nodes: usize,
@@ -76,13 +76,13 @@ pub enum Cause {
         /// How often that node did.
         most: u32,
     },
-    /// The certificate stood still.
+    /// The certificate did not improve for many steps.
     Plateau {
         /// First and last step.
         steps: [usize; 2],
         /// The best certificate in it.
         eta: f64,
-        /// What ended it, in words.
+        /// The event that ended it, in words.
         end: &'static str,
     },
 }

@@ -1,9 +1,10 @@
-//! How long each node has been in contact or out of it.
+//! For how many steps each node has kept its state.
 
 use crate::contact::Step;
 use crate::grid::Grid;
 
-/// The contact of a run, node by node: since when each of them is in contact or out of it, and how often it changed.
+/// The contact of a run, node by node: since which step each node has been in contact or out of contact, and how often
+/// it changed.
 ///
 /// A node of a coarser grid represents the nodes of the finest grid around it. Steps inside an outer one do not count:
 /// their contact is not what the solver holds for the contact set.

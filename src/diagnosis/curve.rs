@@ -1,4 +1,4 @@
-//! The certificate over the steps, and where it stood still.
+//! The certificate over the steps, and its plateaus.
 
 use crate::contact::Decision;
 

@@ -1,4 +1,4 @@
-//! The observer that finds out what held a run up.
+//! The observer that finds out why a run was slow.
 
 use super::cause::Cause;
 use super::contact_history::{ContactChange, ContactHistory};
@@ -14,22 +14,22 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// Relative distance from their final values within which area and `kappa_r` stand.
+/// Relative distance from their final values within which area and `kappa_r` count as settled.
 const STANDS: f64 = 0.01;
 /// A node flips often that did so more often than this.
 const OFTEN: u32 = 8;
-/// Rounds of a cycle that are worth telling.
+/// Number of repetitions from which a cycle is reported.
 const ROUNDS: usize = 3;
 /// A damping that is too strong or too weak by this factor is reported.
 const ILL: f64 = 3.0;
-/// A condition that is worth telling, of masses and of conjugate gradients.
+/// Condition number from which masses, or conjugate gradients, are reported as a cause.
 const ILL_CONDITIONED: f64 = 50.0;
 /// Share of the steps for which a band must be the slowest to be reported.
 const LAGS: f64 = 0.2;
-/// Digits a step at which no band is slow.
+/// Decrease in digits per step from which no band counts as slow.
 const SWIFT: f64 = 0.5;
 
-/// Watches a run, and says what held it up and since when its results stood.
+/// Observes a run. It reports the causes of slow convergence, and the steps from which the results are settled.
 ///
 /// Of each step it takes one pass over the pressure, area and `kappa_r`, and with a [`Reference`] a transform of the
 /// early steps and of later ones less often. Runs are repeatable to the last bit, so the reference is best the final
@@ -55,7 +55,7 @@ pub struct Diagnosis {
     ended: Option<(Status, Certificate, usize)>,
 }
 
-/// Since which step area and `kappa_r` have stood within one per cent of their final values.
+/// The steps from which area and `kappa_r` are within one per cent of their final values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Standing {
     /// Step of the relative area.
@@ -66,14 +66,14 @@ pub struct Standing {
     pub steps: usize,
 }
 
-/// What was found out about a run. Displays in words, a line each.
+/// The findings about a run. Their text has one line each.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Findings {
-    /// What held it up, the main cause first.
+    /// The causes of slow convergence, the main cause first.
     pub causes: Vec<Cause>,
-    /// Since when its results stood.
+    /// The steps from which its results are settled.
     pub standing: Option<Standing>,
-    /// How fast the waves of each band came to rest, from the longest on; nothing without a reference.
+    /// The convergence rates of the waves of each band, longest first; empty without a reference.
     pub rates: Vec<BandRate>,
 }
 
@@ -97,7 +97,7 @@ impl Findings {
 }
 
 impl Diagnosis {
-    /// A diagnosis of a run that is yet to be made on a problem; errors by wavelength need the state that they are held against.
+    /// A diagnosis for a run that solves a problem; errors by wavelength need a reference state.
     pub fn new(problem: &Problem, reference: Option<Arc<Reference>>) -> Self {
         Self::on(problem.surface().grid(), problem.contact_modulus(), reference)
     }
@@ -123,7 +123,7 @@ impl Diagnosis {
         }
     }
 
-    /// The diagnosis that takes the spectra of the steps though there is no reference.
+    /// The diagnosis that computes the spectra of the steps even without a reference.
     pub fn with_energies(self) -> Self {
         Self { has_energies: true, ..self }
     }
@@ -148,12 +148,12 @@ impl Diagnosis {
         &self.spectrogram
     }
 
-    /// What was found out about a run that has ended.
+    /// The findings about a run that has ended.
     pub fn findings(&self) -> Findings {
         Findings { causes: self.causes(), standing: self.standing(), rates: self.rates() }
     }
 
-    /// What held the run up, the main cause first; nothing if all went well, or as long as the run has not ended.
+    /// The causes of slow convergence, the main cause first; empty if there is no cause, or before the run has ended.
     pub fn causes(&self) -> Vec<Cause> {
         let Some((status, certificate, _)) = self.ended else { return Vec::new() };
         let main = [self.rounding(status, &certificate), self.cycle(status), self.damping(), self.masses()];
@@ -161,7 +161,7 @@ impl Diagnosis {
         main.into_iter().chain(rest).flatten().collect()
     }
 
-    /// Since when the results stood, of a run that has ended.
+    /// The steps from which the results are settled, for a run that has ended.
     pub fn standing(&self) -> Option<Standing> {
         let (_, _, steps) = self.ended?;
         let since = |which: usize| {
@@ -203,7 +203,7 @@ impl Diagnosis {
         (condition > ILL_CONDITIONED).then_some(Cause::Masses { condition, best })
     }
 
-    /// How fast the waves of each band came to rest.
+    /// The convergence rates of the waves of each band.
     fn rates(&self) -> Vec<BandRate> {
         BandRate::all(&self.spectrogram, self.relaxation)
     }

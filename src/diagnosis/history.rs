@@ -1,4 +1,4 @@
-//! What is kept of the steps of a run.
+//! A history of the steps of a run, of limited length.
 
 /// Columns over the steps of a run: one for each step and, once there are too many, one for two, four, eight steps and so on, of which
 /// the later ones are merged into the first.

@@ -4,8 +4,8 @@
 //! Solver --(Step)--> Diagnosis: ContactHistory, Spectrogram, Ritz, Returns --> Cause, in words
 //! ```
 //!
-//! A [`Diagnosis`] is an observer of any solver. What it says rests on what the steps showed, not on the name of the solver:
-//! theory enters only by [`crate::contact::Solver::relaxation`].
+//! A [`Diagnosis`] is an observer of any solver. Its findings depend on the steps only, not on the name of the solver.
+//! Theory enters only through [`crate::contact::Solver::relaxation`].
 //!
 //! ```
 //! use asperity::contact::{ContactModulus, Gfmd, Load, Solver};

@@ -1,4 +1,4 @@
-//! How fast the waves of each band came to rest, and which of them were the last.
+//! The convergence rates of the waves of each band, and the slowest band.
 
 use super::spectrogram::{Spectrogram, SpectrogramRow};
 use crate::contact::Relaxation;

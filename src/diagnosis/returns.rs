@@ -1,9 +1,9 @@
-//! Contact sets that come back.
+//! Contact sets that recur.
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// Finds contact sets that a run comes back to again and again.
+/// Finds contact sets that recur in a run.
 #[derive(Debug, Clone, Default)]
 pub struct Returns {
     /// When each set was there last, by its hash.
@@ -23,7 +23,7 @@ pub struct Returns {
 pub struct Cycle {
     /// Changes of the set until it is the same again.
     pub period: usize,
-    /// How often the cycle was gone through.
+    /// The number of times that the cycle was repeated.
     pub rounds: usize,
     /// The step at which it began.
     pub from: usize,

@@ -5,11 +5,12 @@ use crate::contact::Decision;
 /// Halvings of an interval that holds an extreme value: to six digits.
 const HALVINGS: usize = 24;
 
-/// The extreme Ritz values of a run of conjugate gradients, which come with its coefficients and no further work.
+/// The extreme Ritz values of a run of conjugate gradients, which follow from its coefficients without further work.
 ///
-/// With step lengths `alpha` and shares `beta`, the tridiagonal matrix of Lanczos has `1 / alpha_j + beta_j / alpha_(j-1)` on its
-/// diagonal and `sqrt(beta_j) / alpha_(j-1)` beside it. Its extreme eigenvalues approach those of the (preconditioned) operator on
-/// the contact set from inside, so their ratio is a lower bound of the condition number that conjugate gradients saw.
+/// With step lengths `alpha` and shares `beta`, the tridiagonal matrix of Lanczos has `1 / alpha_j + beta_j /
+/// alpha_(j-1)` on its diagonal and `sqrt(beta_j) / alpha_(j-1)` beside it. Its extreme eigenvalues approach those of
+/// the (preconditioned) operator on the contact set from inside, so their ratio is a lower bound of the condition
+/// number of conjugate gradients.
 ///
 /// A run ends where the directions begin anew, and where the contact set changes, since then the operator does. What stands before
 /// the first step of a run is taken for nothing: where a set changed without a new beginning the first values are approximate.

@@ -1,4 +1,4 @@
-//! The error of every step by wavelength, against a state that is known.
+//! The error of every step by wavelength, compared with a known state.
 
 use super::bands::Bands;
 use super::history::History;
@@ -7,10 +7,10 @@ use crate::fourier::{Complex, Fourier};
 use crate::grid::Grid;
 use std::sync::Arc;
 
-/// Rows that are kept of a run.
+/// Number of rows that are stored of a run.
 const MOST: usize = 1024;
 
-/// The state that errors are held against, in Fourier space.
+/// The reference state for errors, in Fourier space.
 #[derive(Debug)]
 pub struct Reference {
     grid: Grid,
@@ -34,8 +34,8 @@ impl Reference {
 
 /// The spectra of the steps of a run, band by band, of all early steps and then of every second, fourth and so on.
 ///
-/// Coefficients of coarser grids are held against those of the reference at the same wave vectors; waves that a grid does not
-/// carry have all of their error. Each row takes one transform, and two of methods that move the surface.
+/// Coefficients of coarser grids are compared with those of the reference at the same wave vectors. Waves that a grid
+/// does not have count as fully wrong. Each row takes one transform, and two of methods that move the surface.
 pub struct Spectrogram {
     bands: Bands,
     grid: Grid,

@@ -1,4 +1,4 @@
-//! What each wave of a grid meets.
+//! The compliance of a solid on a grid.
 
 use super::free::FreeTable;
 use super::solid::stiffness;
@@ -12,7 +12,8 @@ use std::sync::Arc;
 /// Wavenumbers between the longest and the shortest wave at which a stiffness is looked at for its range.
 const SAMPLES: usize = 512;
 
-/// The compliance of a solid over a grid: what [`crate::elastic::Response`] multiplies waves by, shared by all that respond alike.
+/// The compliance of a solid on a grid: the factors of the waves in [`crate::elastic::Response`], which are shared by
+/// all responses of the same kind.
 ///
 /// Memory: nothing for a periodic half-space, half a field on a line and a quarter on a surface for another periodic solid, and twice
 /// as much for each free axis.
@@ -36,8 +37,8 @@ pub(super) enum ComplianceKind {
 }
 
 impl Compliance {
-    /// The compliance of a solid over a periodic or free grid. `with_uniform` keeps what a uniform pressure displaces on a periodic grid,
-    /// where the solid has it; without it displacements have no mean there.
+    /// The compliance of a solid over a periodic or free grid. `with_uniform` includes the displacement by a uniform
+    /// pressure on a periodic grid, if the solid has one. Otherwise displacements have zero mean there.
     ///
     /// # Errors
     /// [`GridError::FreeSolid`] for a solid other than a half-space on a grid that is not periodic, and [`GridError::TooManyPoints`] if
@@ -87,7 +88,7 @@ impl Compliance {
         &self.solid
     }
 
-    /// Whether a uniform pressure displaces the surface, so that the datum of displacements is not free.
+    /// Whether a uniform pressure displaces the surface. Then the datum of displacements is determined.
     pub fn has_uniform(&self) -> bool {
         match &self.kind {
             ComplianceKind::HalfSpace { .. } => false,
@@ -101,7 +102,7 @@ impl Compliance {
         self.range
     }
 
-    /// Whether every wave responds on its own, as on periodic grids.
+    /// Whether waves are independent, as on periodic grids.
     pub fn is_diagonal(&self) -> bool {
         !matches!(self.kind, ComplianceKind::Free(_))
     }

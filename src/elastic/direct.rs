@@ -1,4 +1,4 @@
-//! Elastic response by direct summation: slow, short and obviously right. Tests hold the fast one against it.
+//! Elastic response by direct summation, which is slow but simple. Tests compare the fast response with it.
 
 use super::{ElasticSolid, element};
 use crate::grid::Grid;

@@ -1,4 +1,4 @@
-//! What a uniform pressure on one element displaces, on a half-space without images.
+//! The displacement by a uniform pressure on one element of a half-space, without images.
 
 use std::f64::consts::PI;
 

@@ -38,7 +38,7 @@ impl FreeTable {
     }
 }
 
-/// The distance from a line load at which the surface stands still.
+/// The distance from a line load at which the displacement is zero.
 fn datum(solid: &dyn ElasticSolid, length: f64) -> f64 {
     solid.datum().unwrap_or(length)
 }

@@ -11,7 +11,8 @@ use std::sync::Arc;
 pub struct HalfSpace {
     /// Contact modulus `E*`, a pressure.
     pub contact_modulus: f64,
-    /// The distance from a line load at which the surface stands still, see [`ElasticSolid::datum`]; the length of the cell if it is left out.
+    /// The distance from a line load at which the displacement is zero, see [`ElasticSolid::datum`]; the length of the
+    /// cell if it is left out.
     pub datum: Option<f64>,
 }
 

@@ -20,11 +20,11 @@ const SHALLOW: f64 = 0.05;
 /// | sliding | `(cosh 2x - 1) / (sinh 2x + 2x)`                                                                |
 /// | bonded  | `((3 - 4 nu) sinh 2x - 2x) / ((3 - 4 nu) cosh 2x + 2 x^2 + 5 - 12 nu + 8 nu^2)`                   |
 ///
-/// Both tend to 1 for waves that are short against the thickness. Under a uniform pressure nothing moves sideways in a
-/// periodic cell, for both bases: `u = p t (1 + nu)(1 - 2 nu) / (E (1 - nu)) = p t (1 - 2 nu) / (E* (1 - nu)^2)`. Of a
-/// bonded layer this is the limit of long waves, Winkler's foundation; a layer that slides gives way to long waves
-/// sideways as well and is softer for them, by `t / E*`. A bonded layer that cannot be compressed, `nu = 1/2`,
-/// displaces long waves by `q^2 t^3 / E = 4 q^2 t^3 / (3 E*)`.
+/// Both tend to 1 for waves that are short compared with the thickness. Under a uniform pressure, a periodic cell has
+/// no lateral displacement, for both bases: `u = p t (1 + nu)(1 - 2 nu) / (E (1 - nu)) = p t (1 - 2 nu) / (E* (1 -
+/// nu)^2)`. Of a bonded layer this is the limit of long waves, Winkler's foundation; a sliding layer also has lateral
+/// displacements under long waves, so it is softer for them, by `t / E*`. An incompressible bonded layer, `nu = 1/2`,
+/// has for long waves `q^2 t^3 / E = 4 q^2 t^3 / (3 E*)`.
 ///
 /// # Source
 /// Johnson, *Contact Mechanics* (1985), section 5.8; Carbone & Mangialardi, J. Mech. Phys. Solids 56, 684 (2008). Tests hold both
@@ -37,19 +37,19 @@ pub struct Layer {
     pub poisson: f64,
     /// Thickness, a length.
     pub thickness: f64,
-    /// How it lies on its base.
+    /// How it is held on its base.
     pub base: Base,
 }
 
-/// How a layer lies on its rigid base.
+/// How a layer is held on its rigid base.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Base {
-    /// It sticks.
+    /// Bonded.
     #[default]
     Bonded,
-    /// Frictionless, without leaving the base.
+    /// Frictionless, without separation.
     Sliding,
 }
 

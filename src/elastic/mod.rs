@@ -1,6 +1,8 @@
-//! Elastic solids: what displacement a pressure makes, fast by Fourier transform and slow by direct sum, and the stress inside.
+//! Elastic solids: the displacement by a pressure (fast, by Fourier transforms, and slow, by direct sums), and the
+//! stress inside.
 //!
-//! An [`ElasticSolid`] says what it makes of one wave; a [`Response`] is a solid over a grid, periodic or free along each axis.
+//! An [`ElasticSolid`] gives the response to one wave; a [`Response`] is a solid on a grid, periodic or free along each
+//! axis.
 
 mod compliance;
 pub mod direct;

@@ -9,9 +9,10 @@ use crate::fourier::{Filter, Wave};
 use crate::grid::Grid;
 use std::sync::Arc;
 
-/// The response of an elastic solid over a grid: displacement `u` under a pressure `p`, and an approximate inverse.
+/// The response of an elastic solid on a grid: the displacement `u` by a pressure `p`, and an approximate inverse.
 ///
-/// On a periodic grid both are diagonal in Fourier space, in one and in two dimensions alike: with the [`ElasticSolid`]'s `factor`,
+/// On a periodic grid both are diagonal in Fourier space, in one and in two dimensions: with the [`ElasticSolid`]'s
+/// `factor`,
 ///
 /// `u_q = factor(q) 2 p_q / (E* |q|)` for `q != 0`,
 ///
@@ -19,8 +20,8 @@ use std::sync::Arc;
 /// contact modulus `E* = E / (1 - nu^2)`. There the mean of `u` is a datum and is returned as zero, unless the
 /// [`Compliance`] was made to keep it; and the inverse is exact except for the mean.
 ///
-/// Along a free axis nothing is beyond the cell: `u` is the sum over all elements of the cell of what a uniform pressure on each
-/// displaces at the centre of each other, by a convolution padded with zeros (Liu, Wang & Liu 2000). Its inverse is approximated by
+/// Along a free axis there is no pressure outside the cell: `u` is the sum of the displacements by a uniform pressure
+/// on each element, computed by a convolution padded with zeros (Liu, Wang & Liu 2000). Its inverse is approximated by
 /// that of the periodic solid.
 ///
 /// Memory: one half spectrum, which is about one real field, and scratch for some rows and columns per thread; where an axis is free
@@ -86,12 +87,12 @@ impl Response {
         self.compliance.stiffness_range()[0]
     }
 
-    /// Whether every wave responds on its own, as on periodic grids.
+    /// Whether waves are independent, as on periodic grids.
     pub fn is_diagonal(&self) -> bool {
         self.padded.is_none()
     }
 
-    /// Transforms made so far, forward and inverse counted alike: the unit of work of this crate. One that is padded for a free
+    /// Number of transforms so far, forward and inverse: the unit of work of this crate. A padded transform for a free
     /// boundary counts as one.
     pub fn transforms(&self) -> u64 {
         self.transforms
@@ -117,8 +118,8 @@ impl Response {
         self.displace_by_rows(fill, &mut rows, |_, row, sink| sink.copy_from_slice(row));
     }
 
-    /// Writes the pressure that makes `displacement`, with zero mean: one transform pair. Where an axis is free it is that of the periodic
-    /// solid, which is near it for waves that are short against the cell.
+    /// Writes the pressure that makes `displacement`, with zero mean: one transform pair. If an axis is free, it is
+    /// that of the periodic solid, which is a good approximation for waves that are short compared with the cell.
     ///
     /// # Panics
     /// If a length does not fit the grid.

@@ -1,16 +1,17 @@
-//! What a solver needs to know of a solid.
+//! The interface of elastic solids.
 
 use std::fmt::Debug;
 
-/// A linear elastic, frictionless solid with a flat surface, the same at every place of it and along every direction: by what it
-/// makes of each wave of the pressure.
+/// A linear elastic, frictionless solid with a flat surface, homogeneous and isotropic in its plane. It is defined by
+/// its response to each wave of the pressure.
 ///
-/// A wave of wavenumber `q` is displaced by `u_q = c(q) p_q` with the compliance `c(q) = factor(q) 2 / (E* q)`. The factor is that of
-/// a half-space, 1, for waves that are short against all that lies below, and positive. The uniform pressure is on its own: under it
-/// a periodic half-space sinks without end, so its datum is free, while a layer on a rigid base is compressed by a definite length.
+/// The displacement by a wave of wavenumber `q` is `u_q = c(q) p_q` with the compliance `c(q) = factor(q) 2 / (E* q)`.
+/// The factor is positive, and 1 (as for a half-space) for waves that are short compared with all other lengths of the
+/// solid. The uniform pressure is a special case: it displaces a periodic half-space without limit, so the datum is
+/// free, but it compresses a layer on a rigid base by a finite length.
 ///
-/// A solver, a certificate or a recording knows no more of a solid than this, through [`crate::elastic::Response`]: a solid of one's
-/// own needs these few methods.
+/// Solvers, certificates and recordings use only these methods, through [`crate::elastic::Response`]: your own solid
+/// needs only these methods.
 ///
 /// ```
 /// use asperity::contact::{Load, Multilevel, Solver};
@@ -36,14 +37,14 @@ use std::fmt::Debug;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait ElasticSolid: Debug + Send + Sync {
-    /// The contact modulus `E*` that the shortest waves meet, a pressure.
+    /// The contact modulus `E*` for the shortest waves, a pressure.
     fn contact_modulus(&self) -> f64;
 
     /// Compliance of a wave over that of the half-space of the contact modulus, for `q = 2 pi / wavelength > 0`: dimensionless and
     /// positive.
     fn factor(&self, q: f64) -> f64;
 
-    /// Displacement over uniform pressure in a periodic cell, a length per pressure; none where the datum is free.
+    /// Displacement divided by uniform pressure in a periodic cell, a length per pressure; none if the datum is free.
     fn uniform_compliance(&self) -> Option<f64> {
         None
     }
@@ -53,14 +54,15 @@ pub trait ElasticSolid: Debug + Send + Sync {
         false
     }
 
-    /// The distance `D` from a line load at which the surface stands still, a length, where the boundary is free: a line load displaces
-    /// the surface at the distance `x` by `(2 / (pi E*)) ln(D / x)` per unit of force. If it is a point at the depth `z` under the load
-    /// that stands still, `D = z exp(-1 / (2 - 2 nu))` (Johnson 1985, section 2.3). None leaves it at the length of the cell.
+    /// The distance `D` from a line load at which the displacement is zero, a length, if the boundary is free: a line
+    /// load displaces the surface at the distance `x` by `(2 / (pi E*)) ln(D / x)` per unit of force. If instead a
+    /// point at the depth `z` under the load is fixed, `D = z exp(-1 / (2 - 2 nu))` (Johnson 1985, section 2.3). None
+    /// means the length of the cell.
     fn datum(&self) -> Option<f64> {
         None
     }
 
-    /// The solid in a few words, with its numbers.
+    /// A short description of the solid, with its numbers.
     fn description(&self) -> String;
 }
 

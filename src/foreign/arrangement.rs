@@ -50,7 +50,7 @@ impl Arrangement {
         (0..values.len()).map(value).collect()
     }
 
-    /// How the field stands to the heights, in words.
+    /// The relation of the field to the heights, in words.
     pub fn words(self) -> String {
         match self {
             Self::Transposed => "are transposed".into(),
@@ -59,7 +59,7 @@ impl Arrangement {
         }
     }
 
-    /// The expression in Python that puts the field `name` right.
+    /// The expression in Python that corrects the field `name`.
     pub fn remedy(self, name: &str, grid: &Grid) -> String {
         let (is_line, numpy) = (grid.is_line(), "numpy.fft.fftshift");
         match self {

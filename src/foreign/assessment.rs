@@ -7,7 +7,7 @@ use crate::contact::{Certificate, Contact, Stop, contact_reach, error_density};
 use crate::error::ProblemError;
 use serde::Serialize;
 
-/// What is wrong with a claim, and where, beside the certificate of the contact that it makes.
+/// The errors of a claim and their places, in addition to the certificate of its contact.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Assessment {
     /// The certificate of its pressure as it is, under the load that it carries: infinite with any tension.
@@ -24,7 +24,7 @@ pub struct Assessment {
     pub pressed: usize,
     /// Nodes in contact by their gap, see [`contact_reach`].
     pub closed: usize,
-    /// Nodes in contact by their pressure and not by their gap, and the one with the widest gap.
+    /// Nodes that are in contact by their pressure but not by their gap, and the one with the largest gap.
     pub apart: Disagreement,
     /// Nodes that penetrate without pressure, and the deepest of them.
     pub unpressed: Disagreement,
@@ -82,8 +82,8 @@ impl Assessment {
         })
     }
 
-    /// Whether the claim holds: its contact meets the goals of `stop`, and load and tension, which count in first order, are off by no more
-    /// than the root of its tolerance.
+    /// Whether the claim holds: its contact meets the goals of `stop`, and the errors of load and tension, which are of
+    /// first order, are at most the square root of its tolerance.
     pub fn holds(&self, contact: &Contact, stop: &Stop) -> bool {
         let first_order = stop.gap_tolerance();
         stop.is_met(&contact.certificate) && self.load_error <= first_order && self.tension.share <= first_order

@@ -6,7 +6,7 @@ use crate::error::{ClaimError, ProblemError};
 use crate::surface::{Field, Surface};
 use std::sync::Arc;
 
-/// A field that is said to solve the contact of a surface on a solid.
+/// A field from another code that is claimed to solve the contact of a surface on a solid.
 ///
 /// The load may be left out: it is then that of the field itself, the mean of a pressure, or that of a gap.
 #[derive(Debug, Clone)]
@@ -57,7 +57,7 @@ impl Claim {
         &self.values
     }
 
-    /// The problem that it is said to solve.
+    /// The problem that it is claimed to solve.
     ///
     /// # Errors
     /// The errors of [`Problem::new`], such as for a load of the field that presses nothing.

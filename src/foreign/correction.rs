@@ -6,11 +6,11 @@ use super::quantity::Quantity;
 use crate::grid::Grid;
 use crate::surface::Surface;
 
-/// A kind of everyday error.
+/// A kind of common error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub(super) enum MistakeKind {
-    /// The nodes stand in another order.
+    /// The nodes are in another order.
     Arrangement(Arrangement),
     /// A gap was taken for a displacement, or the reverse.
     Quantity,
@@ -33,7 +33,7 @@ pub(super) struct ClaimCorrection {
     pub factor: f64,
 }
 
-/// The least factor that is an error, over 1, and not for lack of convergence.
+/// The smallest factor, above 1, that is an error and not a lack of convergence.
 const LEAST_FACTOR: f64 = 0.03;
 
 impl MistakeKind {

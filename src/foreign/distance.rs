@@ -1,10 +1,10 @@
-//! How far the steps of a run are from a reference.
+//! The distance of the steps of a run from a reference.
 
 use crate::contact::{Contact, Observer, Step, Wish};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// How far a step is from the reference.
+/// The distance of a step from the reference.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Distance {
     /// Number of the step, from 0.
@@ -19,7 +19,7 @@ pub struct Distance {
     pub energy_error: f64,
 }
 
-/// Watches how far each step of a run is from a reference on the same grid; steps of other grids are left out.
+/// Measures the distance of each step of a run from a reference on the same grid; steps of other grids are ignored.
 pub struct Distances<'a> {
     reference: &'a Contact,
     /// The distances so far.

@@ -7,10 +7,10 @@ use super::wave::Wave;
 use super::worker::enter_pool;
 use crate::grid::Grid;
 
-/// Multiplies each mode of a real field by a factor of its [`Wave`], `f -> F^-1[ factor F[f] ]`, in three passes:
-/// [`load`](Self::load) the field, [`scale`](Self::scale) its modes, [`store`](Self::store) the result.
+/// Multiplies each mode of a real field by a factor that depends on its [`Wave`], `f -> F^-1[ factor F[f] ]`, in three
+/// passes: [`load`](Self::load) the field, [`scale`](Self::scale) its modes, [`store`](Self::store) the result.
 ///
-/// Fields come and go in rows, so that they need not exist as a whole: see [`rows`](Self::rows).
+/// Fields are passed row by row, so that they need not exist as a whole: see [`rows`](Self::rows).
 ///
 /// Memory: one half spectrum (about one real field) and scratch for some rows and columns per thread.
 pub(crate) enum Filter {

@@ -33,7 +33,7 @@ pub enum Solid {
         poisson: f64,
         /// Thickness, a length.
         thickness: f64,
-        /// How it lies on its base.
+        /// How it is held on its base.
         base: Base,
     },
 }

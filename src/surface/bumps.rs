@@ -1,4 +1,4 @@
-//! Bumps: what a hand adds to a line.
+//! Bumps that a user adds to a line.
 
 use super::{Surface, check_positive};
 use crate::error::SurfaceError;
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 /// height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bump {
-    /// Where it is highest, a length from the first node on.
+    /// Position of its highest point, a length from the first node.
     pub at: f64,
     /// Its height, a length.
     pub height: f64,
@@ -20,13 +20,13 @@ pub struct Bump {
 }
 
 impl Bump {
-    /// The bump of three lengths: where it is, its height and its width.
+    /// The bump with a position, a height and a width, all lengths.
     pub fn from_lengths([at, height, width]: [f64; 3]) -> Self {
         Self { at, height, width }
     }
 }
 
-/// The bumps of a line. Written they are three lengths for each: where it is, its height and its width.
+/// The bumps of a line. In a file, each bump is three lengths: position, height and width.
 ///
 /// ```
 /// use asperity::Grid;
@@ -66,7 +66,7 @@ impl Bumps {
         Surface::new(grid, Array2::from_shape_vec(grid.shape(), heights).expect("one height for each node of a line"))
     }
 
-    /// Whether they can be on a grid, see [`Bumps::surface`].
+    /// Checks that they fit a grid, see [`Bumps::surface`].
     pub(crate) fn check(&self, grid: &Grid) -> Result<(), SurfaceError> {
         if !grid.is_line() {
             return Err(SurfaceError::WrongDimension { indenter: "bump", needs: "line", has: "surface" });

@@ -1,14 +1,15 @@
-//! Nodes as high as their neighbours.
+//! Plateaus: nodes of the same height as their neighbours.
 
 use super::Surface;
 use super::plateau::Plateaus;
 use std::sync::Arc;
 
 impl Surface {
-    /// Whether a node, counted row by row, lies on a plateau: along each axis, one of its neighbours is exactly as high. Heights that are
-    /// rounded to few values, and peaks that are worn or clipped, have such nodes; smooth and rough ones have none. The two highest nodes
-    /// of a symmetric crest are no plateau, nor is the face of a punch, whose shape is known between the nodes, too. Heights that were
-    /// interpolated on a finer grid keep the plateaus that they had before. The function panics where there is no node.
+    /// Whether a node, counted row by row, lies on a plateau: along each axis, one of its neighbours is exactly as
+    /// high. Heights that are rounded to few values, and peaks that are worn or clipped, have such nodes; smooth and
+    /// rough ones have none. The two highest nodes of a symmetric crest do not count as a plateau, nor does the face of
+    /// a punch, whose shape between the nodes is known. Heights that were interpolated on a finer grid keep the
+    /// plateaus that they had before. The function panics where there is no node.
     ///
     /// ```
     /// use asperity::Surface;
@@ -31,7 +32,8 @@ impl Surface {
         }
     }
 
-    /// The plateaus to keep where the heights are interpolated on a grid `factor` times as fine; none if there are none.
+    /// The plateaus to keep when the heights are interpolated on a grid that is `factor` times finer; none if there are
+    /// no plateaus.
     pub(super) fn plateaus_on(&self, factor: usize) -> Option<Plateaus> {
         if let Some(earlier) = &self.plateaus {
             return Some(Plateaus { factor: earlier.factor * factor, ..earlier.clone() });

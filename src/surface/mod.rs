@@ -35,13 +35,13 @@ use ndarray::{Array2, ArrayView1};
 /// Values on a grid, shape `(ny, nx)`, row by row.
 pub type Field = Array2<f64>;
 
-/// A mean below this part of the largest deviation is rounding: such heights are kept as they are, to the last bit.
+/// A mean below this fraction of the largest deviation is rounding: such heights are not changed.
 const ROUNDING: f64 = 1e-12;
 
 /// The height profile of a rigid surface. Peaks that point at the solid are positive.
 ///
-/// Heights are kept about their mean: only differences matter to a contact. The mean is taken relative to the first height,
-/// so that an offset of a billion rms heights costs no digits beyond those that the heights came without.
+/// Heights are stored about their mean, since only differences matter for a contact. The mean is computed relative to
+/// the first height, so that even an offset of a billion rms heights costs no additional digits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     grid: Grid,
@@ -52,7 +52,7 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// A surface of given heights.
+    /// A surface with given heights.
     ///
     /// # Errors
     /// [`SurfaceError::Shape`] if the array does not fit the grid, [`SurfaceError::NonFinite`] for a NaN or infinity.
@@ -62,8 +62,8 @@ impl Surface {
         Ok(Self { grid, height, mean_height, seed: None, plateaus: None })
     }
 
-    /// The surface that another one's parts make, the same to the last bit: its heights about their mean, their mean, its seed and its
-    /// plateaus. It serves to carry a surface to another process.
+    /// The surface with the parts of another surface, identical to the last bit: heights about their mean, mean, seed
+    /// and plateaus. This moves a surface to another process.
     ///
     /// # Errors
     /// The errors of [`Surface::new`].
@@ -148,8 +148,8 @@ impl Surface {
     /// Local mean-square gradient (Eq. 8) as a function of the node, counted row by row.
     ///
     /// Per direction `g_i^2 = 1/2 [((h_i - h_{i+1})/l)^2 + ((h_i - h_{i-1})/l)^2]` with the spacing `l`, periodic; at a
-    /// free rim the one difference there is stands for both. A surface has the sum over both directions. The function panics where
-    /// there is no node.
+    /// free rim the only difference is used for both. A surface has the sum over both directions. The function panics
+    /// where there is no node.
     pub fn square_gradient(&self) -> impl Fn(usize) -> f64 + Sync {
         let (h, nx) = (self.heights(), self.grid.shape()[1]);
         let [per_dy, per_dx] = self.grid.spacing().map(f64::recip);
@@ -247,7 +247,7 @@ fn check_positive(values: &[(&'static str, f64)]) -> Result<(), SurfaceError> {
     }
 }
 
-/// Takes the mean off the heights, unless it is rounding, and returns it.
+/// Subtracts the mean from the heights, unless it is rounding, and returns it.
 fn centre(height: &mut [f64]) -> f64 {
     let (n, first) = (height.len(), height[0]);
     let offset = chunks::sum(n, |i| height[i] - first) / n as f64;

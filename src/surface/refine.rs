@@ -7,9 +7,9 @@ use crate::grid::Grid;
 use ndarray::Slice;
 
 impl Surface {
-    /// The surface on a grid of `factor` times as many points along each side: the heights are interpolated by their Fourier
-    /// series, so that those of the nodes that were there stay. Jumps, across the period as well, ring; at a free rim the heights are
-    /// mirrored, so that nothing jumps there.
+    /// The surface on a grid of `factor` times as many points along each side: the heights are interpolated by their
+    /// Fourier series, so that existing nodes keep their heights. Jumps, also those across the period, cause
+    /// oscillations. At a free rim the heights are mirrored, so that there is no jump.
     ///
     /// # Errors
     /// The errors of [`Grid::line`] for more points than a grid can have.

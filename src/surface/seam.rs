@@ -4,9 +4,9 @@ use super::Surface;
 use crate::chunks;
 
 impl Surface {
-    /// The jumps across the period along y and x, in rms steps: the root mean square of the differences between the last nodes and
-    /// the first ones, over that of the differences between neighbours inside. About 1, or less, on a periodic surface; 0 along
-    /// the y of a line and a free axis, and where all neighbours inside are equal.
+    /// The jumps across the period along y and x, in rms steps: the root mean square of the differences between the
+    /// last and the first nodes, divided by that of the differences between neighbours inside. About 1, or less, on a
+    /// periodic surface; 0 along y of a line, along a free axis, and if all neighbours inside are equal.
     ///
     /// ```
     /// use asperity::{Grid, Surface};

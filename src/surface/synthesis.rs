@@ -13,8 +13,8 @@ impl Surface {
     /// A random self-affine surface with the power spectrum `spectrum` (Eq. 10).
     ///
     /// Each Fourier coefficient is `sqrt(C(q)) (xi + i eta)` with independent standard normal `xi`, `eta`: Gaussian
-    /// amplitudes, uniform phases. The whole is then scaled so that the root-mean-square gradient of this realisation,
-    /// by the finite differences of Eq. 8, is `spectrum.rms_gradient` to rounding.
+    /// amplitudes, uniform phases. The heights are then scaled so that the root-mean-square gradient of this
+    /// realisation, by the finite differences of Eq. 8, is `spectrum.rms_gradient` to rounding.
     ///
     /// The numbers come from ChaCha8 and are drawn wave by wave, in an order set by the periods of the cell and the
     /// spectrum alone. So one seed gives one realisation: a finer grid samples the same waves at more points.

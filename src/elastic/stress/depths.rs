@@ -1,7 +1,7 @@
-//! Depths at which a stress is wanted.
+//! Depths for a stress.
 
-/// The surface and `count - 1` depths below it, each by the same factor deeper than the one before: from `first`, best some part
-/// of the spacing, to `last`, best some part of the cell.
+/// The surface and `count - 1` depths below it, with a constant ratio, from `first` (best a fraction of the spacing) to
+/// `last` (best a fraction of the cell).
 ///
 /// ```
 /// use asperity::elastic::stress::depths;

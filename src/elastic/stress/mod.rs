@@ -36,7 +36,7 @@ pub use tensor::Tensor;
 use crate::error::SolidError;
 use ndarray::Array2;
 
-/// Poisson's ratio that is assumed of a solid of which only the contact modulus is known: that of most metals.
+/// The assumed Poisson's ratio of a solid if only the contact modulus is known: that of most metals.
 pub const USUAL_POISSON: f64 = 0.3;
 
 /// The stress in a vertical cut along `x`.

@@ -26,7 +26,7 @@ const DEEPEST: f64 = 50.0;
 /// | `sigma_xy`           | `-(q_x q_y/q^2) (1 - k - 2 nu) e`                                |
 /// | `sigma_xz`, `sigma_yz` | `i q_x z e`, `i q_y z e`                                       |
 ///
-/// The mean pressure is carried without lateral strain, as in a cell that its neighbours confine: `sigma_zz = -<p>` and
+/// The mean pressure causes no lateral strain, since neighbouring cells confine the cell: `sigma_zz = -<p>` and
 /// `sigma_xx = sigma_yy = -nu/(1 - nu) <p>` at all depths.
 ///
 /// | argument   | shape      | unit     |

@@ -1,4 +1,4 @@
-//! The stress below a line that has no neighbours.
+//! The stress below a line without images.
 
 use super::{Stress, check};
 use crate::chunks;

@@ -1,12 +1,12 @@
-//! What a file of an instrument has to offer.
+//! The channels of a file of an instrument.
 
 use super::format::malformed;
 use std::io;
 
-/// One of the fields in a file of an instrument, whose values are not read before they are asked for.
+/// One of the fields in a file of an instrument. Its values are read on request.
 ///
-/// Rows follow each other along y and columns along x, the first row at `y = 0`, as in the file. Values times `unit` are metres, and so are
-/// distances times `lateral_unit`; a file that says nothing of units has none of both.
+/// Rows follow each other along y and columns along x, the first row at `y = 0`, as in the file. Values times `unit`
+/// are metres, and so are distances times `lateral_unit`; a file without units has neither.
 pub(super) struct Channel<'a> {
     /// The name by which it is chosen.
     pub name: String,
@@ -16,7 +16,7 @@ pub(super) struct Channel<'a> {
     pub shape: [usize; 2],
     /// Whether it is a profile, not a map of one row.
     pub is_profile: bool,
-    /// Distances of rows and of columns, where the file says them.
+    /// Spacing of rows and of columns, if the file has it.
     pub spacing: Option<[f64; 2]>,
     /// Positions along x of a profile that is not known to be evenly spaced.
     pub positions: Option<Vec<f64>>,
@@ -24,9 +24,9 @@ pub(super) struct Channel<'a> {
     pub lateral_unit: Option<f64>,
     /// Metres in a unit of heights.
     pub unit: Option<f64>,
-    /// What else the file says of it: names and values.
+    /// Other metadata of the file: names and values.
     pub header: Vec<(String, String)>,
-    /// Statements about what the file contradicts, such as bytes that no count accounts for.
+    /// Inconsistencies in the file, such as bytes that belong to no part.
     pub doubts: Vec<String>,
     /// Values row by row, NaN where there are none.
     pub values: Box<dyn FnOnce() -> io::Result<Vec<f64>> + 'a>,
@@ -42,7 +42,7 @@ impl<'a> Channel<'a> {
     }
 }
 
-/// The channel of a name or a number from 1 on; if none is asked for, the first one of heights.
+/// The channel with a name or a number (1, 2, ...); by default, the first channel of heights.
 ///
 /// # Errors
 /// For a channel that is not there or holds no heights, with the names of those that do.

@@ -27,7 +27,7 @@ pub struct Format {
     pub read: fn(&mut dyn ReadSeek, &ArrayRequest) -> io::Result<ArrayD<f64>>,
 }
 
-/// An error that says what is wrong with a file.
+/// An error that describes the fault of a file.
 pub fn malformed(reason: impl Into<String>) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, reason.into())
 }

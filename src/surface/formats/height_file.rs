@@ -8,8 +8,8 @@ use std::fmt;
 use std::path::{Display, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A file of heights: its path, or a name and bytes that are nowhere but in memory. As text it is the path or the name. What was read of
-/// it is kept, and shared with its clones, so that it is read and understood once.
+/// A file of heights: its path, or a name and its bytes in memory. As text it is the path or the name. The content is
+/// cached and shared with clones, so that it is read once.
 ///
 /// ```
 /// use asperity::surface::HeightFile;
@@ -22,12 +22,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 #[serde(from = "PathBuf", into = "PathBuf")]
 pub struct HeightFile {
     path: PathBuf,
-    /// What is in it, where it is not on disk.
+    /// Its bytes, if it is not on disk.
     bytes: Option<Arc<[u8]>>,
     kept: Arc<Mutex<Kept>>,
 }
 
-/// What was read of a file: of the channel that was asked for last.
+/// The content of a file: that of the last requested channel.
 #[derive(Default)]
 struct Kept {
     layout: Option<(Option<String>, Layout)>,
@@ -51,7 +51,7 @@ impl HeightFile {
         &self.path
     }
 
-    /// The path or the name, for people.
+    /// The path or the name, as text.
     pub fn display(&self) -> Display<'_> {
         self.path.display()
     }

@@ -5,7 +5,7 @@ use std::io;
 
 /// A format of files that instruments write. Errors are of the kind [`io::ErrorKind::InvalidData`] and say what is wrong with a file.
 pub(super) struct Instrument {
-    /// Its name, for people.
+    /// Its name, as text.
     pub name: &'static str,
     /// Whether the bytes of a file are of this format, by what they begin with.
     pub is_it: fn(&[u8]) -> bool,

@@ -1,4 +1,4 @@
-//! What is known of heights in a file before they are read.
+//! Shape and spacing of heights in a file, before they are read.
 
 use super::channel::Channel;
 use super::format::malformed;
@@ -14,9 +14,9 @@ pub struct Layout {
     pub shape: [usize; 2],
     /// Whether it is a profile, not a map of one row.
     pub is_profile: bool,
-    /// Distances of neighbours along y and x, of uneven positions their mean; none where the file does not say.
+    /// Spacing along y and x (the mean for uneven positions); none if the file has none.
     pub spacing: Option<[f64; 2]>,
-    /// Whether distances and heights are metres: if not, the file does not say its units.
+    /// Whether distances and heights are in metres: if not, the file has no units.
     pub is_in_metres: bool,
     /// Whether all positions of a profile are evenly spaced.
     pub is_even: bool,

@@ -1,4 +1,4 @@
-//! Heights as an instrument has measured them.
+//! Heights as measured by an instrument.
 
 use super::channel::{Channel, choose};
 use super::format::{ReadSeek, malformed};
@@ -13,10 +13,10 @@ use std::fs::File;
 use std::io::{self, Cursor, Read, Seek};
 use std::path::Path;
 
-/// The heights in a file of an instrument, before anything is done to them.
+/// The heights in a file of an instrument, without any preparation.
 ///
-/// A file that states its units gives metres, whatever they are; the numbers of one that does not are kept as they are,
-/// and `is_in_metres` is true. The first row of `height` is that at `y = 0`.
+/// A file with units is converted to metres. The numbers of a file without units are kept, and `is_in_metres` is then
+/// false. Otherwise `is_in_metres` is true. The first row of `height` is that at `y = 0`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
     /// The format, such as "ISO 25178-71 (SDF)".
@@ -25,25 +25,25 @@ pub struct Measurement {
     pub channels: Vec<String>,
     /// The one that was read.
     pub channel: String,
-    /// Heights, shape `(ny, nx)`, a profile one row; NaN where none was measured.
+    /// Heights, shape `(ny, nx)` (a profile has one row); NaN if not measured.
     pub height: Field,
     /// Whether it is a profile, not a map of one row.
     pub is_profile: bool,
-    /// Distances of neighbours along y and x, of uneven positions their mean; none where the file does not say.
+    /// Spacing along y and x (the mean for uneven positions); none if the file has none.
     pub spacing: Option<[f64; 2]>,
     /// Positions along x of a profile that is not evenly spaced.
     pub positions: Option<Vec<f64>>,
-    /// Whether heights and distances are metres: if not, the file does not say its units.
+    /// Whether heights and distances are in metres: if not, the file has no units.
     pub is_in_metres: bool,
-    /// What else the file says: names and values.
+    /// Other metadata: names and values.
     pub header: Vec<(String, String)>,
-    /// What the file contradicts, such as a count of points that is not that of the data.
+    /// Inconsistencies in the file, such as a wrong count of points.
     pub warnings: Vec<Warning>,
 }
 
 impl Measurement {
-    /// Reads a file whose format is found by its content, and of several channels the one of a name or a number from 1 on, or else the
-    /// first one of heights.
+    /// Reads a file. Its format is recognised from the content. If there are several channels, `channel` is a name or a
+    /// number (1, 2, ...); the default is the first channel of heights.
     ///
     /// # Errors
     /// [`FileError::Read`] for a file that is missing or unreadable; [`FileError::Format`] with the reason for one of no known format,
@@ -74,7 +74,7 @@ impl Measurement {
         }
     }
 
-    /// Shape and spacing of what [`Measurement::read`] reads, of most formats by their header alone.
+    /// Shape and spacing of the heights that [`Measurement::read`] reads. For most formats only the header is read.
     ///
     /// # Errors
     /// The errors of [`Measurement::read`].

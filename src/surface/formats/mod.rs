@@ -45,7 +45,7 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 
-/// All formats; the last one takes every file, and says why it cannot be read.
+/// All formats; the last one accepts every file, and explains why it cannot be read.
 static FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 
 /// All formats of instruments, of which the first that fits is taken: texts of numbers come last.

@@ -4,8 +4,8 @@ use super::Scan;
 use ndarray::Slice;
 use serde::{Deserialize, Serialize};
 
-/// The rows and columns that are kept, counted from 0: first, and one beyond the last. Of a profile `[first, beyond]`, of a map those of
-/// the rows and then those of the columns.
+/// The rows and columns to keep, counted from 0: `[first, last + 1]` for a profile; for a map, first for the rows and
+/// then for the columns.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Crop(pub Vec<usize>);

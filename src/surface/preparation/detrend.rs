@@ -8,7 +8,7 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 /// Heights below this fraction of those before the trend was subtracted are rounding errors, and become 0.
 const ROUNDING: f64 = 1e-13;
 
-/// The trend to subtract from measured heights: the polynomial of least squares through all that are there.
+/// The trend to subtract from measured heights: the least-squares polynomial through all heights that are not void.
 ///
 /// ```
 /// use asperity::surface::{Detrend, Scan};
@@ -23,9 +23,9 @@ const ROUNDING: f64 = 1e-13;
 pub enum Detrend {
     /// The mean height, which no contact depends on.
     Mean,
-    /// The plane of least squares; of a line the straight line.
+    /// The plane; for a line, the straight line.
     Plane,
-    /// The polynomial of second order; of a line the parabola.
+    /// The polynomial of second order; for a line, the parabola.
     Curvature,
 }
 
@@ -61,7 +61,7 @@ impl Detrend {
     }
 }
 
-/// The height of the highest peak over the deepest valley.
+/// The height of the highest peak above the deepest valley.
 fn reach(scan: &Scan) -> f64 {
     let there = || scan.height.iter().copied().filter(|h| !h.is_nan());
     there().fold(f64::NEG_INFINITY, f64::max) - there().fold(f64::INFINITY, f64::min)

@@ -17,7 +17,7 @@ pub enum Fill {
 }
 
 impl Fill {
-    /// The heights without voids; none where all are void.
+    /// The heights without voids; none if all heights are void.
     pub fn apply(self, mut scan: Scan) -> Option<Scan> {
         let there = scan.height.iter().filter(|h| !h.is_nan());
         let (count, sum) = there.fold((0usize, 0.0), |(n, sum), h| (n + 1, sum + h));

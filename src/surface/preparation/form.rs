@@ -1,4 +1,4 @@
-//! Heights without the form of the body that they were measured on.
+//! Heights without the form of the measured body.
 
 use super::Scan;
 use super::detrend::legendre;
@@ -10,15 +10,16 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 /// The form to subtract from measured heights: the least-squares body through all heights that exist, at any position
 /// and with any tilt.
 ///
-/// In the section of a body its height is `c s^2 / (1 + sqrt(1 - c^2 s^2))` at the distance `s` from its highest or lowest point, with the
-/// curvature `c` of either sign. A cylinder lies in any direction, and its axis may be inclined.
+/// In the section of a body its height is `c s^2 / (1 + sqrt(1 - c^2 s^2))` at the distance `s` from its highest or
+/// lowest point, with the curvature `c` of either sign. A cylinder may have any direction, and its axis may be
+/// inclined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Form {
-    /// The cylinder of least squares; of a line the circle.
+    /// A cylinder; for a line, a circle.
     Cylinder,
-    /// The sphere of least squares; of a line the circle.
+    /// A sphere; for a line, a circle.
     Sphere,
 }
 
@@ -26,7 +27,7 @@ pub enum Form {
 const FLAT: f64 = 1e-9;
 
 impl Form {
-    /// The heights without their form, and its radius, negative where it is hollow; none where no such body fits.
+    /// The heights without their form, and its radius, which is negative for a concave form; none if no such body fits.
     pub fn apply(self, scan: Scan) -> Option<(Scan, f64)> {
         let half = scan.half();
         let points: Vec<_> = scan.points().into_iter().map(|(place, h)| (place, h / half)).collect();

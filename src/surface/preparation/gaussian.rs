@@ -6,15 +6,16 @@ use crate::grid::Grid;
 use crate::surface::Field;
 use std::f64::consts::{LN_2, PI};
 
-/// Where the weights of the filter are cut off, in cut-off wavelengths: they are 1e-9 of the largest there.
+/// The distance at which the weights of the filter are cut off, in cut-off wavelengths; they are 1e-9 of the largest
+/// weight there.
 const REACH: f64 = 1.2;
 
 impl Scan {
     /// The long waves of the heights, by the Gaussian filter of ISO 16610-21 (profiles) and 16610-61 (maps).
     ///
-    /// The weight at the distance `s` is `exp(-pi (s / (alpha lambda))^2)` with `alpha = sqrt(ln 2 / pi)`, along y and along x: a wave of
-    /// the cut-off wavelength `lambda` along an axis keeps half of its amplitude. At the rim and beside voids the weights that there are
-    /// are scaled to a sum of 1 (ISO 16610-28), and voids stay void.
+    /// The weight at the distance `s` is `exp(-pi (s / (alpha lambda))^2)` with `alpha = sqrt(ln 2 / pi)`, along y and
+    /// along x: a wave of the cut-off wavelength `lambda` along an axis keeps half of its amplitude. At the rim and
+    /// beside voids, the available weights are scaled to a sum of 1 (ISO 16610-28), and voids stay void.
     pub fn low_pass(&self, wavelength: f64) -> Self {
         let there = self.height.iter().filter(|h| !h.is_nan());
         let (count, sum) = there.fold((0usize, 0.0), |(n, sum), h| (n + 1, sum + h));
@@ -27,7 +28,7 @@ impl Scan {
         Self { height, spacing: self.spacing }
     }
 
-    /// The short waves of the heights: what [`Scan::low_pass`] takes away.
+    /// The short waves of the heights, which [`Scan::low_pass`] removes.
     pub fn high_pass(&self, wavelength: f64) -> Self {
         Self { height: &self.height - self.low_pass(wavelength).height, spacing: self.spacing }
     }

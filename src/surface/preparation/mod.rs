@@ -1,4 +1,4 @@
-//! What is done to measured heights before they are pressed.
+//! The preparation of measured heights.
 
 mod crop;
 mod detrend;
@@ -24,15 +24,15 @@ use crate::error::PreparationError;
 use crate::quantity::{number_in_words, some_length};
 use serde::{Deserialize, Serialize};
 
-/// The steps that make a surface of measured heights, in the order in which they are taken. None is taken unless it is given, and each
-/// says what it came to.
+/// The steps that prepare measured heights, in their order. Only the given steps are done, and each one reports its
+/// effect.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Preparation {
-    /// First of all, how heights at uneven positions are brought to even ones.
+    /// First step: how heights at uneven positions are interpolated to even spacing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub resample: Option<Resample>,
-    /// Then the part that is kept.
+    /// The part to keep.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crop: Option<Crop>,
     /// How voids are filled.
@@ -50,7 +50,7 @@ pub struct Preparation {
     /// The wavelength below which waves are removed, see [`Scan::low_pass`].
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub low_pass: Option<f64>,
-    /// The share of each side within which heights run out to their mean, see [`Scan::tapered`].
+    /// The fraction of each side within which the heights go to their mean, see [`Scan::tapered`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taper: Option<f64>,
     /// The axes along which heights are mirrored.
@@ -58,26 +58,26 @@ pub struct Preparation {
     pub mirror: Option<Mirror>,
 }
 
-/// Prepared heights, and what each step came to, a sentence each.
+/// Prepared heights, and the effect of each step, in one sentence each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prepared {
     /// The heights.
     pub scan: Scan,
-    /// What each step came to.
+    /// The effect of each step.
     pub effects: Vec<String>,
 }
 
 impl Preparation {
-    /// The ways to have the steps chosen, by their names in scenes, in a few words.
+    /// The automatic choices of the steps, and their names in scenes, with a short description.
     pub const WAYS: [(&str, &str); 1] =
         [("auto", "Steps that the heights need to be periodic, full and told from noise")];
 
-    /// Whether no step is given.
+    /// Whether there are no steps.
     pub fn is_none(&self) -> bool {
         *self == Self::default()
     }
 
-    /// The steps in the words of their keys, such as "fill harmonic, detrend plane".
+    /// The steps with the names of their keys, such as "fill harmonic, detrend plane".
     pub fn description(&self) -> String {
         let steps = [
             step("resample", self.resample),
@@ -105,7 +105,7 @@ impl Preparation {
         Ok(self.mirror.map_or(cropped, |mirror| mirror.shape(cropped)))
     }
 
-    /// Takes all steps that are given.
+    /// Does all given steps.
     ///
     /// # Errors
     /// For a step that these heights do not allow.

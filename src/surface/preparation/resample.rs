@@ -1,14 +1,14 @@
-//! Heights at uneven positions brought to even ones.
+//! Heights at uneven positions, interpolated to even spacing.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
-/// How heights at uneven positions are brought to as many even ones over the same length.
+/// How heights at uneven positions are interpolated to the same number of even positions over the same length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Resample {
-    /// As many heights at even positions, on straight lines between neighbours.
+    /// The same number of heights at even positions, linearly between neighbours.
     Linear,
 }
 

@@ -1,4 +1,4 @@
-//! Heights on their way from a measurement to a surface.
+//! Heights between measurement and surface.
 
 use crate::surface::{Field, Surface};
 
@@ -31,7 +31,7 @@ impl Scan {
         self.height.dim().into()
     }
 
-    /// The root mean square of the slope between neighbours, both of which are there.
+    /// The root mean square of the slope between neighbours that are not void.
     pub fn rms_gradient(&self) -> f64 {
         let [ny, nx] = self.shape();
         let [dy, dx] = self.spacing;
@@ -72,7 +72,7 @@ impl Scan {
         0.5 * sides.reduce(f64::max).unwrap_or(1.0)
     }
 
-    /// The heights less a form, a function of the places of [`Scan::points`].
+    /// The heights minus a form, which is a function of the places of [`Scan::points`].
     pub(super) fn less(mut self, form: impl Fn([f64; 2]) -> f64) -> Self {
         let (shape, half, spacing) = (self.shape(), self.half(), self.spacing);
         let place = |i: usize, axis: usize| (i as f64 - 0.5 * (shape[axis] as f64 - 1.0)) * spacing[axis] / half;

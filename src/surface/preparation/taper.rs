@@ -1,11 +1,11 @@
-//! Heights that run out to their mean at the rim.
+//! Heights that go to their mean at the rim.
 
 use super::Scan;
 use std::f64::consts::PI;
 
 impl Scan {
-    /// The heights about their mean times Tukey's window: 1 inside, and within the share `share` of each side from its rims half a wave
-    /// of the cosine down to 0, along y and x. It makes any heights periodic, and adds gradient where it falls.
+    /// The heights about their mean times Tukey's window: 1 inside, and falling to 0 as half a cosine wave within the
+    /// fraction `share` of each side, along y and x. It makes any heights periodic, but adds gradient where it falls.
     pub fn tapered(mut self, share: f64) -> Self {
         let there = self.height.iter().filter(|h| !h.is_nan());
         let (count, sum) = there.fold((0usize, 0.0), |(n, sum), h| (n + 1, sum + h));

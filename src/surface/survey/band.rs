@@ -38,7 +38,8 @@ pub struct PowerLawFit {
     pub exponent: f64,
     /// The Hurst exponent that follows from it, `-(1 + exponent) / 2` of a line and `-1 - exponent / 2` of a surface, between 0 and 1.
     pub hurst: f64,
-    /// How far the Hurst exponent may be off: three standard deviations, or how far that of the shorter half of the waves is away.
+    /// The error of the Hurst exponent: three standard deviations, or the difference from that of the shorter half of
+    /// the waves.
     pub hurst_error: f64,
     /// The shortest and the longest wavelength of the fit.
     pub wavelengths: [f64; 2],

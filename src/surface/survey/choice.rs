@@ -1,4 +1,4 @@
-//! The preparation that heights need.
+//! The automatic choice of a preparation.
 
 use super::Survey;
 use crate::error::SurfaceError;
@@ -12,15 +12,15 @@ const NOISE: f64 = 0.25;
 
 /// A preparation chosen for heights, with a reason for each step.
 ///
-/// Uneven positions are made even and voids filled. Heights that are not periodic lose their terms of second order, or
-/// their plane alone where no period is asked for and they may be a body; they are then mirrored along the axes on
-/// which they still jump. Waves that cannot be distinguished from noise are filtered out where the noise makes a
-/// quarter of the mean square gradient.
+/// Uneven positions are resampled, and voids are filled. From heights that are not periodic, the polynomial of second
+/// order is subtracted (or only the plane, if the boundary is free and the heights may be a body). They are then
+/// mirrored along the axes on which they still jump. Waves that cannot be distinguished from noise are filtered out
+/// where the noise makes a quarter of the mean square gradient.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparationChoice {
     /// The steps.
     pub preparation: Preparation,
-    /// Why they were chosen, a sentence each.
+    /// The reasons for the steps, in one sentence each.
     pub reasons: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! What measured heights are like, before they are pressed.
+//! A survey of measured heights.
 
 mod band;
 mod choice;
@@ -13,8 +13,8 @@ use crate::error::SurfaceError;
 use crate::grid::Grid;
 use std::f64::consts::PI;
 
-/// What measured heights are like: how far from flat, from periodic and from resolved, which is how far a contact of them is from
-/// meaning something.
+/// A survey of measured heights: tilt, jumps across the period, noise and resolution. They show whether a contact with
+/// these heights is meaningful.
 ///
 /// ```
 /// use asperity::surface::{Scan, Survey};
@@ -33,7 +33,7 @@ pub struct Survey {
     /// Nodes without a height. The following fields, except those of the axes, are for heights with filled voids, see
     /// [`Fill::Harmonic`].
     pub voids: usize,
-    /// Slopes along y and x of the plane of least squares.
+    /// Slopes along y and x of the least-squares plane.
     pub tilt: [f64; 2],
     /// The share of the mean square height about that plane which the terms of second order explain, see [`Detrend::Curvature`].
     pub curvature_share: f64,
@@ -43,12 +43,12 @@ pub struct Survey {
     pub axes: Vec<Scales>,
     /// The power law of the power spectrum, where it has one, between its roll-off and its cut-off and above the noise.
     pub power_law: Option<PowerLawFit>,
-    /// The power spectrum of the heights less their plane, under a Hann window of mean square 1, which ends the waves of the rim.
+    /// The power spectrum of the heights minus their plane, with a Hann window of mean square 1.
     pub spectrum: Vec<Band>,
 }
 
 impl Survey {
-    /// What heights are like.
+    /// The survey of some heights.
     ///
     /// # Errors
     /// [`SurfaceError::NonFinite`] for heights that are all void; [`SurfaceError::Grid`] for less nodes than a grid has.
@@ -85,8 +85,8 @@ impl Survey {
         self.axes.iter().map(|it| it.shortest_wavelength).fold(0.0, f64::max)
     }
 
-    /// The ratio of the rms gradient at the spacing to that at twice the spacing, the largest of all axes: about 1 where it is resolved, and
-    /// more where it grows, as long as the spacing shrinks.
+    /// The ratio of the rms gradient at the spacing to that at twice the spacing, the largest of all axes: about 1 if
+    /// the gradient is resolved, and larger if it still grows with finer spacing.
     pub fn gradient_growth(&self) -> f64 {
         let growth = |it: &Scales| it.scales[0].rms_gradient / it.scales[1].rms_gradient;
         self.axes.iter().map(growth).filter(|it| it.is_finite()).fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! Heights along an axis, from scale to scale.
+//! Heights along an axis at several scales.
 
 use crate::chunks;
 use crate::surface::{Scan, Surface};
@@ -15,7 +15,7 @@ const SMOOTH: f64 = 3.0;
 /// Second differences of noise divided by those of the heights, at the shortest scale that counts as above the noise.
 const ABOVE_NOISE: f64 = 0.5;
 
-/// Differences of heights over a distance along an axis. Pairs and triples with a void in them do not count.
+/// Differences of heights over a distance along an axis. Pairs and triples with a void are left out.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Scale {
     /// The distance `s`.
@@ -48,8 +48,8 @@ pub struct Scales {
     /// The shortest wavelength above the noise: twice the distance at which the second differences are twice those of
     /// the noise.
     pub shortest_wavelength: f64,
-    /// The wavelength below which the heights are smooth, so that gradient and contact no longer depend on the spacing; none for heights
-    /// that are rough down to their spacing.
+    /// The wavelength below which the heights are smooth, so that gradient and contact do not depend on the spacing;
+    /// none for heights that are rough down to the spacing.
     pub smooth_wavelength: Option<f64>,
 }
 

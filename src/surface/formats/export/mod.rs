@@ -40,7 +40,7 @@ impl Scan {
     ///
     /// | ending | format | voids |
     /// |--------|--------|-------|
-    /// | `.npy` | NumPy's array of doubles, of rank 1 for a profile; it does not say the spacing | NaN |
+    /// | `.npy` | NumPy's array of doubles, of rank 1 for a profile; without the spacing | NaN |
     /// | `.sdf` | text of ISO 25178-71 | `BAD` |
     /// | `.x3p` | archive of ISO 25178-72 with doubles (feature `instruments`) | NaN |
     /// | `.xyz` | text of x, y and height in columns, of x and height for a profile | left out, NaN in a profile |
