@@ -112,9 +112,10 @@ impl Timing {
 
 impl fmt::Display for Timing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let share = 100.0 * self.measure_seconds / self.solve_seconds;
         write!(
             f,
-            "{:<14} {:>11} {:<13} {:>6} {:>10} {:>8.3} {:>6.3} {:>7.1e} {:>4.1} % {:>7.4} {:>5} {:>6} {}",
+            "{:<14} {:>11} {:<13} {:>6} {:>10} {:>8.3} {:>6.3} {:>7.1e} {:>4.*} % {:>7.4} {:>5} {:>6} {}",
             self.case,
             points([self.ny, self.nx]),
             self.solver,
@@ -123,7 +124,8 @@ impl fmt::Display for Timing {
             self.solve_seconds,
             self.make_seconds,
             self.certificate,
-            100.0 * self.measure_seconds / self.solve_seconds,
+            usize::from(share < 99.95),
+            share,
             self.kappa_r,
             or_dash(self.peak_mib, |mib| format!("{mib:.0}")),
             or_dash(self.ratio, |ratio| format!("{ratio:.2}")),
