@@ -1,5 +1,5 @@
-//! Errors, one enum per concern. The sentence of a variant says what is wrong, with the offending values, which are
-//! its fields, and what to do.
+//! Errors, one enum per concern. The message of a variant states what is wrong, with the wrong values (its fields), and
+//! what to do.
 
 #![allow(
     missing_docs,
@@ -18,10 +18,10 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Why an observer of a run cannot go on, such as a full disk.
+/// The failure of an observer, such as a full disk.
 pub type Failure = Box<dyn Error + Send + Sync>;
 
-/// A grid that cannot be.
+/// An impossible grid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GridError {
     /// Fewer than [`crate::Grid::MIN_POINTS`] points along an axis.
@@ -40,7 +40,7 @@ pub enum GridError {
     FreeSolid { solid: String },
 }
 
-/// A surface that cannot be made or used.
+/// A surface that cannot be generated or used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SurfaceError {
     #[error(transparent)]
@@ -88,7 +88,7 @@ pub enum SurfaceError {
     EmptySpectrum { period: f64, short_cutoff: f64 },
 }
 
-/// A contact problem that cannot be posed.
+/// An impossible contact problem.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ProblemError {
     #[error(transparent)]
@@ -101,24 +101,24 @@ pub enum ProblemError {
         "the surface is flat (all heights are {height:?}): its contact is undefined, give a surface with different heights"
     )]
     Flat { height: f64 },
-    /// A mean gap that keeps even the highest peak off the solid.
+    /// A mean gap at which even the highest peak does not touch.
     #[error(
         "at a mean gap of {mean_gap:?} nothing touches: give less than {highest:?}, the height of the highest peak \
          above the mean"
     )]
     NothingTouches { mean_gap: f64, highest: f64 },
-    /// A mean gap that leaves no gap anywhere: every pressure from some value on does that.
+    /// A mean gap at which everything touches: all sufficiently large pressures have this gap.
     #[error(
         "at a mean gap of {mean_gap:?} everything touches, and the pressure is not determined: give a gap between 0 \
          and {highest:?}, or a pressure"
     )]
     EverythingTouches { mean_gap: f64, highest: f64 },
-    /// A mean gap without a period over which it could be kept.
+    /// A mean gap with a free boundary, for which it is not defined.
     #[error(
         "a mean gap of {mean_gap:?} is not a load if the boundary is free: give a pressure, a force, or the approach"
     )]
     GapOfFree { mean_gap: f64 },
-    /// An approach of a solid that sinks without end.
+    /// An approach on a solid for which it is not defined.
     #[error(
         "an approach of {approach:?} is not defined on a periodic half-space: give a mean gap or a pressure, or use \
          a layer or a free boundary"
@@ -130,7 +130,7 @@ pub enum ProblemError {
          body can carry: give less pressure, or a higher hardness"
     )]
     AboveHardness { mean_pressure: f64, hardness: f64 },
-    /// Values so large or small that sums of their squares leave the range of doubles.
+    /// Values so large or small that sums of their squares are outside the range of doubles.
     #[error("the {name} of {value:?} is out of range: choose units in which it lies between 1e-100 and 1e100")]
     OutOfRange { name: &'static str, value: f64 },
 }
@@ -149,7 +149,7 @@ pub enum ClaimError {
     /// A value of the field is NaN or infinite.
     #[error("the {quantity} at row {}, column {} is {value:?}: all values must be finite", index[0], index[1])]
     NonFinite { quantity: &'static str, index: [usize; 2], value: f64 },
-    /// A displacement, whose mean is free, without a load.
+    /// A displacement without a load; its mean does not determine the load.
     #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
     NoLoad,
 }
@@ -173,7 +173,7 @@ pub enum StepsError {
     SecondsOfFile { path: PathBuf, seconds: usize, steps: usize },
 }
 
-/// A setting of a solver or of its stop that cannot be.
+/// An impossible setting of a solver or of its stop.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SettingError {
     /// A setting outside its range.
@@ -187,7 +187,7 @@ pub enum SettingError {
 /// A solve that did not reach its tolerance, or cannot be done.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum SolveError {
-    /// The iterations or the attainable accuracy ran out.
+    /// The iteration limit, or the limit of accuracy, was reached.
     #[error(
         "not converged: {solver} stopped after {iterations} iterations ({reason}) with the certificate \
          {certificate:.3e} and a relative error of the pressure of at most {pressure_error_bound:.1e}"
@@ -196,18 +196,18 @@ pub enum SolveError {
     /// An observer failed, which ended the run.
     #[error("{0}")]
     Observer(Arc<Failure>),
-    /// A solver that moves under a force was given a mean gap.
+    /// A solver that needs a given pressure was given a mean gap.
     #[error("{solver} needs a given mean pressure: give one, or choose the solver multilevel or polonsky-keer")]
     NeedsPressure { solver: String },
-    /// A solver that moves waves was given a boundary that mixes them.
+    /// A solver for periodic boundaries was given a free one.
     #[error("{solver} works with periodic boundaries only: choose the solver multilevel or polonsky-keer")]
     NeedsWaves { solver: String },
-    /// A solver that moves the surface against a hard wall was given a hardness.
+    /// A solver without plasticity was given a hardness.
     #[error("{solver} cannot solve with a hardness: choose the solver multilevel or polonsky-keer")]
     NeedsHardWall { solver: String },
 }
 
-/// A tangential load that cannot be carried, or not be solved.
+/// A tangential load that cannot be carried or solved.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum SlipError {
     #[error(transparent)]
@@ -230,7 +230,7 @@ pub enum SlipError {
     NeedsPressure { load: String },
 }
 
-/// Why the system refused, without the number that it gives to the reason.
+/// The reason of the system, without its error number.
 pub(crate) fn reason(error: &std::io::Error) -> String {
     let words = error.to_string();
     words.split(" (os error").next().unwrap_or_default().to_owned()
@@ -248,13 +248,13 @@ fn bodies_in_words(young: usize, poisson: usize) -> String {
     }
 }
 
-/// Elastic constants that make no solid.
+/// Elastic constants that do not define a solid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SolidError {
     /// No constants at all.
     #[error("the solid is empty: give the contact modulus, or Young's modulus and Poisson's ratio")]
     Nothing,
-    /// The modulus that the constants would make, beside them.
+    /// A contact modulus together with elastic constants.
     #[error(
         "both a contact modulus and elastic constants are given: give only the modulus, or only Young's modulus and \
          Poisson's ratio"
@@ -267,7 +267,7 @@ pub enum SolidError {
     Young { young: f64 },
     #[error("the thickness of the layer is {thickness:?}: give a positive, finite length")]
     Thickness { thickness: f64 },
-    /// A solid inside which the stress is not known.
+    /// A solid in which the stress cannot be computed.
     #[error(
         "the stress can be computed in a half-space only, below a line or a periodic surface: leave the stress out"
     )]
@@ -280,7 +280,7 @@ pub enum SolidError {
         "{bodies} Young's moduli are given with a layer: give only that of the layer, since the other body is rigid"
     )]
     BodiesOfLayer { bodies: usize },
-    /// A layer whose Poisson's ratio is not known.
+    /// A layer with more than one Poisson's ratio.
     #[error("{count} Poisson's ratios are given for a layer: give one")]
     PoissonOfLayer { count: usize },
     #[error("Poisson's ratio is {poisson:?}: it must lie above -1 and at most at 0.5")]
@@ -308,7 +308,7 @@ pub enum SetupError {
     Solve(#[from] SolveError),
     #[error(transparent)]
     File(#[from] FileError),
-    /// Nothing says what is pressed.
+    /// There is no surface.
     #[error(
         "no surface is given: give a height file, an indenter or a spectrum (a Hurst exponent with its wavelengths)"
     )]
@@ -323,10 +323,10 @@ pub enum SetupError {
         /// The quantity with a unit, and its value.
         with: String,
     },
-    /// Nothing says how hard it is pressed.
+    /// There is no load.
     #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
     NoLoad,
-    /// A mean pressure without the modulus that it is held against.
+    /// A mean pressure without a modulus.
     #[error(
         "the {load} {value:?} is given without a modulus: give the contact modulus, or Young's modulus and Poisson's ratio of one body or of both"
     )]
@@ -351,20 +351,20 @@ pub enum SetupError {
     /// Boundaries that fit no axes.
     #[error("{boundaries} boundaries are given for {axes} axes: give one for all of them, or one for each")]
     Boundaries { boundaries: usize, axes: usize },
-    /// A datum where no boundary is free, or nearer than the cell is long.
+    /// A datum that is shorter than the cell.
     #[error(
         "the datum distance {datum:?} is too short: give at least the length of the cell along a free axis, {length:?}"
     )]
     Datum { datum: f64, length: f64 },
     #[error("a datum is given, but no axis is free: make the boundary free along one axis, or leave the datum out")]
     DatumOfPeriodic,
-    /// A preparation of nothing.
+    /// A preparation without a height file.
     #[error("options for reading or preparing heights are given without a height file: give one, or leave them out")]
     PreparationWithoutHeights,
-    /// Lengths that neither the file nor the cell says.
+    /// Lengths that are neither in the file nor in the cell.
     #[error("no size is given, and the file has none: give it")]
     NoSize,
-    /// A unit beside that of the file.
+    /// A unit for a file that has its own.
     #[error("the file has units, so leave the file unit {unit:?} out")]
     UnitOfFile { unit: f64 },
     /// Positions that are not evenly spaced.
@@ -376,22 +376,22 @@ pub enum SetupError {
     /// A seed that a scene in TOML cannot hold.
     #[error("the seed {seed} is too large: give at most {}", i64::MAX)]
     Seed { seed: u64 },
-    /// Nothing says how many points there are.
+    /// There is no number of points.
     #[error("the points are missing: give one number for a line, two for a surface")]
     NoPoints,
-    /// Points beside those of a height file.
+    /// Points together with a height file, which has its own.
     #[error("points are given, but the height file has its own: leave the points out")]
     PointsOfFile,
-    /// No points for each that is given.
+    /// A refinement factor of 0.
     #[error("the refinement is 0: give 1 or more, or auto")]
     Refine,
-    /// Points to be found along some axes only.
+    /// Automatic points along some axes only.
     #[error("points are auto along some axes only: give auto for all axes, or a number for each")]
     SomePoints,
-    /// Points to be found without roughness that sets them.
+    /// Automatic points without roughness.
     #[error("points = auto works for a random rough surface only: give a spectrum, or give points and refine = auto")]
     PointsOfNothing,
-    /// A tolerance of a grid that is given.
+    /// An area tolerance without an automatic grid.
     #[error("an area tolerance needs refine = auto or points = auto: give one of them, or leave the tolerance out")]
     ToleranceOfGrid,
     /// Lengths of the cell that do not fit the axes.
@@ -413,10 +413,10 @@ pub enum SetupError {
     /// Every 0th step was to be recorded.
     #[error("the recording interval is 0 steps: give a positive number of steps")]
     EveryNone,
-    /// A text that is no setup.
+    /// A text that is not a setup.
     #[error("{place}{reason}")]
     Text { place: String, reason: String },
-    /// A solve that needs more bytes than are free, or than the system grants.
+    /// A solve that needs more memory than is free, or than the system allows.
     #[error(
         "a grid of {} x {} points does not fit in memory: {what} needs at least {}, {}: give fewer points",
         shape[0], shape[1], bytes_in_words(*needed),
@@ -431,19 +431,19 @@ pub enum FileError {
     /// The file is missing or unreadable.
     #[error("cannot read {}: {}", path.display(), reason(source))]
     Read { path: PathBuf, source: std::io::Error },
-    /// The file is not what it should be.
+    /// The file has the wrong content.
     #[error("{} is not a valid {what} file: {reason}", path.display())]
     Format { path: PathBuf, what: &'static str, reason: String },
-    /// The file is no recording, or one in which there is nothing to compare.
+    /// The file is not a recording, or it contains nothing to compare.
     #[error("{} cannot be compared: {reason}", path.display())]
     Incomparable { path: PathBuf, reason: String },
-    /// The output cannot be made at that place.
+    /// The output cannot be created at this place.
     #[error("cannot write {}: {reason}", path.display())]
     Target { path: PathBuf, reason: String },
-    /// Writing failed on the way.
+    /// Writing failed.
     #[error("writing {} failed: {}", path.display(), reason(source))]
     Write { path: PathBuf, source: std::io::Error },
-    /// No viewer is installed that could show it.
+    /// No suitable viewer is installed.
     #[error(
         "no Rerun viewer can be started: install one with `pip install rerun-sdk`, {version} or newer, or write a file with --record"
     )]

@@ -1,4 +1,4 @@
-//! Output files that appear whole or not at all.
+//! Output files that appear completely or not at all.
 
 use crate::error::{Failure, FileError, reason};
 use serde::Serialize;
@@ -7,7 +7,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
-/// Checks that a file can be made at `path`, so that a long computation does not end in vain.
+/// Checks that a file can be created at `path`, so that a long computation is not lost.
 ///
 /// # Errors
 /// [`FileError::Target`] if `path` is a directory or a device, or nothing can be created in its folder.
@@ -46,15 +46,14 @@ pub fn check_apart<'a, 'b>(
     Ok(())
 }
 
-/// The one path of a file, which need not be there yet.
+/// The unique path of a file, which need not exist yet.
 fn place(path: &Path) -> PathBuf {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let beside = || Some(folder.canonicalize().ok()?.join(path.file_name()?));
     path.canonicalize().ok().or_else(beside).unwrap_or_else(|| path.into())
 }
 
-/// Checks that a file can be made at `path` and that its name ends in one of the `endings`, such as `npz`, by which others will
-/// know what is in it.
+/// Checks that a file can be created at `path`, and that its name has one of the `endings`, such as `npz`.
 ///
 /// # Errors
 /// [`FileError::Target`] as [`check_target`], and for another ending.
@@ -76,8 +75,8 @@ pub fn check_named(path: &Path, endings: &[&str]) -> Result<(), FileError> {
     Err(FileError::Target { path: path.into(), reason })
 }
 
-/// Makes the file `path` whole or not at all: `write` fills a draft in the same folder, which is flushed, synced and then
-/// renamed over `path`.
+/// Creates the file `path` completely or not at all: `write` fills a draft in the same folder, which is flushed, synced
+/// and then renamed over `path`.
 ///
 /// # Errors
 /// [`FileError::Target`] as [`check_target`]; [`FileError::Write`] if anything fails later. Neither leaves a new file
@@ -117,8 +116,8 @@ pub fn write_csv<T: Serialize>(path: &Path, rows: impl IntoIterator<Item = T>) -
     })
 }
 
-/// Checks that a folder can be made at `path`: that it has a name, that nothing is there but an empty folder, and that one can be made
-/// beside it.
+/// Checks that a folder can be created at `path`: the path has a name, is free or an empty folder, and its parent is
+/// writable.
 fn check_folder(path: &Path) -> Result<(), FileError> {
     let unfit = |reason: &str| Err(FileError::Target { path: path.into(), reason: reason.into() });
     if path.file_name().is_none() {
@@ -132,7 +131,7 @@ fn check_folder(path: &Path) -> Result<(), FileError> {
     }
 }
 
-/// Makes the folder `path` whole or not at all: `fill` fills a draft beside it, which is then renamed.
+/// Creates the folder `path` completely or not at all: `fill` fills a draft beside it, which is then renamed.
 ///
 /// # Errors
 /// [`FileError::Target`] for a folder that is there and not empty, or cannot be made; the errors of `fill`, and [`FileError::Write`]

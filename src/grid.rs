@@ -2,13 +2,14 @@
 
 use crate::error::GridError;
 
-/// An equidistant grid of `ny` rows and `nx` columns over a cell of `ly` by `lx`, which repeats itself unless an axis is made free.
+/// An equidistant grid of `ny` rows and `nx` columns on a cell of `ly` by `lx`, which is periodic unless an axis is
+/// made free.
 ///
-/// A line is the grid of shape `(1, n)`: its single row has no extent, and nothing varies along it. A solver never asks
-/// which of the two it works on; only spectral exponents, statistics and pictures do.
+/// A line is a grid of shape `(1, n)`: nothing varies along y. Solvers do not distinguish lines and surfaces; only
+/// spectral exponents, statistics and pictures do.
 ///
-/// Along a free axis nothing is beyond the cell: the nodes are the centres of elements that fill it, and those at the rim have no
-/// neighbours outside.
+/// Along a free axis there is nothing outside the cell: the nodes are the centres of elements that fill it, and nodes
+/// at the rim have no neighbours outside.
 ///
 /// ```
 /// use asperity::Grid;
@@ -104,17 +105,17 @@ impl Grid {
         Self { free: [!y && !self.is_line(), !x], ..*self }
     }
 
-    /// Whether the cell repeats itself along y and x.
+    /// Whether the cell is periodic along y and x.
     pub fn periodic(&self) -> [bool; 2] {
         self.free.map(|free| !free)
     }
 
-    /// Whether the cell repeats itself along all axes.
+    /// Whether the cell is periodic along all axes.
     pub fn is_periodic(&self) -> bool {
         self.free == [false; 2]
     }
 
-    /// What is beyond the cell, in words.
+    /// The boundaries of the cell, in words.
     pub fn boundary(&self) -> &'static str {
         match self.periodic() {
             [true, true] => "periodic",
@@ -136,7 +137,8 @@ impl Grid {
         self.shape
     }
 
-    /// Lengths of the cell along y and x, its periods where it repeats itself; that of a line along y is nominally 1.
+    /// Lengths of the cell along y and x, which are the periods along periodic axes. For a line, the length along y is
+    /// nominally 1.
     pub fn size(&self) -> [f64; 2] {
         self.size
     }
@@ -162,8 +164,8 @@ impl Grid {
         [self.size[0] / self.shape[0] as f64, self.size[1] / self.shape[1] as f64]
     }
 
-    /// The node, counted row by row, `dy` rows and `dx` columns from another: beyond a period on the other side of the
-    /// cell, beyond a free rim the one at the rim.
+    /// The node, counted row by row, `dy` rows and `dx` columns from another: beyond a period, the node on the other
+    /// side of the cell; beyond a free rim, the node at the rim.
     ///
     /// ```
     /// let grid = asperity::Grid::surface([4, 5], [1.0, 1.0])?;
@@ -179,8 +181,8 @@ impl Grid {
         along(node / nx, dy, ny, self.free[0]) * nx + along(node % nx, dx, nx, self.free[1])
     }
 
-    /// The nearest neighbours of a node, one step on and back along x and then along y; the node itself where there is none, along the y
-    /// of a line and beyond a free rim.
+    /// The nearest neighbours of a node: next and previous along x, then along y. If there is no neighbour (along y of
+    /// a line, and at a free rim), it is the node itself.
     pub(crate) fn neighbours(&self, node: usize) -> [usize; 4] {
         let ([ny, nx], x) = (self.shape, node % self.shape[1]);
         let last_row = (ny - 1) * nx;
@@ -205,12 +207,12 @@ impl Grid {
         (0..self.shape[0]).map(move |i| i as f64 * dy)
     }
 
-    /// The longest period along which anything varies: the longest wavelength that fits the cell.
+    /// The longest period along which the surface varies: the longest wavelength in the cell.
     pub fn longest_wavelength(&self) -> f64 {
         if self.is_line() { self.size[1] } else { self.size[0].max(self.size[1]) }
     }
 
-    /// The coarsest spacing doubled: the shortest wavelength that is resolved along every axis.
+    /// Twice the coarsest spacing: the shortest wavelength that is resolved along every axis.
     pub fn shortest_wavelength(&self) -> f64 {
         let [dy, dx] = self.spacing();
         2.0 * if self.is_line() { dx } else { dy.max(dx) }

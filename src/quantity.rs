@@ -15,7 +15,7 @@ pub fn length<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(QuantityVisitor { kind: "a length", example: "\"160 um\"", parse: units::length })
 }
 
-/// Reads a length that need not be given, where it is.
+/// Reads an optional length.
 ///
 /// # Errors
 /// The errors of [`length`].
@@ -56,7 +56,7 @@ pub fn bytes_in_words(bytes: f64) -> String {
     if value < 10.0 { format!("{value:.1} {name}") } else { format!("{value:.0} {name}") }
 }
 
-/// Units for lengths in text, the longest first, in metres.
+/// Units of lengths in texts, the longest first, in metres.
 pub const LENGTHS: [(&str, f64); 4] = [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
 
 /// Units of areas, the largest first, in square metres.
@@ -176,7 +176,7 @@ mod units {
     /// Units of engineers that are others with a prefix.
     const PER_MILLIMETRE: [(&str, &str); 4] = [("N/mm", "kN/m"), ("N/mm2", "MPa"), ("N/mm²", "MPa"), ("N/mm^2", "MPa")];
 
-    /// A unit that no contact needs, and that is a slip for the megapascal.
+    /// A unit that no contact needs, which is probably a mistake for the megapascal.
     const MILLIPASCAL: &str = "mPa";
 
     pub fn length(text: &str) -> Option<f64> {

@@ -9,7 +9,7 @@ use pyo3::Borrowed;
 use pyo3::prelude::*;
 use std::ops::Deref;
 
-/// An array of numpy, or whatever numpy makes an array of. An array with masked values is refused.
+/// An array of numpy, or anything that numpy converts to an array. An array with masked values is refused.
 pub struct ArrayLike<'py>(PyArrayLikeDyn<'py, f64, AllowTypeChange>);
 
 impl<'py> Deref for ArrayLike<'py> {

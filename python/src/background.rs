@@ -1,7 +1,7 @@
 //! A run on a thread of its own, while the thread that called handles callbacks and Ctrl-C.
 //!
-//! The calling thread waits without the lock of the interpreter. A step stays on the thread of the solver: what Python asks of it is sent
-//! there as a [`Query`], so that nothing is computed or copied that nobody asks for.
+//! The calling thread waits without the lock of the interpreter. A step stays on the thread of the solver: what Python
+//! asks of it is sent there as a [`Query`], so that only requested data are computed or copied.
 
 use crate::fork;
 use asperity::contact::{Observer, Step, Wish};
@@ -23,11 +23,11 @@ type Query = Box<dyn FnOnce(&Step<'_>) + Send>;
 /// A message to a solver that waits with a step.
 enum Message {
     Query(Query),
-    /// The callback is done; the run goes on if this is true.
+    /// The callback is done; the run continues if this is true.
     Done(bool),
 }
 
-/// A callback for steps, which returns whether the run goes on.
+/// A callback for steps, which returns whether the run continues.
 pub type StepCallback<'a> = dyn Fn(Python<'_>, &StepHandle) -> PyResult<bool> + Sync + 'a;
 
 /// What the calling thread does during a run.
@@ -79,7 +79,7 @@ impl StepSender {
         self.is_cancelled.load(Ordering::Relaxed)
     }
 
-    /// Sends a step, answers the queries about it, and returns whether the run goes on.
+    /// Sends a step, answers the queries about it, and returns whether the run continues.
     fn send(&self, step: &Step<'_>) -> bool {
         let (sender, messages) = channel();
         if self.steps.send(StepHandle(sender)).is_err() {

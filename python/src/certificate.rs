@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 #[derive(Clone, Copy, PartialEq)]
 pub struct Certificate(pub contact::Certificate);
 
-/// The values that make a certificate again.
+/// The values from which a certificate is made again (pickle).
 type Values = (f64, f64, f64, f64, f64, f64, f64, f64, f64);
 
 #[pymethods]
@@ -40,13 +40,13 @@ impl Certificate {
         })
     }
 
-    /// Bound of the error in energy, divided by load times rms height.
+    /// Bound of the energy error, divided by load times rms height.
     #[getter]
     fn eta(&self) -> f64 {
         self.0.eta
     }
 
-    /// Under a given mean gap: the error divided by what is left of the gap. Otherwise 0.
+    /// Under a given mean gap: the error divided by the remaining gap. Otherwise 0.
     #[getter]
     fn eta_gap(&self) -> f64 {
         self.0.eta_gap
@@ -88,7 +88,7 @@ impl Certificate {
         self.0.penetration
     }
 
-    /// The part of `eta` that rounding alone may cause.
+    /// The part of `eta` that rounding alone can cause.
     #[getter]
     fn rounding(&self) -> f64 {
         self.0.rounding
@@ -134,7 +134,7 @@ impl Work {
         Self(contact::Work { iterations, transforms, seconds })
     }
 
-    /// Relaxation steps.
+    /// Iterations.
     #[getter]
     fn iterations(&self) -> usize {
         self.0.iterations

@@ -11,7 +11,7 @@ use asperity::foreign::{Assessment, Claim, Frame, Quantity, Replay};
 use asperity::setup::Solid;
 use pyo3::prelude::*;
 
-/// The certification of a result of another code: how far it is from the solution at most, and which mistakes explain that.
+/// The certification of a result of another code: bounds of its error, and the mistakes that explain the error.
 #[pyclass(frozen, module = "asperity")]
 pub struct Certification {
     holds: bool,
@@ -79,7 +79,7 @@ impl Certification {
         self.certificate
     }
 
-    /// The contact that the result makes, with tension clipped and the load restored.
+    /// The contact of the result, with tension set to zero and the load restored.
     #[getter]
     fn contact(&self, py: Python<'_>) -> Py<Contact> {
         self.contact.clone_ref(py)
@@ -91,7 +91,7 @@ impl Certification {
         self.mistakes.clone()
     }
 
-    /// Numbers on what is wrong and where, as dictionaries. None for a layer or a hardness.
+    /// Errors and their places, as dictionaries. None for a layer or a hardness.
     #[getter]
     fn assessment<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         self.assessment.as_ref().map(|assessment| to_python(py, assessment)).transpose()

@@ -28,7 +28,7 @@ pub struct Contact {
     pub surface: Arc<asperity::Surface>,
     pub setup: setup::Setup,
     pub rank: usize,
-    /// What slowed the solver down, in words, if that was asked for.
+    /// Why the solver was slow, in words, if `diagnose` was set.
     pub diagnosis: Option<String>,
     /// The stick and slip areas, if there is friction.
     pub slip: Option<PartialSlip>,

@@ -1,4 +1,4 @@
-//! The rows of a study as they come in.
+//! The rows of a study that is solved by several workers.
 
 use crate::error::{bail, py_error};
 use crate::study::Study;
@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// The progress of a study that is solved in pieces: which realisations are missing, and in the end the table of all rows.
+/// The progress of a study that is solved in parts: the missing realisations, and at the end the table of all rows.
 ///
 /// Ledger(study, out=None) keeps the rows in memory. With `out`, the file of a table (.csv), it keeps them on disk as well, so that a study
 /// that was stopped continues where it was. `asperity.study` uses it. With it, any engine that sends Python objects to workers can solve a
@@ -58,7 +58,7 @@ impl Ledger {
         self.ledger().known()
     }
 
-    /// The realisations that are missing, in batches for a number of workers, those that take longest first.
+    /// The missing realisations, in batches for a number of workers, the longest first.
     fn batches(&self, py: Python<'_>, workers: usize) -> PyResult<Vec<Batch>> {
         let batches = py.detach(|| self.ledger().batches(workers)).map_err(py_error)?;
         Ok(batches.into_iter().map(Batch).collect())

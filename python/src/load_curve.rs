@@ -1,4 +1,4 @@
-//! Contacts under one load after the other.
+//! Contacts under several loads.
 
 use crate::arrays::vector;
 use crate::contact::Contact;
@@ -21,7 +21,7 @@ pub struct LoadCurve {
     setup: Setup,
 }
 
-/// The values that make a curve again: the contacts and the setup.
+/// The values from which a curve is made again (pickle): the contacts and the setup.
 type LoadCurveParts = (Py<PyTuple>, Setup);
 
 impl LoadCurve {

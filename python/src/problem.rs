@@ -25,7 +25,7 @@ const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "forc
 /// dictionary with a coefficient and a tangential load. `record` holds the keys of the section `record` of a scene.
 #[pyclass(frozen, module = "asperity")]
 pub struct Problem {
-    /// The problem under its load, or under the heaviest one of a list.
+    /// The problem under its load, or under the largest load of a list.
     pub problem: asperity::Problem,
     pub surface: Arc<asperity::Surface>,
     pub setup: Setup,
@@ -138,7 +138,8 @@ impl Problem {
         self.problem.rms_gradient()
     }
 
-    /// The prescribed mean pressure, also where a reduced pressure or a force prescribes it. None under a mean gap or an approach.
+    /// The prescribed mean pressure, also if it is given as a reduced pressure or a force. None under a mean gap or an
+    /// approach.
     #[getter]
     fn mean_pressure(&self) -> Option<f64> {
         self.problem.mean_pressure()
@@ -180,7 +181,7 @@ impl Problem {
 
 #[pymethods]
 impl Setup {
-    /// The problem that the setup describes. Where the grid is to be found, it is the problem on the first grid.
+    /// The problem that the setup describes. If the grid is automatic, it is the problem on the first grid.
     pub fn problem(&self, py: Python<'_>) -> PyResult<Problem> {
         let mut first = self.clone();
         if let Some(auto) = self.refinement {

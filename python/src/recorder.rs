@@ -238,7 +238,7 @@ impl Recorder {
         Ok(false)
     }
 
-    /// The contact of the last step, with tension clipped and the load restored.
+    /// The contact of the last step, with tension set to zero and the load restored.
     #[getter]
     fn contact(&self, py: Python<'_>) -> PyResult<Py<Contact>> {
         self.result(|it| Ok(it.contact.clone_ref(py)))
@@ -263,7 +263,8 @@ impl Recorder {
         })
     }
 
-    /// What slows the solver down, in words: slow wavelengths, nodes that change back and forth, plateaus, contacts that return.
+    /// Why the solver is slow, in words: slow wavelengths, nodes that change their state often, plateaus, contact sets
+    /// that recur.
     #[getter]
     fn diagnosis(&self) -> PyResult<String> {
         self.result(|it| Ok(it.findings.clone()))

@@ -12,9 +12,10 @@ use std::path::PathBuf;
 
 /// The description of a contact to solve: the surface, the load, the solver, and what is recorded.
 ///
-/// Setup(surface=..., grid=..., solid=..., load=..., solver=..., stop=..., record=...) takes the sections of a scene as dictionaries, with
-/// `_` for `-` in their keys. Lengths and pressures are numbers in one set of units, or texts such as "160 um" and "1 GPa". A load may be a
-/// list of loads. With grid={"refine": "auto", ...} the grid is refined until area and kappa_r have settled.
+/// Setup(surface=..., grid=..., solid=..., load=..., solver=..., stop=..., record=...) takes the sections of a scene as
+/// dictionaries, with `_` for `-` in their keys. Lengths and pressures are numbers in one set of units, or texts such
+/// as "160 um" and "1 GPa". A load may be a list of loads. With grid={"refine": "auto", ...} the grid is refined until
+/// area and kappa_r are accurate enough.
 #[pyclass(frozen, eq, from_py_object, module = "asperity")]
 #[derive(Clone, PartialEq)]
 pub struct Setup {
@@ -22,7 +23,7 @@ pub struct Setup {
     pub setup: setup::Setup,
     /// All loads, if there is a list of them.
     pub loads: Option<Vec<Load>>,
-    /// The tolerance of a grid that is to be found, if it is.
+    /// The tolerance of an automatic grid, if there is one.
     pub refinement: Option<Auto>,
 }
 
@@ -121,7 +122,7 @@ impl Setup {
         setup::command(&self.setup)
     }
 
-    /// The surface, made or read.
+    /// The surface, generated or read.
     pub fn surface(&self, py: Python<'_>) -> PyResult<Surface> {
         let mut sections = sections_of(&self.setup);
         sections.retain(|key, _| key == "surface" || key == "grid");

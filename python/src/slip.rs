@@ -24,13 +24,13 @@ impl PartialSlip {
         self.slip.friction.coefficient
     }
 
-    /// The tangential load, in the form of the normal load: a pressure beside a mean pressure, a force beside a force.
+    /// The tangential load, of the same kind as the normal load: a pressure with a mean pressure, a force with a force.
     #[getter]
     fn tangential(&self) -> f64 {
         self.slip.friction.tangential
     }
 
-    /// The tangential load divided by the one at which the whole contact slides.
+    /// The tangential load divided by that at which the whole contact slides.
     #[getter]
     fn tangential_over_sliding(&self) -> f64 {
         self.slip.ratio

@@ -29,7 +29,7 @@ struct Solve<'a> {
     options: &'a SolveOptions,
 }
 
-/// Shows the steps of the solves that are asked for to the callback, and of the passes besides them none.
+/// Shows the steps of the main solves to the callback, but not those of additional passes.
 struct Steps<'s>(&'s StepSender);
 
 impl Watcher for Steps<'_> {
@@ -58,12 +58,13 @@ impl Problem {
     /// Solves the problem. The contact is returned whether the solver converged or not, with a warning if it did not; a list of loads returns
     /// a LoadCurve.
     ///
-    /// `solver` is "multilevel", "polonsky-keer" or "gfmd", or a dictionary with its method and settings. It stops at a certificate
-    /// `eta <= tolerance` (1e-8); with a pressure_tolerance it also waits for this bound of the relative error of the pressure. With
-    /// refine="auto" the grid is refined until the estimated errors of area and kappa_r are below area_tolerance (0.01). callback(step) is
-    /// called with every step and ends the run by returning False. `start` is a pressure to start from. `record` is the file of a recording,
-    /// `live` shows it in the installed viewer, `stream` is a callable that takes it as bytes, piece by piece. With diagnose=True the problem is
-    /// solved twice, and the contact says what slows the solver down.
+    /// `solver` is "multilevel", "polonsky-keer" or "gfmd", or a dictionary with its method and settings. It stops at a
+    /// certificate `eta <= tolerance` (1e-8); with a pressure_tolerance it also waits for this bound of the relative
+    /// error of the pressure. With refine="auto" the grid is refined until the estimated errors of area and kappa_r are
+    /// below area_tolerance (0.01). callback(step) is called with every step and ends the run by returning False.
+    /// `start` is a pressure to start from. `record` is the file of a recording, `live` shows it in the installed
+    /// viewer, `stream` is a callable that takes it as bytes, piece by piece. With diagnose=True the problem is solved
+    /// twice, and Contact.diagnosis states why the solver is slow.
     #[pyo3(signature = (**options), text_signature = "($self, *, solver='multilevel', tolerance=1e-8, pressure_tolerance=None, max_iterations=100000, refine=None, area_tolerance=None, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
     pub fn solve(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Py<PyAny>> {
         let (options, setup) = SolveOptions::from_keywords(options, &self.setup, self.problem.surface().grid())?;
@@ -77,8 +78,8 @@ impl Problem {
 
 #[pymethods]
 impl Setup {
-    /// Solves what the setup describes, by its own solver unless another one is given. The keywords are those of Problem.solve. It returns a
-    /// Contact, or a LoadCurve if the setup has a list of loads.
+    /// Solves the setup, with its own solver unless another one is given. The keywords are those of Problem.solve. It
+    /// returns a Contact, or a LoadCurve if the setup has a list of loads.
     #[pyo3(signature = (**options), text_signature = "($self, *, solver=None, tolerance=None, pressure_tolerance=None, max_iterations=None, refine=None, area_tolerance=None, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
     fn solve(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Py<PyAny>> {
         self.problem(py)?.solve(py, options)
@@ -163,7 +164,7 @@ impl Solve<'_> {
         done?.map_err(py_error)
     }
 
-    /// Calls the callback with a step, and returns whether the run goes on.
+    /// Calls the callback with a step, and returns whether the run continues.
     fn call_back(&self, py: Python<'_>, step: &StepHandle) -> PyResult<bool> {
         let (Some(callback), Some(step)) = (&self.options.callback, Step::new(step, self.problem.rank)) else {
             return Ok(true);
@@ -199,7 +200,7 @@ impl Solve<'_> {
     }
 }
 
-/// Warns of what makes the numbers of contacts doubtful, unless somebody has stopped the run.
+/// Issues warnings about doubtful numbers of contacts, unless the run was stopped.
 fn warn_about(py: Python<'_>, contacts: &[&Contact]) -> PyResult<()> {
     if contacts.iter().any(|it| it.contact.status == Status::StoppedByObserver) {
         return Ok(());

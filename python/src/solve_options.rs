@@ -11,14 +11,14 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// What is asked of a solve, beside its setup.
+/// The options of a solve, in addition to its setup.
 #[derive(Default)]
 pub struct SolveOptions {
     /// Called with every step.
     pub callback: Option<Py<PyAny>>,
     /// Where the recording goes.
     pub sink: RecordingSink,
-    /// Whether the contact is solved twice, to find what slows the solver down.
+    /// Whether the contact is solved twice, to find out why the solver is slow.
     pub diagnose: bool,
     /// A pressure to start from.
     pub start: Option<Field>,
@@ -73,7 +73,7 @@ impl SolveOptions {
         Ok(())
     }
 
-    /// Refuses options that go with one load, or with a grid that is given, only.
+    /// Refuses options that are only valid for one load, or for a given grid.
     fn check(&self, setup: &Setup) -> PyResult<()> {
         let only_once = [
             ("record, live and stream show", self.sink.is_active()),

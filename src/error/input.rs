@@ -1,16 +1,16 @@
-//! Whose fault an error is: of what was given, or of the machine and the method.
+//! Whether an error is caused by the input, or by the machine or the method.
 
 use super::{FileError, SetupError, SlipError, SolveError, StepsError, StudyError};
 
 impl FileError {
-    /// Whether another file or place would do.
+    /// Whether another file or place can help.
     pub fn is_input(&self) -> bool {
         !matches!(self, Self::Write { .. })
     }
 }
 
 impl SolveError {
-    /// Whether another solver or load would do.
+    /// Whether another solver or load can help.
     pub fn is_input(&self) -> bool {
         match self {
             Self::NeedsPressure { .. } | Self::NeedsWaves { .. } | Self::NeedsHardWall { .. } => true,
@@ -24,7 +24,7 @@ impl SolveError {
 }
 
 impl SlipError {
-    /// Whether another load or solver would do.
+    /// Whether another load or solver can help.
     pub fn is_input(&self) -> bool {
         match self {
             Self::Solve(error) => error.is_input(),
@@ -34,7 +34,7 @@ impl SlipError {
 }
 
 impl StepsError {
-    /// Whether other steps would do.
+    /// Whether other steps can help.
     pub fn is_input(&self) -> bool {
         match self {
             Self::File(error) => error.is_input(),
@@ -44,7 +44,7 @@ impl StepsError {
 }
 
 impl SetupError {
-    /// Whether another setup would do.
+    /// Whether another setup can help.
     pub fn is_input(&self) -> bool {
         match self {
             Self::File(error) => error.is_input(),
@@ -56,7 +56,7 @@ impl SetupError {
 }
 
 impl StudyError {
-    /// Whether another study would do.
+    /// Whether another study can help.
     pub fn is_input(&self) -> bool {
         match self {
             Self::Setup(error) | Self::Row { source: error, .. } => error.is_input(),

@@ -1,6 +1,6 @@
-//! Steps of preparation that some heights do not allow.
+//! Preparation steps that are not possible for some heights.
 
-/// A step of the preparation of measured heights that cannot be taken.
+/// An impossible step of the preparation of measured heights.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PreparationError {
     /// A part that the heights do not have.
@@ -15,16 +15,16 @@ pub enum PreparationError {
     /// Heights without the form of the body.
     #[error("the shape cannot be fitted, since the heights may be too flat or too steep: subtract a trend instead")]
     NoForm,
-    /// A wavelength that no filter separates.
+    /// A wavelength that is too short for a filter.
     #[error("a filter at the wavelength {wavelength:?} has no effect: give at least two spacings, {shortest:?}")]
     Wavelength { wavelength: f64, shortest: f64 },
-    /// A low-pass filter that leaves nothing of the heights.
+    /// A low-pass filter that removes all heights.
     #[error(
         "a low-pass filter at the wavelength {wavelength:?} removes all heights: give at most the longer side of the \
          map, {longest:?}"
     )]
     LongWavelength { wavelength: f64, longest: f64 },
-    /// A share of a taper that is too large or none.
+    /// A taper that is too large or not positive.
     #[error("the taper is {share:?}: give a fraction above 0 and at most 0.5")]
     Taper { share: f64 },
 }

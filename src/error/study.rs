@@ -1,10 +1,10 @@
-//! Studies that cannot be made, or be put together.
+//! Studies that cannot be solved or merged.
 
 use super::{FileError, SetupError, SolveError};
 use crate::quantity::bytes_in_words;
 use std::path::PathBuf;
 
-/// A study that cannot be made.
+/// A study that cannot be solved or merged.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
     #[error(transparent)]
@@ -13,48 +13,48 @@ pub enum StudyError {
     Solve(#[from] SolveError),
     #[error(transparent)]
     File(#[from] FileError),
-    /// A load that is no pressure, on a surface that has yielded.
+    /// A load that is not a pressure, on a surface that has yielded.
     #[error("the {load} cannot be solved after the surface has yielded: give pressures, or leave the hardness out")]
     Unload { load: &'static str },
     /// A list of loads, grids or surfaces that is empty or out of order.
     #[error("the {what} are {values}: give at least one value, in ascending order, each once")]
     List { what: &'static str, values: String },
-    /// Values in the lists of a study that make no setup.
+    /// Values in the lists of a study that give an invalid setup.
     #[error("row {row} ({values}): {source}")]
     Row { row: usize, values: String, source: SetupError },
-    /// Lists whose product is out of reach.
+    /// Lists with too many combinations.
     #[error("the lists make {rows} rows, and a study has at most {most}: give fewer values, or several studies")]
     TooManyRows { rows: u128, most: usize },
-    /// A tangential load, of which the rows of a study say nothing.
+    /// A tangential load, which studies do not support.
     #[error("a study has no tangential loads: leave the friction out, or solve the setups one by one")]
     Friction,
-    /// A number that no row has.
+    /// A row number that does not exist.
     #[error("there is no row {number}: give a number from 1 to {rows}")]
     NoRow { number: usize, rows: usize },
-    /// A realisation that needs more memory than it may have.
+    /// A realisation that needs more memory than is allowed.
     #[error(
         "{values} needs {} of memory, but the limit is {}: raise the limit, or give fewer points",
         bytes_in_words(*needed), bytes_in_words(*memory)
     )]
     Memory { values: String, needed: f64, memory: f64 },
-    /// Points of something else than what was to be solved.
+    /// Points of other realisations than those that were to be solved.
     #[error(
         "{points} points of {version} were returned for {values}, but their heights, loads or version differ: \
          install the same version and the same height files on all machines"
     )]
     OtherPoints { values: String, points: usize, version: String },
-    /// Rows that no table holds.
+    /// Rows that are missing in all tables.
     #[error(
         "{rows} of {of} rows are missing in the tables, or were changed after they were solved; the first is row \
          {first}: solve them, or give the missing tables"
     )]
     Missing { rows: usize, first: usize, of: usize },
-    /// A row that tables hold twice.
+    /// A row that is in two tables.
     #[error(
         "row {row} is in {} and also in {}: give tables of different shares", other.display(), path.display()
     )]
     Overlap { row: usize, path: PathBuf, other: PathBuf },
-    /// A table that would be lost.
+    /// A table of another study, which would be overwritten.
     #[error(
         "{} holds {points} points of other setups, loads or versions: give another file, or start again to replace it",
         path.display()

@@ -24,15 +24,15 @@ pub struct Description {
     pub is_in_metres: bool,
     /// Whether it says how far apart its points are.
     pub has_spacing: bool,
-    /// The knobs, with the steps that were chosen if they are to be.
+    /// The knobs, with the automatic steps if these are requested.
     pub knobs: HeightKnobs,
-    /// What there is to say of it: names and values.
+    /// Its description: names and values.
     pub rows: Vec<(String, String)>,
     /// The first lines of the file's own header, as they are written there: names and values.
     pub header: Vec<(String, String)>,
     /// Why steps were chosen, a sentence each.
     pub reasons: Vec<String>,
-    /// What keeps it from being solved, in one sentence.
+    /// Why it cannot be solved, in one sentence.
     pub fault: Option<String>,
 }
 

@@ -1,4 +1,4 @@
-//! The lessons as a folder of files for any server of files: what they show is solved beforehand.
+//! The lessons as a static site: everything that they show is solved in advance.
 
 use super::facet::{FACETS, MOTION};
 use super::knobs::Knobs;

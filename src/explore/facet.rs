@@ -1,4 +1,4 @@
-//! Facets: what can be asked of a run that has ended, beyond its report.
+//! Facets: data about a run that has ended, in addition to its report.
 
 use super::patches::PatchTable;
 use super::section::{Section, Shear};

@@ -1,4 +1,4 @@
-//! A contact under the hand: solved at once from the one before, and not recorded.
+//! A contact that the user drags: solved at once from the previous contact, and not recorded.
 
 use super::knobs::Knobs;
 use super::refusal::Refusal;
@@ -10,11 +10,11 @@ use crate::setup::Setup;
 use crate::surface::Field;
 use serde::{Deserialize, Serialize};
 
-/// The finest certificate that a contact under the hand is solved to, and its most steps.
+/// Tolerance and largest number of steps of a contact that the user drags.
 const TOLERANCE: f64 = 1e-6;
 const MOST_STEPS: usize = 2000;
 
-/// Where a hand holds the rigid surface.
+/// The position to which the user drags the rigid surface.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Hold {
@@ -26,7 +26,7 @@ pub struct Hold {
     is_deep: bool,
 }
 
-/// The contact under the hand.
+/// The contact at this position.
 #[derive(Serialize)]
 pub struct Held {
     section: Section,

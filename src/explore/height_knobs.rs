@@ -1,4 +1,4 @@
-//! The knobs of a file of heights, and the surface that they make of it.
+//! The knobs of a file of heights, and its surface.
 
 use super::refusal::Refusal;
 use super::schema::MOST_POINTS;
@@ -8,7 +8,7 @@ use crate::setup::{Boundary, Cell, Recipe};
 use crate::surface::{Crop, HeightFile, Layout, Preparation, PreparationChoice};
 use serde::{Deserialize, Serialize};
 
-/// How the heights of a file are taken. Lengths are in metres.
+/// How the heights of a file are read and prepared. Lengths are in metres.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct HeightKnobs {
@@ -18,17 +18,17 @@ pub struct HeightKnobs {
     /// The channel, by name or number from 1 on; the first one of heights if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub channel: Option<String>,
-    /// The length of 1 in a file that does not say its units.
+    /// The unit of a file that states none.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub unit: Option<f64>,
-    /// The length along x of all that is in the file, whose nodes are then as far apart along y.
+    /// The length of the whole file along x. The spacing along y is the same.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub width: Option<f64>,
-    /// What is beyond the heights.
+    /// The boundary of the heights.
     pub boundary: Boundary,
-    /// Whether a description chooses the steps anew.
+    /// Whether a description chooses the steps automatically.
     pub auto: bool,
-    /// What is done to the heights before they are pressed.
+    /// The preparation of the heights.
     pub prepare: Preparation,
 }
 

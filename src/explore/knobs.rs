@@ -53,17 +53,17 @@ pub struct Knobs {
     /// Ground of the pictures; dark where the page says nothing.
     #[serde(default)]
     theme: Theme,
-    /// Bumps on a line: where they are, their heights and widths, over the length of the cell.
+    /// Bumps on a line: positions, heights and widths, divided by the length of the cell.
     #[serde(default)]
     bumps: Vec<[f64; 3]>,
-    /// How the file of heights is taken, where it is the body: its points and lengths take the place of those above.
+    /// How the file of heights is read, if it is the body. Its points and lengths replace those above.
     #[serde(default)]
     pub(super) heights: HeightKnobs,
-    /// The mark of the scene, where that is the body.
+    /// The hash of the scene, if it is the body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     scene: Option<String>,
-    /// The knobs of a second surface, which is pressed beside the first with the same mean pressure: of these knobs only those of the surface
-    /// count.
+    /// The knobs of a second surface, which is shown beside the first under the same mean pressure. Only the knobs of
+    /// its surface are used.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     beside: Option<Box<Knobs>>,
 }

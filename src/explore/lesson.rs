@@ -1,4 +1,4 @@
-//! Lessons: what the page shows step by step, and what it asks before.
+//! Lessons: states that the page shows step by step, and questions before them.
 
 use super::knobs::{Knobs, Start};
 use super::question::{Goal, Question};
@@ -15,7 +15,7 @@ use toml::Spanned;
 /// The most lessons of a folder, and the longest one.
 const MOST_LESSONS: usize = 64;
 const MOST_BYTES: u64 = 1 << 18;
-/// The most states that a class may turn to from one step.
+/// The largest number of states that users can choose in one step.
 const MOST_STATES: usize = 64;
 
 /// The lessons that the page has of its own: names and texts.
@@ -32,7 +32,7 @@ const LESSONS: [(&str, &str); 6] = [
 type WrittenKnobs = BTreeMap<String, Spanned<Value>>;
 /// Why a step is refused, and where that stands in its file if it is not about the whole step.
 type Misplaced = (Option<Range<usize>>, Refusal);
-/// Values that a class may turn knobs to, by the names of the knobs.
+/// Values that users can choose, by the names of the knobs.
 type Turns = BTreeMap<String, Spanned<Vec<Value>>>;
 
 /// A lesson.
@@ -77,25 +77,24 @@ impl End {
     }
 }
 
-/// A step of a lesson: a state of the knobs, and what there is to see.
+/// A step of a lesson: a state of the knobs, and its explanation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LessonStep {
     /// The explanation of the step; after a question it is shown with the answer.
     pub text: Words,
     /// The state of the knobs.
     pub knobs: Knobs,
-    /// All states of the knobs that a class may turn to: that of the step first, then every choice of one of the values of each knob that may
-    /// be turned, its own among them.
+    /// All states that users can choose: first that of the step, then all combinations of the allowed values.
     #[serde(skip)]
     states: Vec<Knobs>,
     /// Whether the load is swept.
     pub sweep: bool,
-    /// What is asked before anything is shown.
+    /// The question before the step is shown.
     pub ask: Option<Question>,
 }
 
-/// A lesson as it is written: the knobs of a step are laid over those of the lesson, and these over those that the page starts with. The
-/// values that a class may turn knobs to go the same way.
+/// A lesson as it is written. The knobs of a step override those of the lesson, and these override the initial ones of
+/// the page. The same holds for the values that users can choose.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct WrittenLesson {

@@ -6,9 +6,9 @@
 //!   +----(Report)-----+<---(Turn)------------+
 //! ```
 //!
-//! Everything goes over one port of the loopback interface: page, viewer, state and the recording as it grows. Every
-//! tab has a session of its own among the few [`Sessions`], and a request changes nothing but that; what the page saves, the browser
-//! downloads. A file of heights that is dropped on the page stays in the memory of the session, and the next one takes its place.
+//! Page, viewer, state and growing recordings all use one port of the loopback interface. Each tab has its own session
+//! in [`Sessions`], and a request changes only this session. Saved files are downloads of the browser. A file of
+//! heights that is dropped on the page stays in the memory of the session until the next file replaces it.
 
 mod description;
 mod export;

@@ -1,4 +1,4 @@
-//! What the page may not have.
+//! Refusals of the page.
 
 use crate::error::{FileError, ProblemError, SetupError, SurfaceError};
 

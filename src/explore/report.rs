@@ -18,9 +18,9 @@ pub struct Report {
     pub sweep: Option<SweepReport>,
     /// Name of the recording whose curves stand beside those of new ones.
     pub pinned: Option<String>,
-    /// The fault that kept the last order from being carried out, in one sentence.
+    /// Why the last request failed, in one sentence.
     pub fault: Option<String>,
-    /// What the page says of the fault in its own words, where it has some.
+    /// The fault in the terms of the page, if it has a text for it.
     pub known_fault: Option<KnownFault>,
 }
 
@@ -56,9 +56,9 @@ pub struct RunReport {
     pub command: String,
     /// Setup that repeats the solve, in TOML.
     pub setup: String,
-    /// What each step that was taken with the heights of a file came to.
+    /// The effect of each preparation step of the heights of a file.
     pub prepared: Vec<String>,
-    /// Why the numbers may mean little, first those of the surface, then those of the surface beside.
+    /// Reasons to doubt the numbers, first of the surface, then of the surface beside.
     pub warnings: Vec<RunWarning>,
     pub knobs: Knobs,
     /// Whether solver and recording have ended.

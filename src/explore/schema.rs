@@ -8,7 +8,7 @@ use KnobKind::{Choice, Choices, Length, Nodes, Number, Switch};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-/// The most points of a line, and of a surface: more cannot be solved while someone waits.
+/// The largest number of points of a line, and of a surface, that can be solved while the user waits.
 pub const MOST_POINTS: [usize; 2] = [1 << 18, 1 << 20];
 /// Points along each side of a surface to start with.
 pub(super) const SURFACE_SIDE: usize = 1 << 8;
@@ -57,9 +57,9 @@ pub enum KnobScenes {
     Heights,
     /// A file of several channels.
     Channels,
-    /// A file that does not say its units.
+    /// A file without units.
     Unitless,
-    /// A file that does not say how far apart its heights are.
+    /// A file without a spacing.
     Unspaced,
     /// A file of heights at uneven positions.
     Uneven,

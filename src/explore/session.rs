@@ -1,4 +1,4 @@
-//! One session: the orders of the page, and all that came of them, in one place.
+//! One session: the orders of the page, and their results.
 
 use super::description::Description;
 use super::hand::{Held, Hold};
@@ -35,11 +35,12 @@ pub type Heights = (HeightFile, Description);
 pub struct Stock {
     pub heights: Option<Heights>,
     pub scene: Option<Arc<SceneFile>>,
-    /// Every how many steps fields are recorded, but with GFMD, whose steps are many; without it as in every recording.
+    /// The interval of steps at which fields are recorded (not for GFMD, which needs many steps); if it is left out, as
+    /// in every recording.
     pub every: Option<usize>,
 }
 
-/// The orders of the page, one at a time, and what comes of them; a new order ends the one before.
+/// The orders of the page, one at a time, and their results; a new order ends the previous one.
 pub struct Session {
     state: Mutex<SessionState>,
     /// The pressure of the contact under the hand, of which there is one at a time, and of that beside it.
@@ -78,7 +79,7 @@ impl SessionState {
         self.recordings.iter().find(|recording| recording.id == id)
     }
 
-    /// Notes what came of a recording.
+    /// Stores the result of a recording.
     fn end(&mut self, id: &str, ended: Ended) {
         let recording = self.recordings.iter_mut().find(|recording| recording.id == id);
         recording.into_iter().for_each(|recording| recording.ended = Some(ended.clone()));

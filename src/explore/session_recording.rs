@@ -1,4 +1,4 @@
-//! A recording of the session, and what came of the solve or sweep behind it.
+//! A recording of the session, and the result of its solve or sweep.
 
 use super::motion::Motion;
 use super::report::{RunReport, SweepReport};
@@ -18,18 +18,18 @@ pub struct SessionRecording {
     /// Name, without ending, of the files that it is saved as.
     pub file_stem: String,
     pub live: Output,
-    /// What came of it, once it is complete.
+    /// Its result, when it is complete.
     pub ended: Option<Ended>,
 }
 
-/// What came of a solve or a sweep.
+/// The result of a solve or a sweep.
 #[derive(Clone)]
 pub enum Ended {
     Run(Arc<SolvedRun>),
     Sweep(Arc<SweepReport>, Arc<Motion>),
 }
 
-/// What came of a solve.
+/// The result of a solve.
 pub struct SolvedRun {
     pub report: RunReport,
     /// Axes of its arrays.

@@ -89,7 +89,7 @@ fn doubts(solved: &[Solved]) -> Vec<RunWarning> {
     solved.iter().enumerate().flat_map(of_run).collect()
 }
 
-/// What each step of the preparation came to.
+/// The effect of each preparation step.
 fn prepared(setup: &Setup, surface: &Surface) -> Result<Vec<String>, SetupError> {
     let of = |file| Ok(setup.surface.prepared(file, surface.grid())?.effects);
     setup.surface.height.as_ref().map_or(Ok(Vec::new()), of)

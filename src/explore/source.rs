@@ -1,4 +1,4 @@
-//! What the knobs do not hold themselves: the heights of a file, or the scene of a setup.
+//! Surfaces from outside the knobs: the heights of a file, or the scene of a setup.
 
 use super::refusal::Refusal;
 use super::schema::MOST_POINTS;

@@ -54,7 +54,7 @@ const EXACT: [PointCurve; 2] = [
     }),
 ];
 
-/// Solves load after load, each from the contact before, until contact is full or the turn over.
+/// Solves one load after the other, each from the previous contact, until the contact is full or the turn is over.
 pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let loads: Vec<f64> = loads().collect();
     let problem = at_load(&setup.problem()?, FIRST)?;

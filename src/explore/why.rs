@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// Largest number of steps whose errors are reported.
 const MOST_STEPS: usize = 240;
 
-/// What held a run up, and what it did meanwhile.
+/// Why a run was slow, and what the solver did.
 #[derive(Serialize)]
 pub struct Why {
     #[serde(flatten)]
@@ -50,7 +50,7 @@ struct Stretch {
 }
 
 impl Why {
-    /// Solves once more what was solved, and holds each step against its end. None if that fails.
+    /// Solves the setup again, and compares each step with the final state. None if this fails.
     pub fn find(solved: &SolvedRun) -> Option<Self> {
         let (contact, (method, stop)) = (&solved.contact, solved.report.knobs.method());
         let mut diagnosis = Diagnosis::new(&contact.problem, Some(Arc::new(Reference::from_contact(contact))));

@@ -1,4 +1,4 @@
-//! Studies solved and put together: shares of rows, and their tables.
+//! Solving studies: shares of rows, and merging their tables.
 
 use super::check::Checksum;
 use super::column::Column;
@@ -18,20 +18,21 @@ use std::path::Path;
 /// Rows that are made into columns at a time.
 pub(super) const ROWS: usize = 1 << 14;
 
-/// How a study is solved, which changes none of its numbers.
+/// How a study is solved. This does not change its numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Campaign {
     /// The share that is solved.
     pub shard: Shard,
-    /// Realisations solved at a time, each in its thread.
+    /// Realisations solved at the same time, each in its own thread.
     pub workers: usize,
-    /// Bytes that these may take together, if that is bounded; one that needs more is refused.
+    /// Memory limit of these together, in bytes, if any; a realisation that needs more is refused.
     pub memory: Option<f64>,
 }
 
 impl Plan {
-    /// Solves one realisation under all loads, `watch`ed under each of them. This is all that a worker on another machine need do: the
-    /// points of all realisations, one after the other, are those of [`Plan::run`]; a [`super::Ledger`] puts them together.
+    /// Solves one realisation under all loads; `watch` makes the observer of each load. A worker on another machine
+    /// needs only this function. The points of all realisations, in order, are those of [`Plan::run`]; a
+    /// [`super::Ledger`] collects them.
     ///
     /// # Errors
     /// The errors of [`super::Realisation::press`].
@@ -46,8 +47,8 @@ impl Plan {
         Ok(points)
     }
 
-    /// Solves those rows of a share that `table` does not hold yet, largest first, writes the finished table and returns its points
-    /// in the order of their rows. `watch` sees each point as it is solved.
+    /// Solves the rows of a share that are not in `table` yet, largest first. Then it writes the finished table and
+    /// returns its points in the order of their rows. `watch` is called for each solved point.
     ///
     /// # Errors
     /// The errors of [`Sweep::run`], and for a realisation that needs more memory than is allowed.
@@ -88,7 +89,7 @@ impl Plan {
         }
     }
 
-    /// Puts the tables of shares together, and returns the points of all rows in their order.
+    /// Merges the tables of shares, and returns the points of all rows in order.
     ///
     /// # Errors
     /// [`StudyError::OtherShare`] for a table with points of another study, [`StudyError::Overlap`] for a row that is there twice,
@@ -136,7 +137,8 @@ impl Plan {
         }
     }
 
-    /// Writes the finished table of a share: its `points`, each with what its row was made of, see [`Plan::columns`], and its check sum.
+    /// Writes the finished table of a share: its `points`, each with the values of its row, see [`Plan::columns`], and
+    /// its check sum.
     ///
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].

@@ -25,7 +25,7 @@ impl Checksum {
         words
     }
 
-    /// Whether a row that was read is as it was written.
+    /// Whether a row has not changed since it was written.
     pub fn holds(record: &StringRecord) -> bool {
         let mut fields: Vec<&str> = record.iter().collect();
         fields.pop().is_some_and(|last| last == Self::from_row(fields).check)

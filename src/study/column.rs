@@ -27,7 +27,7 @@ pub enum ColumnValues {
 }
 
 impl ColumnValues {
-    /// How many there are.
+    /// The number of values.
     #[allow(clippy::len_without_is_empty, reason = "columns are made for at least one row")]
     pub fn len(&self) -> usize {
         match self {
@@ -47,7 +47,7 @@ impl ColumnValues {
     }
 }
 
-/// A row with all that makes its values.
+/// A row with everything that its values need.
 struct RowSource<'a> {
     row: StudyRow,
     point: &'a Point,
@@ -56,8 +56,9 @@ struct RowSource<'a> {
 }
 
 impl Plan {
-    /// The columns of some rows, of which `points` came out: the number of the row, what is chosen from the lists, the load, all that a
-    /// [`Point`] holds, and as `scene` the setup of the row, an inline table of TOML on one line. The seconds, which are never the same twice, are left out.
+    /// The columns of some rows with their `points`: number of the row, values from the lists, load, all fields of a
+    /// [`Point`], and as `scene` the setup of the row, an inline TOML table on one line. Seconds are left out, since
+    /// they differ from run to run.
     ///
     /// # Errors
     /// The errors of [`Plan::realisation`].

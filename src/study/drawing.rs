@@ -1,4 +1,4 @@
-//! The figure of a study: area and `kappa_r` against the load, by what varies.
+//! The figure of a study: area and `kappa_r` against the load, for each combination of values.
 
 use super::plan::Plan;
 use super::point::Point;
@@ -25,9 +25,9 @@ struct MeanPoint {
 }
 
 impl Plan {
-    /// The figure of all `points` of the study: area and `kappa_r` against the reduced pressure, a curve for each choice from the
-    /// lists but the seeds, over which the mean is taken, with the scatter of single realisations as bars. What did not
-    /// converge or is not resolved is left out, and of many curves the first twelve are drawn.
+    /// The figure of all `points` of the study: area and `kappa_r` against the reduced pressure, with one curve for
+    /// each combination of values. The mean is over the seeds, and bars show the standard deviation of single
+    /// realisations. Points that did not converge or are not resolved are left out. At most twelve curves are drawn.
     pub fn figure(&self, title: &str, points: &[Point]) -> Figure {
         let curves: Vec<(String, Vec<MeanPoint>)> = self.curves(points).into_iter().collect();
         let dots: Vec<&MeanPoint> = curves.iter().flat_map(|(_, means)| means).collect();

@@ -2,7 +2,8 @@
 
 use super::spread::Spread;
 
-/// A mean, its standard errors, and the scatter of single realisations, from which follows the error of another sample.
+/// A mean, its standard errors, and the standard deviation of single realisations, from which the error of another
+/// sample follows.
 ///
 /// ```
 /// use asperity::study::Estimate;

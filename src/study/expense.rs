@@ -1,4 +1,4 @@
-//! What a realisation takes, said before it is solved.
+//! The cost of a realisation, known before it is solved.
 
 use super::realisation::Realisation;
 use crate::contact::Load;
@@ -9,8 +9,9 @@ use crate::setup::{Cost, Extras, Method};
 /// as are the numbers of transforms, on rough lines of 2^10 to 2^20 nodes and surfaces of 2^14 to 2^20.
 const SECONDS: f64 = 0.8e-9;
 
-/// What a realisation takes: seconds of one core and bytes of memory. The seconds are a model, which is the same on all machines, so
-/// that all cut a study alike: those of GFMD may be off by a factor of four, the others by two.
+/// The cost of a realisation: seconds of one core and bytes of memory. The seconds are from a model that is the same on
+/// all machines, so that all machines divide a study in the same way. They may be wrong by a factor of four for GFMD,
+/// and of two otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expense {
     /// Seconds of one core.

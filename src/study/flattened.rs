@@ -8,12 +8,12 @@ use std::sync::Arc;
 /// A surface that has yielded under a load, below which it is elastic.
 pub(super) struct Flattened {
     surface: Arc<Surface>,
-    /// The highest mean pressure that it has borne.
+    /// The highest mean pressure that it has carried.
     mean_pressure: f64,
 }
 
 impl Flattened {
-    /// The surface that a contact leaves, if nodes of it yield.
+    /// The surface after a contact, if some of its nodes yield.
     pub fn by(contact: &Contact) -> Option<Self> {
         let mean_pressure = contact.mean_pressure();
         let has_yielded = contact.plasticity().area > 0.0;

@@ -9,7 +9,7 @@ use crate::setup::fnv1a;
 /// Version of the program.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The identity of a realisation: by its name, its setup and the version of the program, tables know its points.
+/// The identity of a realisation: tables recognise its points by its name, its setup and the version of the program.
 pub(super) struct Identity<'a> {
     realisation: &'a Realisation,
     /// Fingerprint of the setup; it includes the loads if these are not reduced pressures, since the points do not

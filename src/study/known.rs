@@ -1,4 +1,4 @@
-//! Points of a table, found by the realisations that they are of.
+//! Points of a table, grouped by realisation.
 
 use super::identity::{Identity, Key, key_of};
 use super::point::Point;
@@ -25,7 +25,7 @@ impl<'a> Known<'a> {
         self.0.get(&identity.key()).map_or(&[], Vec::as_slice)
     }
 
-    /// How many points are of none of the realisations.
+    /// The number of points that belong to none of the realisations.
     pub fn foreign(&self, identities: &[Identity<'_>]) -> usize {
         let mut by_key: HashMap<Key, Vec<&Identity<'_>>> = HashMap::new();
         identities.iter().for_each(|identity| by_key.entry(identity.key()).or_default().push(identity));

@@ -1,4 +1,4 @@
-//! The points of a study as they come in from wherever they are solved.
+//! The points of a study that is solved by several workers.
 
 use super::expense::Expense;
 use super::identity::{Identity, key_of};
@@ -14,8 +14,8 @@ const BATCHES: f64 = 8.0;
 /// Seconds of a batch: long against what it takes to send it, and short enough to be done again where a worker was lost.
 const SECONDS: [f64; 2] = [0.25, 20.0];
 
-/// What is known of a study that is solved in pieces, by workers in other processes or on other machines: which realisations are
-/// missing, and in the end the points of all.
+/// The state of a study that is solved in parts, by workers in other processes or on other machines: the missing
+/// realisations, and at the end the points of all.
 ///
 /// ```
 /// use asperity::study::{Ledger, Plan};
@@ -41,7 +41,7 @@ pub struct Ledger {
     points: Vec<Option<Vec<Point>>>,
 }
 
-/// Realisations that are solved one after the other, and what that takes.
+/// Realisations that are solved one after the other, and their cost.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Batch {
     /// Numbers of the realisations, from 0.
@@ -51,7 +51,8 @@ pub struct Batch {
 }
 
 impl Ledger {
-    /// The ledger of a study. What `table` holds already is known, and what comes is kept there; without a table it is kept in memory.
+    /// The ledger of a study. Points that are already in `table` are known, and new points are added to it. Without a
+    /// table, points are kept in memory.
     ///
     /// # Errors
     /// The errors of [`Plan::check`], [`StudyError::OtherStudy`] for a table with points of another study, and the errors of [`Table::read`].
@@ -69,7 +70,7 @@ impl Ledger {
         Ok(Self { plan, table, points })
     }
 
-    /// How many rows are known.
+    /// The number of known rows.
     pub fn known(&self) -> usize {
         self.points.iter().flatten().map(Vec::len).sum()
     }
@@ -100,7 +101,7 @@ impl Ledger {
         (first..first + self.plan.seeds()).filter(|&it| self.points[it].is_none()).collect()
     }
 
-    /// Enters the points of some realisations, by their numbers, which are known from now on; all of them or, after an error, none.
+    /// Adds the points of some realisations, given by their numbers. After an error, none of them is added.
     ///
     /// # Errors
     /// [`StudyError::OtherPoints`] for points of another realisation or version of the program, [`StudyError::NoRow`] for a realisation that there

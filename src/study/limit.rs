@@ -16,7 +16,7 @@ pub struct GridValues {
     pub values: BTreeMap<u64, f64>,
 }
 
-/// How the error of a quantity vanishes with the spacing of the grid: as a series in `spacing^order`.
+/// The order of the error of a quantity in the spacing of the grid: it is a series in `spacing^order`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
     /// Power of the spacing: 1 for counted nodes, 2 for edges between the nodes.

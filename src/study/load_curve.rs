@@ -1,4 +1,4 @@
-//! A contact under one load after the other.
+//! A contact under several loads, one after the other.
 
 use super::flattened::Flattened;
 use crate::contact::{Contact, Load, Observer, Problem};
@@ -7,11 +7,11 @@ use crate::setup::{Cost, Extras, Setup, SetupTable};
 use crate::surface::{Field, Surface};
 use std::sync::Arc;
 
-/// A contact under one load after the other, each solved from the contact before.
+/// A contact under several loads, one after the other; each solve starts from the previous contact.
 ///
-/// Below a hardness what has yielded stays: a load that is no higher than one before is solved on the surface that the highest one
-/// has left, see [`Contact::unloaded_surface`], which is elastic. A higher one is solved on the surface as it was, below the hardness:
-/// on the way up nothing depends on the loads between.
+/// With a hardness, plastic deformation remains: a load that is not higher than an earlier one is solved on the surface
+/// after the highest load, see [`Contact::unloaded_surface`], which is elastic. A higher load is solved on the original
+/// surface with the hardness, so loading does not depend on the intermediate loads.
 ///
 /// ```
 /// use asperity::contact::Load;
@@ -34,7 +34,7 @@ use std::sync::Arc;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCurve {
-    /// The contact, whose own load does not count.
+    /// The contact; its own load is not used.
     pub setup: Setup,
     /// Loads in the order in which they are applied.
     pub loads: Vec<Load>,
@@ -67,7 +67,7 @@ impl LoadCurve {
         Ok(Cost { bytes: cost.bytes + Cost::from_fields(&cost.grid, 1.0).bytes, ..cost })
     }
 
-    /// The problem under the heaviest of the loads, all of which are checked.
+    /// The problem under the largest load. All loads are checked.
     ///
     /// # Errors
     /// The errors of [`Setup::problem`], under any of the loads.
@@ -87,8 +87,8 @@ impl LoadCurve {
         Ok(heaviest.unwrap_or(any))
     }
 
-    /// Solves `problem` under one load after the other. `watch` makes the observer of each load and `each` sees each contact, both
-    /// by the number of the load, from 0.
+    /// Solves `problem` under all loads, one after the other. `watch` makes the observer of each load, and `each` is
+    /// called with each contact; both get the number of the load, from 0.
     ///
     /// # Errors For impossible loads, such as a mean gap after the surface has yielded, and those of `each`. Contacts
     /// that did not converge are shown, too.
@@ -111,7 +111,8 @@ impl LoadCurve {
     }
 }
 
-/// What a contact carries from one load to the next: its pressure, from which the next solve starts, and what has yielded.
+/// The state that a contact passes from one load to the next: its pressure, from which the next solve starts, and its
+/// plastic deformation.
 #[derive(Default)]
 pub struct Loading {
     start: Option<Field>,

@@ -1,4 +1,5 @@
-//! Studies: setups solved under rising loads, kept in tables that a killed run resumes, and what is made of them.
+//! Studies: setups solved under increasing loads, in tables from which an interrupted run continues, and their
+//! evaluation.
 //!
 //! ```text
 //! LoadCurve { setup, loads } --> Contacts

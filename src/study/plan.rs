@@ -14,9 +14,9 @@ const NAME: &str = "study";
 /// A setup with lists of values, which describes many setups: one realisation for each combination of values, each
 /// solved under all loads.
 ///
-/// The rows of the study are numbered from 1. The loads run fastest, then the seeds, then the other lists, the last of them in the
-/// order of [`crate::setup::FLAGS`] first. What comes out of a row depends on its realisation alone: not on the share in which it is solved, nor on
-/// what is solved beside it.
+/// The rows of the study are numbered from 1. The loads vary fastest, then the seeds, then the other lists (in the
+/// order of [`crate::setup::FLAGS`], the last list first). The result of a row depends on its realisation only, not on
+/// the share or on other rows.
 ///
 /// ```
 /// use asperity::study::{Plan, Shard};
@@ -40,7 +40,7 @@ const NAME: &str = "study";
 pub struct Plan {
     /// The first of the setups.
     table: SetupTable,
-    /// The lists but that of the loads.
+    /// The lists, without that of the loads.
     axes: Vec<ParameterAxis>,
     loads: Vec<Load>,
     realisations: usize,
@@ -71,7 +71,7 @@ impl Plan {
         Self::new(SetupTable::from_toml(text)?, text)
     }
 
-    /// The study that some sections and keys make, with lists among their values.
+    /// The study of a table of sections and keys, in which values may be lists.
     ///
     /// # Errors
     /// The errors of [`Plan::from_toml`].
@@ -79,7 +79,7 @@ impl Plan {
         Self::new(table, "")
     }
 
-    /// The study in a file. A height file is found beside it.
+    /// The study in a file. Paths of height files are relative to it.
     ///
     /// # Errors
     /// The errors of [`SetupTable::read`] and [`Plan::from_toml`].
@@ -109,7 +109,7 @@ impl Plan {
         Ok(Self { table, axes, realisations: rows as usize / loads.len(), loads, text: text.into() })
     }
 
-    /// The lists but that of the loads, the last of which runs fastest.
+    /// The lists, without that of the loads; the last list varies fastest.
     pub fn axes(&self) -> &[ParameterAxis] {
         &self.axes
     }
@@ -119,12 +119,12 @@ impl Plan {
         &self.loads
     }
 
-    /// How many realisations there are.
+    /// The number of realisations.
     pub fn realisations(&self) -> usize {
         self.realisations
     }
 
-    /// How many rows there are.
+    /// The number of rows.
     pub fn rows(&self) -> usize {
         self.realisations * self.loads.len()
     }
@@ -181,12 +181,12 @@ impl Plan {
         numbers.iter().map(|&i| self.realisation(i)).collect()
     }
 
-    /// What is chosen from the lists for realisation number `i`, in words.
+    /// The values from the lists for realisation number `i`, in words.
     pub fn words(&self, i: usize) -> String {
         self.words_of(i, |_| true)
     }
 
-    /// What is chosen from the lists but that of the seeds, in words: the same for realisations that are averaged over.
+    /// The values from the lists, without the seed, in words. They are the same for all realisations of one mean.
     pub fn words_but_seed(&self, i: usize) -> String {
         self.words_of(i, |axis| axis.path() != ParameterAxis::SEED)
     }
@@ -196,7 +196,7 @@ impl Plan {
         chosen.map(|(place, axis)| format!("{} {}", axis.name(), axis.word(place))).collect::<Vec<_>>().join(", ")
     }
 
-    /// Checks all that can be checked before a surface is made: all that differs but the seeds.
+    /// Checks everything that can be checked without generating a surface, for all values except the seeds.
     ///
     /// # Errors
     /// [`StudyError::Row`].
@@ -207,7 +207,8 @@ impl Plan {
         })
     }
 
-    /// What the realisations of a group, which differ by their seeds only, take, by the number of the first of them.
+    /// The cost of a realisation of each group whose members differ only in the seed, with the number of the first
+    /// realisation.
     ///
     /// # Errors
     /// [`StudyError::Row`].
@@ -216,13 +217,13 @@ impl Plan {
         self.firsts().map(of).collect()
     }
 
-    /// How many realisations differ by their seeds only.
+    /// The number of realisations that differ only in the seed.
     pub fn seeds(&self) -> usize {
         self.axes.last().filter(|axis| axis.path() == ParameterAxis::SEED).map_or(1, |axis| axis.len() as usize)
     }
 
-    /// The numbers of the realisations of a share, in their order. The realisations are dealt to the shares in turn, those that take
-    /// longest first.
+    /// The numbers of the realisations of a share, in their order. The realisations are distributed to the shares in
+    /// turn, the longest first.
     ///
     /// # Errors
     /// [`StudyError::Row`].

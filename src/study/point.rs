@@ -5,7 +5,7 @@ use crate::contact::{Observables, Status};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 
-/// A solved point: a realisation under one of its loads, how the solver ended, and what was found.
+/// A solved point: a realisation under one of its loads, the status of the solver, and the results.
 ///
 /// The fields are columns of a table, and so are those of its observables. What distinguishes the points of one
 /// realisation from those of others is its name, the fingerprint of its setup, and the version of the program.
@@ -41,7 +41,7 @@ pub struct Point {
     /// The numbers that were found.
     #[serde(skip)]
     pub observables: Observables,
-    /// Seconds of the solver, which are never the same twice.
+    /// Seconds of the solver, which differ from run to run.
     #[serde(skip)]
     pub seconds: f64,
 }
@@ -67,12 +67,13 @@ impl Point {
         Some(Self { observables, seconds, ..point })
     }
 
-    /// Whether the certificate met the tolerance; what did not is kept in tables and left out of averages.
+    /// Whether the certificate met the tolerance. Other points are kept in tables, but left out of means.
     pub fn is_converged(&self) -> bool {
         self.status == Status::Converged
     }
 
-    /// Whether the solver converged and the grid resolves the contact; what is not resolved is kept in tables and left out of averages.
+    /// Whether the solver converged and the grid resolves the contact. Other points are kept in tables, but left out of
+    /// means.
     pub fn is_resolved(&self) -> bool {
         self.relative_area().is_some() && self.kappa_r().is_some()
     }

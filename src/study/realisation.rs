@@ -1,4 +1,4 @@
-//! A setup and the loads it is solved under.
+//! A setup and its loads.
 
 use super::load_curve::LoadCurve;
 use crate::contact::{Contact, Load, Observer};
@@ -6,20 +6,20 @@ use crate::error::{ProblemError, SetupError, StudyError};
 use crate::grid::Grid;
 use crate::setup::Setup;
 
-/// A setup and the loads it is solved under, one after the other.
+/// A setup and its loads, which are solved one after the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Realisation {
     /// Name in tables.
     pub name: String,
     /// The contact, without its load.
     pub setup: Setup,
-    /// Loads instead of its own, each but the first started from the contact before.
+    /// Loads, which replace that of the setup; each solve starts from the previous contact.
     pub loads: Vec<Load>,
 }
 
 impl Realisation {
-    /// Solves the setup under its loads, each from the contact before and `watch`ed by an observer of its own, and shows each contact to
-    /// `each`, which may end that.
+    /// Solves the setup under its loads, each from the previous contact. `watch` makes the observer of each load.
+    /// `each` is called with each contact, and an error of it ends the realisation.
     ///
     /// # Errors For impossible surfaces and loads, and the errors of `each`. Contacts that did not converge are shown,
     /// too.
@@ -34,7 +34,7 @@ impl Realisation {
         curve.press(&problem, watch, |_, contact| each(contact))
     }
 
-    /// Checks all that can be checked before a surface is made, and returns the grid.
+    /// Checks everything that can be checked without generating a surface, and returns the grid.
     ///
     /// # Errors
     /// The errors of [`Setup::check`], and for a load that is not positive.

@@ -12,11 +12,10 @@ const PER_WAVE: f64 = 4.0;
 /// The fewest points per side of such a grid.
 const FEWEST: usize = 64;
 
-/// A contact on successively finer grids, each of twice as many points per side, until area and `kappa_r` have settled:
-/// until the errors that [`Resolution`] estimates are within a tolerance. Plateaus that leave an error above it on any
-/// grid end it at once.
+/// A contact on successively finer grids, each of twice as many points per side, until the errors of area and `kappa_r`
+/// that [`Resolution`] estimates are within a tolerance. It stops at once if plateaus cause a larger error on any grid.
 ///
-/// Heights of a file are interpolated, all else is made on the finer grid.
+/// Heights of a file are interpolated; everything else is generated on the finer grid.
 ///
 /// ```
 /// use asperity::contact::Load;
@@ -40,7 +39,7 @@ pub struct Refinement {
     tolerance: f64,
 }
 
-/// The contact on the grid on which it has settled, or on the finest one that there is memory for.
+/// The contact on the first grid that is accurate enough, or on the finest grid for which there is memory.
 pub struct Settled {
     /// The setup on that grid.
     pub setup: Setup,
@@ -51,8 +50,8 @@ pub struct Settled {
 }
 
 impl Refinement {
-    /// The refinement of a setup, from its own grid on or, for points that are to be found, from 4 points per shortest wave of its
-    /// roughness.
+    /// The refinement of a setup. It starts with the grid of the setup or, for automatic points, with 4 points per
+    /// shortest wavelength of its roughness.
     pub fn new(mut setup: Setup, auto: Auto) -> Self {
         if let (Some(axes), Some(spectrum)) = (auto.axes, setup.surface.spectrum) {
             let along =
@@ -84,7 +83,7 @@ impl Refinement {
         self.settle_if(check, solve)
     }
 
-    /// The same where `check` says whether there is memory for a grid, for heights that no setup describes.
+    /// The same for heights that no setup describes; `check` returns an error if there is not enough memory for a grid.
     ///
     /// # Errors
     /// Those of `solve`, and of `check` on the first grid.

@@ -1,4 +1,4 @@
-//! Shares of a study, for machines that do not know of one another.
+//! Shares of a study, for independent machines.
 
 use std::fmt;
 use std::str::FromStr;
@@ -27,7 +27,7 @@ impl Shard {
         self.number
     }
 
-    /// How many shares there are.
+    /// The number of shares.
     pub fn count(self) -> usize {
         self.count
     }

@@ -1,6 +1,6 @@
-//! Averages with their scatter.
+//! Means with their standard deviation.
 
-/// Mean of some values and how they scatter.
+/// Mean and standard deviation of some values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
     /// Mean.
@@ -12,7 +12,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// The spread of `values`; the mean of none is NaN.
+    /// The spread of `values`; without values the mean is NaN.
     ///
     /// ```
     /// use asperity::study::Spread;

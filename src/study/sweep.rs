@@ -1,4 +1,4 @@
-//! Surfaces under rising loads, several at a time.
+//! Surfaces under increasing loads, several at the same time.
 
 use super::expense::Expense;
 use super::identity::Identity;
@@ -13,10 +13,10 @@ use crate::setup::Extras;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
-/// Realisations, each solved under its loads, every load started from the contact of the one before.
+/// Realisations, each solved under its loads; each solve starts from the contact under the previous load.
 ///
-/// The numbers depend on the setups and their loads alone: not on how many are solved at a time, nor on what was solved before
-/// and kept in a table.
+/// The numbers depend only on the setups and their loads, not on the number of workers, and not on the points that a
+/// table already contains.
 ///
 /// ```
 /// use asperity::Indenter;
@@ -37,15 +37,15 @@ use std::sync::{Mutex, PoisonError};
 pub struct Sweep {
     /// The setups and their loads.
     pub realisations: Vec<Realisation>,
-    /// Realisations solved at a time, each in its thread.
+    /// Realisations solved at the same time, each in its own thread.
     pub workers: usize,
-    /// Bytes that these may take together, if that is bounded; one that needs more is solved alone.
+    /// Memory limit of these together, in bytes, if any; a realisation that needs more is solved alone.
     pub memory: Option<f64>,
 }
 
 impl Sweep {
-    /// Solves what `table` does not hold yet, writes the finished table and returns its points, realisation by
-    /// realisation. `watch` sees each point as it is solved. Points that did not converge are kept, with this status.
+    /// Solves the points that are not in `table` yet, writes the finished table and returns its points, realisation by
+    /// realisation. `watch` is called for each solved point. Points that did not converge are kept, with this status.
     ///
     /// # Errors
     /// For surfaces and loads that cannot be, files that cannot be read or written, and a table of another study, which would
@@ -58,8 +58,8 @@ impl Sweep {
         Ok(points)
     }
 
-    /// Solves what `table` does not hold yet, and returns all points, realisation by realisation, and whether the table is to
-    /// be written anew with them.
+    /// Solves the points that are not in `table` yet. Returns all points, realisation by realisation, and whether the
+    /// table must be rewritten.
     ///
     /// # Errors
     /// The errors of [`Sweep::run`].
@@ -78,7 +78,7 @@ impl Sweep {
         Ok((points, is_new))
     }
 
-    /// Refuses surfaces and loads that cannot be, before anything is solved.
+    /// Refuses impossible surfaces and loads before anything is solved.
     ///
     /// # Errors
     /// The errors of [`Realisation::check`].
@@ -86,7 +86,7 @@ impl Sweep {
         self.realisations.iter().try_for_each(|realisation| Ok(realisation.check().map(drop)?))
     }
 
-    /// Refuses surfaces and loads that cannot be, or do not fit in memory.
+    /// Refuses impossible surfaces and loads, and those that do not fit in memory.
     ///
     /// # Errors
     /// The errors of [`Realisation::check`] and [`crate::setup::Cost::check`].

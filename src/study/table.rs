@@ -45,7 +45,7 @@ impl Seconds {
 }
 
 impl Table {
-    /// The table `path`, which ends in `.csv` and need not be there.
+    /// The table `path`, which ends in `.csv` and need not exist.
     pub fn new(path: impl Into<PathBuf>) -> Self {
         Self { path: path.into() }
     }
@@ -73,8 +73,8 @@ impl Table {
         Ok(points)
     }
 
-    /// Adds the points of realisations to the unfinished table, so that a killed run need not repeat them. What was added when the
-    /// machine itself lost its power may be lost.
+    /// Adds the points of realisations to the unfinished table, so that an interrupted run need not repeat them. If the
+    /// machine loses power, the last points may be lost.
     ///
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].

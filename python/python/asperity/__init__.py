@@ -169,24 +169,24 @@ def solve(
         file of heights.
     size: length of the cell, or the lengths along y and x. It is not needed where a file contains it.
     mean_pressure, reduced_pressure (mean pressure divided by rms gradient and contact modulus), mean_gap, force (of a line: force per length),
-        approach: the load, one of them. A list of loads returns a LoadCurve; each load is solved from the contact before.
-    boundary: "periodic" (the cell repeats) or "free" (nothing presses the solid outside the cell), or one for each axis.
-    datum: on a free boundary of a line, the distance from a line load at which the surface does not move.
+        approach: the load, one of them. A list of loads returns a LoadCurve; each solve starts from the previous contact.
+    boundary: "periodic" (the cell repeats) or "free" (no pressure outside the cell), or one for each axis.
+    datum: on a free boundary of a line, the distance from a line load at which the displacement is zero.
     solid: contact modulus E / (1 - nu^2), or a dictionary: contact_modulus, or young and poisson (two each for two bodies); for a layer also its
         thickness as layer, and base. Without a solid, pressures are in units of the contact modulus.
     law: {"hardness": pressure} of the softer body. Without it the solid is elastic at any pressure.
-    friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip says what sticks and what slips.
-    solver: "multilevel" (the fast one), "polonsky-keer" or "gfmd", or a dictionary with its method and settings.
+    friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip has the stick and slip areas.
+    solver: "multilevel" (the fastest), "polonsky-keer" or "gfmd", or a dictionary with its method and settings.
     tolerance: the certificate to reach (1e-8). pressure_tolerance: the bound of the relative error of the pressure to reach.
     refine: "auto" refines the grid until the estimated errors of area and kappa_r are below area_tolerance (0.01).
     start: a pressure to start from, such as the solution under a similar load.
     callback: called with every Step; the run ends when it returns False. progress: shows a bar by tqdm.
     record: a file .rrd for all steps, to be opened in the Rerun viewer. recording: keys of the section `record` of a scene. live: shows the steps
         in the installed viewer. stream: a callable that takes the recording as bytes, piece by piece, such as `asperity.notebook.Viewer()`.
-    diagnose: solves twice; Contact.diagnosis then says what slows the solver down.
+    diagnose: solves twice; Contact.diagnosis then states why the solver is slow.
 
-    Raises AsperityError, a ValueError, for invalid input, and FileNotFoundError for a missing file. Warns with AsperityWarning of results to
-    doubt. Ctrl-C ends the run.
+    Raises AsperityError, a ValueError, for invalid input, and FileNotFoundError for a missing file. Doubtful results
+    give an AsperityWarning. Ctrl-C ends the run.
     """
     keys: dict[str, Any] = {
         "solid": solid,

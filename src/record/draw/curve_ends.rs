@@ -13,7 +13,8 @@ const DOUBT: f64 = 1.5;
 /// The end of an axis of the relative area of full contact.
 const WHOLE: f64 = 1.05;
 
-/// Upper ends of axes of curves that settle, known before solving so that the first steps do not dwarf the last.
+/// Upper ends of the axes of converging curves. They are set before the solve, so that the first steps do not make the
+/// last ones invisible.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurveEnds {
     pub kappa_r: f64,

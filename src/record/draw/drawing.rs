@@ -1,4 +1,4 @@
-//! What every part of a recording is: a drawing.
+//! Drawings: the parts of a recording.
 
 use super::fields::{FieldExtent, FrameFields};
 use super::ink::palette::Palette;
@@ -40,16 +40,16 @@ impl Subject<'_> {
 
 /// A part of the recording of a scene.
 ///
-/// A drawing is made before the solve, is fitted to its panes, and is recorded once. Then it draws the fields of the frames that are
-/// picked, and at the end its axes are fitted to what they show.
+/// A drawing is created before the solve, fitted to its panes, and its static parts are recorded. Then it draws the
+/// fields of the selected frames. At the end its axes are fitted to the data.
 pub trait Drawing: Send + Sync {
-    /// The panes that it wants, and where they stand.
+    /// The panes that it needs, and their places.
     fn panes(&self) -> Vec<(Place, Pane)>;
 
     /// Gives its pictures the proportions of their panes, whose width and height in points `size` finds by the root of a picture.
     fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>);
 
-    /// Records everything that stays: axes, styles, names.
+    /// Records the static parts: axes, styles, names.
     fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()>;
 
     /// Records a state at the current time.
@@ -62,23 +62,23 @@ pub trait Drawing: Send + Sync {
         Ok(())
     }
 
-    /// How far the axes must reach to show a state.
+    /// The ranges of the axes that are needed to show a state.
     fn extent(&self, _fields: &FrameFields<'_>) -> FieldExtent {
         FieldExtent::NONE
     }
 
-    /// Fits axes and scales to what they show, for all times.
+    /// Fits axes and scales to the data, for all times.
     fn settle(&self, _to: &RecordingStream, _extent: FieldExtent) -> RecordingStreamResult<()> {
         Ok(())
     }
 
-    /// What it collects of every step of a run, if it draws more than frames.
+    /// Its collector of all steps of a run, if it draws more than frames.
     fn run(&self) -> Option<Box<dyn RunDrawing>> {
         None
     }
 }
 
-/// Where a pane stands in the layout of a scene.
+/// The place of a pane in the layout of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// A row or cell of its own.
@@ -97,7 +97,7 @@ pub enum Place {
     RunCurves,
 }
 
-/// What a drawing collects of every step of one run, and records of it.
+/// The collector of a drawing for all steps of one run.
 pub trait RunDrawing: Send {
     /// Adds a step.
     fn add(&mut self, step: &RunStep<'_, '_>);
@@ -107,17 +107,17 @@ pub trait RunDrawing: Send {
         Ok(())
     }
 
-    /// Sends what was collected since the last time.
+    /// Sends the data that were collected since the last time.
     fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()>;
 
-    /// Adds the contact that came out.
+    /// Adds the resulting contact.
     fn end(&mut self, _contact: &Contact) {}
 }
 
 /// A step of a run, and what is known of the run so far.
 pub struct RunStep<'a, 's> {
     pub step: &'a Step<'s>,
-    /// The place in the scheme of the solver, of those that use coarse grids or inner steps.
+    /// The position in the scheme of the solver, if it uses coarse grids or inner steps.
     pub phase: Option<Phase>,
     /// The grid level, 0 for the finest.
     pub level: usize,
@@ -125,7 +125,7 @@ pub struct RunStep<'a, 's> {
     pub diagnosis: Option<&'a Diagnosis>,
 }
 
-/// A part in the table of parts: which one it is, how it is drawn, and what it costs.
+/// A row in the table of parts: the part, its drawing, and its size.
 pub struct PartRow {
     pub part: Part,
     /// The drawing of a scene, if the part can show it.
@@ -133,7 +133,8 @@ pub struct PartRow {
     pub bytes: fn(&Grid) -> Bytes,
 }
 
-/// Bytes of a part in a recording, about: packing makes pictures smaller by up to half, most at low loads.
+/// Approximate size of a part in a recording, in bytes. Compression makes pictures smaller by up to a half, most at
+/// small loads.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Bytes {
     /// What does not change, and the images of a whole run, which are recorded anew whenever the run has become twice as long.

@@ -1,4 +1,4 @@
-//! What heights are like, as a figure: a line's heights, the power spectrum, and the gradient from scale to scale.
+//! The survey of heights, as a figure: a line's heights, the power spectrum, and the gradient from scale to scale.
 
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 use crate::record::draw::ink::ruler::Ruler;

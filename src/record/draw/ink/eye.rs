@@ -1,4 +1,4 @@
-//! The eye that looks at a relief.
+//! The camera that looks at a relief.
 
 use glam::Vec3;
 

@@ -1,4 +1,4 @@
-//! What drawings share: canvases, colours, axes, images, panes, and fewer points than nodes.
+//! Common parts of drawings: canvases, colours, axes, images, panes, and the reduction of nodes to points.
 
 pub mod canvas;
 mod contrast;

@@ -1,4 +1,4 @@
-//! What a solver decided, as lanes over the steps.
+//! What a solver did, as lanes over the steps.
 
 use crate::contact::{Contact, Decision, Step, Work};
 use crate::diagnosis::{ContactChange, Diagnosis, History};

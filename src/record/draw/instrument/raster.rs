@@ -1,4 +1,4 @@
-//! The contact step by step: how long each node has been as it is.
+//! The contact step by step: for how many steps each node has kept its state.
 
 use crate::diagnosis::{ContactHistory, Diagnosis, History};
 use crate::plot::{Axis, Colour};
