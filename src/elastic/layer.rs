@@ -53,7 +53,8 @@ pub enum Base {
 
 impl Base {
     /// The bases and their names in scenes, with a short description.
-    pub const BASES: [(&str, &str); 2] = [("bonded", "It sticks"), ("sliding", "Frictionless")];
+    pub const BASES: [(&str, &str); 2] =
+        [("bonded", "The layer sticks to the base"), ("sliding", "The layer slides without friction")];
 }
 
 impl Layer {

@@ -16,7 +16,7 @@ pub enum Theme {
 impl Theme {
     /// The themes and their names in scenes, with a short description.
     pub const THEMES: [(&str, &str); 2] =
-        [("dark", "Light lines on a dark background"), ("light", "Dark lines on white, for paper and bright rooms")];
+        [("dark", "Light lines on a dark background"), ("light", "Dark lines on white, for print and bright rooms")];
 
     /// Whether it is the dark one, which needs no mention.
     pub fn is_dark(&self) -> bool {

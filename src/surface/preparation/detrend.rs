@@ -30,9 +30,9 @@ pub enum Detrend {
 impl Detrend {
     /// The trends and their names in scenes, with a short description.
     pub const TRENDS: [(&str, &str); 3] = [
-        ("mean", "The mean height, which no contact depends on"),
-        ("plane", "The plane of least squares; of a line the straight line"),
-        ("curvature", "The polynomial of second order; of a line the parabola"),
+        ("mean", "The mean height, which does not change the contact"),
+        ("plane", "The least-squares plane; for a line, the straight line"),
+        ("curvature", "The least-squares polynomial of second order; for a line, the parabola"),
     ];
 
     /// The heights without their trend.

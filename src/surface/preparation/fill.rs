@@ -15,7 +15,7 @@ pub enum Fill {
 
 impl Fill {
     /// The ways and their names in scenes, with a short description.
-    pub const WAYS: [(&str, &str); 1] = [("harmonic", "The smoothest heights that meet those around the void")];
+    pub const WAYS: [(&str, &str); 1] = [("harmonic", "The smoothest heights that fit those around the void")];
 
     /// The heights without voids; none if all heights are void.
     pub fn apply(self, mut scan: Scan) -> Option<Scan> {

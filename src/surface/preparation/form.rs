@@ -27,8 +27,8 @@ const FLAT: f64 = 1e-9;
 impl Form {
     /// The forms and their names in scenes, with a short description.
     pub const FORMS: [(&str, &str); 2] = [
-        ("cylinder", "The cylinder of least squares; of a line the circle"),
-        ("sphere", "The sphere of least squares; of a line the circle"),
+        ("cylinder", "The least-squares cylinder; for a line, the circle"),
+        ("sphere", "The least-squares sphere; for a line, the circle"),
     ];
 
     /// The heights without their form, and its radius, which is negative for a concave form; none if no such body fits.

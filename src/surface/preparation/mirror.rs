@@ -18,8 +18,11 @@ pub enum Mirror {
 
 impl Mirror {
     /// The axes and their names in scenes, with a short description.
-    pub const AXES: [(&str, &str); 3] =
-        [("x", "Along x, the columns"), ("y", "Along y, the rows"), ("both", "Along both; of a profile along it")];
+    pub const AXES: [(&str, &str); 3] = [
+        ("x", "Along x, the columns"),
+        ("y", "Along y, the rows"),
+        ("both", "Along both axes; for a profile, along its axis"),
+    ];
 
     /// Rows and columns of the heights and their images.
     pub fn shape(self, [ny, nx]: [usize; 2]) -> [usize; 2] {

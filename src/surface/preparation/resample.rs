@@ -13,7 +13,7 @@ pub enum Resample {
 impl Resample {
     /// The ways and their names in scenes, with a short description.
     pub const WAYS: [(&str, &str); 1] =
-        [("linear", "As many heights at even positions, on straight lines between neighbours")];
+        [("linear", "Linear interpolation to the same number of evenly spaced positions")];
 
     /// The heights at even positions, and their spacing, of heights at ever larger positions `x`, two at least.
     pub fn apply(self, x: &[f64], height: &[f64]) -> (Vec<f64>, f64) {
